@@ -1,0 +1,93 @@
+// Contact area at given loads on the equilibrium circle
+//
+//     R(y; T) = (y - 3 pi)^2 + tau^2(y, T) - S0^2 = 0,        S0^2 = 9 pi^2 + 6 pi P,
+//
+// where the model enters through tau^2 = y^2 (g - 1) alone (model.h, shear_term). Equivalent to the printed
+// y^2 + T^2 = 8 pi a^3 f(psi) for every model, see mechanics/README.md.
+#pragma once
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "mechanics/contact.h"
+#include "mechanics/model.h"
+#include "mechanics/registry.h"
+
+namespace mixity {
+
+/// R and its derivatives in y at fixed T. Near y = 3 pi it is taken about the centre of the circle, near
+/// y = 0 (Hertz, large T) expanded, so that neither form cancels where it is used.
+template <class Model, class S>
+ShearTerm<S> circle_residual(const Parameters<Model, S>& p, const S& P, const S& y, const S& T) {
+  const ShearTerm<S> tau2 = Model::shear_term(p, y, T);
+  const S three_pi = S(3) * pi<S>();
+  const S v = y - three_pi;
+  const S value = y > S(4) ? S((v * v - S(6) * pi<S>() * above_pull_off(P)) + tau2.value)
+                           : S((y * (y - S(2) * three_pi) + tau2.value) - S(2) * three_pi * P);
+  return {value, S(2) * v + tau2.d1, S(2) + tau2.d2};
+}
+
+/// One piece of the equilibrium curve on which A falls steadily as T rises: stable under load control.
+/// y falls from y_top (at T_top) to y_bottom (at T_bottom, which may be infinite: model a's asymptote).
+struct StableBranch {
+  double y_top, T_top, y_bottom, T_bottom;
+  bool ends_in_fold;  // otherwise y_bottom is Hertz (0) or an asymptote
+};
+
+enum class EquilibriumStatus { ok, no_equilibrium, invalid };
+
+struct Equilibrium {
+  EquilibriumStatus status;
+  double y = 0;     // edge load; the other quantities follow from it
+  int iterations = 0;
+};
+
+/// Largest T for which the formulas are guaranteed not to overflow.
+inline constexpr double kLargestLoad = 1e150;
+
+/// A model with its parameters at one normal load P (dimensionless). Cheap to make: the folds of the curve are
+/// looked for only when a T lies beyond the part of the curve that is known to be free of them.
+template <class Model>
+class LoadedContact {
+ public:
+  LoadedContact(const Parameters<Model>& parameters, double P);
+
+  /// Empty if the question makes sense; otherwise why not: parameters out of range or outside the domain of the
+  /// law, load not finite. at() then returns `invalid`.
+  std::string_view obstacle() const { return obstacle_; }
+
+  /// False below the JKR pull-off load, where no contact exists: at() then returns `no_equilibrium`.
+  bool in_contact() const { return in_contact_; }
+
+  /// Edge load of the contact that was loaded from T = 0 and has followed its stable branch, over jumps to a
+  /// lower stable branch where there is one. 0 <= T <= kLargestLoad. Relative error of the area below 4e-15 away
+  /// from folds; towards a fold T_f it grows as eps/sqrt(1 - T/T_f).
+  Equilibrium at(double T) const;
+
+  /// Stable branches from T = 0 downwards, at least one. Only if in_contact().
+  const std::vector<StableBranch>& branches() const;
+
+  /// Largest T at which the contact has a stable equilibrium: infinite if it shrinks to an asymptote.
+  double last_load() const { return branches().back().T_bottom; }  // only if in_contact()
+
+  double jkr_edge_load() const { return y_jkr_; }
+
+ private:
+  Equilibrium solve(double T, double low, double high, double start) const;
+  double edge_load_on_curve(double tan_psi) const;
+  double slope(double log_tan_psi) const;
+  void find_branches() const;
+  double refine_fold(double log_low, double log_high) const;
+
+  Parameters<Model> p_;
+  double P_, S0_ = 0, y_jkr_ = 0;
+  bool in_contact_ = false;
+  bool simple_top_ = false;  // R rises with y on [3 pi, y_jkr]
+  std::string_view obstacle_;
+  mutable std::vector<StableBranch> branches_;  // filled on first use
+};
+
+}  // namespace mixity
+
+#include "mechanics/equilibrium_impl.h"

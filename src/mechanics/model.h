@@ -1,0 +1,88 @@
+// What a mode-mixity model is: a toughness ratio f(psi) = G_c/G_Ic with named, bounded parameters.
+//
+// A model is a struct with static members only (see models/*.h):
+//   parameters                          names, bounds and a typical value
+//   info                                key on the command line, name, published formula
+//   log_toughness(p, mixity)            ln f and its first and second derivatives in the parameters
+//   shear_term(p, y, T)                 tau^2 = y^2 (g - 1) of the equilibrium circle and its derivatives in y
+//   shear_on_circle(p, T)               only if tau does not depend on y: makes the equilibrium a closed form
+//   tau_grows_with_edge_load(p)         true if d(tau^2)/dy >= 0 at fixed T for these parameters
+//   equilibrium_domain(p)               empty, or the reason why these parameters define no unique equilibrium
+// and it fills the slot of its number: template <> struct ModelSlot<4> { using type = MyModel; };
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+#include "mechanics/constants.h"
+
+namespace mixity {
+
+/// Direction of the edge load: cos = K_I/|K|, sin = K_II/|K|, both in [0, 1]. Holding both keeps full relative
+/// accuracy at psi -> 0 and at psi -> pi/2, which an angle cannot.
+template <class S>
+struct Mixity {
+  S cos, sin;
+};
+
+/// From edge load y > 0 (or y = 0 with T > 0) and tangential load T >= 0.
+template <class S>
+Mixity<S> mixity_from_loads(const S& y, const S& T) {
+  using std::sqrt;
+  if (T <= y) {
+    const S t = T / y, h = sqrt(S(1) + t * t);
+    return {S(1) / h, t / h};
+  }
+  const S t = y / T, h = sqrt(S(1) + t * t);
+  return {t / h, S(1) / h};
+}
+
+/// From the phase angle psi [rad] in [0, pi/2]. The double nearest to pi/2 means pi/2.
+inline Mixity<double> mixity_from_angle(double psi) {
+  const double c = std::cos(psi);
+  return {c < 1.3e-16 ? 0.0 : c, std::sin(psi)};
+}
+
+/// From the mode ratio B = G_II/(G_I + G_II) = sin^2 psi in [0, 1].
+inline Mixity<double> mixity_from_mode_ratio(double B) { return {std::sqrt(1 - B), std::sqrt(B)}; }
+
+/// psi = atan2(K_II, K_I) [rad].
+template <class S>
+S phase_angle(const Mixity<S>& m) {
+  using std::atan2;
+  return atan2(m.sin, m.cos);
+}
+
+struct ParameterInfo {
+  std::string_view name;
+  double lower, upper;  // closed range in which the published law makes sense
+  double typical;       // shown in help, and the start where nothing better is known
+};
+
+struct ModelInfo {
+  std::string_view key;      // "a": what --models takes
+  std::string_view name;     // "Johnson 1996"
+  std::string_view formula;  // as published
+};
+
+/// A function of N parameters with its gradient and (symmetric, row-major) Hessian in them.
+template <class S, std::size_t N>
+struct Differentiated {
+  S value;
+  std::array<S, N> gradient;
+  std::array<S, N * N> hessian;
+};
+
+/// tau^2 of the equilibrium circle at fixed T, with its first and second derivative in the edge load y.
+template <class S>
+struct ShearTerm {
+  S value, d1, d2;
+};
+
+/// A model header fills the slot of its number; the registry collects the filled ones in order.
+template <int Slot>
+struct ModelSlot {};
+
+}  // namespace mixity

@@ -1,0 +1,65 @@
+// Model bk, Benzeggagh & Kenane (1996), the law of composite delamination: f = 1 + (r - 1) B^eta,
+// B = sin^2 psi = G_II/(G_I + G_II), r = G_IIc/G_Ic.
+#pragma once
+
+#include "mechanics/model.h"
+
+namespace mixity {
+
+struct BenzeggaghKenane {
+  static constexpr ModelInfo info{"bk", "Benzeggagh-Kenane 1996", "f = 1 + (r-1) B^eta, B = sin^2(psi)"};
+  static constexpr std::array<ParameterInfo, 2> parameters{{{"r", 1e-3, 1e3, 2}, {"eta", 1e-2, 1e2, 2}}};
+
+  /// Finite for every psi.
+  template <class S>
+  static Differentiated<S, 2> log_toughness(const std::array<S, 2>& p, const Mixity<S>& mixity) {
+    using std::log, std::log1p, std::pow;
+    const S& eta = p[1];
+    const S B = mixity.sin * mixity.sin;
+    if (!(B > S(0))) return {S(0), {S(0), S(0)}, {S(0), S(0), S(0), S(0)}};
+    const S power = pow(B, eta), q = (p[0] - S(1)) * power;
+    // sin loses the digits of 1 - B near psi = pi/2, cos keeps them
+    const S log_B = B < S(0.5) ? S(log(B)) : S(log1p(-mixity.cos * mixity.cos));
+    const S u = power / (S(1) + q), v = q * log_B / (S(1) + q);
+    const S cross = u * log_B / (S(1) + q);
+    return {log1p(q), {u, v}, {-u * u, cross, cross, v * log_B / (S(1) + q)}};
+  }
+
+  /// tau^2 = (y^2 + T^2)/f - y^2 = T^2 (1 - (f - 1) y^2/T^2)/f, with (f - 1) y^2/T^2 = (r - 1) B^(eta-1) (1 - B).
+  template <class S>
+  static ShearTerm<S> shear_term(const std::array<S, 2>& p, const S& y, const S& T) {
+    using std::pow;
+    if (!(T > S(0))) return {S(0), S(0), S(0)};
+    const S& eta = p[1];
+    const Mixity<S> mixity = mixity_from_loads(y, T);
+    const S B = mixity.sin * mixity.sin, C = mixity.cos * mixity.cos;
+    const S reduced = (p[0] - S(1)) * pow(B, eta - S(1));
+    const S q = reduced * B, f = S(1) + q;
+    const S g = q * (eta - f) / (f * f);
+    return {T * T * (S(1) - reduced * C) / f, S(2) * y * g,
+            S(2) * g - S(4) * eta * q * C * ((eta - S(1)) - (eta + S(1)) * q) / (f * f * f)};
+  }
+
+  /// d(tau^2)/dy has the sign of (r - 1)(eta - f), and f lies between 1 and r.
+  static bool tau_grows_with_edge_load(const std::array<double, 2>& p) {
+    return p[0] >= 1 ? p[1] >= p[0] : p[1] <= p[0];
+  }
+
+  /// The map from psi to the circle is one-to-one when g = (1 + tan^2 psi)/f grows with psi:
+  /// 1 - (r - 1) B^(eta-1) (eta - (eta+1) B) >= 0. For r <= 1 that holds always; for r > 1 the worst B is
+  /// (eta-1)/(eta+1), which leaves (r - 1) ((eta-1)/(eta+1))^(eta-1) <= 1, and eta < 1 never qualifies.
+  static std::string_view equilibrium_domain(const std::array<double, 2>& p) {
+    const double r = p[0], eta = p[1];
+    if (r <= 1) return {};
+    if (eta < 1) return "the Benzeggagh-Kenane law with r > 1 needs eta >= 1 to define a unique equilibrium";
+    if ((r - 1) * std::pow((eta - 1) / (eta + 1), eta - 1) <= 1) return {};
+    return "the Benzeggagh-Kenane law defines a unique equilibrium only for (r-1)((eta-1)/(eta+1))^(eta-1) <= 1";
+  }
+};
+
+template <>
+struct ModelSlot<3> {
+  using type = BenzeggaghKenane;
+};
+
+}  // namespace mixity

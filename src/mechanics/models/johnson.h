@@ -1,0 +1,51 @@
+// Model a, Johnson (1996): f = 1 + (1 - lambda) tan^2 psi = (y^2 + (1 - lambda) T^2)/y^2, lambda in [0, 1].
+// lambda = 1 is the ideally brittle Savkoor-Briggs limit, lambda = 0 uncouples the modes.
+#pragma once
+
+#include "mechanics/model.h"
+
+namespace mixity {
+
+struct Johnson {
+  static constexpr ModelInfo info{"a", "Johnson 1996", "f = 1 + (1-lambda) tan^2(psi)"};
+  static constexpr std::array<ParameterInfo, 1> parameters{{{"lambda", 0, 1, 0.15}}};
+
+  /// Infinite at psi = pi/2 for lambda < 1: not to be called there.
+  template <class S>
+  static Differentiated<S, 1> log_toughness(const std::array<S, 1>& p, const Mixity<S>& mixity) {
+    using std::log1p;
+    const S tan = mixity.sin / mixity.cos, q = tan * tan;
+    const S d = -q / (S(1) + (S(1) - p[0]) * q);
+    return {log1p((S(1) - p[0]) * q), {d}, {-d * d}};
+  }
+
+  /// tau^2 = lambda T^2 y^2/(y^2 + m T^2), m = 1 - lambda. `mode_II` = m T^2/(y^2 + m T^2) lies in [0, 1].
+  template <class S>
+  static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {
+    const S& lambda = p[0];
+    const S m = S(1) - lambda;
+    S value, mode_II;
+    if (T <= y) {
+      const S w = T / y, d = S(1) + m * w * w;
+      value = lambda * T * T / d;
+      mode_II = m * w * w / d;
+    } else {
+      const S w = y / T, d = w * w + m;
+      if (!(d > S(0))) return {lambda * T * T, S(0), S(0)};
+      value = lambda * y * (y / d);
+      mode_II = m / d;
+    }
+    const S slope = S(2) * value * mode_II;
+    return {value, slope / y, slope * (S(4) * mode_II - S(3)) / (y * y)};
+  }
+
+  static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
+  static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
+};
+
+template <>
+struct ModelSlot<0> {
+  using type = Johnson;
+};
+
+}  // namespace mixity

@@ -1,0 +1,46 @@
+// Model c, Papangelo & Ciavarella (2019): f = 1/(1 + (lambda - 1) sin^2 psi) = (y^2 + T^2)/(y^2 + lambda T^2),
+// lambda in [0, 1]. lambda = 1 is the ideally brittle Savkoor-Briggs limit, lambda = 0 uncouples the modes.
+#pragma once
+
+#include "mechanics/model.h"
+
+namespace mixity {
+
+struct PapangeloCiavarella {
+  static constexpr ModelInfo info{"c", "Papangelo-Ciavarella 2019", "f = 1/(1 + (lambda-1) sin^2(psi))"};
+  static constexpr std::array<ParameterInfo, 1> parameters{{{"lambda", 0, 1, 0.15}}};
+
+  /// Infinite only at psi = pi/2 with lambda = 0.
+  template <class S>
+  static Differentiated<S, 1> log_toughness(const std::array<S, 1>& p, const Mixity<S>& mixity) {
+    using std::log, std::log1p;
+    const S B = mixity.sin * mixity.sin;
+    const S inverse = mixity.cos * mixity.cos + p[0] * B;
+    const S lost = (S(1) - p[0]) * B;  // 1 - 1/f
+    const S value = lost < S(0.5) ? S(-log1p(-lost)) : S(-log(inverse));
+    const S d = -B / inverse;
+    return {value, {d}, {d * d}};
+  }
+
+  /// tau = sqrt(lambda) T, whatever y: the equilibrium is a closed form.
+  template <class S>
+  static S shear_on_circle(const std::array<S, 1>& p, const S& T) {
+    using std::sqrt;
+    return sqrt(p[0]) * T;
+  }
+
+  template <class S>
+  static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S&, const S& T) {
+    return {p[0] * T * T, S(0), S(0)};
+  }
+
+  static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
+  static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
+};
+
+template <>
+struct ModelSlot<2> {
+  using type = PapangeloCiavarella;
+};
+
+}  // namespace mixity

@@ -1,0 +1,55 @@
+// Model b, Waters & Guduru (2010): f = 1 + tan^2(k psi) = 1/cos^2(k psi), k = 1 - lambda/2, lambda in [0, 2].
+// lambda = 2 is the ideally brittle Savkoor-Briggs limit, lambda = 0 uncouples the modes.
+#pragma once
+
+#include "mechanics/model.h"
+
+namespace mixity {
+
+struct WatersGuduru {
+  static constexpr ModelInfo info{"b", "Waters-Guduru 2010", "f = 1 + tan^2((1-lambda/2) psi)"};
+  static constexpr std::array<ParameterInfo, 1> parameters{{{"lambda", 0, 2, 0.15}}};
+
+  /// cos(k psi) = cos(psi) cos(h) + sin(psi) sin(h), h = lambda psi/2: a sum of positive terms, so nothing
+  /// cancels near psi = pi/2. Infinite only at psi = pi/2 with lambda = 0.
+  template <class S>
+  static Differentiated<S, 1> log_toughness(const std::array<S, 1>& p, const Mixity<S>& mixity) {
+    using std::cos, std::log, std::log1p, std::sin;
+    const S psi = phase_angle(mixity), h = S(0.5) * p[0] * psi, k_psi = (S(1) - S(0.5) * p[0]) * psi;
+    const S sine = sin(k_psi);
+    const S cosine = mixity.cos * cos(h) + mixity.sin * sin(h);
+    const S value = sine < S(0.5) ? S(-log1p(-sine * sine)) : S(S(-2) * log(cosine));
+    const S w = psi / cosine;
+    return {value, {-w * sine}, {S(0.5) * w * w}};
+  }
+
+  /// tau^2 = (y^2 + T^2) (cos^2(k psi) - cos^2 psi) = (y^2 + T^2) sin(h) sin(2 psi - h), where near psi = pi/2
+  /// the last sine is taken of its supplement 2 epsilon + h, epsilon = pi/2 - psi = atan(y/T).
+  template <class S>
+  static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {
+    using std::atan, std::cos, std::sin;
+    const S half = S(0.5) * p[0], k = S(1) - half;
+    const S square = y * y + T * T;
+    const Mixity<S> mixity = mixity_from_loads(y, T);
+    const bool open = T <= y;
+    const S epsilon = open ? S(0) : S(atan(y / T));
+    const S psi = open ? S(atan(T / y)) : S(S(0.5) * pi<S>() - epsilon);
+    const S second = open ? S(sin((S(2) - half) * psi)) : S(sin(S(2) * epsilon + half * psi));
+    const S sine = sin(k * psi), cosine = mixity.cos * cos(half * psi) + mixity.sin * sin(half * psi);
+    const S value = square * sin(half * psi) * second;
+    const S d1 = S(2) * sine * (k * T * cosine - y * sine);
+    const S d2 = S(-2) * sine * sine +
+                 S(2) * k * (T / square) * (S(2) * y * sine * cosine - k * T * (cosine - sine) * (cosine + sine));
+    return {value, d1, d2};
+  }
+
+  static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
+  static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
+};
+
+template <>
+struct ModelSlot<1> {
+  using type = WatersGuduru;
+};
+
+}  // namespace mixity

@@ -1,0 +1,54 @@
+// Every mode-mixity model the program knows. To add one, write its header and include it here.
+#pragma once
+
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "mechanics/models/johnson.h"               // a
+#include "mechanics/models/waters_guduru.h"         // b
+#include "mechanics/models/papangelo_ciavarella.h"  // c
+#include "mechanics/models/benzeggagh_kenane.h"     // bk
+
+namespace mixity {
+
+namespace registry_detail {
+template <int Slot>
+auto filled() {
+  if constexpr (requires { typename ModelSlot<Slot>::type; })
+    return std::tuple<typename ModelSlot<Slot>::type>{};
+  else
+    return std::tuple<>{};
+}
+template <int... Slots>
+auto collect(std::integer_sequence<int, Slots...>) {
+  return std::tuple_cat(filled<Slots>()...);
+}
+}  // namespace registry_detail
+
+/// std::tuple of the model types, in the order of their slots (64 at most).
+using Models = decltype(registry_detail::collect(std::make_integer_sequence<int, 64>{}));
+
+/// Calls visit(model) for each model in turn.
+template <class Visit>
+void for_each_model(Visit&& visit) {
+  std::apply([&](auto... model) { (visit(model), ...); }, Models{});
+}
+
+/// Calls visit(model) for the model with this key and returns true; returns false if there is none.
+template <class Visit>
+bool with_model(std::string_view key, Visit&& visit) {
+  return std::apply(
+      [&](auto... model) {
+        return ((decltype(model)::info.key == key ? (visit(model), true) : false) || ...);
+      },
+      Models{});
+}
+
+template <class Model>
+constexpr std::size_t parameter_count = std::tuple_size_v<std::remove_cvref_t<decltype(Model::parameters)>>;
+
+template <class Model, class S = double>
+using Parameters = std::array<S, parameter_count<Model>>;
+
+}  // namespace mixity
