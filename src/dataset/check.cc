@@ -1,0 +1,134 @@
+#include "dataset/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "dataset/number_text.h"
+
+namespace mixity {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+std::string times(std::size_t n) { return n == 1 ? "once" : std::to_string(n) + " times"; }
+
+void check_units(const Dataset& data, Lines& odd) {
+  double log_sum = 0;
+  std::size_t n = 0;
+  for (const CurveSummary& curve : summarise_curves(data)) {
+    if (!curve.area_over_jkr) continue;
+    const double ratio = *curve.area_over_jkr;
+    log_sum += std::log10(ratio);
+    ++n;
+    if (std::abs(std::log10(ratio)) > 0.1 && std::abs(std::log10(ratio)) < 0.7)
+      odd.push_back("run " + curve.name + ": the area at the smallest T is " + rounded(ratio, 3) +
+                    " times that of JKR at this load");
+  }
+  const double mean = n > 0 ? log_sum / static_cast<double>(n) : 0;
+  if (std::abs(mean) >= 0.7)
+    odd.push_back("units: the areas at the smallest T are about 10^" + rounded(std::round(mean), 3) +
+                  " times those of JKR; a unit of A, P, radius, modulus or toughness is probably off by a power of ten");
+}
+
+void check_order(const Dataset& data, Lines& odd) {
+  std::map<std::size_t, const Point*> last;
+  std::map<std::size_t, std::pair<std::size_t, std::size_t>> drops;  // curve -> count, first line
+  for (const Point& point : data.points) {
+    const Point*& before = last[point.curve];
+    if (before && point.T < before->T && ++drops[point.curve].first == 1) drops[point.curve].second = point.line;
+    before = &point;
+  }
+  for (const auto& [curve, drop] : drops)
+    odd.push_back("run " + data.curves[curve] + ": T falls " + times(drop.first) + ", first at line " +
+                  std::to_string(drop.second) + "; is unloading or a second run mixed in?");
+}
+
+void check_duplicates(const Dataset& data, Lines& odd) {
+  std::map<std::tuple<double, double, double, double>, std::size_t> seen;
+  for (const Point& point : data.points) {
+    const auto key = data.has_loads ? std::tuple(point.P, point.T, point.A, 0.0)
+                                    : std::tuple(point.mixity.cos, point.mixity.sin, point.ratio, 1.0);
+    const auto [first, is_new] = seen.try_emplace(key, point.line);
+    if (!is_new)
+      odd.push_back("line " + std::to_string(point.line) + " repeats line " + std::to_string(first->second));
+  }
+}
+
+void check_loads(const Dataset& data, Lines& odd) {
+  for (const CurveSummary& curve : summarise_curves(data)) {
+    if (curve.points < 3)
+      odd.push_back("run " + curve.name + " has only " + std::to_string(curve.points) + " usable point" +
+                    (curve.points == 1 ? "" : "s"));
+    else if (!curve.area_over_jkr && above_pull_off(curve.P) >= 0)
+      odd.push_back("run " + curve.name + " has no point near T = 0 to compare with JKR");
+    if (above_pull_off(curve.P) < 0)
+      odd.push_back("run " + curve.name + ": the load lies below the JKR pull-off load, -3 pi/2 R G_Ic");
+  }
+  std::map<std::size_t, std::pair<double, double>> range;
+  for (const Point& point : data.points) {
+    auto [entry, is_new] = range.try_emplace(point.curve, point.P, point.P);
+    entry->second = {std::min(entry->second.first, point.P), std::max(entry->second.second, point.P)};
+  }
+  for (const auto& [curve, loads] : range)
+    if (loads.second - loads.first > 0.05 * std::max({std::abs(loads.first), std::abs(loads.second), 1.0}))
+      odd.push_back("run " + data.curves[curve] + ": the load varies from " +
+                    rounded(loads.first * data.display.force_scale, 4) + " to " +
+                    rounded(loads.second * data.display.force_scale, 4) + " within the run");
+  if (data.curves.size() == 1) odd.push_back("only one load: whether lambda depends on load cannot be seen");
+}
+
+void check_toughness(const Dataset& data, Lines& odd) {
+  std::size_t too_wide = 0;
+  for (const Excluded& excluded : data.excluded) too_wide += excluded.reason.starts_with("psi outside");
+  if (too_wide > 0) odd.push_back("psi leaves 0..90 degrees " + times(too_wide) + "; is its unit rad where deg was meant?");
+  for (const Point& point : data.points)
+    if (point.psi < 0.05 && std::abs(std::log(point.ratio)) > 0.5)
+      odd.push_back("line " + std::to_string(point.line) + ": Gc/GIc is " + rounded(point.ratio, 3) +
+                    " near psi = 0, where it must be 1; is toughness (G_Ic) right?");
+}
+
+}  // namespace
+
+std::vector<CurveSummary> summarise_curves(const Dataset& data) {
+  if (!data.has_loads) return {};
+  std::vector<CurveSummary> curves(data.curves.size());
+  std::vector<const Point*> first(data.curves.size());
+  for (const Point& point : data.points) {
+    CurveSummary& curve = curves[point.curve];
+    if (curve.points++ == 0) {
+      curve = {data.curves[point.curve], 1, point.P, point.T, point.T, point.A, point.A, {}};
+      first[point.curve] = &point;
+      continue;
+    }
+    curve.T_max = std::max(curve.T_max, point.T);
+    curve.A_min = std::min(curve.A_min, point.A);
+    curve.A_max = std::max(curve.A_max, point.A);
+    if (point.T < curve.T_min) {
+      curve.T_min = point.T;
+      first[point.curve] = &point;
+    }
+  }
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (first[i] && above_pull_off(curves[i].P) >= 0 && first[i]->T <= 0.1 * curves[i].T_max)
+      curves[i].area_over_jkr = first[i]->A / area_from_radius(jkr_radius(first[i]->P));
+  return curves;
+}
+
+std::vector<std::string> find_oddities(const Dataset& data) {
+  Lines odd;
+  if (data.has_loads) {
+    check_units(data, odd);
+    check_order(data, odd);
+    check_loads(data, odd);
+  } else {
+    check_toughness(data, odd);
+  }
+  check_duplicates(data, odd);
+  for (const std::string& column : data.ignored_columns) odd.push_back("column '" + column + "' is not used");
+  if (data.metadata.provenance == Provenance::unstated) odd.push_back("the provenance of the data is not stated");
+  return odd;
+}
+
+}  // namespace mixity

@@ -1,0 +1,28 @@
+// What looks odd in a data set that could be read: the questions an experienced colleague would ask.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/dataset.h"
+
+namespace mixity {
+
+/// One loading run at a glance. Dimensionless.
+struct CurveSummary {
+  std::string name;
+  std::size_t points = 0;
+  double P = 0, T_min = 0, T_max = 0, A_min = 0, A_max = 0;
+  /// Area of the point with the smallest T over the JKR area at its load; null if T is not small there
+  /// (over a tenth of the run's largest) or the load lies below pull-off.
+  std::optional<double> area_over_jkr;
+};
+
+/// One per curve; empty for data without loads.
+std::vector<CurveSummary> summarise_curves(const Dataset& data);
+
+/// One sentence per oddity, with line numbers where they apply; empty if nothing is odd.
+std::vector<std::string> find_oddities(const Dataset& data);
+
+}  // namespace mixity

@@ -1,0 +1,123 @@
+#include "dataset/columns.h"
+
+#include "dataset/input_error.h"
+
+namespace mixity {
+namespace {
+
+struct Kind {
+  ColumnId id;
+  std::string_view name;
+  Dimension dimension;   // when it has a unit
+  bool always_a_number;  // never carries a unit of its own
+};
+
+constexpr std::array<Kind, kColumnCount> kKinds{{
+    {ColumnId::P, "P", dimension::force, false},
+    {ColumnId::T, "T", dimension::force, false},
+    {ColumnId::A, "A", dimension::area, false},
+    {ColumnId::a, "a", dimension::length, false},
+    {ColumnId::psi, "psi", dimension::angle, false},
+    {ColumnId::mode_ratio, "mode_ratio", dimension::none, true},
+    {ColumnId::Gc, "Gc", dimension::energy_per_area, false},
+    {ColumnId::Gc_over_GIc, "Gc_over_GIc", dimension::none, true},
+    {ColumnId::sigma_T, "sigma_T", dimension::force, false},
+    {ColumnId::sigma_A, "sigma_A", dimension::area, false},
+    {ColumnId::sigma_Gc, "sigma_Gc", dimension::energy_per_area, false},
+    {ColumnId::curve, "curve", dimension::none, true},
+    {ColumnId::include, "include", dimension::none, true},
+}};
+
+struct Heading {
+  std::string_view name, unit;
+  bool has_unit = false, well_formed = true;
+};
+
+/// "T [mN]" or "T (mN)" or "T".
+Heading split(std::string_view text) {
+  text = trim(text);
+  const std::size_t open = text.find_first_of("[(");
+  if (open == std::string_view::npos) return {text, {}};
+  const char close = text[open] == '[' ? ']' : ')';
+  return {trim(text.substr(0, open)), trim(text.substr(open + 1, text.size() - open - 2)), true,
+          text.back() == close && text.size() > open + 1};
+}
+
+bool is_dimensionless_by_choice(const Unit& unit) { return unit.dimension == dimension::none && unit.text != "%"; }
+
+}  // namespace
+
+std::string_view to_string(ColumnId id) { return kKinds[static_cast<std::size_t>(id)].name; }
+
+Columns::Columns(const std::string& path, const CsvRow& header) : count_(header.size()) {
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    const auto fail = [&](const std::string& message) {
+      throw InputError(path, header.line(), header.column(i), message);
+    };
+    const Heading heading = split(header[i]);
+    const std::string name(heading.name);
+    if (!heading.well_formed) fail("the unit of column '" + name + "' is not closed: '" + std::string(header[i]) + "'");
+    const Kind* kind = nullptr;
+    for (const Kind& candidate : kKinds)
+      if (candidate.name == heading.name) kind = &candidate;
+    if (!kind) {
+      if (!name.empty()) ignored_.push_back(name);
+      continue;
+    }
+    Unit unit;
+    if (heading.has_unit) {
+      const auto parsed = parse_unit(heading.unit);
+      const std::string wanted =
+          kind->always_a_number ? "a plain number" : describe(kind->dimension) + ", or no unit if dimensionless";
+      if (!parsed) fail("'" + std::string(heading.unit) + "' of column '" + name + "' is no unit; wanted " + wanted);
+      const bool relative = parsed->text == "%" && kind->name.starts_with("sigma_");
+      if (!relative && parsed->dimension != (kind->always_a_number ? dimension::none : kind->dimension))
+        fail("unit '" + parsed->text + "' of column '" + name + "' does not fit; wanted " + wanted);
+      unit = *parsed;
+    }
+    auto& slot = columns_[static_cast<std::size_t>(kind->id)];
+    if (slot) fail("column '" + name + "' stands twice");
+    slot = Column{kind->id, i, unit};
+  }
+  require_a_complete_set(path, header.line());
+  require_consistent_units(path, header);
+}
+
+void Columns::require_a_complete_set(const std::string& path, std::size_t line) const {
+  const bool loads = has(ColumnId::P) || has(ColumnId::T) || has(ColumnId::A) || has(ColumnId::a);
+  const bool toughness =
+      has(ColumnId::psi) || has(ColumnId::mode_ratio) || has(ColumnId::Gc) || has(ColumnId::Gc_over_GIc);
+  const auto fail = [&](const std::string& message) { throw InputError(path, line, 1, message); };
+  const auto exactly_one = [&](ColumnId one, ColumnId other) {
+    const std::string names = "'" + std::string(to_string(one)) + "' or '" + std::string(to_string(other)) + "'";
+    if (!has(one) && !has(other)) fail("column " + names + " is missing");
+    if (has(one) && has(other)) fail("columns " + names + ": one of them, not both");
+  };
+  if (!loads && !toughness)
+    fail("the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or Gc_over_GIc)");
+  if (loads && toughness) fail("the header mixes loads (P, T, A) with toughness (psi, Gc); give one set");
+  if (loads) {
+    for (const ColumnId id : {ColumnId::P, ColumnId::T})
+      if (!has(id)) fail("column '" + std::string(to_string(id)) + "' is missing");
+    exactly_one(ColumnId::A, ColumnId::a);
+  } else {
+    exactly_one(ColumnId::psi, ColumnId::mode_ratio);
+    exactly_one(ColumnId::Gc, ColumnId::Gc_over_GIc);
+  }
+}
+
+void Columns::require_consistent_units(const std::string& path, const CsvRow& header) const {
+  const Column* reference = find(ColumnId::P);
+  if (!reference) return;
+  for (const ColumnId id : {ColumnId::T, ColumnId::A, ColumnId::a}) {
+    const Column* column = find(id);
+    if (column && is_dimensionless_by_choice(column->unit) != is_dimensionless_by_choice(reference->unit))
+      throw InputError(path, header.line(), header.column(column->index),
+                       "column '" + std::string(to_string(id)) + "' " +
+                           (is_dimensionless_by_choice(column->unit) ? "has no unit while P has one"
+                                                                     : "has a unit while P has none") +
+                           "; P, T and A are either all dimensionless or none is");
+  }
+}
+
+}  // namespace mixity

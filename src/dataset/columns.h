@@ -1,0 +1,53 @@
+// The header of a data CSV: which quantity stands in which column, in which unit.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/csv.h"
+#include "dataset/units.h"
+
+namespace mixity {
+
+
+/// Quantities a data CSV may hold. Names are those of the header, case included: A is an area, a a radius.
+enum class ColumnId { P, T, A, a, psi, mode_ratio, Gc, Gc_over_GIc, sigma_T, sigma_A, sigma_Gc, curve, include };
+inline constexpr std::size_t kColumnCount = 13;
+
+struct Column {
+  ColumnId id;
+  std::size_t index;  // 0-based position in the row
+  Unit unit;
+};
+
+class Columns {
+ public:
+  /// Understands a header row; throws InputError for a unit that is none or of the wrong kind, for a quantity
+  /// that stands twice, and for a set of columns from which no data point can be made.
+  Columns(const std::string& path, const CsvRow& header);
+
+  const Column* find(ColumnId id) const {
+    const auto& column = columns_[static_cast<std::size_t>(id)];
+    return column ? &*column : nullptr;
+  }
+  bool has(ColumnId id) const { return find(id) != nullptr; }
+  std::size_t count() const { return count_; }                            // fields in the header
+  const std::vector<std::string>& ignored() const { return ignored_; }    // names of columns that mean nothing to us
+  /// P, T and A (or a), rather than psi and Gc.
+  bool holds_loads() const { return has(ColumnId::P); }
+
+ private:
+  void require_a_complete_set(const std::string& path, std::size_t line) const;
+  void require_consistent_units(const std::string& path, const CsvRow& header) const;
+
+  std::array<std::optional<Column>, kColumnCount> columns_;
+  std::vector<std::string> ignored_;
+  std::size_t count_ = 0;
+};
+
+std::string_view to_string(ColumnId id);
+
+}  // namespace mixity

@@ -1,0 +1,56 @@
+// A data set ready to fit: points with phase angle and toughness ratio, made from a CSV and its metadata.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/metadata.h"
+#include "mechanics/contact.h"
+#include "mechanics/model.h"
+
+namespace mixity {
+
+/// One usable point. P, T, A are dimensionless and zero where the data set has no loads.
+struct Point {
+  std::size_t line;  // in the CSV
+  std::size_t curve; // index into Dataset::curves
+  double P, T, A;
+  Mixity<double> mixity;
+  double psi;      // rad
+  double ratio;    // G_c/G_Ic > 0
+  double sigma_T, sigma_A, sigma_ratio;  // standard errors in the units of T, A, ratio; 0 where not given
+};
+
+struct Excluded {
+  std::size_t line;
+  std::string reason;
+};
+
+/// How the file's own units relate to the dimensionless ones: value in file = dimensionless * scale.
+struct DisplayUnits {
+  std::string force, area;  // as written in the header; empty if dimensionless
+  double force_scale = 1, area_scale = 1;
+};
+
+struct Dataset {
+  std::string path, name;  // name: the file's without folder and ending
+  Metadata metadata;
+  bool has_loads = false;          // (P, T, A) rather than (psi, Gc)
+  std::optional<Contact> contact;  // null if the data are dimensionless or (psi, f)
+  std::size_t rows = 0;            // data rows in the file: points + excluded
+  std::vector<Point> points;       // usable, in file order
+  std::vector<Excluded> excluded;
+  std::vector<std::string> curves; // names of the loading runs: the curve column, or one per load
+  std::vector<double> curve_loads; // dimensionless load of each run's first point; empty without loads
+  std::vector<std::string> ignored_columns;
+  DisplayUnits display;
+};
+
+/// Reads PATH.csv and PATH.toml beside it. Throws InputError, with file, line and column, for anything in them that
+/// cannot be understood, and for a constant that this kind of data needs and neither the TOML nor an override states.
+/// Points that are understood but cannot be used are listed in `excluded`.
+Dataset load_dataset(const std::string& path, const Overrides& overrides = {});
+
+}  // namespace mixity

@@ -1,0 +1,26 @@
+// The one exception of the library: input that cannot be used, with the place where it was found.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace mixity {
+
+/// what() reads "file:line:column: message" with 1-based line and column (characters); 0 leaves them out.
+class InputError : public std::runtime_error {
+ public:
+  InputError(const std::string& file, std::size_t line, std::size_t column, const std::string& message)
+      : std::runtime_error(place(file, line, column) + message) {}
+  InputError(const std::string& file, const std::string& message) : InputError(file, 0, 0, message) {}
+
+ private:
+  static std::string place(const std::string& file, std::size_t line, std::size_t column) {
+    std::string text = file;
+    if (line > 0) text += ":" + std::to_string(line);
+    if (line > 0 && column > 0) text += ":" + std::to_string(column);
+    return text + ": ";
+  }
+};
+
+}  // namespace mixity

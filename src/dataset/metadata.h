@@ -1,0 +1,50 @@
+// What stands beside a CSV: the constants of the contact and where the data come from.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "dataset/units.h"
+
+namespace mixity {
+
+enum class Provenance { unstated, measured, digitised, reconstructed };
+std::string_view to_string(Provenance provenance);
+
+/// The sentence every output shows beside reconstructed data.
+inline constexpr std::string_view kReconstructedNotice =
+    "reconstructed data: generated from a published fit, not measured. Recovering lambda from them tests the "
+    "program, not the physics.";
+
+/// Constants in SI; null where not stated.
+struct Metadata {
+  std::optional<double> radius;                         // m, > 0
+  std::optional<double> modulus;                        // plane-strain E*, Pa, > 0
+  std::optional<double> youngs_modulus, poisson_ratio;  // Pa, > 0; 0..0.5: an alternative to modulus
+  std::optional<double> toughness;                      // G_Ic, J/m^2, > 0
+  std::optional<double> toughness_II;                   // G_IIc, J/m^2, > 0
+  std::optional<double> shear_strength;                 // tau0, Pa, > 0
+  Provenance provenance = Provenance::unstated;
+  std::string source, note;
+
+  /// modulus, or E* from youngs_modulus and poisson_ratio; null if neither is stated.
+  std::optional<double> plane_strain_modulus() const;
+};
+
+/// Names and texts as given on a command line, in order: {"radius", "9.42 mm"}.
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+/// Sets one field from its text. Returns what is wrong with it, or an empty string.
+std::string set_field(Metadata& metadata, std::string_view name, std::string_view text);
+
+/// Reads the TOML at `path`; a file that does not exist leaves everything unstated. Throws InputError with line
+/// and column for a syntax error, an unknown key or a value without a unit.
+Metadata read_metadata(const std::string& path);
+
+/// Applies overrides; throws InputError naming the flag.
+void apply_overrides(const Overrides& overrides, Metadata& metadata);
+
+}  // namespace mixity

@@ -1,0 +1,84 @@
+#include "dataset/plot_import.h"
+
+#include <cmath>
+#include <utility>
+
+#include "dataset/csv.h"
+#include "dataset/input_error.h"
+#include "dataset/number_text.h"
+
+namespace mixity {
+namespace {
+
+struct Series {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> points;  // as written, so that no digit changes
+};
+
+/// A number field as written; empty if the field is. Throws if it is anything else.
+std::string number_field(const std::string& path, const CsvRow& row, std::size_t i) {
+  if (i >= row.size()) return {};
+  const std::string_view text = trim(row[i]);
+  if (text.empty()) return {};
+  const auto value = parse_number(text);
+  if (!value || !std::isfinite(*value))
+    throw InputError(path, row.line(), row.column(i), "'" + std::string(text) + "' is not a finite number");
+  return std::string(text);
+}
+
+std::vector<Series> read_series(const std::string& path) {
+  std::vector<Series> series;
+  std::size_t rows = 0;
+  read_csv(path, [&](const CsvRow& row) {
+    if (++rows == 1) {
+      for (std::size_t i = 0; i < row.size(); i += 2) {
+        const std::string name(trim(row[i]));
+        if (name.empty() && i + 1 >= row.size()) break;
+        series.push_back({name.empty() ? "data set " + std::to_string(i / 2 + 1) : name, {}});
+      }
+      return;
+    }
+    if (rows == 2 && !parse_number(row[0]) && !trim(row[0]).empty()) return;  // the labels X,Y
+    for (std::size_t i = 2 * series.size(); i < row.size(); ++i)
+      if (!trim(row[i]).empty())
+        throw InputError(path, row.line(), row.column(i), "a value stands beyond the last named data set");
+    for (std::size_t k = 0; k < series.size(); ++k) {
+      const std::string x = number_field(path, row, 2 * k), y = number_field(path, row, 2 * k + 1);
+      if (x.empty() && y.empty()) continue;
+      if (x.empty() || y.empty())
+        throw InputError(path, row.line(), row.column(2 * k + (x.empty() ? 0 : 1)),
+                         "data set '" + series[k].name + "' has one coordinate of a point without the other");
+      series[k].points.emplace_back(x, y);
+    }
+  });
+  if (rows == 0) throw InputError(path, 1, 1, "is empty: a row with the data sets' names is missing");
+  return series;
+}
+
+}  // namespace
+
+std::string import_plot(const std::string& path, const PlotImport& options) {
+  const std::vector<Series> series = read_series(path);
+  const bool with_loads = !options.loads.empty();
+  if (with_loads && options.loads.size() != series.size())
+    throw InputError(path, 1, 1, "holds " + std::to_string(series.size()) + " data sets, but " +
+                                     std::to_string(options.loads.size()) + " loads were given");
+  std::string text = "curve,";
+  if (with_loads) {
+    const Unit& unit = options.loads.front().unit;
+    text += unit.text.empty() ? "P," : "P [" + unit.text + "],";
+  }
+  text += options.x_column + "," + options.y_column + "\n";
+  std::size_t points = 0;
+  for (std::size_t k = 0; k < series.size(); ++k)
+    for (const auto& [x, y] : series[k].points) {
+      text += csv_field(series[k].name) + ",";
+      if (with_loads) text += shortest(options.loads[k].value) + ",";
+      text += x + "," + y + "\n";
+      ++points;
+    }
+  if (points == 0) throw InputError(path, 2, 1, "holds no points");
+  return text;
+}
+
+}  // namespace mixity

@@ -1,0 +1,162 @@
+#include "dataset/units.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace mixity {
+namespace {
+
+struct Symbol {
+  std::string_view name;
+  double factor;
+  Dimension dimension;
+  bool takes_prefix;
+};
+
+constexpr double kPi = 3.141592653589793;
+constexpr std::array kSymbols{
+    Symbol{"m", 1, dimension::length, true},        Symbol{"N", 1, dimension::force, true},
+    Symbol{"Pa", 1, dimension::stress, true},       Symbol{"J", 1, {1, 1, 0}, true},
+    Symbol{"rad", 1, dimension::angle, true},       Symbol{"deg", kPi / 180, dimension::angle, false},
+    Symbol{"°", kPi / 180, dimension::angle, false}, Symbol{"gf", 9.80665e-3, dimension::force, false},
+    Symbol{"kgf", 9.80665, dimension::force, false}, Symbol{"dyn", 1e-5, dimension::force, false},
+    Symbol{"erg", 1e-7, {1, 1, 0}, false},          Symbol{"bar", 1e5, dimension::stress, false},
+    Symbol{"%", 0.01, dimension::none, false},      Symbol{"1", 1, dimension::none, false},
+};
+
+struct Prefix {
+  std::string_view name;
+  int power;  // of ten
+};
+// micro is u, U+00B5 or U+03BC
+constexpr std::array kPrefixes{Prefix{"p", -12}, Prefix{"n", -9},  Prefix{"u", -6}, Prefix{"\u00b5", -6},
+                               Prefix{"\u03bc", -6}, Prefix{"m", -3}, Prefix{"c", -2}, Prefix{"d", -1},
+                               Prefix{"k", 3},   Prefix{"M", 6},   Prefix{"G", 9}};
+
+bool take(std::string_view& text, std::string_view start) {
+  if (!text.starts_with(start)) return false;
+  text.remove_prefix(start.size());
+  return true;
+}
+
+/// One factor of a unit without its power: "mN", "Pa".
+std::optional<Unit> parse_symbol(std::string_view text) {
+  for (const Symbol& symbol : kSymbols)
+    if (symbol.name == text) return Unit{symbol.factor, symbol.dimension, {}};
+  for (const Prefix& prefix : kPrefixes)
+    for (const Symbol& symbol : kSymbols)
+      if (symbol.takes_prefix && text.starts_with(prefix.name) && text.substr(prefix.name.size()) == symbol.name)
+        // dividing by 10^n is exact where multiplying by 10^-n is not
+        return Unit{prefix.power < 0 ? symbol.factor / std::pow(10.0, -prefix.power)
+                                     : symbol.factor * std::pow(10.0, prefix.power),
+                    symbol.dimension,
+                    {}};
+  return std::nullopt;
+}
+
+/// The power at the end of a factor, which it removes: "mm^2", "mm2", "mm²", "m^-2", "m**2".
+std::optional<int> take_power(std::string_view& factor) {
+  for (auto [superscript, power] : {std::pair{"⁻¹", -1}, {"⁻²", -2}, {"²", 2}, {"³", 3}})
+    if (factor.ends_with(superscript)) {
+      factor.remove_suffix(std::string_view(superscript).size());
+      return power;
+    }
+  std::size_t digits = factor.size();
+  while (digits > 0 && factor[digits - 1] >= '0' && factor[digits - 1] <= '9') --digits;
+  if (digits == factor.size() || digits == 0) return 1;
+  int power = 0;
+  const auto [end, error] = std::from_chars(factor.data() + digits, factor.data() + factor.size(), power);
+  if (error != std::errc() || power == 0 || power > 9) return std::nullopt;
+  factor = factor.substr(0, digits);
+  if (factor.ends_with('-')) {
+    power = -power;
+    factor.remove_suffix(1);
+  }
+  if (factor.ends_with("**"))
+    factor.remove_suffix(2);
+  else if (factor.ends_with('^'))
+    factor.remove_suffix(1);
+  return power;
+}
+
+}  // namespace
+
+std::string_view trim(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::optional<Unit> parse_unit(std::string_view text) {
+  text = trim(text);
+  Unit unit{1, {}, std::string(text)};
+  if (text.empty()) return std::nullopt;
+  bool divide = false;
+  while (true) {
+    std::size_t length = 0;
+    const auto at_separator = [&] {
+      const std::string_view rest = text.substr(length);
+      return rest.starts_with(' ') || rest.starts_with('/') || rest.starts_with("·") ||
+             (rest.starts_with('*') && !rest.starts_with("**"));
+    };
+    while (length < text.size() && !at_separator()) length += text.substr(length).starts_with("**") ? 2 : 1;
+    std::string_view factor = text.substr(0, length);
+    text.remove_prefix(length);
+    const auto power = take_power(factor);
+    const auto symbol = parse_symbol(factor);
+    if (!power || !symbol) return std::nullopt;
+    const int n = divide ? -*power : *power;
+    for (int i = 0; i < std::abs(n); ++i) n > 0 ? unit.factor *= symbol->factor : unit.factor /= symbol->factor;
+    unit.dimension.force += n * symbol->dimension.force;
+    unit.dimension.length += n * symbol->dimension.length;
+    unit.dimension.angle += n * symbol->dimension.angle;
+    text = trim(text);
+    if (text.empty()) return unit;
+    divide = take(text, "/");
+    if (!divide && !take(text, "*")) take(text, "·");
+    text = trim(text);
+  }
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  text = trim(text);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size() || text.empty()) return std::nullopt;
+  if (error == std::errc()) return value;
+  // Out of range: from_chars says so without a value. Too small is zero for our purposes, too large infinite.
+  if (error != std::errc::result_out_of_range) return std::nullopt;
+  const std::size_t e = text.find_first_of("eE");
+  const bool tiny = e != std::string_view::npos ? text.substr(e + 1).starts_with('-') : text.find('.') <= 2;
+  return tiny ? 0.0 : (text.starts_with('-') ? -1.0 : 1.0) * HUGE_VAL;
+}
+
+std::optional<Quantity> parse_quantity(std::string_view text) {
+  text = trim(text);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  Quantity quantity;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), quantity.value);
+  if (error != std::errc() || !std::isfinite(quantity.value)) return std::nullopt;
+  const std::string_view rest = trim(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (rest.empty()) return quantity;
+  const auto unit = parse_unit(rest);
+  if (!unit) return std::nullopt;
+  quantity.unit = *unit;
+  return quantity;
+}
+
+std::string describe(const Dimension& d) {
+  if (d == dimension::none) return "a plain number";
+  if (d == dimension::force) return "a force such as mN";
+  if (d == dimension::length) return "a length such as mm";
+  if (d == dimension::area) return "an area such as mm^2";
+  if (d == dimension::stress) return "a stress such as MPa";
+  if (d == dimension::energy_per_area) return "an energy per area such as mJ/m^2";
+  if (d == dimension::angle) return "an angle (rad or deg)";
+  return "N^" + std::to_string(d.force) + " m^" + std::to_string(d.length);
+}
+
+}  // namespace mixity
