@@ -1,0 +1,139 @@
+// The solver proper: Ceres, then Newton steps on the gradient.
+#include <ceres/ceres.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fitting/minimise.h"
+
+namespace mixity {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+class CeresAdapter final : public ceres::CostFunction {
+ public:
+  explicit CeresAdapter(const LeastSquares& problem) : problem_(problem) {
+    set_num_residuals(static_cast<int>(problem.residual_count()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.parameters().size()));
+  }
+  bool Evaluate(const double* const* x, double* residuals, double** jacobians) const override {
+    const std::size_t n = problem_.residual_count(), p = problem_.parameters().size();
+    const bool wanted = jacobians && jacobians[0];
+    return problem_.evaluate({x[0], p}, {residuals, n}, {wanted ? jacobians[0] : nullptr, wanted ? n * p : 0});
+  }
+
+ private:
+  const LeastSquares& problem_;
+};
+
+/// Residuals, Jacobian and what the first-order condition makes of them.
+struct Linearised {
+  Vector r;
+  Matrix J;
+  Vector gradient;  // J'r, zero where a bound holds the parameter
+  bool finite = false;
+  double stationarity = 0;
+};
+
+Linearised linearise(const LeastSquares& problem, const Vector& x) {
+  const auto n = static_cast<Eigen::Index>(problem.residual_count());
+  const auto p = static_cast<Eigen::Index>(problem.parameters().size());
+  Linearised at{Vector(n), Matrix(n, p), Vector(p), false, 0};
+  at.finite = problem.evaluate({x.data(), static_cast<std::size_t>(p)}, {at.r.data(), static_cast<std::size_t>(n)},
+                               {at.J.data(), static_cast<std::size_t>(n * p)});
+  if (!at.finite) return at;
+  at.gradient = at.J.transpose() * at.r;
+  for (Eigen::Index k = 0; k < p; ++k) {
+    const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
+    const bool held_low = x[k] <= parameter.lower && at.gradient[k] > 0;
+    const bool held_high = x[k] >= parameter.upper && at.gradient[k] < 0;
+    if (held_low || held_high) at.gradient[k] = 0;
+    const double scale = at.J.col(k).norm() * at.r.norm();
+    if (scale > 0) at.stationarity = std::max(at.stationarity, std::abs(at.gradient[k]) / scale);
+  }
+  return at;
+}
+
+Vector clamped(const LeastSquares& problem, Vector x) {
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
+    x[k] = std::clamp(x[k], parameter.lower, parameter.upper);
+  }
+  return x;
+}
+
+/// Cost differences vanish in rounding at sqrt(eps) of x; the gradient does not. Newton steps on it, its derivative
+/// by central differences, take the parameters to their last digits.
+void polish(const LeastSquares& problem, Vector& x, Linearised& at) {
+  const Eigen::Index p = x.size();
+  for (int iteration = 0; iteration < 12 && at.stationarity > 0; ++iteration) {
+    Eigen::MatrixXd H(p, p);
+    for (Eigen::Index k = 0; k < p; ++k) {
+      if (at.gradient[k] == 0) {  // held by a bound, or already there
+        H.col(k) = Vector::Unit(p, k);
+        continue;
+      }
+      const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
+      const double h = 1e-5 * std::max(std::abs(x[k]), 1e-9 * (parameter.upper - parameter.lower));
+      Vector low = x, high = x;
+      low[k] = std::max(x[k] - h, parameter.lower);
+      high[k] = std::min(x[k] + h, parameter.upper);
+      const Linearised below = linearise(problem, low), above = linearise(problem, high);
+      if (!below.finite || !above.finite) return;
+      H.col(k) = (above.J.transpose() * above.r - below.J.transpose() * below.r) / (high[k] - low[k]);
+    }
+    for (Eigen::Index k = 0; k < p; ++k)
+      if (at.gradient[k] == 0) H.row(k) = Vector::Unit(p, k).transpose();
+    const Vector step = H.fullPivLu().solve(-at.gradient);
+    if (!step.allFinite()) return;
+    const Vector next = clamped(problem, x + step);
+    const Linearised there = linearise(problem, next);
+    const bool better = there.finite && there.stationarity < at.stationarity &&
+                        there.r.squaredNorm() <= at.r.squaredNorm() * (1 + 1e-12);
+    if (!better) return;
+    x = next;
+    at = there;
+  }
+}
+
+}  // namespace
+
+std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<double>& start) {
+  Vector x = Eigen::Map<const Vector>(start.data(), static_cast<Eigen::Index>(start.size()));
+  if (!linearise(problem, x).finite) return std::nullopt;
+
+  CeresAdapter cost(problem);
+  ceres::Problem::Options ownership;
+  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem ceres_problem(ownership);
+  ceres_problem.AddResidualBlock(&cost, nullptr, x.data());
+  for (int k = 0; k < x.size(); ++k) {
+    ceres_problem.SetParameterLowerBound(x.data(), k, problem.parameters()[static_cast<std::size_t>(k)].lower);
+    ceres_problem.SetParameterUpperBound(x.data(), k, problem.parameters()[static_cast<std::size_t>(k)].upper);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = 200;
+  // An absolute gradient tolerance would call small residuals converged at once; whether the end is a minimum is
+  // judged afterwards, free of scale.
+  options.gradient_tolerance = 0;
+  options.function_tolerance = 1e-15;
+  options.parameter_tolerance = 1e-14;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &ceres_problem, &summary);
+
+  Linearised at = linearise(problem, x);
+  if (!at.finite) return std::nullopt;
+  polish(problem, x, at);
+  // Rounding of model and data puts about eps |data| into r, whatever x.
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();
+  const double r = at.r.norm();
+  return Minimum{{x.begin(), x.end()}, r * r, at.stationarity, at.stationarity <= 1e-8 || at.stationarity * r <= rounding};
+}
+
+}  // namespace mixity

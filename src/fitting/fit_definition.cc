@@ -1,0 +1,145 @@
+#include "fitting/fit_definition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <toml++/toml.h>
+
+#include "dataset/csv.h"
+#include "dataset/input_error.h"
+
+namespace mixity {
+namespace {
+
+/// Reads one definition, with the file's name and the place of each node at hand for messages.
+class Reader {
+ public:
+  explicit Reader(const std::string& path) : path_(path) {}
+
+  FitJob read() {
+    toml::table table;
+    try {
+      table = toml::parse(read_file(path_), path_);
+    } catch (const toml::parse_error& error) {
+      throw InputError(path_, error.source().begin.line, error.source().begin.column, std::string(error.description()));
+    }
+    FitJob job;
+    for (const auto& [key, node] : table) {
+      if (key == "data")
+        job.data_path = (std::filesystem::path(path_).parent_path() / text(node, "data")).lexically_normal().string();
+      else if (key == "models")
+        job.models = texts(node, "models");
+      else if (key == "objective")
+        job.objective = text(node, "objective");
+      else if (key == "scale")
+        job.options.scale = scale(node);
+      else if (key == "hold")
+        read_hold(node, job);
+      else if (key == "source")
+        job.source = text(node, "source");
+      else if (key == "published")
+        read_published(node, job);
+      else
+        fail(key, "unknown key \"" + std::string(key.str()) +
+                      "\" (known: data, models, objective, scale, hold, source, published)");
+    }
+    if (job.data_path.empty()) throw InputError(path_, "the key data is missing");
+    if (job.models.empty()) job.models = {"a", "b", "c"};
+    check_names(table, job);
+    return job;
+  }
+
+ private:
+  template <class Placed>
+  [[noreturn]] void fail(const Placed& node, const std::string& message) const {
+    const toml::source_position at = node.source().begin;
+    throw InputError(path_, at.line, at.column, message);
+  }
+
+  std::string text(const toml::node& node, const std::string& key) const {
+    if (!node.is_string()) fail(node, key + " must be a string");
+    return node.as_string()->get();
+  }
+
+  std::vector<std::string> texts(const toml::node& node, const std::string& key) const {
+    if (!node.is_array()) fail(node, key + " must be an array of strings");
+    std::vector<std::string> result;
+    for (const toml::node& element : *node.as_array()) result.push_back(text(element, key));
+    return result;
+  }
+
+  Scale scale(const toml::node& node) const {
+    const std::string name = text(node, "scale");
+    for (const Scale candidate : {Scale::log, Scale::linear})
+      if (name == to_string(candidate)) return candidate;
+    fail(node, "scale is \"" + name + "\"; it must be log or linear");
+  }
+
+  void read_hold(const toml::node& node, FitJob& job) const {
+    for (const std::string& entry : texts(node, "hold")) {
+      const auto held = parse_held(entry);
+      if (!held) fail(node, "hold: \"" + entry + "\" is neither a parameter nor PARAMETER=NUMBER");
+      job.options.hold.push_back(*held);
+    }
+  }
+
+  double number(const toml::table& table, std::string_view key) const {
+    const auto value = table[key].value<double>();
+    if (!value || !std::isfinite(*value)) fail(table, "a published number needs value and tolerance, both numbers");
+    return *value;
+  }
+
+  void read_published(const toml::node& node, FitJob& job) const {
+    if (!node.is_table()) fail(node, "published must be a table of models");
+    for (const auto& [model, entries] : *node.as_table()) {
+      if (!entries.is_table()) fail(entries, "published." + std::string(model.str()) + " must be a table");
+      for (const auto& [name, value] : *entries.as_table()) {
+        if (!value.is_table()) fail(value, std::string(name.str()) + " must be {value = ..., tolerance = ...}");
+        const toml::table& table = *value.as_table();
+        job.published[std::string(model.str())].push_back(
+            {std::string(name.str()), number(table, "value"), number(table, "tolerance")});
+      }
+    }
+  }
+
+  void check_names(const toml::table& table, const FitJob& job) const {
+    const std::vector<std::string> known = model_keys();
+    const auto is_known = [&](const std::string& key) {
+      return std::find(known.begin(), known.end(), key) != known.end();
+    };
+    for (const std::string& model : job.models)
+      if (!is_known(model)) fail(*table.get("models"), "unknown model \"" + model + "\"");
+    for (const auto& [model, published] : job.published)
+      if (!is_known(model)) fail(*table.get("published"), "unknown model \"" + model + "\"");
+    if (job.objective != "toughness")
+      fail(*table.get("objective"), "unknown objective \"" + job.objective + "\" (known: toughness)");
+  }
+
+  const std::string& path_;
+};
+
+}  // namespace
+
+FitJob read_fit_definition(const std::string& path) { return Reader(path).read(); }
+
+std::vector<Agreement> compare(const FitResult& fit, const FitJob& job) {
+  std::vector<Agreement> agreements;
+  const auto published = job.published.find(fit.model);
+  if (published == job.published.end()) return agreements;
+  for (const Published& number : published->second) {
+    std::optional<double> found;
+    if (number.name == "r2") found = fit.r2;
+    for (const FittedParameter& parameter : fit.parameters)
+      if (parameter.name == number.name) found = parameter.value;
+    agreements.push_back({number, found && std::abs(*found - number.value) <= number.tolerance});
+  }
+  return agreements;
+}
+
+JobResult run(const FitJob& job, const Overrides& overrides) {
+  JobResult result{job, load_dataset(job.data_path, overrides), {}};
+  for (const std::string& model : job.models) result.fits.push_back(fit_toughness(result.data, model, job.options));
+  return result;
+}
+
+}  // namespace mixity

@@ -1,0 +1,48 @@
+// fits/NAME.toml: which data, which models, how, and what was published about them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fitting/fit.h"
+
+namespace mixity {
+
+/// A published number of one model: a parameter, or "r2" (in the fitted space).
+struct Published {
+  std::string name;
+  double value, tolerance;  // agreement means |found - value| <= tolerance, what the printed digits allow
+};
+
+/// One model a job fits, with what it holds and what was published about it.
+struct FitJob {
+  std::string data_path;             // CSV, resolved against the definition's folder
+  std::vector<std::string> models;   // in the order to report
+  std::string objective = "toughness";
+  FitOptions options;
+  std::map<std::string, std::vector<Published>> published;  // by model key
+  std::string source;                // of the published numbers
+};
+
+/// Throws InputError with file, line and column for anything not understood.
+FitJob read_fit_definition(const std::string& path);
+
+struct Agreement {
+  Published published;
+  bool agrees;
+};
+
+/// Compares a fit with the published numbers of its model; a value that was not found does not agree.
+std::vector<Agreement> compare(const FitResult& fit, const FitJob& job);
+
+/// What a whole job yields.
+struct JobResult {
+  FitJob job;
+  Dataset data;
+  std::vector<FitResult> fits;
+};
+
+JobResult run(const FitJob& job, const Overrides& overrides = {});
+
+}  // namespace mixity

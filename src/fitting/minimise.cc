@@ -1,0 +1,212 @@
+// The scan that finds every basin, and the verdict on what the solver found there.
+#include "fitting/minimise.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dataset/number_text.h"
+
+namespace mixity {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Change of chi^2 that 95 % of one-parameter confidence intervals reach.
+constexpr double kChiSquare95 = 3.841458820694124;
+
+/// Values of one parameter to scan: logarithmic, and from a lower bound of zero logarithmic at first, then even.
+std::vector<double> scan_values(const FreeParameter& parameter, std::size_t density) {
+  std::vector<double> values;
+  const auto logarithmic = [&](double from, double to, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i)
+      values.push_back(from * std::pow(to / from, static_cast<double>(i) / static_cast<double>(n - 1)));
+  };
+  if (parameter.lower > 0) {
+    logarithmic(parameter.lower, parameter.upper, 2 * density);
+    return values;
+  }
+  const double width = parameter.upper - parameter.lower;
+  values.push_back(parameter.lower);
+  logarithmic(1e-12 * width, 0.02 * width, density);
+  for (std::size_t i = 2; i <= density; ++i)
+    values.push_back(parameter.lower + width * static_cast<double>(i) / static_cast<double>(density));
+  return values;
+}
+
+struct Scan {
+  std::vector<std::vector<double>> minima;  // starts, best first
+  double lowest = kInfinity, highest = 0;   // over the finite costs
+};
+
+/// Cost over the grid of all parameters' scan values; a local minimum is no higher than its neighbours.
+Scan scan(const LeastSquares& problem) {
+  const std::size_t p = problem.parameters().size();
+  std::vector<std::vector<double>> axes;
+  for (const FreeParameter& parameter : problem.parameters()) axes.push_back(scan_values(parameter, p == 1 ? 64 : 16));
+  std::size_t total = 1;
+  for (const auto& axis : axes) total *= axis.size();
+
+  const auto point = [&](std::size_t index) {
+    std::vector<double> x;
+    for (const auto& axis : axes) {
+      x.push_back(axis[index % axis.size()]);
+      index /= axis.size();
+    }
+    return x;
+  };
+  std::vector<double> costs(total), residuals(problem.residual_count());
+  Scan result;
+  for (std::size_t i = 0; i < total; ++i) {
+    costs[i] = kInfinity;
+    if (!problem.evaluate(point(i), residuals, {})) continue;
+    costs[i] = 0;
+    for (const double r : residuals) costs[i] += r * r;
+    result.lowest = std::min(result.lowest, costs[i]);
+    result.highest = std::max(result.highest, costs[i]);
+  }
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < total; ++i) {
+    bool lowest_here = std::isfinite(costs[i]);
+    std::size_t stride = 1;
+    for (const auto& axis : axes) {
+      const std::size_t position = i / stride % axis.size();
+      // <= on one side only, so that a plateau counts once
+      if (position > 0) lowest_here &= costs[i] <= costs[i - stride];
+      if (position + 1 < axis.size()) lowest_here &= costs[i] < costs[i + stride];
+      stride *= axis.size();
+    }
+    if (lowest_here) found.push_back(i);
+  }
+  std::sort(found.begin(), found.end(), [&](std::size_t i, std::size_t j) { return costs[i] < costs[j]; });
+  for (const std::size_t i : found) result.minima.push_back(point(i));
+  return result;
+}
+
+bool same_place(const LeastSquares& problem, const Minimum& one, const Minimum& other) {
+  for (std::size_t k = 0; k < one.x.size(); ++k) {
+    const FreeParameter& parameter = problem.parameters()[k];
+    const double scale = std::max(std::abs(one.x[k]), 1e-9 * (parameter.upper - parameter.lower));
+    if (std::abs(one.x[k] - other.x[k]) > 1e-5 * scale) return false;
+  }
+  return true;
+}
+
+std::string place(const LeastSquares& problem, const std::vector<double>& x) {
+  std::string text;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    text += (k ? ", " : "") + problem.parameters()[k].name + " = " + rounded(x[k], 4);
+  return text;
+}
+
+/// Covariance of the parameters that no bound holds, from J'J scaled to unit diagonal. Returns the name of what is
+/// degenerate, or an empty string.
+std::string standard_errors(const LeastSquares& problem, Verdict& verdict) {
+  const std::size_t n = problem.residual_count(), p = problem.parameters().size();
+  std::vector<double> residuals(n), jacobian(n * p);
+  if (!problem.evaluate(verdict.best.x, residuals, jacobian)) return {};
+  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> J(
+      jacobian.data(), static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(p));
+  std::vector<Eigen::Index> open;
+  for (std::size_t k = 0; k < p; ++k)
+    if (!verdict.at_bound[k]) open.push_back(static_cast<Eigen::Index>(k));
+  if (open.empty()) return {};
+  const auto m = static_cast<Eigen::Index>(open.size());
+  Eigen::VectorXd norms(m);
+  Eigen::MatrixXd scaled(m, m);
+  for (Eigen::Index i = 0; i < m; ++i) norms[i] = J.col(open[i]).norm();
+  if ((norms.array() <= 0).any()) return place(problem, verdict.best.x);
+  for (Eigen::Index i = 0; i < m; ++i)
+    for (Eigen::Index j = 0; j < m; ++j) scaled(i, j) = J.col(open[i]).dot(J.col(open[j])) / (norms[i] * norms[j]);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
+  if (!(eigen.eigenvalues()[0] > 1e-12)) {
+    std::string names;
+    for (Eigen::Index i = 0; i < m; ++i)
+      names += (i ? " and " : "") + problem.parameters()[static_cast<std::size_t>(open[i])].name;
+    return names;
+  }
+  if (n <= p) return {};
+  const double variance = verdict.best.sum_of_squares / static_cast<double>(n - p);
+  const Eigen::MatrixXd inverse = scaled.llt().solve(Eigen::MatrixXd::Identity(m, m));
+  for (Eigen::Index i = 0; i < m; ++i)
+    verdict.stderrs[static_cast<std::size_t>(open[i])] = std::sqrt(variance * inverse(i, i)) / norms[i];
+  return {};
+}
+
+}  // namespace
+
+std::string_view to_string(FitStatus status) {
+  switch (status) {
+    case FitStatus::ok: return "ok";
+    case FitStatus::at_bound: return "at_bound";
+    case FitStatus::not_identifiable: return "not_identifiable";
+    case FitStatus::multimodal: return "multimodal";
+    case FitStatus::not_converged: break;
+  }
+  return "not_converged";
+}
+
+Verdict minimise(const LeastSquares& problem) {
+  const std::size_t n = problem.residual_count(), p = problem.parameters().size();
+  Verdict verdict{FitStatus::ok, {}, {}, std::vector<bool>(p), std::vector<std::optional<double>>(p), {}};
+  const auto end = [&](FitStatus status, const std::string& message) {
+    verdict.status = status;
+    verdict.message = message;
+    if (status == FitStatus::not_identifiable || status == FitStatus::not_converged)
+      verdict.stderrs.assign(p, std::nullopt);
+    return verdict;
+  };
+  if (n <= p)
+    return end(FitStatus::not_identifiable, std::to_string(n) + " usable point" + (n == 1 ? "" : "s") +
+                                                " cannot determine " + std::to_string(p) + " parameter" +
+                                                (p == 1 ? "" : "s") + " and their errors");
+
+  const Scan scanned = scan(problem);
+  if (scanned.minima.empty() && !std::isfinite(scanned.lowest))
+    return end(FitStatus::not_converged, "the model is not finite at these points for any parameter value");
+  // Within rounding, or within what the scatter allows, every value fits as well as the best.
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();
+  const double threshold = 1 + kChiSquare95 / static_cast<double>(n - p);
+  if (std::sqrt(scanned.highest) <= rounding || (p == 1 && scanned.highest <= threshold * scanned.lowest))
+    return end(FitStatus::not_identifiable,
+               "the data do not constrain " + problem.parameters()[0].name + ": every value in its range fits");
+
+  std::vector<Minimum> minima;
+  for (const auto& start : scanned.minima) {
+    const auto minimum = descend(problem, start);
+    if (minimum && std::none_of(minima.begin(), minima.end(),
+                                [&](const Minimum& known) { return same_place(problem, known, *minimum); }))
+      minima.push_back(*minimum);
+  }
+  if (minima.empty()) return end(FitStatus::not_converged, "no start led to a finite cost");
+  std::sort(minima.begin(), minima.end(),
+            [](const Minimum& one, const Minimum& other) { return one.sum_of_squares < other.sum_of_squares; });
+  verdict.best = minima.front();
+  verdict.others.assign(minima.begin() + 1, minima.end());
+
+  std::string bounds;
+  for (std::size_t k = 0; k < p; ++k) {
+    const FreeParameter& parameter = problem.parameters()[k];
+    const double x = verdict.best.x[k];
+    if (x > parameter.lower && x < parameter.upper) continue;
+    verdict.at_bound[k] = true;
+    bounds += (bounds.empty() ? "" : ", ") + parameter.name + " is at its " +
+              (x <= parameter.lower ? "lower bound " : "upper bound ") + rounded(x, 6);
+  }
+  const std::string degenerate = standard_errors(problem, verdict);
+  if (!degenerate.empty())
+    return end(FitStatus::not_identifiable, "the data do not constrain " + degenerate + " independently");
+  if (!verdict.best.stationary)
+    return end(FitStatus::not_converged, "the solver stopped where the gradient is not zero (relative size " +
+                                             rounded(verdict.best.stationarity, 2) + ")");
+  if (verdict.best.sum_of_squares > scanned.lowest * (1 + 1e-9) &&
+      std::sqrt(verdict.best.sum_of_squares) > rounding)
+    return end(FitStatus::not_converged, "the solver ended above the lowest cost of the scan");
+  if (!bounds.empty()) return end(FitStatus::at_bound, bounds);
+  if (!verdict.others.empty() && verdict.others.front().sum_of_squares <= threshold * verdict.best.sum_of_squares)
+    return end(FitStatus::multimodal,
+               "another minimum fits as well within the scatter: " + place(problem, verdict.others.front().x));
+  return verdict;
+}
+
+}  // namespace mixity

@@ -1,0 +1,39 @@
+// Finding the minimum of a least-squares problem, and judging it: two passes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fitting/least_squares.h"
+
+namespace mixity {
+
+enum class FitStatus { ok, at_bound, not_identifiable, multimodal, not_converged };
+std::string_view to_string(FitStatus status);
+
+/// A point the solver ended at.
+struct Minimum {
+  std::vector<double> x;
+  double sum_of_squares;
+  double stationarity;  // largest |J_k' r|/(|J_k| |r|) over the parameters that are free to move; 0 is exact
+  bool stationary;      // within 1e-8, or within rounding of the data
+};
+
+struct Verdict {
+  FitStatus status;
+  std::string message;                          // one sentence; empty if ok
+  Minimum best;                                 // meaningless if not_identifiable
+  std::vector<bool> at_bound;                   // per parameter
+  std::vector<std::optional<double>> stderrs;   // null at a bound, if not identifiable, or without degrees of freedom
+  std::vector<Minimum> others;                  // further local minima, best first
+};
+
+/// Scans the whole range, descends with Ceres from every local minimum of the scan, and judges the best. One or two
+/// free parameters.
+Verdict minimise(const LeastSquares& problem);
+
+/// Ceres from one start, polished to a zero of the gradient. Null if no finite cost was found from there.
+std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<double>& start);
+
+}  // namespace mixity
