@@ -1,0 +1,31 @@
+#include "cli/commands.h"
+
+#include "cli/flags.h"
+
+namespace mixity::cli {
+
+std::span<const Command> commands() {
+  static const std::vector<Command> table{
+      {"fit", run_fit, "fit DATA.csv|FIT.toml ... [flags]",
+       "Fits the models to each data set and reports parameters and goodness of fit.",
+       with_metadata_flags({"models", "objective", "scale", "hold", "format", "out"})},
+      {"predict", run_predict, "predict --model=KEY --lambda=L --load=P --shear=T1,T2,... [flags]",
+       "Predicts the contact area at given loads.",
+       {"model", "lambda", "parameters", "load", "shear", "units", "radius", "modulus", "youngs_modulus",
+        "poisson_ratio", "toughness"}},
+      {"check", run_check, "check DATA.csv ... [flags]",
+       "Says what was understood of a data set, and what looks odd in it.", with_metadata_flags({})},
+      {"import", run_import, "import EXPORT.csv --x=\"T [mN]\" --y=\"A [mm^2]\" --loads=\"P1,P2,... mN\" [--out=DATA.csv]",
+       "Turns a WebPlotDigitizer export of several data sets into a data CSV.", {"x", "y", "loads", "out"}},
+      {"help", run_help, "help [COMMAND]", "Explains the program or a command.", {}},
+  };
+  return table;
+}
+
+const Command* find_command(std::string_view name) {
+  for (const Command& command : commands())
+    if (command.name == name) return &command;
+  return nullptr;
+}
+
+}  // namespace mixity::cli

@@ -1,0 +1,111 @@
+#include "cli/flags.h"
+
+#include <algorithm>
+#include <array>
+
+#include "cli/usage_error.h"
+#include "dataset/units.h"
+
+DEFINE_string(models, "a,b,c", "models to fit, comma-separated: a, b, c, bk");
+DEFINE_string(objective, "toughness", "what is fitted: toughness (Gc/GIc against psi)");
+DEFINE_string(scale, "log", "toughness is compared as ln(Gc/GIc) (log) or as Gc/GIc (linear)");
+DEFINE_string(hold, "", "parameters to hold, comma-separated: NAME=VALUE, or NAME for the data set's own value");
+DEFINE_string(format, "text", "output format: text, json or csv");
+DEFINE_string(out, "", "where to write: a folder (fit), a file (import)");
+DEFINE_string(model, "", "model: a, b, c or bk");
+DEFINE_string(lambda, "", "mode-mixity parameter lambda");
+DEFINE_string(parameters, "", "all parameters of the model, such as r=1.77,eta=2.28");
+DEFINE_string(load, "", "normal load P, compression positive: a number, or with a unit if dimensional");
+DEFINE_string(shear, "", "tangential loads T: \"0,5,10\", or \"0,5,10 mN\" if dimensional");
+DEFINE_string(units, "mN,mm", "force and length unit of dimensional output, and of numbers without a unit");
+DEFINE_string(x, "", "header of the column on the x axis, with its unit: \"T [mN]\"");
+DEFINE_string(y, "", "header of the column on the y axis, with its unit: \"A [mm^2]\"");
+DEFINE_string(loads, "", "normal load of each data set, in order: \"7.7,3.8 mN\"");
+
+DEFINE_string(radius, "", "radius of the sphere, such as \"9.42 mm\"");
+DEFINE_string(modulus, "", "plane-strain modulus E*, such as \"2.133 MPa\"");
+DEFINE_string(youngs_modulus, "", "Young's modulus of the soft half-space; needs poisson_ratio");
+DEFINE_string(poisson_ratio, "", "Poisson's ratio of the soft half-space, 0..0.5");
+DEFINE_string(toughness, "", "mode-I toughness G_Ic, such as \"27 mJ/m^2\"");
+DEFINE_string(toughness_II, "", "mode-II toughness G_IIc, such as \"1.7 N/mm\"");
+DEFINE_string(shear_strength, "", "shear strength tau0 of the interface, such as \"0.43 MPa\"");
+DEFINE_string(provenance, "", "measured, digitised or reconstructed");
+DEFINE_string(source, "", "where the data come from");
+DEFINE_string(note, "", "a note on the data");
+
+namespace mixity::cli {
+namespace {
+
+constexpr std::array<std::string_view, 10> kMetadataFlags{
+    "radius",       "modulus",        "youngs_modulus", "poisson_ratio", "toughness",
+    "toughness_II", "shear_strength", "provenance",     "source",        "note"};
+
+std::string value_of(std::string_view flag) {
+  std::string value;
+  gflags::GetCommandLineOption(std::string(flag).c_str(), &value);
+  return value;
+}
+
+}  // namespace
+
+std::vector<std::string_view> with_metadata_flags(std::vector<std::string_view> flags) {
+  flags.insert(flags.end(), kMetadataFlags.begin(), kMetadataFlags.end());
+  return flags;
+}
+
+Arguments parse_flags(const Command& command, const Arguments& words) {
+  Arguments arguments;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word == "--") {
+      arguments.insert(arguments.end(), words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
+      break;
+    }
+    if (word.size() < 2 || word[0] != '-') {
+      arguments.push_back(word);
+      continue;
+    }
+    const std::size_t dashes = word[1] == '-' ? 2 : 1, equals = word.find('=');
+    std::string name = word.substr(dashes, equals == std::string::npos ? equals : equals - dashes);
+    std::replace(name.begin(), name.end(), '-', '_');
+    if (std::find(command.flags.begin(), command.flags.end(), name) == command.flags.end())
+      throw UsageError("unknown flag '" + word.substr(0, equals) + "' (see mixity help " + std::string(command.name) +
+                       ")");
+    if (equals == std::string::npos && i + 1 == words.size()) throw UsageError("flag '" + word + "' needs a value");
+    const std::string value = equals == std::string::npos ? words[++i] : word.substr(equals + 1);
+    if (gflags::SetCommandLineOption(name.c_str(), value.c_str()).empty())
+      throw UsageError("flag '--" + name + "' cannot take the value '" + value + "'");
+  }
+  return arguments;
+}
+
+bool is_set(std::string_view flag) {
+  gflags::CommandLineFlagInfo info;
+  return gflags::GetCommandLineFlagInfo(std::string(flag).c_str(), &info) && !info.is_default;
+}
+
+Overrides metadata_overrides() {
+  Overrides overrides;
+  Metadata scratch;
+  for (const std::string_view flag : kMetadataFlags) {
+    if (!is_set(flag)) continue;
+    const std::string value = value_of(flag);
+    const std::string problem = set_field(scratch, flag, value);
+    if (!problem.empty()) throw UsageError("flag '--" + std::string(flag) + "': " + problem);
+    overrides.emplace_back(flag, value);
+  }
+  return overrides;
+}
+
+std::vector<std::string> split_list(std::string_view text) {
+  std::vector<std::string> items;
+  while (!text.empty()) {
+    const std::size_t comma = text.find(',');
+    const std::string_view item = trim(text.substr(0, comma));
+    if (!item.empty()) items.emplace_back(item);
+    text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
+  }
+  return items;
+}
+
+}  // namespace mixity::cli

@@ -1,0 +1,45 @@
+// Flags of all commands (gflags), and how a command line becomes flags and arguments.
+#pragma once
+
+#include <gflags/gflags.h>
+
+#include <string_view>
+#include <vector>
+
+#include "cli/commands.h"
+#include "dataset/metadata.h"
+
+DECLARE_string(models);
+DECLARE_string(objective);
+DECLARE_string(scale);
+DECLARE_string(hold);
+DECLARE_string(format);
+DECLARE_string(out);
+DECLARE_string(model);
+DECLARE_string(lambda);
+DECLARE_string(parameters);
+DECLARE_string(load);
+DECLARE_string(shear);
+DECLARE_string(units);
+DECLARE_string(x);
+DECLARE_string(y);
+DECLARE_string(loads);
+
+namespace mixity::cli {
+
+/// These flags and those that override the metadata of a data set.
+std::vector<std::string_view> with_metadata_flags(std::vector<std::string_view> flags);
+
+/// Sets gflags from "--name=value" or "--name value" and returns what is no flag; all after "--" is none. Throws
+/// UsageError for a flag that the command does not have or that lacks a value.
+Arguments parse_flags(const Command& command, const Arguments& words);
+
+bool is_set(std::string_view flag);
+
+/// The metadata flags that were given; throws UsageError if one cannot be used.
+Overrides metadata_overrides();
+
+/// Comma-separated, without blanks around the items; empty items are left out.
+std::vector<std::string> split_list(std::string_view text);
+
+}  // namespace mixity::cli

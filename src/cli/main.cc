@@ -1,0 +1,62 @@
+// mixity COMMAND [flags] [files]: finds the command, and turns every failure into one line and an exit code.
+#include <glog/logging.h>
+
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/flags.h"
+#include "cli/usage_error.h"
+#include "dataset/input_error.h"
+#include "report/output_file.h"
+
+namespace {
+
+using namespace mixity;
+using namespace mixity::cli;
+
+int run(const Arguments& words) {
+  if (words.empty()) return run_help({}), kBadUsage;
+  const std::string& name = words[0];
+  if (name == "--version" || name == "-version") {
+    std::cout << "mixity " MIXITY_VERSION "\n";
+    return kFine;
+  }
+  if (name == "--help" || name == "-help" || name == "-h") return run_help({});
+  const Command* command = find_command(name);
+  if (!command) throw UsageError("unknown command '" + name + "' (see mixity help)");
+  for (const std::string& word : words)
+    if (word == "--help" || word == "-h") return run_help({name});
+  return command->run(parse_flags(*command, {words.begin() + 1, words.end()}));
+}
+
+int fail(const std::string& message, int code) {
+  std::cerr << "mixity: " << message << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  FLAGS_logtostderr = true;
+  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres warns of what the fit's status says better
+  google::InitGoogleLogging(argv[0]);
+  int code = kFine;
+  try {
+    code = run({argv + 1, argv + argc});
+  } catch (const UsageError& error) {
+    code = fail(error.what(), kBadUsage);
+  } catch (const InputError& error) {
+    code = fail(error.what(), kBadInput);
+  } catch (const OutputError& error) {
+    code = fail(error.what(), kCannotWrite);
+  } catch (const std::bad_alloc&) {
+    code = fail("not enough memory", kBadInput);
+  }
+  std::cout.flush();
+  if (!std::cout && code == kFine) code = fail("standard output cannot be written", kCannotWrite);
+  return code;
+}

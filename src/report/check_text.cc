@@ -1,0 +1,63 @@
+#include "report/check_text.h"
+
+#include <iomanip>
+#include <sstream>
+
+#include "dataset/check.h"
+#include "dataset/number_text.h"
+
+namespace mixity {
+namespace {
+
+void write_constants(std::ostringstream& out, const Dataset& data) {
+  const Metadata& metadata = data.metadata;
+  const auto line = [&](std::string_view name, const std::optional<double>& value, double scale, std::string_view unit) {
+    if (value) out << "    " << std::left << std::setw(16) << name << rounded(*value * scale, 6) << ' ' << unit << '\n';
+  };
+  line("radius", metadata.radius, 1e3, "mm");
+  line("modulus E*", metadata.plane_strain_modulus(), 1e-6, "MPa");
+  line("toughness G_Ic", metadata.toughness, 1, "J/m^2");
+  line("toughness G_IIc", metadata.toughness_II, 1, "J/m^2");
+  line("shear strength", metadata.shear_strength, 1e-6, "MPa");
+}
+
+void write_curves(std::ostringstream& out, const Dataset& data) {
+  const auto curves = summarise_curves(data);
+  if (curves.empty()) return;
+  const DisplayUnits& units = data.display;
+  const auto unit = [](const std::string& text) { return text.empty() ? "" : " [" + text + "]"; };
+  out << "[[Loading runs]]  P, T" << unit(units.force) << ", A" << unit(units.area)
+      << "; last column: area at the smallest T over JKR's\n";
+  for (const CurveSummary& curve : curves) {
+    out << "    " << std::left << std::setw(14) << curve.name << " P = " << std::setw(10)
+        << rounded(curve.P * units.force_scale, 5) << std::setw(4) << curve.points
+        << "points  T = " << rounded(curve.T_min * units.force_scale, 4) << " .. " << std::setw(9)
+        << rounded(curve.T_max * units.force_scale, 4) << " A = " << rounded(curve.A_min * units.area_scale, 4) << " .. "
+        << std::setw(9) << rounded(curve.A_max * units.area_scale, 4)
+        << (curve.area_over_jkr ? rounded(*curve.area_over_jkr, 4) : "-") << '\n';
+  }
+}
+
+}  // namespace
+
+std::string check_text(const Dataset& data) {
+  std::ostringstream out;
+  out << "[[Data]]\n    " << data.name << "  (" << data.path << ")\n    "
+      << (data.has_loads ? "raw points (P, T, A)" : "converted points (psi, Gc/GIc)") << ", "
+      << (data.contact ? "dimensional" : data.has_loads ? "dimensionless" : "no contact constants needed") << "\n    "
+      << data.rows << " rows, " << data.points.size() << " usable, " << data.excluded.size() << " excluded\n"
+      << "    provenance: " << to_string(data.metadata.provenance) << '\n';
+  if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
+  if (!data.metadata.source.empty()) out << "    source: " << data.metadata.source << '\n';
+  write_constants(out, data);
+  write_curves(out, data);
+  if (!data.excluded.empty()) out << "[[Excluded]]\n";
+  for (const Excluded& excluded : data.excluded) out << "    line " << excluded.line << ": " << excluded.reason << '\n';
+  const auto oddities = find_oddities(data);
+  out << "[[Odd]]\n";
+  if (oddities.empty()) out << "    nothing\n";
+  for (const std::string& oddity : oddities) out << "    " << oddity << '\n';
+  return out.str();
+}
+
+}  // namespace mixity

@@ -1,0 +1,141 @@
+#include "report/fit_csv.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "dataset/csv.h"
+#include "dataset/number_text.h"
+#include "mechanics/prediction.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kCurvePoints = 101;
+
+std::string number(const std::optional<double>& value) { return value ? shortest(*value) : std::string(); }
+
+std::string notice(const Dataset& data) {
+  return data.metadata.provenance == Provenance::reconstructed ? std::string(kReconstructedNotice) : std::string();
+}
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " [" + unit + "]";
+}
+
+/// The fitted parameters in the model's own order; only for a fit that has values.
+template <class Model>
+Parameters<Model> values_of(const FitResult& fit) {
+  Parameters<Model> p{};
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = fit.parameters[i].value.value_or(Model::parameters[i].typical);
+  return p;
+}
+
+bool can_be_drawn(const FitResult& fit) {
+  return std::all_of(fit.parameters.begin(), fit.parameters.end(),
+                     [](const FittedParameter& parameter) { return parameter.value.has_value(); });
+}
+
+/// Stable A(T) from T = 0 to the instability, or to a fifth beyond the largest measured T, dense towards the fold.
+template <class Model>
+void write_area_curve(std::ostringstream& out, const JobResult& result, const FitResult& fit, std::size_t curve) {
+  const DisplayUnits& units = result.data.display;
+  const double P = result.data.curve_loads[curve];
+  const LoadedContact<Model> contact(values_of<Model>(fit), P);
+  if (!contact.in_contact()) return;
+  double measured = 0;
+  for (const Point& point : result.data.points)
+    if (point.curve == curve) measured = std::max(measured, point.T);
+  double end = contact.branches().front().T_bottom;
+  if (std::isinf(end)) end = 1.2 * measured;
+  for (std::size_t i = 0; i < kCurvePoints; ++i) {
+    const double rest = 1 - static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
+    const double T = end * (1 - rest * rest);
+    const Equilibrium equilibrium = contact.at(T);
+    if (equilibrium.status != EquilibriumStatus::ok) continue;
+    const ContactState state = contact_state(P, T, equilibrium.y);
+    out << to_string(result.data.metadata.provenance) << ',' << fit.model << ',' << csv_field(result.data.curves[curve]) << ',' << shortest(P * units.force_scale) << ','
+        << shortest(T * units.force_scale) << ',' << shortest(state.A * units.area_scale) << ',' << shortest(state.psi)
+        << ',' << shortest(state.f) << '\n';
+  }
+}
+
+template <class Model>
+void write_toughness_curve(std::ostringstream& out, std::string_view provenance, const FitResult& fit) {
+  const Parameters<Model> p = values_of<Model>(fit);
+  for (std::size_t i = 0; i < kCurvePoints; ++i) {
+    const double psi = 0.5 * pi<double>() * static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
+    const double f = std::exp(Model::log_toughness(p, mixity_from_angle(psi)).value);
+    if (std::isfinite(f)) out << provenance << ',' << fit.model << ',' << shortest(psi) << ',' << shortest(f) << '\n';
+  }
+}
+
+}  // namespace
+
+std::string fits_csv(const std::vector<JobResult>& results) {
+  std::ostringstream out;
+  out << "dataset,provenance,model,objective,scale,status,parameter,value,stderr,lower,upper,at_bound,r2,rmse,"
+         "max_abs_residual,area_r2,area_rmse,area_unit,area_unpredicted,notice\n";
+  for (const JobResult& result : results)
+    for (const FitResult& fit : result.fits)
+      for (const FittedParameter& parameter : fit.parameters) {
+        out << csv_field(result.data.name) << ',' << to_string(result.data.metadata.provenance) << ',' << fit.model
+            << ',' << result.job.objective << ',' << to_string(fit.scale) << ',' << to_string(fit.status) << ','
+            << parameter.name << ',' << number(parameter.value) << ',' << number(parameter.stderr_) << ','
+            << shortest(parameter.lower) << ',' << shortest(parameter.upper) << ',' << (parameter.at_bound ? 1 : 0)
+            << ',' << number(fit.r2) << ',' << number(fit.rmse) << ',' << number(fit.max_abs_residual) << ',';
+        if (fit.area && fit.area->predicted > 0)
+          out << number(fit.area->r2) << ',' << shortest(fit.area->rmse) << ',';
+        else
+          out << ",,";
+        out << csv_field(result.data.display.area) << ',' << (fit.area ? std::to_string(fit.area->unpredicted) : "")
+            << ',' << csv_field(notice(result.data)) << '\n';
+      }
+  return out.str();
+}
+
+std::string residuals_csv(const JobResult& result) {
+  const Dataset& data = result.data;
+  const DisplayUnits& units = data.display;
+  std::ostringstream out;
+  out << "provenance,model,line,curve,psi [rad],Gc_over_GIc,residual";
+  if (data.has_loads)
+    out << ',' << with_unit("P", units.force) << ',' << with_unit("T", units.force) << ','
+        << with_unit("A", units.area) << ',' << with_unit("A_predicted", units.area);
+  out << '\n';
+  for (const FitResult& fit : result.fits)
+    for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
+      const Point& point = data.points[fit.used[i]];
+      out << to_string(data.metadata.provenance) << ',' << fit.model << ',' << point.line << ',' << csv_field(data.curves[point.curve]) << ',' << shortest(point.psi)
+          << ',' << shortest(point.ratio) << ',' << shortest(fit.residuals[i]);
+      if (data.has_loads) {
+        out << ',' << shortest(point.P * units.force_scale) << ',' << shortest(point.T * units.force_scale) << ','
+            << shortest(point.A * units.area_scale) << ',';
+        if (fit.area && fit.area->areas[i]) out << shortest(*fit.area->areas[i] * units.area_scale);
+      }
+      out << '\n';
+    }
+  return out.str();
+}
+
+std::string curves_csv(const JobResult& result) {
+  const DisplayUnits& units = result.data.display;
+  std::ostringstream out;
+  if (result.data.has_loads)
+    out << "provenance,model,curve," << with_unit("P", units.force) << ',' << with_unit("T", units.force) << ','
+        << with_unit("A", units.area) << ",psi [rad],f\n";
+  else
+    out << "provenance,model,psi [rad],f\n";
+  for (const FitResult& fit : result.fits) {
+    if (!can_be_drawn(fit)) continue;
+    with_model(fit.model, [&](auto chosen) {
+      using Model = decltype(chosen);
+      if (!result.data.has_loads) return write_toughness_curve<Model>(out, to_string(result.data.metadata.provenance), fit);
+      for (std::size_t curve = 0; curve < result.data.curves.size(); ++curve)
+        write_area_curve<Model>(out, result, fit, curve);
+    });
+  }
+  return out.str();
+}
+
+}  // namespace mixity

@@ -1,0 +1,20 @@
+// Fits, residuals and predicted curves as CSV. Headers are a contract: see README.md beside this file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fitting/fit_definition.h"
+
+namespace mixity {
+
+/// One row per data set, model and parameter.
+std::string fits_csv(const std::vector<JobResult>& results);
+
+/// One row per used point and model: what was measured, what the model says, and the difference.
+std::string residuals_csv(const JobResult& result);
+
+/// Predicted curves of every fitted model: A(T) at each load of the data, or f(psi) if it has no loads.
+std::string curves_csv(const JobResult& result);
+
+}  // namespace mixity

@@ -1,0 +1,86 @@
+#include "report/fit_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace mixity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json excluded_json(const std::vector<Excluded>& excluded) {
+  Json list = Json::array();
+  for (const Excluded& point : excluded) list.push_back({{"line", point.line}, {"reason", point.reason}});
+  return list;
+}
+
+Json parameters_json(const FitResult& fit) {
+  Json parameters = Json::object();
+  for (const FittedParameter& parameter : fit.parameters)
+    parameters[parameter.name] = {{"value", number_or_null(parameter.value)},
+                                  {"stderr", number_or_null(parameter.stderr_)},
+                                  {"lower", parameter.lower},
+                                  {"upper", parameter.upper},
+                                  {"at_bound", parameter.at_bound},
+                                  {"held", parameter.held}};
+  return parameters;
+}
+
+Json area_json(const FitResult& fit, const Dataset& data) {
+  if (!fit.area) return {};
+  const AreaGoodness& area = *fit.area;
+  const bool any = area.predicted > 0;
+  return {{"r2", number_or_null(area.r2)},
+          {"rmse", any ? Json(area.rmse) : Json()},
+          {"max_abs_residual", any ? Json(area.max_abs_residual) : Json()},
+          {"unit", data.display.area},
+          {"unpredicted", area.unpredicted}};
+}
+
+Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
+  Json published = Json::object();
+  for (const Agreement& agreement : compare(fit, job))
+    published[agreement.published.name] = {{"value", agreement.published.value},
+                                           {"tolerance", agreement.published.tolerance},
+                                           {"agrees", agreement.agrees}};
+  return {{"model", fit.model},
+          {"objective", job.objective},
+          {"scale", to_string(fit.scale)},
+          {"status", to_string(fit.status)},
+          {"message", fit.message},
+          {"parameters", parameters_json(fit)},
+          {"used", fit.used.size()},
+          {"excluded", excluded_json(fit.excluded)},
+          {"r2", number_or_null(fit.r2)},
+          {"rmse", number_or_null(fit.rmse)},
+          {"max_abs_residual", number_or_null(fit.max_abs_residual)},
+          {"area", area_json(fit, data)},
+          {"published", published}};
+}
+
+}  // namespace
+
+std::string to_json(const std::vector<JobResult>& results) {
+  Json datasets = Json::array();
+  for (const JobResult& result : results) {
+    const Dataset& data = result.data;
+    const bool reconstructed = data.metadata.provenance == Provenance::reconstructed;
+    Json fits = Json::array();
+    for (const FitResult& fit : result.fits) fits.push_back(fit_json(fit, result.job, data));
+    datasets.push_back({{"path", data.path},
+                        {"name", data.name},
+                        {"provenance", to_string(data.metadata.provenance)},
+                        {"notice", reconstructed ? Json(kReconstructedNotice) : Json()},
+                        {"source", data.metadata.source},
+                        {"points", data.rows},
+                        {"used", data.points.size()},
+                        {"excluded", excluded_json(data.excluded)},
+                        {"fits", fits}});
+  }
+  const Json document = {{"schema", "mixity-fit-1"}, {"version", MIXITY_VERSION}, {"datasets", datasets}};
+  // Names and paths may hold bytes that are not UTF-8; they are replaced rather than thrown over.
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace mixity

@@ -1,0 +1,106 @@
+#include "report/fit_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <sstream>
+
+#include "dataset/number_text.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kExcludedShown = 8;
+
+std::string r2_text(const std::optional<double>& r2) {
+  if (!r2) return "undefined (the data do not vary)";
+  // as many nines as say something: 0.9999 and 0.99994 must not both read 1.000
+  const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(std::max(1 - *r2, 1e-12)))) + 2, 4, 12);
+  return rounded(*r2, digits);
+}
+
+std::string capitals(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = c == '_' ? ' ' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
+}
+
+void write_data(std::ostringstream& out, const Dataset& data) {
+  out << "[[Data]]\n    " << data.name << "  (" << data.path << ")\n    # provenance   = "
+      << to_string(data.metadata.provenance) << "\n    # data rows    = " << data.rows << ", used "
+      << data.points.size() << ", excluded " << data.excluded.size();
+  if (data.has_loads) out << ", in " << data.curves.size() << " loading run" << (data.curves.size() == 1 ? "" : "s");
+  out << '\n';
+  if (!data.metadata.source.empty()) out << "    # source       = " << data.metadata.source << '\n';
+  if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
+  if (data.excluded.empty()) return;
+  out << "[[Excluded]]\n";
+  for (std::size_t i = 0; i < std::min(kExcludedShown, data.excluded.size()); ++i)
+    out << "    line " << data.excluded[i].line << ": " << data.excluded[i].reason << '\n';
+  if (data.excluded.size() > kExcludedShown)
+    out << "    and " << data.excluded.size() - kExcludedShown << " more (all of them with --format=json)\n";
+}
+
+void write_parameter(std::ostringstream& out, const FittedParameter& parameter) {
+  out << "    " << parameter.name << ":" << std::string(parameter.name.size() < 8 ? 8 - parameter.name.size() : 1, ' ');
+  if (!parameter.value) {
+    out << "not determined";
+  } else {
+    out << rounded(*parameter.value, 7);
+    if (parameter.stderr_) {
+      out << " +/- " << rounded(*parameter.stderr_, 2);
+      if (*parameter.value != 0)
+        out << " (" << rounded(100 * *parameter.stderr_ / std::abs(*parameter.value), 2) << "%)";
+    } else if (parameter.held) {
+      out << " (held)";
+    } else {
+      out << " (no standard error" << (parameter.at_bound ? ": at its bound" : "") << ')';
+    }
+  }
+  if (!parameter.held)
+    out << "   range " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4);
+  out << '\n';
+}
+
+void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job, const Dataset& data) {
+  const bool log = fit.scale == Scale::log;
+  out << "[[Model " << fit.model << "]] " << fit.model_name << ": " << fit.formula << '\n';
+  out << "    status: " << (fit.status == FitStatus::ok ? "ok" : "*** " + capitals(to_string(fit.status)) + " ***");
+  if (!fit.message.empty()) out << ": " << fit.message;
+  out << '\n';
+  for (const FittedParameter& parameter : fit.parameters) write_parameter(out, parameter);
+  if (fit.rmse)
+    out << "    R^2 = " << r2_text(fit.r2) << " in " << (log ? "ln(Gc/GIc)" : "Gc/GIc") << " against psi, RMS "
+        << rounded(*fit.rmse, 3) << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size()
+        << " points\n";
+  if (fit.area) {
+    out << "    ";
+    if (fit.area->predicted > 0)
+      out << "R^2 = " << r2_text(fit.area->r2) << " in predicted A(T), RMS " << rounded(fit.area->rmse, 3)
+          << (data.display.area.empty() ? "" : " ") << data.display.area << ", largest residual "
+          << rounded(fit.area->max_abs_residual, 3);
+    else
+      out << "no predicted A(T)";
+    if (fit.area->unpredicted > 0)
+      out << "; " << fit.area->unpredicted << " point" << (fit.area->unpredicted == 1 ? "" : "s")
+          << " beyond the last equilibrium";
+    out << '\n';
+  }
+  for (const Excluded& excluded : fit.excluded)
+    out << "    without line " << excluded.line << ": " << excluded.reason << '\n';
+  for (const Agreement& agreement : compare(fit, job))
+    out << "    published " << agreement.published.name << " = " << shortest(agreement.published.value) << " +- "
+        << shortest(agreement.published.tolerance) << ": " << (agreement.agrees ? "agrees" : "*** DOES NOT AGREE ***")
+        << '\n';
+}
+
+}  // namespace
+
+std::string to_text(const JobResult& result) {
+  std::ostringstream out;
+  write_data(out, result.data);
+  for (const FitResult& fit : result.fits) write_fit(out, fit, result.job, result.data);
+  return out.str();
+}
+
+}  // namespace mixity

@@ -1,0 +1,12 @@
+// Fits as text for a terminal, in the manner of lmfit's fit_report.
+#pragma once
+
+#include <string>
+
+#include "fitting/fit_definition.h"
+
+namespace mixity {
+
+std::string to_text(const JobResult& result);
+
+}  // namespace mixity
