@@ -109,8 +109,18 @@ class Reader {
     };
     for (const std::string& model : job.models)
       if (!is_known(model)) fail(*table.get("models"), "unknown model \"" + model + "\"");
-    for (const auto& [model, published] : job.published)
+    for (const auto& [model, published] : job.published) {
       if (!is_known(model)) fail(*table.get("published"), "unknown model \"" + model + "\"");
+      with_model(model, [&](auto chosen) {
+        for (const Published& number : published) {
+          const auto& parameters = decltype(chosen)::parameters;
+          if (number.name != "r2" && std::none_of(parameters.begin(), parameters.end(), [&](const ParameterInfo& info) {
+                return info.name == number.name;
+              }))
+            fail(*table.get("published"), "model " + model + " has no parameter \"" + number.name + "\"");
+        }
+      });
+    }
     if (job.objective != "toughness")
       fail(*table.get("objective"), "unknown objective \"" + job.objective + "\" (known: toughness)");
   }

@@ -115,16 +115,17 @@ std::string standard_errors(const LeastSquares& problem, Verdict& verdict) {
   Eigen::VectorXd norms(m);
   Eigen::MatrixXd scaled(m, m);
   for (Eigen::Index i = 0; i < m; ++i) norms[i] = J.col(open[i]).norm();
-  if ((norms.array() <= 0).any()) return place(problem, verdict.best.x);
+  const auto names = [&](auto&& concerned) {
+    std::string list;
+    for (Eigen::Index i = 0; i < m; ++i)
+      if (concerned(i)) list += (list.empty() ? "" : " and ") + problem.parameters()[static_cast<std::size_t>(open[i])].name;
+    return list;
+  };
+  if ((norms.array() <= 0).any()) return names([&](Eigen::Index i) { return !(norms[i] > 0); });
   for (Eigen::Index i = 0; i < m; ++i)
     for (Eigen::Index j = 0; j < m; ++j) scaled(i, j) = J.col(open[i]).dot(J.col(open[j])) / (norms[i] * norms[j]);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-  if (!(eigen.eigenvalues()[0] > 1e-12)) {
-    std::string names;
-    for (Eigen::Index i = 0; i < m; ++i)
-      names += (i ? " and " : "") + problem.parameters()[static_cast<std::size_t>(open[i])].name;
-    return names;
-  }
+  if (!(eigen.eigenvalues()[0] > 1e-12)) return names([](Eigen::Index) { return true; }) + " independently";
   if (n <= p) return {};
   const double variance = verdict.best.sum_of_squares / static_cast<double>(n - p);
   const Eigen::MatrixXd inverse = scaled.llt().solve(Eigen::MatrixXd::Identity(m, m));
@@ -167,9 +168,11 @@ Verdict minimise(const LeastSquares& problem) {
   // Within rounding, or within what the scatter allows, every value fits as well as the best.
   const double rounding = 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();
   const double threshold = 1 + kChiSquare95 / static_cast<double>(n - p);
-  if (std::sqrt(scanned.highest) <= rounding || (p == 1 && scanned.highest <= threshold * scanned.lowest))
-    return end(FitStatus::not_identifiable,
-               "the data do not constrain " + problem.parameters()[0].name + ": every value in its range fits");
+  if (std::sqrt(scanned.highest) <= rounding || scanned.highest <= threshold * scanned.lowest) {
+    std::string names;
+    for (const FreeParameter& parameter : problem.parameters()) names += (names.empty() ? "" : ", ") + parameter.name;
+    return end(FitStatus::not_identifiable, "the data do not constrain " + names + ": every value in the range fits");
+  }
 
   std::vector<Minimum> minima;
   for (const auto& start : scanned.minima) {
@@ -195,7 +198,7 @@ Verdict minimise(const LeastSquares& problem) {
   }
   const std::string degenerate = standard_errors(problem, verdict);
   if (!degenerate.empty())
-    return end(FitStatus::not_identifiable, "the data do not constrain " + degenerate + " independently");
+    return end(FitStatus::not_identifiable, "the data do not constrain " + degenerate);
   if (!verdict.best.stationary)
     return end(FitStatus::not_converged, "the solver stopped where the gradient is not zero (relative size " +
                                              rounded(verdict.best.stationarity, 2) + ")");

@@ -66,8 +66,9 @@ Equilibrium LoadedContact<Model>::at(double T) const {
   if constexpr (requires { Model::shear_on_circle(p_, T); }) {
     // Closed form: tau does not depend on y.
     const double tau = Model::shear_on_circle(p_, T);
-    if (tau > S0_) return {EquilibriumStatus::no_equilibrium};
-    return {EquilibriumStatus::ok, centre + std::sqrt((S0_ - tau) * (S0_ + tau))};
+    // One rounding of tau may put the fold itself beyond the circle.
+    if (tau > S0_ * (1 + std::numeric_limits<double>::epsilon())) return {EquilibriumStatus::no_equilibrium};
+    return {EquilibriumStatus::ok, centre + std::sqrt(std::max(S0_ - tau, 0.0) * (S0_ + tau))};
   } else {
     const auto gap = [&](double y) { return S0_ * S0_ - Model::shear_term(p_, y, T).value; };
     if (simple_top_ && gap(centre) >= 0) {

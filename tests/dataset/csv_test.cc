@@ -1,0 +1,136 @@
+#include "dataset/csv.h"
+
+#include <gtest/gtest.h>
+
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+namespace {
+
+using Fields = std::vector<std::string>;
+
+struct Row {
+  std::size_t line;
+  Fields fields;
+  std::vector<std::size_t> columns;  // one more than fields: where the next field would start
+};
+
+std::vector<Row> rows_of(std::string_view text) {
+  const TemporaryFolder folder;
+  std::vector<Row> rows;
+  read_csv(folder.write("a.csv", text), [&](const CsvRow& row) {
+    rows.push_back({row.line(), {}, {}});
+    for (std::size_t i = 0; i < row.size(); ++i) rows.back().fields.emplace_back(row[i]);
+    for (std::size_t i = 0; i <= row.size(); ++i) rows.back().columns.push_back(row.column(i));
+  });
+  return rows;
+}
+
+std::string error_of(std::string_view text) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", text);
+  const std::string error = input_error([&] { read_csv(path, [](const CsvRow&) {}); });
+  return error.starts_with(path) ? error.substr(path.size()) : error;
+}
+
+TEST(Csv, OneTableIsReadInEverySpelling) {
+  for (const std::string_view text : {
+           "P,T\n1,2.5\n",
+           "P,T\n1,2.5",                    // no final line end
+           "P,T\r\n1,2.5\r\n",              // CRLF
+           "\xEF\xBB\xBFP,T\r\n1,2.5\r\n",  // byte order mark
+           "P,T\r1,2.5\r",                  // line ends of the old Macintosh
+           "P;T\n1;2.5\n",
+           "P\tT\n1\t2.5\n",
+           "\"P\",\"T\"\n\"1\",\"2.5\"\n",
+           " P , T \n 1 ,2.5 \n",
+           "# comment, with a quote \"\nP,T\n# more\n1,2.5\n#",
+           "\n\nP,T\n\n1,2.5\n  \n\n",
+       }) {
+    const auto rows = rows_of(text);
+    ASSERT_EQ(rows.size(), 2) << text;
+    EXPECT_EQ(rows[0].fields, (Fields{"P", "T"})) << text;
+    EXPECT_EQ(rows[1].fields, (Fields{"1", "2.5"})) << text;
+  }
+}
+
+TEST(Csv, LinesAreThoseOfTheFile) {
+  const auto rows = rows_of("# one\n\na,b\n# four\n\"x\ny\nz\",1\n2,3\n");
+  ASSERT_EQ(rows.size(), 3);
+  EXPECT_EQ(rows[0].line, 3);
+  EXPECT_EQ(rows[1].line, 5);  // a row of three lines counts as its first
+  EXPECT_EQ(rows[1].fields[0], "x\ny\nz");
+  EXPECT_EQ(rows[2].line, 8);
+}
+
+TEST(Csv, ColumnsCountCharactersNotBytes) {
+  const auto rows = rows_of("µ,\"a,\"\"b\",°C,d\n");
+  ASSERT_EQ(rows.size(), 1);
+  EXPECT_EQ(rows[0].fields, (Fields{"µ", "a,\"b", "°C", "d"}));
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(rows[0].columns[i], (std::vector<std::size_t>{1, 3, 11, 14})[i]) << i;
+}
+
+TEST(Csv, AMissingFieldIsPlacedJustBehindTheLastCharacter) {
+  for (const std::string_view text : {"1,0", "1,0\n", "1,0\r\n", "1,0\n2,3\n"})
+    EXPECT_EQ(rows_of(text).at(0).columns.at(2), 4) << text;
+}
+
+TEST(Csv, QuotedFieldsMayHoldDelimitersQuotesAndLineEnds) {
+  const auto rows = rows_of("name,note\n\"a,b\",\"say \"\"hi\"\"\"\n\"#1\",\"two\r\nlines\"\n");
+  ASSERT_EQ(rows.size(), 3);
+  EXPECT_EQ(rows[1].fields, (Fields{"a,b", "say \"hi\""}));
+  EXPECT_EQ(rows[2].fields, (Fields{"#1", "two\r\nlines"}));
+}
+
+TEST(Csv, TheFirstRowChoosesTheDelimiter) {
+  EXPECT_EQ(rows_of("a;b;c\n1,5;2,5;3\n")[1].fields, (Fields{"1,5", "2,5", "3"}));
+  EXPECT_EQ(rows_of("a,b\n1;2,3\n")[1].fields, (Fields{"1;2", "3"}));
+  EXPECT_EQ(rows_of("# x;y;z\na,b\n1,2\n")[1].fields, (Fields{"1", "2"}));  // a comment does not
+}
+
+TEST(Csv, EmptyFieldsAreFields) {
+  EXPECT_EQ(rows_of("a,b,c\n,2,\n")[1].fields, (Fields{"", "2", ""}));
+  EXPECT_EQ(rows_of("a\tb\tc\n\t2\t\n")[1].fields, (Fields{"", "2", ""}));
+}
+
+TEST(Csv, RaggedRowsAreHandedOverAsTheyAre) {
+  const auto rows = rows_of("a,b\n1\n1,2,3\n");
+  EXPECT_EQ(rows[1].fields.size(), 1);
+  EXPECT_EQ(rows[2].fields.size(), 3);
+}
+
+TEST(Csv, AFileWithoutRowsIsNoError) {
+  for (const std::string_view text : {"", "\xEF\xBB\xBF", "\n", " \r\n\r\n", "# only a comment"})
+    EXPECT_TRUE(rows_of(text).empty()) << text;
+}
+
+TEST(Csv, WhatIsNoCsvIsRefusedWithItsPlace) {
+  for (const auto& [text, error] : {
+           std::pair<std::string_view, std::string_view>
+           {"a,b\n1,x\"2\n", ":2:1: a quote (\") inside a field is not doubled or not closed"},
+           {"a,b\n\"1\"2,3\n", ":2:1: a quote (\") inside a field is not doubled or not closed"},
+           {"a,b\n1,\"2\n3,4\n", ":2:1: a quote (\") is opened but not closed before the end of the file"},
+           {"\"", ":1:1: a quote (\") is opened but not closed before the end of the file"},
+           {"a,b\n1,2\r3,4\n", ":2:1: has a carriage return inside the line"},
+           {std::string_view("\xFF\xFE" "a\0,\0b\0", 8), ":1:1: is UTF-16; save it as UTF-8"},
+       })
+    EXPECT_EQ(error_of(text), error) << text;
+}
+
+TEST(Csv, FilesThatCannotBeReadAreNamed) {
+  const TemporaryFolder folder;
+  const auto error = [](const std::string& path) { return input_error([&] { read_csv(path, [](const CsvRow&) {}); }); };
+  EXPECT_EQ(error(folder.path("none.csv")), folder.path("none.csv") + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(error(folder.path()), folder.path() + ": cannot be read: Is a directory");
+}
+
+TEST(Csv, AWrittenFieldIsReadBackAsOne) {
+  for (const std::string text : {"plain", "a,b", "a;b", "tab\there", "say \"hi\"", "\"", "two\nlines", "#1", "µm²"}) {
+    const auto rows = rows_of(csv_field(text) + ",next\n");
+    ASSERT_EQ(rows.size(), 1) << text;
+    EXPECT_EQ(rows[0].fields, (Fields{text, "next"}));
+  }
+}
+
+}  // namespace
+}  // namespace mixity

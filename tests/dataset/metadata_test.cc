@@ -1,0 +1,154 @@
+#include "dataset/metadata.h"
+
+#include <gtest/gtest.h>
+
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+namespace {
+
+Metadata metadata_of(std::string_view toml) {
+  const TemporaryFolder folder;
+  return read_metadata(folder.write("a.toml", toml));
+}
+
+/// The error without the folder: "a.toml:1:10: ...".
+std::string error_of(std::string_view toml) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.toml", toml);
+  const std::string error = input_error([&] { read_metadata(path); });
+  return error.starts_with(path) ? error.substr(folder.path().size() + 1) : error;
+}
+
+TEST(Metadata, ConstantsAreHeldInSi) {
+  const Metadata metadata = metadata_of(R"(
+radius = "9.42 mm"
+modulus = "2.133 MPa"
+toughness = "27 mJ/m^2"
+toughness_II = "1.7 N/mm"
+shear_strength = "430 kPa"
+provenance = "digitised"
+source = "a paper"
+note = "a note"
+)");
+  // 4 ulp (EXPECT_DOUBLE_EQ): the decimal value, the factor and their product are each rounded once.
+  EXPECT_DOUBLE_EQ(metadata.radius.value(), 9.42e-3);
+  EXPECT_DOUBLE_EQ(metadata.modulus.value(), 2.133e6);
+  EXPECT_DOUBLE_EQ(metadata.toughness.value(), 0.027);
+  EXPECT_DOUBLE_EQ(metadata.toughness_II.value(), 1700);
+  EXPECT_DOUBLE_EQ(metadata.shear_strength.value(), 0.43e6);
+  EXPECT_EQ(metadata.provenance, Provenance::digitised);
+  EXPECT_EQ(metadata.source, "a paper");
+  EXPECT_EQ(metadata.note, "a note");
+  EXPECT_EQ(metadata.plane_strain_modulus(), metadata.modulus);
+}
+
+TEST(Metadata, AFileThatIsNotThereOrEmptyLeavesAllUnstated) {
+  const TemporaryFolder folder;
+  for (const std::string& path : {folder.path("none.toml"), folder.write("empty.toml", "")}) {
+    const Metadata metadata = read_metadata(path);
+    EXPECT_FALSE(metadata.radius || metadata.plane_strain_modulus() || metadata.toughness || metadata.shear_strength);
+    EXPECT_EQ(metadata.provenance, Provenance::unstated);
+    EXPECT_EQ(metadata.source, "");
+  }
+}
+
+TEST(Metadata, TheModulusFollowsFromYoungsModulusAndPoissonRatio) {
+  // E* = E/(1 - nu^2): 1.6 MPa/0.75 and 1.6 MPa/0.84, by hand
+  for (const auto& [nu, modulus] : {std::pair{"0.5", 1.6e6 / 0.75},
+                                    {"\"0.5\"", 1.6e6 / 0.75},
+                                    {"\"40 %\"", 1.6e6 / 0.84},
+                                    {"0", 1.6e6},
+                                    {"0.0", 1.6e6}})
+    EXPECT_DOUBLE_EQ(  // 4 ulp: a product, a difference and a quotient
+        metadata_of("youngs_modulus = \"1.6 MPa\"\npoisson_ratio = " + std::string(nu)).plane_strain_modulus().value(),
+        modulus)
+        << nu;
+  EXPECT_FALSE(metadata_of("poisson_ratio = 0.5").plane_strain_modulus());
+}
+
+TEST(Metadata, ByteOrderMarkAndCrLfAreRead) {
+  EXPECT_EQ(metadata_of("\xEF\xBB\xBFradius = \"1 m\"\r\nsource = \"µ\"\r\n").radius, 1.0);
+}
+
+TEST(Metadata, WhatCannotBeUnderstoodIsRefusedWithItsPlace) {
+  for (const auto& [toml, error] : std::vector<std::pair<std::string, std::string>>{
+           {"radius = \"9.42\"", "1:10: radius is \"9.42\"; it must be a length such as mm, written \"9.42 mm\""},
+           {"radius = \"9.42 mN\"", "1:10: radius is \"9.42 mN\"; it must be a length such as mm, written \"9.42 mm\""},
+           {"radius = \"9,42 mm\"", "1:10: radius is \"9,42 mm\"; it must be a number with a unit, such as \"9.42 mm\""},
+           {"radius = \"wide\"", "1:10: radius is \"wide\"; it must be a number with a unit, such as \"9.42 mm\""},
+           {"radius = \"\"", "1:10: radius is \"\"; it must be a number with a unit, such as \"9.42 mm\""},
+           {"radius = \"0 mm\"", "1:10: radius is \"0 mm\"; it must be positive"},
+           {"toughness = \"-1 J/m^2\"", "1:13: toughness is \"-1 J/m^2\"; it must be positive"},
+           {"# µ\n  radius =  9.42", "2:13: radius must be a string with a number and a unit, such as \"9.42 mm\""},
+           {"radius = [1]", "1:10: radius must be a string"},
+           {"poisson_ratio = 0.6", "1:17: poisson_ratio is \"0.6\"; it must lie between 0 and 0.5"},
+           {"poisson_ratio = -0.1", "1:17: poisson_ratio is \"-0.1\"; it must lie between 0 and 0.5"},
+           {"provenance = \"measuerd\"",
+            "1:14: provenance is \"measuerd\"; it must be measured, digitised or reconstructed"},
+           {"\nraduis = \"3 mm\"",
+            "2:1: unknown key \"raduis\" (known: provenance, source, note, radius, modulus, youngs_modulus, "
+            "poisson_ratio, toughness, toughness_II, shear_strength)"},
+       })
+    EXPECT_EQ(error_of(toml), "a.toml:" + error) << toml;
+}
+
+TEST(Metadata, AnUnknownKeyIsCalledThatWhateverItsValue) {
+  for (const char* toml : {"raduis = \"3 mm\"", "raduis = 3", "raduis = true", "[raduis]\nvalue = 3"})
+    EXPECT_NE(error_of(toml).find("unknown key \"raduis\""), std::string::npos) << error_of(toml);
+}
+
+TEST(Metadata, ASyntaxErrorHasItsPlace) {
+  // The sentence is the TOML reader's; line and column are ours to pass on.
+  EXPECT_TRUE(error_of("source = \"a\"\nradius = 9.42 mm\n").starts_with("a.toml:2:15: ")) << error_of("radius = 9.42 mm\n");
+  EXPECT_TRUE(error_of("radius = \"9.42 mm\nmodulus").starts_with("a.toml:1:"));
+  EXPECT_TRUE(error_of("radius = \"1 mm\"\nradius = \"2 mm\"\n").starts_with("a.toml:2:"));
+  EXPECT_TRUE(error_of("source = " + std::string(100000, '[')).starts_with("a.toml:1:"));
+}
+
+TEST(Metadata, TwoStatementsOfTheModulusAreRefused) {
+  EXPECT_EQ(error_of("modulus = \"2 MPa\"\nyoungs_modulus = \"1.6 MPa\"\npoisson_ratio = 0.5"),
+            "a.toml: states both modulus and youngs_modulus; state one");
+}
+
+TEST(Metadata, OverridesReplaceWhatTheFileStates) {
+  Metadata metadata = metadata_of("radius = \"1 m\"\nmodulus = \"2 Pa\"\nprovenance = \"measured\"");
+  apply_overrides({{"radius", "3 m"}, {"toughness", "4 J/m^2"}, {"provenance", "reconstructed"}, {"note", "x"}}, metadata);
+  EXPECT_EQ(metadata.radius, 3.0);
+  EXPECT_EQ(metadata.modulus, 2.0);
+  EXPECT_EQ(metadata.toughness, 4.0);
+  EXPECT_EQ(metadata.provenance, Provenance::reconstructed);
+  EXPECT_EQ(metadata.note, "x");
+}
+
+TEST(Metadata, OneStatementOfTheModulusOverridesTheOther) {
+  Metadata metadata = metadata_of("modulus = \"2 Pa\"");
+  apply_overrides({{"youngs_modulus", "3 Pa"}, {"poisson_ratio", "0.5"}}, metadata);
+  EXPECT_EQ(metadata.plane_strain_modulus(), 4.0);
+  apply_overrides({{"modulus", "5 Pa"}}, metadata);
+  EXPECT_EQ(metadata.plane_strain_modulus(), 5.0);
+}
+
+TEST(Metadata, AnOverrideThatCannotBeUsedNamesTheFlag) {
+  Metadata metadata;
+  EXPECT_EQ(input_error([&] { apply_overrides({{"radius", "3"}}, metadata); }),
+            "--radius: radius is \"3\"; it must be a length such as mm, written \"9.42 mm\"");
+  EXPECT_FALSE(metadata.radius);
+}
+
+TEST(Metadata, PathsThatCannotBeLookedUpAreInputErrors) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path("folder.toml"));
+  EXPECT_EQ(input_error([&] { read_metadata(folder.path("folder.toml")); }),
+            folder.path("folder.toml") + ": cannot be read: Is a directory");
+  const std::string too_long = folder.path(std::string(300, 'x') + ".toml");
+  std::filesystem::create_symlink("loop.toml", folder.path("loop.toml"));
+  for (const std::string& path : {too_long, folder.path("loop.toml")}) {
+    std::string error = "another exception";
+    EXPECT_NO_THROW(error = input_error([&] { read_metadata(path); })) << path;
+    EXPECT_TRUE(error.starts_with(path + ": ")) << error;
+  }
+}
+
+}  // namespace
+}  // namespace mixity

@@ -1,0 +1,55 @@
+// What tests of file readers share: a folder that goes away, and the text of the error that a call throws.
+#pragma once
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "dataset/input_error.h"
+
+namespace mixity {
+
+/// A fresh folder below the system's temporary one, removed with all it holds at the end of the scope.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_((std::filesystem::temp_directory_path() / "mixity_test_XXXXXX").string()) {
+    if (!::mkdtemp(path_.data())) throw std::runtime_error("no temporary folder: " + path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::string& path() const { return path_; }
+  std::string path(std::string_view name) const { return path_ + "/" + std::string(name); }
+
+  /// Writes a file byte for byte and returns its path.
+  std::string write(std::string_view name, std::string_view text) const {
+    const std::string file = path(name);
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
+  }
+
+ private:
+  std::string path_;
+};
+
+/// what() of the InputError that `call` throws; empty if it throws none. Any other exception is passed on.
+template <class Call>
+std::string input_error(Call&& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace mixity

@@ -1,0 +1,180 @@
+#include "fitting/fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dataset/input_error.h"
+#include "fitting/synthetic.h"
+
+namespace mixity {
+namespace {
+
+template <class Model>
+class Recovery : public ::testing::Test {};
+
+using LambdaModels = ::testing::Types<Johnson, WatersGuduru, PapangeloCiavarella>;
+TYPED_TEST_SUITE(Recovery, LambdaModels);
+
+/// Noise-free data give lambda back to the digits that rounding of f leaves of it.
+TYPED_TEST(Recovery, ExactDataGiveLambdaBack) {
+  for (const double lambda : {1e-6, 1e-4, 0.0023, 0.15, 0.5, 0.9}) {
+    const FitResult fit = fit_toughness(synthetic<TypeParam>({lambda}, angles_up_to(1.56, 40)), TypeParam::info.key);
+    EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+    // f holds lambda to eps/(lambda d ln f/d lambda): at psi <= 1.56 a sees lambda = 1e-6 to 1e-10, the others better
+    EXPECT_NEAR(*fit.parameters[0].value / lambda, 1, 1e-12 / lambda) << lambda;
+    EXPECT_GT(*fit.r2, 1 - 1e-14);
+  }
+}
+
+/// The zero of the gradient, found here by bisection of the sum's derivative, is where the fit ends.
+TEST(Fit, EndsAtTheZeroOfTheGradientHoweverLargeTheResiduals) {
+  for (const double noise : {0.01, 0.3, 1.0}) {
+    const Dataset data = synthetic<PapangeloCiavarella>({0.05}, angles_up_to(1.5, 60),
+                                                        [&](std::size_t i) { return noise * scatter(i); });
+    const auto gradient = [&](double l) {
+      double sum = 0;
+      for (const Point& point : data.points) {
+        const double c2 = std::pow(std::cos(point.psi), 2), s2 = std::pow(std::sin(point.psi), 2);
+        sum += (-std::log(c2 + l * s2) - std::log(point.ratio)) * -s2 / (c2 + l * s2);
+      }
+      return sum;
+    };
+    double low = 1e-6, high = 0.9;
+    ASSERT_LT(gradient(low) * gradient(high), 0);
+    for (int i = 0; i < 200; ++i) {
+      const double middle = std::sqrt(low * high);
+      (gradient(middle) * gradient(high) > 0 ? high : low) = middle;
+    }
+    const FitResult fit = fit_toughness(data, "c");
+    ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+    // Rounding of sixty terms in the gradient moves its zero by about 1e-15 relative.
+    EXPECT_NEAR(*fit.parameters[0].value / low, 1, 1e-12);
+  }
+}
+
+TEST(Fit, SaysAtBoundWhenTheDataWantMoreThanTheRangeHolds) {
+  // f of model c at lambda = 0 is 1/cos^2 psi; data above that want lambda < 0
+  const Dataset data = synthetic<PapangeloCiavarella>({0.0}, angles_up_to(1.4, 30),
+                                                      [](std::size_t i) { return 0.1 + 0.01 * scatter(i); });
+  const FitResult fit = fit_toughness(data, "c");
+  EXPECT_EQ(fit.status, FitStatus::at_bound);
+  EXPECT_EQ(*fit.parameters[0].value, 0);
+  EXPECT_TRUE(fit.parameters[0].at_bound);
+  EXPECT_FALSE(fit.parameters[0].stderr_);
+}
+
+TEST(Fit, SaysNotIdentifiableWithoutShear) {
+  const Dataset data = synthetic<PapangeloCiavarella>({0.3}, std::vector<double>(10, 0.0),
+                                                      [](std::size_t i) { return 0.01 * scatter(i); });
+  for (const char* model : {"a", "b", "c", "bk"}) {
+    const FitResult fit = fit_toughness(data, model);
+    EXPECT_EQ(fit.status, FitStatus::not_identifiable) << model;
+    for (const FittedParameter& parameter : fit.parameters) EXPECT_FALSE(parameter.value);
+    EXPECT_FALSE(fit.r2);
+    EXPECT_FALSE(fit.area);
+  }
+}
+
+TEST(Fit, SaysNotIdentifiableForOnePointOrNone) {
+  EXPECT_EQ(fit_toughness(synthetic<Johnson>({0.3}, {1.0}), "a").status, FitStatus::not_identifiable);
+  EXPECT_EQ(fit_toughness(synthetic<Johnson>({0.3}, {}), "a").status, FitStatus::not_identifiable);
+}
+
+TEST(Fit, SaysNotIdentifiableWhenScatterDrownsTheSignal) {
+  const Dataset data = synthetic<PapangeloCiavarella>({0.3}, angles_up_to(0.05, 20),
+                                                      [](std::size_t i) { return 0.5 * scatter(i); });
+  EXPECT_EQ(fit_toughness(data, "c").status, FitStatus::not_identifiable);
+}
+
+/// Two groups of points that want different lambdas leave two equal minima.
+TEST(Minimise, SaysMultimodalWhenTwoMinimaFitAlike) {
+  class TwoWells final : public LeastSquares {
+   public:
+    std::size_t residual_count() const override { return 4; }
+    const std::vector<FreeParameter>& parameters() const override { return parameters_; }
+    bool evaluate(std::span<const double> x, std::span<double> r, std::span<double> J) const override {
+      for (std::size_t i = 0; i < 4; ++i) {
+        const double sign = i % 2 == 0 ? 1 : -1;
+        r[i] = (x[0] - 0.3) * (x[0] - 0.7) * 10 + sign;
+        if (!J.empty()) J[i] = 10 * (2 * x[0] - 1);
+      }
+      return true;
+    }
+    double data_norm() const override { return 2; }
+
+   private:
+    std::vector<FreeParameter> parameters_{{"x", 0, 1}};
+  };
+  const Verdict verdict = minimise(TwoWells());
+  EXPECT_EQ(verdict.status, FitStatus::multimodal) << verdict.message;
+  ASSERT_EQ(verdict.others.size(), 1u);
+  // each is a simple zero of the gradient
+  EXPECT_NEAR(verdict.best.x[0] + verdict.others[0].x[0], 1, 1e-12);
+}
+
+/// Unweighted residuals of any size: the verdict must not depend on their unit.
+TEST(Minimise, DoesNotCallTheStartAMinimumWhenResidualsAreTiny) {
+  class Scaled final : public LeastSquares {
+   public:
+    explicit Scaled(double scale) : scale_(scale) {}
+    std::size_t residual_count() const override { return 3; }
+    const std::vector<FreeParameter>& parameters() const override { return parameters_; }
+    bool evaluate(std::span<const double> x, std::span<double> r, std::span<double> J) const override {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double t = static_cast<double>(i + 1);
+        r[i] = scale_ * (std::exp(-x[0] * t) - std::exp(-0.4 * t) + 0.01 * scatter(i));
+        if (!J.empty()) J[i] = -scale_ * t * std::exp(-x[0] * t);
+      }
+      return true;
+    }
+    double data_norm() const override { return scale_; }
+
+   private:
+    double scale_;
+    std::vector<FreeParameter> parameters_{{"x", 0, 1}};
+  };
+  const Verdict reference = minimise(Scaled(1));
+  ASSERT_EQ(reference.status, FitStatus::ok) << reference.message;
+  for (const double scale : {1e-12, 1e-6, 1e6, 1e12}) {
+    const Verdict verdict = minimise(Scaled(scale));
+    EXPECT_EQ(verdict.status, FitStatus::ok) << verdict.message;
+    EXPECT_NEAR(verdict.best.x[0], reference.best.x[0], 1e-12);  // rounding of three terms
+  }
+}
+
+TEST(Fit, LeavesOutWhatAModelCannotDescribeAndSaysSo) {
+  Dataset data = synthetic<PapangeloCiavarella>({0.3}, {0.0, 0.4, 0.8, 1.2});
+  Point shear{};
+  shear.line = 6;
+  shear.mixity = {0, 1};
+  shear.ratio = 1 / 0.3;
+  data.points.push_back(shear);
+  const FitResult a = fit_toughness(data, "a"), c = fit_toughness(data, "c");
+  ASSERT_EQ(a.excluded.size(), 1u);
+  EXPECT_EQ(a.excluded[0].line, 6u);
+  EXPECT_EQ(a.used.size(), 4u);
+  EXPECT_TRUE(c.excluded.empty());
+  EXPECT_NEAR(*c.parameters[0].value, 0.3, 1e-13);  // exact data
+}
+
+TEST(Fit, HoldsWhatItIsToldToHold) {
+  const Dataset data = synthetic<BenzeggaghKenane>({1.774, 2.284}, angles_up_to(1.5, 20));
+  const FitResult fit = fit_toughness(data, "bk", {Scale::linear, {{"r", 1.774}}});
+  EXPECT_EQ(fit.status, FitStatus::ok);
+  EXPECT_TRUE(fit.parameters[0].held);
+  EXPECT_EQ(*fit.parameters[0].value, 1.774);
+  EXPECT_NEAR(*fit.parameters[1].value, 2.284, 1e-11);  // exact data; eps over the slope of f in eta
+  EXPECT_THROW(fit_toughness(data, "bk", {Scale::linear, {{"r", {}}}}), InputError);
+  EXPECT_THROW(fit_toughness(data, "bk", {Scale::linear, {{"r", 1e9}}}), InputError);
+}
+
+TEST(Fit, FindsBothParametersOfTheTwoParameterLaw) {
+  const FitResult fit = fit_toughness(synthetic<BenzeggaghKenane>({2.5, 1.6}, angles_up_to(1.55, 30)), "bk");
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_NEAR(*fit.parameters[0].value, 2.5, 1e-11);  // exact data; eps times a condition of about 1e3
+  EXPECT_NEAR(*fit.parameters[1].value, 1.6, 1e-11);
+}
+
+}  // namespace
+}  // namespace mixity

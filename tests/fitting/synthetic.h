@@ -1,0 +1,42 @@
+// Synthetic (psi, f) data of a model for tests.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "dataset/dataset.h"
+#include "mechanics/registry.h"
+
+namespace mixity {
+
+/// Points of `Model` at these angles, ln f shifted by noise(i).
+template <class Model>
+Dataset synthetic(const Parameters<Model>& p, const std::vector<double>& angles,
+                  const std::function<double(std::size_t)>& noise = [](std::size_t) { return 0.0; }) {
+  Dataset data;
+  data.path = data.name = "synthetic";
+  data.curves = {""};
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    Point point{};
+    point.line = i + 2;
+    point.mixity = mixity_from_angle(angles[i]);
+    point.psi = angles[i];
+    point.ratio = std::exp(Model::log_toughness(p, point.mixity).value + noise(i));
+    data.points.push_back(point);
+  }
+  data.rows = angles.size();
+  return data;
+}
+
+/// n angles from 0 to `last`, evenly.
+inline std::vector<double> angles_up_to(double last, std::size_t n) {
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < n; ++i) angles.push_back(last * static_cast<double>(i) / static_cast<double>(n - 1));
+  return angles;
+}
+
+/// A fixed sequence that looks random and has mean near zero, in [-1, 1].
+inline double scatter(std::size_t i) { return std::sin(static_cast<double>(12 * i * i + 7 * i)); }
+
+}  // namespace mixity
