@@ -1,5 +1,4 @@
 // mixity fit: definitions and data sets in, fits out.
-#include <algorithm>
 #include <iostream>
 #include <set>
 
@@ -18,12 +17,9 @@ namespace mixity::cli {
 namespace {
 
 std::vector<std::string> models_from_flag() {
-  const std::vector<std::string> known = model_keys();
-  std::vector<std::string> models = split_list(FLAGS_models);
-  for (const std::string& model : models)
-    if (std::find(known.begin(), known.end(), model) == known.end())
-      throw UsageError("flag '--models': unknown model '" + model + "' (known: a, b, c, bk)");
+  const std::vector<std::string> models = split_list(FLAGS_models);
   if (models.empty()) throw UsageError("flag '--models' names no model");
+  for (const std::string& model : models) require_model("models", model);
   return models;
 }
 

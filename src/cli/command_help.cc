@@ -4,6 +4,8 @@
 #include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/usage_error.h"
+#include "dataset/number_text.h"
+#include "mechanics/registry.h"
 
 namespace mixity::cli {
 namespace {
@@ -14,6 +16,15 @@ void explain_program() {
   for (const Command& command : commands()) {
     std::cout << "  " << command.name << std::string(10 - command.name.size(), ' ') << command.summary << '\n';
   }
+  std::cout << "\nModels\n";
+  for_each_model([](auto model) {
+    using Model = decltype(model);
+    std::cout << "  " << Model::info.key << std::string(10 - Model::info.key.size(), ' ') << Model::info.name << ": "
+              << Model::info.formula;
+    for (const ParameterInfo& parameter : Model::parameters)
+      std::cout << ", " << parameter.name << " in " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4);
+    std::cout << '\n';
+  });
   std::cout << "\nmixity help COMMAND lists the flags of a command; mixity --version prints the version.\n\n"
                "Exit codes: 0 fine, 1 a fit did not end ok, 2 bad usage, 3 bad input, 4 output cannot be written.\n";
 }

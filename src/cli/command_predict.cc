@@ -138,9 +138,8 @@ void predict() {
 
 int run_predict(const Arguments& arguments) {
   if (!arguments.empty()) throw UsageError("predict takes flags only, not '" + arguments[0] + "'");
-  if (FLAGS_model.empty()) throw UsageError("flag '--model' is missing (a, b, c or bk)");
-  if (!with_model(FLAGS_model, [](auto model) { predict<decltype(model)>(); }))
-    throw UsageError("flag '--model': unknown model '" + FLAGS_model + "' (known: a, b, c, bk)");
+  require_model("model", FLAGS_model);
+  with_model(FLAGS_model, [](auto model) { predict<decltype(model)>(); });
   return kFine;
 }
 

@@ -5,14 +5,15 @@
 
 #include "cli/usage_error.h"
 #include "dataset/units.h"
+#include "fitting/fit.h"
 
-DEFINE_string(models, "a,b,c", "models to fit, comma-separated: a, b, c, bk");
+DEFINE_string(models, "a,b,c", "models to fit, comma-separated (mixity help lists them)");
 DEFINE_string(objective, "toughness", "what is fitted: toughness (Gc/GIc against psi)");
 DEFINE_string(scale, "log", "toughness is compared as ln(Gc/GIc) (log) or as Gc/GIc (linear)");
 DEFINE_string(hold, "", "parameters to hold, comma-separated: NAME=VALUE, or NAME for the data set's own value");
 DEFINE_string(format, "text", "output format: text, json or csv");
 DEFINE_string(out, "", "where to write: a folder (fit), a file (import)");
-DEFINE_string(model, "", "model: a, b, c or bk");
+DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(lambda, "", "mode-mixity parameter lambda");
 DEFINE_string(parameters, "", "all parameters of the model, such as r=1.77,eta=2.28");
 DEFINE_string(load, "", "normal load P, compression positive: a number, or with a unit if dimensional");
@@ -95,6 +96,16 @@ Overrides metadata_overrides() {
     overrides.emplace_back(flag, value);
   }
   return overrides;
+}
+
+void require_model(const std::string& flag, const std::string& key) {
+  std::string known;
+  for (const std::string& candidate : model_keys()) {
+    if (candidate == key) return;
+    known += (known.empty() ? "" : ", ") + candidate;
+  }
+  throw UsageError("flag '--" + flag + "': " + (key.empty() ? "no model" : "unknown model '" + key + "'") +
+                   " (known: " + known + ")");
 }
 
 std::vector<std::string> split_list(std::string_view text) {

@@ -39,6 +39,9 @@ bool is_set(std::string_view flag);
 /// The metadata flags that were given; throws UsageError if one cannot be used.
 Overrides metadata_overrides();
 
+/// Throws UsageError, naming the flag and the known models, unless there is a model with this key.
+void require_model(const std::string& flag, const std::string& key);
+
 /// Comma-separated, without blanks around the items; empty items are left out.
 std::vector<std::string> split_list(std::string_view text);
 

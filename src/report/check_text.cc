@@ -43,8 +43,8 @@ void write_curves(std::ostringstream& out, const Dataset& data) {
 std::string check_text(const Dataset& data) {
   std::ostringstream out;
   out << "[[Data]]\n    " << data.name << "  (" << data.path << ")\n    "
-      << (data.has_loads ? "raw points (P, T, A)" : "converted points (psi, Gc/GIc)") << ", "
-      << (data.contact ? "dimensional" : data.has_loads ? "dimensionless" : "no contact constants needed") << "\n    "
+      << (data.has_loads ? "raw points (P, T, A), " : "converted points (psi, Gc/GIc)")
+      << (data.contact ? "dimensional" : data.has_loads ? "dimensionless" : "") << "\n    "
       << data.rows << " rows, " << data.points.size() << " usable, " << data.excluded.size() << " excluded\n"
       << "    provenance: " << to_string(data.metadata.provenance) << '\n';
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
