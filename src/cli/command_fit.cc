@@ -51,6 +51,9 @@ FitJob job_for(const std::string& path) {
   if (!is_definition || is_set("objective")) job.objective = FLAGS_objective;
   if (!is_definition || is_set("scale")) job.options.scale = scale_from_flag();
   if (!is_definition || is_set("hold")) job.options.hold = hold_from_flag();
+  for (const HeldParameter& held : job.options.hold)
+    if (!has_parameter(job.models, held.name))
+      throw UsageError("flag '--hold': no fitted model has a parameter '" + held.name + "'");
   return job;
 }
 

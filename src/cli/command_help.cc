@@ -22,7 +22,8 @@ void explain_program() {
     std::cout << "  " << Model::info.key << std::string(10 - Model::info.key.size(), ' ') << Model::info.name << ": "
               << Model::info.formula;
     for (const ParameterInfo& parameter : Model::parameters)
-      std::cout << ", " << parameter.name << " in " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4);
+      std::cout << ", " << parameter.name << " in " << rounded(parameter.lower, 4) << ".."
+                << rounded(parameter.upper, 4);
     std::cout << '\n';
   });
   std::cout << "\nmixity help COMMAND lists the flags of a command; mixity --version prints the version.\n\n"

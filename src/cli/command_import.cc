@@ -17,7 +17,8 @@ int run_import(const Arguments& arguments) {
   PlotImport options{FLAGS_x, FLAGS_y, {}};
   if (is_set("loads")) options.loads = quantity_list("loads", FLAGS_loads);
   for (const Quantity& load : options.loads)
-    if (load.unit.text != options.loads.front().unit.text || (!load.unit.text.empty() && load.unit.dimension != dimension::force))
+    if (load.unit.text != options.loads.front().unit.text ||
+        (!load.unit.text.empty() && load.unit.dimension != dimension::force))
       throw UsageError("flag '--loads': all loads must be forces in one unit");
   const std::string text = import_plot(arguments[0], options);
   if (FLAGS_out.empty())

@@ -64,8 +64,8 @@ std::vector<Load> loads_from(const std::string& flag, const std::string& text, c
     if (quantity.unit.dimension != dimension::force)
       throw UsageError("flag '--" + flag + "' must be a force such as \"3 mN\"");
     const bool same = quantity.unit.factor == units.force_unit.factor;
-    loads.push_back({quantity.si() / contact->force_unit(),
-                     same ? quantity.value : quantity.si() / units.force_unit.factor});
+    loads.push_back(
+        {quantity.si() / contact->force_unit(), same ? quantity.value : quantity.si() / units.force_unit.factor});
   }
   return loads;
 }
@@ -108,7 +108,8 @@ void predict() {
   const std::vector<Load> shears = loads_from("shear", FLAGS_shear, constants, units);
   if (load.size() != 1) throw UsageError("flag '--load' must be one number");
   for (const Load& shear : shears)
-    if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad)) throw UsageError("flag '--shear': every T must lie between 0 and 1e150");
+    if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
+      throw UsageError("flag '--shear': every T must lie between 0 and 1e150");
   const LoadedContact<Model> contact(p, load[0].dimensionless);
   if (!contact.obstacle().empty()) throw UsageError(std::string(contact.obstacle()));
 

@@ -95,6 +95,8 @@ Overrides metadata_overrides() {
     if (!problem.empty()) throw UsageError("flag '--" + std::string(flag) + "': " + problem);
     overrides.emplace_back(flag, value);
   }
+  if (is_set("modulus") && is_set("youngs_modulus"))
+    throw UsageError("flags '--modulus' and '--youngs_modulus': give one of them");
   return overrides;
 }
 

@@ -11,6 +11,7 @@
 #include "cli/flags.h"
 #include "cli/usage_error.h"
 #include "dataset/input_error.h"
+#include "dataset/printable.h"
 #include "report/output_file.h"
 
 namespace {
@@ -34,7 +35,7 @@ int run(const Arguments& words) {
 }
 
 int fail(const std::string& message, int code) {
-  std::cerr << "mixity: " << message << '\n';
+  std::cerr << "mixity: " << printable(message) << '\n';
   return code;
 }
 

@@ -28,8 +28,19 @@ void check_units(const Dataset& data, Lines& odd) {
   }
   const double mean = n > 0 ? log_sum / static_cast<double>(n) : 0;
   if (std::abs(mean) >= 0.7)
-    odd.push_back("units: the areas at the smallest T are about 10^" + rounded(std::round(mean), 3) +
-                  " times those of JKR; a unit of A, P, radius, modulus or toughness is probably off by a power of ten");
+    odd.push_back(
+        "units: the areas at the smallest T are about 10^" + rounded(std::round(mean), 3) +
+        " times those of JKR; a unit of A, P, radius, modulus or toughness is probably off by a power of ten");
+}
+
+void check_usable(const Dataset& data, Lines& odd) {
+  if (data.points.empty()) odd.push_back("no usable point is left");
+  std::size_t below_hertz = 0;
+  for (const Excluded& excluded : data.excluded) below_hertz += excluded.reason.starts_with("y <= 0");
+  if (2 * below_hertz > data.rows)
+    odd.push_back("units: " + std::to_string(below_hertz) + " of " + std::to_string(data.rows) +
+                  " areas are below that of Hertz at their load; a unit of A, P, radius, modulus or toughness is "
+                  "probably off by a power of ten");
 }
 
 void check_order(const Dataset& data, Lines& odd) {
@@ -51,13 +62,19 @@ void check_duplicates(const Dataset& data, Lines& odd) {
     const auto key = data.has_loads ? std::tuple(point.P, point.T, point.A, 0.0)
                                     : std::tuple(point.mixity.cos, point.mixity.sin, point.ratio, 1.0);
     const auto [first, is_new] = seen.try_emplace(key, point.line);
-    if (!is_new)
-      odd.push_back("line " + std::to_string(point.line) + " repeats line " + std::to_string(first->second));
+    if (!is_new) odd.push_back("line " + std::to_string(point.line) + " repeats line " + std::to_string(first->second));
   }
 }
 
 void check_loads(const Dataset& data, Lines& odd) {
-  for (const CurveSummary& curve : summarise_curves(data)) {
+  const auto curves = summarise_curves(data);
+  const auto single = std::count_if(curves.begin(), curves.end(), [](const CurveSummary& c) { return c.points == 1; });
+  if (single > 3 && 2 * static_cast<std::size_t>(single) > curves.size()) {
+    odd.push_back(std::to_string(single) + " of " + std::to_string(curves.size()) +
+                  " runs have one point; if P scatters within a run, name the runs in a column 'curve'");
+    return;
+  }
+  for (const CurveSummary& curve : curves) {
     if (curve.points < 3)
       odd.push_back("run " + curve.name + " has only " + std::to_string(curve.points) + " usable point" +
                     (curve.points == 1 ? "" : "s"));
@@ -82,7 +99,8 @@ void check_loads(const Dataset& data, Lines& odd) {
 void check_toughness(const Dataset& data, Lines& odd) {
   std::size_t too_wide = 0;
   for (const Excluded& excluded : data.excluded) too_wide += excluded.reason.starts_with("psi outside");
-  if (too_wide > 0) odd.push_back("psi leaves 0..90 degrees " + times(too_wide) + "; is its unit rad where deg was meant?");
+  if (too_wide > 0)
+    odd.push_back("psi leaves 0..90 degrees " + times(too_wide) + "; is its unit rad where deg was meant?");
   for (const Point& point : data.points)
     if (point.psi < 0.05 && std::abs(std::log(point.ratio)) > 0.5)
       odd.push_back("line " + std::to_string(point.line) + ": Gc/GIc is " + rounded(point.ratio, 3) +
@@ -118,6 +136,7 @@ std::vector<CurveSummary> summarise_curves(const Dataset& data) {
 
 std::vector<std::string> find_oddities(const Dataset& data) {
   Lines odd;
+  check_usable(data, odd);
   if (data.has_loads) {
     check_units(data, odd);
     check_order(data, odd);

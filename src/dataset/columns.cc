@@ -43,8 +43,6 @@ Heading split(std::string_view text) {
           text.back() == close && text.size() > open + 1};
 }
 
-bool is_dimensionless_by_choice(const Unit& unit) { return unit.dimension == dimension::none && unit.text != "%"; }
-
 }  // namespace
 
 std::string_view to_string(ColumnId id) { return kKinds[static_cast<std::size_t>(id)].name; }
@@ -94,7 +92,8 @@ void Columns::require_a_complete_set(const std::string& path, std::size_t line) 
     if (has(one) && has(other)) fail("columns " + names + ": one of them, not both");
   };
   if (!loads && !toughness)
-    fail("the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or Gc_over_GIc)");
+    fail(
+        "the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or Gc_over_GIc)");
   if (loads && toughness) fail("the header mixes loads (P, T, A) with toughness (psi, Gc); give one set");
   if (loads) {
     for (const ColumnId id : {ColumnId::P, ColumnId::T})
@@ -107,17 +106,24 @@ void Columns::require_a_complete_set(const std::string& path, std::size_t line) 
 }
 
 void Columns::require_consistent_units(const std::string& path, const CsvRow& header) const {
-  const Column* reference = find(ColumnId::P);
-  if (!reference) return;
-  for (const ColumnId id : {ColumnId::T, ColumnId::A, ColumnId::a}) {
+  const auto require_like = [&](ColumnId id, const Column* reference, const std::string& rule) {
     const Column* column = find(id);
-    if (column && is_dimensionless_by_choice(column->unit) != is_dimensionless_by_choice(reference->unit))
-      throw InputError(path, header.line(), header.column(column->index),
-                       "column '" + std::string(to_string(id)) + "' " +
-                           (is_dimensionless_by_choice(column->unit) ? "has no unit while P has one"
-                                                                     : "has a unit while P has none") +
-                           "; P, T and A are either all dimensionless or none is");
-  }
+    if (!column || !reference || column->unit.text == "%") return;
+    const bool bare = column->unit.dimension == dimension::none;
+    if (bare == (reference->unit.dimension == dimension::none)) return;
+    const std::string other(to_string(reference->id));
+    throw InputError(
+        path, header.line(), header.column(column->index),
+        "column '" + std::string(to_string(id)) + "' " +
+            (bare ? "has no unit while " + other + " has one" : "has a unit while " + other + " has none") + "; " +
+            rule);
+  };
+  for (const ColumnId id : {ColumnId::T, ColumnId::A, ColumnId::a})
+    require_like(id, find(ColumnId::P), "P, T and A are either all dimensionless or none is");
+  const std::string sigma_rule = "a standard error has the kind of unit of its quantity, or %";
+  require_like(ColumnId::sigma_T, find(ColumnId::T), sigma_rule);
+  require_like(ColumnId::sigma_A, find(ColumnId::P), sigma_rule);
+  require_like(ColumnId::sigma_Gc, find(has(ColumnId::Gc) ? ColumnId::Gc : ColumnId::Gc_over_GIc), sigma_rule);
 }
 
 }  // namespace mixity

@@ -12,7 +12,6 @@
 
 namespace mixity {
 
-
 /// Quantities a data CSV may hold. Names are those of the header, case included: A is an area, a a radius.
 enum class ColumnId { P, T, A, a, psi, mode_ratio, Gc, Gc_over_GIc, sigma_T, sigma_A, sigma_Gc, curve, include };
 inline constexpr std::size_t kColumnCount = 13;
@@ -34,8 +33,8 @@ class Columns {
     return column ? &*column : nullptr;
   }
   bool has(ColumnId id) const { return find(id) != nullptr; }
-  std::size_t count() const { return count_; }                            // fields in the header
-  const std::vector<std::string>& ignored() const { return ignored_; }    // names of columns that mean nothing to us
+  std::size_t count() const { return count_; }                          // fields in the header
+  const std::vector<std::string>& ignored() const { return ignored_; }  // names of columns that mean nothing to us
   /// P, T and A (or a), rather than psi and Gc.
   bool holds_loads() const { return has(ColumnId::P); }
 

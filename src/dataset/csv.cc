@@ -57,7 +57,7 @@ struct CsvParser {
     }
     if (!quote_open) {
       row.line_ = number;
-      row.raw_ = line;
+      row.raw_ = line.substr(0, line.find_last_not_of("\r\n") + 1);
     }
     if (csv_parse(&state, line.data(), line.size(), on_field, on_row, this) != line.size()) return false;
     if (std::count(line.begin(), line.end(), '"') % 2 != 0) quote_open = !quote_open;
@@ -90,7 +90,11 @@ std::string csv_field(const std::string& text) {
 }
 
 void read_csv(const std::string& path, const std::function<void(const CsvRow&)>& use) {
-  const std::string text = read_file(path);
+  read_csv_text(read_file(path), path, true, use);
+}
+
+void read_csv_text(std::string_view text, const std::string& path, bool comments,
+                   const std::function<void(const CsvRow&)>& use) {
   std::string_view rest = text;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
   if (rest.starts_with("\xFF\xFE") || rest.starts_with("\xFE\xFF"))
@@ -109,13 +113,13 @@ void read_csv(const std::string& path, const std::function<void(const CsvRow&)>&
     const std::string_view line = rest.substr(0, end);
     rest.remove_prefix(end);
     if (!parser) {
-      if (line.starts_with('#') || line.find_first_not_of(" \t\r\n") == std::string_view::npos) continue;
+      if ((comments && line.starts_with('#')) || line.find_first_not_of(" \t\r\n") == std::string_view::npos) continue;
       char delimiter = ',';
       for (const char candidate : {';', '\t'})
         if (std::count(line.begin(), line.end(), candidate) > std::count(line.begin(), line.end(), delimiter))
           delimiter = candidate;
       parser = std::make_unique<CsvParser>(delimiter);
-    } else if (line.starts_with('#') && !parser->quote_open) {
+    } else if (comments && line.starts_with('#') && !parser->quote_open) {
       continue;
     }
     if (!parser->feed(line, number))

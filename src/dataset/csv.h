@@ -12,13 +12,13 @@ namespace mixity {
 
 class CsvRow {
  public:
-  std::size_t line() const { return line_; }              // 1-based
-  std::size_t size() const { return ends_.size(); }       // number of fields
-  std::string_view operator[](std::size_t i) const {      // field i, unquoted
+  std::size_t line() const { return line_; }          // 1-based
+  std::size_t size() const { return ends_.size(); }   // number of fields
+  std::string_view operator[](std::size_t i) const {  // field i, unquoted
     const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
     return std::string_view(text_).substr(begin, ends_[i] - begin);
   }
-  bool blank() const { return text_.empty(); }
+  bool blank() const { return text_.empty() && ends_.size() <= 1; }
   /// 1-based character column at which field i starts in the file.
   std::size_t column(std::size_t i) const;
 
@@ -35,6 +35,11 @@ class CsvRow {
 /// mark; LF or CRLF; comma, semicolon or tab, whichever the first row has most of. The row is valid during the
 /// call only. Throws InputError for a file that cannot be read or whose quotes do not match.
 void read_csv(const std::string& path, const std::function<void(const CsvRow&)>& use);
+
+/// The same for text that is already there; `name` stands for the file in messages. Without comments, '#' starts a
+/// field like any other character.
+void read_csv_text(std::string_view text, const std::string& name, bool comments,
+                   const std::function<void(const CsvRow&)>& use);
 
 /// Text as a CSV field, quoted where it must be to be read back as one field.
 std::string csv_field(const std::string& text);

@@ -49,9 +49,9 @@ class Loader {
     }
     const Unit& force = columns_->find(ColumnId::P)->unit;
     if (force.dimension == dimension::none) return;
-    data_.contact = Contact{demand(data_.metadata.radius, "radius"),
-                            demand(data_.metadata.plane_strain_modulus(), "modulus"),
-                            demand(data_.metadata.toughness, "toughness")};
+    data_.contact =
+        Contact{demand(data_.metadata.radius, "radius"), demand(data_.metadata.plane_strain_modulus(), "modulus"),
+                demand(data_.metadata.toughness, "toughness")};
     const Unit& shear = columns_->find(ColumnId::T)->unit;
     data_.display.force = shear.text;
     data_.display.force_scale = data_.contact->force_unit() / shear.factor;
@@ -63,9 +63,9 @@ class Loader {
 
   void check_width(const CsvRow& row) const {
     if (row.size() < columns_->count())
-      throw InputError(path_, row.line(), row.column(row.size()),
-                       "the row has " + std::to_string(row.size()) + " fields, the header " +
-                           std::to_string(columns_->count()));
+      throw InputError(
+          path_, row.line(), row.column(row.size()),
+          "the row has " + std::to_string(row.size()) + " fields, the header " + std::to_string(columns_->count()));
     for (std::size_t i = columns_->count(); i < row.size(); ++i)
       if (!trim(row[i]).empty())
         throw InputError(path_, row.line(), row.column(i),
@@ -82,7 +82,7 @@ class Loader {
     if (!value) {
       const bool decimal_comma = text.find(',') != std::string_view::npos;
       throw InputError(path_, row.line(), row.column(column->index),
-                       "column '" + std::string(to_string(id)) + "': '" + std::string(text) + "' is not a number" +
+                       "column '" + std::string(to_string(id)) + "': '" + printable(text, 60) + "' is not a number" +
                            (decimal_comma ? " (write a decimal point, not a comma)" : ""));
     }
     return *value * column->unit.factor;
@@ -95,7 +95,7 @@ class Loader {
       const std::string_view text = trim(row[include->index]);
       if (text != "0" && text != "1")
         throw InputError(path_, row.line(), row.column(include->index),
-                         "column 'include': '" + std::string(text) + "' is neither 0 nor 1");
+                         "column 'include': '" + printable(text, 60) + "' is neither 0 nor 1");
       if (text == "0") return exclude(row, "include = 0");
     }
     Point point{};
@@ -140,7 +140,8 @@ class Loader {
     const double a = (by_area ? std::sqrt(*size / pi<double>()) : *size) / length;
     point.A = by_area ? *size / (length * length) : area_from_radius(a);
     if (!(edge_load(a, point.P) > 0))
-      return exclude(row, "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists"), false;
+      return exclude(row, "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists"),
+             false;
     const auto measured = measured_toughness(point.P, point.T, a);
     if (!std::isfinite(measured.ratio) || !(measured.ratio > 0))
       return exclude(row, "the toughness ratio is out of range"), false;
@@ -182,9 +183,12 @@ class Loader {
   /// Points belong together by their curve column; failing that, by equal load.
   std::size_t curve_of(const CsvRow& row, const Point& point) {
     const Column* column = columns_->find(ColumnId::curve);
-    const std::string key = column             ? std::string(trim(row[column->index]))
-                            : data_.has_loads ? "P=" + rounded(point.P, 6)
-                                              : std::string();
+    std::string key;
+    if (column)
+      key = trim(row[column->index]);
+    else if (data_.has_loads)
+      key = "P=" + rounded(point.P * data_.display.force_scale, 6) +
+            (data_.display.force.empty() ? "" : " " + data_.display.force);
     const auto [found, is_new] = curve_index_.try_emplace(key, data_.curves.size());
     if (is_new) {
       data_.curves.push_back(key);
@@ -211,6 +215,8 @@ Dataset load_dataset(const std::string& path, const Overrides& overrides) {
   const std::string metadata_path = std::filesystem::path(file).replace_extension(".toml").string();
   data.metadata = read_metadata(metadata_path);
   apply_overrides(overrides, data.metadata);
+  const std::string problem = modulus_problem(data.metadata);
+  if (!problem.empty()) throw InputError(metadata_path, problem);
   Loader loader(path, metadata_path, data);
   read_csv(path, [&](const CsvRow& row) { loader.row(row); });
   if (!loader.has_header()) throw InputError(path, 1, 1, "is empty: a header row is missing");

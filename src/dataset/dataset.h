@@ -14,12 +14,12 @@ namespace mixity {
 
 /// One usable point. P, T, A are dimensionless and zero where the data set has no loads.
 struct Point {
-  std::size_t line;  // in the CSV
-  std::size_t curve; // index into Dataset::curves
+  std::size_t line;   // in the CSV
+  std::size_t curve;  // index into Dataset::curves
   double P, T, A;
   Mixity<double> mixity;
-  double psi;      // rad
-  double ratio;    // G_c/G_Ic > 0
+  double psi;                            // rad
+  double ratio;                          // G_c/G_Ic > 0
   double sigma_T, sigma_A, sigma_ratio;  // standard errors in the units of T, A, ratio; 0 where not given
 };
 
@@ -42,8 +42,8 @@ struct Dataset {
   std::size_t rows = 0;            // data rows in the file: points + excluded
   std::vector<Point> points;       // usable, in file order
   std::vector<Excluded> excluded;
-  std::vector<std::string> curves; // names of the loading runs: the curve column, or one per load
-  std::vector<double> curve_loads; // dimensionless load of each run's first point; empty without loads
+  std::vector<std::string> curves;  // names of the loading runs: the curve column, or one per load
+  std::vector<double> curve_loads;  // dimensionless load of each run's first point; empty without loads
   std::vector<std::string> ignored_columns;
   DisplayUnits display;
 };

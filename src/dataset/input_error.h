@@ -5,13 +5,16 @@
 #include <stdexcept>
 #include <string>
 
+#include "dataset/printable.h"
+
 namespace mixity {
 
 /// what() reads "file:line:column: message" with 1-based line and column (characters); 0 leaves them out.
+/// One printable line, whatever it quotes.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& file, std::size_t line, std::size_t column, const std::string& message)
-      : std::runtime_error(place(file, line, column) + message) {}
+      : std::runtime_error(printable(place(file, line, column) + message)) {}
   InputError(const std::string& file, const std::string& message) : InputError(file, 0, 0, message) {}
 
  private:

@@ -2,11 +2,10 @@
 
 #include <array>
 #include <filesystem>
-#include <toml++/toml.h>
 
-#include "dataset/csv.h"
 #include "dataset/input_error.h"
 #include "dataset/number_text.h"
+#include "dataset/toml_file.h"
 #include "mechanics/contact.h"
 
 namespace mixity {
@@ -33,14 +32,30 @@ constexpr std::array kProvenances{Provenance::measured, Provenance::digitised, P
 
 std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
+bool is_text(std::string_view name) { return name == "source" || name == "note" || name == "provenance"; }
+
+const Field* find_field(std::string_view name) {
+  for (const Field& field : kFields)
+    if (field.name == name) return &field;
+  return nullptr;
+}
+
+bool is_key(std::string_view name) { return is_text(name) || find_field(name); }
+
+std::string example(std::string_view name) { return std::string(find_field(name)->example); }
+
 }  // namespace
 
 std::string_view to_string(Provenance provenance) {
   switch (provenance) {
-    case Provenance::measured: return "measured";
-    case Provenance::digitised: return "digitised";
-    case Provenance::reconstructed: return "reconstructed";
-    case Provenance::unstated: break;
+    case Provenance::measured:
+      return "measured";
+    case Provenance::digitised:
+      return "digitised";
+    case Provenance::reconstructed:
+      return "reconstructed";
+    case Provenance::unstated:
+      break;
   }
   return "unstated";
 }
@@ -59,20 +74,19 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
       if (text == to_string(provenance)) return metadata.provenance = provenance, "";
     return "provenance is " + quoted(text) + "; it must be measured, digitised or reconstructed";
   }
-  for (const Field& field : kFields) {
-    if (field.name != name) continue;
+  if (const Field* field = find_field(name)) {
     const auto quantity = parse_quantity(text);
     if (!quantity)
       return std::string(name) + " is " + quoted(text) + "; it must be a number with a unit, such as " +
-             quoted(field.example);
-    if (quantity->unit.dimension != field.dimension)
-      return std::string(name) + " is " + quoted(text) + "; it must be " + describe(field.dimension) + ", written " +
-             quoted(field.example);
+             quoted(field->example);
+    if (quantity->unit.dimension != field->dimension)
+      return std::string(name) + " is " + quoted(text) + "; it must be " + describe(field->dimension) + ", written " +
+             quoted(field->example);
     const double value = quantity->si();
     if (name == "poisson_ratio" ? !(value >= 0 && value <= 0.5) : !(value > 0))
       return std::string(name) + " is " + quoted(text) +
              (name == "poisson_ratio" ? "; it must lie between 0 and 0.5" : "; it must be positive");
-    metadata.*field.value = value;
+    metadata.*field->value = value;
     return "";
   }
   std::string known = "provenance, source, note";
@@ -82,43 +96,47 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
 
 Metadata read_metadata(const std::string& path) {
   Metadata metadata;
-  if (!std::filesystem::exists(path)) return metadata;
-  toml::table table;
-  try {
-    table = toml::parse(read_file(path), path);
-  } catch (const toml::parse_error& error) {
-    throw InputError(path, error.source().begin.line, error.source().begin.column, std::string(error.description()));
-  }
-  for (const auto& [key, node] : table) {
-    const auto fail = [&, &value = node, &name = key](const std::string& message, bool at_key = false) {
-      const toml::source_position at = at_key ? name.source().begin : value.source().begin;
-      throw InputError(path, at.line, at.column, message);
-    };
+  std::error_code error;
+  const auto kind = std::filesystem::status(path, error).type();
+  if (kind == std::filesystem::file_type::not_found) return metadata;
+  if (error) throw InputError(path, "cannot be looked up: " + error.message());
+  for (const auto& [key, node] : read_toml(path)) {
+    const std::string name(key.str());
+    if (!is_key(name)) fail_at(path, key, set_field(metadata, name, ""));
     std::string text;
     if (node.is_string())
       text = node.as_string()->get();
-    else if (key.str() == "poisson_ratio" && node.is_number())
+    else if (name == "poisson_ratio" && node.is_number())
       text = shortest(node.value<double>().value_or(-1));
     else
-      fail(std::string(key.str()) + " must be a string" +
-           (node.is_number() ? " with a number and a unit, such as \"9.42 mm\"" : ""));
-    const std::string problem = set_field(metadata, key.str(), text);
-    if (!problem.empty()) fail(problem, problem.starts_with("unknown key"));
+      fail_at(path, node,
+              name + " must be a string" +
+                  (is_text(name) ? "" : " with a number and a unit, such as \"" + example(name) + '"'));
+    const std::string problem = set_field(metadata, name, text);
+    if (!problem.empty()) fail_at(path, node, problem);
   }
-  if (metadata.modulus && metadata.youngs_modulus)
-    throw InputError(path, "states both modulus and youngs_modulus; state one");
-  if (metadata.youngs_modulus && !metadata.poisson_ratio)
-    throw InputError(path, "states youngs_modulus without poisson_ratio");
   return metadata;
 }
 
 void apply_overrides(const Overrides& overrides, Metadata& metadata) {
+  bool modulus = false, youngs_modulus = false;
   for (const auto& [name, text] : overrides) {
-    if (name == "modulus") metadata.youngs_modulus.reset();
-    if (name == "youngs_modulus") metadata.modulus.reset();
     const std::string problem = set_field(metadata, name, text);
     if (!problem.empty()) throw InputError("--" + name, problem);
+    modulus |= name == "modulus";
+    youngs_modulus |= name == "youngs_modulus";
   }
+  if (modulus && !youngs_modulus) metadata.youngs_modulus.reset();
+  if (youngs_modulus && !modulus) metadata.modulus.reset();
+  for (const auto& [name, text] : overrides)
+    if (name == "poisson_ratio" && !metadata.youngs_modulus)
+      throw InputError("--poisson_ratio", "has no effect without youngs_modulus");
+}
+
+std::string modulus_problem(const Metadata& metadata) {
+  if (metadata.modulus && metadata.youngs_modulus) return "states both modulus and youngs_modulus; state one";
+  if (metadata.youngs_modulus && !metadata.poisson_ratio) return "states youngs_modulus without poisson_ratio";
+  return {};
 }
 
 }  // namespace mixity

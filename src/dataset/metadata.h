@@ -44,7 +44,10 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
 /// and column for a syntax error, an unknown key or a value without a unit.
 Metadata read_metadata(const std::string& path);
 
-/// Applies overrides; throws InputError naming the flag.
+/// Applies overrides; one of modulus and youngs_modulus replaces the other. Throws InputError naming the flag.
 void apply_overrides(const Overrides& overrides, Metadata& metadata);
+
+/// What contradicts itself or is incomplete in the statements of the modulus; empty if nothing.
+std::string modulus_problem(const Metadata& metadata);
 
 }  // namespace mixity

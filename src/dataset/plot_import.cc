@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dataset/columns.h"
 #include "dataset/csv.h"
 #include "dataset/input_error.h"
 #include "dataset/number_text.h"
@@ -29,7 +30,7 @@ std::string number_field(const std::string& path, const CsvRow& row, std::size_t
 std::vector<Series> read_series(const std::string& path) {
   std::vector<Series> series;
   std::size_t rows = 0;
-  read_csv(path, [&](const CsvRow& row) {
+  read_csv_text(read_file(path), path, false, [&](const CsvRow& row) {
     if (++rows == 1) {
       for (std::size_t i = 0; i < row.size(); i += 2) {
         const std::string name(trim(row[i]));
@@ -61,14 +62,22 @@ std::string import_plot(const std::string& path, const PlotImport& options) {
   const std::vector<Series> series = read_series(path);
   const bool with_loads = !options.loads.empty();
   if (with_loads && options.loads.size() != series.size())
-    throw InputError(path, 1, 1, "holds " + std::to_string(series.size()) + " data sets, but " +
-                                     std::to_string(options.loads.size()) + " loads were given");
+    throw InputError(path, 1, 1,
+                     "holds " + std::to_string(series.size()) + " data sets, but " +
+                         std::to_string(options.loads.size()) + " loads were given");
   std::string text = "curve,";
   if (with_loads) {
     const Unit& unit = options.loads.front().unit;
     text += unit.text.empty() ? "P," : "P [" + unit.text + "],";
   }
   text += options.x_column + "," + options.y_column + "\n";
+  // The header must mean to us what it says: two axes, known, with fitting units.
+  read_csv_text(text, "the header '" + text.substr(0, text.size() - 1) + "'", true, [&](const CsvRow& header) {
+    const Columns columns("the header '" + text.substr(0, text.size() - 1) + "'", header);
+    if (header.size() != (with_loads ? 4u : 3u) || !columns.ignored().empty() || columns.holds_loads() != with_loads)
+      throw InputError("the header '" + text.substr(0, text.size() - 1) + "'",
+                       "does not name two axes of one kind: T and A (or a) with loads, or psi and Gc without");
+  });
   std::size_t points = 0;
   for (std::size_t k = 0; k < series.size(); ++k)
     for (const auto& [x, y] : series[k].points) {

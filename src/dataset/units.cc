@@ -16,13 +16,14 @@ struct Symbol {
 
 constexpr double kPi = 3.141592653589793;
 constexpr std::array kSymbols{
-    Symbol{"m", 1, dimension::length, true},        Symbol{"N", 1, dimension::force, true},
-    Symbol{"Pa", 1, dimension::stress, true},       Symbol{"J", 1, {1, 1, 0}, true},
-    Symbol{"rad", 1, dimension::angle, true},       Symbol{"deg", kPi / 180, dimension::angle, false},
+    Symbol{"m", 1, dimension::length, true},         Symbol{"N", 1, dimension::force, true},
+    Symbol{"Pa", 1, dimension::stress, true},        Symbol{"J", 1, {1, 1, 0}, true},
+    Symbol{"rad", 1, dimension::angle, true},        Symbol{"deg", kPi / 180, dimension::angle, false},
     Symbol{"°", kPi / 180, dimension::angle, false}, Symbol{"gf", 9.80665e-3, dimension::force, false},
     Symbol{"kgf", 9.80665, dimension::force, false}, Symbol{"dyn", 1e-5, dimension::force, false},
-    Symbol{"erg", 1e-7, {1, 1, 0}, false},          Symbol{"bar", 1e5, dimension::stress, false},
-    Symbol{"%", 0.01, dimension::none, false},      Symbol{"1", 1, dimension::none, false},
+    Symbol{"erg", 1e-7, {1, 1, 0}, false},           Symbol{"bar", 1e5, dimension::stress, false},
+    Symbol{"%", 0.01, dimension::none, false},       Symbol{"1", 1, dimension::none, false},
+    Symbol{"-", 1, dimension::none, false},
 };
 
 struct Prefix {
@@ -30,9 +31,9 @@ struct Prefix {
   int power;  // of ten
 };
 // micro is u, U+00B5 or U+03BC
-constexpr std::array kPrefixes{Prefix{"p", -12}, Prefix{"n", -9},  Prefix{"u", -6}, Prefix{"\u00b5", -6},
+constexpr std::array kPrefixes{Prefix{"p", -12},     Prefix{"n", -9}, Prefix{"u", -6}, Prefix{"\u00b5", -6},
                                Prefix{"\u03bc", -6}, Prefix{"m", -3}, Prefix{"c", -2}, Prefix{"d", -1},
-                               Prefix{"k", 3},   Prefix{"M", 6},   Prefix{"G", 9}};
+                               Prefix{"k", 3},       Prefix{"M", 6},  Prefix{"G", 9}};
 
 bool take(std::string_view& text, std::string_view start) {
   if (!text.starts_with(start)) return false;

@@ -133,7 +133,8 @@ std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<do
   // Rounding of model and data puts about eps |data| into r, whatever x.
   const double rounding = 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();
   const double r = at.r.norm();
-  return Minimum{{x.begin(), x.end()}, r * r, at.stationarity, at.stationarity <= 1e-8 || at.stationarity * r <= rounding};
+  return Minimum{
+      {x.begin(), x.end()}, r * r, at.stationarity, at.stationarity <= 1e-8 || at.stationarity * r <= rounding};
 }
 
 }  // namespace mixity

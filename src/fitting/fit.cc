@@ -154,6 +154,15 @@ std::vector<std::string> model_keys() {
   return keys;
 }
 
+bool has_parameter(const std::vector<std::string>& models, std::string_view name) {
+  bool found = false;
+  for (const std::string& key : models)
+    with_model(key, [&](auto model) {
+      for (const ParameterInfo& info : decltype(model)::parameters) found |= info.name == name;
+    });
+  return found;
+}
+
 FitResult fit_toughness(const Dataset& data, std::string_view model, const FitOptions& options) {
   FitResult result;
   with_model(model, [&](auto chosen) { result = fit_model<decltype(chosen)>(data, options); });

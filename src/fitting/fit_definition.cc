@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <toml++/toml.h>
 
-#include "dataset/csv.h"
-#include "dataset/input_error.h"
+#include "dataset/toml_file.h"
 
 namespace mixity {
 namespace {
@@ -17,12 +15,7 @@ class Reader {
   explicit Reader(const std::string& path) : path_(path) {}
 
   FitJob read() {
-    toml::table table;
-    try {
-      table = toml::parse(read_file(path_), path_);
-    } catch (const toml::parse_error& error) {
-      throw InputError(path_, error.source().begin.line, error.source().begin.column, std::string(error.description()));
-    }
+    const toml::table table = read_toml(path_);
     FitJob job;
     for (const auto& [key, node] : table) {
       if (key == "data")
@@ -52,8 +45,7 @@ class Reader {
  private:
   template <class Placed>
   [[noreturn]] void fail(const Placed& node, const std::string& message) const {
-    const toml::source_position at = node.source().begin;
-    throw InputError(path_, at.line, at.column, message);
+    fail_at(path_, node, message);
   }
 
   std::string text(const toml::node& node, const std::string& key) const {
@@ -109,17 +101,14 @@ class Reader {
     };
     for (const std::string& model : job.models)
       if (!is_known(model)) fail(*table.get("models"), "unknown model \"" + model + "\"");
+    for (const HeldParameter& held : job.options.hold)
+      if (!has_parameter(job.models, held.name))
+        fail(*table.get("hold"), "no fitted model has a parameter \"" + held.name + "\"");
     for (const auto& [model, published] : job.published) {
       if (!is_known(model)) fail(*table.get("published"), "unknown model \"" + model + "\"");
-      with_model(model, [&](auto chosen) {
-        for (const Published& number : published) {
-          const auto& parameters = decltype(chosen)::parameters;
-          if (number.name != "r2" && std::none_of(parameters.begin(), parameters.end(), [&](const ParameterInfo& info) {
-                return info.name == number.name;
-              }))
-            fail(*table.get("published"), "model " + model + " has no parameter \"" + number.name + "\"");
-        }
-      });
+      for (const Published& number : published)
+        if (number.name != "r2" && !has_parameter({model}, number.name))
+          fail(*table.get("published"), "model " + model + " has no parameter \"" + number.name + "\"");
     }
     if (job.objective != "toughness")
       fail(*table.get("objective"), "unknown objective \"" + job.objective + "\" (known: toughness)");

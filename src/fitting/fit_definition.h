@@ -17,12 +17,12 @@ struct Published {
 
 /// One model a job fits, with what it holds and what was published about it.
 struct FitJob {
-  std::string data_path;             // CSV, resolved against the definition's folder
-  std::vector<std::string> models;   // in the order to report
+  std::string data_path;            // CSV, resolved against the definition's folder
+  std::vector<std::string> models;  // in the order to report
   std::string objective = "toughness";
   FitOptions options;
   std::map<std::string, std::vector<Published>> published;  // by model key
-  std::string source;                // of the published numbers
+  std::string source;                                       // of the published numbers
 };
 
 /// Throws InputError with file, line and column for anything not understood.

@@ -118,7 +118,8 @@ std::string standard_errors(const LeastSquares& problem, Verdict& verdict) {
   const auto names = [&](auto&& concerned) {
     std::string list;
     for (Eigen::Index i = 0; i < m; ++i)
-      if (concerned(i)) list += (list.empty() ? "" : " and ") + problem.parameters()[static_cast<std::size_t>(open[i])].name;
+      if (concerned(i))
+        list += (list.empty() ? "" : " and ") + problem.parameters()[static_cast<std::size_t>(open[i])].name;
     return list;
   };
   if ((norms.array() <= 0).any()) return names([&](Eigen::Index i) { return !(norms[i] > 0); });
@@ -138,11 +139,16 @@ std::string standard_errors(const LeastSquares& problem, Verdict& verdict) {
 
 std::string_view to_string(FitStatus status) {
   switch (status) {
-    case FitStatus::ok: return "ok";
-    case FitStatus::at_bound: return "at_bound";
-    case FitStatus::not_identifiable: return "not_identifiable";
-    case FitStatus::multimodal: return "multimodal";
-    case FitStatus::not_converged: break;
+    case FitStatus::ok:
+      return "ok";
+    case FitStatus::at_bound:
+      return "at_bound";
+    case FitStatus::not_identifiable:
+      return "not_identifiable";
+    case FitStatus::multimodal:
+      return "multimodal";
+    case FitStatus::not_converged:
+      break;
   }
   return "not_converged";
 }
@@ -197,13 +203,11 @@ Verdict minimise(const LeastSquares& problem) {
               (x <= parameter.lower ? "lower bound " : "upper bound ") + rounded(x, 6);
   }
   const std::string degenerate = standard_errors(problem, verdict);
-  if (!degenerate.empty())
-    return end(FitStatus::not_identifiable, "the data do not constrain " + degenerate);
+  if (!degenerate.empty()) return end(FitStatus::not_identifiable, "the data do not constrain " + degenerate);
   if (!verdict.best.stationary)
     return end(FitStatus::not_converged, "the solver stopped where the gradient is not zero (relative size " +
                                              rounded(verdict.best.stationarity, 2) + ")");
-  if (verdict.best.sum_of_squares > scanned.lowest * (1 + 1e-9) &&
-      std::sqrt(verdict.best.sum_of_squares) > rounding)
+  if (verdict.best.sum_of_squares > scanned.lowest * (1 + 1e-9) && std::sqrt(verdict.best.sum_of_squares) > rounding)
     return end(FitStatus::not_converged, "the solver ended above the lowest cost of the scan");
   if (!bounds.empty()) return end(FitStatus::at_bound, bounds);
   if (!verdict.others.empty() && verdict.others.front().sum_of_squares <= threshold * verdict.best.sum_of_squares)

@@ -22,11 +22,11 @@ struct Minimum {
 
 struct Verdict {
   FitStatus status;
-  std::string message;                          // one sentence; empty if ok
-  Minimum best;                                 // meaningless if not_identifiable
-  std::vector<bool> at_bound;                   // per parameter
-  std::vector<std::optional<double>> stderrs;   // null at a bound, if not identifiable, or without degrees of freedom
-  std::vector<Minimum> others;                  // further local minima, best first
+  std::string message;                         // one sentence; empty if ok
+  Minimum best;                                // meaningless if not_identifiable
+  std::vector<bool> at_bound;                  // per parameter
+  std::vector<std::optional<double>> stderrs;  // null at a bound, if not identifiable, or without degrees of freedom
+  std::vector<Minimum> others;                 // further local minima, best first
 };
 
 /// Scans the whole range, descends with Ceres from every local minimum of the scan, and judges the best. One or two

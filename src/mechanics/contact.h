@@ -16,11 +16,11 @@ struct Contact {
   double xi() const { return std::cbrt(modulus * radius / toughness); }
 
   // One dimensionless unit of each quantity in SI: value_SI = value_dimensionless * unit.
-  double force_unit() const { return radius * toughness; }        // P, T, y: R G_Ic [N]
-  double length_unit() const { return radius / xi(); }            // a: R/xi [m]
+  double force_unit() const { return radius * toughness; }             // P, T, y: R G_Ic [N]
+  double length_unit() const { return radius / xi(); }                 // a: R/xi [m]
   double area_unit() const { return length_unit() * length_unit(); }   // A: (R/xi)^2 [m^2]
   double displacement_unit() const { return radius / (xi() * xi()); }  // u: R/xi^2 [m]
-  double stress_unit() const { return modulus / xi(); }           // tau0: E*/xi [Pa]
+  double stress_unit() const { return modulus / xi(); }                // tau0: E*/xi [Pa]
   double stiffness_unit() const { return xi() * xi() * toughness; }    // k: xi^2 G_Ic [N/m]
 };
 

@@ -39,7 +39,7 @@ enum class EquilibriumStatus { ok, no_equilibrium, invalid };
 
 struct Equilibrium {
   EquilibriumStatus status;
-  double y = 0;     // edge load; the other quantities follow from it
+  double y = 0;  // edge load; the other quantities follow from it
   int iterations = 0;
 };
 

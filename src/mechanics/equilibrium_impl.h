@@ -162,8 +162,8 @@ void LoadedContact<Model>::find_branches() const {
       cut(refine_fold(x, x + kStep));
     } else if (const double sign = here > 0 ? 1 : -1;
                sign * before > sign * here && sign * next > sign * here && !std::isinf(before)) {
-      const auto dip = boost::math::tools::brent_find_minima([&](double z) { return sign * slope(z); }, x - kStep,
-                                                             x + kStep, 40);
+      const auto dip =
+          boost::math::tools::brent_find_minima([&](double z) { return sign * slope(z); }, x - kStep, x + kStep, 40);
       if (dip.second < 0) {
         cut(refine_fold(x - kStep, dip.first));
         cut(refine_fold(dip.first, x + kStep));

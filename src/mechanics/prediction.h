@@ -21,16 +21,25 @@ struct ContactState {
 inline ContactState contact_state(double P, double T, double y) {
   const double a = radius_from_edge_load(y, P);
   const Mixity<double> mixity = mixity_from_loads(y, T);
-  return {P, T, y, a, area_from_radius(a), 0.75 * T / a, phase_angle(mixity),
+  return {P,
+          T,
+          y,
+          a,
+          area_from_radius(a),
+          0.75 * T / a,
+          phase_angle(mixity),
           T > 0 ? (y * y + T * T) / (6 * pi<double>() * (y + P)) : 1.0};
 }
 
 /// The name of a status in every output format.
 inline std::string_view to_string(EquilibriumStatus status) {
   switch (status) {
-    case EquilibriumStatus::ok: return "ok";
-    case EquilibriumStatus::no_equilibrium: return "no_equilibrium";
-    case EquilibriumStatus::invalid: break;
+    case EquilibriumStatus::ok:
+      return "ok";
+    case EquilibriumStatus::no_equilibrium:
+      return "no_equilibrium";
+    case EquilibriumStatus::invalid:
+      break;
   }
   return "invalid";
 }

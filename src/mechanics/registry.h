@@ -5,10 +5,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "mechanics/models/johnson.h"               // a
-#include "mechanics/models/waters_guduru.h"         // b
-#include "mechanics/models/papangelo_ciavarella.h"  // c
 #include "mechanics/models/benzeggagh_kenane.h"     // bk
+#include "mechanics/models/johnson.h"               // a
+#include "mechanics/models/papangelo_ciavarella.h"  // c
+#include "mechanics/models/waters_guduru.h"         // b
 
 namespace mixity {
 
@@ -39,9 +39,7 @@ void for_each_model(Visit&& visit) {
 template <class Visit>
 bool with_model(std::string_view key, Visit&& visit) {
   return std::apply(
-      [&](auto... model) {
-        return ((decltype(model)::info.key == key ? (visit(model), true) : false) || ...);
-      },
+      [&](auto... model) { return ((decltype(model)::info.key == key ? (visit(model), true) : false) || ...); },
       Models{});
 }
 

@@ -11,7 +11,8 @@ namespace {
 
 void write_constants(std::ostringstream& out, const Dataset& data) {
   const Metadata& metadata = data.metadata;
-  const auto line = [&](std::string_view name, const std::optional<double>& value, double scale, std::string_view unit) {
+  const auto line = [&](std::string_view name, const std::optional<double>& value, double scale,
+                        std::string_view unit) {
     if (value) out << "    " << std::left << std::setw(16) << name << rounded(*value * scale, 6) << ' ' << unit << '\n';
   };
   line("radius", metadata.radius, 1e3, "mm");
@@ -29,11 +30,11 @@ void write_curves(std::ostringstream& out, const Dataset& data) {
   out << "[[Loading runs]]  P, T" << unit(units.force) << ", A" << unit(units.area)
       << "; last column: area at the smallest T over JKR's\n";
   for (const CurveSummary& curve : curves) {
-    out << "    " << std::left << std::setw(14) << curve.name << " P = " << std::setw(10)
-        << rounded(curve.P * units.force_scale, 5) << std::setw(4) << curve.points
-        << "points  T = " << rounded(curve.T_min * units.force_scale, 4) << " .. " << std::setw(9)
-        << rounded(curve.T_max * units.force_scale, 4) << " A = " << rounded(curve.A_min * units.area_scale, 4) << " .. "
-        << std::setw(9) << rounded(curve.A_max * units.area_scale, 4)
+    out << "    " << std::left << std::setw(14) << curve.name << "  P = " << std::setw(10)
+        << rounded(curve.P * units.force_scale, 5) << ' ' << std::setw(4) << curve.points
+        << " points  T = " << rounded(curve.T_min * units.force_scale, 4) << " .. " << std::setw(9)
+        << rounded(curve.T_max * units.force_scale, 4) << "  A = " << rounded(curve.A_min * units.area_scale, 4)
+        << " .. " << std::setw(9) << rounded(curve.A_max * units.area_scale, 4) << ' '
         << (curve.area_over_jkr ? rounded(*curve.area_over_jkr, 4) : "-") << '\n';
   }
 }
@@ -44,8 +45,11 @@ std::string check_text(const Dataset& data) {
   std::ostringstream out;
   out << "[[Data]]\n    " << data.name << "  (" << data.path << ")\n    "
       << (data.has_loads ? "raw points (P, T, A), " : "converted points (psi, Gc/GIc)")
-      << (data.contact ? "dimensional" : data.has_loads ? "dimensionless" : "") << "\n    "
-      << data.rows << " rows, " << data.points.size() << " usable, " << data.excluded.size() << " excluded\n"
+      << (data.contact     ? "dimensional"
+          : data.has_loads ? "dimensionless"
+                           : "")
+      << "\n    " << data.rows << " rows, " << data.points.size() << " usable, " << data.excluded.size()
+      << " excluded\n"
       << "    provenance: " << to_string(data.metadata.provenance) << '\n';
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
   if (!data.metadata.source.empty()) out << "    source: " << data.metadata.source << '\n';

@@ -54,9 +54,9 @@ void write_area_curve(std::ostringstream& out, const JobResult& result, const Fi
     const Equilibrium equilibrium = contact.at(T);
     if (equilibrium.status != EquilibriumStatus::ok) continue;
     const ContactState state = contact_state(P, T, equilibrium.y);
-    out << to_string(result.data.metadata.provenance) << ',' << fit.model << ',' << csv_field(result.data.curves[curve]) << ',' << shortest(P * units.force_scale) << ','
-        << shortest(T * units.force_scale) << ',' << shortest(state.A * units.area_scale) << ',' << shortest(state.psi)
-        << ',' << shortest(state.f) << '\n';
+    out << to_string(result.data.metadata.provenance) << ',' << fit.model << ',' << csv_field(result.data.curves[curve])
+        << ',' << shortest(P * units.force_scale) << ',' << shortest(T * units.force_scale) << ','
+        << shortest(state.A * units.area_scale) << ',' << shortest(state.psi) << ',' << shortest(state.f) << '\n';
   }
 }
 
@@ -100,14 +100,15 @@ std::string residuals_csv(const JobResult& result) {
   std::ostringstream out;
   out << "provenance,model,line,curve,psi [rad],Gc_over_GIc,residual";
   if (data.has_loads)
-    out << ',' << with_unit("P", units.force) << ',' << with_unit("T", units.force) << ','
-        << with_unit("A", units.area) << ',' << with_unit("A_predicted", units.area);
+    out << ',' << with_unit("P", units.force) << ',' << with_unit("T", units.force) << ',' << with_unit("A", units.area)
+        << ',' << with_unit("A_predicted", units.area);
   out << '\n';
   for (const FitResult& fit : result.fits)
     for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
       const Point& point = data.points[fit.used[i]];
-      out << to_string(data.metadata.provenance) << ',' << fit.model << ',' << point.line << ',' << csv_field(data.curves[point.curve]) << ',' << shortest(point.psi)
-          << ',' << shortest(point.ratio) << ',' << shortest(fit.residuals[i]);
+      out << to_string(data.metadata.provenance) << ',' << fit.model << ',' << point.line << ','
+          << csv_field(data.curves[point.curve]) << ',' << shortest(point.psi) << ',' << shortest(point.ratio) << ','
+          << shortest(fit.residuals[i]);
       if (data.has_loads) {
         out << ',' << shortest(point.P * units.force_scale) << ',' << shortest(point.T * units.force_scale) << ','
             << shortest(point.A * units.area_scale) << ',';
@@ -130,7 +131,8 @@ std::string curves_csv(const JobResult& result) {
     if (!can_be_drawn(fit)) continue;
     with_model(fit.model, [&](auto chosen) {
       using Model = decltype(chosen);
-      if (!result.data.has_loads) return write_toughness_curve<Model>(out, to_string(result.data.metadata.provenance), fit);
+      if (!result.data.has_loads)
+        return write_toughness_curve<Model>(out, to_string(result.data.metadata.provenance), fit);
       for (std::size_t curve = 0; curve < result.data.curves.size(); ++curve)
         write_area_curve<Model>(out, result, fit, curve);
     });

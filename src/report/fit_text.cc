@@ -26,9 +26,9 @@ std::string capitals(std::string_view text) {
 }
 
 void write_data(std::ostringstream& out, const Dataset& data) {
-  out << "[[Data]]\n    " << data.name << "  (" << data.path << ")\n    # provenance   = "
-      << to_string(data.metadata.provenance) << "\n    # data rows    = " << data.rows << ", used "
-      << data.points.size() << ", excluded " << data.excluded.size();
+  out << "[[Data]]\n    " << data.name << "  (" << data.path
+      << ")\n    # provenance   = " << to_string(data.metadata.provenance) << "\n    # data rows    = " << data.rows
+      << ", used " << data.points.size() << ", excluded " << data.excluded.size();
   if (data.has_loads) out << ", in " << data.curves.size() << " loading run" << (data.curves.size() == 1 ? "" : "s");
   out << '\n';
   if (!data.metadata.source.empty()) out << "    # source       = " << data.metadata.source << '\n';
@@ -57,8 +57,7 @@ void write_parameter(std::ostringstream& out, const FittedParameter& parameter) 
       out << " (no standard error" << (parameter.at_bound ? ": at its bound" : "") << ')';
     }
   }
-  if (!parameter.held)
-    out << "   range " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4);
+  if (!parameter.held) out << "   range " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4);
   out << '\n';
 }
 
@@ -71,8 +70,8 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
   for (const FittedParameter& parameter : fit.parameters) write_parameter(out, parameter);
   if (fit.rmse)
     out << "    R^2 = " << r2_text(fit.r2) << " in " << (log ? "ln(Gc/GIc)" : "Gc/GIc") << " against psi, RMS "
-        << rounded(*fit.rmse, 3) << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size()
-        << " points\n";
+        << rounded(*fit.rmse, 3) << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", "
+        << fit.used.size() << " points\n";
   if (fit.area) {
     out << "    ";
     if (fit.area->predicted > 0)

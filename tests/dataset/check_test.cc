@@ -63,9 +63,10 @@ TEST(Check, AreasThatAreTooLargeByAPowerOfTenAreAQuestionOfUnits) {
   for (const auto& [factor, power] : {std::pair{10.0, "10^1"}, {100.0, "10^2"}, {1000.0, "10^3"}, {1e6, "10^6"}}) {
     const Lines odd = oddities(two_runs(1, factor));
     ASSERT_EQ(odd.size(), 1) << joined(odd);
-    EXPECT_EQ(odd[0], "units: the areas at the smallest T are about " + std::string(power) +
-                          " times those of JKR; a unit of A, P, radius, modulus or toughness is probably off by a power "
-                          "of ten");
+    EXPECT_EQ(odd[0],
+              "units: the areas at the smallest T are about " + std::string(power) +
+                  " times those of JKR; a unit of A, P, radius, modulus or toughness is probably off by a power "
+                  "of ten");
   }
 }
 
@@ -80,7 +81,8 @@ TEST(Check, AreasThatAreTooSmallByAPowerOfTenAreAQuestionOfUnits) {
 TEST(Check, LoadsThatAreOffByAThousandAreNoticed) {
   EXPECT_TRUE(any_mentions(oddities(two_runs(1e3)), "unit"));
   // Loads a thousand times too small compare the area of P = 5 with that of P = 0.005: 23.887/18.374 = 1.3000.
-  EXPECT_EQ(joined(oddities(two_runs(1e-3))), "run P=0.005: the area at the smallest T is 1.3 times that of JKR at this load\n");
+  EXPECT_EQ(joined(oddities(two_runs(1e-3))),
+            "run P=0.005: the area at the smallest T is 1.3 times that of JKR at this load\n");
 }
 
 TEST(Check, ADataSetWithoutAUsablePointIsOdd) {
@@ -89,8 +91,9 @@ TEST(Check, ADataSetWithoutAUsablePointIsOdd) {
 }
 
 TEST(Check, FallingShearIsReportedWithItsFirstLine) {
-  const Lines odd = oddities("curve,P,T,A\nup,1,0,19.6\nup,1,1,19.5\nother,5,0,23.9\nup,1,0.5,19.55\nother,5,1,23.8\n"
-                             "up,1,2,19.4\nup,1,1.5,19.45\nother,5,2,23.7\n");
+  const Lines odd = oddities(
+      "curve,P,T,A\nup,1,0,19.6\nup,1,1,19.5\nother,5,0,23.9\nup,1,0.5,19.55\nother,5,1,23.8\n"
+      "up,1,2,19.4\nup,1,1.5,19.45\nother,5,2,23.7\n");
   ASSERT_EQ(odd.size(), 1) << joined(odd);
   EXPECT_EQ(odd[0], "run up: T falls 2 times, first at line 5; is unloading or a second run mixed in?");
 }

@@ -52,7 +52,8 @@ TEST(Columns, ThatMeanNothingAreKeptByName) {
 }
 
 TEST(Columns, OfConvertedPointsAreOneAngleAndOneToughness) {
-  for (const char* header : {"psi,Gc", "psi [deg],Gc_over_GIc", "Gc [N/mm],mode_ratio", "mode_ratio,Gc_over_GIc,curve"}) {
+  for (const char* header :
+       {"psi,Gc", "psi [deg],Gc_over_GIc", "Gc [N/mm],mode_ratio", "mode_ratio,Gc_over_GIc,curve"}) {
     EXPECT_FALSE(columns_of(header).holds_loads()) << header;
   }
   EXPECT_EQ(columns_of("psi [rad],Gc").find(ColumnId::psi)->unit.factor, 1);
@@ -65,18 +66,21 @@ TEST(Columns, AStandardErrorMayBeAPercentage) {
 
 // Otherwise a standard error in mm^2 would silently be taken for one in units of (R/xi)^2, or the reverse.
 TEST(Columns, AStandardErrorHasAUnitExactlyIfItsQuantityHasOne) {
-  for (const char* header : {"P,T,A,sigma_A [mm^2]", "P,T,A,sigma_T [mN]", "P [N],T [N],A [m^2],sigma_A",
-                             "P [N],T [N],A [m^2],sigma_T", "psi,Gc_over_GIc,sigma_Gc [N/mm]", "psi,Gc [N/mm],sigma_Gc"})
+  for (const char* header :
+       {"P,T,A,sigma_A [mm^2]", "P,T,A,sigma_T [mN]", "P [N],T [N],A [m^2],sigma_A", "P [N],T [N],A [m^2],sigma_T",
+        "psi,Gc_over_GIc,sigma_Gc [N/mm]", "psi,Gc [N/mm],sigma_Gc"})
     EXPECT_NE(error_of(header), "") << header;
 }
 
 TEST(Columns, AHeaderThatCannotBeUsedIsRefusedWithItsPlace) {
   const std::string force = "a force such as mN, or no unit if dimensionless";
   for (const auto& [header, error] : std::vector<std::pair<std::string, std::string>>{
-           {"x,y", "1:1: the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc "
-                   "(or Gc_over_GIc)"},
-           {"p,t,area", "1:1: the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and "
-                        "Gc (or Gc_over_GIc)"},
+           {"x,y",
+            "1:1: the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc "
+            "(or Gc_over_GIc)"},
+           {"p,t,area",
+            "1:1: the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and "
+            "Gc (or Gc_over_GIc)"},
            {"T,A", "1:1: column 'P' is missing"},
            {"P,A", "1:1: column 'T' is missing"},
            {"P,T", "1:1: column 'A' or 'a' is missing"},
@@ -91,17 +95,21 @@ TEST(Columns, AHeaderThatCannotBeUsedIsRefusedWithItsPlace) {
            {"P [foo],T,A", "1:1: 'foo' of column 'P' is no unit; wanted " + force},
            {"P [],T,A", "1:1: '' of column 'P' is no unit; wanted " + force},
            {"P,T [%],A", "1:3: unit '%' of column 'T' does not fit; wanted " + force},
-           {"psi [N],Gc", "1:1: unit 'N' of column 'psi' does not fit; wanted an angle (rad or deg), or no unit if "
-                          "dimensionless"},
+           {"psi [N],Gc",
+            "1:1: unit 'N' of column 'psi' does not fit; wanted an angle (rad or deg), or no unit if "
+            "dimensionless"},
            {"mode_ratio [rad],Gc", "1:1: unit 'rad' of column 'mode_ratio' does not fit; wanted a plain number"},
            {"P [N,T,A", "1:1: the unit of column 'P' is not closed: 'P [N'"},
            {"P,T [N),A", "1:3: the unit of column 'T' is not closed: 'T [N)'"},
-           {"P [N],T,A [m^2]", "1:7: column 'T' has no unit while P has one; P, T and A are either all dimensionless or "
-                               "none is"},
-           {"A [mm²],P,T", "1:1: column 'A' has a unit while P has none; P, T and A are either all dimensionless or "
-                           "none is"},
-           {"µ [µm],P [N],T [N],a", "1:20: column 'a' has no unit while P has one; P, T and A are either all "
-                                    "dimensionless or none is"},
+           {"P [N],T,A [m^2]",
+            "1:7: column 'T' has no unit while P has one; P, T and A are either all dimensionless or "
+            "none is"},
+           {"A [mm²],P,T",
+            "1:1: column 'A' has a unit while P has none; P, T and A are either all dimensionless or "
+            "none is"},
+           {"µ [µm],P [N],T [N],a",
+            "1:20: column 'a' has no unit while P has one; P, T and A are either all "
+            "dimensionless or none is"},
        })
     EXPECT_EQ(error_of(header), "a.csv:" + error) << header;
 }

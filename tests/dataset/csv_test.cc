@@ -106,13 +106,16 @@ TEST(Csv, AFileWithoutRowsIsNoError) {
 
 TEST(Csv, WhatIsNoCsvIsRefusedWithItsPlace) {
   for (const auto& [text, error] : {
-           std::pair<std::string_view, std::string_view>
-           {"a,b\n1,x\"2\n", ":2:1: a quote (\") inside a field is not doubled or not closed"},
+           std::pair<std::string_view, std::string_view>{
+               "a,b\n1,x\"2\n", ":2:1: a quote (\") inside a field is not doubled or not closed"},
            {"a,b\n\"1\"2,3\n", ":2:1: a quote (\") inside a field is not doubled or not closed"},
            {"a,b\n1,\"2\n3,4\n", ":2:1: a quote (\") is opened but not closed before the end of the file"},
            {"\"", ":1:1: a quote (\") is opened but not closed before the end of the file"},
            {"a,b\n1,2\r3,4\n", ":2:1: has a carriage return inside the line"},
-           {std::string_view("\xFF\xFE" "a\0,\0b\0", 8), ":1:1: is UTF-16; save it as UTF-8"},
+           {std::string_view("\xFF\xFE"
+                             "a\0,\0b\0",
+                             8),
+            ":1:1: is UTF-16; save it as UTF-8"},
        })
     EXPECT_EQ(error_of(text), error) << text;
 }

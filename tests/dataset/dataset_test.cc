@@ -66,8 +66,8 @@ TEST(Dataset, APointIsWhatTheEquationsSay) {
 }
 
 TEST(Dataset, UnitsMakeNoDifference) {
-  const Dataset data = load("P [mN],T [mN],A [mm^2],sigma_T [mN],sigma_A [mm^2]\n1,0,0.25,0.01,0.002\n1,0.5,0.24,0.02,0.003\n",
-                            kMergel);
+  const Dataset data =
+      load("P [mN],T [mN],A [mm^2],sigma_T [mN],sigma_A [mm^2]\n1,0,0.25,0.01,0.002\n1,0.5,0.24,0.02,0.003\n", kMergel);
   ASSERT_EQ(data.points.size(), 2);
   for (const char* csv : {
            "P [N],T [N],A [m^2],sigma_T [N],sigma_A [m^2]\n1e-3,0,0.25e-6,1e-5,2e-9\n1e-3,5e-4,2.4e-7,2e-5,3e-9\n",
@@ -80,8 +80,9 @@ TEST(Dataset, UnitsMakeNoDifference) {
 TEST(Dataset, ConstantsMayBeStatedInAnyUnit) {
   const std::string csv = "P [mN],T [mN],A [mm^2]\n1,0.5,0.24\n";
   expect_same_points(load(csv, kMergel),
-                     load(csv, "radius = \"0.942 cm\"\nyoungs_modulus = \"1599.75 kPa\"\npoisson_ratio = 0.5\n"
-                               "toughness = \"2.7e-5 N/mm\"\n"));
+                     load(csv,
+                          "radius = \"0.942 cm\"\nyoungs_modulus = \"1599.75 kPa\"\npoisson_ratio = 0.5\n"
+                          "toughness = \"2.7e-5 N/mm\"\n"));
 }
 
 TEST(Dataset, FlagsStandInForTheToml) {
@@ -125,8 +126,9 @@ TEST(Dataset, ConvertedPointsNeedNoRadius) {
   EXPECT_EQ(data.points[1].ratio, 1.25);
   EXPECT_EQ(data.points[2].mixity.cos, 0);  // 90 degrees are pi/2, not the double next to it
   // sin^2(pi/6) = 1/4, so these are the same points; without unit an angle is in rad
-  for (const char* csv : {"psi [rad],Gc_over_GIc\n0.52359877559829887308,1.25\n", "psi,Gc_over_GIc [%]\n0.52359877559829887,125\n",
-                          "mode_ratio,Gc\n0.25,1.25\n", "Gc,mode_ratio\n1.25,0.25\n"})
+  for (const char* csv :
+       {"psi [rad],Gc_over_GIc\n0.52359877559829887308,1.25\n", "psi,Gc_over_GIc [%]\n0.52359877559829887,125\n",
+        "mode_ratio,Gc\n0.25,1.25\n", "Gc,mode_ratio\n1.25,0.25\n"})
     EXPECT_DOUBLE_EQ(load(csv).points[0].psi, data.points[1].psi) << csv;
 }
 
@@ -135,8 +137,9 @@ TEST(Dataset, AToughnessWithAUnitIsDividedByGIc) {
   const Dataset data = load(csv, "toughness = \"969 J/m^2\"\n");
   EXPECT_DOUBLE_EQ(data.points[0].ratio, 1131.0 / 969);  // 4 ulp: one product and one quotient
   EXPECT_DOUBLE_EQ(data.points[0].sigma_ratio, 5.0 / 969);
-  EXPECT_EQ(error_of(csv), "a.csv: needs toughness to be made dimensionless: state it in a.toml or by a flag "
-                           "(--toughness=...)");
+  EXPECT_EQ(error_of(csv),
+            "a.csv: needs toughness to be made dimensionless: state it in a.toml or by a flag "
+            "(--toughness=...)");
 }
 
 TEST(Dataset, WhatIsNeededAndNotStatedIsNamed) {
@@ -155,19 +158,19 @@ TEST(Dataset, PointsThatCannotBeUsedAreListedWithTheirReason) {
   const Dataset data = load(
       "P,T,A,include,sigma_A\n"
       "1,0,19,1,\n"
-      "1,1,19,0,\n"        // 3
-      "1,text,19,0,\n"     // 4: nobody looks
-      "1,-1,19,1,\n"       // 5
-      "1,1,2.59,1,\n"      // 6: Hertz has 2.5933
-      "1,1,0,1,\n"         // 7
-      "1,nan,19,1,\n"      // 8
-      "inf,1,19,1,\n"      // 9
-      "1,1,-Infinity,1,\n" // 10
-      "1,,19,1,\n"         // 11
-      "1,1,,1,\n"          // 12
-      "1,1,1e400,1,\n"     // 13
-      "1,1,19,1,-0.1\n"    // 14
-      "1,1e200,19,1,\n"    // 15
+      "1,1,19,0,\n"         // 3
+      "1,text,19,0,\n"      // 4: nobody looks
+      "1,-1,19,1,\n"        // 5
+      "1,1,2.59,1,\n"       // 6: Hertz has 2.5933
+      "1,1,0,1,\n"          // 7
+      "1,nan,19,1,\n"       // 8
+      "inf,1,19,1,\n"       // 9
+      "1,1,-Infinity,1,\n"  // 10
+      "1,,19,1,\n"          // 11
+      "1,1,,1,\n"           // 12
+      "1,1,1e400,1,\n"      // 13
+      "1,1,19,1,-0.1\n"     // 14
+      "1,1e200,19,1,\n"     // 15
       "1,2,18,1,0.2\n");
   EXPECT_EQ(excluded_lines(data),
             "3 include = 0\n4 include = 0\n5 T < 0\n"
@@ -234,9 +237,7 @@ TEST(Dataset, EmptyFieldsBeyondTheHeaderAreHarmless) {
   EXPECT_EQ(load("P,T,A\n1,0,20,\n1,1,19,,,\n").points.size(), 2);
 }
 
-TEST(Dataset, OnePointIsADataSet) {
-  EXPECT_EQ(load("P,T,A\n1,1,19").points.size(), 1);
-}
+TEST(Dataset, OnePointIsADataSet) { EXPECT_EQ(load("P,T,A\n1,1,19").points.size(), 1); }
 
 TEST(Dataset, RunsAreThoseOfTheCurveColumnElseOnePerLoad) {
   const Dataset named = load("curve,P,T,A\nx,1,0,20\ny,1,0,20\nx,5,1,25\n");

@@ -71,19 +71,21 @@ TEST(PlotImport, SpellingsOfTheExportMakeNoDifference) {
   const std::string expected = "curve,P,T,A\na,1,0,2\nb,1,0,3\nb,1,1,2.5\n";
   for (const char* text : {
            "a,,b,\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n",
-           "a,,b\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n",                      // no comma behind the last name
-           "a,,b,\r\nX,Y,X,Y\r\n0,2,0,3\r\n,,1,2.5\r\n",             // CRLF
-           "\xEF\xBB\xBF" "a,,b,\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n",      // byte order mark
+           "a,,b\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n",           // no comma behind the last name
+           "a,,b,\r\nX,Y,X,Y\r\n0,2,0,3\r\n,,1,2.5\r\n",  // CRLF
+           "\xEF\xBB\xBF"
+           "a,,b,\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n",  // byte order mark
            "a;;b;\nX;Y;X;Y\n0;2;0;3\n;;1;2.5\n",
            "a\t\tb\t\nX\tY\tX\tY\n0\t2\t0\t3\n\t\t1\t2.5\n",
-           "a,,b,\n0,2,0,3\n,,1,2.5\n",                              // no labels
+           "a,,b,\n0,2,0,3\n,,1,2.5\n",  // no labels
            "\"a\",,\"b\",\n\"X\",\"Y\",\"X\",\"Y\"\n0,2,0,3\n,,1,2.5\n\n",
        })
     EXPECT_EQ(import(text, bare("T", "A", 2)), expected) << text;
 }
 
 TEST(PlotImport, ShortRowsEndTheLaterDataSets) {
-  EXPECT_EQ(import("a,,b,\nX,Y,X,Y\n0,2,0,3\n1,1.5\n", bare("T", "A", 2)), "curve,P,T,A\na,1,0,2\na,1,1,1.5\nb,1,0,3\n");
+  EXPECT_EQ(import("a,,b,\nX,Y,X,Y\n0,2,0,3\n1,1.5\n", bare("T", "A", 2)),
+            "curve,P,T,A\na,1,0,2\na,1,1,1.5\nb,1,0,3\n");
 }
 
 TEST(PlotImport, ANameThatLooksLikeACommentIsAName) {
@@ -116,16 +118,16 @@ TEST(PlotImport, WhatIsNoExportIsRefusedWithItsPlace) {
 
 TEST(PlotImport, HeadersThatWouldNotBeReadBackAreRefused) {
   for (const PlotImport& options : {
-           bare("T [foo]", "A", 1),          // no unit
-           bare("T [mm]", "A", 1),           // the wrong kind
-           bare("T [mN", "A", 1),            // not closed
-           bare("shear", "A", 1),            // T is missing
-           bare("T", "T", 1),                // twice
-           bare("P", "A", 1),                // P twice, T missing
-           bare("T", "A, in mm", 1),         // would be two columns
-           bare("T", "A [mm^2]", 1),         // mixed with loads without a unit
-           bare("T", "A", 0),                // no loads
-           bare("psi", "Gc", 1),             // loads where none belong
+           bare("T [foo]", "A", 1),   // no unit
+           bare("T [mm]", "A", 1),    // the wrong kind
+           bare("T [mN", "A", 1),     // not closed
+           bare("shear", "A", 1),     // T is missing
+           bare("T", "T", 1),         // twice
+           bare("P", "A", 1),         // P twice, T missing
+           bare("T", "A, in mm", 1),  // would be two columns
+           bare("T", "A [mm^2]", 1),  // mixed with loads without a unit
+           bare("T", "A", 0),         // no loads
+           bare("psi", "Gc", 1),      // loads where none belong
        })
     EXPECT_NE(error_of("a,\nX,Y\n0,1\n", options), "") << options.x_column << " " << options.y_column;
 }
@@ -133,7 +135,8 @@ TEST(PlotImport, HeadersThatWouldNotBeReadBackAreRefused) {
 TEST(PlotImport, AFileThatIsNotThereIsNamed) {
   const TemporaryFolder folder;
   const std::string path = folder.path("none.csv");
-  EXPECT_EQ(input_error([&] { import_plot(path, bare("T", "A", 1)); }), path + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(input_error([&] { import_plot(path, bare("T", "A", 1)); }),
+            path + ": cannot be opened: No such file or directory");
 }
 
 }  // namespace

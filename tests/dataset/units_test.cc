@@ -81,8 +81,8 @@ TEST(Units, APrefixIsNotTakenForAUnitNorAUnitForAPrefix) {
 TEST(Units, KeepTheTextAsWritten) { EXPECT_EQ(parse_unit("  mJ/m² ")->text, "mJ/m²"); }
 
 TEST(Units, WhatIsNoUnitIsRefused) {
-  for (const char* text : {"", " ", "foo", "mn", "N/", "/m", "N//m", "mm^", "mm^x", "mm^0", "mm^2.5", "mm^99", "^2", "2",
-                           "kdeg", "m%", "[mm]", "mm,", "N*", "µ", "mmN", "mm^^2"})
+  for (const char* text : {"",      " ",  "foo", "mn",   "N/", "/m",   "N//m", "mm^", "mm^x", "mm^0", "mm^2.5",
+                           "mm^99", "^2", "2",   "kdeg", "m%", "[mm]", "mm,",  "N*",  "µ",    "mmN",  "mm^^2"})
     EXPECT_FALSE(parse_unit(text)) << text;
 }
 
@@ -131,7 +131,8 @@ TEST(Numbers, TooManyDigitsAreNoObstacle) {
 }
 
 TEST(Numbers, AFieldThatIsNotWhollyANumberIsRefused) {
-  for (const char* text : {"", " ", "abc", "1,5", "1 2", "0x10", "1e", "1.2.3", "+-1", "++1", "1mm", "\u22121", "1;", "#1"})
+  for (const char* text :
+       {"", " ", "abc", "1,5", "1 2", "0x10", "1e", "1.2.3", "+-1", "++1", "1mm", "\u22121", "1;", "#1"})
     EXPECT_FALSE(parse_number(text)) << text;
 }
 

@@ -82,8 +82,8 @@ TEST(Fit, SaysNotIdentifiableForOnePointOrNone) {
 }
 
 TEST(Fit, SaysNotIdentifiableWhenScatterDrownsTheSignal) {
-  const Dataset data = synthetic<PapangeloCiavarella>({0.3}, angles_up_to(0.05, 20),
-                                                      [](std::size_t i) { return 0.5 * scatter(i); });
+  const Dataset data =
+      synthetic<PapangeloCiavarella>({0.3}, angles_up_to(0.05, 20), [](std::size_t i) { return 0.5 * scatter(i); });
   EXPECT_EQ(fit_toughness(data, "c").status, FitStatus::not_identifiable);
 }
 

@@ -36,9 +36,8 @@ TEST_P(Published, ValuesAreFoundAgain) {
   EXPECT_EQ(compared, stated) << "a published number belongs to a model that the definition does not fit";
 }
 
-INSTANTIATE_TEST_SUITE_P(Fits, Published, ::testing::ValuesIn(definitions()), [](const auto& test) {
-  return std::filesystem::path(test.param).stem().string();
-});
+INSTANTIATE_TEST_SUITE_P(Fits, Published, ::testing::ValuesIn(definitions()),
+                         [](const auto& test) { return std::filesystem::path(test.param).stem().string(); });
 
 TEST(Published, EveryShippedDataSetHasADefinition) {
   for (const auto& entry : std::filesystem::directory_iterator(MIXITY_ROOT "/data"))

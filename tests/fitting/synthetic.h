@@ -12,8 +12,9 @@ namespace mixity {
 
 /// Points of `Model` at these angles, ln f shifted by noise(i).
 template <class Model>
-Dataset synthetic(const Parameters<Model>& p, const std::vector<double>& angles,
-                  const std::function<double(std::size_t)>& noise = [](std::size_t) { return 0.0; }) {
+Dataset synthetic(
+    const Parameters<Model>& p, const std::vector<double>& angles,
+    const std::function<double(std::size_t)>& noise = [](std::size_t) { return 0.0; }) {
   Dataset data;
   data.path = data.name = "synthetic";
   data.curves = {""};

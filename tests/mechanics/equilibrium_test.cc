@@ -32,8 +32,7 @@ double worst_area_error(const std::vector<Parameters<Model>>& list, std::initial
         EXPECT_EQ(found.status, EquilibriumStatus::ok) << Model::info.key << ' ' << p[0] << ' ' << P << ' ' << T;
         // bracket the root of the printed equation tightly enough that it is this root, loosely enough to be one
         const Digits50 expected = truth::printed_area(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, T,
-                                                      Digits50(found.y) * (1 - 1e-9),
-                                                      Digits50(found.y) * (1 + 1e-9));
+                                                      Digits50(found.y) * (1 - 1e-9), Digits50(found.y) * (1 + 1e-9));
         const double A = contact_state(P, T, found.y).A;
         worst = std::max(worst, std::abs(static_cast<double>((A - expected) / expected)));
       }
@@ -41,7 +40,8 @@ double worst_area_error(const std::vector<Parameters<Model>>& list, std::initial
   return worst;
 }
 
-const std::vector<Parameters<Johnson>> kLambdas{{0.0}, {1e-12}, {1e-6}, {0.0023}, {0.15}, {0.5}, {8.0 / 9}, {0.95}, {1.0}};
+const std::vector<Parameters<Johnson>> kLambdas{{0.0}, {1e-12},   {1e-6}, {0.0023}, {0.15},
+                                                {0.5}, {8.0 / 9}, {0.95}, {1.0}};
 
 // Away from folds the area is right to a few roundings; 4e-15 is 18 of them.
 TEST(Equilibrium, AreasAreRightToTheLastDigitsAwayFromFolds) {

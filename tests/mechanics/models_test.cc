@@ -84,7 +84,8 @@ TYPED_TEST(EveryModel, ShearTermDerivativesMatchAutodiff) {
         // natural size of the function where the value itself is small.
         const double size = std::min(T * T, y * y + T * T) + plain.value;
         EXPECT_NEAR(plain.d1, jet.value.v[0], 1e-13 * (size / y + std::abs(plain.d1))) << y << ' ' << T << ' ' << p[0];
-        EXPECT_NEAR(plain.d2, jet.d1.v[0], 1e-13 * (size / (y * y) + std::abs(plain.d2))) << y << ' ' << T << ' ' << p[0];
+        EXPECT_NEAR(plain.d2, jet.d1.v[0], 1e-13 * (size / (y * y) + std::abs(plain.d2)))
+            << y << ' ' << T << ' ' << p[0];
       }
 }
 

@@ -20,10 +20,11 @@ TEST(FitJson, HoldsWhatTheContractNames) {
   const auto json = nlohmann::json::parse(to_json({mergel()}));
   EXPECT_EQ(json.at("schema"), "mixity-fit-1");
   const auto& data = json.at("datasets").at(0);
-  for (const char* key : {"path", "provenance", "points", "used", "excluded", "fits"}) EXPECT_TRUE(data.contains(key)) << key;
+  for (const char* key : {"path", "provenance", "points", "used", "excluded", "fits"})
+    EXPECT_TRUE(data.contains(key)) << key;
   const auto& fit = data.at("fits").at(0);
-  for (const char* key : {"model", "objective", "status", "message", "parameters", "r2", "rmse", "max_abs_residual",
-                          "area", "published"})
+  for (const char* key :
+       {"model", "objective", "status", "message", "parameters", "r2", "rmse", "max_abs_residual", "area", "published"})
     EXPECT_TRUE(fit.contains(key)) << key;
   const auto& lambda = fit.at("parameters").at("lambda");
   for (const char* key : {"value", "stderr", "lower", "upper", "at_bound"}) EXPECT_TRUE(lambda.contains(key)) << key;
@@ -50,10 +51,14 @@ std::vector<std::vector<std::string>> read_table(const std::string& text) {
   std::vector<std::string> row(1);
   bool quoted = false;
   for (const char c : text) {
-    if (c == '"') quoted = !quoted;
-    else if (c == ',' && !quoted) row.emplace_back();
-    else if (c == '\n' && !quoted) rows.push_back(row), row.assign(1, "");
-    else row.back() += c;
+    if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      row.emplace_back();
+    else if (c == '\n' && !quoted)
+      rows.push_back(row), row.assign(1, "");
+    else
+      row.back() += c;
   }
   return rows;
 }

@@ -1,0 +1,25 @@
+#include "dataset/toml_file.h"
+
+#include "dataset/csv.h"
+
+namespace mixity {
+
+toml::table read_toml(const std::string& path) {
+  constexpr std::size_t kLongestLine = 10000;
+  const std::string text = read_file(path);
+  std::size_t line = 1, begin = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    if (i - begin > kLongestLine) throw InputError(path, line, kLongestLine, "the line is too long");
+    if (i < text.size() && text[i] != '\n') continue;
+    begin = i + 1;
+    ++line;
+  }
+  try {
+    return toml::parse(text, path);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    throw InputError(path, at.line, at.column, std::string(error.description()));
+  }
+}
+
+}  // namespace mixity
