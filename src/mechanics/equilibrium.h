@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mechanics/contact.h"
+#include "mechanics/folds.h"
 #include "mechanics/model.h"
 #include "mechanics/registry.h"
 
@@ -75,10 +75,7 @@ class LoadedContact {
 
  private:
   Equilibrium solve(double T, double low, double high, double start) const;
-  double edge_load_on_curve(double tan_psi) const;
-  double slope(double log_tan_psi) const;
   void find_branches() const;
-  double refine_fold(double log_low, double log_high) const;
 
   Parameters<Model> p_;
   double P_, S0_ = 0, y_jkr_ = 0;

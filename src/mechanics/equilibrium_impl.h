@@ -2,8 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 namespace mixity {
 
@@ -34,9 +32,11 @@ Equilibrium LoadedContact<Model>::solve(double T, double low, double high, doubl
   constexpr double eps = std::numeric_limits<double>::epsilon();
   double y = start;
   int iterations = 0;
-  for (; iterations < 200 && low < high; ++iterations) {
+  for (; iterations < 200 && high - low > eps * high; ++iterations) {
     const ShearTerm<double> R = circle_residual<Model, double>(p_, P_, y, T);
-    if (R.value == 0) break;
+    const double v = y - 3 * pi<double>();
+    const double rounding = 0.5 * eps * (S0_ * S0_ + 2 * std::abs(v) * y);  // what R is known to
+    if (std::abs(R.value) <= rounding) break;
     (R.value > 0 ? high : low) = y;
     // Within rounding of a fold the discriminant may come out negative: the vertex is then the root.
     const double root = std::sqrt(std::max(R.d1 * R.d1 - 2 * R.value * R.d2, 0.0));
@@ -44,7 +44,6 @@ Equilibrium LoadedContact<Model>::solve(double T, double low, double high, doubl
     const double next = y + step;
     if (!(next >= low && next <= high)) {
       y = low > 0 && high > 16 * low ? std::sqrt(low * high) : 0.5 * (low + high);
-      if (high - low <= eps * high) break;
       continue;
     }
     // What the step leaves is a third of a cubic term, |R''' step^3/6 R'|, with R''' about R''/y.
@@ -86,102 +85,36 @@ Equilibrium LoadedContact<Model>::at(double T) const {
   }
 }
 
-/// Upper intersection of the ray T/y = tan_psi with the curve; NaN where the ray misses it (P < 0 only).
-template <class Model>
-double LoadedContact<Model>::edge_load_on_curve(double tan_psi) const {
-  const double centre = 3 * pi<double>();
-  const double g = 1 + Model::shear_term(p_, 1.0, tan_psi).value;
-  return (centre + std::sqrt(centre * centre + 2 * centre * P_ * g)) / g;
-}
-
-/// dR/dy along the curve: > 0 where A falls as T rises, 0 at a fold.
-template <class Model>
-double LoadedContact<Model>::slope(double log_tan_psi) const {
-  const double t = std::exp(log_tan_psi), y = edge_load_on_curve(t);
-  return std::isnan(y) ? -1.0 : circle_residual<Model, double>(p_, P_, y, t * y).d1;
-}
-
-template <class Model>
-double LoadedContact<Model>::refine_fold(double log_low, double log_high) const {
-  std::uintmax_t evaluations = 200;
-  const auto root = boost::math::tools::toms748_solve([this](double x) { return slope(x); }, log_low, log_high,
-                                                      boost::math::tools::eps_tolerance<double>(50), evaluations);
-  return 0.5 * (root.first + root.second);
-}
-
 template <class Model>
 const std::vector<StableBranch>& LoadedContact<Model>::branches() const {
   if (branches_.empty()) find_branches();
   return branches_;
 }
 
-/// Walks down the curve in log tan psi and cuts it where dR/dy changes sign. The walk starts where the curve may
-/// first fold and ends where nothing changes any more; sign changes are then found to the last digit, and a dip of
-/// the slope between two steps is followed to its bottom so that a close pair of folds is not overlooked.
 template <class Model>
 void LoadedContact<Model>::find_branches() const {
-  const double infinity = std::numeric_limits<double>::infinity();
-  if constexpr (requires { Model::shear_on_circle(p_, 1.0); }) {
-    const double per_load = Model::shear_on_circle(p_, 1.0);
-    const double centre = 3 * pi<double>();
-    branches_ = per_load > 0 ? std::vector{StableBranch{y_jkr_, 0, centre, S0_ / per_load, true}}
-                             : std::vector{StableBranch{y_jkr_, 0, y_jkr_, infinity, false}};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const EquilibriumCurve<Model> curve(p_, P_);
+  if (curve.uncoupled()) {
+    branches_ = {{y_jkr_, 0, y_jkr_, kInfinity, false}};
     return;
   }
-  constexpr double kStep = 0.25, kSteepest = 340;  // in ln tan psi; e^340 = 1e147
-  const auto load_at = [&](double x) { return std::exp(x) * edge_load_on_curve(std::exp(x)); };
-
-  double x = simple_top_ ? -40 : -20;
-  if (simple_top_) {  // nothing folds above the centre of the circle: skip to it
-    double below = x, above = kSteepest;
-    while (above - below > kStep) {
-      const double middle = 0.5 * (below + above);
-      (edge_load_on_curve(std::exp(middle)) > 3 * pi<double>() ? below : above) = middle;
-    }
-    x = below;
-  }
-
-  StableBranch current{y_jkr_, 0, 0, 0, false};
-  bool stable = true;
-  const auto cut = [&](double fold) {
-    const double y = edge_load_on_curve(std::exp(fold)), T = load_at(fold);
-    if (stable) {
-      branches_.push_back({current.y_top, current.T_top, y, T, true});
-    } else {
-      current = {y, T, 0, 0, false};
-    }
-    stable = !stable;
-  };
-
-  double before = infinity, here = slope(x);
-  for (; x < kSteepest; x += kStep) {
-    const double t = std::exp(x), y = edge_load_on_curve(t);
-    if (std::isnan(y)) break;  // the ray has left the circle: the rest of the curve is unstable
-    const double next = slope(x + kStep);
-    if ((here > 0) != (next > 0)) {
-      cut(refine_fold(x, x + kStep));
-    } else if (const double sign = here > 0 ? 1 : -1;
-               sign * before > sign * here && sign * next > sign * here && !std::isinf(before)) {
-      const auto dip =
-          boost::math::tools::brent_find_minima([&](double z) { return sign * slope(z); }, x - kStep, x + kStep, 40);
-      if (dip.second < 0) {
-        cut(refine_fold(x - kStep, dip.first));
-        cut(refine_fold(dip.first, x + kStep));
-      }
-    }
-    const double g = Model::shear_term(p_, 1.0, t).value, g_next = Model::shear_term(p_, 1.0, 1e4 * t).value;
-    if (y < 1e-17 * P_ || g_next - g <= 1e-17 * g_next) break;
-    before = (here > 0) == (next > 0) ? here : infinity;
-    here = next;
-  }
-  if (stable) {
-    const double end = std::exp(kSteepest);
-    const double at_hertz = Model::shear_term(p_, 0.0, 1.0).value;  // tau^2/T^2 at y = 0
-    if (at_hertz > 0)
-      branches_.push_back({current.y_top, current.T_top, 0, std::sqrt(6 * pi<double>() * P_ / at_hertz), false});
+  StableBranch branch{y_jkr_, 0, 0, 0, false};
+  bool open = true;
+  for (const FoldPlace& fold : locate_folds(curve, {Control::Kind::load})) {
+    const double y = fold.position.y, T = curve.tangential_load(fold.position);
+    if (fold.maximum)
+      branches_.push_back({branch.y_top, branch.T_top, y, T, true});
     else
-      branches_.push_back({current.y_top, current.T_top, edge_load_on_curve(end), infinity, false});
+      branch = {y, T, 0, 0, false};
+    open = !fold.maximum;
   }
+  if (!open) return;
+  // Only the first piece can end in a stable branch: at Hertz, where tau^2 = 6 pi P, or at the asymptote.
+  const CurvePiece& piece = curve.pieces().front();
+  const double end =
+      piece.end == CurveEnd::asymptote ? kInfinity : tangential_load<Model>(p_, 0.0, std::sqrt(6 * pi<double>() * P_));
+  branches_.push_back({branch.y_top, branch.T_top, piece.y_end, end, false});
 }
 
 }  // namespace mixity

@@ -2,6 +2,8 @@
 // B = sin^2 psi = G_II/(G_I + G_II), r = G_IIc/G_Ic.
 #pragma once
 
+#include <limits>
+
 #include "mechanics/model.h"
 
 namespace mixity {
@@ -41,6 +43,11 @@ struct BenzeggaghKenane {
   }
 
   /// d(tau^2)/dy has the sign of (r - 1)(eta - f), and f lies between 1 and r.
+  /// 1 - (r - 1) B^(eta-1) at B -> 0: 1 for eta > 1, 2 - r for eta = 1. For eta < 1 (r < 1) the area falls faster than
+  /// T^2 and the limit is infinite; only its sign is used then.
+  static double small_shear(const std::array<double, 2>& p) {
+    return p[1] > 1 ? 1 : p[1] == 1 ? 2 - p[0] : p[0] < 1 ? std::numeric_limits<double>::infinity() : 1;
+  }
   static bool tau_grows_with_edge_load(const std::array<double, 2>& p) {
     return p[0] >= 1 ? p[1] >= p[0] : p[1] <= p[0];
   }

@@ -2,6 +2,8 @@
 // lambda = 1 is the ideally brittle Savkoor-Briggs limit, lambda = 0 uncouples the modes.
 #pragma once
 
+#include <limits>
+
 #include "mechanics/model.h"
 
 namespace mixity {
@@ -39,6 +41,17 @@ struct Johnson {
     return {value, slope / y, slope * (S(4) * mode_II - S(3)) / (y * y)};
   }
 
+  /// From (T/y)^2 = q/(lambda - m q), q = (tau/y)^2: T = tau y/sqrt(lambda y^2 - m tau^2), infinite beyond the
+  /// asymptote.
+  template <class S>
+  static S tangential_load(const std::array<S, 1>& p, const S& y, const S& tau) {
+    using std::sqrt;
+    const S one = sqrt(p[0]) * y, other = sqrt(S(1) - p[0]) * tau;
+    if (!(one > other)) return p[0] < S(1) ? S(std::numeric_limits<double>::infinity()) : tau;
+    return tau * y / (sqrt(one - other) * sqrt(one + other));
+  }
+
+  static double small_shear(const std::array<double, 1>& p) { return p[0]; }
   static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
   static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
 };

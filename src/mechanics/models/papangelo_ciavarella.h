@@ -34,6 +34,22 @@ struct PapangeloCiavarella {
     return {p[0] * T * T, S(0), S(0)};
   }
 
+  template <class S>
+  static S tangential_load(const std::array<S, 1>& p, const S&, const S& tau) {
+    using std::sqrt;
+    return tau / sqrt(p[0]);
+  }
+
+  static double small_shear(const std::array<double, 1>& p) { return p[0]; }
+
+  /// Edge load of the only fold. Load control: the top of the circle, y = 3 pi. Displacement control: the upper root
+  /// of 2 y^2 + 3 (P - pi) y - 3 pi P = 0, which is du = 0 on the circle.
+  static double fold_edge_load(const std::array<double, 1>&, double P, bool displacement) {
+    const double pi_ = pi<double>();
+    if (!displacement) return 3 * pi_;
+    const double b = 3 * (pi_ - P), root = std::sqrt(3 * (3 * pi_ * pi_ + 2 * pi_ * P + 3 * P * P));
+    return b > 0 ? 0.25 * (b + root) : 6 * pi_ * P / (root - b);
+  }
   static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
   static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
 };

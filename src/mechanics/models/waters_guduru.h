@@ -43,6 +43,8 @@ struct WatersGuduru {
     return {value, d1, d2};
   }
 
+  /// sin(h) sin(2 psi - h)/psi^2 at psi -> 0: lambda - lambda^2/4.
+  static double small_shear(const std::array<double, 1>& p) { return p[0] * (1 - 0.25 * p[0]); }
   static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
   static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
 };

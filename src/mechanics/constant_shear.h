@@ -1,0 +1,24 @@
+// The other view (the paper's Fig. 4): contact radius against normal load at a constant tangential load.
+#pragma once
+
+#include "mechanics/curve.h"
+
+namespace mixity {
+
+/// A state at constant T, and whether it is stable when the normal load is what is controlled.
+struct ConstantShearPoint {
+  double y, P, a;
+  double dP_dy;  // > 0: stable, the load must grow for the contact to grow; 0 at pull-off under shear
+};
+
+/// The state with edge load y > 0 at tangential load T >= 0: equilibrium y^2 g = 6 pi (y + P) is explicit in P, and
+/// y^2 g = y^2 + tau^2(y, T). y runs from the unstable end (y -> 0, where P -> tau^2/(6 pi)) to infinity.
+template <class Model>
+ConstantShearPoint constant_shear_point(const Parameters<Model>& p, double T, double y) {
+  const ShearTerm<double> tau2 = Model::shear_term(p, y, T);
+  const double six_pi = 6 * pi<double>();
+  const double sum = (y * y + tau2.value) / six_pi;  // y + P = 4/3 a^3
+  return {y, sum - y, std::cbrt(0.75 * sum), (2 * y + tau2.d1) / six_pi - 1};
+}
+
+}  // namespace mixity

@@ -1,0 +1,90 @@
+// The whole equilibrium curve of a model at one normal load, on the circle
+//
+//     y = 3 pi + S0 cos phi,   tau = S0 sin phi,       T from tau by the model's change of variable.
+//
+// phi = 0 is JKR. y falls monotonically along the curve, through every fold, to its end: Hertz (y = 0, P > 0), the
+// asymptote of a model whose g stays bounded (T -> infinity), or for P <= 0 the unstable JKR point phi = pi (T = 0),
+// where at P = 0 the contact vanishes.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "mechanics/contact.h"
+#include "mechanics/model.h"
+#include "mechanics/registry.h"
+
+namespace mixity {
+
+/// A place on the curve: the edge load, and how far it lies from the two ends of its piece. Both distances are kept,
+/// since neither follows from y near the other end without losing digits.
+struct CurvePosition {
+  double y, above_end, below_top;
+};
+
+enum class CurveEnd { hertz, asymptote, unstable_jkr };
+
+/// A connected piece of the curve, from its top (largest y) down to y_end. Only a model with an asymptote at P < 0 has
+/// two: the contact cannot pass from one to the other.
+struct CurvePiece {
+  double y_top, y_end;
+  CurveEnd end;
+  bool from_asymptote;  // T -> infinity at the top, too
+};
+
+/// A point of the curve with its derivatives in phi. All finite.
+struct CurvePoint {
+  double phi, y, T, a, A, u, psi, f;
+  double dy, dT, da, dA, du, dpsi, df;
+};
+
+/// Edge loads y_+ > y_- at which T -> infinity: g = g_inf, its limit at psi = pi/2, in y^2 g = 6 pi (y + P). Returns
+/// false if g is unbounded (every model but a with lambda < 1) or the load admits no such state.
+template <class Model>
+bool asymptotic_edge_loads(const Parameters<Model>& p, double P, double& upper, double& lower);
+
+/// T of the state (y, tau): inverts tau^2 = shear_term(p, y, T). y >= 0, tau >= 0, not both 0. Infinite where the
+/// model reaches no such tau. Relative error a few roundings.
+template <class Model>
+double tangential_load(const Parameters<Model>& p, double y, double tau);
+
+template <class Model>
+class EquilibriumCurve {
+ public:
+  /// Valid parameters and load only (the same as LoadedContact accepts, and in contact).
+  EquilibriumCurve(const Parameters<Model>& parameters, double P);
+
+  double load() const { return P_; }
+  const Parameters<Model>& parameters() const { return p_; }
+
+  /// True if shear does not act on the area at all (lambda = 0): the curve is the point phi = 0.
+  bool uncoupled() const { return pieces_.empty(); }
+  const std::vector<CurvePiece>& pieces() const { return pieces_; }
+
+  /// Place on a piece from the logistic coordinate v: (y - y_end)/(y_top - y) = exp(-v), so that uniform steps in v
+  /// resolve both ends.
+  CurvePosition position(const CurvePiece& piece, double v) const;
+
+  double tau_squared(const CurvePosition& at) const;
+  double tangential_load(const CurvePosition& at) const {
+    return mixity::tangential_load<Model>(p_, at.y, std::sqrt(tau_squared(at)));
+  }
+
+  /// phi at the start and the end of a piece; the end of the curve for the last.
+  double phi_begin(const CurvePiece& piece) const { return phi_of(piece.y_top); }
+  double phi_end(const CurvePiece& piece) const { return phi_of(piece.y_end); }
+
+  /// The point at phi, phi_begin <= phi <= phi_end of some piece. At an asymptote T is infinite: stay inside.
+  CurvePoint point(double phi) const;
+  double phi_of(double y) const;
+
+ private:
+  Parameters<Model> p_;
+  double P_, S0_, y_jkr_, y_low_;  // y_low = 3 pi - S0, the unstable JKR state for P < 0
+  std::vector<CurvePiece> pieces_;
+};
+
+}  // namespace mixity
+
+#include "mechanics/curve_impl.h"

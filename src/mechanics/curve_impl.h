@@ -1,0 +1,126 @@
+// Definitions of curve.h. Included by it only.
+#pragma once
+
+#include <algorithm>
+
+namespace mixity {
+
+template <class Model>
+bool asymptotic_edge_loads(const Parameters<Model>& p, double P, double& upper, double& lower) {
+  // g - 1 = tau^2/y^2 at psi -> pi/2; unbounded if tau^2/T^2 stays finite at y = 0
+  constexpr double kFar = 1e150;
+  if (!(Model::shear_term(p, 1.0, kFar).value < 1e100)) return false;
+  const double g = 1 + Model::shear_term(p, 1.0, kFar).value, centre = 3 * pi<double>();
+  const double square = centre * centre + 2 * centre * P * g;
+  if (square < 0) return false;
+  upper = (centre + std::sqrt(square)) / g;
+  lower = -2 * centre * P / (centre + std::sqrt(square));  // the product of the roots is -6 pi P/g
+  return true;
+}
+
+template <class Model>
+double tangential_load(const Parameters<Model>& p, double y, double tau) {
+  if (tau == 0) return 0;
+  if constexpr (requires { Model::tangential_load(p, y, tau); }) {
+    return Model::tangential_load(p, y, tau);
+  } else {
+    // ln tau as a function of ln T has a slope of order one throughout: Newton on it, kept between bounds.
+    const double target = std::log(tau);
+    double low = -700, high = 700, x = target - 0.5 * std::log(Model::small_shear(p));
+    for (int i = 0; i < 100; ++i) {
+      x = x > low && x < high ? x : 0.5 * (low + high);
+      const ShearTerm<double> term = Model::shear_term(p, y, std::exp(x));
+      const double error = 0.5 * std::log(term.value) - target;
+      (error > 0 ? high : low) = x;
+      const double step = -error * term.value / (term.value - 0.5 * y * term.d1);
+      x += step;
+      if (std::abs(step) <= 1e-9 || high - low < 1e-15 * std::abs(high)) break;
+    }
+    // The last digits in T itself: ln T of a large T has lost some.
+    double T = std::exp(x);
+    for (int i = 0; i < 2; ++i) {
+      const ShearTerm<double> term = Model::shear_term(p, y, T);
+      const double root = std::sqrt(term.value);
+      T -= (root - tau) * T * root / (term.value - 0.5 * y * term.d1);
+    }
+    return T;
+  }
+}
+
+template <class Model>
+EquilibriumCurve<Model>::EquilibriumCurve(const Parameters<Model>& parameters, double P)
+    : p_(parameters), P_(P), S0_(circle_radius(P)), y_jkr_(3 * pi<double>() + S0_) {
+  const double centre = 3 * pi<double>();
+  y_low_ = -2 * centre * P_ / (centre + S0_);
+  if (!(Model::small_shear(p_) > 0)) return;
+  const CurveEnd natural = P_ > 0 ? CurveEnd::hertz : CurveEnd::unstable_jkr;
+  const double bottom = std::max(y_low_, 0.0);
+  double upper = 0, lower = 0;
+  if (!asymptotic_edge_loads<Model>(p_, P_, upper, lower)) {
+    pieces_.push_back({y_jkr_, bottom, natural, false});
+    return;
+  }
+  pieces_.push_back({y_jkr_, upper, CurveEnd::asymptote, false});
+  if (P_ < 0) pieces_.push_back({lower, y_low_, CurveEnd::unstable_jkr, true});
+}
+
+template <class Model>
+CurvePosition EquilibriumCurve<Model>::position(const CurvePiece& piece, double v) const {
+  const double width = piece.y_top - piece.y_end;
+  const double above = width / (1 + std::exp(v)), below = width / (1 + std::exp(-v));
+  return {v > 0 ? piece.y_end + above : piece.y_top - below, above, below};
+}
+
+/// tau^2 = (y_jkr - y)(y - y_low).
+template <class Model>
+double EquilibriumCurve<Model>::tau_squared(const CurvePosition& at) const {
+  const double from_top = at.y + at.below_top == y_jkr_ ? at.below_top : y_jkr_ - at.y;
+  const double from_low = at.y - at.above_end == y_low_ ? at.above_end : at.y - y_low_;
+  return from_top * from_low;
+}
+
+template <class Model>
+double EquilibriumCurve<Model>::phi_of(double y) const {
+  const double tau = std::sqrt(std::max((y_jkr_ - y) * (y - y_low_), 0.0));
+  return std::atan2(tau, y - 3 * pi<double>());
+}
+
+template <class Model>
+CurvePoint EquilibriumCurve<Model>::point(double phi) const {
+  const double half = std::sin(0.5 * phi), other = std::cos(0.5 * phi);
+  // y from the nearer end of the circle: y_jkr - y = 2 S0 sin^2(phi/2), y - y_low = 2 S0 cos^2(phi/2)
+  const double y = std::max(phi < 2 ? y_jkr_ - 2 * S0_ * half * half : y_low_ + 2 * S0_ * other * other, 0.0);
+  const double tau = 2 * S0_ * half * other;
+  const double T = uncoupled() ? 0 : mixity::tangential_load<Model>(p_, y, tau);
+  const double a = radius_from_edge_load(y, P_), sum = y + P_, square = y * y + T * T;
+
+  CurvePoint q{};
+  q.phi = phi;
+  q.y = y;
+  q.T = T;
+  q.a = a;
+  q.A = area_from_radius(a);
+  q.u = 0.75 * T / a;
+  q.psi = phase_angle(mixity_from_loads(y, T));
+  q.f = T > 0 ? square / (6 * pi<double>() * sum) : 1.0;
+
+  q.dy = -tau;
+  // From tau^2(y, T) = tau^2: tau^2_T T' = 2 tau tau' - tau^2_y y', with tau' = y - 3 pi and T tau^2_T = 2 tau^2 -
+  // y tau^2_y. Both sides carry a factor tau, which cancels; at T = 0 what is left is tau' = sqrt(small_shear) T'.
+  if (uncoupled()) {
+    q.dT = 0;
+  } else if (T > 0) {
+    const ShearTerm<double> term = Model::shear_term(p_, y, T);
+    q.dT = T * tau * (2 * (y - 3 * pi<double>()) + term.d1) / (2 * term.value - y * term.d1);
+  } else {
+    q.dT = (y - 3 * pi<double>()) / std::sqrt(Model::small_shear(p_));
+  }
+  q.da = q.dy / (4 * a * a);
+  q.dA = 2 * pi<double>() * a * q.da;
+  q.du = 0.75 * (q.dT / a - T * q.da / (a * a));
+  q.dpsi = (y * q.dT - T * q.dy) / square;
+  q.df = q.f * ((2 * y * q.dy + 2 * T * q.dT) / square - q.dy / sum);
+  return q;
+}
+
+}  // namespace mixity

@@ -1,0 +1,57 @@
+// Folds of the equilibrium curve: where a contact that is driven by a load, a displacement or through a spring loses
+// stability, and what it jumps to.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "mechanics/curve.h"
+
+namespace mixity {
+
+/// What drives the contact: v = T (load), u (displacement), or u + T/k (a spring of stiffness k > 0 in series).
+struct Control {
+  enum class Kind { load, displacement, stiffness } kind;
+  double stiffness = 0;  // k~ = k/(xi^2 G_Ic); only for Kind::stiffness
+};
+std::string_view to_string(Control::Kind kind);
+
+enum class Jump { hertz, lower_branch, upper_branch, off_contact };
+std::string_view to_string(Jump jump);
+
+/// Where the driving quantity has an extremum along the curve.
+struct FoldPlace {
+  std::size_t piece;  // of the curve
+  double coordinate;  // logistic, see EquilibriumCurve::position
+  CurvePosition position;
+  bool maximum;  // met on loading; a minimum is met on reversal from a lower branch
+};
+
+/// A fold with the state there and what follows it.
+struct Fold {
+  Control control;
+  FoldPlace place;
+  double T, u, A, psi;
+  Jump jumps_to;
+  double area_after;  // area of the state it jumps to: 0 off contact
+  double area_lost;   // A - area_after; negative where the contact regains area
+};
+
+/// Only where the folds are, in the order in which they are met along the curve from T = 0; see find_folds.
+template <class Model>
+std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Control control);
+
+/// All folds in the order in which they are met along the curve from T = 0. Found from a derivative: with
+/// R(y; T) = (y - 3 pi)^2 + tau^2 - S0^2, dv = 0 reads
+///
+///     R_y (3 + 4 a/k) (y + P) + 2 tau^2 - y tau^2_y = 0      (displacement: k -> infinity; load: R_y = 0)
+///
+/// whose sign changes over the whole curve, down to 1e-18 of its ends, are refined to the last digits; a dip of it
+/// between two samples is followed to its bottom, so that close pairs are found. Model c under load and displacement
+/// uses its closed forms. T has relative error below 1e-13; A and u below 1e-12.
+template <class Model>
+std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control control);
+
+}  // namespace mixity
+
+#include "mechanics/folds_impl.h"

@@ -1,0 +1,196 @@
+// Definitions of folds.h. Included by it only.
+#pragma once
+
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+namespace mixity {
+
+inline std::string_view to_string(Control::Kind kind) {
+  switch (kind) {
+    case Control::Kind::load:
+      return "load";
+    case Control::Kind::displacement:
+      return "displacement";
+    case Control::Kind::stiffness:
+      break;
+  }
+  return "stiffness";
+}
+
+inline std::string_view to_string(Jump jump) {
+  switch (jump) {
+    case Jump::hertz:
+      return "hertz";
+    case Jump::lower_branch:
+      return "lower_branch";
+    case Jump::upper_branch:
+      return "upper_branch";
+    case Jump::off_contact:
+      break;
+  }
+  return "off_contact";
+}
+
+namespace folds_detail {
+
+constexpr double kFirst = -20, kLast = 42, kStep = 0.25;  // logistic coordinate: e^-42 = 6e-19 of the piece
+
+template <class F>
+double root_between(F f, double low, double high) {
+  std::uintmax_t evaluations = 200;
+  const auto bracket =
+      boost::math::tools::toms748_solve(f, low, high, boost::math::tools::eps_tolerance<double>(52), evaluations);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+/// Coordinates of the sign changes of f on [kFirst, kLast], in order.
+template <class F>
+std::vector<double> sign_changes(F f) {
+  std::vector<double> roots;
+  double before = 0, here = f(kFirst);
+  bool has_before = false;
+  for (double v = kFirst; v < kLast; v += kStep) {
+    const double next = f(v + kStep);
+    const bool crosses = (here > 0) != (next > 0);
+    const double sign = here > 0 ? 1 : -1;
+    if (crosses) {
+      roots.push_back(root_between(f, v, v + kStep));
+    } else if (has_before && sign * before > sign * here && sign * next > sign * here) {
+      const auto dip =
+          boost::math::tools::brent_find_minima([&](double x) { return sign * f(x); }, v - kStep, v + kStep, 50);
+      if (dip.second < 0) {
+        roots.push_back(root_between(f, v - kStep, dip.first));
+        roots.push_back(root_between(f, dip.first, v + kStep));
+      }
+    }
+    has_before = !crosses;
+    before = here;
+    here = next;
+  }
+  return roots;
+}
+
+/// State of the curve at a position, and what drives it.
+template <class Model>
+struct Driven {
+  const EquilibriumCurve<Model>& curve;
+  Control control;
+
+  double radius(const CurvePosition& at) const { return radius_from_edge_load(at.y, curve.load()); }
+
+  /// T, u or u + T/k.
+  double value(const CurvePosition& at) const {
+    const double T = curve.tangential_load(at);
+    if (control.kind == Control::Kind::load) return T;
+    const double u = 0.75 * T / radius(at);
+    return control.kind == Control::Kind::displacement ? u : u + T / control.stiffness;
+  }
+
+  /// > 0 where the value grows as y falls (stable), 0 at a fold.
+  double slope(const CurvePosition& at) const {
+    // At the last digits before an asymptote T comes out infinite; tau^2 there is that of any large T.
+    const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), 1e150);
+    const double d1 = Model::shear_term(curve.parameters(), at.y, T).d1;
+    const double R_y = 2 * (at.y - 3 * pi<double>()) + d1;
+    if (control.kind == Control::Kind::load) return R_y;
+    const double w = control.kind == Control::Kind::displacement ? 3 : 3 + 4 * radius(at) / control.stiffness;
+    return R_y * w * (at.y + curve.load()) + 2 * tau2 - at.y * d1;
+  }
+};
+
+/// The position of a given edge load inside a piece.
+inline CurvePosition at_edge_load(const CurvePiece& piece, double y) { return {y, y - piece.y_end, piece.y_top - y}; }
+
+/// Part of a piece on which the contact is stable, in logistic coordinates.
+struct Stretch {
+  std::size_t piece;
+  double from, to;
+};
+
+/// What lies between the folds and is stable. The top of the curve is; a second piece, from an asymptote, is not.
+inline std::vector<Stretch> stable_stretches(const std::vector<FoldPlace>& folds, std::size_t pieces) {
+  std::vector<Stretch> stable;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    bool is_stable = i == 0;
+    double from = kFirst;
+    for (const FoldPlace& fold : folds) {
+      if (fold.piece != i) continue;
+      if (fold.maximum) stable.push_back({i, from, fold.coordinate});
+      is_stable = !fold.maximum;
+      from = fold.coordinate;
+    }
+    if (is_stable) stable.push_back({i, from, kLast});
+  }
+  return stable;
+}
+
+}  // namespace folds_detail
+
+template <class Model>
+std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Control control) {
+  using namespace folds_detail;
+  std::vector<FoldPlace> folds;
+  const Driven<Model> driven{curve, control};
+  for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
+    const CurvePiece& piece = curve.pieces()[i];
+    if constexpr (requires { Model::fold_edge_load(curve.parameters(), 0.0, true); }) {
+      if (control.kind != Control::Kind::stiffness) {
+        const bool displacement = control.kind == Control::Kind::displacement;
+        const CurvePosition at =
+            at_edge_load(piece, Model::fold_edge_load(curve.parameters(), curve.load(), displacement));
+        folds.push_back({i, std::log(at.below_top / at.above_end), at, true});
+        continue;
+      }
+    }
+    const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
+    bool stable = slope(kFirst) > 0;
+    for (const double v : sign_changes(slope)) {
+      folds.push_back({i, v, curve.position(piece, v), stable});
+      stable = !stable;
+    }
+  }
+  return folds;
+}
+
+template <class Model>
+std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control control) {
+  using namespace folds_detail;
+  const Driven<Model> driven{curve, control};
+  const std::vector<FoldPlace> places = locate_folds(curve, control);
+  const std::vector<Stretch> stable = stable_stretches(places, curve.pieces().size());
+  std::vector<Fold> folds;
+  for (const FoldPlace& place : places) {
+    const double T = curve.tangential_load(place.position), a = driven.radius(place.position);
+    Fold fold{control,
+              place,
+              T,
+              0.75 * T / a,
+              area_from_radius(a),
+              phase_angle(mixity_from_loads(place.position.y, T)),
+              Jump::off_contact,
+              0,
+              0};
+    const double value = driven.value(place.position);
+    for (const Stretch& s : stable) {
+      const bool beyond = place.maximum ? s.piece > place.piece || s.from >= place.coordinate
+                                        : s.piece == place.piece && s.to <= place.coordinate;
+      if (!beyond) continue;
+      const CurvePiece& piece = curve.pieces()[s.piece];
+      const auto excess = [&](double v) { return driven.value(curve.position(piece, v)) - value; };
+      if (!(excess(s.from) <= 0 && excess(s.to) >= 0)) continue;
+      fold.jumps_to = place.maximum ? Jump::lower_branch : Jump::upper_branch;
+      fold.area_after = area_from_radius(driven.radius(curve.position(piece, root_between(excess, s.from, s.to))));
+      if (place.maximum) break;  // the first met going down; going up, the last, which lies nearest
+    }
+    if (fold.jumps_to == Jump::off_contact && curve.load() > 0) {
+      fold.jumps_to = Jump::hertz;
+      fold.area_after = area_from_radius(hertz_radius(curve.load()));
+    }
+    fold.area_lost = fold.A - fold.area_after;
+    folds.push_back(fold);
+  }
+  return folds;
+}
+
+}  // namespace mixity

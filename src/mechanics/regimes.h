@@ -1,0 +1,77 @@
+// What becomes of a contact that is sheared under a constant normal load, and the boundaries between the answers in
+// the plane of load and lambda.
+//
+//   1 shrinks to a non-Hertzian area    2 shrinks smoothly to Hertz    3 reaches a critical point and jumps
+//   4 slides first: T = tau0 A, the strength of the interface, is reached before 1, 2 or 3 is complete
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mechanics/equilibrium.h"
+#include "mechanics/limits.h"
+
+namespace mixity {
+
+enum class Regime { asymptote = 1, hertz = 2, jump = 3, strength = 4 };
+
+struct RegimeReport {
+  Regime fracture;                  // 1, 2 or 3: without a limit to the strength
+  Regime regime;                    // 4 if the strength is reached first, else the same
+  double T_end;                     // where 2 or 3 happens; infinite for 1
+  std::optional<Jump> jumps_to;     // for 3
+  std::optional<double> T_strength; // smallest T with T = tau0 A on the stable branch; null if none or no tau0
+};
+
+/// For a contact that exists and a valid set of parameters. tau0 > 0 dimensionless, or null. A branch that jumps to a
+/// lower stable one is regime 3 (jumps_to lower_branch): its first critical point decides.
+template <class Model>
+RegimeReport classify(const Parameters<Model>& p, double P, std::optional<double> tau0 = {});
+
+// ---- Boundaries. These go beyond the paper. ----
+
+/// Model b jumps below and is smooth above this load; k = 1 - lambda/2.
+///
+/// Near Hertz, psi = pi/2 - epsilon with epsilon = y/T, so cos(k psi) = s + k c epsilon, s = sin(pi lambda/4),
+/// c = cos(pi lambda/4), and y^2 g = (y^2 + T^2) cos^2(k psi) = T^2 s^2 + 2 k s c T y + O(y^2) must equal 6 pi (y + P).
+/// At y = 0, T_H s = sqrt(6 pi P). To first order in y, d(T s)^2/dy = 6 pi - 2 k c sqrt(6 pi P): T grows towards
+/// Hertz (no fold) exactly if P > (3 pi/2)/(k c)^2.
+inline double model_b_critical_load(double lambda) {
+  const double kc = (1 - 0.5 * lambda) * std::cos(0.25 * pi<double>() * lambda);
+  return 1.5 * pi<double>() / (kc * kc);
+}
+
+/// A point of the cusp line of model a, where a fold appears on its curve. Both lambda and 1 - lambda are given: towards
+/// large P lambda is 1 to all digits.
+struct CuspPoint {
+  double P, lambda, one_minus_lambda;
+};
+
+/// The cusp line as a function of X in (0, 1/2]: P -> infinity as X -> 0, (P, lambda) = (0, 8/9) at X = 1/3, and
+/// (-15 pi/64, 27/32) at X = 1/2, where it meets the closing line.
+///
+/// With x = tan^2 psi, m = 1 - lambda, g = (1 + x)/(1 + m x), the fold condition R_y = 0 on the upper branch is
+/// lambda x (1 + 3 pi/r) = (1 + x)(1 + m x), r^2 = 9 pi^2 + 6 pi P g. Solved for the load,
+///
+///     P = (3 pi/2) (rho^2 - 1)/g,      rho = lambda x/(1 + 2 m x + m x^2),
+///
+/// so the contact folds at P if P is below the maximum of this over x. dP/dx = 0 is (1 + x) times a cubic; with
+/// X = m x it reads X^3 - 3 X^2 + m (6 X^2 + 3 X + 1) = 0, that is m = X^2 (3 - X)/(6 X^2 + 3 X + 1).
+inline CuspPoint model_a_cusp(double X) {
+  const double m = X * X * (3 - X) / ((6 * X + 3) * X + 1);
+  const double x = X / m, lambda = 1 - m;
+  const double rho = lambda * x / (1 + 2 * X + X * x), g = (1 + x) / (1 + X);
+  return {1.5 * pi<double>() * (rho - 1) * (rho + 1) / g, lambda, m};
+}
+
+/// P < 0: at lambda above 1 + 2P/(3 pi) the curve of model a closes: it turns back to the unstable JKR state, and the
+/// contact drops off at the fold. Below, T -> infinity at the asymptote, which exists if 9 pi^2 + 6 pi P/m >= 0.
+inline double model_a_closing_lambda(double P) { return 1 + 2 * P / (3 * pi<double>()); }
+
+/// Model a jumps exactly at lambda above this: the cusp line down to P = -15 pi/64, below that the closing line.
+/// -3 pi/2 < P <= 1e8.
+CuspPoint model_a_jump_boundary(double P);
+
+}  // namespace mixity
+
+#include "mechanics/regimes_impl.h"
