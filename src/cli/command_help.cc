@@ -14,12 +14,12 @@ void explain_program() {
   std::cout << "mixity fits mode-mixity models to soft adhesive contacts that lose area under shear.\n\n"
                "  mixity COMMAND [flags] [files]\n\nCommands\n";
   for (const Command& command : commands()) {
-    std::cout << "  " << command.name << std::string(10 - command.name.size(), ' ') << command.summary << '\n';
+    std::cout << "  " << command.name << std::string(13 - command.name.size(), ' ') << command.summary << '\n';
   }
   std::cout << "\nModels\n";
   for_each_model([](auto model) {
     using Model = decltype(model);
-    std::cout << "  " << Model::info.key << std::string(10 - Model::info.key.size(), ' ') << Model::info.name << ": "
+    std::cout << "  " << Model::info.key << std::string(13 - Model::info.key.size(), ' ') << Model::info.name << ": "
               << Model::info.formula;
     for (const ParameterInfo& parameter : Model::parameters)
       std::cout << ", " << parameter.name << " in " << rounded(parameter.lower, 4) << ".."

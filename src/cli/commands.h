@@ -12,6 +12,9 @@ using Arguments = std::vector<std::string>;  // what is left of the command line
 
 int run_fit(const Arguments& arguments);
 int run_predict(const Arguments& arguments);
+int run_curve(const Arguments& arguments);
+int run_instability(const Arguments& arguments);
+int run_map(const Arguments& arguments);
 int run_check(const Arguments& arguments);
 int run_import(const Arguments& arguments);
 int run_help(const Arguments& arguments);

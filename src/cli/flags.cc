@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cli/usage_error.h"
+#include "dataset/number_text.h"
 #include "dataset/units.h"
 #include "fitting/fit.h"
 
@@ -22,6 +23,18 @@ DEFINE_string(units, "mN,mm", "force and length unit of dimensional output, and 
 DEFINE_string(x, "", "header of the column on the x axis, with its unit: \"T [mN]\"");
 DEFINE_string(y, "", "header of the column on the y axis, with its unit: \"A [mm^2]\"");
 DEFINE_string(loads, "", "normal load of each data set, in order: \"7.7,3.8 mN\"");
+
+DEFINE_int32(points, 201, "number of points, uniform in phi");
+DEFINE_string(
+    chord, "",
+    "instead of --points: as few points as keep straight lines within this fraction of the ranges of T and A");
+DEFINE_string(stiffness, "", "stiffness k of the loading apparatus; adds the folds it sees");
+DEFINE_string(tau0, "", "shear strength of the interface, dimensionless (tau0 xi/E*): sliding at T = tau0 A competes");
+DEFINE_string(load_range, "-4,40", "smallest and largest normal load of the map");
+DEFINE_string(lambda_range, "0,1", "smallest and largest lambda of the map");
+DEFINE_int32(grid, 41, "points of the map along each axis");
+DEFINE_bool(boundaries, false, "print the exact boundaries between regimes instead of the grid");
+DEFINE_string(upto, "0.5", "use points up to this fraction of the largest T of each run");
 
 DEFINE_string(radius, "", "radius of the sphere, such as \"9.42 mm\"");
 DEFINE_string(modulus, "", "plane-strain modulus E*, such as \"2.133 MPa\"");
@@ -72,6 +85,12 @@ Arguments parse_flags(const Command& command, const Arguments& words) {
     if (std::find(command.flags.begin(), command.flags.end(), name) == command.flags.end())
       throw UsageError("unknown flag '" + word.substr(0, equals) + "' (see mixity help " + std::string(command.name) +
                        ")");
+    gflags::CommandLineFlagInfo info;
+    gflags::GetCommandLineFlagInfo(name.c_str(), &info);
+    if (info.type == "bool" && equals == std::string::npos) {
+      gflags::SetCommandLineOption(name.c_str(), "true");
+      continue;
+    }
     if (equals == std::string::npos && i + 1 == words.size()) throw UsageError("flag '" + word + "' needs a value");
     const std::string value = equals == std::string::npos ? words[++i] : word.substr(equals + 1);
     if (gflags::SetCommandLineOption(name.c_str(), value.c_str()).empty())
@@ -108,6 +127,18 @@ void require_model(const std::string& flag, const std::string& key) {
   }
   throw UsageError("flag '--" + flag + "': " + (key.empty() ? "no model" : "unknown model '" + key + "'") +
                    " (known: " + known + ")");
+}
+
+void require_flags_only(const std::string& command, const Arguments& arguments) {
+  if (!arguments.empty()) throw UsageError(command + " takes flags only, not '" + arguments[0] + "'");
+}
+
+double number_from(const std::string& flag, const std::string& text, double low) {
+  const auto value = parse_number(text);
+  if (!value || !(*value >= low && *value <= 1e150))
+    throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be a number from " + shortest(low) +
+                     " to 1e150");
+  return *value;
 }
 
 std::vector<std::string> split_list(std::string_view text) {

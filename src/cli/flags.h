@@ -24,6 +24,15 @@ DECLARE_string(units);
 DECLARE_string(x);
 DECLARE_string(y);
 DECLARE_string(loads);
+DECLARE_int32(points);
+DECLARE_string(chord);
+DECLARE_string(stiffness);
+DECLARE_string(tau0);
+DECLARE_string(load_range);
+DECLARE_string(lambda_range);
+DECLARE_int32(grid);
+DECLARE_bool(boundaries);
+DECLARE_string(upto);
 
 namespace mixity::cli {
 
@@ -41,6 +50,12 @@ Overrides metadata_overrides();
 
 /// Throws UsageError, naming the flag and the known models, unless there is a model with this key.
 void require_model(const std::string& flag, const std::string& key);
+
+/// Throws UsageError if a command that takes no files was given some.
+void require_flags_only(const std::string& command, const Arguments& arguments);
+
+/// A number >= low from a flag's text; throws UsageError.
+double number_from(const std::string& flag, const std::string& text, double low);
 
 /// Comma-separated, without blanks around the items; empty items are left out.
 std::vector<std::string> split_list(std::string_view text);

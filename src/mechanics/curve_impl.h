@@ -87,7 +87,7 @@ double EquilibriumCurve<Model>::phi_of(double y) const {
 
 template <class Model>
 CurvePoint EquilibriumCurve<Model>::point(double phi) const {
-  const double half = std::sin(0.5 * phi), other = std::cos(0.5 * phi);
+  const double half = std::sin(0.5 * phi), other = phi < pi<double>() ? std::cos(0.5 * phi) : 0.0;
   // y from the nearer end of the circle: y_jkr - y = 2 S0 sin^2(phi/2), y - y_low = 2 S0 cos^2(phi/2)
   const double y = std::max(phi < 2 ? y_jkr_ - 2 * S0_ * half * half : y_low_ + 2 * S0_ * other * other, 0.0);
   const double tau = 2 * S0_ * half * other;

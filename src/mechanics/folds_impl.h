@@ -36,6 +36,8 @@ namespace folds_detail {
 
 constexpr double kFirst = -20, kLast = 42, kStep = 0.25;  // logistic coordinate: e^-42 = 6e-19 of the piece
 
+constexpr double kFar = 1e150;  // stands for T = infinity
+
 template <class F>
 double root_between(F f, double low, double high) {
   std::uintmax_t evaluations = 200;
@@ -81,7 +83,7 @@ struct Driven {
 
   /// T, u or u + T/k.
   double value(const CurvePosition& at) const {
-    const double T = curve.tangential_load(at);
+    const double T = std::min(curve.tangential_load(at), kFar);
     if (control.kind == Control::Kind::load) return T;
     const double u = 0.75 * T / radius(at);
     return control.kind == Control::Kind::displacement ? u : u + T / control.stiffness;
@@ -90,7 +92,7 @@ struct Driven {
   /// > 0 where the value grows as y falls (stable), 0 at a fold.
   double slope(const CurvePosition& at) const {
     // At the last digits before an asymptote T comes out infinite; tau^2 there is that of any large T.
-    const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), 1e150);
+    const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), kFar);
     const double d1 = Model::shear_term(curve.parameters(), at.y, T).d1;
     const double R_y = 2 * (at.y - 3 * pi<double>()) + d1;
     if (control.kind == Control::Kind::load) return R_y;
@@ -177,7 +179,8 @@ std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control contr
                                         : s.piece == place.piece && s.to <= place.coordinate;
       if (!beyond) continue;
       const CurvePiece& piece = curve.pieces()[s.piece];
-      const auto excess = [&](double v) { return driven.value(curve.position(piece, v)) - value; };
+      // in the logarithm, since towards an asymptote the value grows over all bounds
+      const auto excess = [&](double v) { return std::log(driven.value(curve.position(piece, v)) / value); };
       if (!(excess(s.from) <= 0 && excess(s.to) >= 0)) continue;
       fold.jumps_to = place.maximum ? Jump::lower_branch : Jump::upper_branch;
       fold.area_after = area_from_radius(driven.radius(curve.position(piece, root_between(excess, s.from, s.to))));

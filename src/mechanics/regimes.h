@@ -16,11 +16,11 @@ namespace mixity {
 enum class Regime { asymptote = 1, hertz = 2, jump = 3, strength = 4 };
 
 struct RegimeReport {
-  Regime fracture;                  // 1, 2 or 3: without a limit to the strength
-  Regime regime;                    // 4 if the strength is reached first, else the same
-  double T_end;                     // where 2 or 3 happens; infinite for 1
-  std::optional<Jump> jumps_to;     // for 3
-  std::optional<double> T_strength; // smallest T with T = tau0 A on the stable branch; null if none or no tau0
+  Regime fracture;                   // 1, 2 or 3: without a limit to the strength
+  Regime regime;                     // 4 if the strength is reached first, else the same
+  double T_end;                      // where 2 or 3 happens; infinite for 1
+  std::optional<Jump> jumps_to;      // for 3
+  std::optional<double> T_strength;  // smallest T with T = tau0 A on the stable branch; null if none or no tau0
 };
 
 /// For a contact that exists and a valid set of parameters. tau0 > 0 dimensionless, or null. A branch that jumps to a
@@ -41,8 +41,8 @@ inline double model_b_critical_load(double lambda) {
   return 1.5 * pi<double>() / (kc * kc);
 }
 
-/// A point of the cusp line of model a, where a fold appears on its curve. Both lambda and 1 - lambda are given: towards
-/// large P lambda is 1 to all digits.
+/// A point of the cusp line of model a, where a fold appears on its curve. Both lambda and 1 - lambda are given:
+/// towards large P lambda is 1 to all digits.
 struct CuspPoint {
   double P, lambda, one_minus_lambda;
 };

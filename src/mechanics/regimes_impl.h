@@ -36,7 +36,7 @@ inline CuspPoint model_a_jump_boundary(double P) {
   }
   // P is about 9 pi/(32 X) for small X
   const auto excess = [&](double X) { return model_a_cusp(X).P - P; };
-  CuspPoint cusp = model_a_cusp(folds_detail::root_between(excess, 0.5 / (1 + std::max(P, 0.0)), kLargestX));
+  CuspPoint cusp = model_a_cusp(folds_detail::root_between(excess, 0.25 / (1 + std::max(P, 0.0)), kLargestX));
   cusp.P = P;
   return cusp;
 }

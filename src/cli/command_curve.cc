@@ -1,0 +1,85 @@
+// mixity curve: the whole equilibrium curve at a normal load, or a(P) at a tangential load, as CSV.
+#include <cmath>
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/contact_flags.h"
+#include "cli/exit_code.h"
+#include "mechanics/constant_shear.h"
+#include "mechanics/sampling.h"
+
+namespace mixity::cli {
+namespace {
+
+/// How far curves that run to infinite T are drawn, in multiples of their natural scale.
+constexpr double kFarthest = 10;
+
+std::size_t point_count() {
+  if (FLAGS_points < 2 || FLAGS_points > 10000000) throw UsageError("flag '--points' must lie between 2 and 10000000");
+  return static_cast<std::size_t>(FLAGS_points);
+}
+
+template <class Model>
+void print_at_load(const Parameters<Model>& p, const OutputUnits& units) {
+  const Load load = load_from("load", FLAGS_load, units);
+  const LoadedContact<Model> contact(p, load.dimensionless);
+  if (!contact.obstacle().empty()) throw UsageError(std::string(contact.obstacle()));
+  if (!contact.in_contact())
+    throw UsageError("flag '--load': no contact exists below the pull-off load -3 pi/2 R G_Ic");
+
+  const EquilibriumCurve<Model> curve(p, load.dimensionless);
+  const auto ranges = drawable_ranges(curve, kFarthest * shear_scale(curve));
+  std::vector<CurvePoint> points;
+  if (is_set("chord"))
+    points = sample_adaptive(curve, ranges, number_from("chord", FLAGS_chord, 1e-9));
+  else
+    points = sample_uniform(curve, ranges, curve.uncoupled() ? 2 : point_count());
+
+  std::cout << "phi," << units.header("P", units.force) << ',' << units.header("T", units.force) << ','
+            << units.header("y", units.force) << ',' << units.header("a", units.length) << ','
+            << units.header("A", units.area()) << ',' << units.header("u", units.length) << ','
+            << units.header("psi", units.angle()) << ",f,stable\n";
+  for (const CurvePoint& q : points)
+    std::cout << shortest(q.phi) << ',' << shortest(load.shown) << ',' << shortest(q.T * units.force_scale) << ','
+              << shortest(q.y * units.force_scale) << ',' << shortest(q.a * units.length_scale) << ','
+              << shortest(q.A * units.area_scale) << ',' << shortest(q.u * units.displacement_scale) << ','
+              << shortest(q.psi) << ',' << shortest(q.f) << ',' << (q.dT >= 0 ? 1 : 0) << '\n';
+}
+
+template <class Model>
+void print_at_shear(const Parameters<Model>& p, const OutputUnits& units) {
+  const Load shear = load_from("shear", FLAGS_shear, units);
+  if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
+    throw UsageError("flag '--shear': T must lie between 0 and 1e150");
+  // From the unstable end to twice the edge load at which the load is that of Hertz a hundred times over
+  const double largest = 40 * pi<double>() + shear.dimensionless;
+  std::cout << units.header("P", units.force) << ',' << units.header("T", units.force) << ','
+            << units.header("y", units.force) << ',' << units.header("a", units.length) << ','
+            << units.header("A", units.area()) << ",stable\n";
+  const std::size_t n = point_count();
+  for (std::size_t i = 1; i <= n; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(n);
+    const ConstantShearPoint q = constant_shear_point<Model>(p, shear.dimensionless, largest * part * part);
+    std::cout << shortest(q.P * units.force_scale) << ',' << shortest(shear.shown) << ','
+              << shortest(q.y * units.force_scale) << ',' << shortest(q.a * units.length_scale) << ','
+              << shortest(area_from_radius(q.a) * units.area_scale) << ',' << (q.dP_dy > 0 ? 1 : 0) << '\n';
+  }
+}
+
+}  // namespace
+
+int run_curve(const Arguments& arguments) {
+  require_flags_only("curve", arguments);
+  require_model("model", FLAGS_model);
+  if (is_set("load") == is_set("shear"))
+    throw UsageError("curve needs either --load (A against T) or --shear (a against P)");
+  with_model(FLAGS_model, [](auto model) {
+    using Model = decltype(model);
+    const Parameters<Model> p = parameters_from_flags<Model>();
+    const OutputUnits units = output_units();
+    is_set("load") ? print_at_load<Model>(p, units) : print_at_shear<Model>(p, units);
+  });
+  return kFine;
+}
+
+}  // namespace mixity::cli

@@ -1,0 +1,90 @@
+// mixity map: what becomes of a sheared contact, over normal load and lambda.
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/contact_flags.h"
+#include "cli/exit_code.h"
+#include "mechanics/regimes.h"
+
+namespace mixity::cli {
+namespace {
+
+struct Range {
+  double low, high;
+  double at(int i) const { return i + 1 < FLAGS_grid ? low + (high - low) * i / (FLAGS_grid - 1) : high; }
+};
+
+Range range_from(const std::string& flag, const std::string& text, double lowest, double highest) {
+  const std::vector<std::string> items = split_list(text);
+  const auto low = items.size() == 2 ? parse_number(items[0]) : std::nullopt;
+  const auto high = items.size() == 2 ? parse_number(items[1]) : std::nullopt;
+  if (!low || !high || !(*low >= lowest && *low < *high && *high <= highest))
+    throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be two rising numbers from " + shortest(lowest) +
+                     " to " + shortest(highest));
+  return {*low, *high};
+}
+
+std::string finite_or_empty(double value) { return std::isfinite(value) ? shortest(value) : std::string(); }
+
+template <class Model>
+void print_grid(const Range& loads, const Range& lambdas, std::optional<double> tau0) {
+  std::cout << "P,lambda,regime,fracture,T_end,jumps_to,T_strength\n";
+  for (int i = 0; i < FLAGS_grid; ++i)
+    for (int j = 0; j < FLAGS_grid; ++j) {
+      const double P = loads.at(i), lambda = lambdas.at(j);
+      const RegimeReport report = classify<Model>({lambda}, P, tau0);
+      std::cout << shortest(P) << ',' << shortest(lambda) << ',' << static_cast<int>(report.regime) << ','
+                << static_cast<int>(report.fracture) << ',' << finite_or_empty(report.T_end) << ','
+                << (report.jumps_to ? to_string(*report.jumps_to) : "") << ','
+                << (report.T_strength ? shortest(*report.T_strength) : "") << '\n';
+    }
+}
+
+/// The lines between regimes inside the ranges, as points.
+template <class Model>
+void print_boundaries(const Range& loads, const Range& lambdas) {
+  const auto inside = [](const Range& range, double x) { return x >= range.low && x <= range.high; };
+  const auto line = [&](std::string_view name, double P, double lambda) {
+    if (inside(loads, P) && inside(lambdas, lambda))
+      std::cout << name << ',' << shortest(P) << ',' << shortest(lambda) << '\n';
+  };
+  std::cout << "boundary,P,lambda\n";
+  for (int i = 0; i < FLAGS_grid; ++i) {
+    if constexpr (std::is_same_v<Model, Johnson>)
+      line("jump", loads.at(i), model_a_jump_boundary(loads.at(i)).lambda);
+    else if constexpr (std::is_same_v<Model, WatersGuduru>)
+      line("jump", model_b_critical_load(lambdas.at(i)), lambdas.at(i));
+  }
+  // Where a jump ends off contact rather than on Hertz: no Hertz contact exists at P <= 0.
+  for (int i = 0; i < FLAGS_grid; ++i) {
+    if constexpr (std::is_same_v<Model, Johnson>) {
+      if (loads.at(i) <= 0) line("off_contact", loads.at(i), model_a_closing_lambda(loads.at(i)));
+    } else if (lambdas.at(i) > 0) {
+      line("off_contact", 0, lambdas.at(i));
+    }
+  }
+}
+
+}  // namespace
+
+int run_map(const Arguments& arguments) {
+  require_flags_only("map", arguments);
+  require_model("model", FLAGS_model);
+  if (FLAGS_grid < 2 || FLAGS_grid > 10000) throw UsageError("flag '--grid' must lie between 2 and 10000");
+  std::optional<double> tau0;
+  if (is_set("tau0")) tau0 = number_from("tau0", FLAGS_tau0, 1e-150);
+  with_model(FLAGS_model, [&](auto model) {
+    using Model = decltype(model);
+    if constexpr (parameter_count<Model> == 1) {
+      const Range loads = range_from("load_range", FLAGS_load_range, -4.71238898038469, 1e8);
+      const Range lambdas =
+          range_from("lambda_range", FLAGS_lambda_range, Model::parameters[0].lower, Model::parameters[0].upper);
+      FLAGS_boundaries ? print_boundaries<Model>(loads, lambdas) : print_grid<Model>(loads, lambdas, tau0);
+    } else {
+      throw UsageError("map is over load and lambda; model " + std::string(Model::info.key) + " has other parameters");
+    }
+  });
+  return kFine;
+}
+
+}  // namespace mixity::cli

@@ -1,0 +1,72 @@
+#include "cli/contact_flags.h"
+
+#include "cli/quantity_list.h"
+#include "dataset/metadata.h"
+
+namespace mixity::cli {
+
+OutputUnits output_units() {
+  Metadata metadata;
+  apply_overrides(metadata_overrides(), metadata);
+  const auto modulus = metadata.plane_strain_modulus();
+  const int given = metadata.radius.has_value() + modulus.has_value() + metadata.toughness.has_value();
+  if (given == 0 && is_set("units")) throw UsageError("flag '--units' needs --radius, --modulus and --toughness");
+  if (given == 0) return {};
+  if (given < 3) throw UsageError("a dimensional prediction needs all of --radius, --modulus and --toughness");
+  const std::vector<std::string> names = split_list(FLAGS_units);
+  const auto force = names.size() == 2 ? parse_unit(names[0]) : std::nullopt;
+  const auto length = names.size() == 2 ? parse_unit(names[1]) : std::nullopt;
+  if (!force || !length || force->dimension != dimension::force || length->dimension != dimension::length)
+    throw UsageError("flag '--units' is '" + FLAGS_units + "'; it must be a force and a length, such as mN,mm");
+  const Contact contact{*metadata.radius, *modulus, *metadata.toughness};
+  const double metre = 1 / length->factor;
+  return {names[0],
+          names[1],
+          contact.force_unit() / force->factor,
+          contact.length_unit() * metre,
+          contact.area_unit() * metre * metre,
+          contact.displacement_unit() * metre,
+          contact.stiffness_unit() * length->factor / force->factor,
+          *force,
+          contact};
+}
+
+std::vector<Load> loads_from(const std::string& flag, const std::string& text, const OutputUnits& units) {
+  const std::optional<Contact>& contact = units.contact;
+  std::vector<Load> loads;
+  for (Quantity quantity : quantity_list(flag, text)) {
+    const bool bare = quantity.unit.text.empty();
+    if (!contact && !bare)
+      throw UsageError("flag '--" + flag + "' has a unit; that needs --radius, --modulus and --toughness");
+    if (!contact) {
+      loads.push_back({quantity.value, quantity.value});
+      continue;
+    }
+    if (bare) quantity.unit = units.force_unit;
+    if (quantity.unit.dimension != dimension::force)
+      throw UsageError("flag '--" + flag + "' must be a force such as \"3 mN\"");
+    const bool same = quantity.unit.factor == units.force_unit.factor;
+    loads.push_back(
+        {quantity.si() / contact->force_unit(), same ? quantity.value : quantity.si() / units.force_unit.factor});
+  }
+  return loads;
+}
+
+Load load_from(const std::string& flag, const std::string& text, const OutputUnits& units) {
+  const std::vector<Load> loads = loads_from(flag, text, units);
+  if (loads.size() != 1) throw UsageError("flag '--" + flag + "' must be one number");
+  return loads[0];
+}
+
+std::map<std::string, std::string> parameter_texts() {
+  std::map<std::string, std::string> given;
+  for (const std::string& item : split_list(FLAGS_parameters)) {
+    const std::size_t equals = item.find('=');
+    if (equals == std::string::npos) throw UsageError("flag '--parameters': '" + item + "' is not NAME=NUMBER");
+    given[item.substr(0, equals)] = item.substr(equals + 1);
+  }
+  if (is_set("lambda")) given["lambda"] = FLAGS_lambda;
+  return given;
+}
+
+}  // namespace mixity::cli
