@@ -69,12 +69,13 @@ Equilibrium LoadedContact<Model>::at(double T) const {
     if (tau > S0_ * (1 + std::numeric_limits<double>::epsilon())) return {EquilibriumStatus::no_equilibrium};
     return {EquilibriumStatus::ok, centre + std::sqrt(std::max(S0_ - tau, 0.0) * (S0_ + tau))};
   } else {
-    const auto gap = [&](double y) { return S0_ * S0_ - Model::shear_term(p_, y, T).value; };
-    if (simple_top_ && gap(centre) >= 0) {
-      // R rises with y above the centre, so this root is the only one there. tau is largest at the top,
-      // which makes the start a lower bound close to the root.
-      const double room = gap(y_jkr_);
-      return solve(T, centre, y_jkr_, room > 0 ? centre + std::sqrt(room) : 0.5 * (centre + y_jkr_));
+    if (simple_top_) {
+      // tau^2 is at most small_shear T^2, which makes this start a lower bound, close to the root. R rises with y
+      // above the centre, so R <= 0 there shows that the root above is the only one.
+      const double room = S0_ * S0_ - Model::small_shear(p_) * T * T;
+      const bool certain = room >= 0;
+      if (certain || circle_residual<Model, double>(p_, P_, centre, T).value <= 0)
+        return solve(T, centre, y_jkr_, certain ? centre + std::sqrt(room) : 0.5 * (centre + y_jkr_));
     }
     for (const StableBranch& branch : branches())
       if (T <= branch.T_bottom)

@@ -23,23 +23,22 @@ struct WatersGuduru {
     return {value, {-w * sine}, {S(0.5) * w * w}};
   }
 
-  /// tau^2 = (y^2 + T^2) (cos^2(k psi) - cos^2 psi) = (y^2 + T^2) sin(h) sin(2 psi - h), where near psi = pi/2
-  /// the last sine is taken of its supplement 2 epsilon + h, epsilon = pi/2 - psi = atan(y/T).
+  /// tau^2 = (y^2 + T^2) (cos^2(k psi) - cos^2 psi) = (y^2 + T^2) sin(h) sin(2 psi - h), h = lambda psi/2, with the last
+  /// sine expanded so that y and T stand for cos psi and sin psi: nothing cancels at either end, since h <= psi.
   template <class S>
   static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {
     using std::atan, std::cos, std::sin;
     const S half = S(0.5) * p[0], k = S(1) - half;
-    const S square = y * y + T * T;
-    const Mixity<S> mixity = mixity_from_loads(y, T);
-    const bool open = T <= y;
-    const S epsilon = open ? S(0) : S(atan(y / T));
-    const S psi = open ? S(atan(T / y)) : S(S(0.5) * pi<S>() - epsilon);
-    const S second = open ? S(sin((S(2) - half) * psi)) : S(sin(S(2) * epsilon + half * psi));
-    const S sine = sin(k * psi), cosine = mixity.cos * cos(half * psi) + mixity.sin * sin(half * psi);
-    const S value = square * sin(half * psi) * second;
-    const S d1 = S(2) * sine * (k * T * cosine - y * sine);
-    const S d2 = S(-2) * sine * sine +
-                 S(2) * k * (T / square) * (S(2) * y * sine * cosine - k * T * (cosine - sine) * (cosine + sine));
+    const S psi = T <= y ? S(atan(T / y)) : S(S(0.5) * pi<S>() - atan(y / T));
+    const S h = half * psi, sin_h = sin(h), cos_h = cos(h);
+    const S value = sin_h * (S(2) * y * T * cos_h + (T - y) * (T + y) * sin_h);
+    // |K| sin(k psi) and |K| cos(k psi)
+    const S opposite = T * cos_h - y * sin_h, adjacent = y * cos_h + T * sin_h;
+    const S inverse = S(1) / (y * y + T * T), kT = k * T;
+    const S d1 = S(2) * opposite * (kT * adjacent - y * opposite) * inverse;
+    const S d2 = S(2) * inverse *
+                 (kT * (S(2) * y * opposite * adjacent - kT * (adjacent - opposite) * (adjacent + opposite)) * inverse -
+                  opposite * opposite);
     return {value, d1, d2};
   }
 

@@ -1,0 +1,56 @@
+// mixity sahli: A = A0 - alpha T^2 for each loading run, and alpha against A0.
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/contact_flags.h"
+#include "cli/exit_code.h"
+#include "dataset/input_error.h"
+#include "fitting/fit.h"
+#include "fitting/sahli.h"
+#include "report/sahli_text.h"
+
+namespace mixity::cli {
+namespace {
+
+/// Parameters for the prediction: from the flags if given, else from a fit of the model to the data.
+std::vector<double> prediction_parameters(const Dataset& data, const std::string& model, std::string& described) {
+  std::vector<double> values;
+  if (is_set("lambda") || is_set("parameters")) {
+    with_model(model, [&](auto chosen) {
+      const auto p = parameters_from_flags<decltype(chosen)>();
+      values.assign(p.begin(), p.end());
+    });
+    described = "model " + model + " with the given parameters";
+    return values;
+  }
+  const FitResult fit = fit_toughness(data, model);
+  for (const FittedParameter& parameter : fit.parameters) {
+    if (!parameter.value) return {};
+    values.push_back(*parameter.value);
+    described += (described.empty() ? "" : ", ") + parameter.name + " = " + rounded(*parameter.value, 5);
+  }
+  described =
+      "model " + model + " fitted to these data: " + described + " (" + std::string(to_string(fit.status)) + ")";
+  return values;
+}
+
+}  // namespace
+
+int run_sahli(const Arguments& arguments) {
+  if (arguments.size() != 1) throw UsageError("sahli needs one data CSV (see mixity help sahli)");
+  if (FLAGS_format != "text" && FLAGS_format != "csv")
+    throw UsageError("flag '--format' is '" + FLAGS_format + "'; it must be text or csv");
+  const double upto = number_from("upto", FLAGS_upto, 0);
+  if (!(upto > 0 && upto <= 1)) throw UsageError("flag '--upto' must lie between 0 and 1");
+  const std::string model = FLAGS_model.empty() ? "c" : FLAGS_model;
+  require_model("model", model);
+  const Dataset data = load_dataset(arguments[0], metadata_overrides());
+  if (!data.has_loads) throw InputError(data.path, "holds (psi, Gc) points; A = A0 - alpha T^2 needs P, T and A");
+  std::string described;
+  const std::vector<double> parameters = prediction_parameters(data, model, described);
+  const SahliResult result = fit_sahli(data, upto, parameters.empty() ? "" : model, parameters);
+  std::cout << (FLAGS_format == "csv" ? sahli_csv(data, result) : sahli_text(data, result, described));
+  return kFine;
+}
+
+}  // namespace mixity::cli

@@ -1,0 +1,92 @@
+#include "fitting/sahli.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/limits.h"
+
+namespace mixity {
+namespace {
+
+/// y = intercept + slope x by least squares.
+struct Line {
+  double intercept, slope;
+  std::optional<double> intercept_stderr, slope_stderr;  // null with fewer than three points
+};
+
+/// Null if all x are equal.
+std::optional<Line> fit_line(const std::vector<double>& x, const std::vector<double>& y) {
+  const double n = static_cast<double>(x.size());
+  double mean_x = 0, mean_y = 0, sxx = 0, sxy = 0, squares = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += x[i] / n;
+    mean_y += y[i] / n;
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sxx += (x[i] - mean_x) * (x[i] - mean_x);
+    sxy += (x[i] - mean_x) * (y[i] - mean_y);
+  }
+  if (!(sxx > 0)) return std::nullopt;
+  Line line{0, sxy / sxx, {}, {}};
+  line.intercept = mean_y - line.slope * mean_x;
+  if (x.size() < 3) return line;
+  for (std::size_t i = 0; i < x.size(); ++i) squares += std::pow(y[i] - line.intercept - line.slope * x[i], 2);
+  const double variance = squares / (n - 2);
+  line.slope_stderr = std::sqrt(variance / sxx);
+  line.intercept_stderr = std::sqrt(variance * (1 / n + mean_x * mean_x / sxx));
+  return line;
+}
+
+std::optional<PowerLaw> fit_power_law(const std::vector<SahliRun>& runs, bool predicted) {
+  std::vector<double> x, y;
+  for (const SahliRun& run : runs) {
+    const double alpha = predicted ? run.alpha_predicted.value_or(0) : run.alpha;
+    if (!(alpha > 0 && run.A0 > 0)) continue;
+    x.push_back(std::log(run.A0));
+    y.push_back(std::log(alpha));
+  }
+  const auto line = fit_line(x, y);
+  if (!line) return std::nullopt;
+  return PowerLaw{std::exp(line->intercept), line->slope, line->slope_stderr};
+}
+
+std::optional<double> predicted_alpha(std::string_view model, const std::vector<double>& values, double A0) {
+  std::optional<double> alpha;
+  with_model(model, [&](auto chosen) {
+    using Model = decltype(chosen);
+    Parameters<Model> p{};
+    std::copy_n(values.begin(), p.size(), p.begin());
+    alpha = shear_sensitivity_at_area<Model>(p, A0);
+  });
+  return alpha;
+}
+
+}  // namespace
+
+SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model, const std::vector<double>& parameters) {
+  SahliResult result;
+  for (std::size_t c = 0; c < data.curves.size(); ++c) {
+    double largest = 0;
+    for (const Point& point : data.points)
+      if (point.curve == c) largest = std::max(largest, point.T);
+    std::vector<double> squares, areas;
+    for (const Point& point : data.points)
+      if (point.curve == c && point.T <= upto * largest) {
+        squares.push_back(point.T * point.T);
+        areas.push_back(point.A);
+      }
+    const auto line = fit_line(squares, areas);
+    if (!line) {
+      result.skipped.push_back(data.curves[c]);
+      continue;
+    }
+    result.runs.push_back({data.curves[c], data.curve_loads[c], squares.size(), line->intercept, -line->slope,
+                           line->intercept_stderr, line->slope_stderr,
+                           predicted_alpha(model, parameters, line->intercept)});
+  }
+  result.power_law = fit_power_law(result.runs, false);
+  result.predicted_power_law = fit_power_law(result.runs, true);
+  return result;
+}
+
+}  // namespace mixity

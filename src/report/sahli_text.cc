@@ -1,0 +1,74 @@
+#include "report/sahli_text.h"
+
+#include <iomanip>
+#include <sstream>
+
+#include "dataset/csv.h"
+#include "dataset/number_text.h"
+
+namespace mixity {
+namespace {
+
+double alpha_scale(const DisplayUnits& units) { return units.area_scale / (units.force_scale * units.force_scale); }
+
+std::string alpha_unit(const DisplayUnits& units) {
+  return units.area.empty() ? "" : units.area + "/" + units.force + "^2";
+}
+
+std::string bracketed(const std::string& unit) { return unit.empty() ? "" : " [" + unit + "]"; }
+
+std::string with_error(double value, const std::optional<double>& error, double scale) {
+  return rounded(value * scale, 5) + (error ? " +/- " + rounded(*error * scale, 2) : "");
+}
+
+void write_power_law(std::ostringstream& out, std::string_view what, const std::optional<PowerLaw>& law) {
+  if (!law) return;
+  out << "    " << std::left << std::setw(11) << what << "alpha ~ A0^(" << rounded(law->exponent, 4);
+  if (law->exponent_stderr) out << " +/- " << rounded(*law->exponent_stderr, 2);
+  out << ")\n";
+}
+
+}  // namespace
+
+std::string sahli_text(const Dataset& data, const SahliResult& result, const std::string& predicted_by) {
+  const DisplayUnits& units = data.display;
+  std::ostringstream out;
+  out << "[[Data]]\n    " << data.name << "  (" << data.path << ")\n";
+  if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
+  out << "[[A = A0 - alpha T^2]]  P" << bracketed(units.force) << ", A0" << bracketed(units.area) << ", alpha"
+      << bracketed(alpha_unit(units)) << '\n'
+      << "    run             P         points  A0                      alpha                     predicted\n";
+  for (const SahliRun& run : result.runs)
+    out << "    " << std::left << std::setw(15) << run.curve << ' ' << std::setw(9)
+        << rounded(run.P * units.force_scale, 5) << ' ' << std::setw(7) << run.points << ' ' << std::setw(23)
+        << with_error(run.A0, run.A0_stderr, units.area_scale) << ' ' << std::setw(25)
+        << with_error(run.alpha, run.alpha_stderr, alpha_scale(units)) << ' '
+        << (run.alpha_predicted ? rounded(*run.alpha_predicted * alpha_scale(units), 5) : "-") << '\n';
+  for (const std::string& name : result.skipped) out << "    " << name << ": all T are equal, no parabola\n";
+  out << "[[Power law]]\n";
+  write_power_law(out, "measured", result.power_law);
+  write_power_law(out, "predicted", result.predicted_power_law);
+  out << "    large A0   alpha ~ A0^(-5/4) in every model\n";
+  if (!predicted_by.empty()) out << "    predicted by " << predicted_by << '\n';
+  return out.str();
+}
+
+std::string sahli_csv(const Dataset& data, const SahliResult& result) {
+  const DisplayUnits& units = data.display;
+  const auto number = [](const std::optional<double>& value, double scale) {
+    return value ? shortest(*value * scale) : std::string();
+  };
+  std::ostringstream out;
+  const std::string area = bracketed(units.area), alpha = bracketed(alpha_unit(units));
+  out << "provenance,curve,P" << bracketed(units.force) << ",points,A0" << area << ",A0_stderr" << area << ",alpha"
+      << alpha << ",alpha_stderr" << alpha << ",alpha_predicted" << alpha << '\n';
+  for (const SahliRun& run : result.runs)
+    out << to_string(data.metadata.provenance) << ',' << csv_field(run.curve) << ','
+        << shortest(run.P * units.force_scale) << ',' << run.points << ',' << shortest(run.A0 * units.area_scale) << ','
+        << number(run.A0_stderr, units.area_scale) << ',' << shortest(run.alpha * alpha_scale(units)) << ','
+        << number(run.alpha_stderr, alpha_scale(units)) << ',' << number(run.alpha_predicted, alpha_scale(units))
+        << '\n';
+  return out.str();
+}
+
+}  // namespace mixity
