@@ -17,10 +17,10 @@
 
 namespace mixity {
 
-/// A place on the curve: the edge load, and how far it lies from the two ends of its piece. Both distances are kept,
-/// since neither follows from y near the other end without losing digits.
+/// A place on the curve: the edge load and cos^2(phi/2), sin^2(phi/2), each to full relative accuracy, since none
+/// follows from another without losing digits somewhere (near pull-off, near the ends).
 struct CurvePosition {
-  double y, above_end, below_top;
+  double y, cos2, sin2;
 };
 
 enum class CurveEnd { hertz, asymptote, unstable_jkr };
@@ -28,7 +28,8 @@ enum class CurveEnd { hertz, asymptote, unstable_jkr };
 /// A connected piece of the curve, from its top (largest y) down to y_end. Only a model with an asymptote at P < 0 has
 /// two: the contact cannot pass from one to the other.
 struct CurvePiece {
-  double y_top, y_end;
+  double y_top, y_end, width;  // width = y_top - y_end, also where that difference would cancel
+  double sin2_top, cos2_end;   // sin^2(phi/2) at the top, cos^2(phi/2) at the end
   CurveEnd end;
   bool from_asymptote;  // T -> infinity at the top, too
 };
@@ -62,11 +63,18 @@ class EquilibriumCurve {
   bool uncoupled() const { return pieces_.empty(); }
   const std::vector<CurvePiece>& pieces() const { return pieces_; }
 
+  /// The place with y = 3 pi + offset.
+  CurvePosition position_at_offset(double offset) const;
+  /// Its logistic coordinate on a piece.
+  double coordinate(const CurvePiece& piece, const CurvePosition& at) const;
+
   /// Place on a piece from the logistic coordinate v: (y - y_end)/(y_top - y) = exp(-v), so that uniform steps in v
   /// resolve both ends.
   CurvePosition position(const CurvePiece& piece, double v) const;
 
-  double tau_squared(const CurvePosition& at) const;
+  double tau_squared(const CurvePosition& at) const { return 4 * S0_ * S0_ * at.sin2 * at.cos2; }
+  /// y - 3 pi = S0 cos phi.
+  double offset(const CurvePosition& at) const { return S0_ * (at.cos2 - at.sin2); }
   double tangential_load(const CurvePosition& at) const {
     return mixity::tangential_load<Model>(p_, at.y, std::sqrt(tau_squared(at)));
   }

@@ -5,10 +5,11 @@
 
 namespace mixity {
 
+inline constexpr double kFar = 1e150;  // stands for T = infinity
+
 template <class Model>
 bool asymptotic_edge_loads(const Parameters<Model>& p, double P, double& upper, double& lower) {
   // g - 1 = tau^2/y^2 at psi -> pi/2; unbounded if tau^2/T^2 stays finite at y = 0
-  constexpr double kFar = 1e150;
   if (!(Model::shear_term(p, 1.0, kFar).value < 1e100)) return false;
   const double g = 1 + Model::shear_term(p, 1.0, kFar).value, centre = 3 * pi<double>();
   const double square = centre * centre + 2 * centre * P * g;
@@ -24,24 +25,34 @@ double tangential_load(const Parameters<Model>& p, double y, double tau) {
   if constexpr (requires { Model::tangential_load(p, y, tau); }) {
     return Model::tangential_load(p, y, tau);
   } else {
-    // ln tau as a function of ln T has a slope of order one throughout: Newton on it, kept between bounds.
+    const double w = Model::small_shear(p);
+    double T = tau / (w > 0 && std::isfinite(w) ? std::sqrt(w) : 1.0);
+    // tau bends little as a function of T: Newton on it ends in a few steps.
+    for (int i = 0; i < 12; ++i) {
+      const ShearTerm<double> term = Model::shear_term(p, y, T);
+      const double root = std::sqrt(term.value), step = (tau - root) * T * root / (term.value - 0.5 * y * term.d1);
+      T += step;
+      if (!(T > 0 && T < 1e300)) break;
+      if (std::abs(step) <= 4e-16 * T) return T;
+    }
+    // Where it does not: ln tau as a function of ln T has a slope of order one throughout, kept between bounds.
     const double target = std::log(tau);
-    double low = -700, high = 700, x = target - 0.5 * std::log(Model::small_shear(p));
-    for (int i = 0; i < 100; ++i) {
+    double low = -700, high = 700, x = target;
+    for (int i = 0; i < 100 && high - low > 1e-15 * std::abs(high); ++i) {
       x = x > low && x < high ? x : 0.5 * (low + high);
       const ShearTerm<double> term = Model::shear_term(p, y, std::exp(x));
       const double error = 0.5 * std::log(term.value) - target;
       (error > 0 ? high : low) = x;
       const double step = -error * term.value / (term.value - 0.5 * y * term.d1);
       x += step;
-      if (std::abs(step) <= 1e-9 || high - low < 1e-15 * std::abs(high)) break;
+      if (std::abs(step) <= 1e-9) break;
     }
     // The last digits in T itself: ln T of a large T has lost some.
-    double T = std::exp(x);
+    T = std::exp(x);
     for (int i = 0; i < 2; ++i) {
       const ShearTerm<double> term = Model::shear_term(p, y, T);
       const double root = std::sqrt(term.value);
-      T -= (root - tau) * T * root / (term.value - 0.5 * y * term.d1);
+      T += (tau - root) * T * root / (term.value - 0.5 * y * term.d1);
     }
     return T;
   }
@@ -52,31 +63,43 @@ EquilibriumCurve<Model>::EquilibriumCurve(const Parameters<Model>& parameters, d
     : p_(parameters), P_(P), S0_(circle_radius(P)), y_jkr_(3 * pi<double>() + S0_) {
   const double centre = 3 * pi<double>();
   y_low_ = -2 * centre * P_ / (centre + S0_);
-  if (!(Model::small_shear(p_) > 0)) return;
+  if (!(Model::shear_term(p_, 1.0, 1.0).value > 0)) return;
+  const double across = 2 * S0_;
   const CurveEnd natural = P_ > 0 ? CurveEnd::hertz : CurveEnd::unstable_jkr;
-  const double bottom = std::max(y_low_, 0.0);
   double upper = 0, lower = 0;
   if (!asymptotic_edge_loads<Model>(p_, P_, upper, lower)) {
-    pieces_.push_back({y_jkr_, bottom, natural, false});
+    if (P_ > 0)
+      pieces_.push_back({y_jkr_, 0, y_jkr_, 0, -y_low_ / across, natural, false});
+    else
+      pieces_.push_back({y_jkr_, y_low_, across, 0, 0, natural, false});
     return;
   }
-  pieces_.push_back({y_jkr_, upper, CurveEnd::asymptote, false});
-  if (P_ < 0) pieces_.push_back({lower, y_low_, CurveEnd::unstable_jkr, true});
+  // Where an asymptote lies close to an end of the circle their difference follows from that of y^2 = 6 pi (y + P) and
+  // y^2 g = 6 pi (y + P).
+  const double excess = Model::shear_term(p_, 1.0, kFar).value;  // g - 1
+  const bool near_top = upper > 0.5 * y_jkr_, near_low = lower < 2 * y_low_;
+  const double width = near_top ? excess * upper * upper / (S0_ + upper - centre) : y_jkr_ - upper;
+  pieces_.push_back({y_jkr_, upper, width, 0, (upper - y_low_) / across, CurveEnd::asymptote, false});
+  if (P_ >= 0) return;
+  const double rest = near_low ? excess * lower * lower / (S0_ + centre - lower) : lower - y_low_;
+  pieces_.push_back({lower, y_low_, rest, (y_jkr_ - lower) / across, 0, CurveEnd::unstable_jkr, true});
 }
 
 template <class Model>
 CurvePosition EquilibriumCurve<Model>::position(const CurvePiece& piece, double v) const {
-  const double width = piece.y_top - piece.y_end;
-  const double above = width / (1 + std::exp(v)), below = width / (1 + std::exp(-v));
-  return {v > 0 ? piece.y_end + above : piece.y_top - below, above, below};
+  const double above = piece.width / (1 + std::exp(v)), below = piece.width / (1 + std::exp(-v));
+  return {v > 0 ? piece.y_end + above : piece.y_top - below, piece.cos2_end + above / (2 * S0_),
+          piece.sin2_top + below / (2 * S0_)};
 }
 
-/// tau^2 = (y_jkr - y)(y - y_low).
 template <class Model>
-double EquilibriumCurve<Model>::tau_squared(const CurvePosition& at) const {
-  const double from_top = at.y + at.below_top == y_jkr_ ? at.below_top : y_jkr_ - at.y;
-  const double from_low = at.y - at.above_end == y_low_ ? at.above_end : at.y - y_low_;
-  return from_top * from_low;
+CurvePosition EquilibriumCurve<Model>::position_at_offset(double offset) const {
+  return {3 * pi<double>() + offset, 0.5 * (1 + offset / S0_), 0.5 * (1 - offset / S0_)};
+}
+
+template <class Model>
+double EquilibriumCurve<Model>::coordinate(const CurvePiece& piece, const CurvePosition& at) const {
+  return std::log((at.sin2 - piece.sin2_top) / (at.cos2 - piece.cos2_end));
 }
 
 template <class Model>
@@ -113,7 +136,9 @@ CurvePoint EquilibriumCurve<Model>::point(double phi) const {
     const ShearTerm<double> term = Model::shear_term(p_, y, T);
     q.dT = T * tau * (2 * (y - 3 * pi<double>()) + term.d1) / (2 * term.value - y * term.d1);
   } else {
-    q.dT = (y - 3 * pi<double>()) / std::sqrt(Model::small_shear(p_));
+    // bk has an infinite slope there for eta = 1, r = 2, and none for eta < 1: the largest double stands for it
+    const double w = Model::small_shear(p_);
+    q.dT = w > 0 ? S0_ * (phi < 2 ? 1 : -1) / std::sqrt(w) : std::numeric_limits<double>::max();
   }
   q.da = q.dy / (4 * a * a);
   q.dA = 2 * pi<double>() * a * q.da;

@@ -34,8 +34,10 @@ Equilibrium LoadedContact<Model>::solve(double T, double low, double high, doubl
   int iterations = 0;
   for (; iterations < 200 && high - low > eps * high; ++iterations) {
     const ShearTerm<double> R = circle_residual<Model, double>(p_, P_, y, T);
-    const double v = y - 3 * pi<double>();
-    const double rounding = 0.5 * eps * (S0_ * S0_ + 2 * std::abs(v) * y);  // what R is known to
+    // What R is known to, in the form that circle_residual takes at this y.
+    const double size =
+        y > 4 ? S0_ * S0_ + 2 * std::abs(y - 3 * pi<double>()) * y : 6 * pi<double>() * (y + std::abs(P_));
+    const double rounding = 0.5 * eps * size;
     if (std::abs(R.value) <= rounding) break;
     (R.value > 0 ? high : low) = y;
     // Within rounding of a fold the discriminant may come out negative: the vertex is then the root.

@@ -36,8 +36,6 @@ namespace folds_detail {
 
 constexpr double kFirst = -20, kLast = 42, kStep = 0.25;  // logistic coordinate: e^-42 = 6e-19 of the piece
 
-constexpr double kFar = 1e150;  // stands for T = infinity
-
 template <class F>
 double root_between(F f, double low, double high) {
   std::uintmax_t evaluations = 200;
@@ -45,6 +43,9 @@ double root_between(F f, double low, double high) {
       boost::math::tools::toms748_solve(f, low, high, boost::math::tools::eps_tolerance<double>(52), evaluations);
   return 0.5 * (bracket.first + bracket.second);
 }
+
+/// A pair of folds shallower than this cannot be told from none: the contact does not jump by more than rounding.
+constexpr double kRounding = 2e-15;
 
 /// Coordinates of the sign changes of f on [kFirst, kLast], in order.
 template <class F>
@@ -61,7 +62,7 @@ std::vector<double> sign_changes(F f) {
     } else if (has_before && sign * before > sign * here && sign * next > sign * here) {
       const auto dip =
           boost::math::tools::brent_find_minima([&](double x) { return sign * f(x); }, v - kStep, v + kStep, 50);
-      if (dip.second < 0) {
+      if (dip.second < -kRounding) {
         roots.push_back(root_between(f, v - kStep, dip.first));
         roots.push_back(root_between(f, dip.first, v + kStep));
       }
@@ -89,20 +90,19 @@ struct Driven {
     return control.kind == Control::Kind::displacement ? u : u + T / control.stiffness;
   }
 
-  /// > 0 where the value grows as y falls (stable), 0 at a fold.
+  /// > 0 where the value grows as y falls (stable), 0 at a fold. Relative to the size of its terms, so that what is
+  /// within a few eps of 0 is 0 as far as doubles can tell.
   double slope(const CurvePosition& at) const {
     // At the last digits before an asymptote T comes out infinite; tau^2 there is that of any large T.
     const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), kFar);
     const double d1 = Model::shear_term(curve.parameters(), at.y, T).d1;
-    const double R_y = 2 * (at.y - 3 * pi<double>()) + d1;
-    if (control.kind == Control::Kind::load) return R_y;
+    const double twice = 2 * curve.offset(at), R_y = twice + d1, size = std::abs(twice) + std::abs(d1);
+    if (control.kind == Control::Kind::load) return size > 0 ? R_y / size : 0;
     const double w = control.kind == Control::Kind::displacement ? 3 : 3 + 4 * radius(at) / control.stiffness;
-    return R_y * w * (at.y + curve.load()) + 2 * tau2 - at.y * d1;
+    const double load = w * (at.y + curve.load());
+    return (R_y * load + 2 * tau2 - at.y * d1) / (size * load + 2 * tau2 + std::abs(at.y * d1));
   }
 };
-
-/// The position of a given edge load inside a piece.
-inline CurvePosition at_edge_load(const CurvePiece& piece, double y) { return {y, y - piece.y_end, piece.y_top - y}; }
 
 /// Part of a piece on which the contact is stable, in logistic coordinates.
 struct Stretch {
@@ -136,12 +136,12 @@ std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Contro
   const Driven<Model> driven{curve, control};
   for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
     const CurvePiece& piece = curve.pieces()[i];
-    if constexpr (requires { Model::fold_edge_load(curve.parameters(), 0.0, true); }) {
+    if constexpr (requires { Model::fold_offset(curve.parameters(), 0.0, true); }) {
       if (control.kind != Control::Kind::stiffness) {
         const bool displacement = control.kind == Control::Kind::displacement;
         const CurvePosition at =
-            at_edge_load(piece, Model::fold_edge_load(curve.parameters(), curve.load(), displacement));
-        folds.push_back({i, std::log(at.below_top / at.above_end), at, true});
+            curve.position_at_offset(Model::fold_offset(curve.parameters(), curve.load(), displacement));
+        folds.push_back({i, curve.coordinate(piece, at), at, true});
         continue;
       }
     }

@@ -5,9 +5,9 @@
 //   info                                key on the command line, name, published formula
 //   log_toughness(p, mixity)            ln f and its first and second derivatives in the parameters
 //   shear_term(p, y, T)                 tau^2 = y^2 (g - 1) of the equilibrium circle and its derivatives in y
-//   small_shear(p)                      lim tau^2/T^2 at T -> 0; 0 if shear does not act on the area at all
+//   small_shear(p)                      lim tau^2/T^2 at T -> 0 (may be 0 or infinite)
 //   tangential_load(p, y, tau)          optional: T of a state (y, tau) where that is a closed form
-//   fold_edge_load(p, P, displacement)  optional: where the curve folds, if that is a closed form
+//   fold_offset(p, P, displacement)     optional: y - 3 pi where the curve folds, if that is a closed form
 //   shear_on_circle(p, T)               only if tau does not depend on y: makes the equilibrium a closed form
 //   tau_grows_with_edge_load(p)         true if d(tau^2)/dy >= 0 at fixed T for these parameters
 //   equilibrium_domain(p)               empty, or the reason why these parameters define no unique equilibrium

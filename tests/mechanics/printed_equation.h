@@ -12,21 +12,26 @@ namespace mixity::truth {
 using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>>;
 inline const Digits50 kPi = boost::math::constants::pi<Digits50>();
 
+/// Where psi lies within 1e-30 of pi/2 an angle in 50 digits is not enough.
+using Digits700 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<700>>;
+
 /// f(psi) as printed. parameters: {lambda} for a, b, c; {r, eta} for bk.
-inline Digits50 printed_toughness(std::string_view model, const Digits50& p0, const Digits50& p1, const Digits50& y,
-                                  const Digits50& T) {
-  const Digits50 psi = atan2(T, y);
+template <class Number>
+Number printed_toughness(std::string_view model, const Number& p0, const Number& p1, const Number& y, const Number& T) {
+  const Number psi = atan2(T, y);
   if (model == "a") return 1 + (1 - p0) * pow(T / y, 2);
   if (model == "b") return 1 + pow(tan((1 - p0 / 2) * psi), 2);
-  const Digits50 B = pow(sin(psi), 2);
+  const Number B = pow(sin(psi), 2);
   if (model == "c") return 1 / (1 + (p0 - 1) * B);
-  return B == 0 ? Digits50(1) : Digits50(1 + (p0 - 1) * pow(B, p1));
+  return B == 0 ? Number(1) : Number(1 + (p0 - 1) * pow(B, p1));
 }
 
 /// y^2 + T^2 - 8 pi a^3 f, divided by f: > 0 at the JKR edge load when T > 0.
-inline Digits50 printed_residual(std::string_view model, const Digits50& p0, const Digits50& p1, const Digits50& P,
-                                 const Digits50& y, const Digits50& T) {
-  return (y * y + T * T) / printed_toughness(model, p0, p1, y, T) - 6 * kPi * (y + P);
+template <class Number>
+Number printed_residual(std::string_view model, const Number& p0, const Number& p1, const Number& P, const Number& y,
+                        const Number& T) {
+  const Number pi_ = boost::math::constants::pi<Number>();
+  return (y * y + T * T) / printed_toughness<Number>(model, p0, p1, y, T) - 6 * pi_ * (y + P);
 }
 
 inline Digits50 jkr_edge_load(const Digits50& P) { return 3 * kPi + sqrt(9 * kPi * kPi + 6 * kPi * P); }
@@ -37,7 +42,7 @@ inline Digits50 printed_area(std::string_view model, const Digits50& p0, const D
                              const Digits50& T, Digits50 low, Digits50 high) {
   for (int i = 0; i < 70; ++i) {
     const Digits50 middle = (low + high) / 2;
-    (printed_residual(model, p0, p1, P, middle, T) > 0 ? high : low) = middle;
+    (printed_residual<Digits50>(model, p0, p1, P, middle, T) > 0 ? high : low) = middle;
   }
   const Digits50 a = cbrt(Digits50(Digits50(3) / 4 * ((low + high) / 2 + P)));
   return kPi * a * a;

@@ -12,33 +12,48 @@ struct BenzeggaghKenane {
   static constexpr ModelInfo info{"bk", "Benzeggagh-Kenane 1996", "f = 1 + (r-1) B^eta, B = sin^2(psi)"};
   static constexpr std::array<ParameterInfo, 2> parameters{{{"r", 1e-3, 1e3, 2}, {"eta", 1e-2, 1e2, 2}}};
 
+  /// B^eta and what it is made of, for B > 0. ln B comes from cos psi where B is near 1, and 1 - B^eta from ln B, so
+  /// that neither the exponent nor a small r magnifies a rounding.
+  template <class S>
+  struct Power {
+    S log_B, reduced, value, f;  // reduced = B^(eta-1), value = B^eta, f = (1 - B^eta) + r B^eta
+    Power(const std::array<S, 2>& p, const Mixity<S>& mixity) {
+      using std::exp, std::expm1, std::log, std::log1p;
+      const S B = mixity.sin * mixity.sin;
+      log_B = B < S(0.5) ? S(log(B)) : S(log1p(-mixity.cos * mixity.cos));
+      reduced = exp((p[1] - S(1)) * log_B);
+      value = reduced * B;
+      f = p[0] * value - expm1(p[1] * log_B);
+    }
+  };
+
   /// Finite for every psi.
   template <class S>
   static Differentiated<S, 2> log_toughness(const std::array<S, 2>& p, const Mixity<S>& mixity) {
-    using std::log, std::log1p, std::pow;
-    const S& eta = p[1];
-    const S B = mixity.sin * mixity.sin;
-    if (!(B > S(0))) return {S(0), {S(0), S(0)}, {S(0), S(0), S(0), S(0)}};
-    const S power = pow(B, eta), q = (p[0] - S(1)) * power;
-    // sin loses the digits of 1 - B near psi = pi/2, cos keeps them
-    const S log_B = B < S(0.5) ? S(log(B)) : S(log1p(-mixity.cos * mixity.cos));
-    const S u = power / (S(1) + q), v = q * log_B / (S(1) + q);
-    const S cross = u * log_B / (S(1) + q);
-    return {log1p(q), {u, v}, {-u * u, cross, cross, v * log_B / (S(1) + q)}};
+    using std::log, std::log1p;
+    if (!(mixity.sin > S(0))) return {S(0), {S(0), S(0)}, {S(0), S(0), S(0), S(0)}};
+    const Power<S> power(p, mixity);
+    const S q = (p[0] - S(1)) * power.value;
+    const S u = power.value / power.f, v = q * power.log_B / power.f;
+    const S cross = u * power.log_B / power.f;
+    const S value = power.f < S(0.5) ? S(log(power.f)) : S(log1p(q));
+    return {value, {u, v}, {-u * u, cross, cross, v * power.log_B / power.f}};
   }
 
-  /// tau^2 = (y^2 + T^2)/f - y^2 = T^2 (1 - (f - 1) y^2/T^2)/f, with (f - 1) y^2/T^2 = (r - 1) B^(eta-1) (1 - B).
+  /// tau^2 = (y^2 + T^2)/f - y^2 = T^2 (1 - (f - 1) y^2/T^2)/f, with (f - 1) y^2/T^2 = (r - 1) B^(eta-1) (1 - B), whose
+  /// difference from 1 is taken as (1 - (r - 1) B^(eta-1)) + (r - 1) B^eta for the sake of eta = 1, r = 2.
   template <class S>
   static ShearTerm<S> shear_term(const std::array<S, 2>& p, const S& y, const S& T) {
-    using std::pow;
     if (!(T > S(0))) return {S(0), S(0), S(0)};
     const S& eta = p[1];
     const Mixity<S> mixity = mixity_from_loads(y, T);
     const S B = mixity.sin * mixity.sin, C = mixity.cos * mixity.cos;
-    const S reduced = (p[0] - S(1)) * pow(B, eta - S(1));
-    const S q = reduced * B, f = S(1) + q;
+    if (!(B > S(0))) return {S(0), S(0), S(0)};  // B underflows: shear does not act yet
+    const Power<S> power(p, mixity);
+    const S& f = power.f;
+    const S q = (p[0] - S(1)) * power.value;
     const S g = q * (eta - f) / (f * f);
-    return {T * T * (S(1) - reduced * C) / f, S(2) * y * g,
+    return {T * T * ((S(1) - (p[0] - S(1)) * power.reduced) + q) / f, S(2) * y * g,
             S(2) * g - S(4) * eta * q * C * ((eta - S(1)) - (eta + S(1)) * q) / (f * f * f)};
   }
 

@@ -42,14 +42,14 @@ struct PapangeloCiavarella {
 
   static double small_shear(const std::array<double, 1>& p) { return p[0]; }
 
-  /// Edge load of the only fold. Load control: the top of the circle, y = 3 pi. Displacement control: the upper root
-  /// of 2 y^2 + 3 (P - pi) y - 3 pi P = 0, which is du = 0 on the circle.
-  static double fold_edge_load(const std::array<double, 1>&, double P, bool displacement) {
-    const double pi_ = pi<double>();
-    if (!displacement) return 3 * pi_;
-    const double b = 3 * (pi_ - P), root = std::sqrt(3 * (3 * pi_ * pi_ + 2 * pi_ * P + 3 * P * P));
-    return b > 0 ? 0.25 * (b + root) : 6 * pi_ * P / (root - b);
+  /// Where the only fold lies, as y - 3 pi. Load control: the top of the circle, 0. Displacement control: du = 0 on the
+  /// circle is 2 v^2 + 3 (3 pi + P) v + S0^2 = 0 for v = y - 3 pi, whose upper root it is.
+  static double fold_offset(const std::array<double, 1>&, double P, bool displacement) {
+    if (!displacement) return 0;
+    const double square = 6 * pi<double>() * above_pull_off(P), b = 3 * (3 * pi<double>() + P);
+    return -2 * square / (b + std::sqrt(b * b - 8 * square));
   }
+
   static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
   static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
 };

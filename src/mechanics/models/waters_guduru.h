@@ -23,22 +23,19 @@ struct WatersGuduru {
     return {value, {-w * sine}, {S(0.5) * w * w}};
   }
 
-  /// tau^2 = (y^2 + T^2) (cos^2(k psi) - cos^2 psi) = (y^2 + T^2) sin(h) sin(2 psi - h), h = lambda psi/2, with the last
-  /// sine expanded so that y and T stand for cos psi and sin psi: nothing cancels at either end, since h <= psi.
+  /// tau^2 = (y^2 + T^2) (cos^2(k psi) - cos^2 psi) = (y^2 + T^2) sin(h) sin(2 psi - h), h = lambda psi/2, with the
+  /// last sine expanded so that y and T stand for cos psi and sin psi: nothing cancels at either end, since h <= psi.
   template <class S>
   static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {
-    using std::atan, std::cos, std::sin;
+    using std::atan, std::cos, std::sin, std::sqrt;
     const S half = S(0.5) * p[0], k = S(1) - half;
     const S psi = T <= y ? S(atan(T / y)) : S(S(0.5) * pi<S>() - atan(y / T));
     const S h = half * psi, sin_h = sin(h), cos_h = cos(h);
     const S value = sin_h * (S(2) * y * T * cos_h + (T - y) * (T + y) * sin_h);
-    // |K| sin(k psi) and |K| cos(k psi)
-    const S opposite = T * cos_h - y * sin_h, adjacent = y * cos_h + T * sin_h;
-    const S inverse = S(1) / (y * y + T * T), kT = k * T;
-    const S d1 = S(2) * opposite * (kT * adjacent - y * opposite) * inverse;
-    const S d2 = S(2) * inverse *
-                 (kT * (S(2) * y * opposite * adjacent - kT * (adjacent - opposite) * (adjacent + opposite)) * inverse -
-                  opposite * opposite);
+    const S inverse = S(1) / sqrt(y * y + T * T), c = y * inverse, s = T * inverse;
+    const S sine = s * cos_h - c * sin_h, cosine = c * cos_h + s * sin_h;  // of k psi
+    const S d1 = S(2) * sine * (k * T * cosine - y * sine);
+    const S d2 = S(2) * (k * s * (S(2) * c * sine * cosine - k * s * (cosine - sine) * (cosine + sine)) - sine * sine);
     return {value, d1, d2};
   }
 

@@ -17,7 +17,7 @@ double worst_error(const std::vector<Parameters<Model>>& list) {
   double worst = 0;
   for (const auto& p : list)
     for (const double T : {1e-9, 1e-4, 0.1, 0.7, 1.0, 1.4, 8.0, 1e4, 1e9}) {
-      const Digits50 f = truth::printed_toughness(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, 1, T);
+      const Digits50 f = truth::printed_toughness<Digits50>(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, 1, T);
       const Digits50 expected = log(f);
       const double found = Model::log_toughness(p, mixity_from_loads(1.0, T)).value;
       if (abs(expected) < 1e-30) {  // f = 1 + ... leaves 50 digits too few to judge the rest by
