@@ -18,10 +18,10 @@ struct BenzeggaghKenane {
   struct Power {
     S log_B, reduced, value, f;  // reduced = B^(eta-1), value = B^eta, f = (1 - B^eta) + r B^eta
     Power(const std::array<S, 2>& p, const Mixity<S>& mixity) {
-      using std::exp, std::expm1, std::log, std::log1p;
+      using std::exp, std::expm1, std::log, std::log1p, std::pow;
       const S B = mixity.sin * mixity.sin;
       log_B = B < S(0.5) ? S(log(B)) : S(log1p(-mixity.cos * mixity.cos));
-      reduced = exp((p[1] - S(1)) * log_B);
+      reduced = B < S(0.5) ? S(pow(B, p[1] - S(1))) : S(exp((p[1] - S(1)) * log_B));
       value = reduced * B;
       f = p[0] * value - expm1(p[1] * log_B);
     }
