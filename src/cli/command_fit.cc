@@ -17,7 +17,7 @@ namespace mixity::cli {
 namespace {
 
 std::vector<std::string> models_from_flag() {
-  const std::vector<std::string> models = split_list(FLAGS_models);
+  std::vector<std::string> models = split_list(FLAGS_models);
   if (models.empty()) throw UsageError("flag '--models' names no model");
   for (const std::string& model : models) require_model("models", model);
   return models;

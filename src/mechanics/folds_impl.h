@@ -34,7 +34,9 @@ inline std::string_view to_string(Jump jump) {
 
 namespace folds_detail {
 
-constexpr double kFirst = -20, kLast = 42, kStep = 0.25;  // logistic coordinate: e^-42 = 6e-19 of the piece
+// Logistic coordinate: e^-42 = 6e-19 of the piece.
+constexpr int kSteps = 248;
+constexpr double kFirst = -20, kStep = 0.25, kLast = kFirst + kSteps * kStep;
 
 template <class F>
 double root_between(F f, double low, double high) {
@@ -53,7 +55,8 @@ std::vector<double> sign_changes(F f) {
   std::vector<double> roots;
   double before = 0, here = f(kFirst);
   bool has_before = false;
-  for (double v = kFirst; v < kLast; v += kStep) {
+  for (int i = 0; i < kSteps; ++i) {
+    const double v = kFirst + i * kStep;
     const double next = f(v + kStep);
     const bool crosses = (here > 0) != (next > 0);
     const double sign = here > 0 ? 1 : -1;
