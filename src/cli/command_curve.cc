@@ -51,6 +51,7 @@ void print_at_shear(const Parameters<Model>& p, const OutputUnits& units) {
   const Load shear = load_from("shear", FLAGS_shear, units);
   if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
     throw UsageError("flag '--shear': T must lie between 0 and 1e150");
+  if (const auto domain = Model::equilibrium_domain(p); !domain.empty()) throw UsageError(std::string(domain));
   // From the unstable end to twice the edge load at which the load is that of Hertz a hundred times over
   const double largest = 40 * pi<double>() + shear.dimensionless;
   std::cout << units.header("P", units.force) << ',' << units.header("T", units.force) << ','

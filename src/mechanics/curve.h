@@ -34,7 +34,8 @@ struct CurvePiece {
   bool from_asymptote;  // T -> infinity at the top, too
 };
 
-/// A point of the curve with its derivatives in phi. All finite.
+/// A point of the curve with its derivatives in phi. All finite: where one is infinite, the largest double stands for
+/// it.
 struct CurvePoint {
   double phi, y, T, a, A, u, psi, f;
   double dy, dT, da, dA, du, dpsi, df;
@@ -80,12 +81,15 @@ class EquilibriumCurve {
   }
 
   /// phi at the start and the end of a piece; the end of the curve for the last.
-  double phi_begin(const CurvePiece& piece) const { return phi_of(piece.y_top); }
-  double phi_end(const CurvePiece& piece) const { return phi_of(piece.y_end); }
+  double phi_begin(const CurvePiece& piece) const {
+    return 2 * std::atan2(std::sqrt(piece.sin2_top), std::sqrt(piece.cos2_end + piece.width / (2 * S0_)));
+  }
+  double phi_end(const CurvePiece& piece) const {
+    return 2 * std::atan2(std::sqrt(piece.sin2_top + piece.width / (2 * S0_)), std::sqrt(piece.cos2_end));
+  }
 
   /// The point at phi, phi_begin <= phi <= phi_end of some piece. At an asymptote T is infinite: stay inside.
   CurvePoint point(double phi) const;
-  double phi_of(double y) const;
 
  private:
   Parameters<Model> p_;

@@ -5,6 +5,7 @@
 
 namespace mixity {
 
+inline constexpr double kLargest = std::numeric_limits<double>::max();
 inline constexpr double kFar = 1e150;  // stands for T = infinity
 
 template <class Model>
@@ -26,18 +27,20 @@ double tangential_load(const Parameters<Model>& p, double y, double tau) {
     return Model::tangential_load(p, y, tau);
   } else {
     const double w = Model::small_shear(p);
-    double T = tau / (w > 0 && std::isfinite(w) ? std::sqrt(w) : 1.0);
+    const bool regular = w > 0 && std::isfinite(w);
+    double T = tau / (regular ? std::sqrt(w) : 1.0);
+    if (tau < 1e-140 * y) return regular ? T : 0.0;  // tau^2 would underflow
     // tau bends little as a function of T: Newton on it ends in a few steps.
     for (int i = 0; i < 12; ++i) {
       const ShearTerm<double> term = Model::shear_term(p, y, T);
       const double root = std::sqrt(term.value), step = (tau - root) * T * root / (term.value - 0.5 * y * term.d1);
       T += step;
-      if (!(T > 0 && T < 1e300)) break;
+      if (!(T > 0 && T < kFar)) break;
       if (std::abs(step) <= 4e-16 * T) return T;
     }
     // Where it does not: ln tau as a function of ln T has a slope of order one throughout, kept between bounds.
     const double target = std::log(tau);
-    double low = -700, high = 700, x = target;
+    double low = -345, high = 345, x = target;  // e^345 = kFar
     for (int i = 0; i < 100 && high - low > 1e-15 * std::abs(high); ++i) {
       x = x > low && x < high ? x : 0.5 * (low + high);
       const ShearTerm<double> term = Model::shear_term(p, y, std::exp(x));
@@ -47,6 +50,7 @@ double tangential_load(const Parameters<Model>& p, double y, double tau) {
       x += step;
       if (std::abs(step) <= 1e-9) break;
     }
+    if (!(x < 345)) return std::numeric_limits<double>::infinity();
     // The last digits in T itself: ln T of a large T has lost some.
     T = std::exp(x);
     for (int i = 0; i < 2; ++i) {
@@ -54,7 +58,7 @@ double tangential_load(const Parameters<Model>& p, double y, double tau) {
       const double root = std::sqrt(term.value);
       T += (tau - root) * T * root / (term.value - 0.5 * y * term.d1);
     }
-    return T;
+    return std::isfinite(T) && T > 0 ? T : std::numeric_limits<double>::infinity();
   }
 }
 
@@ -103,18 +107,13 @@ double EquilibriumCurve<Model>::coordinate(const CurvePiece& piece, const CurveP
 }
 
 template <class Model>
-double EquilibriumCurve<Model>::phi_of(double y) const {
-  const double tau = std::sqrt(std::max((y_jkr_ - y) * (y - y_low_), 0.0));
-  return std::atan2(tau, y - 3 * pi<double>());
-}
-
-template <class Model>
 CurvePoint EquilibriumCurve<Model>::point(double phi) const {
   const double half = std::sin(0.5 * phi), other = phi < pi<double>() ? std::cos(0.5 * phi) : 0.0;
   // y from the nearer end of the circle: y_jkr - y = 2 S0 sin^2(phi/2), y - y_low = 2 S0 cos^2(phi/2)
   const double y = std::max(phi < 2 ? y_jkr_ - 2 * S0_ * half * half : y_low_ + 2 * S0_ * other * other, 0.0);
   const double tau = 2 * S0_ * half * other;
-  const double T = uncoupled() ? 0 : mixity::tangential_load<Model>(p_, y, tau);
+  // Where phi cannot tell the place from the asymptote, kFar stands for the infinite T.
+  const double T = uncoupled() ? 0 : std::min(mixity::tangential_load<Model>(p_, y, tau), kFar);
   const double a = radius_from_edge_load(y, P_), sum = y + P_, square = y * y + T * T;
 
   CurvePoint q{};
@@ -127,24 +126,36 @@ CurvePoint EquilibriumCurve<Model>::point(double phi) const {
   q.psi = phase_angle(mixity_from_loads(y, T));
   q.f = T > 0 ? square / (6 * pi<double>() * sum) : 1.0;
 
-  q.dy = -tau;
-  // From tau^2(y, T) = tau^2: tau^2_T T' = 2 tau tau' - tau^2_y y', with tau' = y - 3 pi and T tau^2_T = 2 tau^2 -
-  // y tau^2_y. Both sides carry a factor tau, which cancels; at T = 0 what is left is tau' = sqrt(small_shear) T'.
-  if (uncoupled()) {
-    q.dT = 0;
-  } else if (T > 0) {
-    const ShearTerm<double> term = Model::shear_term(p_, y, T);
-    q.dT = T * tau * (2 * (y - 3 * pi<double>()) + term.d1) / (2 * term.value - y * term.d1);
-  } else {
-    // bk has an infinite slope there for eta = 1, r = 2, and none for eta < 1: the largest double stands for it
-    const double w = Model::small_shear(p_);
-    q.dT = w > 0 ? S0_ * (phi < 2 ? 1 : -1) / std::sqrt(w) : std::numeric_limits<double>::max();
+  if (!(a > 0) ||
+      square == 0) {  // the contact has vanished (P = 0, phi = pi): T and u are 0, and no derivative is finite
+    q.u = q.dT = q.du = 0;
+    q.psi = 0.5 * pi<double>();
+    return q;
   }
+  q.dy = -tau;
   q.da = q.dy / (4 * a * a);
   q.dA = 2 * pi<double>() * a * q.da;
-  q.du = 0.75 * (q.dT / a - T * q.da / (a * a));
-  q.dpsi = (y * q.dT - T * q.dy) / square;
-  q.df = q.f * ((2 * y * q.dy + 2 * T * q.dT) / square - q.dy / sum);
+  if (uncoupled()) return q;
+  const double offset = S0_ * std::cos(phi);  // y - 3 pi
+  if (T > 1e-140 * y) {
+    // From tau^2(y, T) = tau^2: tau^2_T T' = 2 tau tau' - tau^2_y y', with tau' = y - 3 pi and T tau^2_T = 2 tau^2 -
+    // y tau^2_y, so T'/T = tau (2 (y - 3 pi) + tau^2_y)/(2 tau^2 - y tau^2_y).
+    const ShearTerm<double> term = Model::shear_term(p_, y, T);
+    const double rate = tau * (2 * offset + term.d1) / (2 * term.value - y * term.d1);
+    const double growth = std::isfinite(rate) ? rate : std::copysign(kFar, offset + 0.5 * term.d1);
+    q.dT = std::clamp(T * growth, -kLargest, kLargest);
+    q.du = std::clamp(0.75 * T * (growth - q.da / a) / a, -kLargest, kLargest);
+    q.dpsi = T / square * (y * growth - q.dy);
+    q.df = q.f * (2 * (y * q.dy + T * T * growth) / square - q.dy / sum);
+  } else {
+    // What is left of that at T = 0: sqrt(small_shear) T' = tau'. bk with eta = 1, r = 2 has an infinite slope there.
+    const double w = Model::small_shear(p_);
+    q.dT = w > 0 ? offset / std::sqrt(w) : std::copysign(kLargest, offset);
+    q.du = std::clamp(0.75 * q.dT / a, -kLargest, kLargest);
+    q.dpsi = std::clamp(q.dT / y, -kLargest, kLargest);
+    q.df = 0;
+  }
+  for (double* value : {&q.f, &q.dpsi, &q.df, &q.da, &q.dA}) *value = std::clamp(*value, -kLargest, kLargest);
   return q;
 }
 

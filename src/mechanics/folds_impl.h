@@ -151,7 +151,9 @@ std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Contro
     const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
     bool stable = slope(kFirst) > 0;
     for (const double v : sign_changes(slope)) {
-      folds.push_back({i, v, curve.position(piece, v), stable});
+      const CurvePosition at = curve.position(piece, v);
+      // Beyond the largest load nothing is known but rounding.
+      if (curve.tangential_load(at) < 0.1 * kFar) folds.push_back({i, v, at, stable});
       stable = !stable;
     }
   }

@@ -48,9 +48,9 @@ double shear_sensitivity_large_area(const Parameters<Model>& p, double A0) {
 /// Savkoor & Briggs (1977), ideally brittle: y^2 + T^2 = 6 pi (y + P), so 4/3 a^3 = P + 3 pi + sqrt(S0^2 - T^2). Null
 /// beyond T = S0. Models a and c at lambda = 1 and b at lambda = 2 reduce to it.
 inline std::optional<double> savkoor_briggs_radius(double P, double T) {
-  if (above_pull_off(P) < 0) return std::nullopt;
+  if (!(above_pull_off(P) >= 0 && T >= 0)) return std::nullopt;
   const double S0 = circle_radius(P);
-  if (T > S0) return std::nullopt;
+  if (!(T <= S0)) return std::nullopt;
   return radius_from_edge_load(3 * pi<double>() + std::sqrt((S0 - T) * (S0 + T)), P);
 }
 

@@ -104,8 +104,10 @@ TEST(Equilibrium, ModelAFindsItsLowerBranchAfterTheJump) {
   const double above = contact.at(upper.T_bottom * (1 - 1e-6)).y, below = contact.at(upper.T_bottom * (1 + 1e-6)).y;
   EXPECT_GT(above, y);
   EXPECT_LT(below, 0.5 * y);
-  EXPECT_LT(truth::printed_residual<truth::Digits50>("a", lambda, 0, 0, below * (1 - 1e-13), upper.T_bottom * (1 + 1e-6)), 0);
-  EXPECT_GT(truth::printed_residual<truth::Digits50>("a", lambda, 0, 0, below * (1 + 1e-13), upper.T_bottom * (1 + 1e-6)), 0);
+  EXPECT_LT(
+      truth::printed_residual<truth::Digits50>("a", lambda, 0, 0, below * (1 - 1e-13), upper.T_bottom * (1 + 1e-6)), 0);
+  EXPECT_GT(
+      truth::printed_residual<truth::Digits50>("a", lambda, 0, 0, below * (1 + 1e-13), upper.T_bottom * (1 + 1e-6)), 0);
 }
 
 /// Derived in the design: P_c = (3 pi/2)/(k cos(pi l/4))^2.

@@ -114,7 +114,8 @@ TYPED_TEST(EveryModel, EquilibriumFulfilsThePrintedEquation) {
         const Equilibrium found = contact.at(T);
         ASSERT_EQ(found.status, EquilibriumStatus::ok);
         const auto residual = [&](double y) {
-          return truth::printed_residual<truth::Digits50>(TypeParam::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y, T);
+          return truth::printed_residual<truth::Digits50>(TypeParam::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y,
+                                                          T);
         };
         // The root of the printed equation lies within a few roundings of y, amplified 1/sqrt(1 - part) at most
         // tenfold by the fold.

@@ -31,7 +31,7 @@ struct BenzeggaghKenane {
   template <class S>
   static Differentiated<S, 2> log_toughness(const std::array<S, 2>& p, const Mixity<S>& mixity) {
     using std::log, std::log1p;
-    if (!(mixity.sin > S(0))) return {S(0), {S(0), S(0)}, {S(0), S(0), S(0), S(0)}};
+    if (!(mixity.sin > S(1e-145))) return {S(0), {S(0), S(0)}, {S(0), S(0), S(0), S(0)}};  // B would underflow
     const Power<S> power(p, mixity);
     const S q = (p[0] - S(1)) * power.value;
     const S u = power.value / power.f, v = q * power.log_B / power.f;
@@ -48,7 +48,7 @@ struct BenzeggaghKenane {
     const S& eta = p[1];
     const Mixity<S> mixity = mixity_from_loads(y, T);
     const S B = mixity.sin * mixity.sin, C = mixity.cos * mixity.cos;
-    if (!(B > S(0))) return {S(0), S(0), S(0)};  // B underflows: shear does not act yet
+    if (!(B > S(1e-290))) return {S(0), S(0), S(0)};  // B underflows: shear does not act yet
     const Power<S> power(p, mixity);
     const S& f = power.f;
     const S q = (p[0] - S(1)) * power.value;

@@ -27,14 +27,16 @@ struct WatersGuduru {
   /// last sine expanded so that y and T stand for cos psi and sin psi: nothing cancels at either end, since h <= psi.
   template <class S>
   static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {
-    using std::atan, std::cos, std::sin, std::sqrt;
+    using std::atan, std::cos, std::sin;
     const S half = S(0.5) * p[0], k = S(1) - half;
     const S psi = T <= y ? S(atan(T / y)) : S(S(0.5) * pi<S>() - atan(y / T));
     const S h = half * psi, sin_h = sin(h), cos_h = cos(h);
     const S value = sin_h * (S(2) * y * T * cos_h + (T - y) * (T + y) * sin_h);
-    const S inverse = S(1) / sqrt(y * y + T * T), c = y * inverse, s = T * inverse;
+    const Mixity<S> mixity = mixity_from_loads(y, T);
+    const S &c = mixity.cos, &s = mixity.sin;
     const S sine = s * cos_h - c * sin_h, cosine = c * cos_h + s * sin_h;  // of k psi
-    const S d1 = S(2) * sine * (k * T * cosine - y * sine);
+    // k T cos(k psi) - y sin(k psi), expanded: the difference itself would lose lambda's digits
+    const S d1 = S(2) * sine * (sin_h * (k * T * s + y * c) - half * y * s * cos_h);
     const S d2 = S(2) * (k * s * (S(2) * c * sine * cosine - k * s * (cosine - sine) * (cosine + sine)) - sine * sine);
     return {value, d1, d2};
   }
