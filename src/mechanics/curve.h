@@ -75,7 +75,9 @@ class EquilibriumCurve {
 
   double tau_squared(const CurvePosition& at) const { return 4 * S0_ * S0_ * at.sin2 * at.cos2; }
   /// y - 3 pi = S0 cos phi.
-  double offset(const CurvePosition& at) const { return S0_ * (at.cos2 - at.sin2); }
+  double offset(const CurvePosition& at) const {
+    return S0_ < at.y ? S0_ * (at.cos2 - at.sin2) : at.y - 3 * pi<double>();
+  }
   double tangential_load(const CurvePosition& at) const {
     return mixity::tangential_load<Model>(p_, at.y, std::sqrt(tau_squared(at)));
   }

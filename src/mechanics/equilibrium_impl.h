@@ -113,10 +113,11 @@ void LoadedContact<Model>::find_branches() const {
     open = !fold.maximum;
   }
   if (!open) return;
-  // Only the first piece can end in a stable branch: at Hertz, where tau^2 = 6 pi P, or at the asymptote.
+  // Only the first piece can end in a stable branch: at Hertz, where tau^2 = 6 pi P, or at the asymptote. Where neither
+  // is its end, its fold lies beyond kLargestLoad.
   const CurvePiece& piece = curve.pieces().front();
   const double end =
-      piece.end == CurveEnd::asymptote ? kInfinity : tangential_load<Model>(p_, 0.0, std::sqrt(6 * pi<double>() * P_));
+      piece.end == CurveEnd::hertz ? tangential_load<Model>(p_, 0.0, std::sqrt(6 * pi<double>() * P_)) : kInfinity;
   branches_.push_back({branch.y_top, branch.T_top, piece.y_end, end, false});
 }
 

@@ -85,12 +85,18 @@ struct Driven {
 
   double radius(const CurvePosition& at) const { return radius_from_edge_load(at.y, curve.load()); }
 
-  /// T, u or u + T/k.
+  /// Share of u in what drives the contact, w u + (1 - w) T: 0 load, 1 displacement, k/(1 + k) a spring. The rest,
+  /// 1 - w, is kept beside it for the sake of a stiff spring.
+  double share() const {
+    if (control.kind == Control::Kind::stiffness) return control.stiffness / (1 + control.stiffness);
+    return control.kind == Control::Kind::displacement ? 1 : 0;
+  }
+  double rest() const { return control.kind == Control::Kind::stiffness ? 1 / (1 + control.stiffness) : 1 - share(); }
+
+  /// w u + (1 - w) T, up to kFar.
   double value(const CurvePosition& at) const {
     const double T = std::min(curve.tangential_load(at), kFar);
-    if (control.kind == Control::Kind::load) return T;
-    const double u = 0.75 * T / radius(at);
-    return control.kind == Control::Kind::displacement ? u : u + T / control.stiffness;
+    return share() * std::min(0.75 * T / radius(at), kFar) + rest() * T;
   }
 
   /// > 0 where the value grows as y falls (stable), 0 at a fold. Relative to the size of its terms, so that what is
@@ -100,10 +106,9 @@ struct Driven {
     const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), kFar);
     const double d1 = Model::shear_term(curve.parameters(), at.y, T).d1;
     const double twice = 2 * curve.offset(at), R_y = twice + d1, size = std::abs(twice) + std::abs(d1);
-    if (control.kind == Control::Kind::load) return size > 0 ? R_y / size : 0;
-    const double w = control.kind == Control::Kind::displacement ? 3 : 3 + 4 * radius(at) / control.stiffness;
-    const double load = w * (at.y + curve.load());
-    return (R_y * load + 2 * tau2 - at.y * d1) / (size * load + 2 * tau2 + std::abs(at.y * d1));
+    const double load = (3 * share() + 4 * radius(at) * rest()) * (at.y + curve.load());
+    const double all = size * load + share() * (2 * tau2 + std::abs(at.y * d1));
+    return all > 0 ? (R_y * load + share() * (2 * tau2 - at.y * d1)) / all : 0;
   }
 };
 
@@ -184,8 +189,10 @@ std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control contr
                                         : s.piece == place.piece && s.to <= place.coordinate;
       if (!beyond) continue;
       const CurvePiece& piece = curve.pieces()[s.piece];
-      // in the logarithm, since towards an asymptote the value grows over all bounds
-      const auto excess = [&](double v) { return std::log(driven.value(curve.position(piece, v)) / value); };
+      // in the logarithm, since towards an asymptote the value grows over all bounds; finite where it is 0
+      const auto excess = [&](double v) {
+        return std::max(std::log(driven.value(curve.position(piece, v)) / value), -1000.0);
+      };
       if (!(excess(s.from) <= 0 && excess(s.to) >= 0)) continue;
       fold.jumps_to = place.maximum ? Jump::lower_branch : Jump::upper_branch;
       fold.area_after = area_from_radius(driven.radius(curve.position(piece, root_between(excess, s.from, s.to))));

@@ -6,6 +6,7 @@
 //   log_toughness(p, mixity)            ln f and its first and second derivatives in the parameters
 //   shear_term(p, y, T)                 tau^2 = y^2 (g - 1) of the equilibrium circle and its derivatives in y
 //   small_shear(p)                      lim tau^2/T^2 at T -> 0 (may be 0 or infinite)
+//   shear_limit(p)                      optional: lim tau^2/y^2 at T -> infinity where it may be finite
 //   tangential_load(p, y, tau)          optional: T of a state (y, tau) where that is a closed form
 //   fold_offset(p, P, displacement)     optional: y - 3 pi where the curve folds, if that is a closed form
 //   shear_on_circle(p, T)               only if tau does not depend on y: makes the equilibrium a closed form

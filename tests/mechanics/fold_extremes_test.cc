@@ -100,5 +100,38 @@ TEST(FoldExtremes, ModelBk) {
                                  7 * 11 * 3);
 }
 
+/// At any load and stiffness that doubles hold: numbers, and no more folds than the law can have (model c one, which
+/// has a closed form; a and b a pair; bk a pair and the last one).
+template <class Model>
+void expect_finite(const Parameters<Model>& p, std::size_t at_most) {
+  for (const double P : {-4.71238898038469, -4.7123889803799, -4.7, -1e-3, -1e-300, 0.0, 1e-300, 5.5, 1e8, 1e150})
+    for (const Control& control :
+         {Control{Control::Kind::load}, Control{Control::Kind::displacement}, Control{Control::Kind::stiffness, 1e-300},
+          Control{Control::Kind::stiffness, 2}, Control{Control::Kind::stiffness, 1e300}}) {
+      const auto folds = find_folds(EquilibriumCurve<Model>(p, P), control);
+      EXPECT_LE(folds.size(), at_most) << Model::info.key << " p0=" << p[0] << " P=" << P << ' '
+                                       << to_string(control.kind);
+      for (const Fold& fold : folds)
+        for (const double value : {fold.T, fold.u, fold.A, fold.psi, fold.area_after, fold.area_lost})
+          EXPECT_TRUE(std::isfinite(value)) << Model::info.key << " p0=" << p[0] << " P=" << P << " T=" << fold.T;
+    }
+}
+
+TEST(FoldExtremes, AreFiniteAtAnyExtreme) {
+  for (const double q : {0.0, 1e-300, 1e-160, 1e-16, 1e-6, 0.0023, 0.5, 8.0 / 9, 1 - 1e-16, 1.0}) {
+    expect_finite<Johnson>({q}, 2);
+    expect_finite<WatersGuduru>({2 * q}, 2);
+    expect_finite<PapangeloCiavarella>({q}, 1);
+  }
+  int defined = 0;
+  for (const double r : {1e-3, 0.5, 1.0, 1.5, 2.0, 1e3})
+    for (const double eta : {0.01, 0.5, 1.0, 2.3, 100.0})
+      if (BenzeggaghKenane::equilibrium_domain({r, eta}).empty()) {
+        expect_finite<BenzeggaghKenane>({r, eta}, 3);
+        ++defined;
+      }
+  EXPECT_GE(defined, 18);
+}
+
 }  // namespace
 }  // namespace mixity

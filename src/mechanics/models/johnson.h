@@ -52,6 +52,8 @@ struct Johnson {
   }
 
   static double small_shear(const std::array<double, 1>& p) { return p[0]; }
+  /// Infinite for lambda = 1.
+  static double shear_limit(const std::array<double, 1>& p) { return p[0] / (1 - p[0]); }
   static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
   static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
 };
