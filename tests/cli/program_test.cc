@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "cli/run_program.h"
 
@@ -11,25 +10,11 @@ namespace mixity::cli {
 namespace {
 
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
 
 // f = 1/(1 - 3/4 sin^2 psi), model c with lambda = 1/4, from 40-digit arithmetic.
 constexpr const char* kModelC =
     "psi [deg],Gc_over_GIc\n0,1\n20,1.0961707109158706\n40,1.4490274177146591\n60,2.2857142857142857\n"
     "75,3.3306635447028234\n";
-
-std::string joined(const Words& words) {
-  std::string text;
-  for (const std::string& word : words) text += word + " ";
-  return text;
-}
-
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields;
-  std::istringstream stream(line + ",");
-  for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-  return fields;
-}
 
 void expect_refused(const Words& words, int exit_code, const std::string& complaint) {
   const ProgramResult result = run_program(words);
