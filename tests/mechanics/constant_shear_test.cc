@@ -7,6 +7,7 @@
 #include <random>
 
 #include "mechanics/equilibrium.h"
+#include "mechanics/model_types.h"
 #include "mechanics/printed_equation.h"
 
 namespace mixity {
@@ -18,13 +19,7 @@ constexpr double kEps = 2.3e-16;
 
 template <class Model>
 class ConstantShear : public ::testing::Test {};
-template <class Tuple>
-struct AsTypes;
-template <class... T>
-struct AsTypes<std::tuple<T...>> {
-  using type = ::testing::Types<T...>;
-};
-TYPED_TEST_SUITE(ConstantShear, AsTypes<Models>::type);
+TYPED_TEST_SUITE(ConstantShear, ModelTypes);
 
 /// lambda log-uniform from 1e-8 to its largest value; for bk a box inside its domain.
 template <class Model>

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "mechanics/equilibrium.h"
+#include "mechanics/model_types.h"
 #include "mechanics/printed_equation.h"
 
 namespace mixity {
@@ -86,13 +87,7 @@ struct Printed {
 
 template <class Model>
 class WholeCurve : public ::testing::Test {};
-template <class Tuple>
-struct AsTypes;
-template <class... T>
-struct AsTypes<std::tuple<T...>> {
-  using type = ::testing::Types<T...>;
-};
-TYPED_TEST_SUITE(WholeCurve, AsTypes<Models>::type);
+TYPED_TEST_SUITE(WholeCurve, ModelTypes);
 
 TYPED_TEST(WholeCurve, EveryPointFulfilsThePrintedEquation) {
   int points = 0;

@@ -6,6 +6,7 @@
 
 #include "mechanics/equilibrium.h"
 #include "mechanics/measurement.h"
+#include "mechanics/model_types.h"
 #include "mechanics/printed_equation.h"
 
 namespace mixity {
@@ -32,14 +33,7 @@ const double kAngles[] = {0, 1e-9, 1e-4, 0.1, 0.4, 0.785, 0.9, 1.2, 1.5, 1.5707}
 
 template <class Model>
 class EveryModel : public ::testing::Test {};
-
-template <class Tuple>
-struct AsTypes;
-template <class... T>
-struct AsTypes<std::tuple<T...>> {
-  using type = ::testing::Types<T...>;
-};
-TYPED_TEST_SUITE(EveryModel, AsTypes<Models>::type);
+TYPED_TEST_SUITE(EveryModel, ModelTypes);
 
 TYPED_TEST(EveryModel, HasToughnessOneAtPureModeOne) {
   for (const auto& p : samples<TypeParam>()) EXPECT_EQ(TypeParam::log_toughness(p, Mixity<double>{1, 0}).value, 0);
