@@ -16,8 +16,7 @@ namespace mixity {
 namespace {
 
 using truth::Digits50;
-
-constexpr double kEps = 2.3e-16;
+using truth::kEps;
 const double kPi = pi<double>();
 
 template <class Model>
@@ -72,9 +71,7 @@ template <class Model>
 struct Printed {
   Parameters<Model> p;
   double P;
-  Digits50 operator()(const Digits50& y, const Digits50& T) const {
-    return truth::printed_residual<Digits50>(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y, T);
-  }
+  Digits50 operator()(const Digits50& y, const Digits50& T) const { return truth::residual_of<Model>(p, P, y, T); }
   Digits50 d_y(const Digits50& y, const Digits50& T) const {
     const Digits50 h = y * Digits50(1e-15);
     return ((*this)(y + h, T) - (*this)(y - h, T)) / (2 * h);

@@ -73,9 +73,7 @@ struct ClosedForm {
 template <class Model>
 Digits50 printed_slope(const Parameters<Model>& p, double P, const Control& control, const Digits50& y,
                        const Digits50& T) {
-  const auto F = [&](const Digits50& y_, const Digits50& T_) {
-    return truth::printed_residual<Digits50>(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y_, T_);
-  };
+  const auto F = [&](const Digits50& y_, const Digits50& T_) { return truth::residual_of<Model>(p, P, y_, T_); };
   const Digits50 h = y * Digits50(1e-15), k = T * Digits50(1e-15);
   const Digits50 T_y = -((F(y + h, T) - F(y - h, T)) / h) / ((F(y, T + k) - F(y, T - k)) / k);
   if (control.kind == Control::Kind::load) return T_y * y / T;
@@ -257,8 +255,7 @@ void expect_stationary(const Parameters<Model>& p, double P, const Control& cont
     const double y = fold.place.position.y;
     EXPECT_LT(fold.A, A) << where << ": not in the order of the curve";
     A = fold.A;
-    const Digits50 residual =
-        truth::printed_residual<Digits50>(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y, fold.T);
+    const Digits50 residual = truth::residual_of<Model>(p, P, y, fold.T);
     EXPECT_LE(abs(residual), 1e-13 * 6 * truth::kPi * (y + std::abs(P))) << where;  // T to 1e-13
     // A to 1e-12 means y + P to 1.5e-12: a fold lies between places so far above and below.
     const double shift = 1.5e-12 * (y + P);
@@ -325,7 +322,7 @@ void judge_jumps(const Parameters<Model>& p, double P, const Control& control, i
     };
     const auto residual = [&](const Digits50& y) {
       const Digits50 T = T_f * share(y_f) / share(y);
-      return truth::printed_residual<Digits50>(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y, T);
+      return truth::residual_of<Model>(p, P, y, T);
     };
     EXPECT_EQ(fold.area_lost, fold.A - fold.area_after) << where;
     Digits50 y_after = P < 0 ? Digits50(-P) : Digits50(0);  // off contact; Hertz

@@ -185,7 +185,7 @@ void judge_strength(const Parameters<Model>& p, double P, double tau0, int (&see
   const double relative = 1e-13 + 1e-15 / std::sqrt(std::max(1e-16, 1 - T / branch.T_bottom));
   const auto residual = [&](double factor) {
     const Digits50 a = sqrt(Digits50(Digits50(A) * factor / truth::kPi)), y = Digits50(4) / 3 * a * a * a - P;
-    return truth::printed_residual<Digits50>(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y, T);
+    return truth::residual_of<Model>(p, P, y, T);
   };
   EXPECT_LT(residual(1 - relative), 0) << where();
   EXPECT_GT(residual(1 + relative), 0) << where();
