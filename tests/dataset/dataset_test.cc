@@ -21,10 +21,8 @@ Dataset load(const std::string& csv, const std::string& toml = "", const Overrid
 std::string error_of(const std::string& csv, const std::string& toml = "", const Overrides& overrides = {}) {
   const TemporaryFolder folder;
   folder.write("a.toml", toml);
-  const std::string path = folder.write("a.csv", csv), prefix = folder.path() + "/";
-  std::string error = input_error([&] { load_dataset(path, overrides); });
-  for (std::size_t at; (at = error.find(prefix)) != std::string::npos;) error.erase(at, prefix.size());
-  return error;
+  const std::string path = folder.write("a.csv", csv);
+  return folder.left_out_of(input_error([&] { load_dataset(path, overrides); }));
 }
 
 std::string excluded_lines(const Dataset& data) {
