@@ -2,11 +2,13 @@
 #pragma once
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -83,6 +85,14 @@ inline ProgramResult run_program(const Words& arguments) {
   int status = 0;
   if (::waitpid(child, &status, 0) != child) throw std::runtime_error("cannot wait for " + program);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content_of(out), content_of(err)};
+}
+
+/// The program must end with this exit code, this one line of complaint and no output.
+inline void expect_refused(const Words& words, int exit_code, const std::string& complaint) {
+  const ProgramResult result = run_program(words);
+  EXPECT_EQ(result.exit_code, exit_code) << joined(words);
+  EXPECT_EQ(result.complaint(), "mixity: " + complaint) << joined(words);
+  EXPECT_EQ(result.out, "") << joined(words);
 }
 
 }  // namespace mixity::cli
