@@ -2,13 +2,16 @@
 #pragma once
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,6 +19,8 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
+
+using Words = std::vector<std::string>;
 
 inline std::string content_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -32,6 +37,21 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+/// The fields of a line of CSV without quotes.
+inline std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream stream(line + ",");
+  for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+  return fields;
+}
+
+/// The command line, to name it in a failure.
+inline std::string joined(const Words& words) {
+  std::string text;
+  for (const std::string& word : words) text += word + " ";
+  return text;
+}
+
 struct ProgramResult {
   int exit_code;  // 128 + signal if one ended the program
   std::string out, err;
@@ -44,7 +64,7 @@ struct ProgramResult {
 };
 
 /// Runs the program and waits for it. The working directory is that of the test.
-inline ProgramResult run_program(const std::vector<std::string>& arguments) {
+inline ProgramResult run_program(const Words& arguments) {
   const TemporaryFolder folder;
   const std::string out = folder.write("out", ""), err = folder.write("err", "");
   posix_spawn_file_actions_t streams;
@@ -54,7 +74,7 @@ inline ProgramResult run_program(const std::vector<std::string>& arguments) {
   posix_spawn_file_actions_addopen(&streams, STDERR_FILENO, err.c_str(), O_WRONLY | O_TRUNC, 0);
 
   std::string program = MIXITY_PROGRAM;
-  std::vector<std::string> words = arguments;
+  Words words = arguments;
   std::vector<char*> argv{program.data()};
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -65,6 +85,14 @@ inline ProgramResult run_program(const std::vector<std::string>& arguments) {
   int status = 0;
   if (::waitpid(child, &status, 0) != child) throw std::runtime_error("cannot wait for " + program);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content_of(out), content_of(err)};
+}
+
+/// The program must end with this exit code, this one line of complaint and no output.
+inline void expect_refused(const Words& words, int exit_code, const std::string& complaint) {
+  const ProgramResult result = run_program(words);
+  EXPECT_EQ(result.exit_code, exit_code) << joined(words);
+  EXPECT_EQ(result.complaint(), "mixity: " + complaint) << joined(words);
+  EXPECT_EQ(result.out, "") << joined(words);
 }
 
 }  // namespace mixity::cli

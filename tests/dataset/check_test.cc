@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dataset/load_text.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -13,9 +14,8 @@ using Lines = std::vector<std::string>;
 constexpr double kJkr1 = 19.614936466006520661, kJkr5 = 23.887269575794426095;
 
 Dataset load(const std::string& csv, Overrides overrides = {}) {
-  const TemporaryFolder folder;
   overrides.emplace_back("provenance", "measured");
-  return load_dataset(folder.write("a.csv", csv), overrides);
+  return load_text(csv, "", overrides);
 }
 
 Lines oddities(const std::string& csv, const Overrides& overrides = {}) { return find_oddities(load(csv, overrides)); }

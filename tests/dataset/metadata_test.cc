@@ -12,12 +12,8 @@ Metadata metadata_of(std::string_view toml) {
   return read_metadata(folder.write("a.toml", toml));
 }
 
-/// The error without the folder: "a.toml:1:10: ...".
 std::string error_of(std::string_view toml) {
-  const TemporaryFolder folder;
-  const std::string path = folder.write("a.toml", toml);
-  const std::string error = input_error([&] { read_metadata(path); });
-  return error.starts_with(path) ? error.substr(folder.path().size() + 1) : error;
+  return file_error("a.toml", toml, [](const std::string& path) { read_metadata(path); });
 }
 
 TEST(Metadata, ConstantsAreHeldInSi) {

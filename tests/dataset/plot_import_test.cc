@@ -31,12 +31,8 @@ std::string import(std::string_view text, const PlotImport& options) {
   return import_plot(folder.write("plot.csv", text), options);
 }
 
-/// The error without the folder; empty if there is none.
 std::string error_of(std::string_view text, const PlotImport& options) {
-  const TemporaryFolder folder;
-  const std::string path = folder.write("plot.csv", text);
-  const std::string error = input_error([&] { import_plot(path, options); });
-  return error.starts_with(path) ? error.substr(folder.path().size() + 1) : error;
+  return file_error("plot.csv", text, [&](const std::string& path) { import_plot(path, options); });
 }
 
 TEST(PlotImport, PairsOfColumnsBecomeRows) {

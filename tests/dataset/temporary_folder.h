@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -37,6 +38,13 @@ class TemporaryFolder {
     return file;
   }
 
+  /// The text without the folder wherever it names a file in it: "a.csv:2:3: ...".
+  std::string left_out_of(std::string text) const {
+    const std::string prefix = path_ + "/";
+    for (std::size_t at; (at = text.find(prefix)) != std::string::npos;) text.erase(at, prefix.size());
+    return text;
+  }
+
  private:
   std::string path_;
 };
@@ -50,6 +58,14 @@ std::string input_error(Call&& call) {
     return error.what();
   }
   return {};
+}
+
+/// The error, without the folder, that read(path) throws for a file of this name and text; empty if it throws none.
+template <class Read>
+std::string file_error(std::string_view name, std::string_view text, Read&& read) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write(name, text);
+  return folder.left_out_of(input_error([&] { read(path); }));
 }
 
 }  // namespace mixity

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "mechanics/model_types.h"
+
 namespace mixity {
 namespace {
 
@@ -16,14 +18,7 @@ std::vector<ToughnessPoint> points() {
 
 template <class Model>
 class Objective : public ::testing::Test {};
-
-template <class Tuple>
-struct AsTypes;
-template <class... T>
-struct AsTypes<std::tuple<T...>> {
-  using type = ::testing::Types<T...>;
-};
-TYPED_TEST_SUITE(Objective, AsTypes<Models>::type);
+TYPED_TEST_SUITE(Objective, ModelTypes);
 
 /// The analytic Jacobian against autodiff of the same expression: equal but for rounding.
 TYPED_TEST(Objective, JacobianMatchesAutodiff) {

@@ -7,24 +7,19 @@
 #include <random>
 
 #include "mechanics/equilibrium.h"
+#include "mechanics/model_types.h"
 #include "mechanics/printed_equation.h"
 
 namespace mixity {
 namespace {
 
 using truth::Digits50;
-
-constexpr double kEps = 2.3e-16;
+using truth::kEps;
+using truth::residual_of;
 
 template <class Model>
 class ConstantShear : public ::testing::Test {};
-template <class Tuple>
-struct AsTypes;
-template <class... T>
-struct AsTypes<std::tuple<T...>> {
-  using type = ::testing::Types<T...>;
-};
-TYPED_TEST_SUITE(ConstantShear, AsTypes<Models>::type);
+TYPED_TEST_SUITE(ConstantShear, ModelTypes);
 
 /// lambda log-uniform from 1e-8 to its largest value; for bk a box inside its domain.
 template <class Model>
@@ -49,12 +44,6 @@ void for_random_states(std::uint64_t seed, Judge judge) {
   }
 }
 
-/// The printed equation over f at the P that is exact for this y and a, in 50 digits.
-template <class Model>
-Digits50 residual(const Parameters<Model>& p, const Digits50& P, const Digits50& y, double T) {
-  return truth::printed_residual<Digits50>(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y, T);
-}
-
 TYPED_TEST(ConstantShear, PointsFulfilThePrintedEquation) {
   for_random_states<TypeParam>(31, [](const auto& p, double T, double y, const ConstantShearPoint& q) {
     const auto where = [&] {
@@ -64,8 +53,8 @@ TYPED_TEST(ConstantShear, PointsFulfilThePrintedEquation) {
     // 8 pi a^3 f from the a returned, independent of P; then y = 4/3 a^3 - P
     const Digits50 a = q.a, P = Digits50(4) / 3 * a * a * a - y;
     const Digits50 sum = 6 * truth::kPi * (P + y);
-    EXPECT_LE(abs(residual<TypeParam>(p, P, y, T)), 12 * kEps * sum) << where();  // a few roundings, of a threefold
-    EXPECT_LE(abs(Digits50(q.P) - P), 8 * kEps * (abs(P) + 2 * y)) << where();    // P is the difference of sum and y
+    EXPECT_LE(abs(residual_of<TypeParam>(p, P, y, T)), 12 * kEps * sum) << where();  // a few roundings, of a threefold
+    EXPECT_LE(abs(Digits50(q.P) - P), 8 * kEps * (abs(P) + 2 * y)) << where();       // P is the difference of sum and y
   });
 }
 
@@ -73,7 +62,7 @@ TYPED_TEST(ConstantShear, PointsFulfilThePrintedEquation) {
 TYPED_TEST(ConstantShear, SlopeIsThatOfThePrintedEquation) {
   for_random_states<TypeParam>(32, [](const auto& p, double T, double y, const ConstantShearPoint& q) {
     const Digits50 h = Digits50(y) * Digits50(1e-15);
-    const Digits50 slope = (residual<TypeParam>(p, 0, y + h, T) - residual<TypeParam>(p, 0, y - h, T)) / (2 * h);
+    const Digits50 slope = (residual_of<TypeParam>(p, 0, y + h, T) - residual_of<TypeParam>(p, 0, y - h, T)) / (2 * h);
     // The residual is y^2 g - 6 pi (y + P): its slope over 6 pi is dP/dy. Roundings are of y, 1 and d(tau^2)/dy; the
     // last is a difference of terms of the size of min(y, T).
     const Digits50 truth = slope / (6 * truth::kPi);

@@ -1,31 +1,23 @@
-// The whole curve against the printed equation in 50 digits: values, derivatives, ends and extremes.
+// The whole curve against the printed equation in 50 digits: values and derivatives.
 #include "mechanics/curve.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <random>
-#include <sstream>
 #include <string>
 
-#include "mechanics/equilibrium.h"
+#include "mechanics/model_types.h"
 #include "mechanics/printed_equation.h"
+#include "mechanics/whole_curve.h"
 
 namespace mixity {
 namespace {
 
 using truth::Digits50;
-
-constexpr double kEps = 2.3e-16;
+using truth::kEps;
 const double kPi = pi<double>();
-
-template <class Model>
-std::string at(const Parameters<Model>& p, double P, double phi) {
-  std::ostringstream text;
-  text.precision(17);
-  text << Model::info.key << " p0=" << p[0] << " p1=" << (p.size() > 1 ? p[1] : 0) << " P=" << P << " phi=" << phi;
-  return text.str();
-}
 
 /// Random parameters in the domain of the model: lambda log-uniform from 1e-8 to its largest value, for bk the box.
 template <class Model>
@@ -71,9 +63,7 @@ template <class Model>
 struct Printed {
   Parameters<Model> p;
   double P;
-  Digits50 operator()(const Digits50& y, const Digits50& T) const {
-    return truth::printed_residual<Digits50>(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y, T);
-  }
+  Digits50 operator()(const Digits50& y, const Digits50& T) const { return truth::residual_of<Model>(p, P, y, T); }
   Digits50 d_y(const Digits50& y, const Digits50& T) const {
     const Digits50 h = y * Digits50(1e-15);
     return ((*this)(y + h, T) - (*this)(y - h, T)) / (2 * h);
@@ -84,15 +74,7 @@ struct Printed {
   }
 };
 
-template <class Model>
-class WholeCurve : public ::testing::Test {};
-template <class Tuple>
-struct AsTypes;
-template <class... T>
-struct AsTypes<std::tuple<T...>> {
-  using type = ::testing::Types<T...>;
-};
-TYPED_TEST_SUITE(WholeCurve, AsTypes<Models>::type);
+TYPED_TEST_SUITE(WholeCurve, ModelTypes);
 
 TYPED_TEST(WholeCurve, EveryPointFulfilsThePrintedEquation) {
   int points = 0;
@@ -101,7 +83,7 @@ TYPED_TEST(WholeCurve, EveryPointFulfilsThePrintedEquation) {
     const Printed<TypeParam> printed{curve.parameters(), P};
     // y and T carry a few roundings each, the equation is a sum of terms of this size.
     const double tolerance = 16 * kEps * 6 * kPi * (q.y + std::abs(P));
-    EXPECT_LE(abs(printed(q.y, q.T)), tolerance) << at<TypeParam>(curve.parameters(), P, q.phi);
+    EXPECT_LE(abs(printed(q.y, q.T)), tolerance) << describe<TypeParam>(curve.parameters(), P, q.phi);
     ++points;
   });
   EXPECT_GT(points, 1500);
@@ -110,7 +92,7 @@ TYPED_TEST(WholeCurve, EveryPointFulfilsThePrintedEquation) {
 TYPED_TEST(WholeCurve, ValuesAreThoseOfTheirDefinitions) {
   for_random_points<TypeParam>(2, [](const auto& curve, const CurvePoint& q) {
     const double P = curve.load();
-    const std::string where = at<TypeParam>(curve.parameters(), P, q.phi);
+    const std::string where = describe<TypeParam>(curve.parameters(), P, q.phi);
     const Digits50 y = q.y, T = q.T, a = cbrt(Digits50(Digits50(3) / 4 * (y + P))), psi = atan2(T, y);
     // Where y + P cancels, one rounding of that sum; a handful of roundings besides.
     const double tolerance = 8 * kEps + kEps * (q.y + std::abs(P)) / (q.y + P);
@@ -130,7 +112,7 @@ TYPED_TEST(WholeCurve, ValuesAreThoseOfTheirDefinitions) {
 TYPED_TEST(WholeCurve, DerivativesMatchTheImplicitOnesInFiftyDigits) {
   for_random_points<TypeParam>(3, [](const auto& curve, const CurvePoint& q) {
     const double P = curve.load();
-    const std::string where = at<TypeParam>(curve.parameters(), P, q.phi);
+    const std::string where = describe<TypeParam>(curve.parameters(), P, q.phi);
     const Printed<TypeParam> printed{curve.parameters(), P};
     const Digits50 y = q.y, T = q.T, phi = q.phi, S0 = sqrt(9 * truth::kPi * truth::kPi + 6 * truth::kPi * Digits50(P));
     const Digits50 dy = -S0 * sin(phi), F_y = printed.d_y(y, T), F_T = printed.d_T(y, T);
@@ -163,23 +145,6 @@ TYPED_TEST(WholeCurve, DerivativesMatchTheImplicitOnesInFiftyDigits) {
   });
 }
 
-// dT, du and dpsi at T = 0 are limits: against differences of the curve itself, whose error is O(h^2) = 1e-8.
-TEST(CurveEnds, DerivativesAtZeroShearAreTheLimits) {
-  for (const double P : {-4.0, -1.0, 0.0, 3.0, 1e3}) {
-    const auto check = [&](const auto& curve) {
-      const CurvePoint at_zero = curve.point(0), next = curve.point(1e-4);
-      EXPECT_NEAR(at_zero.dT, next.T / 1e-4, 1e-6 * at_zero.dT) << P;
-      EXPECT_NEAR(at_zero.du, next.u / 1e-4, 1e-6 * at_zero.du) << P;
-      EXPECT_NEAR(at_zero.dpsi, next.psi / 1e-4, 1e-6 * at_zero.dpsi) << P;
-      EXPECT_EQ(at_zero.dA, 0);
-    };
-    check(EquilibriumCurve<Johnson>({0.15}, P));
-    check(EquilibriumCurve<WatersGuduru>({0.15}, P));
-    check(EquilibriumCurve<PapangeloCiavarella>({0.15}, P));
-    check(EquilibriumCurve<BenzeggaghKenane>({1.774, 2.284}, P));
-  }
-}
-
 TYPED_TEST(WholeCurve, TangentialLoadInvertsTheShearTerm) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -191,95 +156,8 @@ TYPED_TEST(WholeCurve, TangentialLoadInvertsTheShearTerm) {
     const double slope = 1 - 0.5 * y * term.d1 / term.value;
     if (slope < 1e-6) continue;
     EXPECT_NEAR(tangential_load<TypeParam>(p, y, std::sqrt(term.value)), T, 8 * kEps * T * (1 + 1 / slope))
-        << at<TypeParam>(p, y, T);
+        << describe<TypeParam>(p, y, T);
   }
-}
-
-// ---- Ends ----
-
-TEST(CurveEnds, ModelBReachesHertzAtAFiniteLoad) {
-  for (const double lambda : {1e-6, 0.0023, 0.15, 0.3, 1.0, 1.7, 2.0})
-    for (const double P : {1e-6, 0.5, 5.5, 30.4, 1e4}) {
-      const EquilibriumCurve<WatersGuduru> curve({lambda}, P);
-      ASSERT_EQ(curve.pieces().size(), 1u);
-      EXPECT_EQ(curve.pieces()[0].end, CurveEnd::hertz);
-      const CurvePoint q = curve.point(curve.phi_end(curve.pieces()[0]));
-      const double T_H = std::sqrt(6 * kPi * P) / std::sin(kPi * lambda / 4);
-      // phi is rounded: cos phi = -3 pi/S0 is met to eps, so y to eps S0 and, at P -> 0, tau^2 = 6 pi P to that
-      const double lost = kEps * (1 + 100 / P);
-      EXPECT_NEAR(q.T, T_H, (1e-14 + lost) * T_H) << lambda << ' ' << P;
-      EXPECT_NEAR(q.y, 0, 4 * kEps * circle_radius(P)) << lambda << ' ' << P;
-    }
-}
-
-TEST(CurveEnds, AtPullingLoadsTheCurveEndsInUnstableJkr) {
-  for (const double P : {-4.712, -4.7, -2.0, -0.23, -1e-6}) {
-    const EquilibriumCurve<PapangeloCiavarella> c({0.15}, P);
-    const EquilibriumCurve<WatersGuduru> b({0.15}, P);
-    const EquilibriumCurve<Johnson> a({0.99999999}, P);
-    const auto check = [&](const auto& curve) {
-      const CurvePiece& piece = curve.pieces().back();
-      const CurvePoint q = curve.point(curve.phi_end(piece));
-      EXPECT_EQ(piece.end, CurveEnd::unstable_jkr);
-      EXPECT_EQ(q.T, 0) << P;
-      const Digits50 y = 3 * truth::kPi - sqrt(9 * truth::kPi * truth::kPi + 6 * truth::kPi * Digits50(P));
-      EXPECT_NEAR(q.y, static_cast<double>(y), 1e-14 * static_cast<double>(y)) << P;  // a few roundings
-      EXPECT_LT(q.dT, 0);
-    };
-    check(c);
-    check(b);
-    check(a);
-  }
-}
-
-TEST(CurveEnds, ModelAEndsInItsAsymptote) {
-  for (const double lambda : {1e-6, 0.15, 0.5, 0.8})
-    for (const double P : {-0.2, 0.0, 3.0, 1e4}) {
-      const double m = 1 - lambda;
-      const EquilibriumCurve<Johnson> curve({lambda}, P);
-      EXPECT_EQ(curve.pieces()[0].end, CurveEnd::asymptote);
-      const double y = m * (3 * kPi + std::sqrt(9 * kPi * kPi + 6 * kPi * P / m));
-      EXPECT_NEAR(curve.pieces()[0].y_end, y, 1e-14 * y) << lambda << ' ' << P;  // rounding of both sides
-      const double begin = curve.phi_begin(curve.pieces()[0]), end = curve.phi_end(curve.pieces()[0]);
-      EXPECT_GT(curve.point(begin + (end - begin) * (1 - 1e-8)).T, 1e3);  // T grows as (1 - 1e-8)^(-1/2)
-    }
-}
-
-/// The piece is of width lambda for small lambda; its angle, sqrt(lambda), must not follow from a difference of y.
-TEST(CurveEnds, TheAngleOfTheAsymptoteKeepsItsDigits) {
-  for (const double lambda : {0.15, 1e-4, 1e-8, 1e-12, 1e-16, 1e-100})
-    for (const double P : {-4.7, 0.0, 3.0, 1e4}) {
-      using Number = truth::Digits700;  // the width cancels by 200 digits in this line
-      const Number q = boost::math::constants::pi<Number>(), m = 1 - Number(lambda);
-      const Number square = 9 * q * q + 6 * q * P / m, S0 = sqrt(Number(9 * q * q + 6 * q * P));
-      if (square < 0) continue;
-      const Number phi = acos(Number((m * (3 * q + sqrt(square)) - 3 * q) / S0));
-      const EquilibriumCurve<Johnson> curve({lambda}, P);
-      // 9 pi^2 + 6 pi P/m keeps as many digits fewer as it is smaller than its terms
-      const double lost = static_cast<double>(Number(9 * q * q / square));
-      EXPECT_NEAR(curve.phi_end(curve.pieces()[0]), static_cast<double>(phi),
-                  (4e-15 + kEps * lost) * static_cast<double>(phi))
-          << lambda << ' ' << P;
-    }
-}
-
-/// P < 0 and lambda < 1 + 2P/(3 pi): the asymptote cuts the curve in two; above, it closes.
-TEST(CurveEnds, ModelAHasTwoPiecesBelowTheClosingLine) {
-  for (const double P : {-4.7, -3.0, -1.79, -0.23, -1e-6}) {
-    const double closing = 1 + 2 * P / (3 * kPi);
-    for (const double part : {0.01, 0.5, 0.999999}) {
-      const EquilibriumCurve<Johnson> curve({closing * part}, P);
-      ASSERT_EQ(curve.pieces().size(), 2u) << P << ' ' << part;
-      EXPECT_FALSE(curve.pieces()[0].from_asymptote);
-      EXPECT_TRUE(curve.pieces()[1].from_asymptote);
-      EXPECT_EQ(curve.pieces()[1].end, CurveEnd::unstable_jkr);
-      EXPECT_LT(curve.pieces()[1].y_top, curve.pieces()[0].y_end);
-    }
-    const EquilibriumCurve<Johnson> closed({closing + (1 - closing) * 1e-3}, P);
-    EXPECT_EQ(closed.pieces().size(), 1u) << P;
-    EXPECT_EQ(closed.pieces()[0].end, CurveEnd::unstable_jkr);
-  }
-  EXPECT_EQ(EquilibriumCurve<Johnson>({0.5}, 0).pieces().size(), 1u);
 }
 
 TYPED_TEST(WholeCurve, WithoutShearOnTheAreaIsOnePoint) {
@@ -292,66 +170,6 @@ TYPED_TEST(WholeCurve, WithoutShearOnTheAreaIsOnePoint) {
       EXPECT_DOUBLE_EQ(q.a, jkr_radius(P));
     }
   }
-}
-
-// ---- Extremes ----
-
-const std::vector<double> kLoads{
-    -4.71238898038469, -4.7123889803799, -4.7, -1.0, -1e-12, -1e-300, 0.0, 1e-300, 1e-12, 1.0, 30.4, 1e4, 1e8};
-
-template <class Model>
-std::vector<Parameters<Model>> parameters_of(std::initializer_list<double> fractions) {
-  if constexpr (parameter_count<Model> == 2) {
-    return {{1, 1}, {2, 1}, {2, 100}, {4, 2}, {0.7, 1.5}, {0.5, 0.5}, {1e-3, 0.1}, {1e-3, 1}, {1e-3, 100}, {1, 1e-2}};
-  } else {
-    std::vector<Parameters<Model>> list;
-    for (const double fraction : fractions) list.push_back({Model::parameters[0].upper * fraction});
-    return list;
-  }
-}
-
-/// Points at these parts of every piece are finite and none of their values is negative.
-template <class Model>
-void expect_finite(const std::vector<Parameters<Model>>& list, const std::vector<double>& parts) {
-  for (const auto& p : list)
-    for (const double P : kLoads) {
-      const EquilibriumCurve<Model> curve(p, P);
-      for (const CurvePiece& piece : curve.pieces())
-        for (const double part : parts) {
-          const double begin = curve.phi_begin(piece), end = curve.phi_end(piece);
-          const double phi = part == 1 ? end : begin + (end - begin) * part;
-          if (piece.end == CurveEnd::asymptote && !(phi < end)) continue;  // T is infinite there
-          if (piece.from_asymptote && !(phi > begin)) continue;
-          const CurvePoint q = curve.point(phi);
-          bool finite = true;
-          for (const double x : {q.y, q.T, q.a, q.A, q.u, q.psi, q.f, q.dy, q.dT, q.da, q.dA, q.du, q.dpsi, q.df})
-            finite = finite && std::isfinite(x);
-          EXPECT_TRUE(finite && q.y >= 0 && q.T >= 0 && q.psi >= 0 && q.f > 0)
-              << at<Model>(p, P, phi) << ": y " << q.y << ", T " << q.T << ", u " << q.u << ", psi " << q.psi << ", f "
-              << q.f << ", dT " << q.dT << ", du " << q.du << ", dpsi " << q.dpsi;
-        }
-    }
-}
-
-const auto kFractions = {0.0, 1e-12, 1e-6, 0.0023, 0.15, 8.0 / 9, 1 - 1e-12, 1 - 1e-15, 1.0};
-
-TYPED_TEST(WholeCurve, IsFiniteInside) {
-  std::vector<double> parts{1e-15, 1e-12, 1e-9, 1e-6, 1 - 1e-6, 1 - 1e-9};
-  for (int i = 1; i < 40; ++i) parts.push_back(i / 40.0);
-  expect_finite<TypeParam>(parameters_of<TypeParam>(kFractions), parts);
-}
-
-TYPED_TEST(WholeCurve, IsFiniteAtBothEnds) { expect_finite<TypeParam>(parameters_of<TypeParam>(kFractions), {0, 1}); }
-
-TYPED_TEST(WholeCurve, IsFiniteWhereTheSquareOfTheShearUnderflows) {
-  expect_finite<TypeParam>(parameters_of<TypeParam>(kFractions), {1e-300, 1e-200, 1e-160, 1e-100});
-}
-
-/// T is up to 1e154 here, and f = T^2 beyond every double.
-TYPED_TEST(WholeCurve, IsFiniteWhereLambdaIsNearlyZero) {
-  if constexpr (parameter_count<TypeParam> == 1)
-    expect_finite<TypeParam>(parameters_of<TypeParam>({1e-300, 1e-160, 1e-100, 1e-50, 1e-20, 1e-16}),
-                             {1e-9, 1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 0.999});
 }
 
 }  // namespace

@@ -58,10 +58,9 @@ struct Judge {
   double P, T;
 
   Digits50 residual(const Digits50& y, const Digits50& shear) const {
-    const double p1 = p.size() > 1 ? p[1] : 0.0;
-    if (T < 1e15) return truth::printed_residual<Digits50>(Model::info.key, p[0], p1, P, y, shear);
+    if (T < 1e15) return truth::residual_of<Model>(p, P, y, shear);
     using truth::Digits700;
-    return Digits50(truth::printed_residual<Digits700>(Model::info.key, p[0], p1, P, Digits700(y), Digits700(shear)));
+    return Digits50(truth::residual_of<Model, Digits700>(p, P, Digits700(y), Digits700(shear)));
   }
   Digits50 edge_load_of(const Digits50& A) const {
     const Digits50 a = sqrt(Digits50(A / truth::kPi));

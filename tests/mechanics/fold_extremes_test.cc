@@ -30,9 +30,7 @@ struct FoldEquations {
   double P;
   Control::Kind kind;
 
-  Number F(const Number& y, const Number& T) const {
-    return truth::printed_residual<Number>(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y, T);
-  }
+  Number F(const Number& y, const Number& T) const { return truth::residual_of<Model, Number>(p, P, y, T); }
   Number V(const Number& y, const Number& T) const {
     if (kind == Control::Kind::load) return T;
     const Number u = Number(3) / 4 * T / cbrt(Number(Number(3) / 4 * (y + P)));

@@ -19,9 +19,7 @@ const double kLoads[] = {-4.7, -4.0, -1.0, -1e-6, 0, 1e-6, 1, 30.4, 1e4, 1e8};
 /// Area on the upper branch of the printed equation at a small T: Newton in 50 digits from JKR, slope by differences.
 template <class Model>
 Digits50 printed_area_near_jkr(const Parameters<Model>& p, double P, const Digits50& T) {
-  const auto F = [&](const Digits50& y) {
-    return truth::printed_residual<Digits50>(Model::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y, T);
-  };
+  const auto F = [&](const Digits50& y) { return truth::residual_of<Model>(p, P, y, T); };
   Digits50 y = truth::jkr_edge_load(P);
   for (int i = 0; i < 12; ++i) {
     const Digits50 h = y * Digits50(1e-20);

@@ -6,12 +6,13 @@
 
 #include "mechanics/equilibrium.h"
 #include "mechanics/measurement.h"
+#include "mechanics/model_types.h"
 #include "mechanics/printed_equation.h"
 
 namespace mixity {
 namespace {
 
-constexpr double kEps = 2.3e-16;
+using truth::kEps;
 
 /// Some parameter values inside the range, among them one near each end.
 template <class Model>
@@ -32,14 +33,7 @@ const double kAngles[] = {0, 1e-9, 1e-4, 0.1, 0.4, 0.785, 0.9, 1.2, 1.5, 1.5707}
 
 template <class Model>
 class EveryModel : public ::testing::Test {};
-
-template <class Tuple>
-struct AsTypes;
-template <class... T>
-struct AsTypes<std::tuple<T...>> {
-  using type = ::testing::Types<T...>;
-};
-TYPED_TEST_SUITE(EveryModel, AsTypes<Models>::type);
+TYPED_TEST_SUITE(EveryModel, ModelTypes);
 
 TYPED_TEST(EveryModel, HasToughnessOneAtPureModeOne) {
   for (const auto& p : samples<TypeParam>()) EXPECT_EQ(TypeParam::log_toughness(p, Mixity<double>{1, 0}).value, 0);
@@ -103,7 +97,6 @@ TYPED_TEST(EveryModel, ShearTermAgreesWithToughness) {
 
 /// What predict returns fulfils the equation as the paper prints it: the circle holds for every model.
 TYPED_TEST(EveryModel, EquilibriumFulfilsThePrintedEquation) {
-  using truth::Digits50;
   for (const auto& p : samples<TypeParam>())
     for (const double P : {-4.7, -1.0, 0.0, 1.0, 30.4, 1e4}) {
       const LoadedContact<TypeParam> contact(p, P);
@@ -113,10 +106,7 @@ TYPED_TEST(EveryModel, EquilibriumFulfilsThePrintedEquation) {
         const double T = part * end;
         const Equilibrium found = contact.at(T);
         ASSERT_EQ(found.status, EquilibriumStatus::ok);
-        const auto residual = [&](double y) {
-          return truth::printed_residual<truth::Digits50>(TypeParam::info.key, p[0], p.size() > 1 ? p[1] : 0.0, P, y,
-                                                          T);
-        };
+        const auto residual = [&](double y) { return truth::residual_of<TypeParam>(p, P, y, T); };
         // The root of the printed equation lies within a few roundings of y, amplified 1/sqrt(1 - part) at most
         // tenfold by the fold.
         const double width = 40 * kEps * (found.y + std::abs(P));

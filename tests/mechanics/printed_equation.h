@@ -2,10 +2,12 @@
 // formula with the library: the models stand here as they are printed, with angles.
 #pragma once
 
+#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <functional>
+#include <cstddef>
 #include <string_view>
+#include <type_traits>
 
 namespace mixity::truth {
 
@@ -14,6 +16,9 @@ inline const Digits50 kPi = boost::math::constants::pi<Digits50>();
 
 /// Where psi lies within 1e-30 of pi/2 an angle in 50 digits is not enough.
 using Digits700 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<700>>;
+
+/// The rounding of a double, a little more than 2^-52, by which results are allowed to differ from the truth.
+inline constexpr double kEps = 2.3e-16;
 
 /// f(psi) as printed. parameters: {lambda} for a, b, c; {r, eta} for bk.
 template <class Number>
@@ -32,6 +37,13 @@ Number printed_residual(std::string_view model, const Number& p0, const Number& 
                         const Number& T) {
   const Number pi_ = boost::math::constants::pi<Number>();
   return (y * y + T * T) / printed_toughness<Number>(model, p0, p1, y, T) - 6 * pi_ * (y + P);
+}
+
+/// The same for a model of the library, of which only the name and the parameters are taken.
+template <class Model, class Number = Digits50, std::size_t N>
+Number residual_of(const std::array<double, N>& p, const std::type_identity_t<Number>& P,
+                   const std::type_identity_t<Number>& y, const std::type_identity_t<Number>& T) {
+  return printed_residual<Number>(Model::info.key, p[0], N > 1 ? p[N - 1] : 0.0, P, y, T);
 }
 
 inline Digits50 jkr_edge_load(const Digits50& P) { return 3 * kPi + sqrt(9 * kPi * kPi + 6 * kPi * P); }

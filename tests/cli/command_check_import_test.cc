@@ -1,0 +1,65 @@
+// mixity check and mixity import as their users run them, and input that no command can read.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "cli/run_program.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity::cli {
+namespace {
+
+TEST(Program, CheckSaysWhatItUnderstood) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"check", folder.write("a.csv", "P,T,A\n1,0,19.6\n1,1,19.5\n1,-1,19\n")});
+  EXPECT_EQ(result.exit_code, 0);
+  for (const char* words : {"dimensionless", "3 rows, 2 usable, 1 excluded", "line 4: T < 0", "provenance"})
+    EXPECT_NE(result.out.find(words), std::string::npos) << words << "\n" << result.out;
+}
+
+TEST(Program, AnImportCanBeFitted) {
+  const TemporaryFolder folder;
+  const std::string plot =
+      folder.write("plot.csv", "run 1,,run 2,\nX,Y,X,Y\n0,19.6,0,23.9\n5,19.2,8,23\n10,18,12,22\n");
+  const Words words{"import", plot, "--x=T", "--y=A", "--loads=1,5"};
+  const ProgramResult shown = run_program(words);
+  EXPECT_EQ(shown.exit_code, 0);
+  EXPECT_EQ(
+      shown.out,
+      "curve,P,T,A\nrun 1,1,0,19.6\nrun 1,1,5,19.2\nrun 1,1,10,18\nrun 2,5,0,23.9\nrun 2,5,8,23\nrun 2,5,12,22\n");
+  const std::string data = folder.path("data.csv");
+  EXPECT_EQ(run_program({"import", plot, "--x=T", "--y=A", "--loads=1,5", "--out", data}).out, "");
+  EXPECT_EQ(content_of(data), shown.out);
+  EXPECT_EQ(run_program({"fit", data, "--models=c"}).exit_code, 0);
+}
+
+TEST(Program, TwoStatementsOfTheModulusAreBadUsage) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", "P [N],T [N],A [m^2]\n1,0,1\n");
+  EXPECT_EQ(run_program({"check", path, "--radius=1 m", "--toughness=1 J/m^2", "--modulus=1 Pa",
+                         "--youngs_modulus=2 Pa", "--poisson_ratio=0.5"})
+                .exit_code,
+            2);
+}
+
+TEST(Program, BadInputIsOneLineAndExitThree) {
+  const TemporaryFolder folder;
+  const std::string text = folder.write("text.csv", "P,T,A\n1,abc,20\n"), missing = folder.path("none.csv");
+  const std::string bad_fit = folder.write("fit.toml", "# no path\ndata = 3\n");
+  for (const char* command : {"fit", "check"}) {
+    expect_refused({command, text}, 3, text + ":2:3: column 'T': 'abc' is not a number");
+    expect_refused({command, missing}, 3, missing + ": cannot be opened: No such file or directory");
+    expect_refused({command, folder.path()}, 3, folder.path() + ": cannot be read: Is a directory");
+  }
+  expect_refused({"fit", bad_fit}, 3, bad_fit + ":2:8: data must be a string");
+  expect_refused({"import", text, "--x=T", "--y=A"}, 3, text + ":2:3: 'abc' is not a finite number");
+}
+
+TEST(Program, APathThatIsTooLongIsBadInput) {
+  const ProgramResult result = run_program({"check", std::string(300, 'x') + ".csv"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(lines_of(result.err).size(), 1) << result.err;
+}
+
+}  // namespace
+}  // namespace mixity::cli

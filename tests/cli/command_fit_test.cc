@@ -1,0 +1,135 @@
+// mixity fit as its users run it: exit codes, verdicts, JSON and files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/run_program.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+// f = 1/(1 - 3/4 sin^2 psi), model c with lambda = 1/4, from 40-digit arithmetic.
+constexpr const char* kModelC =
+    "psi [deg],Gc_over_GIc\n0,1\n20,1.0961707109158706\n40,1.4490274177146591\n60,2.2857142857142857\n"
+    "75,3.3306635447028234\n";
+
+TEST(Program, AFitThatIsNotOkIsExitOneAndVisible) {
+  const TemporaryFolder folder;
+  // JKR areas, 40 digits: no shear, so that nothing is said of lambda
+  const std::string no_shear = folder.write("a.csv", "P,T,A\n1,0,19.614936466006521\n5,0,23.887269575794426\n");
+  const std::string one_point = folder.write("b.csv", "P,T,A\n1,1,19\n");
+  const std::string no_point = folder.write("c.csv", "P,T,A\n1,nan,19\n");
+  for (const std::string& path : {no_shear, one_point, no_point}) {
+    const ProgramResult text = run_program({"fit", path, "--models=c"});
+    EXPECT_EQ(text.exit_code, 1);
+    EXPECT_EQ(text.err, "");
+    EXPECT_NE(text.out.find("NOT IDENTIFIABLE"), std::string::npos) << text.out;
+    EXPECT_EQ(text.out.find("nan,"), std::string::npos);
+    const ProgramResult json = run_program({"fit", path, "--models=c", "--format=json"});
+    EXPECT_EQ(json.exit_code, 1);
+    const Json fit = Json::parse(json.out)["datasets"][0]["fits"][0];
+    EXPECT_EQ(fit["status"], "not_identifiable");
+    EXPECT_TRUE(fit["parameters"]["lambda"]["value"].is_null());
+  }
+}
+
+TEST(Program, AFitFindsTheLambdaThatMadeTheData) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"fit", folder.write("a.csv", kModelC), "--models=c", "--format=json"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  // 1e-12: f is given to 16 digits and enters as its logarithm, lambda as a well-conditioned function of it
+  EXPECT_NEAR(Json::parse(result.out)["datasets"][0]["fits"][0]["parameters"]["lambda"]["value"].get<double>(), 0.25,
+              1e-12);
+}
+
+TEST(Program, JsonHasTheKeysOfItsSchema) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write(
+      "a.csv",
+      "P,T,A,include\n1,0,19.6,1\n1,5,19.2,1\n1,7,18.9,0\n1,10,18,1\n1,-1,18,1\n5,0,23.9,1\n5,8,23,1\n5,12,22,1\n");
+  const ProgramResult result = run_program({"fit", path, "--models=a,b,c", "--format=json"});
+  const Json document = Json::parse(result.out);
+  EXPECT_TRUE(document["schema"].is_string());
+  ASSERT_EQ(document["datasets"].size(), 1);
+  const Json& data = document["datasets"][0];
+  EXPECT_EQ(data["path"], path);
+  EXPECT_EQ(data["provenance"], "unstated");
+  EXPECT_EQ(data["points"], 8);
+  EXPECT_EQ(data["used"], 6);
+  EXPECT_EQ(data["excluded"], Json::parse(R"([{"line": 4, "reason": "include = 0"}, {"line": 6, "reason": "T < 0"}])"));
+  ASSERT_EQ(data["fits"].size(), 3);
+  for (const Json& fit : data["fits"]) {
+    for (const char* key : {"model", "objective", "status", "message", "parameters", "r2", "rmse", "max_abs_residual",
+                            "area", "published"})
+      EXPECT_TRUE(fit.contains(key)) << key;
+    for (const char* key : {"value", "stderr", "lower", "upper", "at_bound"})
+      EXPECT_TRUE(fit["parameters"]["lambda"].contains(key)) << key;
+    for (const char* key : {"r2", "rmse", "unpredicted"}) EXPECT_TRUE(fit["area"].contains(key)) << key;
+    EXPECT_EQ(fit["objective"], "toughness");
+  }
+  EXPECT_EQ(data["fits"][1]["model"], "b");
+  EXPECT_EQ(data["fits"][1]["parameters"]["lambda"]["upper"], 2);
+}
+
+TEST(Program, AFitDefinitionComparesWithWhatWasPublished) {
+  const TemporaryFolder folder;
+  folder.write("a.csv", kModelC);
+  const std::string definition =
+      folder.write("fit.toml",
+                   "data = \"a.csv\"\nmodels = [\"c\"]\n[published.c]\n"
+                   "lambda = {value = 0.26, tolerance = 0.005}\nr2 = {value = 1, tolerance = 1e-9}\n");
+  const Json fit = Json::parse(run_program({"fit", definition, "--format=json"}).out)["datasets"][0]["fits"][0];
+  EXPECT_TRUE(fit["area"].is_null());
+  EXPECT_EQ(fit["published"]["lambda"]["value"], 0.26);
+  EXPECT_EQ(fit["published"]["lambda"]["tolerance"], 0.005);
+  EXPECT_EQ(fit["published"]["lambda"]["agrees"], false);
+  EXPECT_EQ(fit["published"]["r2"]["agrees"], true);
+}
+
+TEST(Program, ReconstructedDataAreCalledThatInEveryOutput) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", kModelC);
+  for (const char* format : {"text", "json", "csv"}) {
+    const ProgramResult result =
+        run_program({"fit", path, "--provenance=reconstructed", "--format", format, "--out", folder.path("out")});
+    EXPECT_NE(result.out.find("tests the program, not the physics"), std::string::npos) << format;
+  }
+  for (const char* name : {"a_residuals.csv", "a_curves.csv", "fits.csv", "fits.json", "fits.txt"})
+    EXPECT_NE(content_of(folder.path("out/" + std::string(name))).find("reconstructed"), std::string::npos) << name;
+  EXPECT_NE(run_program({"check", path, "--provenance=reconstructed"}).out.find("tests the program, not the physics"),
+            std::string::npos);
+}
+
+TEST(Program, OutputThatCannotBeWrittenIsExitFourAndLeavesNothing) {
+  const TemporaryFolder folder;
+  const std::string data = folder.write("a.csv", kModelC), file = folder.write("file", "");
+  expect_refused({"fit", data, "--out", file + "/folder"}, 4, file + "/folder: cannot be created: Not a directory");
+  const std::string plot = folder.write("plot.csv", "a,\nX,Y\n0,1\n");
+  expect_refused({"import", plot, "--x=psi", "--y=Gc", "--out", file + "/a.csv"}, 4,
+                 file + ": cannot be created: Not a directory");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 3);
+}
+
+TEST(Program, FilesAreWrittenWithoutLeftovers) {
+  const TemporaryFolder folder;
+  const std::string data = folder.write("a.csv", kModelC);
+  EXPECT_EQ(run_program({"fit", data, "--models=c", "--out", folder.path("new/out")}).exit_code, 0);
+  Words names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path("new/out"))) {
+    names.push_back(entry.path().filename().string());
+    EXPECT_GT(entry.file_size(), 0) << names.back();
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (Words{"a_curves.csv", "a_residuals.csv", "fits.csv", "fits.json", "fits.txt"}));
+}
+
+}  // namespace
+}  // namespace mixity::cli

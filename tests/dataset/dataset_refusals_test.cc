@@ -1,0 +1,113 @@
+// Points that are left out with their reason, and files that are refused.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dataset/dataset.h"
+#include "dataset/load_text.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+namespace {
+
+std::string excluded_lines(const Dataset& data) {
+  std::string text;
+  for (const Excluded& excluded : data.excluded) text += std::to_string(excluded.line) + " " + excluded.reason + "\n";
+  return text;
+}
+
+TEST(Dataset, WhatIsNeededAndNotStatedIsNamed) {
+  const std::string csv = "P [mN],T [mN],A [mm^2]\n1,0.5,0.24\n";
+  const auto needs = [](const std::string& key) {
+    return "a.csv: needs " + key + " to be made dimensionless: state it in a.toml or by a flag (--" + key + "=...)";
+  };
+  EXPECT_EQ(load_error(csv), needs("radius"));
+  EXPECT_EQ(load_error(csv, "radius = \"1 mm\""), needs("modulus"));
+  EXPECT_EQ(load_error(csv, "radius = \"1 mm\"\nmodulus = \"1 MPa\""), needs("toughness"));
+  const std::string half = load_error(csv, "radius = \"1 mm\"\nyoungs_modulus = \"1 MPa\"\ntoughness = \"1 J/m^2\"");
+  EXPECT_NE(half.find("poisson_ratio"), std::string::npos) << half;
+}
+
+TEST(Dataset, PointsThatCannotBeUsedAreListedWithTheirReason) {
+  const Dataset data = load_text(
+      "P,T,A,include,sigma_A\n"
+      "1,0,19,1,\n"
+      "1,1,19,0,\n"         // 3
+      "1,text,19,0,\n"      // 4: nobody looks
+      "1,-1,19,1,\n"        // 5
+      "1,1,2.59,1,\n"       // 6: Hertz has 2.5933
+      "1,1,0,1,\n"          // 7
+      "1,nan,19,1,\n"       // 8
+      "inf,1,19,1,\n"       // 9
+      "1,1,-Infinity,1,\n"  // 10
+      "1,,19,1,\n"          // 11
+      "1,1,,1,\n"           // 12
+      "1,1,1e400,1,\n"      // 13
+      "1,1,19,1,-0.1\n"     // 14
+      "1,1e200,19,1,\n"     // 15
+      "1,2,18,1,0.2\n");
+  EXPECT_EQ(excluded_lines(data),
+            "3 include = 0\n4 include = 0\n5 T < 0\n"
+            "6 y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists\n"
+            "7 A <= 0\n8 T is not finite\n9 P is not finite\n10 A is not finite\n11 T is empty\n12 A is empty\n"
+            "13 A is not finite\n14 sigma_A < 0\n15 the toughness ratio is out of range\n");
+  ASSERT_EQ(data.points.size(), 2);
+  EXPECT_EQ(data.points[1].line, 16);
+  EXPECT_EQ(data.points[0].sigma_A, 0);
+  EXPECT_EQ(data.points[1].sigma_A, 0.2);
+  EXPECT_EQ(data.rows, data.points.size() + data.excluded.size());
+}
+
+TEST(Dataset, ConvertedPointsThatCannotBeUsedAreListedToo) {
+  EXPECT_EQ(excluded_lines(load_text("psi [deg],Gc\n91,1\n-1,1\n45,0\n45,-1\nnan,1\n45,\n45,inf\n45,1\n")),
+            "2 psi outside 0..90 degrees\n3 psi outside 0..90 degrees\n4 Gc <= 0\n5 Gc <= 0\n6 psi is not finite\n"
+            "7 Gc is empty\n8 Gc is not finite\n");
+  EXPECT_EQ(excluded_lines(load_text("mode_ratio,Gc\n1.01,1\n-0.1,1\n1,1\n")),
+            "2 mode_ratio outside 0..1\n3 mode_ratio outside 0..1\n");
+}
+
+TEST(Dataset, ABrokenFileIsRefusedWithItsPlace) {
+  for (const auto& [csv, error] : std::vector<std::pair<std::string, std::string>>{
+           {"", "1:1: is empty: a header row is missing"},
+           {"# note\n\n", "1:1: is empty: a header row is missing"},
+           {"P,T,A\n", "2:1: has a header but no data rows"},
+           {"P,T\n1,2\n", "1:1: column 'A' or 'a' is missing"},
+           {"P,T,A,T\n1,2,3,4\n", "1:7: column 'T' stands twice"},
+           {"P [mN],T [mm],A [mm^2]\n1,2,3\n",
+            "1:8: unit 'mm' of column 'T' does not fit; wanted a force such as mN, or no unit if dimensionless"},
+           {"P,T,A\n1,0,20\n1,abc,20\n", "3:3: column 'T': 'abc' is not a number"},
+           {"P,T,A\r\n1,0,20\r\n1,0,2o\r\n", "3:5: column 'A': '2o' is not a number"},
+           {"P;T;A\n1;0;20\n1;0,5;20\n", "3:3: column 'T': '0,5' is not a number (write a decimal point, not a comma)"},
+           {"P,T,A\n1,\"0,5\",20\n", "2:3: column 'T': '0,5' is not a number (write a decimal point, not a comma)"},
+           {"P,T,A\n1,0,5,20\n", "2:7: the row has more fields than the header's 3"},
+           {"P,T,A\n1,0\n", "2:4: the row has 2 fields, the header 3"},
+           {"curve,P,T,A\n\"two\nlines\",1,0,20\nµ,1,x,20\n", "4:5: column 'T': 'x' is not a number"},
+           {"P,T,A,include\n1,0,20,yes\n", "2:8: column 'include': 'yes' is neither 0 nor 1"},
+           {"P,T,A,include\n1,0,20,\n", "2:8: column 'include': '' is neither 0 nor 1"},
+           {"P,T,A,sigma_T\n1,0,20,?\n", "2:8: column 'sigma_T': '?' is not a number"},
+           {"P,T,A\n1,\"0,20\n", "2:1: a quote (\") is opened but not closed before the end of the file"},
+       })
+    EXPECT_EQ(load_error(csv), "a.csv:" + error) << csv;
+}
+
+TEST(Dataset, AMessageIsOneLineOfPrintableText) {
+  for (const std::string& field : {std::string("\"a\nb\""), std::string("a\0b", 3), std::string("\x1b[31m")}) {
+    const std::string error = load_error("P,T,A\n1," + field + ",20\n");
+    EXPECT_TRUE(error.starts_with("a.csv:2:3: column 'T': '")) << error;
+    EXPECT_TRUE(error.ends_with("is not a number")) << error;
+    for (const char c : error) EXPECT_FALSE(c >= 0 && c < ' ') << static_cast<int>(c);
+  }
+}
+
+TEST(Dataset, FilesThatAreNotThereAreNamed) {
+  const TemporaryFolder folder;
+  const std::string missing = folder.path("none.csv"), too_long = folder.path(std::string(300, 'x') + ".csv");
+  EXPECT_EQ(input_error([&] { load_dataset(missing); }), missing + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(input_error([&] { load_dataset(folder.path()); }), folder.path() + ": cannot be read: Is a directory");
+  EXPECT_NO_THROW(EXPECT_NE(input_error([&] { load_dataset(too_long); }), ""));
+}
+
+}  // namespace
+}  // namespace mixity

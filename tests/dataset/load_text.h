@@ -1,0 +1,25 @@
+// A data set from text, as it would stand in a CSV and the TOML beside it.
+#pragma once
+
+#include <string>
+
+#include "dataset/dataset.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+
+inline Dataset load_text(const std::string& csv, const std::string& toml = "", const Overrides& overrides = {}) {
+  const TemporaryFolder folder;
+  folder.write("a.toml", toml);
+  return load_dataset(folder.write("a.csv", csv), overrides);
+}
+
+/// The error with the folder left out: "a.csv:2:3: ...".
+inline std::string load_error(const std::string& csv, const std::string& toml = "") {
+  const TemporaryFolder folder;
+  folder.write("a.toml", toml);
+  const std::string path = folder.write("a.csv", csv);
+  return folder.left_out_of(input_error([&] { load_dataset(path); }));
+}
+
+}  // namespace mixity
