@@ -22,14 +22,29 @@ inline double cube_root(double x) {
   return z - (z * z * z - x) / (3 * z * z);
 }
 
+/// pi a^2 of 4/3 a^3 = load.
+inline double area_of(double load) {
+  const double a = cube_root(0.75 * load);
+  return pi<double>() * a * a;
+}
+
 }  // namespace
 
 // Four lanes where the processor has them, two elsewhere, chosen when the program starts.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-__attribute__((target_clones("avx2", "default")))
+#define MIXITY_LANES __attribute__((target_clones("avx2", "default")))
+#else
+#define MIXITY_LANES
 #endif
-std::size_t
-closed_form_areas(double root_lambda, double S0, double P, std::span<const double> T, std::span<double> areas) {
+
+MIXITY_LANES void areas_from_loads(std::span<double> loads) {
+  double* const load = loads.data();
+  const std::size_t n = loads.size();
+  for (std::size_t i = 0; i < n; ++i) load[i] = load[i] > 0 ? area_of(load[i]) : 0.0;
+}
+
+MIXITY_LANES std::size_t closed_form_areas(double root_lambda, double S0, double P, std::span<const double> T,
+                                           std::span<double> areas) {
   const double centre = 3 * pi<double>();
   const double limit = S0 * (1 + std::numeric_limits<double>::epsilon());  // as LoadedContact::at
   const double* const in = T.data();
@@ -41,8 +56,7 @@ closed_form_areas(double root_lambda, double S0, double P, std::span<const doubl
     const bool ok = (in[i] >= 0) & (in[i] <= kLargestLoad) & (tau <= limit);
     const double gap = S0 - tau;
     const double root = std::sqrt((ok & (gap > 0)) ? gap * (S0 + tau) : 0.0);
-    const double a = cube_root(0.75 * (centre + root + P));
-    out[i] = ok ? pi<double>() * a * a : 0.0;
+    out[i] = ok ? area_of(centre + root + P) : 0.0;
     found += ok ? 1.0 : 0.0;
   }
   return static_cast<std::size_t>(found);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -47,7 +48,8 @@ struct Equilibrium {
 inline constexpr double kLargestLoad = 1e150;
 
 /// A model with its parameters at one normal load P (dimensionless). Cheap to make: the folds of the curve are
-/// looked for only when a T lies beyond the part of the curve that is known to be free of them.
+/// looked for only when a T lies beyond the part of the curve that is known to be free of them, and no further than
+/// that T needs.
 template <class Model>
 class LoadedContact {
  public:
@@ -62,8 +64,9 @@ class LoadedContact {
 
   /// Edge load of the contact that was loaded from T = 0 and has followed its stable branch, over jumps to a
   /// lower stable branch where there is one. 0 <= T <= kLargestLoad. Relative error of the area below 4e-15 away
-  /// from folds; towards a fold T_f it grows as eps/sqrt(1 - T/T_f).
-  Equilibrium at(double T) const;
+  /// from folds; towards a fold T_f it grows as eps/sqrt(1 - T/T_f). A good `guess` of y saves iterations, a bad one
+  /// costs some; the answer does not depend on it.
+  Equilibrium at(double T, std::optional<double> guess = {}) const;
 
   /// Stable branches from T = 0 downwards, at least one. Only if in_contact().
   const std::vector<StableBranch>& branches() const;
@@ -75,14 +78,16 @@ class LoadedContact {
 
  private:
   Equilibrium solve(double T, double low, double high, double start) const;
-  void find_branches() const;
+  void find_branches(std::size_t folds) const;  // up to the fold of that number
+  static constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
   Parameters<Model> p_;
   double P_, S0_ = 0, y_jkr_ = 0;
   bool in_contact_ = false;
   bool simple_top_ = false;  // R rises with y on [3 pi, y_jkr]
   std::string_view obstacle_;
-  mutable std::vector<StableBranch> branches_;  // filled on first use
+  mutable std::vector<StableBranch> branches_;  // filled on first use: up to the first fold, or all of them
+  mutable bool all_branches_ = false;
 };
 
 }  // namespace mixity

@@ -60,7 +60,7 @@ Equilibrium LoadedContact<Model>::solve(double T, double low, double high, doubl
 }
 
 template <class Model>
-Equilibrium LoadedContact<Model>::at(double T) const {
+Equilibrium LoadedContact<Model>::at(double T, std::optional<double> guess) const {
   if (!obstacle_.empty() || !(T >= 0 && T <= kLargestLoad)) return {EquilibriumStatus::invalid};
   if (!in_contact_) return {EquilibriumStatus::no_equilibrium};
   const double centre = 3 * pi<double>();
@@ -77,26 +77,34 @@ Equilibrium LoadedContact<Model>::at(double T) const {
       const double room = S0_ * S0_ - Model::small_shear(p_) * T * T;
       const bool certain = room >= 0;
       if (certain || circle_residual<Model, double>(p_, P_, centre, T).value <= 0)
-        return solve(T, centre, y_jkr_, certain ? centre + std::sqrt(room) : 0.5 * (centre + y_jkr_));
+        return solve(T, centre, y_jkr_,
+                     guess     ? std::clamp(*guess, centre, y_jkr_)
+                     : certain ? centre + std::sqrt(room)
+                               : 0.5 * (centre + y_jkr_));
     }
-    for (const StableBranch& branch : branches())
-      if (T <= branch.T_bottom)
-        return T < branch.T_top
-                   ? solve(branch.T_top, branch.y_bottom, branch.y_top, branch.y_top)
-                   : solve(T, branch.y_bottom, branch.y_top, std::max(branch.y_bottom, 0.5 * branch.y_top));
+    if (branches_.empty()) find_branches(1);
+    if (T > branches_.back().T_bottom && !all_branches_) find_branches(kAll);
+    for (const StableBranch& branch : branches_) {
+      if (T > branch.T_bottom) continue;
+      if (T < branch.T_top) return solve(branch.T_top, branch.y_bottom, branch.y_top, branch.y_top);
+      return solve(T, branch.y_bottom, branch.y_top,
+                   std::clamp(guess.value_or(0.5 * branch.y_top), branch.y_bottom, branch.y_top));
+    }
     return {EquilibriumStatus::no_equilibrium};
   }
 }
 
 template <class Model>
 const std::vector<StableBranch>& LoadedContact<Model>::branches() const {
-  if (branches_.empty()) find_branches();
+  if (!all_branches_) find_branches(kAll);
   return branches_;
 }
 
 template <class Model>
-void LoadedContact<Model>::find_branches() const {
+void LoadedContact<Model>::find_branches(std::size_t folds) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  branches_.clear();
+  all_branches_ = true;
   const EquilibriumCurve<Model> curve(p_, P_);
   if (curve.uncoupled()) {
     branches_ = {{y_jkr_, 0, y_jkr_, kInfinity, false}};
@@ -104,7 +112,8 @@ void LoadedContact<Model>::find_branches() const {
   }
   StableBranch branch{y_jkr_, 0, 0, 0, false};
   bool open = true;
-  for (const FoldPlace& fold : locate_folds(curve, {Control::Kind::load})) {
+  const std::vector<FoldPlace> places = locate_folds(curve, {Control::Kind::load}, folds);
+  for (const FoldPlace& fold : places) {
     const double y = fold.position.y, T = curve.tangential_load(fold.position);
     if (fold.maximum)
       branches_.push_back({branch.y_top, branch.T_top, y, T, true});
@@ -112,6 +121,7 @@ void LoadedContact<Model>::find_branches() const {
       branch = {y, T, 0, 0, false};
     open = !fold.maximum;
   }
+  all_branches_ = places.size() < folds;
   if (!open) return;
   // Only the first piece can end in a stable branch: at Hertz, where tau^2 = 6 pi P, or at the asymptote. Where neither
   // is its end, its fold lies beyond kLargestLoad.

@@ -37,9 +37,10 @@ struct Fold {
   double area_lost;   // A - area_after; negative where the contact regains area
 };
 
-/// Only where the folds are, in the order in which they are met along the curve from T = 0; see find_folds.
+/// Only where the first folds are, in the order in which they are met along the curve from T = 0; see find_folds.
 template <class Model>
-std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Control control);
+std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Control control,
+                                    std::size_t at_most = std::numeric_limits<std::size_t>::max());
 
 /// All folds in the order in which they are met along the curve from T = 0. Found from a derivative: with
 /// R(y; T) = (y - 3 pi)^2 + tau^2 - S0^2, dv = 0 reads

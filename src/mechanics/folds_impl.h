@@ -35,8 +35,7 @@ inline std::string_view to_string(Jump jump) {
 namespace folds_detail {
 
 // Logistic coordinate: e^-42 = 6e-19 of the piece.
-constexpr int kSteps = 248;
-constexpr double kFirst = -20, kStep = 0.25, kLast = kFirst + kSteps * kStep;
+constexpr double kFirst = -20, kStep = 0.25, kLast = 42;
 
 template <class F>
 double root_between(F f, double low, double high) {
@@ -49,32 +48,29 @@ double root_between(F f, double low, double high) {
 /// A pair of folds shallower than this cannot be told from none: the contact does not jump by more than rounding.
 constexpr double kRounding = 2e-15;
 
-/// Coordinates of the sign changes of f on [kFirst, kLast], in order.
-template <class F>
-std::vector<double> sign_changes(F f) {
-  std::vector<double> roots;
-  double before = 0, here = f(kFirst);
+/// Calls found(v) for the sign changes of f on [from, kLast], in order, until it returns false.
+template <class F, class Found>
+void for_sign_changes(F f, double from, Found found) {
+  double before = 0, here = f(from);
   bool has_before = false;
-  for (int i = 0; i < kSteps; ++i) {
-    const double v = kFirst + i * kStep;
+  for (double v = from; v < kLast; v += kStep) {
     const double next = f(v + kStep);
     const bool crosses = (here > 0) != (next > 0);
     const double sign = here > 0 ? 1 : -1;
     if (crosses) {
-      roots.push_back(root_between(f, v, v + kStep));
+      if (!found(root_between(f, v, v + kStep))) return;
     } else if (has_before && sign * before > sign * here && sign * next > sign * here) {
       const auto dip =
           boost::math::tools::brent_find_minima([&](double x) { return sign * f(x); }, v - kStep, v + kStep, 50);
       if (dip.second < -kRounding) {
-        roots.push_back(root_between(f, v - kStep, dip.first));
-        roots.push_back(root_between(f, dip.first, v + kStep));
+        if (!found(root_between(f, v - kStep, dip.first))) return;
+        if (!found(root_between(f, dip.first, v + kStep))) return;
       }
     }
     has_before = !crosses;
     before = here;
     here = next;
   }
-  return roots;
 }
 
 /// State of the curve at a position, and what drives it.
@@ -138,7 +134,7 @@ inline std::vector<Stretch> stable_stretches(const std::vector<FoldPlace>& folds
 }  // namespace folds_detail
 
 template <class Model>
-std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Control control) {
+std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Control control, std::size_t at_most) {
   using namespace folds_detail;
   std::vector<FoldPlace> folds;
   const Driven<Model> driven{curve, control};
@@ -154,13 +150,20 @@ std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Contro
       }
     }
     const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
-    bool stable = slope(kFirst) > 0;
-    for (const double v : sign_changes(slope)) {
+    // R_y > 0 above the centre if tau grows with y: no fold under load control there.
+    const bool simple_top = control.kind == Control::Kind::load && i == 0 &&
+                            Model::tau_grows_with_edge_load(curve.parameters()) && piece.y_end < 3 * pi<double>();
+    const double from =
+        simple_top ? std::max(curve.coordinate(piece, curve.position_at_offset(0)) - kStep, kFirst) : kFirst;
+    bool stable = slope(from) > 0;
+    for_sign_changes(slope, from, [&](double v) {
       const CurvePosition at = curve.position(piece, v);
       // Beyond the largest load nothing is known but rounding.
       if (curve.tangential_load(at) < 0.1 * kFar) folds.push_back({i, v, at, stable});
       stable = !stable;
-    }
+      return folds.size() < at_most;
+    });
+    if (folds.size() >= at_most) break;
   }
   return folds;
 }

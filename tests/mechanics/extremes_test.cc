@@ -205,6 +205,10 @@ TEST(Extremes, BatchAndSinglePredictionsAgree) {
         const double end = std::min(contact.branches().front().T_bottom, 1e100);
         std::vector<double> T{-1, std::nan(""), HUGE_VAL, 0, 1e-300, end * 1.001, 2e150};
         for (int i = 0; i <= 40; ++i) T.push_back(end * i / 40);
+        // falling, repeated, wildly spaced: guesses from earlier points must not show in the answer
+        for (int i = 40; i >= 0; i -= 3) T.push_back(end * i / 40);
+        for (int i = 1; i < 40; ++i) T.push_back(end * std::pow(2, -40 + i + i % 2));
+        for (int i = 0; i < 40; ++i) T.push_back(end * 0.999 * (i * 17 % 41) / 41);
         std::vector<double> areas(T.size(), -1);
         std::size_t ok = 0;
         const std::size_t found = predict_areas<Model>(p, P, T, areas);
@@ -213,7 +217,8 @@ TEST(Extremes, BatchAndSinglePredictionsAgree) {
           const bool exists = single.status == EquilibriumStatus::ok;
           ok += exists;
           const double A = exists ? area_from_radius(radius_from_edge_load(single.y, P)) : 0;
-          EXPECT_NEAR(areas[i], A, 4e-15 * A) << Model::info.key << ' ' << p[0] << ' ' << P << ' ' << T[i];
+          // At the fold itself an area is known to sqrt(eps), at the cusp of model a (lambda = 8/9) to cbrt(eps).
+          EXPECT_NEAR(areas[i], A, (T[i] > 0.999 * end ? 1e-5 : 4e-15) * A) << Model::info.key << ' ' << p[0] << ' ' << P << ' ' << T[i];
         }
         EXPECT_EQ(found, ok);
       }

@@ -25,6 +25,7 @@ struct GeneralModelC {
     return PapangeloCiavarella::shear_term(p, y, T);
   }
   static double small_shear(const std::array<double, 1>& p) { return PapangeloCiavarella::small_shear(p); }
+  static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
 };
 
 /// Model c in closed form, 50 digits (the design's, minus branch).
