@@ -2,17 +2,27 @@
 // come from.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace mixity {
 
-/// A free parameter: its closed range.
+/// A free parameter as the solver sees it, with its closed range.
 struct FreeParameter {
   std::string name;
   double lower, upper;
+  std::optional<double> start{};  // null: the whole range is scanned for starts
+  // What a reader sees is scale exp(x) if logarithmic, else scale x.
+  double scale = 1;
+  bool logarithmic = false;
+
+  double shown(double x) const { return scale * (logarithmic ? std::exp(x) : x); }
+  /// d shown/dx
+  double shown_slope(double x) const { return logarithmic ? shown(x) : scale; }
 };
 
 class LeastSquares {

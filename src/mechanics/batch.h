@@ -25,8 +25,8 @@ class Extrapolation {
  public:
   std::optional<double> guess(double T) const {
     const double x = T * T, ahead = x - x_[0];
-    // no further ahead than the points lie apart: else the cubic runs away
-    if (count_ < 4 || !(ahead >= 0 && ahead <= x_[0] - x_[2])) return {};
+    // not much further ahead than the points lie apart: else the cubic runs away
+    if (count_ < 4 || !(ahead >= 0 && ahead <= 2 * (x_[0] - x_[2]))) return {};
     const double z = z_[0] + ahead * (z_[1] + (x - x_[1]) * (z_[2] + (x - x_[2]) * z_[3]));
     if (!(z > 0)) return {};
     return 3 * pi<double>() + std::sqrt(z);

@@ -35,12 +35,9 @@ struct Mixity {
 template <class S>
 Mixity<S> mixity_from_loads(const S& y, const S& T) {
   using std::sqrt;
-  if (T <= y) {
-    const S t = T / y, h = sqrt(S(1) + t * t);
-    return {S(1) / h, t / h};
-  }
-  const S t = y / T, h = sqrt(S(1) + t * t);
-  return {t / h, S(1) / h};
+  const bool steep = T > y;
+  const S t = steep ? S(y / T) : S(T / y), larger = S(1) / sqrt(S(1) + t * t), smaller = t * larger;
+  return {steep ? smaller : larger, steep ? larger : smaller};
 }
 
 /// From the phase angle psi [rad] in [0, pi/2]. The double nearest to pi/2 means pi/2.

@@ -29,7 +29,8 @@ struct WatersGuduru {
   static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {
     using std::atan, std::cos, std::sin;
     const S half = S(0.5) * p[0], k = S(1) - half;
-    const S psi = T <= y ? S(atan(T / y)) : S(S(0.5) * pi<S>() - atan(y / T));
+    const bool steep = T > y;
+    const S near = atan(steep ? S(y / T) : S(T / y)), psi = steep ? S(S(0.5) * pi<S>() - near) : near;
     const S h = half * psi, sin_h = sin(h), cos_h = cos(h);
     const S value = sin_h * (S(2) * y * T * cos_h + (T - y) * (T + y) * sin_h);
     const Mixity<S> mixity = mixity_from_loads(y, T);
