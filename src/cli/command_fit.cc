@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/flags.h"
+#include "cli/statistics_flags.h"
 #include "cli/usage_error.h"
 #include "dataset/input_error.h"
 #include "fitting/fit_definition.h"
@@ -39,6 +40,13 @@ std::vector<HeldParameter> hold_from_flag() {
   return hold;
 }
 
+Objective objective_from_flag() {
+  const auto objective = parse_objective(FLAGS_objective);
+  if (!objective)
+    throw UsageError("flag '--objective' is '" + FLAGS_objective + "'; it must be toughness, area or curve");
+  return *objective;
+}
+
 /// A definition as it stands, or the default job for a CSV; flags that were given win over both.
 FitJob job_for(const std::string& path) {
   FitJob job;
@@ -48,9 +56,14 @@ FitJob job_for(const std::string& path) {
   else
     job.data_path = path;
   if (!is_definition || is_set("models")) job.models = models_from_flag();
-  if (!is_definition || is_set("objective")) job.objective = FLAGS_objective;
+  if (!is_definition || is_set("objective")) job.options.objective = objective_from_flag();
   if (!is_definition || is_set("scale")) job.options.scale = scale_from_flag();
   if (!is_definition || is_set("hold")) job.options.hold = hold_from_flag();
+  add_statistics_flags(job.options);
+  if (is_set("compare")) job.compare = FLAGS_compare;
+  if (!FLAGS_per.empty() && FLAGS_per != "curve")
+    throw UsageError("flag '--per' is '" + FLAGS_per + "'; it must be curve");
+  job.per_curve |= FLAGS_per == "curve";
   for (const HeldParameter& held : job.options.hold)
     if (!has_parameter(job.models, held.name))
       throw UsageError("flag '--hold': no fitted model has a parameter '" + held.name + "'");
@@ -82,8 +95,6 @@ int run_fit(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("fit needs a data CSV or a fit definition (see mixity help fit)");
   if (FLAGS_format != "text" && FLAGS_format != "json" && FLAGS_format != "csv")
     throw UsageError("flag '--format' is '" + FLAGS_format + "'; it must be text, json or csv");
-  if (FLAGS_objective != "toughness")
-    throw UsageError("flag '--objective' is '" + FLAGS_objective + "'; it must be toughness");
   const Overrides overrides = metadata_overrides();
 
   std::vector<JobResult> results;

@@ -23,7 +23,7 @@ std::vector<double> prediction_parameters(const Dataset& data, const std::string
     described = "model " + model + " with the given parameters";
     return values;
   }
-  const FitResult fit = fit_toughness(data, model);
+  const FitResult fit = fit_model(data, model);
   for (const FittedParameter& parameter : fit.parameters) {
     if (!parameter.value) return {};
     values.push_back(*parameter.value);

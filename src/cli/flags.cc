@@ -9,7 +9,20 @@
 #include "fitting/fit.h"
 
 DEFINE_string(models, "a,b,c", "models to fit, comma-separated (mixity help lists them)");
-DEFINE_string(objective, "toughness", "what is fitted: toughness (Gc/GIc against psi)");
+DEFINE_string(
+    objective, "toughness",
+    "what is fitted: toughness (Gc/GIc against psi), area (A at given T) or curve (distance from the curve in "
+    "T and A)");
+DEFINE_bool(weighted, false, "objective toughness: weight each point by its standard error");
+DEFINE_string(sigma_T, "", "standard error of T for all points: \"0.5%\", or \"0.2 mN\"");
+DEFINE_string(sigma_A, "", "standard error of A for all points: \"1%\", or \"0.002 mm^2\"");
+DEFINE_string(loss, "none", "none, or a loss that outliers move less: huber or cauchy");
+DEFINE_string(loss_scale, "", "where the loss begins to bend, in standard errors (default 1.345 huber, 2.385 cauchy)");
+DEFINE_string(free, "", "fit these, too, for all loads together: toughness, modulus, load_offset, area_offset");
+DEFINE_string(interval, "profile", "confidence intervals: profile or none");
+DEFINE_bool(compare, true, "compare the models: AICc, weights, error on loads left out of the fit");
+DEFINE_string(per, "", "curve: fit each loading run by itself, too, and test one value against many");
+DEFINE_string(confidence, "0.95", "confidence of intervals, above 0 and below 1");
 DEFINE_string(scale, "log", "toughness is compared as ln(Gc/GIc) (log) or as Gc/GIc (linear)");
 DEFINE_string(hold, "", "parameters to hold, comma-separated: NAME=VALUE, or NAME for the data set's own value");
 DEFINE_string(format, "text", "output format: text, json or csv");

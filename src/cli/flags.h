@@ -11,6 +11,16 @@
 
 DECLARE_string(models);
 DECLARE_string(objective);
+DECLARE_bool(weighted);
+DECLARE_string(sigma_T);
+DECLARE_string(sigma_A);
+DECLARE_string(loss);
+DECLARE_string(loss_scale);
+DECLARE_string(free);
+DECLARE_string(interval);
+DECLARE_string(confidence);
+DECLARE_bool(compare);
+DECLARE_string(per);
 DECLARE_string(scale);
 DECLARE_string(hold);
 DECLARE_string(format);

@@ -1,59 +1,32 @@
 #include "fitting/fit.h"
 
 #include <algorithm>
+#include <numeric>
 
-#include "dataset/input_error.h"
-#include "dataset/number_text.h"
 #include "fitting/goodness.h"
+#include "fitting/prepared_fit.h"
 #include "mechanics/equilibrium.h"
 
 namespace mixity {
 namespace {
 
-/// What the metadata say of a parameter; null if nothing.
-std::optional<double> stated_value(std::string_view parameter, const Metadata& metadata) {
-  if (parameter == "r" && metadata.toughness && metadata.toughness_II)
-    return *metadata.toughness_II / *metadata.toughness;
-  return std::nullopt;
-}
-
-double held_value(const HeldParameter& held, const ParameterInfo& info, const Dataset& data) {
-  const auto value = held.value ? held.value : stated_value(held.name, data.metadata);
-  if (!value)
-    throw InputError(data.path, "parameter '" + held.name +
-                                    "' is to be held at the data set's own value, but the metadata state none" +
-                                    (held.name == "r" ? " (r = toughness_II/toughness)" : ""));
-  if (!(*value >= info.lower && *value <= info.upper))
-    throw InputError(data.path, "parameter '" + held.name + "' is held at " + shortest(*value) +
-                                    ", outside its range " + shortest(info.lower) + ".." + shortest(info.upper));
-  return *value;
-}
-
-/// A model whose toughness is infinite at psi = pi/2 for every parameter in the interior of its range says nothing
-/// about points there.
 template <class Model>
-bool describes(const Mixity<double>& mixity) {
-  Parameters<Model> p;
-  for (std::size_t i = 0; i < p.size(); ++i) p[i] = Model::parameters[i].typical;
-  return std::isfinite(Model::log_toughness(p, mixity).value);
-}
-
-template <class Model>
-AreaGoodness predict_areas(const Dataset& data, const std::vector<std::size_t>& used, const Parameters<Model>& p) {
+AreaGoodness predict_areas(const Dataset& data, const std::vector<std::size_t>& used, const Trial<Model>& trial) {
+  const CorrectedScale scale(trial.corrections);
   AreaGoodness area;
   std::vector<double> residuals, targets;
   std::optional<LoadedContact<Model>> contact;
   double load = 0;
   for (const std::size_t i : used) {
     const Point& point = data.points[i];
-    if (!contact || point.P != load) contact.emplace(p, load = point.P);
-    const Equilibrium equilibrium = contact->at(point.T);
+    if (!contact || point.P != load) contact.emplace(trial.parameters, scale.load(load = point.P));
+    const Equilibrium equilibrium = contact->at(scale.shear(point.T));
     if (equilibrium.status != EquilibriumStatus::ok) {
       ++area.unpredicted;
       area.areas.emplace_back();
       continue;
     }
-    const double A = area_from_radius(radius_from_edge_load(equilibrium.y, point.P));
+    const double A = scale.measured_area(area_from_radius(radius_from_edge_load(equilibrium.y, scale.load(point.P))));
     area.areas.emplace_back(A);
     residuals.push_back((A - point.A) * data.display.area_scale);
     targets.push_back(point.A * data.display.area_scale);
@@ -67,74 +40,205 @@ AreaGoodness predict_areas(const Dataset& data, const std::vector<std::size_t>& 
   return area;
 }
 
+/// Where the constants start: at the JKR curve through the points without shear (T up to 1 % of the largest).
 template <class Model>
-FitResult fit_model(const Dataset& data, const FitOptions& options) {
-  FitResult result;
-  result.model = Model::info.key;
-  result.model_name = Model::info.name;
-  result.formula = Model::info.formula;
-  result.scale = options.scale;
+std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, const PreparedFit<Model>& prepared) {
+  std::vector<double> start(options.free.size(), 0.0);
+  double largest = 0;
+  for (const std::size_t i : prepared.used) largest = std::max(largest, data.points[i].T);
+  PreparedFit<Model> unsheared = prepared;
+  unsheared.held.fill(true);
+  std::erase_if(unsheared.used, [&](std::size_t i) { return data.points[i].T > 0.01 * largest; });
+  if (unsheared.used.size() < options.free.size()) return start;
+  FitOptions area = options;
+  area.objective = Objective::area;
+  const auto minimum = descend(*make_problem<Model>(data, area, unsheared), start);
+  return minimum && minimum->stationary ? minimum->x : start;
+}
 
-  std::vector<ToughnessPoint> points;
-  for (std::size_t i = 0; i < data.points.size(); ++i) {
+/// 1/standard error of ln f (or f) minus the model's at the point's psi: through f and psi at once, from sigma_A and
+/// sigma_T, or from the file's sigma_Gc.
+template <class Model>
+std::vector<double> toughness_weights(const Dataset& data, const FitOptions& options,
+                                      const PreparedFit<Model>& prepared, const Parameters<Model>& p) {
+  std::vector<double> weights;
+  for (const std::size_t i : prepared.used) {
     const Point& point = data.points[i];
-    if (!describes<Model>(point.mixity)) {
-      result.excluded.push_back({point.line, "model " + result.model + " has an infinite toughness at this psi"});
-      continue;
+    double error = point.sigma_ratio / point.ratio;  // of ln f
+    if (data.has_loads) {
+      const double sigma_T = prepared.errors->T[i], sigma_A = prepared.errors->A[i];
+      const auto r = ToughnessResiduals<Model>(p, point.P, 0)({point.P, point.T, point.A, sigma_T, sigma_A});
+      error = std::hypot(r->T * sigma_T, r->A * sigma_A);
     }
-    points.push_back({point.mixity, point.ratio});
-    result.used.push_back(i);
+    if (!(error > 0)) throw InputError(data.path, point.line, 0, "this point has no standard error (sigma_Gc is 0)");
+    weights.push_back(1 / (options.scale == Scale::log ? error : error * point.ratio));
+  }
+  return weights;
+}
+
+/// Standard error of residuals whose size is not known beforehand: 1.4826 times the median of their sizes.
+double spread(const LeastSquares& problem, const std::vector<double>& x) {
+  std::vector<double> residuals(problem.residual_count());
+  if (residuals.empty() || !problem.evaluate(x, residuals, {})) return 0;
+  for (double& r : residuals) r = std::abs(r);
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
+  return 1.4826 * *middle;
+}
+
+ShownInterval shown(const Interval& interval, const FreeParameter& parameter) {
+  ShownInterval result{"profile", interval.confidence, {}, {}, interval.low_status, interval.high_status};
+  if (interval.low_status != EndStatus::open) result.low = parameter.shown(interval.low);
+  if (interval.high_status != EndStatus::open) result.high = parameter.shown(interval.high);
+  return result;
+}
+
+template <class Model>
+class Fitter {
+ public:
+  Fitter(const Dataset& data, const FitOptions& options, const std::vector<std::size_t>* points)
+      : data_(data), options_(options), prepared_(prepare<Model>(data, options, points)) {}
+
+  FitResult run() {
+    describe();
+    if (!options_.free.empty()) prepared_.start = jkr_start<Model>(data_, options_, prepared_);
+    problem_ = make_problem<Model>(data_, options_, prepared_);
+    std::vector<double> x;
+    if (problem_->parameters().empty()) {
+      result_.status = FitStatus::ok;
+      result_.message = "every parameter is held: nothing was fitted";
+    } else {
+      const Verdict verdict = find_minimum();
+      result_.status = verdict.status;
+      result_.message = verdict.message;
+      if (!result_.has_values() || verdict.best.x.empty()) return result_;
+      x = verdict.best.x;
+      add_parameters(verdict);
+    }
+    judge(x);
+    return result_;
   }
 
-  Parameters<Model> base{};
-  std::array<bool, parameter_count<Model>> is_held{};
-  for (std::size_t k = 0; k < base.size(); ++k) {
-    const ParameterInfo& info = Model::parameters[k];
-    result.parameters.push_back({std::string(info.name), {}, {}, info.lower, info.upper});
-    base[k] = info.typical;
-    for (const HeldParameter& held : options.hold)
-      if (held.name == info.name) {
-        base[k] = held_value(held, info, data);
-        is_held[k] = true;
-        result.parameters[k].held = true;
-        result.parameters[k].value = base[k];
+ private:
+  void describe() {
+    result_.model = Model::info.key;
+    result_.model_name = Model::info.name;
+    result_.formula = Model::info.formula;
+    result_.objective = options_.objective;
+    result_.scale = options_.scale;
+    result_.used = prepared_.used;
+    result_.excluded = prepared_.excluded;
+    result_.errors = prepared_.errors;
+    for (std::size_t k = 0; k < prepared_.base.size(); ++k) {
+      const ParameterInfo& info = Model::parameters[k];
+      result_.parameters.push_back({std::string(info.name), {}, {}, info.lower, info.upper});
+      result_.parameters[k].held = prepared_.held[k];
+      if (prepared_.held[k]) result_.parameters[k].value = prepared_.base[k];
+    }
+    const FreeChoice<Model> choice = free_choice(data_, options_, prepared_);
+    for (const FreeParameter& parameter : choice.parameters())
+      if (parameter.start) {
+        result_.parameters.push_back(
+            {parameter.name, {}, {}, parameter.shown(parameter.lower), parameter.shown(parameter.upper)});
+        result_.parameters.back().unit = unit_of(parameter.name);
       }
   }
 
-  const ToughnessObjective<Model> objective(std::move(points), options.scale, base, is_held);
-  std::vector<double> x;
-  if (!objective.parameters().empty()) {
-    const Verdict verdict = minimise(objective);
-    result.status = verdict.status;
-    result.message = verdict.message;
-    if (!result.has_values() || verdict.best.x.empty()) return result;
-    x = verdict.best.x;
-    for (std::size_t k = 0, j = 0; k < base.size(); ++k) {
-      if (is_held[k]) continue;
-      result.parameters[k].value = x[j];
-      result.parameters[k].stderr_ = verdict.stderrs[j];
-      result.parameters[k].at_bound = verdict.at_bound[j];
-      ++j;
-    }
-  } else {
-    result.status = FitStatus::ok;
-    result.message = "every parameter is held: nothing was fitted";
+  std::string unit_of(const std::string& name) const {
+    if (name == "load_offset") return data_.display.force;
+    if (name == "area_offset") return data_.display.area;
+    if (!data_.contact) return "";
+    return name == "toughness" ? "J/m^2" : "Pa";
   }
 
-  result.residuals.resize(objective.residual_count());
-  if (result.residuals.empty() || !objective.evaluate(x, result.residuals, {})) {
-    result.residuals.clear();
-    result.status = FitStatus::not_converged;
-    result.message = "the model is not finite at the used points";
-    return result;
+  Verdict find_minimum() {
+    Verdict verdict = minimise(*problem_, options_.near);
+    if (options_.objective == Objective::toughness && options_.weighted) {
+      // The standard errors depend on the model: until they no longer change.
+      for (int i = 0; i < 50 && verdict.status != FitStatus::not_identifiable && !verdict.best.x.empty(); ++i) {
+        const std::vector<double> before = verdict.best.x;
+        problem_ = make_problem<Model>(
+            data_, options_, prepared_,
+            toughness_weights<Model>(data_, options_, prepared_, problem_->trial(before).parameters));
+        verdict = minimise(*problem_, options_.near);
+        if (verdict.best.x.empty()) break;
+        bool settled = true;
+        for (std::size_t k = 0; k < before.size(); ++k)
+          settled &= std::abs(verdict.best.x[k] - before[k]) <= 1e-12 * std::abs(before[k]);
+        if (settled) break;
+      }
+    }
+    if (options_.loss == Loss::none) return verdict;
+    const double scale = options_.loss_scale.value_or(usual_scale(options_.loss));
+    const bool known = result_.errors && result_.errors->absolute();
+    for (int i = 0; i < (known ? 1 : 3) && !verdict.best.x.empty(); ++i) {
+      result_.loss_scale = scale * (known ? 1.0 : spread(*problem_, verdict.best.x));
+      if (!(result_.loss_scale > 0)) return verdict;  // no residuals to speak of
+      robust_.emplace(*problem_, options_.loss, result_.loss_scale);
+      verdict = minimise(*robust_, options_.near);
+    }
+    return verdict;
   }
-  const Goodness fit = goodness(result.residuals, objective.targets());
-  result.r2 = fit.r2;
-  result.rmse = fit.rmse;
-  result.max_abs_residual = fit.max_abs_residual;
-  if (data.has_loads) result.area = predict_areas<Model>(data, result.used, objective.all_parameters(x));
-  return result;
-}
+
+  const LeastSquares& cost() const {
+    if (robust_) return *robust_;
+    return *problem_;
+  }
+
+  void add_parameters(const Verdict& verdict) {
+    result_.free_parameters = problem_->parameters().size();
+    result_.solution = verdict.best.x;
+    result_.sum_of_squares = verdict.best.sum_of_squares;
+    result_.correlations = verdict.correlations;
+    const bool known = result_.errors && result_.errors->absolute();
+    const std::size_t n = problem_->residual_count(), p = problem_->parameters().size();
+    const double allowance = n > p ? cost_allowance(options_.confidence, verdict.best.sum_of_squares, n, p, known) : 0;
+    // Errors from J'J are in units of the scatter; known errors have unit size.
+    const double unit = known && verdict.best.sum_of_squares > 0 && n > p
+                            ? std::sqrt(static_cast<double>(n - p) / verdict.best.sum_of_squares)
+                            : 1;
+    std::size_t j = 0;
+    for (FittedParameter& shown_parameter : result_.parameters) {
+      if (shown_parameter.held) continue;
+      const FreeParameter& parameter = problem_->parameters()[j];
+      const double x = verdict.best.x[j];
+      shown_parameter.value = parameter.shown(x);
+      shown_parameter.at_bound = verdict.at_bound[j];
+      if (verdict.stderrs[j]) shown_parameter.stderr_ = *verdict.stderrs[j] * unit * parameter.shown_slope(x);
+      const bool judged = verdict.status != FitStatus::not_converged && n > p && allowance > 0;
+      if (options_.intervals && judged) {
+        std::optional<double> step;
+        if (verdict.stderrs[j]) step = *verdict.stderrs[j] * unit;
+        shown_parameter.interval =
+            shown(profile_interval(cost(), verdict.best, j, options_.confidence, allowance, step), parameter);
+      }
+      ++j;
+    }
+  }
+
+  /// Goodness of fit in the fitted space and of the predicted areas.
+  void judge(const std::vector<double>& x) {
+    result_.residuals.resize(problem_->residual_count());
+    if (result_.residuals.empty() || !problem_->evaluate(x, result_.residuals, {})) {
+      result_.residuals.clear();
+      result_.status = FitStatus::not_converged;
+      result_.message = "the model is not finite at the used points";
+      return;
+    }
+    const Goodness fit = goodness(result_.residuals, problem_->targets(), problem_->weights());
+    result_.r2 = fit.r2;
+    result_.rmse = fit.rmse;
+    result_.max_abs_residual = fit.max_abs_residual;
+    if (data_.has_loads) result_.area = predict_areas<Model>(data_, result_.used, problem_->trial(x));
+  }
+
+  const Dataset& data_;
+  const FitOptions& options_;
+  PreparedFit<Model> prepared_;
+  std::unique_ptr<ModelProblem<Model>> problem_;
+  std::optional<RobustProblem> robust_;
+  FitResult result_;
+};
 
 }  // namespace
 
@@ -163,9 +267,20 @@ bool has_parameter(const std::vector<std::string>& models, std::string_view name
   return found;
 }
 
-FitResult fit_toughness(const Dataset& data, std::string_view model, const FitOptions& options) {
+std::string_view to_string(Objective objective) {
+  return objective == Objective::toughness ? "toughness" : objective == Objective::area ? "area" : "curve";
+}
+
+std::optional<Objective> parse_objective(std::string_view text) {
+  for (const Objective objective : {Objective::toughness, Objective::area, Objective::curve})
+    if (text == to_string(objective)) return objective;
+  return std::nullopt;
+}
+
+FitResult fit_model(const Dataset& data, std::string_view model, const FitOptions& options,
+                    const std::vector<std::size_t>* points) {
   FitResult result;
-  with_model(model, [&](auto chosen) { result = fit_model<decltype(chosen)>(data, options); });
+  with_model(model, [&](auto chosen) { result = Fitter<decltype(chosen)>(data, options, points).run(); });
   return result;
 }
 

@@ -7,8 +7,12 @@
 #include <vector>
 
 #include "dataset/dataset.h"
+#include "fitting/interval.h"
 #include "fitting/minimise.h"
+#include "fitting/robust.h"
+#include "fitting/standard_errors.h"
 #include "fitting/toughness_objective.h"
+#include "fitting/trial.h"
 
 namespace mixity {
 
@@ -22,9 +26,32 @@ struct HeldParameter {
 /// "r" or "lambda=0.3". Null if the text is neither.
 std::optional<HeldParameter> parse_held(std::string_view text);
 
+/// toughness: Gc/GIc against psi. area: A against T. curve: distance from the curve in the plane of T and A.
+enum class Objective { toughness, area, curve };
+std::string_view to_string(Objective objective);
+std::optional<Objective> parse_objective(std::string_view text);
+
 struct FitOptions {
-  Scale scale = Scale::log;
-  std::vector<HeldParameter> hold;  // names a model does not have are ignored for that model
+  Objective objective = Objective::toughness;
+  Scale scale = Scale::log;           // of toughness
+  bool weighted = false;              // toughness: by each point's standard error, which the others always use
+  std::vector<HeldParameter> hold{};  // names a model does not have are ignored for that model
+  std::vector<Correction> free{};     // constants of the experiment that are fitted, too
+  Corrections corrections{};          // of those that are not
+  std::optional<StatedError> sigma_T{}, sigma_A{};
+  Loss loss = Loss::none;
+  std::optional<double> loss_scale{};  // in standard errors; null: the loss's usual one
+  bool intervals = true;
+  double confidence = 0.95;
+  std::vector<double> near{};  // of a refit: where the minimum is looked for, in the solver's numbers; empty: anywhere
+};
+
+/// An interval as a reader sees it. A missing end is open.
+struct ShownInterval {
+  std::string method;  // profile
+  double confidence;
+  std::optional<double> low, high;
+  EndStatus low_status, high_status;
 };
 
 struct FittedParameter {
@@ -33,6 +60,8 @@ struct FittedParameter {
   std::optional<double> stderr_;  // null if held, at a bound, not identifiable
   double lower, upper;
   bool at_bound = false, held = false;
+  std::optional<ShownInterval> interval{};
+  std::string unit{};  // empty if dimensionless
 };
 
 /// How well the fitted model predicts the area at the points' loads, in the units of the file.
@@ -46,6 +75,7 @@ struct AreaGoodness {
 
 struct FitResult {
   std::string model, model_name, formula;
+  Objective objective = Objective::toughness;
   Scale scale = Scale::log;
   FitStatus status = FitStatus::not_converged;
   std::string message;
@@ -54,8 +84,14 @@ struct FitResult {
   std::vector<Excluded> excluded;  // usable points that this model cannot describe
   std::optional<double> r2;        // in the fitted space; null without scatter or without a fit
   std::optional<double> rmse, max_abs_residual;
-  std::vector<double> residuals;     // per used point, model minus data; empty without a fit
-  std::optional<AreaGoodness> area;  // null without loads or without a fit
+  std::vector<double> residuals;         // per used point, model minus data; empty without a fit
+  std::optional<AreaGoodness> area;      // null without loads or without a fit
+  std::optional<StandardErrors> errors;  // of the points, where the objective uses them
+  std::vector<double> correlations;      // [p x p] of the free parameters in order; empty for one
+  std::size_t free_parameters = 0;
+  std::vector<double> solution;  // of the free parameters, as the solver counts: what FitOptions::near takes
+  double sum_of_squares = 0;     // of the (weighted) residuals, or of the robust loss
+  double loss_scale = 0;         // in units of the residuals; 0 without a robust loss
 
   bool has_values() const { return status != FitStatus::not_identifiable; }
 };
@@ -66,8 +102,10 @@ std::vector<std::string> model_keys();
 /// True if one of these models has a parameter of this name.
 bool has_parameter(const std::vector<std::string>& models, std::string_view name);
 
-/// Fits objective `toughness`. `model` must be one of model_keys(). Throws InputError if a parameter is to be held at
-/// a value that is out of range or that the data set does not state.
-FitResult fit_toughness(const Dataset& data, std::string_view model, const FitOptions& options = {});
+/// `model` must be one of model_keys(). `points`: indices of the points to fit, all if null. Throws InputError if a
+/// parameter is to be held at a value that is out of range or that the data set does not state, if the objective needs
+/// loads and the data set has none, or if a point lacks a standard error.
+FitResult fit_model(const Dataset& data, std::string_view model, const FitOptions& options = {},
+                    const std::vector<std::size_t>* points = nullptr);
 
 }  // namespace mixity

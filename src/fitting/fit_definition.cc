@@ -23,7 +23,7 @@ class Reader {
       else if (key == "models")
         job.models = texts(node, "models");
       else if (key == "objective")
-        job.objective = text(node, "objective");
+        job.options.objective = objective(node);
       else if (key == "scale")
         job.options.scale = scale(node);
       else if (key == "hold")
@@ -65,6 +65,13 @@ class Reader {
     for (const Scale candidate : {Scale::log, Scale::linear})
       if (name == to_string(candidate)) return candidate;
     fail(node, "scale is \"" + name + "\"; it must be log or linear");
+  }
+
+  Objective objective(const toml::node& node) const {
+    const std::string name = text(node, "objective");
+    const auto found = parse_objective(name);
+    if (!found) fail(node, "unknown objective \"" + name + "\" (known: toughness, area, curve)");
+    return *found;
   }
 
   void read_hold(const toml::node& node, FitJob& job) const {
@@ -110,8 +117,6 @@ class Reader {
         if (number.name != "r2" && !has_parameter({model}, number.name))
           fail(*table.get("published"), "model " + model + " has no parameter \"" + number.name + "\"");
     }
-    if (job.objective != "toughness")
-      fail(*table.get("objective"), "unknown objective \"" + job.objective + "\" (known: toughness)");
   }
 
   const std::string& path_;
@@ -136,8 +141,12 @@ std::vector<Agreement> compare(const FitResult& fit, const FitJob& job) {
 }
 
 JobResult run(const FitJob& job, const Overrides& overrides) {
-  JobResult result{job, load_dataset(job.data_path, overrides), {}};
-  for (const std::string& model : job.models) result.fits.push_back(fit_toughness(result.data, model, job.options));
+  JobResult result{job, load_dataset(job.data_path, overrides), {}, {}, {}};
+  for (const std::string& model : job.models) result.fits.push_back(fit_model(result.data, model, job.options));
+  if (job.compare && job.models.size() > 1) result.comparison = compare_models(result.data, result.fits, job.options);
+  if (job.per_curve)
+    for (const std::string& model : job.models)
+      result.per_curve.push_back(fit_per_curve(result.data, model, job.options));
   return result;
 }
 

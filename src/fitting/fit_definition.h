@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fitting/comparison.h"
 #include "fitting/fit.h"
 
 namespace mixity {
@@ -19,8 +20,9 @@ struct Published {
 struct FitJob {
   std::string data_path;            // CSV, resolved against the definition's folder
   std::vector<std::string> models;  // in the order to report
-  std::string objective = "toughness";
   FitOptions options;
+  bool compare = true;     // the models with each other: information criteria, error on loads left out
+  bool per_curve = false;  // each loading run by itself, too
   std::map<std::string, std::vector<Published>> published;  // by model key
   std::string source;                                       // of the published numbers
 };
@@ -41,6 +43,8 @@ struct JobResult {
   FitJob job;
   Dataset data;
   std::vector<FitResult> fits;
+  std::vector<ComparedModel> comparison;  // empty with one model
+  std::vector<PerCurve> per_curve;        // per model, if asked for
 };
 
 JobResult run(const FitJob& job, const Overrides& overrides = {});

@@ -18,6 +18,7 @@ constexpr double kChiSquare95 = 3.841458820694124;
 /// Values of one parameter to scan: logarithmic, and from a lower bound of zero logarithmic at first, then even.
 std::vector<double> scan_values(const FreeParameter& parameter, std::size_t density) {
   std::vector<double> values;
+  if (parameter.start) return {*parameter.start};
   const auto logarithmic = [&](double from, double to, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i)
       values.push_back(from * std::pow(to / from, static_cast<double>(i) / static_cast<double>(n - 1)));
@@ -41,9 +42,11 @@ struct Scan {
 
 /// Cost over the grid of all parameters' scan values; a local minimum is no higher than its neighbours.
 Scan scan(const LeastSquares& problem) {
-  const std::size_t p = problem.parameters().size();
+  const auto scanned = std::count_if(problem.parameters().begin(), problem.parameters().end(),
+                                     [](const FreeParameter& parameter) { return !parameter.start; });
   std::vector<std::vector<double>> axes;
-  for (const FreeParameter& parameter : problem.parameters()) axes.push_back(scan_values(parameter, p == 1 ? 64 : 16));
+  for (const FreeParameter& parameter : problem.parameters())
+    axes.push_back(scan_values(parameter, scanned == 1 ? 64 : 16));
   std::size_t total = 1;
   for (const auto& axis : axes) total *= axis.size();
 
@@ -126,12 +129,20 @@ std::string standard_errors(const LeastSquares& problem, Verdict& verdict) {
   for (Eigen::Index i = 0; i < m; ++i)
     for (Eigen::Index j = 0; j < m; ++j) scaled(i, j) = J.col(open[i]).dot(J.col(open[j])) / (norms[i] * norms[j]);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-  if (!(eigen.eigenvalues()[0] > 1e-12)) return names([](Eigen::Index) { return true; }) + " independently";
+  if (!(eigen.eigenvalues()[0] > 1e-12)) {
+    // the direction that no residual feels
+    const auto weak = eigen.eigenvectors().col(0);
+    return names([&](Eigen::Index i) { return std::abs(weak[i]) > 0.1; }) + " independently";
+  }
   if (n <= p) return {};
   const double variance = verdict.best.sum_of_squares / static_cast<double>(n - p);
   const Eigen::MatrixXd inverse = scaled.llt().solve(Eigen::MatrixXd::Identity(m, m));
   for (Eigen::Index i = 0; i < m; ++i)
     verdict.stderrs[static_cast<std::size_t>(open[i])] = std::sqrt(variance * inverse(i, i)) / norms[i];
+  if (m == static_cast<Eigen::Index>(p) && p > 1)
+    for (Eigen::Index i = 0; i < m; ++i)
+      for (Eigen::Index j = 0; j < m; ++j)
+        verdict.correlations.push_back(inverse(i, j) / std::sqrt(inverse(i, i) * inverse(j, j)));
   return {};
 }
 
@@ -153,9 +164,9 @@ std::string_view to_string(FitStatus status) {
   return "not_converged";
 }
 
-Verdict minimise(const LeastSquares& problem) {
+Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
   const std::size_t n = problem.residual_count(), p = problem.parameters().size();
-  Verdict verdict{FitStatus::ok, {}, {}, std::vector<bool>(p), std::vector<std::optional<double>>(p), {}};
+  Verdict verdict{FitStatus::ok, {}, {}, std::vector<bool>(p), std::vector<std::optional<double>>(p), {}, {}};
   const auto end = [&](FitStatus status, const std::string& message) {
     verdict.status = status;
     verdict.message = message;
@@ -168,13 +179,17 @@ Verdict minimise(const LeastSquares& problem) {
                                                 " cannot determine " + std::to_string(p) + " parameter" +
                                                 (p == 1 ? "" : "s") + " and their errors");
 
-  const Scan scanned = scan(problem);
-  if (scanned.minima.empty() && !std::isfinite(scanned.lowest))
+  Scan scanned;
+  if (near.empty())
+    scanned = scan(problem);
+  else
+    scanned.minima = {near};
+  if (scanned.minima.empty())
     return end(FitStatus::not_converged, "the model is not finite at these points for any parameter value");
   // Within rounding, or within what the scatter allows, every value fits as well as the best.
   const double rounding = 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();
   const double threshold = 1 + kChiSquare95 / static_cast<double>(n - p);
-  if (std::sqrt(scanned.highest) <= rounding || scanned.highest <= threshold * scanned.lowest) {
+  if (near.empty() && (std::sqrt(scanned.highest) <= rounding || scanned.highest <= threshold * scanned.lowest)) {
     std::string names;
     for (const FreeParameter& parameter : problem.parameters()) names += (names.empty() ? "" : ", ") + parameter.name;
     return end(FitStatus::not_identifiable, "the data do not constrain " + names + ": every value in the range fits");

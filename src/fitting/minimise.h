@@ -27,11 +27,13 @@ struct Verdict {
   std::vector<bool> at_bound;                  // per parameter
   std::vector<std::optional<double>> stderrs;  // null at a bound, if not identifiable, or without degrees of freedom
   std::vector<Minimum> others;                 // further local minima, best first
+  std::vector<double> correlations;            // [p x p] of the parameters that have a standard error; else empty
 };
 
-/// Scans the whole range, descends with Ceres from every local minimum of the scan, and judges the best. One or two
-/// free parameters.
-Verdict minimise(const LeastSquares& problem);
+/// Scans the whole range of the parameters without a start (one or two), the others at theirs, descends with Ceres from
+/// every local minimum of the scan, and judges the best.
+/// Given `near`, the scan is left out and the descent starts there: for refits of almost the same data.
+Verdict minimise(const LeastSquares& problem, const std::vector<double>& near = {});
 
 /// Ceres from one start, polished to a zero of the gradient. Null if no finite cost was found from there.
 std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<double>& start);

@@ -80,7 +80,7 @@ std::string fits_csv(const std::vector<JobResult>& results) {
     for (const FitResult& fit : result.fits)
       for (const FittedParameter& parameter : fit.parameters) {
         out << csv_field(result.data.name) << ',' << to_string(result.data.metadata.provenance) << ',' << fit.model
-            << ',' << result.job.objective << ',' << to_string(fit.scale) << ',' << to_string(fit.status) << ','
+            << ',' << to_string(fit.objective) << ',' << to_string(fit.scale) << ',' << to_string(fit.status) << ','
             << parameter.name << ',' << number(parameter.value) << ',' << number(parameter.stderr_) << ','
             << shortest(parameter.lower) << ',' << shortest(parameter.upper) << ',' << (parameter.at_bound ? 1 : 0)
             << ',' << number(fit.r2) << ',' << number(fit.rmse) << ',' << number(fit.max_abs_residual) << ',';

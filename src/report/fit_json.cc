@@ -1,11 +1,9 @@
 #include "report/fit_json.h"
 
-#include <nlohmann/json.hpp>
+#include "report/fit_statistics_json.h"
 
 namespace mixity {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
@@ -23,7 +21,9 @@ Json parameters_json(const FitResult& fit) {
                                   {"lower", parameter.lower},
                                   {"upper", parameter.upper},
                                   {"at_bound", parameter.at_bound},
-                                  {"held", parameter.held}};
+                                  {"held", parameter.held},
+                                  {"unit", parameter.unit},
+                                  {"interval", interval_json(parameter.interval)}};
   return parameters;
 }
 
@@ -45,7 +45,7 @@ Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
                                            {"tolerance", agreement.published.tolerance},
                                            {"agrees", agreement.agrees}};
   return {{"model", fit.model},
-          {"objective", job.objective},
+          {"objective", to_string(fit.objective)},
           {"scale", to_string(fit.scale)},
           {"status", to_string(fit.status)},
           {"message", fit.message},
@@ -55,6 +55,9 @@ Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
           {"r2", number_or_null(fit.r2)},
           {"rmse", number_or_null(fit.rmse)},
           {"max_abs_residual", number_or_null(fit.max_abs_residual)},
+          {"errors", errors_json(fit, data)},
+          {"loss_scale", fit.loss_scale > 0 ? Json(fit.loss_scale) : Json()},
+          {"correlations", correlations_json(fit)},
           {"area", area_json(fit, data)},
           {"published", published}};
 }
@@ -76,7 +79,9 @@ std::string to_json(const std::vector<JobResult>& results) {
                         {"points", data.rows},
                         {"used", data.points.size()},
                         {"excluded", excluded_json(data.excluded)},
-                        {"fits", fits}});
+                        {"fits", fits},
+                        {"comparison", comparison_json(result)},
+                        {"per_curve", per_curve_json(result)}});
   }
   const Json document = {{"schema", "mixity-fit-1"}, {"version", MIXITY_VERSION}, {"datasets", datasets}};
   // Names and paths may hold bytes that are not UTF-8; they are replaced rather than thrown over.

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "dataset/number_text.h"
+#include "report/fit_statistics_text.h"
 
 namespace mixity {
 namespace {
@@ -57,21 +58,28 @@ void write_parameter(std::ostringstream& out, const FittedParameter& parameter) 
       out << " (no standard error" << (parameter.at_bound ? ": at its bound" : "") << ')';
     }
   }
+  if (!parameter.unit.empty() && parameter.value) out << ' ' << parameter.unit;
+  out << interval_text(parameter);
   if (!parameter.held) out << "   range " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4);
   out << '\n';
 }
 
+std::string fitted_space(const FitResult& fit) {
+  if (fit.objective == Objective::area) return "A/sigma_A against T";
+  if (fit.objective == Objective::curve) return "distance from the curve, in standard errors";
+  return std::string(fit.scale == Scale::log ? "ln(Gc/GIc)" : "Gc/GIc") + " against psi";
+}
+
 void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job, const Dataset& data) {
-  const bool log = fit.scale == Scale::log;
   out << "[[Model " << fit.model << "]] " << fit.model_name << ": " << fit.formula << '\n';
   out << "    status: " << (fit.status == FitStatus::ok ? "ok" : "*** " + capitals(to_string(fit.status)) + " ***");
   if (!fit.message.empty()) out << ": " << fit.message;
   out << '\n';
   for (const FittedParameter& parameter : fit.parameters) write_parameter(out, parameter);
   if (fit.rmse)
-    out << "    R^2 = " << r2_text(fit.r2) << " in " << (log ? "ln(Gc/GIc)" : "Gc/GIc") << " against psi, RMS "
-        << rounded(*fit.rmse, 3) << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", "
-        << fit.used.size() << " points\n";
+    out << "    R^2 = " << r2_text(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
+        << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size() << " points\n";
+  out << errors_text(fit);
   if (fit.area) {
     out << "    ";
     if (fit.area->predicted > 0)
@@ -99,6 +107,7 @@ std::string to_text(const JobResult& result) {
   std::ostringstream out;
   write_data(out, result.data);
   for (const FitResult& fit : result.fits) write_fit(out, fit, result.job, result.data);
+  out << per_curve_text(result) << comparison_text(result);
   return out.str();
 }
 

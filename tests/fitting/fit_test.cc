@@ -19,7 +19,7 @@ TYPED_TEST_SUITE(Recovery, LambdaModels);
 /// Noise-free data give lambda back to the digits that rounding of f leaves of it.
 TYPED_TEST(Recovery, ExactDataGiveLambdaBack) {
   for (const double lambda : {1e-6, 1e-4, 0.0023, 0.15, 0.5, 0.9}) {
-    const FitResult fit = fit_toughness(synthetic<TypeParam>({lambda}, angles_up_to(1.56, 40)), TypeParam::info.key);
+    const FitResult fit = fit_model(synthetic<TypeParam>({lambda}, angles_up_to(1.56, 40)), TypeParam::info.key);
     EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
     // f holds lambda to eps/(lambda d ln f/d lambda): at psi <= 1.56 a sees lambda = 1e-6 to 1e-10, the others better
     EXPECT_NEAR(*fit.parameters[0].value / lambda, 1, 1e-12 / lambda) << lambda;
@@ -46,7 +46,7 @@ TEST(Fit, EndsAtTheZeroOfTheGradientHoweverLargeTheResiduals) {
       const double middle = std::sqrt(low * high);
       (gradient(middle) * gradient(high) > 0 ? high : low) = middle;
     }
-    const FitResult fit = fit_toughness(data, "c");
+    const FitResult fit = fit_model(data, "c");
     ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
     // Rounding of sixty terms in the gradient moves its zero by about 1e-15 relative.
     EXPECT_NEAR(*fit.parameters[0].value / low, 1, 1e-12);
@@ -57,7 +57,7 @@ TEST(Fit, SaysAtBoundWhenTheDataWantMoreThanTheRangeHolds) {
   // f of model c at lambda = 0 is 1/cos^2 psi; data above that want lambda < 0
   const Dataset data = synthetic<PapangeloCiavarella>({0.0}, angles_up_to(1.4, 30),
                                                       [](std::size_t i) { return 0.1 + 0.01 * scatter(i); });
-  const FitResult fit = fit_toughness(data, "c");
+  const FitResult fit = fit_model(data, "c");
   EXPECT_EQ(fit.status, FitStatus::at_bound);
   EXPECT_EQ(*fit.parameters[0].value, 0);
   EXPECT_TRUE(fit.parameters[0].at_bound);
@@ -68,7 +68,7 @@ TEST(Fit, SaysNotIdentifiableWithoutShear) {
   const Dataset data = synthetic<PapangeloCiavarella>({0.3}, std::vector<double>(10, 0.0),
                                                       [](std::size_t i) { return 0.01 * scatter(i); });
   for (const char* model : {"a", "b", "c", "bk"}) {
-    const FitResult fit = fit_toughness(data, model);
+    const FitResult fit = fit_model(data, model);
     EXPECT_EQ(fit.status, FitStatus::not_identifiable) << model;
     for (const FittedParameter& parameter : fit.parameters) EXPECT_FALSE(parameter.value);
     EXPECT_FALSE(fit.r2);
@@ -77,14 +77,14 @@ TEST(Fit, SaysNotIdentifiableWithoutShear) {
 }
 
 TEST(Fit, SaysNotIdentifiableForOnePointOrNone) {
-  EXPECT_EQ(fit_toughness(synthetic<Johnson>({0.3}, {1.0}), "a").status, FitStatus::not_identifiable);
-  EXPECT_EQ(fit_toughness(synthetic<Johnson>({0.3}, {}), "a").status, FitStatus::not_identifiable);
+  EXPECT_EQ(fit_model(synthetic<Johnson>({0.3}, {1.0}), "a").status, FitStatus::not_identifiable);
+  EXPECT_EQ(fit_model(synthetic<Johnson>({0.3}, {}), "a").status, FitStatus::not_identifiable);
 }
 
 TEST(Fit, SaysNotIdentifiableWhenScatterDrownsTheSignal) {
   const Dataset data =
       synthetic<PapangeloCiavarella>({0.3}, angles_up_to(0.05, 20), [](std::size_t i) { return 0.5 * scatter(i); });
-  EXPECT_EQ(fit_toughness(data, "c").status, FitStatus::not_identifiable);
+  EXPECT_EQ(fit_model(data, "c").status, FitStatus::not_identifiable);
 }
 
 /// Two groups of points that want different lambdas leave two equal minima.
@@ -150,7 +150,7 @@ TEST(Fit, LeavesOutWhatAModelCannotDescribeAndSaysSo) {
   shear.mixity = {0, 1};
   shear.ratio = 1 / 0.3;
   data.points.push_back(shear);
-  const FitResult a = fit_toughness(data, "a"), c = fit_toughness(data, "c");
+  const FitResult a = fit_model(data, "a"), c = fit_model(data, "c");
   ASSERT_EQ(a.excluded.size(), 1u);
   EXPECT_EQ(a.excluded[0].line, 6u);
   EXPECT_EQ(a.used.size(), 4u);
@@ -160,17 +160,17 @@ TEST(Fit, LeavesOutWhatAModelCannotDescribeAndSaysSo) {
 
 TEST(Fit, HoldsWhatItIsToldToHold) {
   const Dataset data = synthetic<BenzeggaghKenane>({1.774, 2.284}, angles_up_to(1.5, 20));
-  const FitResult fit = fit_toughness(data, "bk", {Scale::linear, {{"r", 1.774}}});
+  const FitResult fit = fit_model(data, "bk", {.scale = Scale::linear, .hold = {{"r", 1.774}}});
   EXPECT_EQ(fit.status, FitStatus::ok);
   EXPECT_TRUE(fit.parameters[0].held);
   EXPECT_EQ(*fit.parameters[0].value, 1.774);
   EXPECT_NEAR(*fit.parameters[1].value, 2.284, 1e-11);  // exact data; eps over the slope of f in eta
-  EXPECT_THROW(fit_toughness(data, "bk", {Scale::linear, {{"r", {}}}}), InputError);
-  EXPECT_THROW(fit_toughness(data, "bk", {Scale::linear, {{"r", 1e9}}}), InputError);
+  EXPECT_THROW(fit_model(data, "bk", {.scale = Scale::linear, .hold = {{"r", {}}}}), InputError);
+  EXPECT_THROW(fit_model(data, "bk", {.scale = Scale::linear, .hold = {{"r", 1e9}}}), InputError);
 }
 
 TEST(Fit, FindsBothParametersOfTheTwoParameterLaw) {
-  const FitResult fit = fit_toughness(synthetic<BenzeggaghKenane>({2.5, 1.6}, angles_up_to(1.55, 30)), "bk");
+  const FitResult fit = fit_model(synthetic<BenzeggaghKenane>({2.5, 1.6}, angles_up_to(1.55, 30)), "bk");
   EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
   EXPECT_NEAR(*fit.parameters[0].value, 2.5, 1e-11);  // exact data; eps times a condition of about 1e3
   EXPECT_NEAR(*fit.parameters[1].value, 1.6, 1e-11);

@@ -28,7 +28,7 @@ TYPED_TEST(Objective, JacobianMatchesAutodiff) {
     for (const double q : {0.01, 0.3, 0.8}) {
       Parameters<TypeParam> p;
       for (int k = 0; k < N; ++k) p[k] = TypeParam::parameters[k].typical * (0.5 + q);
-      const ToughnessObjective<TypeParam> objective(points(), scale, p, {});
+      const ToughnessObjective<TypeParam> objective(points(), scale, FreeChoice<TypeParam>({p, {}}, {}));
       const std::size_t n = objective.residual_count();
       std::vector<double> residuals(n), jacobian(n * N);
       ASSERT_TRUE(objective.evaluate(p, residuals, jacobian));
@@ -51,7 +51,7 @@ TYPED_TEST(Objective, JacobianMatchesFiniteDifferences) {
   Parameters<TypeParam> p;
   for (int k = 0; k < N; ++k) p[k] = TypeParam::parameters[k].typical;
   for (const Scale scale : {Scale::log, Scale::linear}) {
-    const ToughnessObjective<TypeParam> objective(points(), scale, p, {});
+    const ToughnessObjective<TypeParam> objective(points(), scale, FreeChoice<TypeParam>({p, {}}, {}));
     const std::size_t n = objective.residual_count();
     std::vector<double> residuals(n), low(n), high(n), jacobian(n * N);
     ASSERT_TRUE(objective.evaluate(p, residuals, jacobian));
@@ -72,15 +72,17 @@ TYPED_TEST(Objective, JacobianMatchesFiniteDifferences) {
 }
 
 TEST(ToughnessObjective, LeavesHeldParametersAlone) {
-  const ToughnessObjective<BenzeggaghKenane> objective(points(), Scale::linear, {1.774, 2}, {true, false});
+  const ToughnessObjective<BenzeggaghKenane> objective(points(), Scale::linear,
+                                                       FreeChoice<BenzeggaghKenane>({{1.774, 2}, {}}, {true, false}));
   ASSERT_EQ(objective.parameters().size(), 1u);
   EXPECT_EQ(objective.parameters()[0].name, "eta");
   const double eta = 2.284;
-  EXPECT_EQ(objective.all_parameters({&eta, 1}), (Parameters<BenzeggaghKenane>{1.774, 2.284}));
+  EXPECT_EQ(objective.trial({&eta, 1}).parameters, (Parameters<BenzeggaghKenane>{1.774, 2.284}));
 }
 
 TEST(ToughnessObjective, ReportsAnInfiniteValueInsteadOfReturningIt) {
-  const ToughnessObjective<PapangeloCiavarella> objective({{Mixity<double>{0, 1}, 5.0}}, Scale::log, {0.5}, {false});
+  const ToughnessObjective<PapangeloCiavarella> objective({{Mixity<double>{0, 1}, 5.0}}, Scale::log,
+                                                          FreeChoice<PapangeloCiavarella>({{0.5}, {}}, {false}));
   std::vector<double> residual(1);
   const double zero = 0, small = 1e-3;
   EXPECT_FALSE(objective.evaluate({&zero, 1}, residual, {}));

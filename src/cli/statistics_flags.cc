@@ -1,0 +1,71 @@
+#include "cli/statistics_flags.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cli/flags.h"
+#include "cli/usage_error.h"
+#include "dataset/number_text.h"
+
+namespace mixity::cli {
+namespace {
+
+std::optional<StatedError> error_from(const std::string& flag, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto quantity = parse_quantity(text);
+  if (!quantity || !(quantity->value > 0))
+    throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be a percentage or a quantity above 0");
+  return quantity;
+}
+
+double number_from(const std::string& flag, const std::string& text, double above, double below) {
+  const auto value = parse_number(text);
+  if (!value || !(*value > above && *value < below))
+    throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be a number above " + shortest(above) +
+                     (std::isinf(below) ? "" : " and below " + shortest(below)));
+  return *value;
+}
+
+Loss loss_from_flag() {
+  for (const Loss loss : {Loss::none, Loss::huber, Loss::cauchy})
+    if (FLAGS_loss == to_string(loss)) return loss;
+  throw UsageError("flag '--loss' is '" + FLAGS_loss + "'; it must be none, huber or cauchy");
+}
+
+/// Model parameters may be named, too: they are free anyway.
+std::vector<Correction> free_from_flag() {
+  std::vector<Correction> corrections;
+  for (const std::string& name : split_list(FLAGS_free)) {
+    const auto found = std::find(kCorrectionNames.begin(), kCorrectionNames.end(), name);
+    if (found == kCorrectionNames.end()) {
+      if (has_parameter(model_keys(), name)) continue;
+      throw UsageError("flag '--free': '" + name +
+                       "' cannot be fitted (known: toughness, modulus, load_offset, area_offset, model parameters)");
+    }
+    const auto correction = static_cast<Correction>(found - kCorrectionNames.begin());
+    if (std::find(corrections.begin(), corrections.end(), correction) == corrections.end())
+      corrections.push_back(correction);
+  }
+  return corrections;
+}
+
+}  // namespace
+
+void add_statistics_flags(FitOptions& options) {
+  if (is_set("weighted")) options.weighted = FLAGS_weighted;
+  if (is_set("sigma_T")) options.sigma_T = error_from("sigma_T", FLAGS_sigma_T);
+  if (is_set("sigma_A")) options.sigma_A = error_from("sigma_A", FLAGS_sigma_A);
+  if (is_set("loss")) options.loss = loss_from_flag();
+  if (is_set("loss_scale"))
+    options.loss_scale = number_from("loss_scale", FLAGS_loss_scale, 0, std::numeric_limits<double>::infinity());
+  if (is_set("free")) options.free = free_from_flag();
+  if (is_set("interval")) {
+    if (FLAGS_interval != "profile" && FLAGS_interval != "none")
+      throw UsageError("flag '--interval' is '" + FLAGS_interval + "'; it must be profile or none");
+    options.intervals = FLAGS_interval == "profile";
+  }
+  if (is_set("confidence")) options.confidence = number_from("confidence", FLAGS_confidence, 0, 1);
+}
+
+}  // namespace mixity::cli

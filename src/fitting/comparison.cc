@@ -1,0 +1,186 @@
+#include "fitting/comparison.h"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <limits>
+
+#include "fitting/trial.h"
+#include "mechanics/equilibrium.h"
+
+namespace mixity {
+namespace {
+
+Information criteria(double sum_of_squares, std::size_t n, std::size_t parameters, bool known_errors) {
+  const auto points = static_cast<double>(n), k = static_cast<double>(parameters + (known_errors ? 0 : 1));
+  const double deviance = known_errors ? sum_of_squares : points * std::log(sum_of_squares / points);
+  Information result{deviance + 2 * k, deviance + k * std::log(points), {}};
+  if (points > k + 1) result.aicc = result.aic + 2 * k * (k + 1) / (points - k - 1);
+  return result;
+}
+
+bool known_errors(const FitResult& fit) { return fit.errors && fit.errors->absolute(); }
+
+std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
+  std::vector<std::vector<std::size_t>> runs(data.curves.size());
+  for (std::size_t i = 0; i < data.points.size(); ++i) runs[data.points[i].curve].push_back(i);
+  return runs;
+}
+
+/// Fitted model and corrections of a result.
+template <class Model>
+Trial<Model> trial_of(const Dataset& data, const FitResult& fit) {
+  Trial<Model> trial;
+  for (const FittedParameter& parameter : fit.parameters) {
+    for (std::size_t k = 0; k < trial.parameters.size(); ++k)
+      if (parameter.name == Model::parameters[k].name) trial.parameters[k] = *parameter.value;
+    if (parameter.name == "toughness")
+      trial.corrections[kToughness] = std::log(*parameter.value / (data.contact ? data.contact->toughness : 1));
+    if (parameter.name == "modulus")
+      trial.corrections[kModulus] = std::log(*parameter.value / (data.contact ? data.contact->modulus : 1));
+    if (parameter.name == "load_offset") trial.corrections[kLoadOffset] = *parameter.value / data.display.force_scale;
+    if (parameter.name == "area_offset") trial.corrections[kAreaOffset] = *parameter.value / data.display.area_scale;
+  }
+  return trial;
+}
+
+/// Sum of squared area errors at points of one run; adds those beyond the fold to `beyond`.
+template <class Model>
+double squared_area_errors(const Dataset& data, const std::vector<std::size_t>& run, const Trial<Model>& trial,
+                           std::size_t& beyond) {
+  const CorrectedScale scale(trial.corrections);
+  std::optional<LoadedContact<Model>> contact;
+  double sum = 0, load = 0;
+  for (const std::size_t i : run) {
+    const Point& point = data.points[i];
+    if (!contact || point.P != load) contact.emplace(trial.parameters, scale.load(load = point.P));
+    double area = 0;  // below pull-off there is no contact
+    if (contact->in_contact()) {
+      const Equilibrium equilibrium = contact->at(scale.shear(point.T));
+      const bool exists = equilibrium.status == EquilibriumStatus::ok;
+      const double y = exists ? equilibrium.y : contact->branches().back().y_bottom;
+      beyond += !exists;
+      area = area_from_radius(radius_from_edge_load(y, scale.load(point.P)));
+    }
+    const double error = (scale.measured_area(area) - point.A) * data.display.area_scale;
+    sum += error * error;
+  }
+  return sum;
+}
+
+bool has_value(const FitResult& fit) {
+  return std::all_of(fit.parameters.begin(), fit.parameters.end(), [](const auto& p) { return p.value.has_value(); });
+}
+
+}  // namespace
+
+std::optional<Information> information(const FitResult& fit) {
+  if (!has_value(fit) || fit.residuals.empty() || !(fit.sum_of_squares > 0)) return std::nullopt;
+  return criteria(fit.sum_of_squares, fit.used.size(), fit.free_parameters, known_errors(fit));
+}
+
+std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options) {
+  if (!data.has_loads || data.curves.size() < 2 || !has_value(whole)) return std::nullopt;
+  const std::string& model = whole.model;
+  FitOptions quick = options;
+  quick.intervals = false;
+  quick.near = whole.solution;
+  const auto runs = points_by_curve(data);
+  LeftOut result{0, 0};
+  std::size_t predicted = 0;
+  for (const auto& run : runs) {
+    if (run.empty()) continue;
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+      if (data.points[i].curve != data.points[run.front()].curve) others.push_back(i);
+    const FitResult without = fit_model(data, model, quick, &others);
+    if (!has_value(without) || without.status == FitStatus::not_converged) return std::nullopt;
+    with_model(model, [&](auto chosen) {
+      using Model = decltype(chosen);
+      result.rmse_area += squared_area_errors<Model>(data, run, trial_of<Model>(data, without), result.beyond_fold);
+    });
+    predicted += run.size();
+  }
+  if (predicted == 0) return std::nullopt;
+  result.rmse_area = std::sqrt(result.rmse_area / static_cast<double>(predicted));
+  return result;
+}
+
+std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector<FitResult>& fits,
+                                          const FitOptions& options) {
+  std::vector<ComparedModel> compared;
+  std::size_t most = 0;
+  for (const FitResult& one : fits) most = std::max(most, one.used.size());
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const FitResult& one : fits) {
+    ComparedModel entry{one.model, {}, {}, {}, leave_one_load_out(data, one, options)};
+    const auto criteria_of_fit = one.used.size() == most ? information(one) : std::nullopt;
+    if (criteria_of_fit) {
+      entry.aicc = criteria_of_fit->aicc;
+      entry.bic = criteria_of_fit->bic;
+    }
+    if (entry.aicc) lowest = std::min(lowest, *entry.aicc);
+    compared.push_back(entry);
+  }
+  double sum = 0;
+  for (const ComparedModel& entry : compared)
+    if (entry.aicc) sum += std::exp(0.5 * (lowest - *entry.aicc));
+  for (ComparedModel& entry : compared)
+    if (entry.aicc) entry.weight = std::exp(0.5 * (lowest - *entry.aicc)) / sum;
+  return compared;
+}
+
+PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOptions& options) {
+  PerCurve result;
+  result.model = model;
+  // Constants of the experiment are those of all runs together.
+  FitOptions own = options;
+  own.free.clear();
+  if (!options.free.empty()) {
+    FitOptions quick = options;
+    quick.intervals = false;
+    const FitResult whole = fit_model(data, model, quick);
+    if (!has_value(whole) || whole.status == FitStatus::not_converged) return result;
+    with_model(model, [&](auto chosen) { own.corrections = trial_of<decltype(chosen)>(data, whole).corrections; });
+  }
+  const auto runs = points_by_curve(data);
+  std::vector<std::size_t> tested;
+  double separate = 0;
+  std::size_t parameters = 0, n = 0;
+  bool known = false;
+  for (std::size_t c = 0; c < runs.size(); ++c) {
+    if (runs[c].empty()) continue;
+    CurveFit one{data.curves[c], data.has_loads ? data.curve_loads[c] : 0.0, fit_model(data, model, own, &runs[c])};
+    if (has_value(one.fit) && one.fit.status != FitStatus::not_converged) {
+      ++result.fitted;
+      separate += one.fit.sum_of_squares;
+      parameters += one.fit.free_parameters;
+      n += one.fit.used.size();
+      known = known_errors(one.fit);
+      tested.insert(tested.end(), runs[c].begin(), runs[c].end());
+    }
+    result.curves.push_back(std::move(one));
+  }
+  if (result.fitted < 2 || n <= parameters) return result;
+  FitOptions quick = own;
+  quick.intervals = false;
+  const FitResult pooled = fit_model(data, model, quick, &tested);
+  if (!has_value(pooled) || !(separate > 0)) return result;
+  const double freedom = static_cast<double>(parameters - pooled.free_parameters);
+  const double rest = static_cast<double>(n - parameters), gain = std::max(pooled.sum_of_squares - separate, 0.0);
+  PerCurve::Test test{known, 0, freedom, rest, 0, {}, {}};
+  if (known) {
+    test.statistic = gain;
+    test.p_value = cdf(complement(boost::math::chi_squared(freedom), gain));
+  } else {
+    test.statistic = gain / freedom / (separate / rest);
+    test.p_value = cdf(complement(boost::math::fisher_f(freedom, rest), test.statistic));
+  }
+  test.aicc_pooled = criteria(pooled.sum_of_squares, n, pooled.free_parameters, known).aicc;
+  test.aicc_separate = criteria(separate, n, parameters, known).aicc;
+  result.test = test;
+  return result;
+}
+
+}  // namespace mixity

@@ -1,0 +1,63 @@
+// Which model describes the data, and whether one value serves all loads.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fitting/fit.h"
+
+namespace mixity {
+
+/// Information criteria of one fit; K counts the fitted parameters and, where the size of the errors is not known,
+/// their variance. AICc needs n > K + 1.
+struct Information {
+  double aic, bic;
+  std::optional<double> aicc;
+};
+std::optional<Information> information(const FitResult& fit);
+
+/// How well a model predicts the areas of loading runs that were left out of its fit, in the units of the file. Beyond
+/// the last equilibrium the area at the fold counts.
+struct LeftOut {
+  double rmse_area;
+  std::size_t beyond_fold;  // points
+};
+/// Null without loads, with fewer than two runs, or if a fit without one of them yields no value.
+std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options);
+
+struct ComparedModel {
+  std::string model;
+  std::optional<double> aicc, bic, weight;  // null where the fit used other points than the rest, or has no value
+  std::optional<LeftOut> left_out;
+};
+
+/// All fits of one data set. Akaike weights exp(-d/2)/sum over the models whose AICc is comparable.
+std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector<FitResult>& fits,
+                                          const FitOptions& options);
+
+/// One run's own fit.
+struct CurveFit {
+  std::string curve;
+  double P;  // dimensionless
+  FitResult fit;
+};
+
+/// One set of parameters for all runs against one set for each: F = ((S_1 - S_m)/(p (m - 1)))/(S_m/(n - p m)), or
+/// chi^2 = S_1 - S_m where the errors are known.
+struct PerCurve {
+  std::string model;
+  std::vector<CurveFit> curves;
+  std::size_t fitted = 0;  // m, runs whose own fit has a value; the test concerns these
+  struct Test {
+    bool chi_squared;
+    double statistic, freedom, residual_freedom, p_value;
+    std::optional<double> aicc_pooled, aicc_separate;
+  };
+  std::optional<Test> test;  // null with fewer than two such runs or without degrees of freedom
+};
+
+/// Needs a data set with runs (loads, or a curve column).
+PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOptions& options);
+
+}  // namespace mixity

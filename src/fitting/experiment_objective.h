@@ -1,0 +1,92 @@
+// Objectives on measured loads and areas (P, T, A), with any of the model's parameters and corrections to the
+// experiment's constants free: `area`, `curve`, and `toughness` when a constant is free.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+
+#include "fitting/model_problem.h"
+#include "fitting/residuals.h"
+
+namespace mixity {
+
+/// Residuals is one of fitting/residuals.h.
+template <class Model, template <class> class Residuals>
+class ExperimentObjective final : public ModelProblem<Model> {
+ public:
+  /// `targets` and `weights`: what the reported R^2 compares with, one per point.
+  ExperimentObjective(std::vector<MeasuredPoint> points, std::vector<double> targets, std::vector<double> weights,
+                      FreeChoice<Model> choice)
+      : points_(std::move(points)),
+        targets_(std::move(targets)),
+        weights_(std::move(weights)),
+        choice_(std::move(choice)),
+        order_(points_.size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::size_t i, std::size_t j) { return points_[i].P < points_[j].P; });
+    for (const MeasuredPoint& point : points_) T_most_ = std::max(T_most_, point.T);
+  }
+
+  std::size_t residual_count() const override { return points_.size(); }
+  const std::vector<FreeParameter>& parameters() const override { return choice_.parameters(); }
+  const std::vector<double>& targets() const override { return targets_; }
+  const std::vector<double>& weights() const override { return weights_; }
+  Trial<Model> trial(std::span<const double> x) const override { return choice_.trial(x); }
+
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    const Trial<Model> at = trial(x);
+    const CorrectedScale scale(at.corrections);
+    std::optional<Residuals<Model>> of_load;
+    double load = 0;
+    bool finite = true;
+    for (const std::size_t i : order_) {  // all points of one load share what depends on it alone
+      const MeasuredPoint& point = points_[i];
+      if (!of_load || point.P != load) {
+        load = point.P;
+        of_load.emplace(at.parameters, scale.load(load), scale.shear(T_most_));
+      }
+      const MeasuredPoint scaled{scale.load(point.P), scale.shear(point.T), scale.true_area(point.A),
+                                 scale.force * point.sigma_T, scale.area * point.sigma_A};
+      if (!(scaled.A > 0)) return false;
+      const auto r = (*of_load)(scaled);
+      if (!r) return false;
+      residuals[i] = r->value;
+      finite &= std::isfinite(r->value);
+      if (jacobian.empty()) continue;
+      const std::span<double> row = jacobian.subspan(i * choice_.size(), choice_.size());
+      std::size_t k = 0;
+      for (const std::size_t parameter : choice_.model()) row[k++] = r->parameters[parameter];
+      for (const Correction correction : choice_.corrections()) row[k++] = slope(*r, correction, scaled, scale);
+      for (const double value : row) finite &= std::isfinite(value);
+    }
+    return finite;
+  }
+
+ private:
+  /// Chain rule through CorrectedScale.
+  static double slope(const PointResidual<Model>& r, Correction correction, const MeasuredPoint& scaled,
+                      const CorrectedScale& scale) {
+    const double by_force = -(r.P * scaled.P + r.T * scaled.T + r.log_sigma_T);
+    const double by_area = 2.0 / 3 * (r.A * scaled.A + r.log_sigma_A);
+    switch (correction) {
+      case kToughness:
+        return by_force - by_area;
+      case kModulus:
+        return by_area;
+      case kLoadOffset:
+        return r.P * scale.force;
+      case kAreaOffset:
+        break;
+    }
+    return r.A * scale.area;
+  }
+
+  std::vector<MeasuredPoint> points_;
+  std::vector<double> targets_, weights_;
+  FreeChoice<Model> choice_;
+  std::vector<std::size_t> order_;
+  double T_most_ = 0;
+};
+
+}  // namespace mixity

@@ -1,0 +1,128 @@
+#include "fitting/interval.h"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+namespace mixity {
+namespace {
+
+/// A problem with one of its parameters held.
+class HeldProblem final : public LeastSquares {
+ public:
+  HeldProblem(const LeastSquares& problem, std::size_t k, double value) : problem_(problem), k_(k), value_(value) {
+    parameters_ = problem.parameters();
+    parameters_.erase(parameters_.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+  std::size_t residual_count() const override { return problem_.residual_count(); }
+  const std::vector<FreeParameter>& parameters() const override { return parameters_; }
+  double data_norm() const override { return problem_.data_norm(); }
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    const std::size_t p = parameters_.size(), n = residual_count();
+    std::vector<double> all(x.begin(), x.end()), whole(jacobian.empty() ? 0 : n * (p + 1));
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(k_), value_);
+    if (!problem_.evaluate(all, residuals, whole)) return false;
+    if (jacobian.empty()) return true;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < p; ++j) jacobian[i * p + j] = whole[i * (p + 1) + j + (j >= k_)];
+    return true;
+  }
+
+ private:
+  const LeastSquares& problem_;
+  std::size_t k_;
+  double value_;
+  std::vector<FreeParameter> parameters_;
+};
+
+struct End {
+  double x;
+  EndStatus status;
+};
+
+/// Outwards from the minimum in growing steps until the cost exceeds the limit, then back to where it does.
+End find_end(Profile profile, const FreeParameter& parameter, double best, double limit, double direction,
+             double first_step) {
+  const double bound = direction < 0 ? parameter.lower : parameter.upper;
+  const bool scanned = !parameter.start;  // the range of a correction is only wide, not physical
+  double inside = best, inside_excess = -1, step = first_step;
+  for (int i = 0; i < 200; ++i, step *= 1.6) {
+    double next = best + direction * step;
+    const bool last = direction < 0 ? next <= bound : next >= bound;
+    if (last) next = bound;
+    const auto cost = profile(next);
+    if (!cost) return {inside, EndStatus::open};
+    const double excess_here = *cost / limit - 1;
+    if (excess_here > 0) {
+      std::uintmax_t evaluations = 60;
+      const auto excess = [&](double x) { return profile(x).value_or(2 * limit) / limit - 1; };
+      const bool down = direction < 0;
+      const auto ends = boost::math::tools::toms748_solve(
+          excess, down ? next : inside, down ? inside : next, down ? excess_here : inside_excess,
+          down ? inside_excess : excess_here,
+          [&](double low, double high) { return high - low <= 1e-11 * std::abs(0.5 * (low + high) - best); },
+          evaluations);
+      return {0.5 * (ends.first + ends.second), EndStatus::found};
+    }
+    if (last) return {bound, scanned ? EndStatus::at_bound : EndStatus::open};
+    inside = next;
+    inside_excess = excess_here;
+  }
+  return {inside, EndStatus::open};
+}
+
+}  // namespace
+
+std::string_view to_string(EndStatus status) {
+  switch (status) {
+    case EndStatus::found:
+      return "found";
+    case EndStatus::at_bound:
+      return "at_bound";
+    case EndStatus::open:
+      break;
+  }
+  return "open";
+}
+
+double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors) {
+  if (known_errors) return quantile(boost::math::chi_squared(1), confidence);
+  const auto freedom = static_cast<double>(n - p);
+  return sum_of_squares / freedom * quantile(boost::math::fisher_f(1, freedom), confidence);
+}
+
+Profile::Profile(const LeastSquares& problem, const Minimum& best, std::size_t k)
+    : problem_(problem), k_(k), others_(best.x) {
+  others_.erase(others_.begin() + static_cast<std::ptrdiff_t>(k));
+}
+
+std::optional<double> Profile::operator()(double value) {
+  const HeldProblem held(problem_, k_, value);
+  if (others_.empty()) {
+    std::vector<double> residuals(held.residual_count());
+    if (!held.evaluate({}, residuals, {})) return std::nullopt;
+    double cost = 0;
+    for (const double r : residuals) cost += r * r;
+    return cost;
+  }
+  const auto minimum = descend(held, others_);
+  if (!minimum) return std::nullopt;
+  others_ = minimum->x;
+  return minimum->sum_of_squares;
+}
+
+Interval profile_interval(const LeastSquares& problem, const Minimum& best, std::size_t k, double confidence,
+                          double allowance, std::optional<double> standard_error) {
+  const FreeParameter& parameter = problem.parameters()[k];
+  const double limit = best.sum_of_squares + allowance, x = best.x[k];
+  // Without a standard error (at a bound) the first step is tiny: the steps grow fast.
+  const double step = standard_error ? *standard_error : 1e-9 * (parameter.upper - parameter.lower);
+  const Profile profile(problem, best, k);
+  const End low = x > parameter.lower ? find_end(profile, parameter, x, limit, -1, step) : End{x, EndStatus::at_bound};
+  const End high = x < parameter.upper ? find_end(profile, parameter, x, limit, 1, step) : End{x, EndStatus::at_bound};
+  return {confidence, low.x, high.x, low.status, high.status};
+}
+
+}  // namespace mixity

@@ -1,0 +1,43 @@
+// Confidence intervals of a fitted parameter, each end with its own validity.
+#pragma once
+
+#include <string_view>
+
+#include "fitting/minimise.h"
+
+namespace mixity {
+
+enum class EndStatus { found, at_bound, open };
+std::string_view to_string(EndStatus status);
+
+/// Ends as the solver counts (FreeParameter::shown makes them a reader's).
+struct Interval {
+  double confidence;
+  double low, high;  // meaningless where open
+  EndStatus low_status, high_status;
+};
+
+/// How much the cost may rise above its minimum before a value of one parameter is rejected: chi^2(1) where the
+/// standard errors are known, else F(1, n - p) times the variance that the scatter shows.
+double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors);
+
+/// Profile likelihood: the values of parameter k up to which the cost, minimised over the others, stays within
+/// `allowance` of the minimum. An end is `at_bound` where the cost is still within it at the parameter's bound, and
+/// `open` where a correction's range ends first or the cost stops being finite. Ends to 1e-10 of the distance.
+Interval profile_interval(const LeastSquares& problem, const Minimum& best, std::size_t k, double confidence,
+                          double allowance, std::optional<double> standard_error);
+
+/// The cost profiled along parameter k: minimised over the others, from the best known values of those.
+class Profile {
+ public:
+  Profile(const LeastSquares& problem, const Minimum& best, std::size_t k);
+  /// Null if no finite cost was found.
+  std::optional<double> operator()(double value);
+
+ private:
+  const LeastSquares& problem_;
+  std::size_t k_;
+  std::vector<double> others_;  // where the last minimum lay
+};
+
+}  // namespace mixity

@@ -1,0 +1,159 @@
+// The residual of one measured point under each objective, with its derivatives. All three follow from the equilibrium
+// condition F of mechanics/sensitivity.h.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mechanics/equilibrium.h"
+#include "mechanics/projection.h"
+#include "mechanics/sensitivity.h"
+
+namespace mixity {
+
+/// A measured point and its standard errors, dimensionless.
+struct MeasuredPoint {
+  double P, T, A, sigma_T, sigma_A;
+};
+
+/// Model minus data, and its derivatives in the model's parameters, in what was measured, and in the logarithms of the
+/// standard errors (which a change of scale changes).
+template <class Model>
+struct PointResidual {
+  double value = 0;
+  Parameters<Model> parameters{};
+  double P = 0, T = 0, A = 0, log_sigma_T = 0, log_sigma_A = 0;
+};
+
+/// ln f of the model minus ln f of the point, at the point's psi: -ln((y^2 + tau^2)/(6 pi (y + P))). Its standard error
+/// follows from r.A and r.T: sigma_A and sigma_T act on it through f and psi at once.
+template <class Model>
+class ToughnessResiduals {
+ public:
+  ToughnessResiduals(const Parameters<Model>& p, double P, double) : p_(p), P_(P) {}
+
+  std::optional<PointResidual<Model>> operator()(const MeasuredPoint& point) const {
+    const double a = std::sqrt(point.A / pi<double>()), y = edge_load(a, P_), sum = y + P_;
+    if (!(y > 0)) return std::nullopt;
+    const EquilibriumGradient<Model> F = equilibrium_gradient<Model>(p_, P_, point.T, y);
+    PointResidual<Model> r;
+    r.value = -std::log(F.held / (6 * pi<double>() * sum));
+    for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = -F.parameters[k] / F.held;
+    // F = held - 6 pi sum, and dsum/dA = 2 a/pi
+    const double growth = 2 * a / pi<double>();
+    r.A = growth / sum - (F.A + 6 * pi<double>() * growth) / F.held;
+    r.T = -F.T / F.held;
+    r.P = -F.P / F.held;
+    return r;
+  }
+
+ private:
+  Parameters<Model> p_;
+  double P_;
+};
+
+/// A of the model at the measured T minus the measured A, in units of its standard error. Beyond the last equilibrium
+/// the area at the fold stands for the model's, so that the cost stays continuous.
+template <class Model>
+class AreaResiduals {
+ public:
+  AreaResiduals(const Parameters<Model>& p, double P, double) : p_(p), P_(P), contact_(p, P) {}
+
+  std::optional<PointResidual<Model>> operator()(const MeasuredPoint& point) {
+    if (!contact_.obstacle().empty() || !contact_.in_contact()) return std::nullopt;
+    const Equilibrium equilibrium = contact_.at(point.T);
+    if (equilibrium.status == EquilibriumStatus::invalid) return std::nullopt;
+    PointResidual<Model> r;
+    const bool beyond_fold = equilibrium.status == EquilibriumStatus::no_equilibrium;
+    const double y = beyond_fold ? contact_.branches().back().y_bottom : equilibrium.y;
+    const double A = area_from_radius(radius_from_edge_load(y, P_));
+    r.value = (A - point.A) / point.sigma_A;
+    if (beyond_fold) {
+      set_fold_slopes(r, point.sigma_A);
+    } else {
+      const EquilibriumGradient<Model> F = equilibrium_gradient<Model>(p_, P_, point.T, y);
+      const double scale = -1 / (F.A * point.sigma_A);
+      for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = scale * F.parameters[k];
+      r.T = scale * F.T;
+      r.P = scale * F.P;
+    }
+    r.A = -1 / point.sigma_A;
+    r.log_sigma_A = -r.value;
+    return r;
+  }
+
+ private:
+  /// dA/dparameter and dA/dP of the fold itself by central differences, once for the load.
+  void set_fold_slopes(PointResidual<Model>& r, double sigma_A) {
+    if (!fold_slopes_) {
+      fold_slopes_.emplace();
+      const auto area = [](const Parameters<Model>& p, double P) {
+        return area_from_radius(radius_from_edge_load(LoadedContact<Model>(p, P).branches().back().y_bottom, P));
+      };
+      for (std::size_t k = 0; k < p_.size(); ++k) {
+        Parameters<Model> low = p_, high = p_;
+        const double h = 1e-5 * std::max(std::abs(p_[k]), 1e-3);
+        low[k] = std::max(p_[k] - h, Model::parameters[k].lower);
+        high[k] = std::min(p_[k] + h, Model::parameters[k].upper);
+        fold_slopes_->parameters[k] = (area(high, P_) - area(low, P_)) / (high[k] - low[k]);
+      }
+      const double h = 1e-5 * std::max(std::abs(P_), 1.0);
+      const double below = std::max(P_ - h, -1.5 * pi<double>());
+      fold_slopes_->P = (area(p_, P_ + h) - area(p_, below)) / (P_ + h - below);
+    }
+    for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = fold_slopes_->parameters[k] / sigma_A;
+    r.P = fold_slopes_->P / sigma_A;
+  }
+
+  Parameters<Model> p_;
+  double P_;
+  LoadedContact<Model> contact_;
+  std::optional<PointResidual<Model>> fold_slopes_;
+};
+
+/// Signed distance of the point from the equilibrium curve in the plane of T and A, each in units of its standard
+/// error, positive where the model's area is the larger. The nearest point is found anew for each residual, which
+/// eliminates it: by the envelope theorem the derivatives are those of F/|grad F| at that point.
+template <class Model>
+class CurveResiduals {
+ public:
+  CurveResiduals(const Parameters<Model>& p, double P, double T_most) : p_(p), P_(P), vertical_(p, P, T_most) {
+    const LoadedContact<Model> contact(p, P);
+    if (!contact.obstacle().empty() || !contact.in_contact()) return;
+    projection_.emplace(EquilibriumCurve<Model>(p, P), 2 * T_most);
+  }
+
+  std::optional<PointResidual<Model>> operator()(const MeasuredPoint& point) {
+    if (!projection_) return std::nullopt;
+    if (!(point.sigma_T > 0)) return vertical_(point);  // T is exact: what the distance tends to
+    const CurvePoint q = projection_->nearest(point.T, point.A, point.sigma_T, point.sigma_A);
+    const double x = (q.T - point.T) / point.sigma_T, y = (q.A - point.A) / point.sigma_A, distance = std::hypot(x, y);
+    const EquilibriumGradient<Model> F = equilibrium_gradient<Model>(p_, P_, q.T, q.y);
+    double n_T = F.T * point.sigma_T, n_A = F.A * point.sigma_A;
+    const double size = std::hypot(n_T, n_A);
+    if (!(size > 0)) return std::nullopt;  // the vanishing contact at P = 0
+    n_T /= size;
+    n_A /= size;
+    PointResidual<Model> r;
+    r.value = std::copysign(distance, x * n_T + y * n_A);
+    for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = -F.parameters[k] / size;
+    r.P = -F.P / size;
+    r.T = -n_T / point.sigma_T;
+    r.A = -n_A / point.sigma_A;
+    if (distance > 0) {
+      r.log_sigma_T = -x * x / r.value;
+      r.log_sigma_A = -y * y / r.value;
+    }
+    return r;
+  }
+
+ private:
+  Parameters<Model> p_;
+  double P_;
+  AreaResiduals<Model> vertical_;
+  std::optional<Projection<Model>> projection_;
+};
+
+}  // namespace mixity

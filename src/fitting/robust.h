@@ -1,0 +1,52 @@
+// Robust losses: large residuals count less. The problem with cost sum rho(r^2) is again one of least squares, in the
+// residuals sign(r) sqrt(rho(r^2)), so that scan, solver and verdict need not know.
+#pragma once
+
+#include <string_view>
+
+#include "fitting/least_squares.h"
+
+namespace mixity {
+
+enum class Loss { none, huber, cauchy };
+constexpr std::string_view to_string(Loss loss) {
+  return loss == Loss::none ? "none" : loss == Loss::huber ? "huber" : "cauchy";
+}
+
+/// Scales, in standard errors, at which the loss keeps 95 % efficiency for Gaussian errors (Huber 1964; Holland &
+/// Welsch 1977).
+constexpr double usual_scale(Loss loss) { return loss == Loss::cauchy ? 2.3849 : 1.345; }
+
+class RobustProblem final : public LeastSquares {
+ public:
+  /// `scale` > 0 in units of the residuals of `problem`, which must outlive this.
+  RobustProblem(const LeastSquares& problem, Loss loss, double scale) : problem_(problem), loss_(loss), scale_(scale) {}
+
+  std::size_t residual_count() const override { return problem_.residual_count(); }
+  const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
+  double data_norm() const override { return problem_.data_norm(); }
+
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    if (!problem_.evaluate(x, residuals, jacobian)) return false;
+    const std::size_t p = parameters().size();
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+      const double r = residuals[i], size = std::abs(r) / scale_;
+      const bool outlier = loss_ == Loss::cauchy || size > 1;
+      if (!outlier || r == 0) continue;
+      const double rho = loss_ == Loss::huber ? 2 * size - 1 : std::log1p(size * size);
+      const double slope = loss_ == Loss::huber ? 1 / size : 1 / (1 + size * size);  // d rho/d(size^2)
+      residuals[i] = std::copysign(scale_ * std::sqrt(rho), r);
+      const double factor = slope * size / std::sqrt(rho);
+      if (!jacobian.empty())
+        for (std::size_t k = 0; k < p; ++k) jacobian[i * p + k] *= factor;
+    }
+    return true;
+  }
+
+ private:
+  const LeastSquares& problem_;
+  Loss loss_;
+  double scale_;
+};
+
+}  // namespace mixity

@@ -1,0 +1,114 @@
+#include "fitting/standard_errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/input_error.h"
+#include "dataset/number_text.h"
+
+namespace mixity {
+namespace {
+
+/// Relative error common to T and A. The middle one of three neighbours in T lies off their chord by
+/// e = A - w A_before - (1-w) A_after, whose variance is s^2 times the sum below; the median over all of them is not
+/// moved by the few near an instability, where the curve itself bends.
+double relative_scatter(const Dataset& data) {
+  constexpr double kMedianOfChiSquare = 0.454936423119573;  // of one degree of freedom
+  constexpr double kAssumed = 0.01, kLeast = 1e-9;
+  std::vector<std::vector<std::size_t>> runs(data.curves.size());
+  for (std::size_t i = 0; i < data.points.size(); ++i) runs[data.points[i].curve].push_back(i);
+  std::vector<double> ratios;
+  for (auto& run : runs) {
+    std::stable_sort(run.begin(), run.end(),
+                     [&](std::size_t i, std::size_t j) { return data.points[i].T < data.points[j].T; });
+    for (std::size_t i = 1; i + 1 < run.size(); ++i) {
+      const Point &low = data.points[run[i - 1]], &mid = data.points[run[i]], &high = data.points[run[i + 1]];
+      if (!(high.T > low.T)) continue;
+      const double w = (high.T - mid.T) / (high.T - low.T), slope = (high.A - low.A) / (high.T - low.T);
+      const double e = mid.A - w * low.A - (1 - w) * high.A;
+      const auto variance = [&](const Point& q) { return q.A * q.A + slope * slope * q.T * q.T; };
+      ratios.push_back(e * e / (variance(mid) + w * w * variance(low) + (1 - w) * (1 - w) * variance(high)));
+    }
+  }
+  if (ratios.size() < 3) return kAssumed;
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return std::max(std::sqrt(*middle / kMedianOfChiSquare), kLeast);
+}
+
+/// A stated error as a function of the value it is of.
+struct Stated {
+  double value = 0;
+  bool relative = false;
+  double of(double x) const { return relative ? value * x : value; }
+};
+
+Stated understand(const Dataset& data, const std::string& name, const std::optional<StatedError>& stated,
+                  const Dimension& dimension, double unit) {
+  if (!stated) return {};
+  const bool relative = stated->unit.text == "%";
+  const bool fits = data.contact ? stated->unit.dimension == dimension : stated->unit.dimension == dimension::none;
+  if (!relative && !fits)
+    throw InputError(data.path, name + " is '" + shortest(stated->value) + " " + stated->unit.text + "'; it must be " +
+                                    (data.contact ? describe(dimension) : "a number without a unit") +
+                                    ", or a percentage such as 1%");
+  if (!(stated->value > 0)) throw InputError(data.path, name + " must be greater than 0");
+  return {relative ? stated->si() : stated->si() / unit, relative};
+}
+
+}  // namespace
+
+std::string_view to_string(ErrorSource source) {
+  switch (source) {
+    case ErrorSource::columns:
+      return "columns";
+    case ErrorSource::stated:
+      return "stated";
+    case ErrorSource::exact:
+      return "exact";
+    case ErrorSource::scatter:
+      break;
+  }
+  return "scatter";
+}
+
+StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
+                               const std::optional<StatedError>& sigma_A) {
+  const auto any = [&](auto member) {
+    return std::any_of(data.points.begin(), data.points.end(), [&](const Point& p) { return p.*member > 0; });
+  };
+  const Stated stated_T =
+      understand(data, "sigma_T", sigma_T, dimension::force, data.contact ? data.contact->force_unit() : 1);
+  const Stated stated_A =
+      understand(data, "sigma_A", sigma_A, dimension::area, data.contact ? data.contact->area_unit() : 1);
+  StandardErrors errors;
+  const bool has_A = sigma_A || any(&Point::sigma_A), has_T = sigma_T || any(&Point::sigma_T);
+  errors.source_A = sigma_A ? ErrorSource::stated : has_A ? ErrorSource::columns : ErrorSource::scatter;
+  errors.source_T = sigma_T ? ErrorSource::stated
+                    : has_T ? ErrorSource::columns
+                    : has_A ? ErrorSource::exact
+                            : ErrorSource::scatter;
+  if (errors.source_A == ErrorSource::scatter) errors.scatter = relative_scatter(data);
+  const auto error = [&](ErrorSource source, const Stated& stated, double value, double column) {
+    switch (source) {
+      case ErrorSource::stated:
+        return stated.of(value);
+      case ErrorSource::columns:
+        return column;
+      case ErrorSource::scatter:
+        return *errors.scatter * value;
+      case ErrorSource::exact:
+        break;
+    }
+    return 0.0;
+  };
+  for (const Point& point : data.points) {
+    errors.T.push_back(error(errors.source_T, stated_T, point.T, point.sigma_T));
+    errors.A.push_back(error(errors.source_A, stated_A, point.A, point.sigma_A));
+    if (!(errors.A.back() > 0))
+      throw InputError(data.path, point.line, 0, "this point has no standard error of its area (sigma_A is 0)");
+  }
+  return errors;
+}
+
+}  // namespace mixity

@@ -1,0 +1,36 @@
+// Standard errors of measured loads and areas: from the file's columns, from flags, or from the scatter of the points.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/dataset.h"
+#include "dataset/units.h"
+
+namespace mixity {
+
+/// A standard error stated for all points: "1%" of each value, or one quantity such as "0.002 mm^2" (a bare number if
+/// the data are dimensionless).
+using StatedError = Quantity;
+
+enum class ErrorSource { columns, stated, scatter, exact };
+std::string_view to_string(ErrorSource source);
+
+struct StandardErrors {
+  std::vector<double> T, A;  // per point of the data set, dimensionless
+  ErrorSource source_T = ErrorSource::scatter, source_A = ErrorSource::scatter;
+  std::optional<double> scatter;  // the relative error found, where one was estimated
+
+  /// True if the size of the errors is known, and not only their proportions.
+  bool absolute() const { return source_A != ErrorSource::scatter && source_T != ErrorSource::scatter; }
+};
+
+/// Stated errors win over columns. Where only A has an error, T counts as exact. Where neither has, both get the same
+/// relative error, estimated from how far points lie from the line between their neighbours in the run. Throws
+/// InputError for a column that leaves a point without an error of its area, and for a stated error whose unit is none
+/// of the quantity's.
+StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
+                               const std::optional<StatedError>& sigma_A);
+
+}  // namespace mixity

@@ -1,0 +1,38 @@
+// How a contact answers to a change of anything. With y = 4/3 a^3 - P and A = pi a^2, equilibrium is
+//
+//     F(A, T, P, parameters) = y^2 + tau^2(y, T) - 6 pi (y + P) = 0,
+//
+// the circle. One gradient of F serves all: dA/dT = -F_T/F_A, dA/dlambda = -F_lambda/F_A, and F/|grad F| is how far a
+// point lies from the curve. Since y^2 + tau^2 = (y^2 + T^2)/f, the derivative in a parameter needs d(ln f) only.
+#pragma once
+
+#include "mechanics/contact.h"
+#include "mechanics/model.h"
+#include "mechanics/registry.h"
+
+namespace mixity {
+
+template <class Model>
+struct EquilibriumGradient {
+  double held;     // y^2 + tau^2 = (y^2 + T^2)/f, what the interface holds against 6 pi (y + P)
+  double A, T, P;  // dF/dA at fixed T and P, and so on
+  Parameters<Model> parameters;
+};
+
+/// At any state y >= 0, T >= 0 (not both 0), y + P > 0, in equilibrium or not. Infinite where ln f is (model a at y =
+/// 0).
+template <class Model>
+EquilibriumGradient<Model> equilibrium_gradient(const Parameters<Model>& p, double P, double T, double y) {
+  const ShearTerm<double> tau2 = Model::shear_term(p, y, T);
+  const double a = radius_from_edge_load(y, P), held = y * y + tau2.value;
+  EquilibriumGradient<Model> gradient{};
+  gradient.held = held;
+  gradient.A = (2 * (y - 3 * pi<double>()) + tau2.d1) * 2 * a / pi<double>();  // dy/dA = 2 a/pi
+  gradient.T = T > 0 ? (2 * tau2.value - y * tau2.d1) / T : 0.0;               // tau^2 is homogeneous of degree 2
+  gradient.P = -(2 * y + tau2.d1);                                             // y + P stays: dy/dP = -1
+  const auto log_f = Model::log_toughness(p, mixity_from_loads(y, T));
+  for (std::size_t k = 0; k < p.size(); ++k) gradient.parameters[k] = -held * log_f.gradient[k];
+  return gradient;
+}
+
+}  // namespace mixity

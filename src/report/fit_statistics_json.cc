@@ -1,0 +1,82 @@
+#include "report/fit_statistics_json.h"
+
+namespace mixity {
+namespace {
+
+Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+}  // namespace
+
+Json interval_json(const std::optional<ShownInterval>& interval) {
+  if (!interval) return {};
+  return {{"method", interval->method},
+          {"confidence", interval->confidence},
+          {"low", number_or_null(interval->low)},
+          {"high", number_or_null(interval->high)},
+          {"low_status", to_string(interval->low_status)},
+          {"high_status", to_string(interval->high_status)}};
+}
+
+Json errors_json(const FitResult& fit, const Dataset&) {
+  if (!fit.errors) return {};
+  return {{"sigma_T", to_string(fit.errors->source_T)},
+          {"sigma_A", to_string(fit.errors->source_A)},
+          {"relative_scatter", number_or_null(fit.errors->scatter)}};
+}
+
+Json correlations_json(const FitResult& fit) {
+  Json list = Json::array();
+  std::vector<std::string> names;
+  for (const FittedParameter& parameter : fit.parameters)
+    if (!parameter.held) names.push_back(parameter.name);
+  if (fit.correlations.size() != names.size() * names.size()) return list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t j = i + 1; j < names.size(); ++j)
+      list.push_back({{"parameters", {names[i], names[j]}}, {"value", fit.correlations[i * names.size() + j]}});
+  return list;
+}
+
+Json comparison_json(const JobResult& result) {
+  Json list = Json::array();
+  for (const ComparedModel& entry : result.comparison)
+    list.push_back({{"model", entry.model},
+                    {"aicc", number_or_null(entry.aicc)},
+                    {"bic", number_or_null(entry.bic)},
+                    {"weight", number_or_null(entry.weight)},
+                    {"loo_rmse_area", entry.left_out ? Json(entry.left_out->rmse_area) : Json()},
+                    {"loo_beyond_fold", entry.left_out ? Json(entry.left_out->beyond_fold) : Json()}});
+  return list;
+}
+
+Json per_curve_json(const JobResult& result) {
+  Json list = Json::array();
+  for (const PerCurve& per_curve : result.per_curve) {
+    Json curves = Json::array();
+    for (const CurveFit& one : per_curve.curves) {
+      Json parameters = Json::object();
+      for (const FittedParameter& parameter : one.fit.parameters)
+        parameters[parameter.name] = {{"value", number_or_null(parameter.value)},
+                                      {"stderr", number_or_null(parameter.stderr_)},
+                                      {"interval", interval_json(parameter.interval)}};
+      curves.push_back({{"curve", one.curve},
+                        {"load", result.data.has_loads ? Json(one.P * result.data.display.force_scale) : Json()},
+                        {"load_dimensionless", result.data.has_loads ? Json(one.P) : Json()},
+                        {"points", one.fit.used.size()},
+                        {"status", to_string(one.fit.status)},
+                        {"parameters", parameters}});
+    }
+    Json test;
+    if (per_curve.test)
+      test = {{"kind", per_curve.test->chi_squared ? "chi_squared" : "F"},
+              {"statistic", per_curve.test->statistic},
+              {"freedom", per_curve.test->freedom},
+              {"residual_freedom", per_curve.test->residual_freedom},
+              {"p_value", per_curve.test->p_value},
+              {"aicc_pooled", number_or_null(per_curve.test->aicc_pooled)},
+              {"aicc_separate", number_or_null(per_curve.test->aicc_separate)}};
+    list.push_back({{"model", per_curve.model}, {"curves", curves}, {"fitted", per_curve.fitted}, {"test", test}});
+  }
+  return list;
+}
+
+}  // namespace mixity

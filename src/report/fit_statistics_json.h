@@ -1,0 +1,18 @@
+// The statistics of a fit as JSON: intervals, comparison of models, fits of each run.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "fitting/fit_definition.h"
+
+namespace mixity {
+
+using Json = nlohmann::ordered_json;
+
+Json interval_json(const std::optional<ShownInterval>& interval);
+Json errors_json(const FitResult& fit, const Dataset& data);
+Json correlations_json(const FitResult& fit);
+Json comparison_json(const JobResult& result);
+Json per_curve_json(const JobResult& result);
+
+}  // namespace mixity

@@ -1,0 +1,136 @@
+#include "report/fit_statistics_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "dataset/number_text.h"
+
+namespace mixity {
+namespace {
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(width, text.size() + 1), ' ');
+  return text;
+}
+
+/// So many significant digits that a change of `resolution` shows in the last but one.
+std::string resolved(double value, double resolution) {
+  if (!(resolution > 0) || value == 0) return rounded(value, 4);
+  const double digits = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(resolution)) + 2;
+  return rounded(value, static_cast<int>(std::clamp(digits, 2.0, 15.0)));
+}
+
+std::string unit_text(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
+
+}  // namespace
+
+std::string interval_text(const FittedParameter& parameter) {
+  if (!parameter.interval) return {};
+  const ShownInterval& interval = *parameter.interval;
+  const double width = interval.low && interval.high ? *interval.high - *interval.low : 0;
+  const auto end = [&](const std::optional<double>& value, EndStatus status) {
+    return !value ? std::string("?") : resolved(*value, width) + (status == EndStatus::at_bound ? " (bound)" : "");
+  };
+  return "   " + rounded(100 * interval.confidence, 4) + "% " + end(interval.low, interval.low_status) + " .. " +
+         end(interval.high, interval.high_status);
+}
+
+std::string errors_text(const FitResult& fit) {
+  std::ostringstream out;
+  if (fit.errors) {
+    out << "    errors: ";
+    if (fit.errors->scatter)
+      out << rounded(100 * *fit.errors->scatter, 2) << "% in A"
+          << (fit.errors->source_T == ErrorSource::scatter ? " and T" : "")
+          << ", estimated from the scatter of neighbouring points";
+    else
+      out << "sigma_A " << (fit.errors->source_A == ErrorSource::columns ? "from the file" : "as stated")
+          << ", sigma_T "
+          << (fit.errors->source_T == ErrorSource::exact     ? "0 (none given)"
+              : fit.errors->source_T == ErrorSource::columns ? "from the file"
+                                                             : "as stated");
+    out << '\n';
+    if (fit.errors->absolute() && fit.used.size() > fit.free_parameters && fit.loss_scale == 0) {
+      const double freedom = static_cast<double>(fit.used.size() - fit.free_parameters);
+      out << "    chi^2 per degree of freedom = " << rounded(fit.sum_of_squares / freedom, 3)
+          << (fit.sum_of_squares > 2 * freedom ? ": the scatter is larger than these errors; intervals are too narrow\n"
+                                               : "\n");
+    }
+  }
+  if (fit.loss_scale > 0)
+    out << "    robust loss, bends at " << rounded(fit.loss_scale, 3) << " of the residuals' unit\n";
+  std::vector<std::string> names;
+  for (const FittedParameter& parameter : fit.parameters)
+    if (!parameter.held) names.push_back(parameter.name);
+  if (fit.correlations.size() == names.size() * names.size())
+    for (std::size_t i = 0; i < names.size(); ++i)
+      for (std::size_t j = i + 1; j < names.size(); ++j)
+        if (const double c = fit.correlations[i * names.size() + j]; std::abs(c) > 0.5)
+          out << "    correlation of " << names[i] << " and " << names[j] << ": " << rounded(c, 3) << '\n';
+  return out.str();
+}
+
+std::string comparison_text(const JobResult& result) {
+  if (result.comparison.empty()) return {};
+  std::ostringstream out;
+  std::vector<ComparedModel> sorted = result.comparison;
+  const auto key = [](const ComparedModel& m) {
+    return std::pair{m.left_out ? m.left_out->rmse_area : std::numeric_limits<double>::infinity(),
+                     m.aicc.value_or(std::numeric_limits<double>::infinity())};
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const ComparedModel& one, const ComparedModel& other) { return key(one) < key(other); });
+  const bool left_out = std::any_of(sorted.begin(), sorted.end(), [](const auto& m) { return m.left_out.has_value(); });
+  out << "[[Comparison]]\n    model   " << (left_out ? padded("error in A on loads left out", 31) : "")
+      << "AICc weight\n";
+  for (const ComparedModel& m : sorted) {
+    out << "    " << padded(m.model, 8);
+    if (left_out) {
+      std::string text = "-";
+      if (m.left_out) {
+        text = rounded(m.left_out->rmse_area, 3) + unit_text(result.data.display.area);
+        if (m.left_out->beyond_fold > 0) text += ", " + std::to_string(m.left_out->beyond_fold) + " past the fold";
+      }
+      out << padded(text, 31);
+    }
+    out << (m.weight ? rounded(*m.weight, 3) : "- (other points)") << '\n';
+  }
+  return out.str();
+}
+
+std::string per_curve_text(const JobResult& result) {
+  std::ostringstream out;
+  for (const PerCurve& per_curve : result.per_curve) {
+    out << "[[Each run]] model " << per_curve.model << '\n';
+    for (const CurveFit& one : per_curve.curves) {
+      out << "    " << padded(one.curve, 10);
+      if (result.data.has_loads)
+        out << padded(
+            "P = " + rounded(one.P * result.data.display.force_scale, 4) + unit_text(result.data.display.force), 18);
+      for (const FittedParameter& parameter : one.fit.parameters) {
+        if (parameter.held) continue;
+        out << parameter.name << " = " << (parameter.value ? rounded(*parameter.value, 5) : "not determined");
+        if (parameter.stderr_) out << " +/- " << rounded(*parameter.stderr_, 2);
+        out << interval_text(parameter) << "  ";
+      }
+      out << (one.fit.status == FitStatus::ok ? "" : std::string(to_string(one.fit.status))) << '\n';
+    }
+    if (!per_curve.test) {
+      out << "    no test of one value for all runs: too few runs or points\n";
+      continue;
+    }
+    const PerCurve::Test& test = *per_curve.test;
+    out << "    one value for all runs against one for each: " << (test.chi_squared ? "chi^2(" : "F(")
+        << rounded(test.freedom, 4) << (test.chi_squared ? "" : ", " + rounded(test.residual_freedom, 6))
+        << ") = " << rounded(test.statistic, 4) << ", p = " << rounded(test.p_value, 2);
+    if (test.aicc_pooled && test.aicc_separate)
+      out << ", AICc " << rounded(*test.aicc_pooled, 5) << " against " << rounded(*test.aicc_separate, 5);
+    out << "\n    "
+        << (test.p_value < 0.05 ? "the runs do not share one value" : "the runs are consistent with one value") << '\n';
+  }
+  return out.str();
+}
+
+}  // namespace mixity
