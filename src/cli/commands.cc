@@ -8,8 +8,9 @@ std::span<const Command> commands() {
   static const std::vector<Command> table{
       {"fit", run_fit, "fit DATA.csv|FIT.toml ... [flags]",
        "Fits the models to each data set and reports parameters and goodness of fit.",
-       with_metadata_flags({"models", "objective", "scale", "weighted", "sigma_T", "sigma_A", "loss", "loss_scale",
-                            "hold", "free", "interval", "confidence", "compare", "per", "format", "out"})},
+       with_metadata_flags({"models",     "objective", "scale",     "weighted", "sigma_T",    "sigma_A",   "loss",
+                            "loss_scale", "hold",      "free",      "interval", "confidence", "bootstrap", "resample",
+                            "seed",       "threads",   "influence", "compare",  "per",        "format",    "out"})},
       {"predict",
        run_predict,
        "predict --model=KEY --lambda=L --load=P --shear=T1,T2,... [flags]",

@@ -20,6 +20,11 @@ DEFINE_string(loss, "none", "none, or a loss that outliers move less: huber or c
 DEFINE_string(loss_scale, "", "where the loss begins to bend, in standard errors (default 1.345 huber, 2.385 cauchy)");
 DEFINE_string(free, "", "fit these, too, for all loads together: toughness, modulus, load_offset, area_offset");
 DEFINE_string(interval, "profile", "confidence intervals: profile or none");
+DEFINE_int32(bootstrap, 0, "refits of resampled points for bootstrap intervals");
+DEFINE_string(resample, "points", "what the bootstrap draws: points within their runs, or whole runs (curves)");
+DEFINE_int32(seed, 1, "seed of the bootstrap");
+DEFINE_int32(threads, 0, "threads for bootstrap and influence (0: as many as the machine has)");
+DEFINE_bool(influence, false, "how much each point and each run moves the fit: jackknife, leverage, Cook's distance");
 DEFINE_bool(compare, true, "compare the models: AICc, weights, error on loads left out of the fit");
 DEFINE_string(per, "", "curve: fit each loading run by itself, too, and test one value against many");
 DEFINE_string(confidence, "0.95", "confidence of intervals, above 0 and below 1");

@@ -65,6 +65,16 @@ void add_statistics_flags(FitOptions& options) {
       throw UsageError("flag '--interval' is '" + FLAGS_interval + "'; it must be profile or none");
     options.intervals = FLAGS_interval == "profile";
   }
+  if (FLAGS_bootstrap < 0 || FLAGS_bootstrap > 10000000)
+    throw UsageError("flag '--bootstrap' must be from 0 to 10000000");
+  if (FLAGS_threads < 0) throw UsageError("flag '--threads' must not be negative");
+  if (FLAGS_seed < 0) throw UsageError("flag '--seed' must not be negative");
+  if (FLAGS_resample != "points" && FLAGS_resample != "curves")
+    throw UsageError("flag '--resample' is '" + FLAGS_resample + "'; it must be points or curves");
+  options.bootstrap = {static_cast<std::size_t>(FLAGS_bootstrap),
+                       FLAGS_resample == "curves" ? Resample::curves : Resample::points,
+                       static_cast<std::uint64_t>(FLAGS_seed), static_cast<unsigned>(FLAGS_threads)};
+  options.influence = FLAGS_influence;
   if (is_set("confidence")) options.confidence = number_from("confidence", FLAGS_confidence, 0, 1);
 }
 

@@ -114,6 +114,7 @@ class Fitter {
       if (!result_.has_values() || verdict.best.x.empty()) return result_;
       x = verdict.best.x;
       add_parameters(verdict);
+      resample(verdict);
     }
     judge(x);
     return result_;
@@ -214,6 +215,35 @@ class Fitter {
       }
       ++j;
     }
+  }
+
+  /// Bootstrap and influence, if asked for.
+  void resample(const Verdict& verdict) {
+    if (verdict.status == FitStatus::not_converged) return;
+    std::vector<std::size_t> runs;
+    for (const std::size_t i : prepared_.used) runs.push_back(data_.points[i].curve);
+    const std::vector<FreeParameter>& parameters = problem_->parameters();
+    if (options_.bootstrap.replicates > 0) {
+      result_.bootstrap =
+          bootstrap(cost(), verdict.best.x, runs, options_.bootstrap, options_.confidence, options_.progress);
+      for (std::size_t j = 0, k = 0; j < result_.bootstrap->parameters.size(); ++k) {
+        if (result_.parameters[k].held) continue;
+        const Bootstrapped& b = result_.bootstrap->parameters[j];
+        const double slope = parameters[j].shown_slope(verdict.best.x[j]);
+        result_.parameters[k].bootstrap = {parameters[j].shown(b.low), parameters[j].shown(b.high),
+                                           slope * b.standard_deviation, slope * b.bias};
+        ++j;
+      }
+    }
+    if (!options_.influence) return;
+    result_.influence = influence(cost(), verdict.best.x, runs, options_.bootstrap.threads, options_.progress);
+    const auto show = [&](std::vector<double>& change) {
+      for (std::size_t j = 0; j < change.size(); ++j) change[j] *= parameters[j].shown_slope(verdict.best.x[j]);
+    };
+    for (PointInfluence& point : result_.influence->points) show(point.change);
+    for (auto& change : result_.influence->runs) show(change);
+    for (std::size_t run = 0; run < data_.curves.size(); ++run)
+      if (std::find(runs.begin(), runs.end(), run) != runs.end()) result_.run_names.push_back(data_.curves[run]);
   }
 
   /// Goodness of fit in the fitted space and of the predicted areas.

@@ -9,6 +9,7 @@
 #include "dataset/dataset.h"
 #include "fitting/interval.h"
 #include "fitting/minimise.h"
+#include "fitting/resample.h"
 #include "fitting/robust.h"
 #include "fitting/standard_errors.h"
 #include "fitting/toughness_objective.h"
@@ -43,6 +44,9 @@ struct FitOptions {
   std::optional<double> loss_scale{};  // in standard errors; null: the loss's usual one
   bool intervals = true;
   double confidence = 0.95;
+  BootstrapOptions bootstrap{};  // with replicates = 0: none
+  bool influence = false;        // of each point and run: jackknife, leverage, Cook's distance
+  Progress progress{};           // of bootstrap and influence
   std::vector<double> near{};  // of a refit: where the minimum is looked for, in the solver's numbers; empty: anywhere
 };
 
@@ -61,7 +65,8 @@ struct FittedParameter {
   double lower, upper;
   bool at_bound = false, held = false;
   std::optional<ShownInterval> interval{};
-  std::string unit{};  // empty if dimensionless
+  std::optional<Bootstrapped> bootstrap{};  // in the reader's unit
+  std::string unit{};                       // empty if dimensionless
 };
 
 /// How well the fitted model predicts the area at the points' loads, in the units of the file.
@@ -91,7 +96,10 @@ struct FitResult {
   std::size_t free_parameters = 0;
   std::vector<double> solution;  // of the free parameters, as the solver counts: what FitOptions::near takes
   double sum_of_squares = 0;     // of the (weighted) residuals, or of the robust loss
-  double loss_scale = 0;         // in units of the residuals; 0 without a robust loss
+  std::optional<BootstrapResult> bootstrap;
+  std::optional<Influence> influence;  // changes in the reader's units; points as in `used`
+  std::vector<std::string> run_names;  // of Influence::runs
+  double loss_scale = 0;               // in units of the residuals; 0 without a robust loss
 
   bool has_values() const { return status != FitStatus::not_identifiable; }
 };

@@ -73,6 +73,48 @@ End find_end(Profile profile, const FreeParameter& parameter, double best, doubl
   return {inside, EndStatus::open};
 }
 
+/// One side of a one-parameter interval: outwards until the cost exceeds the limit, then Newton's method on it, kept
+/// between what lies within and what does not.
+End find_end(SingleCost& cost, const FreeParameter& parameter, double best, double limit, double direction,
+             double first_step) {
+  const double bound = direction < 0 ? parameter.lower : parameter.upper;
+  double inside = best, outside = best, step = first_step;
+  CostValue here;
+  for (int i = 0; outside == best; ++i, step *= 2) {
+    double next = best + direction * step;
+    const bool last = direction < 0 ? next <= bound : next >= bound;
+    if (last) next = bound;
+    here = cost.at(next, {});
+    if (here.finite && here.value <= limit) {
+      if (last) return {bound, parameter.start ? EndStatus::open : EndStatus::at_bound};
+      if (i == 200) return {next, EndStatus::open};
+      inside = next;
+    } else {
+      outside = next;
+      if (!here.finite && last) {
+        // infinite at the bound itself: the limit is crossed before it
+        here.value = 2 * limit;
+        here.slope = 0;
+      }
+    }
+  }
+  double x = outside;
+  for (int i = 0; i < 80; ++i) {
+    double next = x - (here.value - limit) / here.slope;
+    const double low = std::min(inside, outside), high = std::max(inside, outside);
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (std::abs(next - x) <= 1e-13 * std::abs(next - best)) return {next, EndStatus::found};
+    x = next;
+    here = cost.at(x, {});
+    if (!here.finite) {
+      here.value = 2 * limit;
+      here.slope = 0;
+    }
+    (here.value > limit ? outside : inside) = x;
+  }
+  return {x, EndStatus::found};
+}
+
 }  // namespace
 
 std::string_view to_string(EndStatus status) {
@@ -116,12 +158,24 @@ std::optional<double> Profile::operator()(double value) {
 Interval profile_interval(const LeastSquares& problem, const Minimum& best, std::size_t k, double confidence,
                           double allowance, std::optional<double> standard_error) {
   const FreeParameter& parameter = problem.parameters()[k];
+  if (best.x.size() == 1)
+    return profile_interval(*problem.single_cost(), parameter, best.x[0], best.sum_of_squares, confidence, allowance);
   const double limit = best.sum_of_squares + allowance, x = best.x[k];
   // Without a standard error (at a bound) the first step is tiny: the steps grow fast.
   const double step = standard_error ? *standard_error : 1e-9 * (parameter.upper - parameter.lower);
   const Profile profile(problem, best, k);
   const End low = x > parameter.lower ? find_end(profile, parameter, x, limit, -1, step) : End{x, EndStatus::at_bound};
   const End high = x < parameter.upper ? find_end(profile, parameter, x, limit, 1, step) : End{x, EndStatus::at_bound};
+  return {confidence, low.x, high.x, low.status, high.status};
+}
+
+Interval profile_interval(SingleCost& cost, const FreeParameter& parameter, double x, double sum_of_squares,
+                          double confidence, double allowance) {
+  const double limit = sum_of_squares + allowance, sensitivity = cost.at(x, {}).slope_size;
+  const double widest = parameter.upper - parameter.lower;
+  const double step = sensitivity > 0 ? std::min(std::sqrt(allowance) / sensitivity, widest) : 1e-9 * widest;
+  const End low = x > parameter.lower ? find_end(cost, parameter, x, limit, -1, step) : End{x, EndStatus::at_bound};
+  const End high = x < parameter.upper ? find_end(cost, parameter, x, limit, 1, step) : End{x, EndStatus::at_bound};
   return {confidence, low.x, high.x, low.status, high.status};
 }
 

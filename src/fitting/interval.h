@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "fitting/minimise.h"
+#include "fitting/single_cost.h"
 
 namespace mixity {
 
@@ -26,6 +27,10 @@ double cost_allowance(double confidence, double sum_of_squares, std::size_t n, s
 /// `open` where a correction's range ends first or the cost stops being finite. Ends to 1e-10 of the distance.
 Interval profile_interval(const LeastSquares& problem, const Minimum& best, std::size_t k, double confidence,
                           double allowance, std::optional<double> standard_error);
+
+/// The same for a problem with one free parameter: `sum_of_squares` at its minimum x.
+Interval profile_interval(SingleCost& cost, const FreeParameter& parameter, double x, double sum_of_squares,
+                          double confidence, double allowance);
 
 /// The cost profiled along parameter k: minimised over the others, from the best known values of those.
 class Profile {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,8 @@ struct FreeParameter {
   double shown_slope(double x) const { return logarithmic ? shown(x) : scale; }
 };
 
+class SingleCost;
+
 class LeastSquares {
  public:
   virtual ~LeastSquares() = default;
@@ -34,6 +37,8 @@ class LeastSquares {
   virtual bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const = 0;
   /// Size of the data the residuals are differences of, sqrt(sum of squares): sets what rounding can do to them.
   virtual double data_norm() const = 0;
+  /// The cost for the batch engine; only with one free parameter. The problem must outlive it.
+  virtual std::unique_ptr<SingleCost> single_cost() const;
 };
 
 }  // namespace mixity

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fitting/model_problem.h"
+#include "fitting/packed_toughness.h"
 
 namespace mixity {
 
@@ -54,6 +55,17 @@ class ToughnessObjective final : public ModelProblem<Model> {
       }
     }
     return finite;
+  }
+
+  std::unique_ptr<SingleCost> single_cost() const override {
+    if constexpr (HasLanes<Model>) {
+      if (scale_ == Scale::log) {
+        std::vector<Mixity<double>> mixities;
+        for (const ToughnessPoint& point : points_) mixities.push_back(point.mixity);
+        return std::make_unique<PackedToughness<Model>>(mixities, targets_, weights_);
+      }
+    }
+    return LeastSquares::single_cost();
   }
 
  private:

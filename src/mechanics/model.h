@@ -4,6 +4,7 @@
 //   parameters                          names, bounds and a typical value
 //   info                                key on the command line, name, published formula
 //   log_toughness(p, mixity)            ln f and its first and second derivatives in the parameters
+//   lane_point(mixity), lane(p, point)  optional: ln f for loops over many points, see LaneValue
 //   shear_term(p, y, T)                 tau^2 = y^2 (g - 1) of the equilibrium circle and its derivatives in y
 //   small_shear(p)                      lim tau^2/T^2 at T -> 0 (may be 0 or infinite)
 //   shear_limit(p)                      optional: lim tau^2/y^2 at T -> infinity where it may be finite
@@ -66,6 +67,16 @@ struct ModelInfo {
   std::string_view key;      // "a": what --models takes
   std::string_view name;     // "Johnson 1996"
   std::string_view formula;  // as published
+};
+
+/// One point as loops over many see it, and what a one-parameter law says of it: ln f = log(argument) or, with
+/// kLogSign = -1, -log(argument), to an absolute error of some eps, with its derivatives in the parameter. No branches,
+/// so that compilers can take several points at once.
+struct LanePoint {
+  double first, second;
+};
+struct LaneValue {
+  double argument, slope, curvature;
 };
 
 /// A function of N parameters with its gradient and (symmetric, row-major) Hessian in them.

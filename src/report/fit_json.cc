@@ -23,7 +23,8 @@ Json parameters_json(const FitResult& fit) {
                                   {"at_bound", parameter.at_bound},
                                   {"held", parameter.held},
                                   {"unit", parameter.unit},
-                                  {"interval", interval_json(parameter.interval)}};
+                                  {"interval", interval_json(parameter.interval)},
+                                  {"bootstrap", bootstrap_json(parameter, fit)}};
   return parameters;
 }
 
@@ -58,6 +59,7 @@ Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
           {"errors", errors_json(fit, data)},
           {"loss_scale", fit.loss_scale > 0 ? Json(fit.loss_scale) : Json()},
           {"correlations", correlations_json(fit)},
+          {"influence", influence_json(fit, data)},
           {"area", area_json(fit, data)},
           {"published", published}};
 }

@@ -24,6 +24,41 @@ Json errors_json(const FitResult& fit, const Dataset&) {
           {"relative_scatter", number_or_null(fit.errors->scatter)}};
 }
 
+Json bootstrap_json(const FittedParameter& parameter, const FitResult& fit) {
+  if (!fit.bootstrap || !parameter.bootstrap) return {};
+  return {{"replicates", fit.bootstrap->options.replicates},
+          {"failed", fit.bootstrap->failed},
+          {"resampled", fit.bootstrap->options.resample == Resample::points ? "points" : "curves"},
+          {"seed", fit.bootstrap->options.seed},
+          {"low", parameter.bootstrap->low},
+          {"high", parameter.bootstrap->high},
+          {"standard_deviation", parameter.bootstrap->standard_deviation},
+          {"bias", parameter.bootstrap->bias}};
+}
+
+Json influence_json(const FitResult& fit, const Dataset& data) {
+  if (!fit.influence) return {};
+  std::vector<std::string> names;
+  for (const FittedParameter& parameter : fit.parameters)
+    if (!parameter.held) names.push_back(parameter.name);
+  const auto change_json = [&](const std::vector<double>& change) {
+    Json object = Json::object();
+    for (std::size_t k = 0; k < names.size(); ++k) object[names[k]] = k < change.size() ? Json(change[k]) : Json();
+    return object;
+  };
+  Json points = Json::array(), runs = Json::array();
+  for (std::size_t i = 0; i < fit.influence->points.size(); ++i) {
+    const PointInfluence& point = fit.influence->points[i];
+    points.push_back({{"line", data.points[fit.used[i]].line},
+                      {"leverage", point.leverage},
+                      {"cooks_distance", point.cooks_distance},
+                      {"change", change_json(point.change)}});
+  }
+  for (std::size_t i = 0; i < fit.influence->runs.size(); ++i)
+    runs.push_back({{"curve", fit.run_names[i]}, {"change", change_json(fit.influence->runs[i])}});
+  return {{"points", points}, {"runs", runs}};
+}
+
 Json correlations_json(const FitResult& fit) {
   Json list = Json::array();
   std::vector<std::string> names;

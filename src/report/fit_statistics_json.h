@@ -11,6 +11,8 @@ using Json = nlohmann::ordered_json;
 
 Json interval_json(const std::optional<ShownInterval>& interval);
 Json errors_json(const FitResult& fit, const Dataset& data);
+Json bootstrap_json(const FittedParameter& parameter, const FitResult& fit);
+Json influence_json(const FitResult& fit, const Dataset& data);
 Json correlations_json(const FitResult& fit);
 Json comparison_json(const JobResult& result);
 Json per_curve_json(const JobResult& result);

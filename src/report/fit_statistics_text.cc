@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 #include "dataset/number_text.h"
@@ -69,6 +70,51 @@ std::string errors_text(const FitResult& fit) {
       for (std::size_t j = i + 1; j < names.size(); ++j)
         if (const double c = fit.correlations[i * names.size() + j]; std::abs(c) > 0.5)
           out << "    correlation of " << names[i] << " and " << names[j] << ": " << rounded(c, 3) << '\n';
+  return out.str();
+}
+
+std::string resampling_text(const FitResult& fit, const Dataset& data) {
+  std::ostringstream out;
+  if (fit.bootstrap) {
+    out << "    bootstrap of " << fit.bootstrap->options.replicates
+        << (fit.bootstrap->options.resample == Resample::points ? " resampled point sets" : " resampled sets of runs");
+    if (fit.bootstrap->failed > 0) out << " (" << fit.bootstrap->failed << " without a minimum, left out)";
+    out << (fit.bootstrap->parameters.empty() ? ": too few of them fit\n" : "\n");
+    for (const FittedParameter& parameter : fit.parameters)
+      if (parameter.bootstrap)
+        out << "        " << parameter.name << ": "
+            << resolved(parameter.bootstrap->low, parameter.bootstrap->high - parameter.bootstrap->low) << " .. "
+            << resolved(parameter.bootstrap->high, parameter.bootstrap->high - parameter.bootstrap->low)
+            << ", standard deviation " << rounded(parameter.bootstrap->standard_deviation, 2) << ", bias "
+            << rounded(parameter.bootstrap->bias, 2) << '\n';
+  }
+  if (!fit.influence || fit.influence->points.empty()) return out.str();
+  std::vector<std::size_t> order(fit.influence->points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::size_t shown = std::min<std::size_t>(5, order.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(shown), order.end(),
+                    [&](std::size_t i, std::size_t j) {
+                      return fit.influence->points[i].cooks_distance > fit.influence->points[j].cooks_distance;
+                    });
+  std::string name;
+  for (const FittedParameter& parameter : fit.parameters)
+    if (!parameter.held && name.empty()) name = parameter.name;
+  const auto change = [&](const std::vector<double>& values) {
+    return values.empty() ? std::string("no fit without it")
+                          : name + (values[0] < 0 ? " " : " +") + rounded(values[0], 2);
+  };
+  out << "    most influential points (Cook's distance, change if left out):\n";
+  for (std::size_t i = 0; i < shown; ++i) {
+    const PointInfluence& point = fit.influence->points[order[i]];
+    out << "        line " << data.points[fit.used[order[i]]].line << ": " << rounded(point.cooks_distance, 2) << ", "
+        << change(point.change) << '\n';
+  }
+  if (fit.influence->runs.size() > 1) {
+    out << "    change if a run is left out:";
+    for (std::size_t i = 0; i < fit.influence->runs.size(); ++i)
+      out << (i ? ", " : " ") << fit.run_names[i] << ' ' << change(fit.influence->runs[i]);
+    out << '\n';
+  }
   return out.str();
 }
 

@@ -9,6 +9,8 @@ namespace mixity {
 
 /// "   95% 0.00228..0.00233", rounded to the interval's own width; empty without one.
 std::string interval_text(const FittedParameter& parameter);
+/// Bootstrap intervals and what moves the fit most: a few lines, or nothing.
+std::string resampling_text(const FitResult& fit, const Dataset& data);
 /// Where the standard errors come from, correlations, the loss: a line each, or nothing.
 std::string errors_text(const FitResult& fit);
 std::string comparison_text(const JobResult& result);

@@ -79,7 +79,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
   if (fit.rmse)
     out << "    R^2 = " << r2_text(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
         << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size() << " points\n";
-  out << errors_text(fit);
+  out << errors_text(fit) << resampling_text(fit, data);
   if (fit.area) {
     out << "    ";
     if (fit.area->predicted > 0)

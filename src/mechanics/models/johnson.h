@@ -21,6 +21,16 @@ struct Johnson {
     return {log1p((S(1) - p[0]) * q), {d}, {-d * d}};
   }
 
+  static constexpr int kLogSign = 1;
+  static LanePoint lane_point(const Mixity<double>& mixity) {
+    const double tan = mixity.sin / mixity.cos;
+    return {tan * tan, 0};
+  }
+  static LaneValue lane(double lambda, const LanePoint& point) {
+    const double argument = 1 + (1 - lambda) * point.first, slope = -point.first / argument;
+    return {argument, slope, -slope * slope};
+  }
+
   /// tau^2 = lambda T^2 y^2/(y^2 + m T^2), m = 1 - lambda. `mode_II` = m T^2/(y^2 + m T^2) lies in [0, 1].
   template <class S>
   static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {

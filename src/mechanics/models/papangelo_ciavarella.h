@@ -22,6 +22,15 @@ struct PapangeloCiavarella {
     return {value, {d}, {d * d}};
   }
 
+  static constexpr int kLogSign = -1;
+  static LanePoint lane_point(const Mixity<double>& mixity) {
+    return {mixity.sin * mixity.sin, mixity.cos * mixity.cos};
+  }
+  static LaneValue lane(double lambda, const LanePoint& point) {
+    const double argument = point.second + lambda * point.first, slope = -point.first / argument;
+    return {argument, slope, slope * slope};
+  }
+
   /// tau = sqrt(lambda) T, whatever y: the equilibrium is a closed form.
   template <class S>
   static S shear_on_circle(const std::array<S, 1>& p, const S& T) {

@@ -23,6 +23,13 @@ struct WatersGuduru {
     return {value, {-w * sine}, {S(0.5) * w * w}};
   }
 
+  static constexpr int kLogSign = 1;
+  static LanePoint lane_point(const Mixity<double>& mixity) { return {phase_angle(mixity), 0}; }
+  static LaneValue lane(double lambda, const LanePoint& point) {
+    const double psi = point.first, tan = std::tan((1 - 0.5 * lambda) * psi), argument = 1 + tan * tan;
+    return {argument, -psi * tan, 0.5 * psi * psi * argument};
+  }
+
   /// tau^2 = (y^2 + T^2) (cos^2(k psi) - cos^2 psi) = (y^2 + T^2) sin(h) sin(2 psi - h), h = lambda psi/2, with the
   /// last sine expanded so that y and T stand for cos psi and sin psi: nothing cancels at either end, since h <= psi.
   template <class S>

@@ -1,0 +1,185 @@
+#include "fitting/resample.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <thread>
+
+#include "fitting/single_fit.h"
+
+namespace mixity {
+namespace {
+
+/// A problem whose points count as often as their weights say.
+class WeightedProblem final : public LeastSquares {
+ public:
+  WeightedProblem(const LeastSquares& problem, std::span<const double> weights) : problem_(problem) {
+    for (const double w : weights) roots_.push_back(std::sqrt(w));
+  }
+  std::size_t residual_count() const override { return problem_.residual_count(); }
+  const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
+  double data_norm() const override { return problem_.data_norm(); }
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    if (!problem_.evaluate(x, residuals, jacobian)) return false;
+    const std::size_t p = x.size();
+    for (std::size_t i = 0; i < roots_.size(); ++i) {
+      residuals[i] *= roots_[i];
+      for (std::size_t k = 0; !jacobian.empty() && k < p; ++k) jacobian[i * p + k] *= roots_[i];
+    }
+    return true;
+  }
+
+ private:
+  const LeastSquares& problem_;
+  std::vector<double> roots_;
+};
+
+/// Refits from one start; one for each thread, since the packed cost keeps scratch arrays.
+class Refitter {
+ public:
+  Refitter(const LeastSquares& problem, const std::vector<double>& start) : problem_(problem), start_(start) {
+    if (start.size() == 1) cost_ = problem.single_cost();
+  }
+  /// Empty if no minimum was found.
+  std::vector<double> operator()(std::span<const double> weights) {
+    const auto points =
+        static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
+    if (points <= start_.size()) return {};
+    if (cost_) {
+      const SingleFit fit = solve_single_near(*cost_, problem_.parameters()[0], points, start_[0], weights);
+      if (fit.status != FitStatus::ok && fit.status != FitStatus::at_bound) return {};
+      return {fit.x};
+    }
+    const auto minimum = descend(WeightedProblem(problem_, weights), start_);
+    return minimum && minimum->stationary ? minimum->x : std::vector<double>{};
+  }
+
+ private:
+  const LeastSquares& problem_;
+  std::vector<double> start_;
+  std::unique_ptr<SingleCost> cost_;
+};
+
+/// Calls body(i, refitter, weights) for i < n on several threads, each with its own refitter and weights.
+template <class Body>
+void for_each_refit(const LeastSquares& problem, const std::vector<double>& fitted, std::size_t n, unsigned threads,
+                    const Progress& progress, Body body) {
+  const std::size_t most = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, most);
+  std::atomic<std::size_t> done = 0;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 16), [&](const tbb::blocked_range<std::size_t>& range) {
+    Refitter refit(problem, fitted);
+    std::vector<double> weights(problem.residual_count());
+    for (std::size_t i = range.begin(); i < range.end(); ++i) body(i, refit, weights);
+    done += range.size();
+    if (progress) progress(static_cast<double>(done) / static_cast<double>(n));
+  });
+}
+
+std::vector<std::vector<std::size_t>> members(const std::vector<std::size_t>& runs) {
+  std::vector<std::vector<std::size_t>> list;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i] >= list.size()) list.resize(runs[i] + 1);
+    list[runs[i]].push_back(i);
+  }
+  std::erase_if(list, [](const auto& run) { return run.empty(); });
+  return list;
+}
+
+/// Linear interpolation between order statistics (the usual type 7).
+double quantile_of(const std::vector<double>& sorted, double q) {
+  const double place = q * static_cast<double>(sorted.size() - 1), below = std::floor(place);
+  const auto i = static_cast<std::size_t>(below);
+  return i + 1 < sorted.size() ? sorted[i] + (place - below) * (sorted[i + 1] - sorted[i]) : sorted[i];
+}
+
+}  // namespace
+
+BootstrapResult bootstrap(const LeastSquares& problem, const std::vector<double>& fitted,
+                          const std::vector<std::size_t>& runs, const BootstrapOptions& options, double confidence,
+                          const Progress& progress) {
+  const auto groups = members(runs);
+  std::vector<std::vector<double>> replicates(options.replicates);
+  const auto draw = [&](std::size_t replicate, std::vector<double>& weights) {
+    std::seed_seq seed{options.seed & 0xffffffffu, options.seed >> 32, static_cast<std::uint64_t>(replicate)};
+    std::mt19937_64 random(seed);
+    std::fill(weights.begin(), weights.end(), 0.0);
+    const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+    for (const auto& group : groups) {
+      if (options.resample == Resample::points)
+        for (std::size_t i = 0; i < group.size(); ++i) weights[group[pick(group.size())]] += 1;
+      else
+        for (const std::size_t i : groups[pick(groups.size())]) weights[i] += 1;
+    }
+  };
+  for_each_refit(problem, fitted, options.replicates, options.threads, progress,
+                 [&](std::size_t i, Refitter& refit, std::vector<double>& weights) {
+                   draw(i, weights);
+                   replicates[i] = refit(weights);
+                 });
+
+  BootstrapResult result{options, 0, {}};
+  std::erase_if(replicates, [](const auto& x) { return x.empty(); });
+  result.failed = options.replicates - replicates.size();
+  if (2 * replicates.size() < options.replicates || replicates.size() < 2) return result;
+  for (std::size_t k = 0; k < fitted.size(); ++k) {
+    std::vector<double> values;
+    for (const auto& x : replicates) values.push_back(x[k]);
+    std::sort(values.begin(), values.end());
+    const auto n = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+    double square = 0;
+    for (const double value : values) square += (value - mean) * (value - mean);
+    result.parameters.push_back({quantile_of(values, 0.5 * (1 - confidence)),
+                                 quantile_of(values, 0.5 * (1 + confidence)), std::sqrt(square / (n - 1)),
+                                 mean - fitted[k]});
+  }
+  return result;
+}
+
+Influence influence(const LeastSquares& problem, const std::vector<double>& fitted,
+                    const std::vector<std::size_t>& runs, unsigned threads, const Progress& progress) {
+  const std::size_t n = problem.residual_count(), p = fitted.size();
+  Influence result;
+  std::vector<double> residuals(n), jacobian(n * p);
+  if (n <= p || p == 0 || !problem.evaluate(fitted, residuals, jacobian)) return result;
+  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> J(
+      jacobian.data(), static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(p));
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(J);
+  const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(J.rows(), J.cols());
+  double squares = 0;
+  for (const double r : residuals) squares += r * r;
+  const double variance = squares / static_cast<double>(n - p);
+  const auto groups = members(runs);
+  result.points.resize(n);
+  result.runs.resize(groups.size());
+  for_each_refit(problem, fitted, n + groups.size(), threads, progress,
+                 [&](std::size_t i, Refitter& refit, std::vector<double>& weights) {
+                   std::fill(weights.begin(), weights.end(), 1.0);
+                   if (i < n)
+                     weights[i] = 0;
+                   else
+                     for (const std::size_t member : groups[i - n]) weights[member] = 0;
+                   std::vector<double> change = refit(weights);
+                   for (std::size_t k = 0; k < change.size(); ++k) change[k] -= fitted[k];
+                   if (i >= n) {
+                     result.runs[i - n] = std::move(change);
+                     return;
+                   }
+                   const double h = Q.row(static_cast<Eigen::Index>(i)).squaredNorm(), rest = std::max(1 - h, 1e-12);
+                   const double r = residuals[i];
+                   const double cook =
+                       variance > 0 ? r * r * h / (static_cast<double>(p) * variance * rest * rest) : 0.0;
+                   result.points[i] = {h, cook, std::move(change)};
+                 });
+  return result;
+}
+
+}  // namespace mixity

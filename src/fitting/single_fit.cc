@@ -1,0 +1,144 @@
+#include "fitting/single_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace mixity {
+namespace {
+
+constexpr double kChiSquare95 = 3.841458820694124;
+
+struct Refined {
+  double x;
+  CostValue cost;
+  bool converged;
+};
+
+/// Newton on the slope inside [low, high]. An end whose slope is not `known` to point inwards is tried where Newton's
+/// step leads there, and is the minimum if the cost falls towards it.
+Refined refine(SingleCost& cost, std::span<const double> weights, double low, double high, bool known, double start) {
+  bool low_known = known, high_known = known;
+  double x = start, last_x = x, last_slope = 0;
+  CostValue here = cost.at(x, weights);
+  for (int i = 0; i < 80 && here.finite; ++i) {
+    if (std::abs(here.slope) <= 1e-14 * here.slope_size * std::sqrt(here.value)) return {x, here, true};
+    if ((here.slope > 0 && x <= low) || (here.slope < 0 && x >= high)) return {x, here, true};
+    (here.slope > 0 ? high : low) = x;
+    (here.slope > 0 ? high_known : low_known) = true;
+    double next = here.curvature > 0 ? x - here.slope / here.curvature : here.slope > 0 ? low : high;
+    // The secant of the slopes has the curvature that Gauss-Newton leaves out.
+    if (i > 0 && here.slope != last_slope) {
+      const double secant = x - here.slope * (x - last_x) / (here.slope - last_slope);
+      if (std::abs(secant - x) < 0.1 * std::abs(x - last_x)) next = secant;
+    }
+    if (next <= low)
+      next = !low_known ? low : low > 0 && high > 16 * low ? std::sqrt(low * high) : 0.5 * (low + high);
+    else if (next >= high)
+      next = !high_known ? high : 0.5 * (low + high);
+    if (std::abs(next - x) <= 2e-16 * std::abs(x) || high - low <= 2e-16 * high) return {x, here, true};
+    last_x = x;
+    last_slope = here.slope;
+    x = next;
+    here = cost.at(x, weights);
+  }
+  return {x, here, false};
+}
+
+/// What minimise() says of a minimum, as far as one parameter and one start can.
+void judge(SingleFit& fit, const Refined& refined, const FreeParameter& parameter, std::size_t points) {
+  fit.x = refined.x;
+  fit.sum_of_squares = refined.cost.value;
+  if (!refined.cost.finite) return;
+  const double scale = refined.cost.slope_size * std::sqrt(refined.cost.value);
+  const bool at_low = refined.x <= parameter.lower && refined.cost.slope >= 0;
+  const bool at_high = refined.x >= parameter.upper && refined.cost.slope <= 0;
+  if (at_low || at_high) {
+    fit.status = FitStatus::at_bound;
+    return;
+  }
+  if (!(refined.cost.slope_size > 0)) {
+    fit.status = FitStatus::not_identifiable;
+    return;
+  }
+  if (points > 1)
+    fit.standard_error = std::sqrt(refined.cost.value / static_cast<double>(points - 1)) / refined.cost.slope_size;
+  // |J'r| <= 1e-8 |J||r|, or as close as doubles come
+  const bool stationary = refined.converged || 0.5 * std::abs(refined.cost.slope) <= 1e-8 * scale;
+  fit.status = stationary ? FitStatus::ok : FitStatus::not_converged;
+}
+
+/// Nodes of the scan: the bounds, then log-spaced towards a lower bound of 0 and even above.
+std::vector<double> nodes(const FreeParameter& parameter) {
+  std::vector<double> list{parameter.lower};
+  const double width = parameter.upper - parameter.lower;
+  for (const double f : {1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 0.01, 0.02, 0.04, 0.07,
+                         0.12,  0.2,  0.3,  0.4,  0.5,  0.6,  0.7,  0.8,  0.88, 0.94, 0.97, 0.99})
+    list.push_back(parameter.lower + f * width);
+  list.push_back(parameter.upper);
+  return list;
+}
+
+}  // namespace
+
+std::unique_ptr<SingleCost> LeastSquares::single_cost() const { return std::make_unique<GeneralCost>(*this); }
+
+SingleFit solve_single_near(SingleCost& cost, const FreeParameter& parameter, std::size_t points, double start,
+                            std::span<const double> weights) {
+  SingleFit fit;
+  const double x = std::clamp(start, parameter.lower, parameter.upper);
+  judge(fit, refine(cost, weights, parameter.lower, parameter.upper, false, x), parameter, points);
+  return fit;
+}
+
+SingleFit solve_single(SingleCost& cost, const FreeParameter& parameter, std::size_t points,
+                       std::span<const double> weights) {
+  SingleFit best;
+  if (points < 2) {
+    best.status = FitStatus::not_identifiable;
+    return best;
+  }
+  const std::vector<double> list = nodes(parameter);
+  std::vector<CostValue> costs;
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+  for (const double x : list) {
+    costs.push_back(cost.at(x, weights));
+    if (!costs.back().finite) continue;
+    lowest = std::min(lowest, costs.back().value);
+    highest = std::max(highest, costs.back().value);
+  }
+  if (!std::isfinite(lowest)) return best;
+  if (highest <= (1 + kChiSquare95 / static_cast<double>(points - 1)) * lowest) {
+    best.status = FitStatus::not_identifiable;
+    return best;
+  }
+  std::vector<SingleFit> found;
+  const auto add = [&](double low, double high, double start) {
+    SingleFit fit;
+    judge(fit, refine(cost, weights, low, high, true, start), parameter, points);
+    if (fit.sum_of_squares >= 0 && std::isfinite(fit.sum_of_squares)) found.push_back(fit);
+  };
+  const std::size_t last = list.size() - 1;
+  if (costs[0].finite && costs[0].slope >= 0) add(list[0], list[0], list[0]);
+  for (std::size_t i = 0; i < last; ++i) {
+    const bool falls = costs[i].finite ? costs[i].slope < 0 : costs[i + 1].finite;
+    if (!falls || !costs[i + 1].finite || costs[i + 1].slope < 0) continue;
+    // start from the better end
+    add(list[i], list[i + 1], costs[i].finite && costs[i].value < costs[i + 1].value ? list[i] : list[i + 1]);
+  }
+  if (costs[last].finite && costs[last].slope <= 0) add(list[last], list[last], list[last]);
+  if (found.empty()) return best;
+  std::sort(found.begin(), found.end(),
+            [](const SingleFit& one, const SingleFit& other) { return one.sum_of_squares < other.sum_of_squares; });
+  best = found.front();
+  for (std::size_t i = 1; i < found.size(); ++i)
+    if (std::abs(found[i].x - best.x) > 1e-5 * std::max(std::abs(best.x), 1e-9)) best.others.push_back(found[i].x);
+  const double threshold = 1 + kChiSquare95 / static_cast<double>(points - 1);
+  if (best.status == FitStatus::ok && !best.others.empty() &&
+      found[1].sum_of_squares <= threshold * best.sum_of_squares && found[1].x == best.others.front())
+    best.status = FitStatus::multimodal;
+  return best;
+}
+
+}  // namespace mixity
