@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cli/flags.h"
+#include "cli/progress.h"
 #include "cli/usage_error.h"
 #include "dataset/number_text.h"
 
@@ -75,6 +76,7 @@ void add_statistics_flags(FitOptions& options) {
                        FLAGS_resample == "curves" ? Resample::curves : Resample::points,
                        static_cast<std::uint64_t>(FLAGS_seed), static_cast<unsigned>(FLAGS_threads)};
   options.influence = FLAGS_influence;
+  if (options.bootstrap.replicates > 0 || options.influence) options.progress = progress_line("refitting");
   if (is_set("confidence")) options.confidence = number_from("confidence", FLAGS_confidence, 0, 1);
 }
 

@@ -1,0 +1,51 @@
+// The vectorised ln f against the reference form of the same law.
+#include "mechanics/lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace mixity {
+namespace {
+
+template <class Model>
+void expect_same_law() {
+  std::vector<Mixity<double>> mixities;
+  for (int i = 0; i <= 400; ++i) mixities.push_back(mixity_from_angle(1.5 * i / 400));
+  for (const double off : {1e-2, 1e-3, 1e-4}) mixities.push_back(mixity_from_angle(0.5 * pi<double>() - off));
+  const std::size_t n = mixities.size();  // not a multiple of the vector length
+  std::vector<double> first, second, value(n), slope(n), curvature(n);
+  for (const auto& mixity : mixities) {
+    const LanePoint point = Model::lane_point(mixity);
+    first.push_back(point.first);
+    second.push_back(point.second);
+  }
+  for (const double lambda : {0.0, 1e-6, 0.0023, 0.15, 0.9, 1.0}) {
+    log_toughness_lanes<Model>(lambda, first.data(), second.data(), n, value.data(), slope.data(), curvature.data());
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto exact = Model::log_toughness({lambda}, mixities[i]);
+      const auto where = [&] { return ::testing::Message() << Model::info.key << ' ' << lambda << " point " << i; };
+      // Some roundings; model b's tangent magnifies that of its angle by 1/(pi/2 - psi), at most 1e4 here.
+      const double eps = Model::info.key == "b" ? 4e-12 : 4e-15;
+      EXPECT_NEAR(value[i], exact.value, eps * (1 + std::abs(exact.value))) << where();
+      EXPECT_NEAR(slope[i], exact.gradient[0], eps * (1e-3 + std::abs(exact.gradient[0]))) << where();
+      EXPECT_NEAR(curvature[i], exact.hessian[0], 2 * eps * (1e-3 + std::abs(exact.hessian[0]))) << where();
+    }
+  }
+}
+
+TEST(Lanes, GiveTheSameLogToughnessAndDerivativesAsTheModel) {
+  int with_lanes = 0;
+  for_each_model([&](auto model) {
+    using Model = decltype(model);
+    if constexpr (HasLanes<Model>) {
+      expect_same_law<Model>();
+      ++with_lanes;
+    }
+  });
+  EXPECT_EQ(with_lanes, 3);  // a, b, c
+}
+
+}  // namespace
+}  // namespace mixity
