@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fitting/trial.h"
+#include "fitting/fitted_trial.h"
 #include "mechanics/equilibrium.h"
 
 namespace mixity {
@@ -26,23 +26,6 @@ std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
   std::vector<std::vector<std::size_t>> runs(data.curves.size());
   for (std::size_t i = 0; i < data.points.size(); ++i) runs[data.points[i].curve].push_back(i);
   return runs;
-}
-
-/// Fitted model and corrections of a result.
-template <class Model>
-Trial<Model> trial_of(const Dataset& data, const FitResult& fit) {
-  Trial<Model> trial;
-  for (const FittedParameter& parameter : fit.parameters) {
-    for (std::size_t k = 0; k < trial.parameters.size(); ++k)
-      if (parameter.name == Model::parameters[k].name) trial.parameters[k] = *parameter.value;
-    if (parameter.name == "toughness")
-      trial.corrections[kToughness] = std::log(*parameter.value / (data.contact ? data.contact->toughness : 1));
-    if (parameter.name == "modulus")
-      trial.corrections[kModulus] = std::log(*parameter.value / (data.contact ? data.contact->modulus : 1));
-    if (parameter.name == "load_offset") trial.corrections[kLoadOffset] = *parameter.value / data.display.force_scale;
-    if (parameter.name == "area_offset") trial.corrections[kAreaOffset] = *parameter.value / data.display.area_scale;
-  }
-  return trial;
 }
 
 /// Sum of squared area errors at points of one run; adds those beyond the fold to `beyond`.
@@ -69,19 +52,15 @@ double squared_area_errors(const Dataset& data, const std::vector<std::size_t>& 
   return sum;
 }
 
-bool has_value(const FitResult& fit) {
-  return std::all_of(fit.parameters.begin(), fit.parameters.end(), [](const auto& p) { return p.value.has_value(); });
-}
-
 }  // namespace
 
 std::optional<Information> information(const FitResult& fit) {
-  if (!has_value(fit) || fit.residuals.empty() || !(fit.sum_of_squares > 0)) return std::nullopt;
+  if (!has_all_values(fit) || fit.residuals.empty() || !(fit.sum_of_squares > 0)) return std::nullopt;
   return criteria(fit.sum_of_squares, fit.used.size(), fit.free_parameters, known_errors(fit));
 }
 
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options) {
-  if (!data.has_loads || data.curves.size() < 2 || !has_value(whole)) return std::nullopt;
+  if (!data.has_loads || data.curves.size() < 2 || !has_all_values(whole)) return std::nullopt;
   const std::string& model = whole.model;
   FitOptions quick = options;
   quick.intervals = false;
@@ -95,10 +74,11 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
     for (std::size_t i = 0; i < data.points.size(); ++i)
       if (data.points[i].curve != data.points[run.front()].curve) others.push_back(i);
     const FitResult without = fit_model(data, model, quick, &others);
-    if (!has_value(without) || without.status == FitStatus::not_converged) return std::nullopt;
+    if (!has_all_values(without) || without.status == FitStatus::not_converged) return std::nullopt;
     with_model(model, [&](auto chosen) {
       using Model = decltype(chosen);
-      result.rmse_area += squared_area_errors<Model>(data, run, trial_of<Model>(data, without), result.beyond_fold);
+      result.rmse_area +=
+          squared_area_errors<Model>(data, run, fitted_trial<Model>(data, without, options), result.beyond_fold);
     });
     predicted += run.size();
   }
@@ -141,8 +121,10 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
     FitOptions quick = options;
     quick.intervals = false;
     const FitResult whole = fit_model(data, model, quick);
-    if (!has_value(whole) || whole.status == FitStatus::not_converged) return result;
-    with_model(model, [&](auto chosen) { own.corrections = trial_of<decltype(chosen)>(data, whole).corrections; });
+    if (!has_all_values(whole) || whole.status == FitStatus::not_converged) return result;
+    with_model(model, [&](auto chosen) {
+      own.corrections = fitted_trial<decltype(chosen)>(data, whole, options).corrections;
+    });
   }
   const auto runs = points_by_curve(data);
   std::vector<std::size_t> tested;
@@ -152,7 +134,7 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
   for (std::size_t c = 0; c < runs.size(); ++c) {
     if (runs[c].empty()) continue;
     CurveFit one{data.curves[c], data.has_loads ? data.curve_loads[c] : 0.0, fit_model(data, model, own, &runs[c])};
-    if (has_value(one.fit) && one.fit.status != FitStatus::not_converged) {
+    if (has_all_values(one.fit) && one.fit.status != FitStatus::not_converged) {
       ++result.fitted;
       separate += one.fit.sum_of_squares;
       parameters += one.fit.free_parameters;
@@ -166,7 +148,7 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
   FitOptions quick = own;
   quick.intervals = false;
   const FitResult pooled = fit_model(data, model, quick, &tested);
-  if (!has_value(pooled) || !(separate > 0)) return result;
+  if (!has_all_values(pooled) || !(separate > 0)) return result;
   const double freedom = static_cast<double>(parameters - pooled.free_parameters);
   const double rest = static_cast<double>(n - parameters), gain = std::max(pooled.sum_of_squares - separate, 0.0);
   PerCurve::Test test{known, 0, freedom, rest, 0, {}, {}};

@@ -139,6 +139,14 @@ std::string standard_errors(const LeastSquares& problem, Verdict& verdict) {
   const Eigen::MatrixXd inverse = scaled.llt().solve(Eigen::MatrixXd::Identity(m, m));
   for (Eigen::Index i = 0; i < m; ++i)
     verdict.stderrs[static_cast<std::size_t>(open[i])] = std::sqrt(variance * inverse(i, i)) / norms[i];
+  // The range of a correction is only wide: what is not known to a fraction of it is not known.
+  const auto unknown = [&](Eigen::Index i) {
+    const auto k = static_cast<std::size_t>(open[i]);
+    const FreeParameter& parameter = problem.parameters()[k];
+    return parameter.start && *verdict.stderrs[k] > 0.25 * (parameter.upper - parameter.lower);
+  };
+  for (Eigen::Index i = 0; i < m; ++i)
+    if (unknown(i)) return names(unknown);
   if (m == static_cast<Eigen::Index>(p) && p > 1)
     for (Eigen::Index i = 0; i < m; ++i)
       for (Eigen::Index j = 0; j < m; ++j)

@@ -6,6 +6,7 @@
 
 #include "dataset/csv.h"
 #include "dataset/number_text.h"
+#include "fitting/fitted_trial.h"
 #include "mechanics/prediction.h"
 
 namespace mixity {
@@ -23,29 +24,19 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
 }
 
-/// The fitted parameters in the model's own order; only for a fit that has values.
-template <class Model>
-Parameters<Model> values_of(const FitResult& fit) {
-  Parameters<Model> p{};
-  for (std::size_t i = 0; i < p.size(); ++i) p[i] = fit.parameters[i].value.value_or(Model::parameters[i].typical);
-  return p;
-}
-
-bool can_be_drawn(const FitResult& fit) {
-  return std::all_of(fit.parameters.begin(), fit.parameters.end(),
-                     [](const FittedParameter& parameter) { return parameter.value.has_value(); });
-}
-
 /// Stable A(T) from T = 0 to the instability, or to a fifth beyond the largest measured T, dense towards the fold.
 template <class Model>
 void write_area_curve(std::ostringstream& out, const JobResult& result, const FitResult& fit, std::size_t curve) {
   const DisplayUnits& units = result.data.display;
-  const double P = result.data.curve_loads[curve];
-  const LoadedContact<Model> contact(values_of<Model>(fit), P);
+  const double measured_load = result.data.curve_loads[curve];
+  const Trial<Model> trial = fitted_trial<Model>(result.data, fit, result.job.options);
+  const CorrectedScale scale(trial.corrections);
+  const double P = scale.load(measured_load);
+  const LoadedContact<Model> contact(trial.parameters, P);
   if (!contact.in_contact()) return;
   double measured = 0;
   for (const Point& point : result.data.points)
-    if (point.curve == curve) measured = std::max(measured, point.T);
+    if (point.curve == curve) measured = std::max(measured, scale.shear(point.T));
   double end = contact.branches().front().T_bottom;
   if (std::isinf(end)) end = 1.2 * measured;
   for (std::size_t i = 0; i < kCurvePoints; ++i) {
@@ -55,18 +46,21 @@ void write_area_curve(std::ostringstream& out, const JobResult& result, const Fi
     if (equilibrium.status != EquilibriumStatus::ok) continue;
     const ContactState state = contact_state(P, T, equilibrium.y);
     out << to_string(result.data.metadata.provenance) << ',' << fit.model << ',' << csv_field(result.data.curves[curve])
-        << ',' << shortest(P * units.force_scale) << ',' << shortest(T * units.force_scale) << ','
-        << shortest(state.A * units.area_scale) << ',' << shortest(state.psi) << ',' << shortest(state.f) << '\n';
+        << ',' << shortest(measured_load * units.force_scale) << ',' << shortest(T / scale.force * units.force_scale)
+        << ',' << shortest(scale.measured_area(state.A) * units.area_scale) << ',' << shortest(state.psi) << ','
+        << shortest(state.f) << '\n';
   }
 }
 
 template <class Model>
-void write_toughness_curve(std::ostringstream& out, std::string_view provenance, const FitResult& fit) {
-  const Parameters<Model> p = values_of<Model>(fit);
+void write_toughness_curve(std::ostringstream& out, const Dataset& data, const FitResult& fit) {
+  const Parameters<Model> p = fitted_trial<Model>(data, fit, {}).parameters;
   for (std::size_t i = 0; i < kCurvePoints; ++i) {
     const double psi = 0.5 * pi<double>() * static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
     const double f = std::exp(Model::log_toughness(p, mixity_from_angle(psi)).value);
-    if (std::isfinite(f)) out << provenance << ',' << fit.model << ',' << shortest(psi) << ',' << shortest(f) << '\n';
+    if (std::isfinite(f))
+      out << to_string(data.metadata.provenance) << ',' << fit.model << ',' << shortest(psi) << ',' << shortest(f)
+          << '\n';
   }
 }
 
@@ -75,7 +69,7 @@ void write_toughness_curve(std::ostringstream& out, std::string_view provenance,
 std::string fits_csv(const std::vector<JobResult>& results) {
   std::ostringstream out;
   out << "dataset,provenance,model,objective,scale,status,parameter,value,stderr,lower,upper,at_bound,r2,rmse,"
-         "max_abs_residual,area_r2,area_rmse,area_unit,area_unpredicted,notice\n";
+         "max_abs_residual,area_r2,area_rmse,area_unit,area_unpredicted,notice,unit,low,high,low_status,high_status\n";
   for (const JobResult& result : results)
     for (const FitResult& fit : result.fits)
       for (const FittedParameter& parameter : fit.parameters) {
@@ -89,7 +83,12 @@ std::string fits_csv(const std::vector<JobResult>& results) {
         else
           out << ",,";
         out << csv_field(result.data.display.area) << ',' << (fit.area ? std::to_string(fit.area->unpredicted) : "")
-            << ',' << csv_field(notice(result.data)) << '\n';
+            << ',' << csv_field(notice(result.data)) << ',' << parameter.unit << ',';
+        if (parameter.interval)
+          out << number(parameter.interval->low) << ',' << number(parameter.interval->high) << ','
+              << to_string(parameter.interval->low_status) << ',' << to_string(parameter.interval->high_status) << '\n';
+        else
+          out << ",,,\n";
       }
   return out.str();
 }
@@ -128,11 +127,10 @@ std::string curves_csv(const JobResult& result) {
   else
     out << "provenance,model,psi [rad],f\n";
   for (const FitResult& fit : result.fits) {
-    if (!can_be_drawn(fit)) continue;
+    if (!has_all_values(fit)) continue;
     with_model(fit.model, [&](auto chosen) {
       using Model = decltype(chosen);
-      if (!result.data.has_loads)
-        return write_toughness_curve<Model>(out, to_string(result.data.metadata.provenance), fit);
+      if (!result.data.has_loads) return write_toughness_curve<Model>(out, result.data, fit);
       for (std::size_t curve = 0; curve < result.data.curves.size(); ++curve)
         write_area_curve<Model>(out, result, fit, curve);
     });
