@@ -1,0 +1,168 @@
+// mixity fit with its statistics: objectives, standard errors, robust losses, freed constants, intervals, comparison.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/run_program.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Three runs of model c with lambda = 1/4: A = pi (3/4 (3 pi + P + sqrt(9 pi^2 + 6 pi P - T^2/4)))^(2/3), with half a
+/// percent of scatter.
+std::string runs() {
+  std::string csv = "P,T,A\n";
+  int i = 0;
+  for (const double P : {1.0, 5.0, 20.0})
+    for (const double T : {0.0, 5.0, 10.0, 14.0, 17.0, 18.0}) {
+      const double pi = 3.141592653589793;
+      const double sum = 3 * pi + P + std::sqrt(9 * pi * pi + 6 * pi * P - T * T / 4);
+      const double A = pi * std::pow(0.75 * sum, 2.0 / 3) * (1 + 0.005 * std::sin(12.0 * i * i + 7.0 * i));
+      ++i;
+      csv += std::to_string(P) + "," + std::to_string(T) + "," + std::to_string(A) + "\n";
+    }
+  return csv;
+}
+
+Json fit_of(Words words) {
+  words.insert(words.begin(), "fit");
+  words.push_back("--format=json");
+  const ProgramResult result = run_program(words);
+  EXPECT_EQ(result.exit_code, 0) << joined(words) << result.err;
+  EXPECT_EQ(result.err, "") << joined(words);
+  return Json::parse(result.out)["datasets"][0];
+}
+
+TEST(FitStatistics, EveryObjectiveFindsLambda) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", runs());
+  for (const char* objective : {"toughness", "area", "curve"}) {
+    const Json fit = fit_of({path, "--models=c", "--objective", objective})["fits"][0];
+    EXPECT_EQ(fit["objective"], objective);
+    const Json& lambda = fit["parameters"]["lambda"];
+    // half a percent of A in eighteen points leaves some percent of lambda
+    EXPECT_NEAR(lambda["value"].get<double>(), 0.25, 0.02) << objective;
+    EXPECT_LT(lambda["interval"]["low"], lambda["value"]);
+    EXPECT_GT(lambda["interval"]["high"], lambda["value"]);
+    EXPECT_EQ(fit["errors"].is_null(), std::string(objective) == "toughness");
+  }
+}
+
+TEST(FitStatistics, StatedErrorsAreKnownErrors) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", runs());
+  const Words base{path, "--models=c", "--objective=area"};
+  const auto with = [&](Words more) {
+    more.insert(more.begin(), base.begin(), base.end());
+    return fit_of(more)["fits"][0];
+  };
+  const Json one = with({"--sigma_A=1%"}), two = with({"--sigma_A=2%"}),
+             both = with({"--sigma_A=1%", "--sigma_T=0.5%"});
+  EXPECT_EQ(one["errors"]["sigma_A"], "stated");
+  EXPECT_EQ(one["errors"]["sigma_T"], "exact");
+  EXPECT_EQ(both["errors"]["sigma_T"], "stated");
+  EXPECT_TRUE(one["errors"]["relative_scatter"].is_null());
+  // Twice the errors, twice the standard error, the same lambda: the cost is a quarter, but for rounding.
+  const auto value = [](const Json& fit, const char* key) { return fit["parameters"]["lambda"][key].get<double>(); };
+  EXPECT_NEAR(value(two, "value"), value(one, "value"), 1e-10);
+  EXPECT_NEAR(value(two, "stderr"), 2 * value(one, "stderr"), 1e-8 * value(one, "stderr"));
+}
+
+TEST(FitStatistics, IntervalsWidenWithConfidenceAndCanBeLeftOut) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", runs());
+  const auto interval = [&](const char* flag) {
+    return fit_of({path, "--models=c", "--objective=curve", flag})["fits"][0]["parameters"]["lambda"]["interval"];
+  };
+  const Json narrow = interval("--confidence=0.5"), wide = interval("--confidence=0.99");
+  EXPECT_EQ(narrow["confidence"], 0.5);
+  EXPECT_EQ(wide["confidence"], 0.99);
+  EXPECT_LT(wide["low"], narrow["low"]);
+  EXPECT_GT(wide["high"], narrow["high"]);
+  EXPECT_TRUE(interval("--interval=none").is_null());
+  EXPECT_FALSE(interval("--interval=profile").is_null());
+}
+
+TEST(FitStatistics, ConstantsThatAreFreeAreReportedWithTheirUnit) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", runs());
+  const Json fit = fit_of({path, "--models=c", "--objective=area", "--free=toughness,load_offset,lambda"})["fits"][0];
+  EXPECT_EQ(fit["parameters"].size(), 3);
+  // a dimensionless file: the factor on its own toughness, which is right but for what the scatter allows
+  EXPECT_NEAR(fit["parameters"]["toughness"]["value"].get<double>(), 1, 0.2);
+  EXPECT_EQ(fit["parameters"]["toughness"]["unit"], "");
+  EXPECT_EQ(fit["correlations"].size(), 3);
+}
+
+TEST(FitStatistics, RobustLossesSayWhereTheyBend) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", runs());
+  const Words known{path, "--models=c", "--objective=area", "--sigma_A=0.5%"};
+  for (const auto& [loss, scale] : {std::pair{"huber", 1.345}, std::pair{"cauchy", 2.3849}}) {
+    Words words = known;
+    words.push_back(std::string("--loss=") + loss);
+    EXPECT_EQ(fit_of(words)["fits"][0]["loss_scale"], scale);
+    words.push_back("--loss_scale=4");
+    EXPECT_EQ(fit_of(words)["fits"][0]["loss_scale"], 4);
+  }
+  Words none = known;
+  none.push_back("--loss=none");
+  EXPECT_TRUE(fit_of(none)["fits"][0]["loss_scale"].is_null());
+}
+
+TEST(FitStatistics, RunsAndModelsAreComparedWhenAskedFor) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", runs());
+  const Json both = fit_of({path, "--models=b,c", "--objective=area", "--per=curve"});
+  ASSERT_EQ(both["comparison"].size(), 2);
+  EXPECT_GT(both["comparison"][1]["weight"], both["comparison"][0]["weight"]);  // model c made the data
+  ASSERT_EQ(both["per_curve"].size(), 2);
+  EXPECT_EQ(both["per_curve"][1]["fitted"], 3);
+  EXPECT_GT(both["per_curve"][1]["test"]["p_value"], 0.001);  // one lambda made all runs
+  const Json plain = fit_of({path, "--models=b,c", "--objective=area", "--compare=false"});
+  EXPECT_EQ(plain["comparison"], Json::array());
+  EXPECT_EQ(plain["per_curve"], Json::array());
+  EXPECT_EQ(fit_of({path, "--models=c", "--objective=area"})["comparison"], Json::array());  // with what?
+}
+
+TEST(FitStatistics, BadFlagsAreOneLineAndExitTwo) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", runs());
+  const auto refused = [&](const char* flag, const std::string& complaint) {
+    expect_refused({"fit", path, flag}, 2, complaint);
+  };
+  refused("--objective=force", "flag '--objective' is 'force'; it must be toughness, area or curve");
+  refused("--sigma_A=-1%", "flag '--sigma_A' is '-1%'; it must be a percentage or a quantity above 0");
+  refused("--sigma_A=much", "flag '--sigma_A' is 'much'; it must be a percentage or a quantity above 0");
+  refused("--sigma_T=0", "flag '--sigma_T' is '0'; it must be a percentage or a quantity above 0");
+  refused("--loss=l1", "flag '--loss' is 'l1'; it must be none, huber or cauchy");
+  refused("--loss_scale=0", "flag '--loss_scale' is '0'; it must be a number above 0");
+  refused("--free=radius",
+          "flag '--free': 'radius' cannot be fitted (known: toughness, modulus, load_offset, area_offset, model "
+          "parameters)");
+  refused("--interval=bootstrap", "flag '--interval' is 'bootstrap'; it must be profile or none");
+  refused("--confidence=95", "flag '--confidence' is '95'; it must be a number above 0 and below 1");
+  refused("--confidence=1", "flag '--confidence' is '1'; it must be a number above 0 and below 1");
+  refused("--confidence=nan", "flag '--confidence' is 'nan'; it must be a number above 0 and below 1");
+  refused("--per=load", "flag '--per' is 'load'; it must be curve");
+}
+
+TEST(FitStatistics, WhatTheFileCannotGiveIsOneLineAndExitThree) {
+  const TemporaryFolder folder;
+  const std::string angles = folder.write("angles.csv", "psi [deg],Gc_over_GIc\n0,1\n20,1.1\n40,1.4\n60,2.3\n");
+  const std::string loads = folder.write("loads.csv", runs());
+  expect_refused({"fit", angles, "--objective=area"}, 3,
+                 angles + ": objective area needs loads and areas (columns P, T, A); this file has psi and Gc");
+  expect_refused({"fit", angles, "--free=toughness"}, 3,
+                 angles + ": only a file with loads and areas (columns P, T, A) can free constants of the experiment");
+  expect_refused({"fit", loads, "--objective=area", "--sigma_A=0.1 mm^2"}, 3,
+                 loads + ": sigma_A is '0.1 mm^2'; it must be a number without a unit, or a percentage such as 1%");
+}
+
+}  // namespace
+}  // namespace mixity::cli

@@ -1,0 +1,227 @@
+#include "fitting/comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+
+#include "fitting/synthetic.h"
+#include "fitting/synthetic_runs.h"
+
+namespace mixity {
+namespace {
+
+FitResult finished(std::size_t n, std::size_t parameters, double sum_of_squares, bool known) {
+  FitResult fit;
+  fit.status = FitStatus::ok;
+  fit.parameters = {{"lambda", 0.3, 0.01, 0, 1}};
+  fit.used.resize(n);
+  fit.residuals.resize(n);
+  fit.free_parameters = parameters;
+  fit.sum_of_squares = sum_of_squares;
+  if (known) fit.errors = StandardErrors{{}, {}, ErrorSource::stated, ErrorSource::stated, {}};
+  return fit;
+}
+
+TEST(Information, FollowsTheTextbookFormulas) {
+  const double n = 20;
+  // Errors known: the deviance is chi^2 and K = p = 2.
+  const auto known = information(finished(20, 2, 25, true));
+  ASSERT_TRUE(known && known->aicc);
+  EXPECT_DOUBLE_EQ(known->aic, 25 + 4);
+  EXPECT_DOUBLE_EQ(*known->aicc, 25 + 4 + 12.0 / 17);
+  EXPECT_DOUBLE_EQ(known->bic, 25 + 2 * std::log(n));
+  // Errors unknown: n ln(S/n), and their variance is one more parameter.
+  const auto unknown = information(finished(20, 2, 25, false));
+  ASSERT_TRUE(unknown && unknown->aicc);
+  EXPECT_DOUBLE_EQ(unknown->aic, n * std::log(25 / n) + 6);
+  EXPECT_DOUBLE_EQ(*unknown->aicc, n * std::log(25 / n) + 6 + 24.0 / 16);
+  EXPECT_DOUBLE_EQ(unknown->bic, n * std::log(25 / n) + 3 * std::log(n));
+}
+
+TEST(Information, NeedsMorePointsThanParameters) {
+  EXPECT_TRUE(information(finished(4, 1, 1, false))->aicc);
+  EXPECT_FALSE(information(finished(3, 1, 1, false))->aicc);
+  EXPECT_FALSE(information(finished(3, 2, 1, true))->aicc);
+  FitResult without_value = finished(10, 1, 1, false);
+  without_value.parameters[0].value.reset();
+  EXPECT_FALSE(information(without_value));
+  EXPECT_FALSE(information(finished(10, 1, 0, false)));  // exact data: ln 0
+}
+
+Dataset noisy(unsigned seed, const std::vector<double>& loads = {0.5, 3, 10, 30}) {
+  SeededNoise noise(seed, 0.005);
+  return synthetic_runs<PapangeloCiavarella>({0.15}, loads, 12, 0.85, noise);
+}
+
+FitOptions area_options() {
+  return {.objective = Objective::area, .sigma_A = *parse_quantity("0.5%"), .intervals = false};
+}
+
+TEST(Comparison, WeightsSumToOneAndFollowAicc) {
+  const Dataset data = noisy(1);
+  std::vector<FitResult> fits;
+  for (const char* model : {"a", "b", "c"}) fits.push_back(fit_model(data, model, area_options()));
+  const auto compared = compare_models(data, fits, area_options());
+  ASSERT_EQ(compared.size(), 3u);
+  double sum = 0;
+  for (const ComparedModel& m : compared) sum += m.weight.value();
+  EXPECT_NEAR(sum, 1, 1e-15);  // three roundings
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(*compared[i].aicc, *information(fits[i])->aicc);
+    EXPECT_EQ(*compared[i].bic, information(fits[i])->bic);
+    const double ratio = std::exp(0.5 * (*compared[2].aicc - *compared[i].aicc));
+    EXPECT_NEAR(*compared[i].weight, *compared[2].weight * ratio, 1e-12);  // roundings of an exponent of some hundred
+  }
+  EXPECT_GT(*compared[2].weight, 0.99);  // the model that made the data
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_LT(compared[2].left_out->rmse_area, compared[i].left_out->rmse_area);
+}
+
+TEST(Comparison, LeavesOutModelsFittedToOtherPoints) {
+  Dataset data = noisy(2);
+  std::vector<FitResult> fits;
+  for (const char* model : {"c", "b"}) fits.push_back(fit_model(data, model, area_options()));
+  fits[1].used.pop_back();
+  const auto compared = compare_models(data, fits, area_options());
+  EXPECT_EQ(*compared[0].weight, 1);
+  EXPECT_FALSE(compared[1].weight);
+  EXPECT_FALSE(compared[1].aicc);
+}
+
+/// By hand: one run at a time is left out, the rest fitted, the run predicted.
+TEST(LeaveOneLoadOut, IsRefittingWithoutEachRun) {
+  const Dataset data = noisy(3);
+  for (const Objective objective : {Objective::toughness, Objective::area, Objective::curve}) {
+    FitOptions options = area_options();
+    options.objective = objective;
+    const auto found = leave_one_load_out(data, fit_model(data, "c", options), options);
+    ASSERT_TRUE(found);
+    double squares = 0;
+    std::size_t beyond = 0;
+    for (std::size_t run = 0; run < data.curves.size(); ++run) {
+      std::vector<std::size_t> others;
+      for (std::size_t i = 0; i < data.points.size(); ++i)
+        if (data.points[i].curve != run) others.push_back(i);
+      const FitResult fit = fit_model(data, "c", options, &others);
+      ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+      const LoadedContact<PapangeloCiavarella> contact({*fit.parameters[0].value}, data.curve_loads[run]);
+      for (const Point& p : data.points) {
+        if (p.curve != run) continue;
+        const Equilibrium at = contact.at(p.T);
+        const bool exists = at.status == EquilibriumStatus::ok;
+        beyond += !exists;
+        const double y = exists ? at.y : contact.branches().back().y_bottom;
+        squares += std::pow(area_from_radius(radius_from_edge_load(y, p.P)) - p.A, 2);
+      }
+    }
+    // The refits start from the whole fit's minimum and end at the same one, to its 1e-12 or so.
+    EXPECT_NEAR(found->rmse_area, std::sqrt(squares / static_cast<double>(data.points.size())),
+                1e-9 * found->rmse_area);
+    EXPECT_EQ(found->beyond_fold, beyond);
+  }
+}
+
+TEST(LeaveOneLoadOut, NeedsTwoRunsWithLoads) {
+  const Dataset one = noisy(4, {3});
+  EXPECT_FALSE(leave_one_load_out(one, fit_model(one, "c", area_options()), area_options()));
+  const Dataset angles = synthetic<PapangeloCiavarella>({0.3}, angles_up_to(1.2, 10));
+  EXPECT_FALSE(leave_one_load_out(angles, fit_model(angles, "c"), {}));
+}
+
+TEST(LeaveOneLoadOut, CountsWhatLiesBeyondTheFold) {
+  Dataset data = noisy(5);
+  // a point 20 % beyond the fold of its run, where only the fold's area can stand for the model's
+  const double T = 1.2 * shear_to_lose_area<PapangeloCiavarella>({0.15}, 3);
+  data.points.push_back(point_at(60, 1, 3, T, 15));
+  const auto found = leave_one_load_out(data, fit_model(data, "c", area_options()), area_options());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->beyond_fold, 1u);
+}
+
+/// Runs of two lambdas, or of one.
+Dataset runs_of(double first, double second, unsigned seed) {
+  SeededNoise noise(seed, 0.005);
+  Dataset data = empty_runs();
+  for (const double lambda : {first, second})
+    for (const double P : {2.0, 15.0}) add_run<PapangeloCiavarella>(data, {lambda}, P, 12, 0.8, noise);
+  return data;
+}
+
+TEST(PerCurve, TellsTwoLambdasFromOne) {
+  for (const bool known : {true, false}) {
+    FitOptions options{.objective = Objective::area, .intervals = false};
+    if (known) options.sigma_A = *parse_quantity("0.5%");
+    int rejected = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      const PerCurve different = fit_per_curve(runs_of(0.15, 0.2, seed), "c", options);
+      ASSERT_TRUE(different.test);
+      EXPECT_EQ(different.test->chi_squared, known);
+      EXPECT_LT(different.test->p_value, 1e-3) << seed;  // thirty percent of lambda are ten standard errors
+      EXPECT_GT(*different.test->aicc_pooled, *different.test->aicc_separate);
+      rejected += fit_per_curve(runs_of(0.15, 0.15, seed), "c", options).test->p_value < 0.05;
+    }
+    // One in twenty by chance: more than five in twenty has a probability of 3e-4.
+    EXPECT_LE(rejected, 5) << known;
+  }
+}
+
+TEST(PerCurve, TestIsThatOfItsFormula) {
+  const Dataset data = runs_of(0.15, 0.16, 3);
+  for (const bool known : {true, false}) {
+    FitOptions options{.objective = Objective::area, .intervals = false};
+    if (known) options.sigma_A = *parse_quantity("0.5%");
+    const PerCurve found = fit_per_curve(data, "c", options);
+    ASSERT_EQ(found.curves.size(), 4u);
+    EXPECT_EQ(found.fitted, 4u);
+    double separate = 0;
+    for (std::size_t c = 0; c < 4; ++c) {
+      EXPECT_EQ(found.curves[c].curve, data.curves[c]);
+      EXPECT_EQ(found.curves[c].P, data.curve_loads[c]);
+      EXPECT_EQ(found.curves[c].fit.used.size(), 12u);
+      separate += found.curves[c].fit.sum_of_squares;
+    }
+    const double pooled = fit_model(data, "c", options).sum_of_squares;
+    const double freedom = 3, rest = 48 - 4;
+    const double statistic = known ? pooled - separate : (pooled - separate) / freedom / (separate / rest);
+    ASSERT_TRUE(found.test);
+    EXPECT_NEAR(found.test->statistic, statistic, 1e-9 * statistic);  // minima to 1e-12 of their cost
+    EXPECT_EQ(found.test->freedom, freedom);
+    EXPECT_EQ(found.test->residual_freedom, rest);
+    // of three degrees of freedom: erfc(sqrt(x/2)) + sqrt(2x/pi) exp(-x/2)
+    const double chi =
+        std::erfc(std::sqrt(statistic / 2)) + std::sqrt(2 * statistic / pi<double>()) * std::exp(-statistic / 2);
+    const double p = known ? chi : cdf(complement(boost::math::fisher_f(freedom, rest), statistic));
+    EXPECT_NEAR(found.test->p_value, p, 1e-8);
+  }
+}
+
+TEST(PerCurve, HasNoTestOfASingleRun) {
+  const PerCurve found = fit_per_curve(noisy(6, {3}), "c", area_options());
+  ASSERT_EQ(found.curves.size(), 1u);
+  EXPECT_FALSE(found.test);
+}
+
+/// A freed constant belongs to the experiment: every run is fitted with the value that all of them together want.
+TEST(PerCurve, SharesTheConstantsThatAreFree) {
+  Dataset data = runs_of(0.15, 0.15, 8);
+  for (Point& p : data.points) p = point_at(p.line, p.curve, p.P, p.T, p.A + 0.5);
+  FitOptions options = area_options();
+  options.free = {kAreaOffset};
+  const FitResult whole = fit_model(data, "c", options);
+  ASSERT_EQ(whole.status, FitStatus::ok) << whole.message;
+  EXPECT_NEAR(*whole.parameters[1].value, -0.5, 0.2);  // noise of 0.5 % in areas of 20 to 30, 48 times
+  const PerCurve found = fit_per_curve(data, "c", options);
+  FitOptions fixed = area_options();
+  fixed.corrections[kAreaOffset] = *whole.parameters[1].value;
+  for (std::size_t c = 0; c < 4; ++c) {
+    std::vector<std::size_t> run;
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+      if (data.points[i].curve == c) run.push_back(i);
+    ASSERT_EQ(found.curves[c].fit.parameters.size(), 1u);
+    const FitResult own = fit_model(data, "c", fixed, &run);
+    EXPECT_NEAR(*found.curves[c].fit.parameters[0].value, *own.parameters[0].value, 1e-12);  // the same problem
+  }
+}
+
+}  // namespace
+}  // namespace mixity

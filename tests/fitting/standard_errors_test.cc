@@ -1,0 +1,139 @@
+#include "fitting/standard_errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dataset/input_error.h"
+#include "dataset/load_text.h"
+#include "fitting/synthetic_runs.h"
+
+namespace mixity {
+namespace {
+
+constexpr const char* kMetadata =
+    "radius = \"10 mm\"\nmodulus = \"2 MPa\"\ntoughness = \"30 mJ/m^2\"\nprovenance = \"measured\"\n";
+
+constexpr const char* kPlain = "P,T,A\n1,0,19.6\n1,5,19.2\n1,10,18\n";
+constexpr const char* kColumns = "P,T,A,sigma_T,sigma_A\n1,0,19.6,0.1,0.2\n1,5,19.2,0.3,0.4\n1,10,18,0.5,0.6\n";
+constexpr const char* kDimensional = "P [mN],T [mN],A [mm^2]\n1,0,0.35\n1,1,0.34\n1,2,0.33\n";
+
+StatedError stated(const char* text) { return *parse_quantity(text); }
+
+TEST(StandardErrors, ComeFromTheColumnsOfTheFile) {
+  const StandardErrors errors = standard_errors(load_text(kColumns), {}, {});
+  EXPECT_EQ(errors.A, (std::vector<double>{0.2, 0.4, 0.6}));
+  EXPECT_EQ(errors.T, (std::vector<double>{0.1, 0.3, 0.5}));
+  EXPECT_EQ(errors.source_A, ErrorSource::columns);
+  EXPECT_EQ(errors.source_T, ErrorSource::columns);
+  EXPECT_FALSE(errors.scatter);
+  EXPECT_TRUE(errors.absolute());
+}
+
+TEST(StandardErrors, OfAPercentageAreThatOfEachValue) {
+  const StandardErrors errors = standard_errors(load_text(kPlain), stated("2%"), stated("0.5 %"));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double T[] = {0, 5, 10}, A[] = {19.6, 19.2, 18};
+    EXPECT_DOUBLE_EQ(errors.T[i], 0.02 * T[i]);
+    EXPECT_DOUBLE_EQ(errors.A[i], 0.005 * A[i]);
+  }
+  EXPECT_EQ(errors.source_A, ErrorSource::stated);
+  EXPECT_TRUE(errors.absolute());
+}
+
+TEST(StandardErrors, StatedOnesWinOverColumns) {
+  const StandardErrors errors = standard_errors(load_text(kColumns), {}, stated("0.25"));
+  EXPECT_EQ(errors.A, (std::vector<double>{0.25, 0.25, 0.25}));
+  EXPECT_EQ(errors.T, (std::vector<double>{0.1, 0.3, 0.5}));
+  EXPECT_EQ(errors.source_A, ErrorSource::stated);
+  EXPECT_EQ(errors.source_T, ErrorSource::columns);
+}
+
+TEST(StandardErrors, WithAUnitAreMadeDimensionlessAsTheDataAre) {
+  const Dataset data = load_text(kDimensional, kMetadata);
+  const StandardErrors one = standard_errors(data, stated("0.01 mN"), stated("0.002 mm^2"));
+  const StandardErrors other = standard_errors(data, stated("10 µN"), stated("2000 um2"));
+  // R G_Ic = 0.3 mN; (R/xi)^2 with xi = (2e6 * 0.01/0.03)^(1/3); both to the roundings of a product
+  EXPECT_NEAR(one.T[1], 0.01 / 0.3, 1e-15);
+  EXPECT_NEAR(one.A[1], 0.002e-6 / std::pow(0.01 / std::cbrt(2e4 / 0.03), 2), 1e-15);
+  EXPECT_NEAR(one.T[1], other.T[1], 1e-15);
+  EXPECT_NEAR(one.A[1], other.A[1], 1e-15);
+}
+
+TEST(StandardErrors, TakeTAsExactWhereOnlyAHasOne) {
+  const StandardErrors errors = standard_errors(load_text(kPlain), {}, stated("1%"));
+  EXPECT_EQ(errors.source_T, ErrorSource::exact);
+  EXPECT_EQ(errors.T, (std::vector<double>{0, 0, 0}));
+  EXPECT_TRUE(errors.absolute());
+}
+
+TEST(StandardErrors, OfTAloneLeaveTheSizeOfThoseOfAOpen) {
+  const StandardErrors errors = standard_errors(load_text(kPlain), stated("0.1"), {});
+  EXPECT_EQ(errors.source_T, ErrorSource::stated);
+  EXPECT_EQ(errors.source_A, ErrorSource::scatter);
+  EXPECT_FALSE(errors.absolute());
+}
+
+/// Areas of model c with 1 % noise in A: the estimate shares it between A and T, so that noise in A alone reads
+/// between 1 % and 1 %/sqrt(1 + (T dA/dT/A)^2), which is 0.98 % over the first 0.6 of the fold.
+TEST(StandardErrors, FromScatterFindTheNoiseOfTheData) {
+  double sum = 0, sum_of_squares = 0;
+  constexpr int kSeeds = 60;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    SeededNoise noise(seed, 0.01);
+    const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20}, 60, 0.6, noise);
+    const StandardErrors errors = standard_errors(data, {}, {});
+    ASSERT_TRUE(errors.scatter);
+    EXPECT_EQ(errors.source_A, ErrorSource::scatter);
+    EXPECT_EQ(errors.source_T, ErrorSource::scatter);
+    EXPECT_FALSE(errors.absolute());
+    EXPECT_DOUBLE_EQ(errors.A[7], *errors.scatter * data.points[7].A);
+    EXPECT_DOUBLE_EQ(errors.T[7], *errors.scatter * data.points[7].T);
+    sum += *errors.scatter;
+    sum_of_squares += *errors.scatter * *errors.scatter;
+  }
+  const double mean = sum / kSeeds, spread = std::sqrt(sum_of_squares / kSeeds - mean * mean);
+  // The median of 174 squares, about half of them independent, has a relative error of 1.17/sqrt(2 * 87) = 9 %.
+  EXPECT_LT(spread, 0.2 * mean);
+  EXPECT_GT(spread, 0.03 * mean);
+  // Four standard errors of the mean, and the 2 % by which T takes its share.
+  EXPECT_NEAR(mean, 0.01, 4 * 0.09 * 0.01 / std::sqrt(kSeeds) + 0.0002);
+}
+
+TEST(StandardErrors, FromScatterAreNotMovedByTheOrderOfThePoints) {
+  SeededNoise noise(7, 0.01);
+  Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5}, 20, 0.6, noise);
+  const double in_order = *standard_errors(data, {}, {}).scatter;
+  std::reverse(data.points.begin(), data.points.end());
+  EXPECT_NEAR(*standard_errors(data, {}, {}).scatter, in_order, 1e-12 * in_order);  // the order of roundings
+}
+
+/// Without three neighbours there is nothing to estimate from: one percent is assumed.
+TEST(StandardErrors, AreAssumedWhereTheDataCannotShowThem) {
+  EXPECT_EQ(*standard_errors(load_text("P,T,A\n1,0,19.6\n1,5,19.2\n2,0,21\n"), {}, {}).scatter, 0.01);
+}
+
+std::string refusal(const char* csv, const char* toml, std::optional<StatedError> T, std::optional<StatedError> A) {
+  const Dataset data = load_text(csv, toml);
+  const std::string text = input_error([&] { standard_errors(data, T, A); });
+  return text.substr(text.find("a.csv"));
+}
+
+TEST(StandardErrors, RefuseWhatIsNoErrorOfTheQuantity) {
+  EXPECT_EQ(refusal(kDimensional, kMetadata, {}, stated("0.1 mN")),
+            "a.csv: sigma_A is '0.1 mN'; it must be an area such as mm^2, or a percentage such as 1%");
+  EXPECT_EQ(refusal(kDimensional, kMetadata, stated("0.1 mm"), stated("1%")),
+            "a.csv: sigma_T is '0.1 mm'; it must be a force such as mN, or a percentage such as 1%");
+  EXPECT_EQ(refusal(kPlain, "", {}, stated("0.1 mm^2")),
+            "a.csv: sigma_A is '0.1 mm^2'; it must be a number without a unit, or a percentage such as 1%");
+  EXPECT_EQ(refusal(kPlain, "", {}, stated("0")), "a.csv: sigma_A must be greater than 0");
+  EXPECT_EQ(refusal(kPlain, "", stated("-1%"), stated("1")), "a.csv: sigma_T must be greater than 0");
+}
+
+TEST(StandardErrors, RefuseAPointThatHasNoneInAColumnOfThem) {
+  EXPECT_EQ(refusal("P,T,A,sigma_A\n1,0,19.6,0.1\n1,5,19.2,0\n", "", {}, {}),
+            "a.csv:3: this point has no standard error of its area (sigma_A is 0)");
+}
+
+}  // namespace
+}  // namespace mixity

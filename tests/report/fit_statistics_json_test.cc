@@ -1,0 +1,111 @@
+#include "report/fit_statistics_json.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fitting/synthetic_runs.h"
+#include "report/fit_json.h"
+
+namespace mixity {
+namespace {
+
+/// Keys of an object, sorted.
+std::vector<std::string> keys(const Json& object) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : object.items()) names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+/// What `mixity fit --objective=area --free=toughness --per=curve --models=a,c` computes.
+JobResult whole_job() {
+  JobResult result;
+  SeededNoise noise(1, 0.005);
+  result.data = synthetic_runs<PapangeloCiavarella>({0.2}, {1, 5, 20}, 10, 0.8, noise);
+  result.data.display = {"mN", "mm^2", 0.25, 0.01};
+  result.job.models = {"a", "c"};
+  result.job.options.objective = Objective::area;
+  result.job.options.free = {kToughness};
+  for (const std::string& model : result.job.models) {
+    result.fits.push_back(fit_model(result.data, model, result.job.options));
+    result.per_curve.push_back(fit_per_curve(result.data, model, result.job.options));
+  }
+  result.comparison = compare_models(result.data, result.fits, result.job.options);
+  return result;
+}
+
+TEST(FitStatisticsJson, HasTheKeysOfItsSchema) {
+  const Json data = Json::parse(to_json({whole_job()}))["datasets"][0];
+  ASSERT_EQ(data["fits"].size(), 2);
+  for (const Json& fit : data["fits"]) {
+    EXPECT_EQ(keys(fit["errors"]), (Names{"relative_scatter", "sigma_A", "sigma_T"}));
+    EXPECT_EQ(fit["errors"]["sigma_A"], "scatter");
+    EXPECT_TRUE(fit["errors"]["relative_scatter"].is_number());
+    EXPECT_TRUE(fit["loss_scale"].is_null());
+    ASSERT_EQ(fit["correlations"].size(), 1);
+    EXPECT_EQ(fit["correlations"][0]["parameters"], Json({"lambda", "toughness"}));
+    EXPECT_TRUE(fit["correlations"][0]["value"].is_number());
+    for (const char* name : {"lambda", "toughness"}) {
+      const Json& interval = fit["parameters"][name]["interval"];
+      EXPECT_EQ(keys(interval), (Names{"confidence", "high", "high_status", "low", "low_status", "method"}));
+      EXPECT_EQ(interval["method"], "profile");
+      EXPECT_EQ(interval["confidence"], 0.95);
+      EXPECT_LT(interval["low"], interval["high"]);
+      EXPECT_EQ(interval["low_status"], "found");
+    }
+  }
+  ASSERT_EQ(data["comparison"].size(), 2);
+  for (const Json& entry : data["comparison"])
+    EXPECT_EQ(keys(entry), (Names{"aicc", "bic", "loo_beyond_fold", "loo_rmse_area", "model", "weight"}));
+  ASSERT_EQ(data["per_curve"].size(), 2);
+  for (const Json& entry : data["per_curve"]) {
+    EXPECT_EQ(keys(entry), (Names{"curves", "fitted", "model", "test"}));
+    EXPECT_EQ(entry["fitted"], 3);
+    EXPECT_EQ(keys(entry["test"]),
+              (Names{"aicc_pooled", "aicc_separate", "freedom", "kind", "p_value", "residual_freedom", "statistic"}));
+    EXPECT_EQ(entry["test"]["kind"], "F");
+    ASSERT_EQ(entry["curves"].size(), 3);
+    for (const Json& curve : entry["curves"]) {
+      EXPECT_EQ(keys(curve), (Names{"curve", "load", "load_dimensionless", "parameters", "points", "status"}));
+      EXPECT_EQ(keys(curve["parameters"]["lambda"]), (Names{"interval", "stderr", "value"}));
+    }
+    EXPECT_EQ(entry["curves"][1]["load_dimensionless"], 5);
+    EXPECT_EQ(entry["curves"][1]["load"], 1.25);  // 0.25 mN each
+    EXPECT_EQ(entry["curves"][1]["points"], 10);
+  }
+}
+
+TEST(FitStatisticsJson, WritesWhatIsMissingAsNull) {
+  EXPECT_TRUE(interval_json({}).is_null());
+  EXPECT_TRUE(errors_json({}, {}).is_null());
+  EXPECT_EQ(correlations_json({}), Json::array());
+  const Json open = interval_json(ShownInterval{"profile", 0.9, {}, 2.0, EndStatus::open, EndStatus::at_bound});
+  EXPECT_TRUE(open["low"].is_null());
+  EXPECT_EQ(open["low_status"], "open");
+  EXPECT_EQ(open["high"], 2.0);
+  EXPECT_EQ(open["high_status"], "at_bound");
+
+  JobResult result;
+  result.comparison = {{"a", {}, {}, {}, {}}};
+  const Json compared = comparison_json(result)[0];
+  for (const char* key : {"aicc", "bic", "weight", "loo_rmse_area", "loo_beyond_fold"})
+    EXPECT_TRUE(compared[key].is_null()) << key;
+  result.per_curve.resize(1);
+  result.per_curve[0].curves.push_back({"all", 0, {}});
+  const Json per_curve = per_curve_json(result)[0];
+  EXPECT_TRUE(per_curve["test"].is_null());
+  EXPECT_TRUE(per_curve["curves"][0]["load"].is_null());  // (psi, Gc) data have none
+}
+
+TEST(FitStatisticsJson, LeavesOutHeldParametersFromCorrelations) {
+  FitResult fit;
+  fit.parameters = {{"r", 2, {}, 0, 10, false, true}, {"eta", 2, 0.1, 0, 10}, {"modulus", 1, 0.1, 0, 10}};
+  fit.correlations = {1, -0.25, -0.25, 1};
+  EXPECT_EQ(correlations_json(fit), Json::parse(R"([{"parameters": ["eta", "modulus"], "value": -0.25}])"));
+}
+
+}  // namespace
+}  // namespace mixity

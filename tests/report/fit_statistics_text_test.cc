@@ -1,0 +1,134 @@
+// The statistics of a fit as text. After a deliberate change of the text, run the test once with
+// MIXITY_UPDATE_GOLDEN=1 and read the difference before committing it.
+#include "report/fit_statistics_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "dataset/csv.h"
+#include "report/fit_text.h"
+#include "report/output_file.h"
+
+namespace mixity {
+namespace {
+
+ShownInterval found(double low, double high) {
+  return {"profile", 0.95, low, high, EndStatus::found, EndStatus::found};
+}
+
+/// A fit of the curve with the toughness free, in 3 runs.
+JobResult example() {
+  JobResult result;
+  result.data.path = "data/example.csv";
+  result.data.name = "example";
+  result.data.metadata.provenance = Provenance::measured;
+  result.data.has_loads = true;
+  result.data.rows = 40;
+  result.data.points.resize(40);
+  result.data.curves = {"P=1", "P=3", "P=9"};
+  result.data.display = {"mN", "mm^2", 0.25, 0.01};
+
+  FitResult fit;
+  fit.model = "c";
+  fit.model_name = "Papangelo-Ciavarella 2019";
+  fit.formula = "f = 1/(1 + (lambda-1) sin^2(psi))";
+  fit.objective = Objective::curve;
+  fit.status = FitStatus::ok;
+  fit.parameters = {{"lambda", 0.0023456789, 1.2345e-5, 0, 1}, {"toughness", 0.0269759, 3.2e-5, 2.7e-5, 27}};
+  fit.parameters[0].interval = found(0.00232134, 0.00237089);
+  fit.parameters[1].interval = found(0.0269123, 0.0270401);
+  fit.parameters[1].unit = "J/m^2";
+  fit.used.resize(40);
+  fit.free_parameters = 2;
+  fit.correlations = {1, 0.7361, 0.7361, 1};
+  fit.sum_of_squares = 41.2;
+  fit.errors = StandardErrors{{}, {}, ErrorSource::columns, ErrorSource::stated, {}};
+  fit.r2 = 0.99935;
+  fit.rmse = 1.015;
+  fit.max_abs_residual = 2.71;
+  result.fits = {fit};
+  return result;
+}
+
+void expect_golden(const JobResult& result, const std::string& name) {
+  const std::string path = MIXITY_ROOT "/tests/report/golden/" + name;
+  if (std::getenv("MIXITY_UPDATE_GOLDEN")) write_file(path, to_text(result));
+  EXPECT_EQ(to_text(result), read_file(path)) << name;
+}
+
+TEST(FitStatisticsText, IntervalsAndKnownErrors) { expect_golden(example(), "known_errors.txt"); }
+
+TEST(FitStatisticsText, EstimatedErrorsWithARobustLossAndOneEndedIntervals) {
+  JobResult result = example();
+  FitResult& fit = result.fits[0];
+  fit.status = FitStatus::at_bound;
+  fit.message = "lambda is at its lower bound 0";
+  fit.errors = StandardErrors{{}, {}, ErrorSource::scatter, ErrorSource::scatter, 0.00721};
+  fit.loss_scale = 1.345;
+  fit.parameters[0] = {"lambda", 0.0, {}, 0, 1, true};
+  fit.parameters[0].interval = ShownInterval{"profile", 0.95, 0.0, 0.000123456, EndStatus::at_bound, EndStatus::found};
+  fit.parameters[1].interval->high.reset();
+  fit.parameters[1].interval->high_status = EndStatus::open;
+  fit.correlations.clear();
+  expect_golden(result, "estimated_errors.txt");
+}
+
+TEST(FitStatisticsText, ComparisonIsSortedByTheErrorOnLoadsLeftOut) {
+  JobResult result = example();
+  result.fits.clear();
+  result.comparison = {{"a", 321.5, 330.25, 2.3e-62, LeftOut{0.0123456, 0}},
+                       {"bk", {}, {}, {}, {}},
+                       {"c", 38.25, 40.5, 1, LeftOut{0.00216, 3}}};
+  expect_golden(result, "comparison.txt");
+}
+
+TEST(FitStatisticsText, EachRunAndTheTestOfOneValue) {
+  JobResult result = example();
+  PerCurve per_curve;
+  per_curve.model = "c";
+  for (std::size_t c = 0; c < 3; ++c) {
+    CurveFit one{result.data.curves[c], 1.0 + 2.0 * static_cast<double>(c), result.fits[0]};
+    one.fit.parameters.resize(1);
+    per_curve.curves.push_back(one);
+  }
+  FitResult& last = per_curve.curves[2].fit;
+  last.status = FitStatus::not_identifiable;
+  last.parameters[0] = {"lambda", {}, {}, 0, 1};
+  per_curve.fitted = 2;
+  per_curve.test = PerCurve::Test{false, 4.321, 1, 24, 0.0486, -101.25, -103.5};
+  PerCurve shared = per_curve;
+  shared.model = "b";
+  shared.test = PerCurve::Test{true, 0.1234, 1, 24, 0.7254, 12.5, 14.75};
+  PerCurve untested = per_curve;
+  untested.model = "a";
+  untested.test.reset();
+  result.fits.clear();
+  result.per_curve = {per_curve, shared, untested};
+  expect_golden(result, "per_curve.txt");
+}
+
+/// Digits follow the width of the interval, to a tenth of its decade.
+TEST(FitStatisticsText, IntervalsAreRoundedToTheirOwnWidth) {
+  FittedParameter parameter{"lambda", 0.5, 0.1, 0, 1};
+  EXPECT_EQ(interval_text(parameter), "");
+  parameter.interval = found(0.3456789, 0.7891234);
+  EXPECT_EQ(interval_text(parameter), "   95% 0.35 .. 0.79");
+  parameter.interval = found(0.50000012, 0.50000045);
+  EXPECT_EQ(interval_text(parameter), "   95% 0.50000012 .. 0.50000045");
+  parameter.interval->confidence = 0.6827;
+  EXPECT_EQ(interval_text(parameter), "   68.27% 0.50000012 .. 0.50000045");
+}
+
+/// Errors that the scatter belies are said so; those that it bears out are not.
+TEST(FitStatisticsText, SaysWhenTheScatterIsLargerThanTheErrors) {
+  FitResult fit = example().fits[0];
+  EXPECT_EQ(errors_text(fit).find("too narrow"), std::string::npos);
+  fit.sum_of_squares = 77;  // 38 degrees of freedom, twice that is 76
+  EXPECT_NE(errors_text(fit).find("too narrow"), std::string::npos);
+  fit.loss_scale = 1;  // then it is no chi^2
+  EXPECT_EQ(errors_text(fit).find("chi^2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mixity
