@@ -1,0 +1,53 @@
+"""Runs tasks in turn, times them and shows the times side by side."""
+
+import collections
+import statistics
+import subprocess
+import time
+
+import numpy as np
+
+OwnTime = collections.namedtuple("OwnTime", "seconds")  # what a task returns that has its own clock
+
+
+def run(command):
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode not in (0, 1):
+        raise RuntimeError(f"{str(command)[:80]} ended with code {done.returncode}: {done.stderr[-300:]}")
+    return done.stdout
+
+
+def alternate(tasks, repetitions):
+    """Times of every task, taken in turn after one round to warm up, and its last answer."""
+    answers = {name: task() for name, task in tasks.items()}
+    times = {name: [] for name in tasks}
+    for _ in range(repetitions):
+        for name, task in tasks.items():
+            start = time.perf_counter()
+            answers[name] = task()
+            seconds = time.perf_counter() - start
+            times[name].append(answers[name].seconds if isinstance(answers[name], OwnTime) else seconds)
+    return {name: np.array(taken) for name, taken in times.items()}, answers
+
+
+def show_time(seconds):
+    for unit, size in (("s", 1), ("ms", 1e-3), ("us", 1e-6)):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds * 1e9:.3g} ns"
+
+
+def time_cells(times):
+    """Name, median, spread, ratio of each task; the first is what the others are compared with."""
+    unit = statistics.median(next(iter(times.values())))
+    for name, taken in times.items():
+        low, middle, high = statistics.quantiles(taken, n=4, method="inclusive")
+        yield [name, show_time(middle), show_time((high - low) / 2), f"{middle / unit:.3g}"]
+
+
+def markdown(header, rows):
+    table = [header, *rows]
+    widths = [max(len(line[i]) for line in table) for i in range(len(header))]
+    lines = ["| " + " | ".join(text.ljust(width) for text, width in zip(line, widths)) + " |" for line in table]
+    lines.insert(1, "|" + "|".join("-" * (width + 2) for width in widths) + "|")
+    return "\n".join(lines)
