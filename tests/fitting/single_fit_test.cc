@@ -36,8 +36,9 @@ void expect_same(const LeastSquares& problem, const std::string& where) {
   EXPECT_NEAR(batch.x, shown.best.x[0], 1e-10 * std::abs(shown.best.x[0])) << where;
   EXPECT_NEAR(batch.sum_of_squares, shown.best.sum_of_squares, 1e-9 * shown.best.sum_of_squares + 1e-24) << where;
   // without noise the residuals are roundings
-  if (shown.stderrs[0] && shown.best.sum_of_squares > 1e-20)
+  if (shown.stderrs[0] && shown.best.sum_of_squares > 1e-20) {
     EXPECT_NEAR(*batch.standard_error, *shown.stderrs[0], 1e-8 * *shown.stderrs[0]) << where;
+  }
 }
 
 template <class Model>
@@ -95,7 +96,9 @@ TYPED_TEST(OneParameter, NewtonFromManyStartsEndsAtTheMinimumOrSaysThatItDidNot)
   for (int i = 0; i < 200; ++i) {
     const double start = std::pow(10.0, -6 + 6.0 * i / 199);
     const SingleFit fit = solve_single_near(*cost, problem.parameters()[0], 80, start);
-    if (fit.status == FitStatus::ok) EXPECT_NEAR(fit.x, best.x, 1e-10 * best.x) << start;
+    if (fit.status == FitStatus::ok) {
+      EXPECT_NEAR(fit.x, best.x, 1e-10 * best.x) << start;
+    }
   }
 }
 
