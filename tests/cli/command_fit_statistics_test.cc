@@ -130,6 +130,16 @@ TEST(FitStatistics, RunsAndModelsAreComparedWhenAskedFor) {
   EXPECT_EQ(fit_of({path, "--models=c", "--objective=area"})["comparison"], Json::array());  // with what?
 }
 
+TEST(FitStatistics, ADefinitionNamesItsObjectiveAndAFlagWins) {
+  const TemporaryFolder folder;
+  folder.write("a.csv", runs());
+  const std::string path = folder.write("fit.toml", "data = \"a.csv\"\nmodels = [\"c\"]\nobjective = \"area\"\n");
+  EXPECT_EQ(fit_of({path})["fits"][0]["objective"], "area");
+  EXPECT_EQ(fit_of({path, "--objective=curve"})["fits"][0]["objective"], "curve");
+  const std::string wrong = folder.write("wrong.toml", "data = \"a.csv\"\nobjective = \"force\"\n");
+  expect_refused({"fit", wrong}, 3, wrong + ":2:13: unknown objective \"force\" (known: toughness, area, curve)");
+}
+
 TEST(FitStatistics, BadFlagsAreOneLineAndExitTwo) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.csv", runs());

@@ -52,7 +52,7 @@ TYPED_TEST(ExactRuns, GiveLambdaBackUnderEveryObjective) {
 TEST(ExactRuns, GiveBothParametersOfTheTwoParameterLawBack) {
   const Parameters<BenzeggaghKenane> p{1.774, 2.284};
   for (const Objective objective : kObjectives) {
-    const FitResult fit = fit_model(synthetic_runs<BenzeggaghKenane>(p, {0.5, 20}, 8, 0.95), "bk", with(objective));
+    const FitResult fit = fit_model(synthetic_runs<BenzeggaghKenane>(p, {5}, 8, 0.95), "bk", with(objective));
     EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << fit.message;
     // 4e-15 times the condition of two correlated parameters, some 1e3
     EXPECT_NEAR(*fit.parameters[0].value, p[0], 1e-10) << to_string(objective);
