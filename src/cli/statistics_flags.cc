@@ -57,6 +57,9 @@ void add_statistics_flags(FitOptions& options) {
   if (is_set("weighted")) options.weighted = FLAGS_weighted;
   if (is_set("sigma_T")) options.sigma_T = error_from("sigma_T", FLAGS_sigma_T);
   if (is_set("sigma_A")) options.sigma_A = error_from("sigma_A", FLAGS_sigma_A);
+  if ((options.sigma_T || options.sigma_A) && options.objective == Objective::toughness && !options.weighted)
+    throw UsageError("flag '--sigma_" + std::string(options.sigma_A ? "A" : "T") +
+                     "' needs --objective=area or curve, or --weighted");
   if (is_set("loss")) options.loss = loss_from_flag();
   if (is_set("loss_scale"))
     options.loss_scale = number_from("loss_scale", FLAGS_loss_scale, 0, std::numeric_limits<double>::infinity());

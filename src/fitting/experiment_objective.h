@@ -33,6 +33,13 @@ class ExperimentObjective final : public ModelProblem<Model> {
   const std::vector<double>& targets() const override { return targets_; }
   const std::vector<double>& weights() const override { return weights_; }
   Trial<Model> trial(std::span<const double> x) const override { return choice_.trial(x); }
+  double data_norm() const override {
+    double square = std::pow(ModelProblem<Model>::data_norm(), 2);
+    if constexpr (std::is_same_v<Residuals<Model>, CurveResiduals<Model>>)  // T is data there, too
+      for (const MeasuredPoint& point : points_)
+        if (point.sigma_T > 0) square += std::pow(point.T / point.sigma_T, 2);
+    return std::sqrt(square);
+  }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     const Trial<Model> at = trial(x);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "dataset/number_text.h"
+#include "fitting/single_cost.h"
 
 namespace mixity {
 namespace {
@@ -42,6 +43,7 @@ struct Scan {
 
 /// Cost over the grid of all parameters' scan values; a local minimum is no higher than its neighbours.
 Scan scan(const LeastSquares& problem) {
+  const std::size_t p = problem.parameters().size();
   const auto scanned = std::count_if(problem.parameters().begin(), problem.parameters().end(),
                                      [](const FreeParameter& parameter) { return !parameter.start; });
   std::vector<std::vector<double>> axes;
@@ -60,8 +62,17 @@ Scan scan(const LeastSquares& problem) {
   };
   std::vector<double> costs(total), residuals(problem.residual_count());
   Scan result;
+  const auto single = p == 1 ? problem.single_cost() : nullptr;
   for (std::size_t i = 0; i < total; ++i) {
     costs[i] = kInfinity;
+    if (single) {
+      const CostValue cost = single->at(point(i)[0], {});
+      if (!std::isfinite(cost.value) || !cost.finite) continue;
+      costs[i] = cost.value;
+      result.lowest = std::min(result.lowest, costs[i]);
+      result.highest = std::max(result.highest, costs[i]);
+      continue;
+    }
     if (!problem.evaluate(point(i), residuals, {})) continue;
     costs[i] = 0;
     for (const double r : residuals) costs[i] += r * r;
@@ -197,7 +208,9 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
   // Within rounding, or within what the scatter allows, every value fits as well as the best.
   const double rounding = 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();
   const double threshold = 1 + kChiSquare95 / static_cast<double>(n - p);
-  if (near.empty() && (std::sqrt(scanned.highest) <= rounding || scanned.highest <= threshold * scanned.lowest)) {
+  const bool any_scanned = near.empty() && std::any_of(problem.parameters().begin(), problem.parameters().end(),
+                                                       [](const FreeParameter& parameter) { return !parameter.start; });
+  if (any_scanned && (std::sqrt(scanned.highest) <= rounding || scanned.highest <= threshold * scanned.lowest)) {
     std::string names;
     for (const FreeParameter& parameter : problem.parameters()) names += (names.empty() ? "" : ", ") + parameter.name;
     return end(FitStatus::not_identifiable, "the data do not constrain " + names + ": every value in the range fits");

@@ -80,6 +80,12 @@ PreparedFit<Model> prepare(const Dataset& data, const FitOptions& options, const
                                           " needs loads and areas (columns P, T, A); this file has psi and Gc"
                                     : "only a file with loads and areas (columns P, T, A) can free constants of the "
                                       "experiment");
+  const bool corrected = !options.free.empty() || options.corrections != Corrections{};
+  if (corrected && options.objective == Objective::toughness && (options.weighted || options.scale == Scale::linear))
+    throw InputError(
+        data.path,
+        "with constants of the experiment free, objective toughness is fitted in ln(Gc/GIc) without weights; "
+        "objective curve weighs the points");
   if (data.has_loads && (options.objective != Objective::toughness || options.weighted))
     prepared.errors = standard_errors(data, options.sigma_T, options.sigma_A);
   return prepared;

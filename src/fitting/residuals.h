@@ -122,12 +122,19 @@ class CurveResiduals {
   CurveResiduals(const Parameters<Model>& p, double P, double T_most) : p_(p), P_(P), vertical_(p, P, T_most) {
     const LoadedContact<Model> contact(p, P);
     if (!contact.obstacle().empty() || !contact.in_contact()) return;
-    projection_.emplace(EquilibriumCurve<Model>(p, P), 2 * T_most);
+    const EquilibriumCurve<Model> curve(p, P);
+    level_ = curve.uncoupled();
+    projection_.emplace(curve, 2 * T_most);
+    // Only a curve that runs to infinity ends before its points for want of digits.
+    if (!level_ && curve.pieces().front().end != CurveEnd::asymptote)
+      resolved_to_ = std::numeric_limits<double>::infinity();
   }
 
   std::optional<PointResidual<Model>> operator()(const MeasuredPoint& point) {
     if (!projection_) return std::nullopt;
-    if (!(point.sigma_T > 0)) return vertical_(point);  // T is exact: what the distance tends to
+    // T is exact, or the curve is level as far as doubles can tell (lambda towards 0): what the distance tends to
+    if (!(point.sigma_T > 0) || level_ || point.T > std::max(projection_->last_T(), resolved_to_))
+      return vertical_(point);
     const CurvePoint q = projection_->nearest(point.T, point.A, point.sigma_T, point.sigma_A);
     const double x = (q.T - point.T) / point.sigma_T, y = (q.A - point.A) / point.sigma_A, distance = std::hypot(x, y);
     const EquilibriumGradient<Model> F = equilibrium_gradient<Model>(p_, P_, q.T, q.y);
@@ -137,15 +144,15 @@ class CurveResiduals {
     n_T /= size;
     n_A /= size;
     PointResidual<Model> r;
-    r.value = std::copysign(distance, x * n_T + y * n_A);
+    // Along the normal a rounding of the place on the curve does not show; at an end the offset need not be normal.
+    const double along = x * n_T + y * n_A;
+    r.value = projection_->is_end(q) ? std::copysign(distance, along) : along;
     for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = -F.parameters[k] / size;
     r.P = -F.P / size;
     r.T = -n_T / point.sigma_T;
     r.A = -n_A / point.sigma_A;
-    if (distance > 0) {
-      r.log_sigma_T = -x * x / r.value;
-      r.log_sigma_A = -y * y / r.value;
-    }
+    r.log_sigma_T = -x * n_T;
+    r.log_sigma_A = -y * n_A;
     return r;
   }
 
@@ -153,6 +160,8 @@ class CurveResiduals {
   Parameters<Model> p_;
   double P_;
   AreaResiduals<Model> vertical_;
+  bool level_ = false;
+  double resolved_to_ = 0;
   std::optional<Projection<Model>> projection_;
 };
 

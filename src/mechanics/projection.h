@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "mechanics/sampling.h"
@@ -33,44 +34,99 @@ class Projection {
     for (int i = 1; i <= kNodes; ++i) add(curve_.point(at(range, i)), 4 * T_most / kNodes, A_step, 6);
   }
 
+  /// T of the last point of the polyline: T_most, or less where the curve ends or doubles no longer resolve it.
+  double last_T() const { return nodes_.back().T; }
+
+  /// True if a nearest point is the first or the last of the curve.
+  bool is_end(const CurvePoint& q) const { return q.phi == nodes_.front().phi || q.phi == nodes_.back().phi; }
+
   /// The nearest point. T >= 0, A > 0, standard errors > 0.
   CurvePoint nearest(double T, double A, double sigma_T, double sigma_A) const {
-    const auto offset = [&](const CurvePoint& q) { return std::pair{(q.T - T) / sigma_T, (q.A - A) / sigma_A}; };
-    const auto distance = [&](const CurvePoint& q) {
-      const auto [x, y] = offset(q);
-      return x * x + y * y;
-    };
-    const auto closest = std::min_element(nodes_.begin(), nodes_.end(), [&](const CurvePoint& p, const CurvePoint& q) {
-      return distance(p) < distance(q);
-    });
-    if (curve_.uncoupled()) return *closest;
-    const auto index = static_cast<std::size_t>(closest - nodes_.begin());
-    double low = nodes_[index > 0 ? index - 1 : 0].phi, high = nodes_[std::min(index + 1, nodes_.size() - 1)].phi;
-    // Half the slope of the squared distance, and its Gauss-Newton derivative; the bracket is the safeguard.
-    CurvePoint q = *closest;
+    const Target target{T, A, sigma_T, sigma_A};
+    // Each stretch between folds has a nearest segment of its own, and with a small sigma_T the curve a nearest point.
+    std::vector<Candidate> candidates;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
+      if (i == 0 || is_fold(i)) candidates.push_back({});
+      const Candidate here = target.segment(nodes_[i], nodes_[i + 1], i);
+      if (here.distance < candidates.back().distance) candidates.back() = here;
+      least = std::min(least, here.distance);
+    }
+    CurvePoint best = nodes_.front();
+    double best_distance = target.distance(best);
+    for (const Candidate& candidate : candidates) {
+      // A segment lies closer to its arc than ten standard errors, or than ten times the least distance.
+      if (candidate.distance > 10 * least + 10) continue;
+      const CurvePoint q = refine(target, candidate);
+      if (target.distance(q) <= best_distance) {
+        best = q;
+        best_distance = target.distance(q);
+      }
+    }
+    return best;
+  }
+
+ private:
+  struct Candidate {
+    double distance = std::numeric_limits<double>::infinity();
+    std::size_t segment = 0;
+    double share = 0.5;  // of the segment, 0..1
+  };
+
+  /// A measured point and its distances, in standard errors.
+  struct Target {
+    double T, A, sigma_T, sigma_A;
+
+    double x(const CurvePoint& q) const { return (q.T - T) / sigma_T; }
+    double y(const CurvePoint& q) const { return (q.A - A) / sigma_A; }
+    double distance(const CurvePoint& q) const { return std::hypot(x(q), y(q)); }
+    Candidate segment(const CurvePoint& p, const CurvePoint& q, std::size_t index) const {
+      const double x0 = x(p), y0 = y(p), dx = x(q) - x0, dy = y(q) - y0, square = dx * dx + dy * dy;
+      const double t = square > 0 ? std::clamp(-(x0 * dx + y0 * dy) / square, 0.0, 1.0) : 0.5;
+      return {std::hypot(x0 + t * dx, y0 + t * dy), index, t};
+    }
+  };
+
+  /// Newton on half the slope of the squared distance, between the neighbours of the segment but not over a fold.
+  CurvePoint refine(const Target& target, const Candidate& candidate) const {
+    const std::size_t i = candidate.segment, last = nodes_.size() - 1;
+    double low = nodes_[i > 0 && !is_fold(i) ? i - 1 : i].phi;
+    double high = nodes_[i + 1 < last && !is_fold(i + 1) ? i + 2 : i + 1].phi;
+    const double ends[] = {low, high};
+    bool tried[] = {false, false};
+    // Not from the very start, where bk with eta < 1 has dT = dA = 0.
+    const double share = std::clamp(candidate.share, 0.02, 0.98);
+    CurvePoint q = curve_.point(nodes_[i].phi + share * (nodes_[i + 1].phi - nodes_[i].phi));
     double last_phi = 0, last_slope = 0;
-    for (int i = 0; i < 60; ++i) {
-      const auto [x, y] = offset(q);
-      const double dx = q.dT / sigma_T, dy = q.dA / sigma_A;
+    for (int step = 0; step < 60; ++step) {
+      const double x = target.x(q), y = target.y(q), dx = q.dT / target.sigma_T, dy = q.dA / target.sigma_A;
       const double slope = x * dx + y * dy, size = std::hypot(dx, dy);
       if (!(std::abs(slope) > 1e-11 * size * std::hypot(x, y))) break;  // moves the distance by 1e-22 of itself
       (slope > 0 ? high : low) = q.phi;
-      // Secant through the last two slopes takes the curvature that Gauss-Newton leaves out.
+      if (!(low < high)) break;
+      // The secant through the last two slopes takes the curvature that Gauss-Newton leaves out.
       double next = q.phi - slope / (size * size);
-      if (i > 0 && slope != last_slope) {
+      if (step > 0 && slope != last_slope) {
         const double secant = q.phi - slope * (q.phi - last_phi) / (slope - last_slope);
         if (secant > low && secant < high) next = secant;
       }
       last_phi = q.phi;
       last_slope = slope;
-      if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+      if (!(next > low && next < high)) {
+        // An end itself is tried once, where it is no place at which both derivatives vanish.
+        const int end = next <= low ? 0 : 1;
+        const bool try_end = (end == 0 ? low : high) == ends[end] && !tried[end] && (end == 1 || nodes_[0].dT > 0);
+        tried[end] |= try_end;
+        next = try_end ? ends[end] : 0.5 * (low + high);
+      }
       if (std::abs(next - q.phi) <= 4e-16 * q.phi) break;
       q = curve_.point(next);
     }
     return q;
   }
 
- private:
+  bool is_fold(std::size_t node) const { return std::find(folds_.begin(), folds_.end(), node) != folds_.end(); }
+
   static constexpr int kNodes = 24;
 
   static double at(const PhiRange& range, int i) {
@@ -85,12 +141,24 @@ class Projection {
       add(curve_.point(0.5 * (before.phi + q.phi)), T_step, A_step, depth - 1);
       add(q, T_step, A_step, depth - 1);
     } else {
+      if (before.dT * q.dT < 0) add_fold(before.phi, q.phi, before.dT > 0);
       nodes_.push_back(q);
     }
   }
 
+  /// Where T turns is a node, so that each segment belongs to one stretch of the curve.
+  void add_fold(double low, double high, bool rises) {
+    for (int i = 0; i < 50; ++i) {
+      const double middle = 0.5 * (low + high);
+      ((curve_.point(middle).dT > 0) == rises ? low : high) = middle;
+    }
+    nodes_.push_back(curve_.point(0.5 * (low + high)));
+    folds_.push_back(nodes_.size() - 1);
+  }
+
   EquilibriumCurve<Model> curve_;
   std::vector<CurvePoint> nodes_;
+  std::vector<std::size_t> folds_;  // indices of nodes where T has an extremum
 };
 
 }  // namespace mixity

@@ -52,8 +52,11 @@ std::string errors_text(const FitResult& fit) {
           << (fit.errors->source_T == ErrorSource::exact     ? "0 (none given)"
               : fit.errors->source_T == ErrorSource::columns ? "from the file"
                                                              : "as stated");
+    // what A is off by because T is, steep towards a fold, is not counted: intervals come out too narrow then
+    if (fit.objective == Objective::area && fit.errors->source_T != ErrorSource::exact)
+      out << "; objective area takes T as exact, curve does not";
     out << '\n';
-    if (fit.errors->absolute() && fit.used.size() > fit.free_parameters && fit.loss_scale == 0) {
+    if (fit.errors->absolute() && fit.rmse && fit.used.size() > fit.free_parameters && fit.loss_scale == 0) {
       const double freedom = static_cast<double>(fit.used.size() - fit.free_parameters);
       out << "    chi^2 per degree of freedom = " << rounded(fit.sum_of_squares / freedom, 3)
           << (fit.sum_of_squares > 2 * freedom ? ": the scatter is larger than these errors; intervals are too narrow\n"
@@ -61,7 +64,7 @@ std::string errors_text(const FitResult& fit) {
     }
   }
   if (fit.loss_scale > 0)
-    out << "    robust loss, bends at " << rounded(fit.loss_scale, 3) << " of the residuals' unit\n";
+    out << "    robust loss, bends at " << rounded(fit.loss_scale, 4) << " of the residuals' unit\n";
   std::vector<std::string> names;
   for (const FittedParameter& parameter : fit.parameters)
     if (!parameter.held) names.push_back(parameter.name);
@@ -141,7 +144,7 @@ std::string comparison_text(const JobResult& result) {
       }
       out << padded(text, 31);
     }
-    out << (m.weight ? rounded(*m.weight, 3) : "- (other points)") << '\n';
+    out << (m.weight ? rounded(*m.weight, 3) : "-") << '\n';
   }
   return out.str();
 }
@@ -159,9 +162,11 @@ std::string per_curve_text(const JobResult& result) {
         if (parameter.held) continue;
         out << parameter.name << " = " << (parameter.value ? rounded(*parameter.value, 5) : "not determined");
         if (parameter.stderr_) out << " +/- " << rounded(*parameter.stderr_, 2);
-        out << interval_text(parameter) << "  ";
+        out << interval_text(parameter);
+        if (&parameter != &one.fit.parameters.back()) out << "  ";
       }
-      out << (one.fit.status == FitStatus::ok ? "" : std::string(to_string(one.fit.status))) << '\n';
+      if (one.fit.status != FitStatus::ok) out << "  " << to_string(one.fit.status);
+      out << '\n';
     }
     if (!per_curve.test) {
       out << "    no test of one value for all runs: too few runs or points\n";

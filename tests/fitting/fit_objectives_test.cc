@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <type_traits>
 
+#include "dataset/input_error.h"
 #include "dataset/load_text.h"
 #include "fitting/fit.h"
 #include "fitting/synthetic_runs.h"
@@ -27,24 +28,18 @@ class ExactRuns : public ::testing::Test {};
 using LambdaModels = ::testing::Types<Johnson, WatersGuduru, PapangeloCiavarella>;
 TYPED_TEST_SUITE(ExactRuns, LambdaModels);
 
-/// Model a at small lambda: the whole curve up to its asymptote lies within a small angle phi, whose rounding moves T
-/// by so much that residuals of 1e-11 are left, below any scatter but not below the rounding of the areas.
-template <class Model>
-bool lost_in_rounding(double lambda, Objective objective) {
-  return std::is_same_v<Model, Johnson> && lambda < 0.1 && objective == Objective::curve;
-}
-
 /// Areas are exact to 4e-15 and toughness to a few of that. What they leave of lambda is that over
 /// dlnA/dlnlambda, which is of order one where the runs reach their fold, and 1e-2 where model a or b has none.
 TYPED_TEST(ExactRuns, GiveLambdaBackUnderEveryObjective) {
   for (const double lambda : {1e-4, 0.0023, 0.15, 0.5, 0.9})
     for (const Objective objective : kObjectives) {
-      if (lost_in_rounding<TypeParam>(lambda, objective)) continue;
       const FitResult fit =
           fit_model(synthetic_runs<TypeParam>({lambda}, {-1, 0.5, 5, 30}, 8), TypeParam::info.key, with(objective));
       EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << lambda << fit.message;
       ASSERT_TRUE(fit.parameters[0].value);
-      EXPECT_NEAR(*fit.parameters[0].value / lambda, 1, 1e-10) << to_string(objective) << lambda;
+      // Model a at 1e-4 loses 1e-4 of its area, along an asymptote where the curve's T is known to 1e-8 only.
+      const bool sliver = TypeParam::info.key == "a" && lambda == 1e-4 && objective == Objective::curve;
+      EXPECT_NEAR(*fit.parameters[0].value / lambda, 1, sliver ? 1e-4 : 1e-10) << to_string(objective) << lambda;
       EXPECT_EQ(fit.area->unpredicted, 0u);
     }
 }
@@ -74,7 +69,6 @@ TYPED_TEST(ExactRuns, GiveToughnessAndModulusBackWhenTheyAreFree) {
     // constants stated 10 % too large and 20 % too small
     const Dataset data = misdescribed(synthetic_runs<TypeParam>({lambda}, {-1, 0.5, 30}, 6), 1.1, 0.8);
     for (const Objective objective : {Objective::area, Objective::curve}) {
-      if (lost_in_rounding<TypeParam>(lambda, objective)) continue;
       const FitResult fit = fit_model(data, TypeParam::info.key, with(objective, {kToughness, kModulus}));
       EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << lambda << fit.message;
       ASSERT_EQ(fit.parameters.size(), 3u);
@@ -162,6 +156,41 @@ TEST(ExactRuns, WeightsOfEqualSizeChangeNothing) {
   EXPECT_NEAR(*plain.parameters[0].value, *weighted.parameters[0].value, 1e-12);
   EXPECT_NEAR(*plain.r2, *weighted.r2, 1e-12);
   EXPECT_NEAR(*plain.rmse * 10, *weighted.rmse, 1e-12);
+}
+
+/// A fit of a constant alone, with the model held, is a fit like any other.
+TEST(Freed, AConstantIsFoundWithTheModelHeld) {
+  const Dataset data = misdescribed(synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20}), 1.1, 1);
+  for (const Objective objective : kObjectives) {
+    FitOptions options = with(objective, {kToughness});
+    options.hold = {{"lambda", 0.15}};
+    const FitResult fit = fit_model(data, "c", options);
+    EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << fit.message;
+    ASSERT_TRUE(fit.parameters[1].value) << to_string(objective);
+    EXPECT_NEAR(*fit.parameters[1].value * 1.1, 1, 1e-10);  // as above
+  }
+}
+
+/// With a constant free, toughness is fitted in ln f without weights; anything else is refused, not silently dropped.
+TEST(Freed, AConstantRefusesAnotherScaleOrWeightsOfToughness) {
+  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20});
+  const std::vector<Correction> free{kToughness};
+  EXPECT_EQ(fit_model(data, "c", {.free = free}).status, FitStatus::ok);
+  EXPECT_THROW(fit_model(data, "c", {.scale = Scale::linear, .free = free}), InputError);
+  EXPECT_THROW(fit_model(data, "c", {.weighted = true, .free = free}), InputError);
+}
+
+/// 1 % of noise in A, T known to 0.01 %: the curve is the area objective, and converges as that does.
+TEST(Freed, CurveIsAreaWhereTIsNearlyExact) {
+  SeededNoise noise(6, 0.01);
+  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20}, 20, 0.9, noise);
+  FitOptions options = with(Objective::area);
+  options.sigma_T = *parse_quantity("0.01%");
+  const FitResult area = fit_model(data, "c", options);
+  options.objective = Objective::curve;
+  const FitResult curve = fit_model(data, "c", options);
+  EXPECT_EQ(curve.status, FitStatus::ok) << curve.message;
+  EXPECT_NEAR(*curve.parameters[0].value, *area.parameters[0].value, 0.1 * *area.parameters[0].stderr_);
 }
 
 }  // namespace

@@ -152,6 +152,36 @@ TYPED_TEST(NearestPoint, OfAPointOnTheCurveIsThatPoint) {
     }
 }
 
+/// Errors of T far below the distances between the nodes that the search starts from, as of a force that is read to
+/// 0.1 % beside an area that is read to 5 %: still the nearest branch.
+TYPED_TEST(NearestPoint, IsFoundWhereTIsMuchBetterKnownThanA) {
+  for (const Parameters<TypeParam>& p : cases<TypeParam>())
+    for (const double P : {-2.0, 0.5, 30.0}) {
+      const Scene<TypeParam> scene(p, P);
+      const Projection<TypeParam> projection(scene.curve, scene.T_most);
+      for (std::size_t i = 0; i < scene.samples.size() && scene.samples[i].dT > 0; i += 29)
+        for (const double sigma_T : {1e-3, 1e-4, 1e-6}) {
+          const CurvePoint& on = scene.samples[i];
+          const Measured m{on.T, 1.03 * on.A, sigma_T * scene.T_scale, 0.05 * scene.A_scale};
+          const CurvePoint q = projection.nearest(m.T, m.A, m.sigma_T, m.sigma_A);
+          // the point of the same T is one candidate
+          EXPECT_LE(m.distance(q), 0.03 * on.A / m.sigma_A * (1 + 1e-12) + 1e-7)
+              << TypeParam::info.key << p[0] << " P=" << P << " T=" << m.T << " A=" << m.A << " " << sigma_T;
+        }
+    }
+}
+
+/// Model bk with eta < 1: T grows as phi^2, so that phi = 0 is stationary for every point and the search must not stop.
+TEST(NearestPoint, IsFoundWhereTIsStationaryAtTheStart) {
+  const Scene<BenzeggaghKenane> scene({0.5, 0.5}, -2);
+  const Projection<BenzeggaghKenane> projection(scene.curve, scene.T_most);
+  for (const double T : {0.003, 0.005, 0.011}) {
+    const Measured m{T * scene.T_scale, scene.A_scale, 0.003 * scene.T_scale, 0.003 * scene.A_scale};
+    const CurvePoint q = projection.nearest(m.T, m.A, m.sigma_T, m.sigma_A);
+    EXPECT_LE(m.distance(q), scene.brute_force(m) * (1 + 1e-12) + 1e-7) << T;
+  }
+}
+
 /// Of a point far above or far out only the direction counts: the top of the curve, or the fold.
 TEST(NearestPoint, OfAPointFarOffIsTheExtremeOfTheCurve) {
   const Scene<PapangeloCiavarella> scene({0.15}, 0.5);
