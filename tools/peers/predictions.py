@@ -55,7 +55,7 @@ def table(options, model):
     tasks[f"scipy brentq on the printed equation, {model}"] = lambda: np.array(
         [math.pi * optimize.brentq(excess, bottom, top, args=(T,)) ** 2 for T in loads.tolist()])
     tasks[f"numpy bisection of 1000 at once, {model}"] = bisection
-    times, answers = alternate(tasks, options.repetitions)
+    times, answers = alternate(tasks, options.repetitions, options.clock)
     shear = "--shear=" + ",".join(map(repr, loads.tolist()))
     ours = run([options.program, "predict", f"--model={model}", f"--lambda={LAMBDA}", f"--load={P}", shear])
     areas = np.array([float(row["A"]) for row in csv.DictReader(ours.splitlines())])
