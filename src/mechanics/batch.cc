@@ -1,8 +1,12 @@
-#include "mechanics/batch.h"
-
+#include "mechanics/vector_math.h"
+// after the declarations of the vector forms
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
+
+#include "mechanics/batch.h"
 
 namespace mixity::batch_detail {
 namespace {
@@ -61,5 +65,88 @@ MIXITY_LANES std::size_t closed_form_areas(double root_lambda, double S0, double
   }
   return static_cast<std::size_t>(found);
 }
+
+namespace {
+
+constexpr std::size_t kBlock = 64;
+
+/// One Euler step of each lane, as LoadedContact::solve takes it; `settled` where what is left is rounding.
+template <class Model>
+MIXITY_LOOP void euler_step(double parameter, double P, const LanePart& part, const double* __restrict T,
+                            double* __restrict y, double* __restrict settled, std::size_t n) {
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  const double low = part.low, high = part.y_jkr, centre = 3 * pi<double>();
+  const double square = 2 * centre * above_pull_off(P), beside = std::abs(P);
+  for (std::size_t i = 0; i < n; ++i) {
+    const ShearTerm<double> tau2 = Model::shear_term({parameter}, y[i], T[i]);
+    const bool upper = y[i] > 4;  // which form of the residual does not cancel, as in circle_residual
+    const double v = y[i] - centre, left = upper ? v * v : y[i] * (y[i] - 2 * centre);
+    const double value = (left + (upper ? -square : 0.0) + tau2.value) - (upper ? 0.0 : 2 * centre * P);
+    const double size = upper ? square + 2 * std::abs(v) * y[i] : 2 * centre * (y[i] + beside);
+    const double d1 = 2 * v + tau2.d1, d2 = 2 + tau2.d2, inner = d1 * d1 - 2 * value * d2;
+    const double step = -2 * value / (d1 + std::sqrt(inner > 0 ? inner : 0.0));
+    const bool done = (std::abs(value) <= 0.5 * eps * size) | (std::abs(step) <= eps * y[i]) |
+                      (std::abs(d2 * step * step * step) <= 0.1 * eps * d1 * y[i] * y[i]);
+    const double next = y[i] + step;
+    const bool inside = (next >= low) & (next <= high) & (d1 > 0);
+    settled[i] = done & inside ? 1.0 : 0.0;
+    y[i] = inside ? next : 0.5 * (y[i] + high);
+  }
+}
+
+template <class Model>
+MIXITY_LOOP void settle(double parameter, double P, const LanePart& part, const double* __restrict T,
+                        double* __restrict y, std::size_t n) {
+  constexpr int kSteps = 6;
+  for (std::size_t from = 0; from < n; from += kBlock) {
+    const std::size_t count = std::min(kBlock, n - from);
+    double shear[kBlock], place[kBlock], settled[kBlock], known[kBlock];
+    for (std::size_t i = 0; i < count; ++i) {
+      const double t = T[from + i];
+      const bool ok = (t >= 0) & (t <= part.T_last);
+      known[i] = ok ? 1.0 : 0.0;
+      shear[i] = ok ? t : 0.0;
+      const double rest = 1 - part.shrink * shear[i] * shear[i];
+      place[i] = part.low + (part.y_jkr - part.low) * std::sqrt(rest > 0 ? rest : 0.0);
+    }
+    bool left = true;
+    for (int step = 0; step < kSteps && left; ++step) {
+      euler_step<Model>(parameter, P, part, shear, place, settled, count);
+      left = false;
+      for (std::size_t i = 0; i < count; ++i) left |= known[i] > settled[i];
+    }
+    for (std::size_t i = 0; i < count; ++i) y[from + i] = known[i] * settled[i] > 0 ? place[i] : 0.0;
+  }
+}
+
+template <class Model>
+MIXITY_WIDE void settle_wide(double parameter, double P, const LanePart& part, const double* T, double* y,
+                             std::size_t n) {
+  settle<Model>(parameter, P, part, T, y, n);
+}
+
+}  // namespace
+
+template <class Model>
+void settle_lanes(double parameter, double P, const LanePart& part, std::span<const double> T, std::span<double> y) {
+  if (MIXITY_HAS_WIDE) return settle_wide<Model>(parameter, P, part, T.data(), y.data(), T.size());
+  settle<Model>(parameter, P, part, T.data(), y.data(), T.size());
+}
+
+// One instance for each model of the registry that has lanes: their addresses make them.
+namespace {
+using Settle = void (*)(double, double, const LanePart&, std::span<const double>, std::span<double>);
+
+template <class Model>
+constexpr Settle instance() {
+  if constexpr (HasLanes<Model>)
+    return &settle_lanes<Model>;
+  else
+    return nullptr;
+}
+
+[[gnu::used]] const auto instances =
+    std::apply([](auto... model) { return std::array{instance<decltype(model)>()...}; }, Models{});
+}  // namespace
 
 }  // namespace mixity::batch_detail

@@ -1,10 +1,12 @@
 // Areas for arrays of tangential loads at one normal load.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <span>
 
 #include "mechanics/equilibrium.h"
+#include "mechanics/lanes.h"
 
 namespace mixity {
 
@@ -19,59 +21,63 @@ namespace batch_detail {
 /// pi (3/4 load[i])^(2/3) in place, load = y + P: as area_from_radius, vectorised. 0 stays 0.
 void areas_from_loads(std::span<double> loads);
 
-/// Guesses the next edge load of a rising sequence: (y - 3 pi)^2 is linear in T^2 for model c and close to it for the
-/// others, so the cubic in T^2 through the last four points is continued (Newton's divided differences).
-class Extrapolation {
- public:
-  std::optional<double> guess(double T) const {
-    const double x = T * T, ahead = x - x_[0];
-    // not much further ahead than the points lie apart: else the cubic runs away
-    if (count_ < 4 || !(ahead >= 0 && ahead <= 2 * (x_[0] - x_[2]))) return {};
-    const double z = z_[0] + ahead * (z_[1] + (x - x_[1]) * (z_[2] + (x - x_[2]) * z_[3]));
-    if (!(z > 0)) return {};
-    return 3 * pi<double>() + std::sqrt(z);
-  }
-
-  void add(double T, double y) {
-    const double x = T * T, offset = y - 3 * pi<double>();
-    if (count_ > 0 && !(x > x_[0])) count_ = 0;  // starts again where T does not rise
-    double difference = offset * offset;
-    for (int level = 0; level < 4; ++level) {
-      const double before = z_[level];
-      z_[level] = difference;
-      if (level < 3 && level < count_) difference = (difference - before) / (x - x_[level]);
-    }
-    x_[2] = x_[1];
-    x_[1] = x_[0];
-    x_[0] = x;
-    if (count_ < 4) ++count_;
-  }
-
- private:
-  double x_[3]{}, z_[4]{};  // T^2 of the last three points, newest first; divided differences of order 0 to 3
-  int count_ = 0;
+/// The part of the stable branch on which lanes are settled: from JKR down to y = low, which T_last does not exceed,
+/// and a first guess of it, y = low + (y_jkr - low) sqrt(1 - shrink T^2), exact for model c.
+struct LanePart {
+  double y_jkr, low, T_last, shrink;
 };
+
+/// A one-parameter law: y[i] = edge load at T[i], from a few Euler steps for all points at once; 0 where these do not
+/// suffice (close to a fold), T[i] lies beyond T_last, or is invalid.
+template <class Model>
+void settle_lanes(double parameter, double P, const LanePart& part, std::span<const double> T, std::span<double> y);
+
+/// Above the centre of the circle if the loads reach no further, which one evaluation tells; else the branch to its
+/// fold.
+template <class Model>
+LanePart lane_part(const LoadedContact<Model>& contact, const Parameters<Model>& p, double P, double T_most) {
+  const double centre = 3 * pi<double>(), S0 = circle_radius(P), jkr = contact.jkr_edge_load();
+  if (Model::tau_grows_with_edge_load(p) && circle_residual<Model, double>(p, P, centre, T_most).value <= 0) {
+    const double tau2 = Model::shear_term(p, centre, T_most).value;
+    return {jkr, centre, T_most, T_most > 0 && S0 > 0 ? tau2 / (S0 * S0 * T_most * T_most) : 0.0};
+  }
+  const StableBranch& branch = contact.first_branch();
+  const double last = std::min(branch.T_bottom, kLargestLoad);
+  return {jkr, branch.y_bottom, last, branch.ends_in_fold && last > 0 ? 1 / (last * last) : 0.0};
+}
 }  // namespace batch_detail
 
 /// Fills areas[i] with the area at T[i] (as LoadedContact::at, dimensionless, within 4e-15 of it) and returns how many
 /// were found. Where no equilibrium exists, or T[i] is invalid, areas[i] is 0: no contact has that area. Sizes must
-/// agree. Model c is vectorised; a, b and bk are solved point by point, each from a guess that the points before it
-/// give where T rises.
+/// agree. Models a, b and c are vectorised; bk, and what lies close to a fold, is solved point by point.
 template <class Model>
 std::size_t predict_areas(const Parameters<Model>& p, double P, std::span<const double> T, std::span<double> areas) {
   assert(T.size() == areas.size());
   const LoadedContact<Model> contact(p, P);
+  const bool solvable = contact.obstacle().empty() && contact.in_contact();
   if constexpr (requires { Model::shear_on_circle(p, P); }) {
-    if (contact.obstacle().empty() && contact.in_contact())
-      return batch_detail::closed_form_areas(Model::shear_on_circle(p, 1.0), circle_radius(P), P, T, areas);
+    if (solvable) return batch_detail::closed_form_areas(Model::shear_on_circle(p, 1.0), circle_radius(P), P, T, areas);
+  }
+  std::fill(areas.begin(), areas.end(), 0.0);
+  if constexpr (HasLanes<Model>) {
+    double T_most = 0;
+    for (const double t : T)
+      if (t <= kLargestLoad) T_most = std::max(T_most, t);
+    if (solvable) {
+      const batch_detail::LanePart part = batch_detail::lane_part<Model>(contact, p, P, T_most);
+      batch_detail::settle_lanes<Model>(p[0], P, part, T, areas);
+    }
   }
   std::size_t found = 0;
-  batch_detail::Extrapolation before;
   for (std::size_t i = 0; i < T.size(); ++i) {
-    const Equilibrium equilibrium = contact.at(T[i], before.guess(T[i]));
-    const bool ok = equilibrium.status == EquilibriumStatus::ok;
-    areas[i] = ok ? equilibrium.y + P : 0.0;
-    if (ok) before.add(T[i], equilibrium.y);
+    double y = areas[i];
+    bool ok = y > 0;
+    if (!ok) {
+      const Equilibrium equilibrium = contact.at(T[i]);
+      ok = equilibrium.status == EquilibriumStatus::ok;
+      y = equilibrium.y;
+    }
+    areas[i] = ok ? y + P : 0.0;
     found += ok;
   }
   batch_detail::areas_from_loads(areas);

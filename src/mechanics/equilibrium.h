@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -64,12 +63,14 @@ class LoadedContact {
 
   /// Edge load of the contact that was loaded from T = 0 and has followed its stable branch, over jumps to a
   /// lower stable branch where there is one. 0 <= T <= kLargestLoad. Relative error of the area below 4e-15 away
-  /// from folds; towards a fold T_f it grows as eps/sqrt(1 - T/T_f). A good `guess` of y saves iterations, a bad one
-  /// costs some; the answer does not depend on it.
-  Equilibrium at(double T, std::optional<double> guess = {}) const;
+  /// from folds; towards a fold T_f it grows as eps/sqrt(1 - T/T_f).
+  Equilibrium at(double T) const;
 
   /// Stable branches from T = 0 downwards, at least one. Only if in_contact().
   const std::vector<StableBranch>& branches() const;
+
+  /// The one that starts from JKR. Only if in_contact().
+  const StableBranch& first_branch() const;
 
   /// Largest T at which the contact has a stable equilibrium: infinite if it shrinks to an asymptote.
   double last_load() const { return branches().back().T_bottom; }  // only if in_contact()

@@ -60,7 +60,7 @@ Equilibrium LoadedContact<Model>::solve(double T, double low, double high, doubl
 }
 
 template <class Model>
-Equilibrium LoadedContact<Model>::at(double T, std::optional<double> guess) const {
+Equilibrium LoadedContact<Model>::at(double T) const {
   if (!obstacle_.empty() || !(T >= 0 && T <= kLargestLoad)) return {EquilibriumStatus::invalid};
   if (!in_contact_) return {EquilibriumStatus::no_equilibrium};
   const double centre = 3 * pi<double>();
@@ -77,21 +77,23 @@ Equilibrium LoadedContact<Model>::at(double T, std::optional<double> guess) cons
       const double room = S0_ * S0_ - Model::small_shear(p_) * T * T;
       const bool certain = room >= 0;
       if (certain || circle_residual<Model, double>(p_, P_, centre, T).value <= 0)
-        return solve(T, centre, y_jkr_,
-                     guess     ? std::clamp(*guess, centre, y_jkr_)
-                     : certain ? centre + std::sqrt(room)
-                               : 0.5 * (centre + y_jkr_));
+        return solve(T, centre, y_jkr_, certain ? centre + std::sqrt(room) : 0.5 * (centre + y_jkr_));
     }
-    if (branches_.empty()) find_branches(1);
+    first_branch();
     if (T > branches_.back().T_bottom && !all_branches_) find_branches(kAll);
     for (const StableBranch& branch : branches_) {
       if (T > branch.T_bottom) continue;
       if (T < branch.T_top) return solve(branch.T_top, branch.y_bottom, branch.y_top, branch.y_top);
-      return solve(T, branch.y_bottom, branch.y_top,
-                   std::clamp(guess.value_or(0.5 * branch.y_top), branch.y_bottom, branch.y_top));
+      return solve(T, branch.y_bottom, branch.y_top, std::max(branch.y_bottom, 0.5 * branch.y_top));
     }
     return {EquilibriumStatus::no_equilibrium};
   }
+}
+
+template <class Model>
+const StableBranch& LoadedContact<Model>::first_branch() const {
+  if (branches_.empty()) find_branches(1);
+  return branches_.front();
 }
 
 template <class Model>

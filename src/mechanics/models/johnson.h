@@ -36,17 +36,13 @@ struct Johnson {
   static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {
     const S& lambda = p[0];
     const S m = S(1) - lambda;
-    S value, mode_II;
-    if (T <= y) {
-      const S w = T / y, d = S(1) + m * w * w;
-      value = lambda * T * T / d;
-      mode_II = m * w * w / d;
-    } else {
-      const S w = y / T, d = w * w + m;
-      if (!(d > S(0))) return {lambda * T * T, S(0), S(0)};
-      value = lambda * y * (y / d);
-      mode_II = m / d;
-    }
+    const bool steep = T > y;  // everything in the smaller ratio
+    const S w = steep ? S(y / T) : S(T / y), square = w * w;
+    const S d = steep ? S(square + m) : S(S(1) + m * square), of_II = steep ? m : S(m * square);
+    const S side = steep ? y : T;
+    const bool vanishes = !(d > S(0));  // lambda = 1 where y^2/T^2 underflows
+    const S value = vanishes ? S(lambda * T * T) : S(lambda * side * (side / d));
+    const S mode_II = vanishes ? S(0) : S(of_II / d);
     const S slope = S(2) * value * mode_II;
     return {value, slope / y, slope * (S(4) * mode_II - S(3)) / (y * y)};
   }

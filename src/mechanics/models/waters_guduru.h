@@ -34,11 +34,12 @@ struct WatersGuduru {
   /// last sine expanded so that y and T stand for cos psi and sin psi: nothing cancels at either end, since h <= psi.
   template <class S>
   static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {
-    using std::atan, std::cos, std::sin;
+    using std::atan, std::sqrt, std::tan;
     const S half = S(0.5) * p[0], k = S(1) - half;
     const bool steep = T > y;
     const S near = atan(steep ? S(y / T) : S(T / y)), psi = steep ? S(S(0.5) * pi<S>() - near) : near;
-    const S h = half * psi, sin_h = sin(h), cos_h = cos(h);
+    // sin h and cos h from one tangent, which has a vector form where the pair has none
+    const S h = half * psi, tan_h = tan(h), cos_h = S(1) / sqrt(S(1) + tan_h * tan_h), sin_h = tan_h * cos_h;
     const S value = sin_h * (S(2) * y * T * cos_h + (T - y) * (T + y) * sin_h);
     const Mixity<S> mixity = mixity_from_loads(y, T);
     const S &c = mixity.cos, &s = mixity.sin;

@@ -1,0 +1,24 @@
+// The C library's vector forms of log, tan and atan, which compilers use by themselves only with -ffast-math. For
+// sources whose loops are to take several points at once; they need -fno-math-errno -fno-trapping-math, which change no
+// result.
+#pragma once
+
+#include <cmath>
+
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
+extern "C" {
+__attribute__((simd("notinbranch"))) double log(double) noexcept;
+__attribute__((simd("notinbranch"))) double tan(double) noexcept;
+__attribute__((simd("notinbranch"))) double atan(double) noexcept;
+}
+#endif
+
+// Four lanes where the processor has them, two elsewhere, chosen at run time. MIXITY_WIDE marks the four-lane copy.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define MIXITY_WIDE __attribute__((target("avx2")))
+#define MIXITY_HAS_WIDE __builtin_cpu_supports("avx2")
+#else
+#define MIXITY_WIDE
+#define MIXITY_HAS_WIDE false
+#endif
+#define MIXITY_LOOP inline __attribute__((always_inline))
