@@ -103,7 +103,8 @@ End find_end(SingleCost& cost, const FreeParameter& parameter, double best, doub
     double next = x - (here.value - limit) / here.slope;
     const double low = std::min(inside, outside), high = std::max(inside, outside);
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - x) <= 1e-13 * std::abs(next - best)) return {next, EndStatus::found};
+    // Newton squares the error: what is left is 1e-14 of the distance, times the cost's curvature.
+    if (std::abs(next - x) <= 1e-8 * std::abs(next - best)) return {next, EndStatus::found};
     x = next;
     here = cost.at(x, {});
     if (!here.finite) {

@@ -40,6 +40,7 @@ class PackedToughness final : public SingleCost {
     cost.slope = 2 * sum(slope);
     cost.curvature = 2 * (sum(square) + sum(bend));
     cost.slope_size = std::sqrt(sum(square));
+    cost.exact_curvature = true;
     cost.finite = std::isfinite(cost.value) && std::isfinite(cost.slope) && std::isfinite(cost.curvature);
     return cost;
   }

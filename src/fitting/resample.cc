@@ -108,8 +108,8 @@ BootstrapResult bootstrap(const LeastSquares& problem, const std::vector<double>
   const auto groups = members(runs);
   std::vector<std::vector<double>> replicates(options.replicates);
   const auto draw = [&](std::size_t replicate, std::vector<double>& weights) {
-    std::seed_seq seed{options.seed & 0xffffffffu, options.seed >> 32, static_cast<std::uint64_t>(replicate)};
-    std::mt19937_64 random(seed);
+    // Seeds far apart for neighbouring replicates: multiples of the golden ratio's bits.
+    std::mt19937_64 random(options.seed + 0x9e3779b97f4a7c15u * (static_cast<std::uint64_t>(replicate) + 1));
     std::fill(weights.begin(), weights.end(), 0.0);
     const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
     for (const auto& group : groups) {

@@ -15,6 +15,7 @@ struct CostValue {
   double value = 0, slope = 0, curvature = 0;
   double slope_size = 0;  // sqrt(sum w r'^2), for the scale-free test of the slope
   bool finite = false;
+  bool exact_curvature = false;
 };
 
 /// Not shared between threads: it owns its scratch arrays.

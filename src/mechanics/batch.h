@@ -15,9 +15,7 @@ namespace batch_detail {
 /// number or beyond the circle. One loop without branches; returns how many areas are not 0.
 std::size_t closed_form_areas(double root_lambda, double S0, double P, std::span<const double> T,
                               std::span<double> areas);
-}  // namespace batch_detail
 
-namespace batch_detail {
 /// pi (3/4 load[i])^(2/3) in place, load = y + P: as area_from_radius, vectorised. 0 stays 0.
 void areas_from_loads(std::span<double> loads);
 
