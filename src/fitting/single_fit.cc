@@ -28,7 +28,15 @@ Refined refine(SingleCost& cost, std::span<const double> weights, double low, do
     (here.slope > 0 ? high : low) = x;
     (here.slope > 0 ? high_known : low_known) = true;
     double next = here.curvature > 0 ? x - here.slope / here.curvature : here.slope > 0 ? low : high;
-    const bool newton = here.curvature > 0;
+    const double move = next - x;
+    if (here.exact_curvature && here.curvature > 0 && next > low && next < high &&
+        std::abs(move) <= 1e-9 * std::abs(x)) {
+      // Newton with the exact curvature squares the error: this step is the last, and the parabola gives the cost
+      // there.
+      here.value = std::max(here.value + move * (here.slope + 0.5 * here.curvature * move), 0.0);
+      here.slope = 0;
+      return {next, here, true};
+    }
     // The secant of the slopes has the curvature that Gauss-Newton leaves out.
     if (!here.exact_curvature && i > 0 && here.slope != last_slope) {
       const double secant = x - here.slope * (x - last_x) / (here.slope - last_slope);
@@ -38,9 +46,6 @@ Refined refine(SingleCost& cost, std::span<const double> weights, double low, do
       next = !low_known ? low : low > 0 && high > 16 * low ? std::sqrt(low * high) : 0.5 * (low + high);
     else if (next >= high)
       next = !high_known ? high : 0.5 * (low + high);
-    // Newton with the exact curvature squares the error: this step is the last.
-    if (here.exact_curvature && newton && next > low && next < high && std::abs(next - x) <= 1e-8 * std::abs(x))
-      return {next, here, true};
     if (std::abs(next - x) <= 2e-16 * std::abs(x) || high - low <= 2e-16 * high) return {x, here, true};
     last_x = x;
     last_slope = here.slope;

@@ -68,6 +68,7 @@ void PredictBatch(benchmark::State& state) {
   per_point(state);
 }
 BENCHMARK_TEMPLATE(PredictBatch, PapangeloCiavarella);
+BENCHMARK_TEMPLATE(PredictBatch, Johnson);
 BENCHMARK_TEMPLATE(PredictBatch, WatersGuduru);
 
 /// What one would write without the circle: a in y^2 + T^2 = 8 pi a^3 f(psi) by a bracketing search to the last digits,
