@@ -156,6 +156,7 @@ class Fitter {
     Verdict verdict = minimise(*problem_, options_.near);
     if (options_.objective == Objective::toughness && options_.weighted) {
       // The standard errors depend on the model: until they no longer change.
+      double change = 0;
       for (int i = 0; i < 50 && verdict.status != FitStatus::not_identifiable && !verdict.best.x.empty(); ++i) {
         const std::vector<double> before = verdict.best.x;
         problem_ = make_problem<Model>(
@@ -163,10 +164,15 @@ class Fitter {
             toughness_weights<Model>(data_, options_, prepared_, problem_->trial(before).parameters));
         verdict = minimise(*problem_, options_.near);
         if (verdict.best.x.empty()) break;
-        bool settled = true;
+        change = 0;
         for (std::size_t k = 0; k < before.size(); ++k)
-          settled &= std::abs(verdict.best.x[k] - before[k]) <= 1e-12 * std::abs(before[k]);
-        if (settled) break;
+          change = std::max(change, std::abs(verdict.best.x[k] - before[k]) / std::max(std::abs(before[k]), 1e-300));
+        if (change <= 1e-12) break;
+      }
+      if (change > 1e-8 && (verdict.status == FitStatus::ok || verdict.status == FitStatus::multimodal)) {
+        verdict.status = FitStatus::not_converged;
+        verdict.message = "the weights, which depend on the parameters, did not settle";
+        return verdict;
       }
     }
     if (options_.loss == Loss::none) return verdict;
