@@ -86,39 +86,6 @@ double spread(const LeastSquares& problem, const std::vector<double>& x) {
   return 1.4826 * *middle;
 }
 
-/// A robust loss bends within a standard error: its basins may be narrower than the steps of the scan. A denser one,
-/// for one parameter, finds what lies deeper.
-void seek_deeper(const LeastSquares& problem, Verdict& verdict) {
-  if (verdict.best.x.size() != 1) return;
-  const FreeParameter& parameter = problem.parameters()[0];
-  const auto cost = problem.single_cost();
-  const double width = parameter.upper - parameter.lower;
-  constexpr int kPlaces = 512;
-  double lowest = verdict.best.sum_of_squares * (1 - 1e-9), place = verdict.best.x[0];
-  for (int i = 0; i < kPlaces; ++i) {
-    const double even = (i + 0.5) / kPlaces;
-    for (const double share : {even, std::pow(10.0, -8 * even)}) {
-      const double x = parameter.lower + width * share;
-      const CostValue here = cost->at(x, {});
-      if (!here.finite || here.value >= lowest) continue;
-      lowest = here.value;
-      place = x;
-    }
-  }
-  if (place == verdict.best.x[0]) return;
-  Verdict deeper = minimise(problem, {place});
-  if (deeper.best.x.empty() || !(deeper.best.sum_of_squares < verdict.best.sum_of_squares)) return;
-  const auto freedom = static_cast<double>(problem.residual_count() - 1);
-  const bool as_well = verdict.best.sum_of_squares <= deeper.best.sum_of_squares * (1 + 3.841458820694124 / freedom);
-  if (deeper.status == FitStatus::ok && as_well) {
-    deeper.status = FitStatus::multimodal;
-    deeper.message =
-        "another minimum fits as well within the scatter: " + parameter.name + " = " + rounded(verdict.best.x[0], 4);
-  }
-  deeper.others.push_back(verdict.best);
-  verdict = deeper;
-}
-
 ShownInterval shown(const Interval& interval, const FreeParameter& parameter) {
   ShownInterval result{"profile", interval.confidence, {}, {}, interval.low_status, interval.high_status};
   if (interval.low_status != EndStatus::open) result.low = parameter.shown(interval.low);
@@ -217,7 +184,6 @@ class Fitter {
       robust_.emplace(*problem_, options_.loss, result_.loss_scale);
       verdict = minimise(*robust_, options_.near);
     }
-    if (robust_ && options_.near.empty()) seek_deeper(*robust_, verdict);
     return verdict;
   }
 

@@ -37,6 +37,8 @@ class LeastSquares {
   virtual bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const = 0;
   /// Size of the data the residuals are differences of, sqrt(sum of squares): sets what rounding can do to them.
   virtual double data_norm() const = 0;
+  /// Places of a scan over one parameter, each spaced evenly and by factors.
+  virtual std::size_t scan_density() const { return 64; }
   /// The cost for the batch engine; only with one free parameter. The problem must outlive it.
   virtual std::unique_ptr<SingleCost> single_cost() const;
 };

@@ -13,8 +13,6 @@ namespace mixity {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Change of chi^2 that 95 % of one-parameter confidence intervals reach.
-constexpr double kChiSquare95 = 3.841458820694124;
 
 /// Values of one parameter to scan: logarithmic, and from a lower bound of zero logarithmic at first, then even.
 std::vector<double> scan_values(const FreeParameter& parameter, std::size_t density) {
@@ -48,7 +46,7 @@ Scan scan(const LeastSquares& problem) {
                                      [](const FreeParameter& parameter) { return !parameter.start; });
   std::vector<std::vector<double>> axes;
   for (const FreeParameter& parameter : problem.parameters())
-    axes.push_back(scan_values(parameter, scanned == 1 ? 64 : 16));
+    axes.push_back(scan_values(parameter, scanned == 1 ? problem.scan_density() : 16));
   std::size_t total = 1;
   for (const auto& axis : axes) total *= axis.size();
 
@@ -66,9 +64,9 @@ Scan scan(const LeastSquares& problem) {
   for (std::size_t i = 0; i < total; ++i) {
     costs[i] = kInfinity;
     if (single) {
-      const CostValue cost = single->at(point(i)[0], {});
-      if (!std::isfinite(cost.value) || !cost.finite) continue;
-      costs[i] = cost.value;
+      const auto cost = single->value(point(i)[0]);
+      if (!cost) continue;
+      costs[i] = *cost;
       result.lowest = std::min(result.lowest, costs[i]);
       result.highest = std::max(result.highest, costs[i]);
       continue;

@@ -9,6 +9,9 @@
 
 namespace mixity {
 
+/// Change of chi^2 that 95 % of one-parameter confidence intervals reach.
+inline constexpr double kChiSquare95 = 3.841458820694124;
+
 enum class FitStatus { ok, at_bound, not_identifiable, multimodal, not_converged };
 std::string_view to_string(FitStatus status);
 

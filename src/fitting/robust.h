@@ -25,6 +25,8 @@ class RobustProblem final : public LeastSquares {
   std::size_t residual_count() const override { return problem_.residual_count(); }
   const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
   double data_norm() const override { return problem_.data_norm(); }
+  /// The loss bends within a standard error: its basins may be narrower than the usual steps.
+  std::size_t scan_density() const override { return 512; }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     if (!problem_.evaluate(x, residuals, jacobian)) return false;

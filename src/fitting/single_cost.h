@@ -2,7 +2,9 @@
 // each point, so that refits of resampled data share the arrays.
 #pragma once
 
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,6 +26,11 @@ class SingleCost {
   virtual ~SingleCost() = default;
   /// Weights: one per point, or empty: 1.
   virtual CostValue at(double x, std::span<const double> weights) = 0;
+  /// The cost alone, unweighted; null if it is not finite.
+  virtual std::optional<double> value(double x) {
+    const CostValue cost = at(x, {});
+    return cost.finite ? std::optional(cost.value) : std::nullopt;
+  }
 };
 
 /// For any problem with one free parameter, through its residuals and Jacobian.
@@ -44,6 +51,13 @@ class GeneralCost final : public SingleCost {
     cost.slope_size = std::sqrt(0.5 * cost.curvature);
     cost.finite = std::isfinite(cost.value) && std::isfinite(cost.slope) && std::isfinite(cost.curvature);
     return cost;
+  }
+
+  std::optional<double> value(double x) override {
+    if (!problem_.evaluate({&x, 1}, residuals_, {})) return std::nullopt;
+    double sum = 0;
+    for (const double r : residuals_) sum += r * r;
+    return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
   }
 
  private:

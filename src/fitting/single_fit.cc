@@ -8,8 +8,6 @@
 namespace mixity {
 namespace {
 
-constexpr double kChiSquare95 = 3.841458820694124;
-
 struct Refined {
   double x;
   CostValue cost;
