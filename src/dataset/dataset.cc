@@ -207,6 +207,12 @@ class Loader {
 
 }  // namespace
 
+std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
+  std::vector<std::vector<std::size_t>> runs(data.curves.size());
+  for (std::size_t i = 0; i < data.points.size(); ++i) runs[data.points[i].curve].push_back(i);
+  return runs;
+}
+
 Dataset load_dataset(const std::string& path, const Overrides& overrides) {
   Dataset data;
   const std::filesystem::path file(path);

@@ -48,6 +48,9 @@ struct Dataset {
   DisplayUnits display;
 };
 
+/// Indices into Dataset::points, by run.
+std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
+
 /// Reads PATH.csv and PATH.toml beside it. Throws InputError, with file, line and column, for anything in them that
 /// cannot be understood, and for a constant that this kind of data needs and neither the TOML nor an override states.
 /// Points that are understood but cannot be used are listed in `excluded`.

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "fitting/fitted_trial.h"
-#include "mechanics/equilibrium.h"
+#include "fitting/trial_areas.h"
 
 namespace mixity {
 namespace {
@@ -22,31 +22,16 @@ Information criteria(double sum_of_squares, std::size_t n, std::size_t parameter
 
 bool known_errors(const FitResult& fit) { return fit.errors && fit.errors->absolute(); }
 
-std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
-  std::vector<std::vector<std::size_t>> runs(data.curves.size());
-  for (std::size_t i = 0; i < data.points.size(); ++i) runs[data.points[i].curve].push_back(i);
-  return runs;
-}
-
 /// Sum of squared area errors at points of one run; adds those beyond the fold to `beyond`.
 template <class Model>
 double squared_area_errors(const Dataset& data, const std::vector<std::size_t>& run, const Trial<Model>& trial,
                            std::size_t& beyond) {
-  const CorrectedScale scale(trial.corrections);
-  std::optional<LoadedContact<Model>> contact;
-  double sum = 0, load = 0;
+  TrialAreas<Model> areas(trial);
+  double sum = 0;
   for (const std::size_t i : run) {
-    const Point& point = data.points[i];
-    if (!contact || point.P != load) contact.emplace(trial.parameters, scale.load(load = point.P));
-    double area = 0;  // below pull-off there is no contact
-    if (contact->in_contact()) {
-      const Equilibrium equilibrium = contact->at(scale.shear(point.T));
-      const bool exists = equilibrium.status == EquilibriumStatus::ok;
-      const double y = exists ? equilibrium.y : contact->branches().back().y_bottom;
-      beyond += !exists;
-      area = area_from_radius(radius_from_edge_load(y, scale.load(point.P)));
-    }
-    const double error = (scale.measured_area(area) - point.A) * data.display.area_scale;
+    const TrialArea area = areas.at(data.points[i].P, data.points[i].T);
+    beyond += area.place == TrialArea::Place::beyond_fold;
+    const double error = (area.value - data.points[i].A) * data.display.area_scale;
     sum += error * error;
   }
   return sum;
@@ -62,8 +47,7 @@ std::optional<Information> information(const FitResult& fit) {
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options) {
   if (!data.has_loads || data.curves.size() < 2 || !has_all_values(whole)) return std::nullopt;
   const std::string& model = whole.model;
-  FitOptions quick = options;
-  quick.intervals = false;
+  FitOptions quick = value_only(options);
   quick.near = whole.solution;
   const auto runs = points_by_curve(data);
   LeftOut result{0, 0};
@@ -115,12 +99,11 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
   PerCurve result;
   result.model = model;
   // Constants of the experiment are those of all runs together.
-  FitOptions own = options;
+  FitOptions own = value_only(options);
+  own.intervals = options.intervals;
   own.free.clear();
   if (!options.free.empty()) {
-    FitOptions quick = options;
-    quick.intervals = false;
-    const FitResult whole = fit_model(data, model, quick);
+    const FitResult whole = fit_model(data, model, value_only(options));
     if (!has_all_values(whole) || whole.status == FitStatus::not_converged) return result;
     with_model(model, [&](auto chosen) {
       own.corrections = fitted_trial<decltype(chosen)>(data, whole, options).corrections;
@@ -145,9 +128,7 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
     result.curves.push_back(std::move(one));
   }
   if (result.fitted < 2 || n <= parameters) return result;
-  FitOptions quick = own;
-  quick.intervals = false;
-  const FitResult pooled = fit_model(data, model, quick, &tested);
+  const FitResult pooled = fit_model(data, model, value_only(own), &tested);
   if (!has_all_values(pooled) || !(separate > 0)) return result;
   const double freedom = static_cast<double>(parameters - pooled.free_parameters);
   const double rest = static_cast<double>(n - parameters), gain = std::max(pooled.sum_of_squares - separate, 0.0);

@@ -5,28 +5,25 @@
 
 #include "fitting/goodness.h"
 #include "fitting/prepared_fit.h"
-#include "mechanics/equilibrium.h"
+#include "fitting/trial_areas.h"
 
 namespace mixity {
 namespace {
 
 template <class Model>
 AreaGoodness predict_areas(const Dataset& data, const std::vector<std::size_t>& used, const Trial<Model>& trial) {
-  const CorrectedScale scale(trial.corrections);
+  TrialAreas<Model> predicted(trial);
   AreaGoodness area;
   std::vector<double> residuals, targets;
-  std::optional<LoadedContact<Model>> contact;
-  double load = 0;
   for (const std::size_t i : used) {
     const Point& point = data.points[i];
-    if (!contact || point.P != load) contact.emplace(trial.parameters, scale.load(load = point.P));
-    const Equilibrium equilibrium = contact->at(scale.shear(point.T));
-    if (equilibrium.status != EquilibriumStatus::ok) {
+    const TrialArea at_point = predicted.at(point.P, point.T);
+    if (at_point.place != TrialArea::Place::equilibrium) {
       ++area.unpredicted;
       area.areas.emplace_back();
       continue;
     }
-    const double A = scale.measured_area(area_from_radius(radius_from_edge_load(equilibrium.y, scale.load(point.P))));
+    const double A = at_point.value;
     area.areas.emplace_back(A);
     residuals.push_back((A - point.A) * data.display.area_scale);
     targets.push_back(point.A * data.display.area_scale);
@@ -301,6 +298,14 @@ bool has_parameter(const std::vector<std::string>& models, std::string_view name
       for (const ParameterInfo& info : decltype(model)::parameters) found |= info.name == name;
     });
   return found;
+}
+
+FitOptions value_only(FitOptions options) {
+  options.intervals = false;
+  options.bootstrap = {};
+  options.influence = false;
+  options.progress = {};
+  return options;
 }
 
 std::string_view to_string(Objective objective) {

@@ -50,6 +50,9 @@ struct FitOptions {
   std::vector<double> near{};  // of a refit: where the minimum is looked for, in the solver's numbers; empty: anywhere
 };
 
+/// For refits whose value alone is wanted: no intervals, bootstrap or influence.
+FitOptions value_only(FitOptions options);
+
 /// An interval as a reader sees it. A missing end is open.
 struct ShownInterval {
   std::string method;  // profile

@@ -15,10 +15,8 @@ namespace {
 double relative_scatter(const Dataset& data) {
   constexpr double kMedianOfChiSquare = 0.454936423119573;  // of one degree of freedom
   constexpr double kAssumed = 0.01, kLeast = 1e-9;
-  std::vector<std::vector<std::size_t>> runs(data.curves.size());
-  for (std::size_t i = 0; i < data.points.size(); ++i) runs[data.points[i].curve].push_back(i);
   std::vector<double> ratios;
-  for (auto& run : runs) {
+  for (auto& run : points_by_curve(data)) {
     std::stable_sort(run.begin(), run.end(),
                      [&](std::size_t i, std::size_t j) { return data.points[i].T < data.points[j].T; });
     for (std::size_t i = 1; i + 1 < run.size(); ++i) {

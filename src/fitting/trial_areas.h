@@ -1,0 +1,42 @@
+// The areas that a trial predicts at measured loads.
+#pragma once
+
+#include <optional>
+
+#include "fitting/trial.h"
+#include "mechanics/equilibrium.h"
+
+namespace mixity {
+
+/// As it would be measured, dimensionless: beyond the last equilibrium the area at the fold, below pull-off that of no
+/// contact.
+struct TrialArea {
+  enum class Place { equilibrium, beyond_fold, below_pull_off } place;
+  double value;
+};
+
+/// Points of one load in a row share their contact.
+template <class Model>
+class TrialAreas {
+ public:
+  explicit TrialAreas(const Trial<Model>& trial) : parameters_(trial.parameters), scale_(trial.corrections) {}
+
+  TrialArea at(double P, double T) {
+    const double load = scale_.load(P);
+    if (!contact_ || load != load_) contact_.emplace(parameters_, load_ = load);
+    if (!contact_->in_contact()) return {TrialArea::Place::below_pull_off, scale_.measured_area(0)};
+    const Equilibrium equilibrium = contact_->at(scale_.shear(T));
+    const bool exists = equilibrium.status == EquilibriumStatus::ok;
+    const double y = exists ? equilibrium.y : contact_->branches().back().y_bottom;
+    return {exists ? TrialArea::Place::equilibrium : TrialArea::Place::beyond_fold,
+            scale_.measured_area(area_from_radius(radius_from_edge_load(y, load)))};
+  }
+
+ private:
+  Parameters<Model> parameters_;
+  CorrectedScale scale_;
+  std::optional<LoadedContact<Model>> contact_;
+  double load_ = 0;
+};
+
+}  // namespace mixity
