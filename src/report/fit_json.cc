@@ -5,8 +5,6 @@
 namespace mixity {
 namespace {
 
-Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 Json excluded_json(const std::vector<Excluded>& excluded) {
   Json list = Json::array();
   for (const Excluded& point : excluded) list.push_back({{"line", point.line}, {"reason", point.reason}});
@@ -56,7 +54,7 @@ Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
           {"r2", number_or_null(fit.r2)},
           {"rmse", number_or_null(fit.rmse)},
           {"max_abs_residual", number_or_null(fit.max_abs_residual)},
-          {"errors", errors_json(fit, data)},
+          {"errors", errors_json(fit)},
           {"loss_scale", fit.loss_scale > 0 ? Json(fit.loss_scale) : Json()},
           {"correlations", correlations_json(fit)},
           {"influence", influence_json(fit, data)},

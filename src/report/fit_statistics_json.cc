@@ -1,12 +1,6 @@
 #include "report/fit_statistics_json.h"
 
 namespace mixity {
-namespace {
-
-Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
-}  // namespace
-
 Json interval_json(const std::optional<ShownInterval>& interval) {
   if (!interval) return {};
   return {{"method", interval->method},
@@ -17,7 +11,7 @@ Json interval_json(const std::optional<ShownInterval>& interval) {
           {"high_status", to_string(interval->high_status)}};
 }
 
-Json errors_json(const FitResult& fit, const Dataset&) {
+Json errors_json(const FitResult& fit) {
   if (!fit.errors) return {};
   return {{"sigma_T", to_string(fit.errors->source_T)},
           {"sigma_A", to_string(fit.errors->source_A)},

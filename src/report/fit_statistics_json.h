@@ -9,8 +9,10 @@ namespace mixity {
 
 using Json = nlohmann::ordered_json;
 
+inline Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
 Json interval_json(const std::optional<ShownInterval>& interval);
-Json errors_json(const FitResult& fit, const Dataset& data);
+Json errors_json(const FitResult& fit);
 Json bootstrap_json(const FittedParameter& parameter, const FitResult& fit);
 Json influence_json(const FitResult& fit, const Dataset& data);
 Json correlations_json(const FitResult& fit);

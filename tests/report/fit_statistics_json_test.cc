@@ -80,7 +80,7 @@ TEST(FitStatisticsJson, HasTheKeysOfItsSchema) {
 
 TEST(FitStatisticsJson, WritesWhatIsMissingAsNull) {
   EXPECT_TRUE(interval_json({}).is_null());
-  EXPECT_TRUE(errors_json({}, {}).is_null());
+  EXPECT_TRUE(errors_json({}).is_null());
   EXPECT_EQ(correlations_json({}), Json::array());
   const Json open = interval_json(ShownInterval{"profile", 0.9, {}, 2.0, EndStatus::open, EndStatus::at_bound});
   EXPECT_TRUE(open["low"].is_null());

@@ -4,11 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
-#include "dataset/csv.h"
 #include "report/fit_text.h"
-#include "report/output_file.h"
+#include "report/golden_file.h"
 
 namespace mixity {
 namespace {
@@ -49,12 +46,6 @@ JobResult example() {
   fit.max_abs_residual = 2.71;
   result.fits = {fit};
   return result;
-}
-
-void expect_golden(const JobResult& result, const std::string& name) {
-  const std::string path = MIXITY_ROOT "/tests/report/golden/" + name;
-  if (std::getenv("MIXITY_UPDATE_GOLDEN")) write_file(path, to_text(result));
-  EXPECT_EQ(to_text(result), read_file(path)) << name;
 }
 
 TEST(FitStatisticsText, IntervalsAndKnownErrors) { expect_golden(example(), "known_errors.txt"); }

@@ -4,10 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
-#include "dataset/csv.h"
-#include "report/output_file.h"
+#include "report/golden_file.h"
 
 namespace mixity {
 namespace {
@@ -39,12 +36,6 @@ JobResult example(FitStatus status) {
   result.job.published["c"] = {{"lambda", 0.0023, 0.00005}, {"r2", 0.9999, 0.00005}};
   result.fits = {fit};
   return result;
-}
-
-void expect_golden(const JobResult& result, const std::string& name) {
-  const std::string path = MIXITY_ROOT "/tests/report/golden/" + name;
-  if (std::getenv("MIXITY_UPDATE_GOLDEN")) write_file(path, to_text(result));
-  EXPECT_EQ(to_text(result), read_file(path)) << name;
 }
 
 TEST(FitText, Ok) { expect_golden(example(FitStatus::ok), "ok.txt"); }

@@ -1,0 +1,21 @@
+// Text outputs kept as files in tests/report/golden; MIXITY_UPDATE_GOLDEN=1 writes them anew.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "dataset/csv.h"
+#include "report/fit_text.h"
+#include "report/output_file.h"
+
+namespace mixity {
+
+inline void expect_golden(const JobResult& result, const std::string& name) {
+  const std::string path = MIXITY_ROOT "/tests/report/golden/" + name;
+  if (std::getenv("MIXITY_UPDATE_GOLDEN")) write_file(path, to_text(result));
+  EXPECT_EQ(to_text(result), read_file(path)) << name;
+}
+
+}  // namespace mixity
