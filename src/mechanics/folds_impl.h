@@ -149,17 +149,28 @@ std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Contro
         continue;
       }
     }
+    const auto add = [&](double v, bool maximum) {
+      const CurvePosition at = curve.position(piece, v);
+      // Beyond the largest load nothing is known but rounding.
+      if (curve.tangential_load(at) < 0.1 * kFar) folds.push_back({i, v, at, maximum});
+    };
     const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
     // R_y > 0 above the centre if tau grows with y: no fold under load control there.
     const bool simple_top = control.kind == Control::Kind::load && i == 0 &&
                             Model::tau_grows_with_edge_load(curve.parameters()) && piece.y_end < 3 * pi<double>();
     const double from =
         simple_top ? std::max(curve.coordinate(piece, curve.position_at_offset(0)) - kStep, kFirst) : kFirst;
+    if constexpr (requires { Model::one_fold_at_most(curve.parameters()); }) {
+      // R is then convex in y and grows with T: the y with R <= 0 are an interval that shrinks as T rises, and the one
+      // place where its ends meet is the only fold. A second piece is the lower end alone.
+      if (control.kind == Control::Kind::load && Model::one_fold_at_most(curve.parameters())) {
+        if (slope(from) > 0 && slope(kLast) <= 0) add(root_between(slope, from, kLast), true);
+        break;
+      }
+    }
     bool stable = slope(from) > 0;
     for_sign_changes(slope, from, [&](double v) {
-      const CurvePosition at = curve.position(piece, v);
-      // Beyond the largest load nothing is known but rounding.
-      if (curve.tangential_load(at) < 0.1 * kFar) folds.push_back({i, v, at, stable});
+      add(v, stable);
       stable = !stable;
       return folds.size() < at_most;
     });

@@ -10,6 +10,7 @@
 //   shear_limit(p)                      optional: lim tau^2/y^2 at T -> infinity where it may be finite
 //   tangential_load(p, y, tau)          optional: T of a state (y, tau) where that is a closed form
 //   fold_offset(p, P, displacement)     optional: y - 3 pi where the curve folds, if that is a closed form
+//   one_fold_at_most(p)                 optional: true if tau^2 + y^2 is convex in y at fixed T and tau grows with y
 //   shear_on_circle(p, T)               only if tau does not depend on y: makes the equilibrium a closed form
 //   tau_grows_with_edge_load(p)         true if d(tau^2)/dy >= 0 at fixed T for these parameters
 //   equilibrium_domain(p)               empty, or the reason why these parameters define no unique equilibrium

@@ -57,6 +57,44 @@ TEST(Folds, AreStationaryOnThePrintedCurve) {
   EXPECT_GT(checked, 2000);
 }
 
+/// What one_fold_at_most rests on, and what it promises: T along the densely drawn first piece turns as often as folds
+/// are found.
+template <class Model>
+void expect_one_fold_at_most(const Parameters<Model>& p, double P, double y, double T) {
+  const std::string where = describe<Model>(p, P, kLoad);
+  ASSERT_TRUE(Model::one_fold_at_most(p)) << where;
+  EXPECT_GE(Model::shear_term(p, y, T).d2, -2 * (1 + 1e-14)) << where << " y=" << y << " T=" << T;  // a rounding
+  const EquilibriumCurve<Model> curve(p, P);
+  const CurvePiece& piece = curve.pieces().front();
+  int turns = 0;
+  double before = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    // evenly in phi but for the last stretch, where T may be flat to rounding
+    const double phi = curve.phi_begin(piece) + (curve.phi_end(piece) - curve.phi_begin(piece)) * (0.999 * i / 1000);
+    const double next = curve.point(phi).T;
+    if (turns == 0 && next < before) ++turns;
+    EXPECT_TRUE(turns == 0 || next < before) << where << ": turns again at phi=" << phi;
+    before = next;
+  }
+  const auto folds = find_folds(curve, kLoad);
+  ASSERT_LE(folds.size(), 1u) << where;
+  if (turns > 0) {
+    EXPECT_EQ(folds.size(), 1u) << where;
+  }
+}
+
+TEST(Folds, AreOneAtMostWhereTheModelSaysSo) {
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int i = 0; i < 500; ++i) {
+    const double P = i % 2 ? -4.7 + 9.7 * uniform(random) : std::pow(10, -1 + 4 * uniform(random));
+    const double y = std::pow(10, -6 + 8 * uniform(random)), T = std::pow(10, -6 + 8 * uniform(random));
+    expect_one_fold_at_most<Johnson>({0.8 * uniform(random)}, P, y, T);
+    expect_one_fold_at_most<WatersGuduru>({2 * uniform(random)}, P, y, T);
+  }
+  EXPECT_FALSE(Johnson::one_fold_at_most({0.81}));
+}
+
 TEST(Folds, ThroughASpringTendToLoadAndDisplacementControl) {
   const auto check = [](const auto& curve) {
     const auto load = find_folds(curve, kLoad), displacement = find_folds(curve, kDisplacement);

@@ -61,6 +61,8 @@ struct Johnson {
   /// Infinite for lambda = 1.
   static double shear_limit(const std::array<double, 1>& p) { return p[0] / (1 - p[0]); }
   static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
+  /// d^2(tau^2)/dy^2 is least where y^2 = (1-lambda) T^2, -lambda/(2 (1-lambda)): not below -2 up to here.
+  static bool one_fold_at_most(const std::array<double, 1>& p) { return p[0] <= 0.8; }
   static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
 };
 

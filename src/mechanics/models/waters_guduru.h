@@ -53,6 +53,9 @@ struct WatersGuduru {
   /// sin(h) sin(2 psi - h)/psi^2 at psi -> 0: lambda - lambda^2/4.
   static double small_shear(const std::array<double, 1>& p) { return p[0] * (1 - 0.25 * p[0]); }
   static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
+  /// 2 + d^2(tau^2)/dy^2 = 1 + cos(2 k psi) (1 - 2 k^2 sin^2 psi) + k sin(2 psi) sin(2 k psi), in which no term of the
+  /// second product is negative and the first is at least -1.
+  static bool one_fold_at_most(const std::array<double, 1>&) { return true; }
   static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
 };
 
