@@ -25,7 +25,8 @@ class ExperimentObjective final : public ModelProblem<Model> {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::stable_sort(order_.begin(), order_.end(),
                      [&](std::size_t i, std::size_t j) { return points_[i].P < points_[j].P; });
-    for (const MeasuredPoint& point : points_) T_most_ = std::max(T_most_, point.T);
+    // no point's nearest place on its curve lies further out than a few standard errors
+    for (const MeasuredPoint& point : points_) T_most_ = std::max(T_most_, point.T + 10 * point.sigma_T);
   }
 
   std::size_t residual_count() const override { return points_.size(); }

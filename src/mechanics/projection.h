@@ -43,15 +43,24 @@ class Projection {
   /// The nearest point. T >= 0, A > 0, standard errors > 0.
   CurvePoint nearest(double T, double A, double sigma_T, double sigma_A) const {
     const Target target{T, A, sigma_T, sigma_A};
-    // Each stretch between folds has a nearest segment of its own, and with a small sigma_T the curve a nearest point.
+    // Every segment that is nearer than its neighbours on the same stretch between folds, or as near.
     std::vector<Candidate> candidates;
     double least = std::numeric_limits<double>::infinity();
+    Candidate before;
+    bool nearing = true;
     for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
-      if (i == 0 || is_fold(i)) candidates.push_back({});
+      if (is_fold(i)) {
+        if (nearing) candidates.push_back(before);
+        before = {};
+        nearing = true;
+      }
       const Candidate here = target.segment(nodes_[i], nodes_[i + 1], i);
-      if (here.distance < candidates.back().distance) candidates.back() = here;
+      if (here.distance > before.distance && nearing) candidates.push_back(before);
+      nearing = here.distance <= before.distance;
       least = std::min(least, here.distance);
+      before = here;
     }
+    if (nearing) candidates.push_back(before);
     CurvePoint best = nodes_.front();
     double best_distance = target.distance(best);
     for (const Candidate& candidate : candidates) {

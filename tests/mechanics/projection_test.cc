@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "mechanics/equilibrium.h"
@@ -168,6 +169,25 @@ TYPED_TEST(NearestPoint, IsFoundWhereTIsMuchBetterKnownThanA) {
           EXPECT_LE(m.distance(q), 0.03 * on.A / m.sigma_A * (1 + 1e-12) + 1e-7)
               << TypeParam::info.key << p[0] << " P=" << P << " T=" << m.T << " A=" << m.A << " " << sigma_T;
         }
+    }
+}
+
+/// Far from the curve, where more than one of its points is nearest among its neighbours, with or without a fold
+/// between them.
+TYPED_TEST(NearestPoint, IsTheNearestOfSeveralFarFromTheCurve) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform;
+  for (const Parameters<TypeParam>& p : cases<TypeParam>())
+    for (const double P : {-4.0, -0.5, 0.5, 30.0}) {
+      const Scene<TypeParam> scene(p, P);
+      const Projection<TypeParam> projection(scene.curve, scene.T_most);
+      for (int i = 0; i < 100; ++i) {
+        const Measured m{2 * uniform(random) * scene.T_scale, 2 * uniform(random) * scene.A_scale, scene.T_scale,
+                         std::pow(10.0, 4 * uniform(random) - 2) * scene.A_scale};
+        const CurvePoint q = projection.nearest(m.T, m.A, m.sigma_T, m.sigma_A);
+        EXPECT_LE(m.distance(q), scene.brute_force(m) * (1 + 1e-12) + 1e-7)
+            << TypeParam::info.key << p[0] << " P=" << P << " T=" << m.T << " A=" << m.A << " " << m.sigma_A;
+      }
     }
 }
 
