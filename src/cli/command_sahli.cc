@@ -44,7 +44,7 @@ int run_sahli(const Arguments& arguments) {
   if (!(upto > 0 && upto <= 1)) throw UsageError("flag '--upto' must lie between 0 and 1");
   const std::string model = FLAGS_model.empty() ? "c" : FLAGS_model;
   require_model("model", model);
-  const Dataset data = load_dataset(arguments[0], metadata_overrides());
+  const Dataset data = load_dataset(arguments[0], metadata_overrides(), PointUse::areas);
   if (!data.has_loads) throw InputError(data.path, "holds (psi, Gc) points; A = A0 - alpha T^2 needs P, T and A");
   std::string described;
   const std::vector<double> parameters = prediction_parameters(data, model, described);

@@ -16,8 +16,8 @@ namespace {
 /// Reads the rows of one file into a data set.
 class Loader {
  public:
-  Loader(const std::string& path, const std::string& metadata_path, Dataset& data)
-      : path_(path), metadata_path_(metadata_path), data_(data) {}
+  Loader(const std::string& path, const std::string& metadata_path, PointUse use, Dataset& data)
+      : path_(path), metadata_path_(metadata_path), use_(use), data_(data) {}
 
   void row(const CsvRow& row) {
     if (!columns_) {
@@ -139,15 +139,17 @@ class Loader {
     point.T = *T / force;
     const double a = (by_area ? std::sqrt(*size / pi<double>()) : *size) / length;
     point.A = by_area ? *size / (length * length) : area_from_radius(a);
-    if (!(edge_load(a, point.P) > 0))
+    if (edge_load(a, point.P) > 0) {
+      const auto measured = measured_toughness(point.P, point.T, a);
+      if (!std::isfinite(measured.ratio) || !(measured.ratio > 0))
+        return exclude(row, "the toughness ratio is out of range"), false;
+      point.mixity = measured.mixity;
+      point.ratio = measured.ratio;
+      point.psi = phase_angle(point.mixity);
+    } else if (use_ == PointUse::toughness) {
       return exclude(row, "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists"),
              false;
-    const auto measured = measured_toughness(point.P, point.T, a);
-    if (!std::isfinite(measured.ratio) || !(measured.ratio > 0))
-      return exclude(row, "the toughness ratio is out of range"), false;
-    point.mixity = measured.mixity;
-    point.ratio = measured.ratio;
-    point.psi = phase_angle(point.mixity);
+    }
     const auto sigma_T = sigma(row, ColumnId::sigma_T, point.T, force);
     const auto sigma_A = sigma_T ? sigma(row, ColumnId::sigma_A, point.A, length * length) : std::nullopt;
     if (!sigma_A) return false;
@@ -199,6 +201,7 @@ class Loader {
 
   const std::string& path_;
   const std::string& metadata_path_;
+  PointUse use_;
   Dataset& data_;
   std::optional<Columns> columns_;
   std::map<std::string, std::size_t> curve_index_;
@@ -213,7 +216,7 @@ std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
   return runs;
 }
 
-Dataset load_dataset(const std::string& path, const Overrides& overrides) {
+Dataset load_dataset(const std::string& path, const Overrides& overrides, PointUse use) {
   Dataset data;
   const std::filesystem::path file(path);
   data.path = path;
@@ -223,7 +226,7 @@ Dataset load_dataset(const std::string& path, const Overrides& overrides) {
   apply_overrides(overrides, data.metadata);
   const std::string problem = modulus_problem(data.metadata);
   if (!problem.empty()) throw InputError(metadata_path, problem);
-  Loader loader(path, metadata_path, data);
+  Loader loader(path, metadata_path, use, data);
   read_csv(path, [&](const CsvRow& row) { loader.row(row); });
   if (!loader.has_header()) throw InputError(path, 1, 1, "is empty: a header row is missing");
   if (data.rows == 0) throw InputError(path, 2, 1, "has a header but no data rows");

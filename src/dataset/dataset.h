@@ -19,7 +19,7 @@ struct Point {
   double P, T, A;
   Mixity<double> mixity;
   double psi;                            // rad
-  double ratio;                          // G_c/G_Ic > 0
+  double ratio;                          // G_c/G_Ic > 0; 0 where there is none (PointUse::areas)
   double sigma_T, sigma_A, sigma_ratio;  // standard errors in the units of T, A, ratio; 0 where not given
 };
 
@@ -51,9 +51,13 @@ struct Dataset {
 /// Indices into Dataset::points, by run.
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
 
+/// What a file's points are read for. A point whose area does not exceed that of Hertz (y <= 0) has no phase angle and
+/// is excluded where a toughness is asked for; its area says as much as any other.
+enum class PointUse { toughness, areas };
+
 /// Reads PATH.csv and PATH.toml beside it. Throws InputError, with file, line and column, for anything in them that
 /// cannot be understood, and for a constant that this kind of data needs and neither the TOML nor an override states.
 /// Points that are understood but cannot be used are listed in `excluded`.
-Dataset load_dataset(const std::string& path, const Overrides& overrides = {});
+Dataset load_dataset(const std::string& path, const Overrides& overrides = {}, PointUse use = PointUse::toughness);
 
 }  // namespace mixity

@@ -141,7 +141,8 @@ std::vector<Agreement> compare(const FitResult& fit, const FitJob& job) {
 }
 
 JobResult run(const FitJob& job, const Overrides& overrides) {
-  JobResult result{job, load_dataset(job.data_path, overrides), {}, {}, {}};
+  const PointUse use = job.options.objective == Objective::toughness ? PointUse::toughness : PointUse::areas;
+  JobResult result{job, load_dataset(job.data_path, overrides, use), {}, {}, {}};
   for (const std::string& model : job.models) result.fits.push_back(fit_model(result.data, model, job.options));
   if (job.compare && job.models.size() > 1) result.comparison = compare_models(result.data, result.fits, job.options);
   if (job.per_curve)

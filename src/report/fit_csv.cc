@@ -106,7 +106,8 @@ std::string residuals_csv(const JobResult& result) {
     for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
       const Point& point = data.points[fit.used[i]];
       out << to_string(data.metadata.provenance) << ',' << fit.model << ',' << point.line << ','
-          << csv_field(data.curves[point.curve]) << ',' << shortest(point.psi) << ',' << shortest(point.ratio) << ','
+          << csv_field(data.curves[point.curve]) << ','
+          << (point.ratio > 0 ? shortest(point.psi) + ',' + shortest(point.ratio) : ",") << ','
           << shortest(fit.residuals[i]);
       if (data.has_loads) {
         out << ',' << shortest(point.P * units.force_scale) << ',' << shortest(point.T * units.force_scale) << ','

@@ -60,6 +60,15 @@ TEST(Dataset, PointsThatCannotBeUsedAreListedWithTheirReason) {
   EXPECT_EQ(data.rows, data.points.size() + data.excluded.size());
 }
 
+TEST(Dataset, AnAreaBelowHertzCountsWhereAreasAreAskedFor) {
+  const Dataset data = load_text("P,T,A\n1,1,19\n1,2,2.59\n1,3,0\n", "", {}, PointUse::areas);
+  EXPECT_EQ(excluded_lines(data), "4 A <= 0\n");
+  ASSERT_EQ(data.points.size(), 2);
+  EXPECT_EQ(data.points[1].A, 2.59);
+  EXPECT_GT(data.points[0].ratio, 0);
+  EXPECT_EQ(data.points[1].ratio, 0);
+}
+
 TEST(Dataset, ConvertedPointsThatCannotBeUsedAreListedToo) {
   EXPECT_EQ(excluded_lines(load_text("psi [deg],Gc\n91,1\n-1,1\n45,0\n45,-1\nnan,1\n45,\n45,inf\n45,1\n")),
             "2 psi outside 0..90 degrees\n3 psi outside 0..90 degrees\n4 Gc <= 0\n5 Gc <= 0\n6 psi is not finite\n"

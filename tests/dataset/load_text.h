@@ -8,10 +8,11 @@
 
 namespace mixity {
 
-inline Dataset load_text(const std::string& csv, const std::string& toml = "", const Overrides& overrides = {}) {
+inline Dataset load_text(const std::string& csv, const std::string& toml = "", const Overrides& overrides = {},
+                         PointUse use = PointUse::toughness) {
   const TemporaryFolder folder;
   folder.write("a.toml", toml);
-  return load_dataset(folder.write("a.csv", csv), overrides);
+  return load_dataset(folder.write("a.csv", csv), overrides, use);
 }
 
 /// The error with the folder left out: "a.csv:2:3: ...".

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dataset/csv.h"
+#include "dataset/temporary_folder.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"
 
@@ -92,6 +93,20 @@ TEST(FitCsv, ResidualsAreModelMinusDataForEveryUsedPoint) {
   for (std::size_t i = 1; i <= mergel().data.points.size(); ++i) squares += std::pow(std::stod(rows[i][6]), 2);
   const double n = static_cast<double>(mergel().data.points.size());
   EXPECT_NEAR(std::sqrt(squares / n), *mergel().fits[0].rmse, 1e-15);
+}
+
+/// The last area lies below the 55.9 of Hertz: it has no phase angle. Its two fields are empty, its residual is not.
+TEST(FitCsv, APointWithoutAPhaseAngleKeepsItsResidual) {
+  const TemporaryFolder folder;
+  FitJob job;
+  job.data_path = folder.write("a.csv", "P,T,A\n100,0,74.4\n100,20,73\n100,40,67.4\n100,46,55\n");
+  job.models = {"c"};
+  job.options.objective = Objective::area;
+  const auto rows = read_table(residuals_csv(run(job)));
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_NE(rows[3][4], "");
+  EXPECT_EQ(rows[4][4] + rows[4][5], "");
+  EXPECT_TRUE(std::isfinite(std::stod(rows[4][6])));
 }
 
 /// Predicted curves are read back by the program's own reader and fulfil the model they were drawn from.
