@@ -20,8 +20,6 @@ Information criteria(double sum_of_squares, std::size_t n, std::size_t parameter
   return result;
 }
 
-bool known_errors(const FitResult& fit) { return fit.errors && fit.errors->absolute(); }
-
 /// Sum of squared area errors at points of one run; adds those beyond the fold to `beyond`.
 template <class Model>
 double squared_area_errors(const Dataset& data, const std::vector<std::size_t>& run, const Trial<Model>& trial,
@@ -41,7 +39,7 @@ double squared_area_errors(const Dataset& data, const std::vector<std::size_t>& 
 
 std::optional<Information> information(const FitResult& fit) {
   if (!has_all_values(fit) || fit.residuals.empty() || !(fit.sum_of_squares > 0)) return std::nullopt;
-  return criteria(fit.sum_of_squares, fit.used.size(), fit.free_parameters, known_errors(fit));
+  return criteria(fit.sum_of_squares, fit.used.size(), fit.free_parameters, fit.known_errors);
 }
 
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options) {
@@ -122,7 +120,7 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
       separate += one.fit.sum_of_squares;
       parameters += one.fit.free_parameters;
       n += one.fit.used.size();
-      known = known_errors(one.fit);
+      known = one.fit.known_errors;
       tested.insert(tested.end(), runs[c].begin(), runs[c].end());
     }
     result.curves.push_back(std::move(one));

@@ -4,7 +4,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fitting/minimise.h"
 
@@ -67,8 +66,9 @@ Vector clamped(const LeastSquares& problem, Vector x) {
 }
 
 /// Cost differences vanish in rounding at sqrt(eps) of x; the gradient does not. Newton steps on it, its derivative
-/// by central differences, take the parameters to their last digits.
-void polish(const LeastSquares& problem, Vector& x, Linearised& at) {
+/// by central differences, take the parameters to their last digits. `rounding` of |r| is no reason to stop: without
+/// noise that is all there is.
+void polish(const LeastSquares& problem, Vector& x, Linearised& at, double rounding) {
   const Eigen::Index p = x.size();
   for (int iteration = 0; iteration < 12 && at.stationarity > 0; ++iteration) {
     Eigen::MatrixXd H(p, p);
@@ -92,8 +92,8 @@ void polish(const LeastSquares& problem, Vector& x, Linearised& at) {
     if (!step.allFinite()) return;
     const Vector next = clamped(problem, x + step);
     const Linearised there = linearise(problem, next);
-    const bool better = there.finite && there.stationarity < at.stationarity &&
-                        there.r.squaredNorm() <= at.r.squaredNorm() * (1 + 1e-12);
+    const bool better =
+        there.finite && there.stationarity < at.stationarity && there.r.norm() <= at.r.norm() * (1 + 1e-12) + rounding;
     if (!better) return;
     x = next;
     at = there;
@@ -129,9 +129,8 @@ std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<do
 
   Linearised at = linearise(problem, x);
   if (!at.finite) return std::nullopt;
-  polish(problem, x, at);
-  // Rounding of model and data puts about eps |data| into r, whatever x.
-  const double rounding = 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();
+  const double rounding = residual_rounding(problem);
+  polish(problem, x, at, rounding);
   const double r = at.r.norm();
   return Minimum{
       {x.begin(), x.end()}, r * r, at.stationarity, at.stationarity <= 1e-8 || at.stationarity * r <= rounding};

@@ -61,11 +61,19 @@ std::vector<double> toughness_weights(const Dataset& data, const FitOptions& opt
   std::vector<double> weights;
   for (const std::size_t i : prepared.used) {
     const Point& point = data.points[i];
-    double error = point.sigma_ratio / point.ratio;  // of ln f
+    double error = point.sigma_ratio / point.ratio;
     if (data.has_loads) {
       const double sigma_T = prepared.errors->T[i], sigma_A = prepared.errors->A[i];
       const auto r = ToughnessResiduals<Model>(p, point.P, 0)({point.P, point.T, point.A, sigma_T, sigma_A});
-      error = std::hypot(r->T * sigma_T, r->A * sigma_A);
+      double by_T = r->T, by_A = r->A;  // of ln f_model - ln f
+      if (options.scale == Scale::linear) {
+        // d(f_model - f) = f_model d(ln f_model - ln f) + (f_model - f) d(ln f), here over f
+        const double a = std::sqrt(point.A / pi<double>()), y = edge_load(a, point.P), y_A = 2 * a / pi<double>();
+        const double square = y * y + point.T * point.T, growth = std::expm1(r->value);
+        by_T = (1 + growth) * by_T + growth * 2 * point.T / square;
+        by_A = (1 + growth) * by_A + growth * y_A * (2 * y / square - 1 / (y + point.P));
+      }
+      error = std::hypot(by_T * sigma_T, by_A * sigma_A);
     }
     if (!(error > 0)) throw InputError(data.path, point.line, 0, "this point has no standard error (sigma_Gc is 0)");
     weights.push_back(1 / (options.scale == Scale::log ? error : error * point.ratio));
@@ -138,15 +146,8 @@ class Fitter {
       if (parameter.start) {
         result_.parameters.push_back(
             {parameter.name, {}, {}, parameter.shown(parameter.lower), parameter.shown(parameter.upper)});
-        result_.parameters.back().unit = unit_of(parameter.name);
+        result_.parameters.back().unit = parameter.unit;
       }
-  }
-
-  std::string unit_of(const std::string& name) const {
-    if (name == "load_offset") return data_.display.force;
-    if (name == "area_offset") return data_.display.area;
-    if (!data_.contact) return "";
-    return name == "toughness" ? "J/m^2" : "Pa";
   }
 
   Verdict find_minimum() {
@@ -154,13 +155,14 @@ class Fitter {
     if (options_.objective == Objective::toughness && options_.weighted) {
       // The standard errors depend on the model: until they no longer change.
       double change = 0;
-      for (int i = 0; i < 50 && verdict.status != FitStatus::not_identifiable && !verdict.best.x.empty(); ++i) {
+      for (int i = 0; i < 50; ++i) {
         const std::vector<double> before = verdict.best.x;
-        problem_ = make_problem<Model>(
-            data_, options_, prepared_,
-            toughness_weights<Model>(data_, options_, prepared_, problem_->trial(before).parameters));
+        const Parameters<Model> at = before.empty() ? prepared_.base : problem_->trial(before).parameters;
+        problem_ =
+            make_problem<Model>(data_, options_, prepared_, toughness_weights<Model>(data_, options_, prepared_, at));
         verdict = minimise(*problem_, options_.near);
         if (verdict.best.x.empty()) break;
+        if (before.empty()) continue;
         change = 0;
         for (std::size_t k = 0; k < before.size(); ++k)
           change = std::max(change, std::abs(verdict.best.x[k] - before[k]) / std::max(std::abs(before[k]), 1e-300));
@@ -174,7 +176,7 @@ class Fitter {
     }
     if (options_.loss == Loss::none) return verdict;
     const double scale = options_.loss_scale.value_or(usual_scale(options_.loss));
-    const bool known = result_.errors && result_.errors->absolute();
+    const bool known = problem_->known_errors();
     for (int i = 0; i < (known ? 1 : 3) && !verdict.best.x.empty(); ++i) {
       result_.loss_scale = scale * (known ? 1.0 : spread(*problem_, verdict.best.x));
       if (!(result_.loss_scale > 0)) return verdict;  // no residuals to speak of
@@ -194,7 +196,7 @@ class Fitter {
     result_.solution = verdict.best.x;
     result_.sum_of_squares = verdict.best.sum_of_squares;
     result_.correlations = verdict.correlations;
-    const bool known = result_.errors && result_.errors->absolute();
+    const bool known = result_.known_errors = problem_->known_errors();
     const std::size_t n = problem_->residual_count(), p = problem_->parameters().size();
     const double allowance = n > p ? cost_allowance(options_.confidence, verdict.best.sum_of_squares, n, p, known) : 0;
     // Errors from J'J are in units of the scatter; known errors have unit size.
@@ -213,8 +215,13 @@ class Fitter {
       if (options_.intervals && judged) {
         std::optional<double> step;
         if (verdict.stderrs[j]) step = *verdict.stderrs[j] * unit;
-        shown_parameter.interval =
-            shown(profile_interval(cost(), verdict.best, j, options_.confidence, allowance, step), parameter);
+        const Interval interval = profile_interval(cost(), verdict.best, j, options_.confidence, allowance, step);
+        shown_parameter.interval = shown(interval, parameter);
+        if (interval.deeper && std::sqrt(verdict.best.sum_of_squares) > residual_rounding(*problem_)) {
+          result_.status = FitStatus::not_converged;
+          result_.message = "the cost is lower at " + parameter.name + " = " +
+                            rounded(parameter.shown(*interval.deeper), 4) + " than at the minimum found";
+        }
       }
       ++j;
     }

@@ -94,6 +94,7 @@ struct FitResult {
   std::optional<double> rmse, max_abs_residual;
   std::vector<double> residuals;         // per used point, model minus data; empty without a fit
   std::optional<AreaGoodness> area;      // null without loads or without a fit
+  bool known_errors = false;             // the residuals are in units of known standard errors
   std::optional<StandardErrors> errors;  // of the points, where the objective uses them
   std::vector<double> correlations;      // [p x p] of the free parameters in order; empty for one
   std::size_t free_parameters = 0;

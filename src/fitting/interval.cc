@@ -19,6 +19,7 @@ class HeldProblem final : public LeastSquares {
   std::size_t residual_count() const override { return problem_.residual_count(); }
   const std::vector<FreeParameter>& parameters() const override { return parameters_; }
   double data_norm() const override { return problem_.data_norm(); }
+  bool known_errors() const override { return problem_.known_errors(); }
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     const std::size_t p = parameters_.size(), n = residual_count();
     std::vector<double> all(x.begin(), x.end()), whole(jacobian.empty() ? 0 : n * (p + 1));
@@ -42,9 +43,22 @@ struct End {
   EndStatus status;
 };
 
+/// Where costs on the way out lie below the minimum, by more than roundings of the cost explain.
+struct Depth {
+  double least;
+  std::optional<double> place{};
+
+  Depth(double sum_of_squares, double allowance) : least(sum_of_squares - 1e-6 * allowance) {}
+  void see(double x, double cost) {
+    if (!(cost < least)) return;
+    least = cost;
+    place = x;
+  }
+};
+
 /// Outwards from the minimum in growing steps until the cost exceeds the limit, then back to where it does.
 End find_end(Profile profile, const FreeParameter& parameter, double best, double limit, double direction,
-             double first_step) {
+             double first_step, Depth& depth) {
   const double bound = direction < 0 ? parameter.lower : parameter.upper;
   const bool scanned = !parameter.start;  // the range of a correction is only wide, not physical
   double inside = best, inside_excess = -1, step = first_step;
@@ -54,6 +68,7 @@ End find_end(Profile profile, const FreeParameter& parameter, double best, doubl
     if (last) next = bound;
     const auto cost = profile(next);
     if (!cost) return {inside, EndStatus::open};
+    depth.see(next, *cost);
     const double excess_here = *cost / limit - 1;
     if (excess_here > 0) {
       std::uintmax_t evaluations = 60;
@@ -76,7 +91,7 @@ End find_end(Profile profile, const FreeParameter& parameter, double best, doubl
 /// One side of a one-parameter interval: outwards until the cost exceeds the limit, then Newton's method on it, kept
 /// between what lies within and what does not.
 End find_end(SingleCost& cost, const FreeParameter& parameter, double best, double limit, double direction,
-             double first_step) {
+             double first_step, Depth& depth) {
   const double bound = direction < 0 ? parameter.lower : parameter.upper;
   double inside = best, outside = best, step = first_step;
   CostValue here;
@@ -85,6 +100,7 @@ End find_end(SingleCost& cost, const FreeParameter& parameter, double best, doub
     const bool last = direction < 0 ? next <= bound : next >= bound;
     if (last) next = bound;
     here = cost.at(next, {});
+    if (here.finite) depth.see(next, here.value);
     if (here.finite && here.value <= limit) {
       if (last) return {bound, parameter.start ? EndStatus::open : EndStatus::at_bound};
       if (i == 200) return {next, EndStatus::open};
@@ -165,9 +181,12 @@ Interval profile_interval(const LeastSquares& problem, const Minimum& best, std:
   // Without a standard error (at a bound) the first step is tiny: the steps grow fast.
   const double step = standard_error ? *standard_error : 1e-9 * (parameter.upper - parameter.lower);
   const Profile profile(problem, best, k);
-  const End low = x > parameter.lower ? find_end(profile, parameter, x, limit, -1, step) : End{x, EndStatus::at_bound};
-  const End high = x < parameter.upper ? find_end(profile, parameter, x, limit, 1, step) : End{x, EndStatus::at_bound};
-  return {confidence, low.x, high.x, low.status, high.status};
+  Depth depth(best.sum_of_squares, allowance);
+  const auto end = [&](double bound, double direction) {
+    return x == bound ? End{x, EndStatus::at_bound} : find_end(profile, parameter, x, limit, direction, step, depth);
+  };
+  const End low = end(parameter.lower, -1), high = end(parameter.upper, 1);
+  return {confidence, low.x, high.x, low.status, high.status, depth.place};
 }
 
 Interval profile_interval(SingleCost& cost, const FreeParameter& parameter, double x, double sum_of_squares,
@@ -175,9 +194,12 @@ Interval profile_interval(SingleCost& cost, const FreeParameter& parameter, doub
   const double limit = sum_of_squares + allowance, sensitivity = cost.at(x, {}).slope_size;
   const double widest = parameter.upper - parameter.lower;
   const double step = sensitivity > 0 ? std::min(std::sqrt(allowance) / sensitivity, widest) : 1e-9 * widest;
-  const End low = x > parameter.lower ? find_end(cost, parameter, x, limit, -1, step) : End{x, EndStatus::at_bound};
-  const End high = x < parameter.upper ? find_end(cost, parameter, x, limit, 1, step) : End{x, EndStatus::at_bound};
-  return {confidence, low.x, high.x, low.status, high.status};
+  Depth depth(sum_of_squares, allowance);
+  const auto end = [&](double bound, double direction) {
+    return x == bound ? End{x, EndStatus::at_bound} : find_end(cost, parameter, x, limit, direction, step, depth);
+  };
+  const End low = end(parameter.lower, -1), high = end(parameter.upper, 1);
+  return {confidence, low.x, high.x, low.status, high.status, depth.place};
 }
 
 }  // namespace mixity

@@ -16,6 +16,7 @@ struct Interval {
   double confidence;
   double low, high;  // meaningless where open
   EndStatus low_status, high_status;
+  std::optional<double> deeper{};  // where the cost turned out lower than at the minimum, which then is none
 };
 
 /// How much the cost may rise above its minimum before a value of one parameter is rejected: chi^2(1) where the

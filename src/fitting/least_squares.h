@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,6 +21,7 @@ struct FreeParameter {
   // What a reader sees is scale exp(x) if logarithmic, else scale x.
   double scale = 1;
   bool logarithmic = false;
+  std::string unit{};
 
   double shown(double x) const { return scale * (logarithmic ? std::exp(x) : x); }
   /// d shown/dx
@@ -37,10 +39,20 @@ class LeastSquares {
   virtual bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const = 0;
   /// Size of the data the residuals are differences of, sqrt(sum of squares): sets what rounding can do to them.
   virtual double data_norm() const = 0;
+  /// True if the residuals are in units of known standard errors: what counts as a better fit is then measured by
+  /// chi^2, otherwise by the scatter.
+  virtual bool known_errors() const { return false; }
+  /// Curvature of half the cost along each residual, which a robust loss bends; empty: 1, least squares.
+  virtual std::vector<double> curvatures(std::span<const double>) const { return {}; }
   /// Places of a scan over one parameter, each spaced evenly and by factors.
   virtual std::size_t scan_density() const { return 64; }
   /// The cost for the batch engine; only with one free parameter. The problem must outlive it.
   virtual std::unique_ptr<SingleCost> single_cost() const;
 };
+
+/// What rounding of model and data puts into |r|, whatever the parameters: some eps |data|.
+inline double residual_rounding(const LeastSquares& problem) {
+  return 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();
+}
 
 }  // namespace mixity

@@ -13,6 +13,7 @@ namespace mixity {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kChiSquare95 = 3.841458820694124;  // of one degree of freedom
 
 /// Values of one parameter to scan: logarithmic, and from a lower bound of zero logarithmic at first, then even.
 std::vector<double> scan_values(const FreeParameter& parameter, std::size_t density) {
@@ -104,10 +105,14 @@ bool same_place(const LeastSquares& problem, const Minimum& one, const Minimum& 
   return true;
 }
 
+std::string value_text(const FreeParameter& parameter, double x) {
+  return rounded(parameter.shown(x), 4) + (parameter.unit.empty() ? "" : " " + parameter.unit);
+}
+
 std::string place(const LeastSquares& problem, const std::vector<double>& x) {
   std::string text;
   for (std::size_t k = 0; k < x.size(); ++k)
-    text += (k ? ", " : "") + problem.parameters()[k].name + " = " + rounded(x[k], 4);
+    text += (k ? ", " : "") + problem.parameters()[k].name + " = " + value_text(problem.parameters()[k], x[k]);
   return text;
 }
 
@@ -144,8 +149,16 @@ std::string standard_errors(const LeastSquares& problem, Verdict& verdict) {
     return names([&](Eigen::Index i) { return std::abs(weak[i]) > 0.1; }) + " independently";
   }
   if (n <= p) return {};
+  if (const std::vector<double> bend = problem.curvatures(verdict.best.x); !bend.empty()) {
+    const Eigen::Map<const Eigen::VectorXd> c(bend.data(), static_cast<Eigen::Index>(n));
+    for (Eigen::Index i = 0; i < m; ++i)
+      for (Eigen::Index j = 0; j < m; ++j)
+        scaled(i, j) = J.col(open[i]).cwiseProduct(c).dot(J.col(open[j])) / (norms[i] * norms[j]);
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factors(scaled);
+  if (factors.info() != Eigen::Success) return {};  // outliers bend the cost more than the rest
   const double variance = verdict.best.sum_of_squares / static_cast<double>(n - p);
-  const Eigen::MatrixXd inverse = scaled.llt().solve(Eigen::MatrixXd::Identity(m, m));
+  const Eigen::MatrixXd inverse = factors.solve(Eigen::MatrixXd::Identity(m, m));
   for (Eigen::Index i = 0; i < m; ++i)
     verdict.stderrs[static_cast<std::size_t>(open[i])] = std::sqrt(variance * inverse(i, i)) / norms[i];
   // The range of a correction is only wide: what is not known to a fraction of it is not known.
@@ -181,6 +194,11 @@ std::string_view to_string(FitStatus status) {
   return "not_converged";
 }
 
+double fit_tolerance(const LeastSquares& problem, double least) {
+  const auto freedom = static_cast<double>(problem.residual_count() - problem.parameters().size());
+  return kChiSquare95 * (problem.known_errors() ? 1 : least / freedom);
+}
+
 Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
   const std::size_t n = problem.residual_count(), p = problem.parameters().size();
   Verdict verdict{FitStatus::ok, {}, {}, std::vector<bool>(p), std::vector<std::optional<double>>(p), {}, {}};
@@ -204,11 +222,13 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
   if (scanned.minima.empty())
     return end(FitStatus::not_converged, "the model is not finite at these points for any parameter value");
   // Within rounding, or within what the scatter allows, every value fits as well as the best.
-  const double rounding = 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();
-  const double threshold = 1 + kChiSquare95 / static_cast<double>(n - p);
+  const double rounding = residual_rounding(problem);
+  const auto fits_as_well = [&](double sum_of_squares, double least) {
+    return sum_of_squares <= least + fit_tolerance(problem, least);
+  };
   const bool any_scanned = near.empty() && std::any_of(problem.parameters().begin(), problem.parameters().end(),
                                                        [](const FreeParameter& parameter) { return !parameter.start; });
-  if (any_scanned && (std::sqrt(scanned.highest) <= rounding || scanned.highest <= threshold * scanned.lowest)) {
+  if (any_scanned && (std::sqrt(scanned.highest) <= rounding || fits_as_well(scanned.highest, scanned.lowest))) {
     std::string names;
     for (const FreeParameter& parameter : problem.parameters()) names += (names.empty() ? "" : ", ") + parameter.name;
     return end(FitStatus::not_identifiable, "the data do not constrain " + names + ": every value in the range fits");
@@ -234,7 +254,7 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
     if (x > parameter.lower && x < parameter.upper) continue;
     verdict.at_bound[k] = true;
     bounds += (bounds.empty() ? "" : ", ") + parameter.name + " is at its " +
-              (x <= parameter.lower ? "lower bound " : "upper bound ") + rounded(x, 6);
+              (x <= parameter.lower ? "lower bound " : "upper bound ") + value_text(parameter, x);
   }
   const std::string degenerate = standard_errors(problem, verdict);
   if (!degenerate.empty()) return end(FitStatus::not_identifiable, "the data do not constrain " + degenerate);
@@ -244,9 +264,10 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
   if (verdict.best.sum_of_squares > scanned.lowest * (1 + 1e-9) && std::sqrt(verdict.best.sum_of_squares) > rounding)
     return end(FitStatus::not_converged, "the solver ended above the lowest cost of the scan");
   if (!bounds.empty()) return end(FitStatus::at_bound, bounds);
-  if (!verdict.others.empty() && verdict.others.front().sum_of_squares <= threshold * verdict.best.sum_of_squares)
-    return end(FitStatus::multimodal,
-               "another minimum fits as well within the scatter: " + place(problem, verdict.others.front().x));
+  if (!verdict.others.empty() && fits_as_well(verdict.others.front().sum_of_squares, verdict.best.sum_of_squares))
+    return end(FitStatus::multimodal, std::string("another minimum fits as well within the ") +
+                                          (problem.known_errors() ? "standard errors: " : "scatter: ") +
+                                          place(problem, verdict.others.front().x));
   return verdict;
 }
 

@@ -9,9 +9,6 @@
 
 namespace mixity {
 
-/// Change of chi^2 that 95 % of one-parameter confidence intervals reach.
-inline constexpr double kChiSquare95 = 3.841458820694124;
-
 enum class FitStatus { ok, at_bound, not_identifiable, multimodal, not_converged };
 std::string_view to_string(FitStatus status);
 
@@ -32,6 +29,10 @@ struct Verdict {
   std::vector<Minimum> others;                 // further local minima, best first
   std::vector<double> correlations;            // [p x p] of the parameters that have a standard error; else empty
 };
+
+/// How far above the least sum of squares a fit counts as no worse: chi^2 of one parameter at 95 %, in units of the
+/// known errors or of the scatter. Needs more residuals than parameters.
+double fit_tolerance(const LeastSquares& problem, double least);
 
 /// Scans the whole range of the parameters without a start (one or two), the others at theirs, descends with Ceres from
 /// every local minimum of the scan, and judges the best.

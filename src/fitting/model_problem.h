@@ -14,12 +14,17 @@ class ModelProblem : public LeastSquares {
   virtual const std::vector<double>& targets() const = 0;
   /// 1/standard error of each, or 1.
   virtual const std::vector<double>& weights() const = 0;
+  bool known_errors() const final { return known_errors_; }
+  void set_known_errors(bool known) { known_errors_ = known; }
 
   double data_norm() const override {
     double sum = 0;
     for (const double target : targets()) sum += target * target;
     return std::sqrt(sum);
   }
+
+ private:
+  bool known_errors_ = false;
 };
 
 /// Which parameters are free, in the solver's order, and where the others are held.

@@ -54,7 +54,7 @@ PreparedFit<Model> prepare(const Dataset& data, const FitOptions& options, const
   PreparedFit<Model> prepared;
   const auto consider = [&](std::size_t i) {
     const Point& point = data.points[i];
-    if (describes<Model>(point.mixity))
+    if (options.objective != Objective::toughness || describes<Model>(point.mixity))
       prepared.used.push_back(i);
     else
       prepared.excluded.push_back(
@@ -116,12 +116,14 @@ FreeChoice<Model> free_choice(const Dataset& data, const FitOptions& options, co
   const double factor = std::log(1000.0);
   for (const Correction correction : options.free) {
     FreeParameter parameter{std::string(kCorrectionNames[correction]), -factor, factor, 0.0, 1.0, true};
-    if (correction == kToughness && data.contact) parameter.scale = data.contact->toughness;
-    if (correction == kModulus && data.contact) parameter.scale = data.contact->modulus;
+    if (correction == kToughness && data.contact) parameter.scale = data.contact->toughness, parameter.unit = "J/m^2";
+    if (correction == kModulus && data.contact) parameter.scale = data.contact->modulus, parameter.unit = "Pa";
     if (correction == kLoadOffset)
-      parameter = {parameter.name, -10 * largest_load, 10 * largest_load, 0.0, data.display.force_scale, false};
+      parameter = {parameter.name, -10 * largest_load, 10 * largest_load, 0.0, data.display.force_scale,
+                   false,          data.display.force};
     if (correction == kAreaOffset)
-      parameter = {parameter.name, -0.9 * smallest_area, 0.9 * smallest_area, 0.0, data.display.area_scale, false};
+      parameter = {parameter.name, -0.9 * smallest_area, 0.9 * smallest_area, 0.0, data.display.area_scale,
+                   false,          data.display.area};
     if (!prepared.start.empty()) parameter.start = prepared.start[choice.corrections().size()];
     choice.add(correction, parameter);
   }
@@ -151,18 +153,26 @@ template <class Model>
 std::unique_ptr<ModelProblem<Model>> make_problem(const Dataset& data, const FitOptions& options,
                                                   const PreparedFit<Model>& prepared,
                                                   std::vector<double> weights = {}) {
-  FreeChoice<Model> choice = free_choice(data, options, prepared);
+  const FreeChoice<Model> choice = free_choice(data, options, prepared);
   const bool corrected = !options.free.empty() || options.corrections != Corrections{};
+  const bool weighted = options.objective != Objective::toughness || !weights.empty();
+  std::unique_ptr<ModelProblem<Model>> problem;
   if (options.objective == Objective::toughness && !corrected) {
     std::vector<ToughnessPoint> points;
     for (const std::size_t i : prepared.used) points.push_back({data.points[i].mixity, data.points[i].ratio});
-    return std::make_unique<ToughnessObjective<Model>>(std::move(points), options.scale, std::move(choice),
-                                                       std::move(weights));
+    problem = std::make_unique<ToughnessObjective<Model>>(std::move(points), options.scale, choice, std::move(weights));
+  } else {
+    const std::vector<MeasuredPoint> points = measured_points(data, prepared);
+    if (options.objective == Objective::toughness)
+      problem = experiment<Model, ToughnessResiduals>(points, choice, true);
+    else if (options.objective == Objective::area)
+      problem = experiment<Model, AreaResiduals>(points, choice, false);
+    else
+      problem = experiment<Model, CurveResiduals>(points, choice, false);
   }
-  const std::vector<MeasuredPoint> points = measured_points(data, prepared);
-  if (options.objective == Objective::toughness) return experiment<Model, ToughnessResiduals>(points, choice, true);
-  if (options.objective == Objective::area) return experiment<Model, AreaResiduals>(points, choice, false);
-  return experiment<Model, CurveResiduals>(points, choice, false);
+  // a file of psi and Gc can only be weighted by its sigma_Gc
+  problem->set_known_errors(weighted && (!prepared.errors || prepared.errors->absolute()));
+  return problem;
 }
 
 }  // namespace mixity

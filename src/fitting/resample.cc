@@ -26,6 +26,7 @@ class WeightedProblem final : public LeastSquares {
   std::size_t residual_count() const override { return problem_.residual_count(); }
   const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
   double data_norm() const override { return problem_.data_norm(); }
+  bool known_errors() const override { return problem_.known_errors(); }
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     if (!problem_.evaluate(x, residuals, jacobian)) return false;
     const std::size_t p = x.size();

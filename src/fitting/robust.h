@@ -25,6 +25,7 @@ class RobustProblem final : public LeastSquares {
   std::size_t residual_count() const override { return problem_.residual_count(); }
   const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
   double data_norm() const override { return problem_.data_norm(); }
+  bool known_errors() const override { return problem_.known_errors(); }
   /// The loss bends within a standard error: its basins may be narrower than the usual steps.
   std::size_t scan_density() const override { return 512; }
 
@@ -43,6 +44,20 @@ class RobustProblem final : public LeastSquares {
         for (std::size_t k = 0; k < p; ++k) jacobian[i * p + k] *= factor;
     }
     return true;
+  }
+
+  /// d^2(rho/2)/dr^2 over the square of the residual's own slope; 0 for Huber's outliers, negative for Cauchy's.
+  std::vector<double> curvatures(std::span<const double> x) const override {
+    std::vector<double> values(residual_count(), 1.0);
+    if (!problem_.evaluate(x, values, {})) return {};
+    for (double& value : values) {
+      const double square = std::pow(value / scale_, 2);
+      if (loss_ == Loss::huber)
+        value = square > 1 ? 0 : 1;
+      else
+        value = square > 0 ? (1 - square) * std::log1p(square) / square : 1;
+    }
+    return values;
   }
 
  private:

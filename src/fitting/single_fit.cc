@@ -99,8 +99,9 @@ SingleFit solve_single_near(SingleCost& cost, const FreeParameter& parameter, st
   return fit;
 }
 
-SingleFit solve_single(SingleCost& cost, const FreeParameter& parameter, std::size_t points,
-                       std::span<const double> weights) {
+SingleFit solve_single(SingleCost& cost, const LeastSquares& problem) {
+  const FreeParameter& parameter = problem.parameters()[0];
+  const std::size_t points = problem.residual_count();
   SingleFit best;
   if (points < 2) {
     best.status = FitStatus::not_identifiable;
@@ -110,20 +111,20 @@ SingleFit solve_single(SingleCost& cost, const FreeParameter& parameter, std::si
   std::vector<CostValue> costs;
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
   for (const double x : list) {
-    costs.push_back(cost.at(x, weights));
+    costs.push_back(cost.at(x, {}));
     if (!costs.back().finite) continue;
     lowest = std::min(lowest, costs.back().value);
     highest = std::max(highest, costs.back().value);
   }
   if (!std::isfinite(lowest)) return best;
-  if (highest <= (1 + kChiSquare95 / static_cast<double>(points - 1)) * lowest) {
+  if (highest <= lowest + fit_tolerance(problem, lowest)) {
     best.status = FitStatus::not_identifiable;
     return best;
   }
   std::vector<SingleFit> found;
   const auto add = [&](double low, double high, double start) {
     SingleFit fit;
-    judge(fit, refine(cost, weights, low, high, true, start), parameter, points);
+    judge(fit, refine(cost, {}, low, high, true, start), parameter, points);
     if (fit.sum_of_squares >= 0 && std::isfinite(fit.sum_of_squares)) found.push_back(fit);
   };
   const std::size_t last = list.size() - 1;
@@ -141,9 +142,9 @@ SingleFit solve_single(SingleCost& cost, const FreeParameter& parameter, std::si
   best = found.front();
   for (std::size_t i = 1; i < found.size(); ++i)
     if (std::abs(found[i].x - best.x) > 1e-5 * std::max(std::abs(best.x), 1e-9)) best.others.push_back(found[i].x);
-  const double threshold = 1 + kChiSquare95 / static_cast<double>(points - 1);
   if (best.status == FitStatus::ok && !best.others.empty() &&
-      found[1].sum_of_squares <= threshold * best.sum_of_squares && found[1].x == best.others.front())
+      found[1].sum_of_squares <= best.sum_of_squares + fit_tolerance(problem, best.sum_of_squares) &&
+      found[1].x == best.others.front())
     best.status = FitStatus::multimodal;
   return best;
 }

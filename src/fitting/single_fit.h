@@ -18,11 +18,10 @@ struct SingleFit {
 };
 
 /// The lowest minimum in the range: the cost and its slope are scanned, and every minimum that the slopes bracket is
-/// refined. `points`: how many carry weight.
-SingleFit solve_single(SingleCost& cost, const FreeParameter& parameter, std::size_t points,
-                       std::span<const double> weights = {});
+/// refined. `cost` is the problem's.
+SingleFit solve_single(SingleCost& cost, const LeastSquares& problem);
 
-/// The minimum that Newton's method reaches from `start`.
+/// The minimum that Newton's method reaches from `start`. `points`: how many carry weight.
 SingleFit solve_single_near(SingleCost& cost, const FreeParameter& parameter, std::size_t points, double start,
                             std::span<const double> weights = {});
 

@@ -43,7 +43,7 @@ void BatchFit(benchmark::State& state) {
   const FreeParameter& parameter = problem.parameters()[0];
   for (auto _ : state) {
     const auto cost = problem.single_cost();
-    const SingleFit fit = solve_single(*cost, parameter, problem.residual_count());
+    const SingleFit fit = solve_single(*cost, problem);
     const double allowance = cost_allowance(0.95, fit.sum_of_squares, problem.residual_count(), 1, false);
     benchmark::DoNotOptimize(profile_interval(*cost, parameter, fit.x, fit.sum_of_squares, 0.95, allowance));
   }
@@ -54,7 +54,7 @@ BENCHMARK_TEMPLATE(BatchFit, WatersGuduru);
 template <class Model>
 void Bootstrap(benchmark::State& state) {
   const auto problem = objective<Model>();
-  const SingleFit fit = solve_single(*problem.single_cost(), problem.parameters()[0], problem.residual_count());
+  const SingleFit fit = solve_single(*problem.single_cost(), problem);
   std::vector<std::size_t> runs;
   for (const Point& point : mergel().points) runs.push_back(point.curve);
   constexpr std::size_t kReplicates = 1000;

@@ -19,7 +19,7 @@ FitResult finished(std::size_t n, std::size_t parameters, double sum_of_squares,
   fit.residuals.resize(n);
   fit.free_parameters = parameters;
   fit.sum_of_squares = sum_of_squares;
-  if (known) fit.errors = StandardErrors{{}, {}, ErrorSource::stated, ErrorSource::stated, {}};
+  fit.known_errors = known;
   return fit;
 }
 

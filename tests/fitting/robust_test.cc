@@ -79,6 +79,37 @@ TEST(Robust, JacobianMatchesDifferences) {
     }
 }
 
+/// Wald's error is that of the cost's own curvature, which outliers lower: here of one mean, by second differences.
+TEST(Robust, StandardErrorsFollowTheCurvatureOfTheLoss) {
+  class Mean final : public LeastSquares {
+   public:
+    std::size_t residual_count() const override { return 9; }
+    const std::vector<FreeParameter>& parameters() const override { return parameters_; }
+    bool evaluate(std::span<const double> x, std::span<double> r, std::span<double> J) const override {
+      const double data[] = {0.1, -0.3, 0.5, 1.1, -0.9, 0.05, -0.2, 4, 9};
+      for (std::size_t i = 0; i < 9; ++i) {
+        r[i] = x[0] - data[i];
+        if (!J.empty()) J[i] = 1;
+      }
+      return true;
+    }
+    double data_norm() const override { return 10; }
+
+   private:
+    std::vector<FreeParameter> parameters_{{"mean", -5, 5}};
+  } mean;
+  for (const Loss loss : {Loss::huber, Loss::cauchy}) {
+    const RobustProblem robust(mean, loss, 1.5);
+    const Verdict verdict = minimise(robust);
+    ASSERT_TRUE(verdict.stderrs[0]) << verdict.message;
+    const auto cost = robust.single_cost();
+    const double x = verdict.best.x[0], h = 1e-4;  // errors h^2 and eps/h^2
+    const double curvature = (*cost->value(x + h) - 2 * *cost->value(x) + *cost->value(x - h)) / (h * h);
+    EXPECT_NEAR(*verdict.stderrs[0], std::sqrt(verdict.best.sum_of_squares / 8 / (0.5 * curvature)), 1e-5)
+        << to_string(loss);
+  }
+}
+
 /// An exact zero among the residuals: its slope is the plain one, and nothing divides by it.
 TEST(Robust, ResidualsOfZeroStayWhatTheyAre) {
   const Differences problem({1.0});

@@ -27,9 +27,8 @@ ToughnessObjective<Model> simulated(double lambda, double noise, std::size_t n, 
 
 /// Both solvers on the same problem. Compared only where the answer does not hang by a rounding.
 void expect_same(const LeastSquares& problem, const std::string& where) {
-  const FreeParameter& parameter = problem.parameters()[0];
   const Verdict shown = minimise(problem);
-  const SingleFit batch = solve_single(*problem.single_cost(), parameter, problem.residual_count());
+  const SingleFit batch = solve_single(*problem.single_cost(), problem);
   ASSERT_EQ(to_string(batch.status), to_string(shown.status)) << where << ' ' << shown.message;
   if (shown.status == FitStatus::not_identifiable) return;
   // Both are exact zeros of the same slope, but for the roundings of its sum.
@@ -92,7 +91,7 @@ TYPED_TEST(OneParameter, PackedAndGeneralCostAreOne) {
 TYPED_TEST(OneParameter, NewtonFromManyStartsEndsAtTheMinimumOrSaysThatItDidNot) {
   const auto problem = simulated<TypeParam>(0.3, 0.02, 80, 11, 1.5);
   const auto cost = problem.single_cost();
-  const SingleFit best = solve_single(*cost, problem.parameters()[0], 80);
+  const SingleFit best = solve_single(*cost, problem);
   for (int i = 0; i < 200; ++i) {
     const double start = std::pow(10.0, -6 + 6.0 * i / 199);
     const SingleFit fit = solve_single_near(*cost, problem.parameters()[0], 80, start);
@@ -106,7 +105,7 @@ TYPED_TEST(OneParameter, ProfileEndsLieWhereTheCostHasRisenByTheAllowance) {
   const auto problem = simulated<TypeParam>(0.3, 0.02, 80, 12, 1.5);
   const auto cost = problem.single_cost();
   const FreeParameter& parameter = problem.parameters()[0];
-  const SingleFit fit = solve_single(*cost, parameter, 80);
+  const SingleFit fit = solve_single(*cost, problem);
   const double allowance = cost_allowance(0.95, fit.sum_of_squares, 80, 1, false);
   const Interval interval = profile_interval(*cost, parameter, fit.x, fit.sum_of_squares, 0.95, allowance);
   ASSERT_EQ(interval.low_status, EndStatus::found);

@@ -218,7 +218,8 @@ TEST(Extremes, BatchAndSinglePredictionsAgree) {
           ok += exists;
           const double A = exists ? area_from_radius(radius_from_edge_load(single.y, P)) : 0;
           // At the fold itself an area is known to sqrt(eps), at the cusp of model a (lambda = 8/9) to cbrt(eps).
-          EXPECT_NEAR(areas[i], A, (T[i] > 0.999 * end ? 1e-5 : 4e-15) * A) << Model::info.key << ' ' << p[0] << ' ' << P << ' ' << T[i];
+          EXPECT_NEAR(areas[i], A, (T[i] > 0.999 * end ? 1e-5 : 4e-15) * A)
+              << Model::info.key << ' ' << p[0] << ' ' << P << ' ' << T[i];
         }
         EXPECT_EQ(found, ok);
       }

@@ -1,0 +1,147 @@
+// What a status claims, on data made to deserve it: known errors, rounded files, and losses with narrow basins.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "dataset/load_text.h"
+#include "fitting/fit.h"
+#include "fitting/prepared_fit.h"
+#include "fitting/synthetic_runs.h"
+
+namespace mixity {
+namespace {
+
+FitOptions with(Objective objective, const char* sigma_A) {
+  return {.objective = objective, .sigma_T = *parse_quantity("0.01%"), .sigma_A = *parse_quantity(sigma_A)};
+}
+
+/// Points that scatter far less than their stated errors say nothing that the errors do not allow.
+TEST(KnownErrors, LargerThanTheSignalLeaveNothingToIdentify) {
+  SeededNoise noise(1, 1e-5);
+  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20}, 12, 0.3, noise);
+  for (const Objective objective : {Objective::area, Objective::curve}) {
+    EXPECT_EQ(fit_model(data, "c", with(objective, "0.1%")).status, FitStatus::ok) << to_string(objective);
+    EXPECT_EQ(fit_model(data, "c", with(objective, "500%")).status, FitStatus::not_identifiable)
+        << to_string(objective);
+  }
+}
+
+/// The same for toughness with a sigma_Gc column, which needs no loads.
+TEST(KnownErrors, OfAToughnessFileAreTakenAtTheirWord) {
+  const auto file = [](const char* sigma) {
+    std::string text = "psi [deg],Gc_over_GIc,sigma_Gc\n";
+    for (const char* point : {"0,1", "20,1.11", "40,1.5", "60,2.63", "75,4.8"})
+      text += std::string(point) + ',' + sigma + '\n';
+    return load_text(text);
+  };
+  const FitResult fit = fit_model(file("0.05"), "c", {.weighted = true});
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_TRUE(fit.known_errors);
+  // The curvature of chi^2 is 1/stderr^2: errors twice as large double it exactly, whatever the scatter.
+  const FitResult twice = fit_model(file("0.1"), "c", {.weighted = true});
+  EXPECT_NEAR(*twice.parameters[0].stderr_ / *fit.parameters[0].stderr_, 2, 1e-9);
+  EXPECT_EQ(fit_model(file("50"), "c", {.weighted = true}).status, FitStatus::not_identifiable);
+}
+
+/// A number as a file of so many digits holds it.
+double rounded_to(double x, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*e", digits - 1, x);
+  return std::strtod(text, nullptr);
+}
+
+/// Residuals that are nothing but the rounding of the file are no reason to call a fit unfinished.
+TEST(RoundedData, ConvergeWhateverTheirDigits) {
+  for (const int digits : {3, 6, 9, 12, 15})
+    for (const double lambda : {0.01, 0.15, 0.4, 0.8})
+      for (const Objective objective : {Objective::toughness, Objective::area, Objective::curve}) {
+        Dataset data = synthetic_runs<PapangeloCiavarella>({lambda}, {0.5, 5, 20}, 12, 0.9);
+        for (Point& p : data.points)
+          p = point_at(p.line, p.curve, p.P, rounded_to(p.T, digits), rounded_to(p.A, digits));
+        FitOptions options{.objective = objective};
+        const FitResult fit = fit_model(data, "c", options);
+        const std::string where =
+            std::string(to_string(objective)) + ' ' + std::to_string(lambda) + ' ' + std::to_string(digits);
+        EXPECT_EQ(fit.status, FitStatus::ok) << where << ' ' << fit.message;
+        // the relative rounding, times the 1/(dlnA/dlnlambda) of runs to 0.9 of the fold
+        EXPECT_NEAR(*fit.parameters[0].value / lambda, 1, 100 * std::pow(10.0, -digits)) << where;
+      }
+}
+
+/// Outliers give Cauchy's cost basins far narrower than the range: no place in it may cost less than what was found.
+template <class Model>
+void expect_global_under_cauchy(unsigned seed) {
+  SeededNoise noise(seed, 0.01);
+  Dataset data = synthetic_runs<WatersGuduru>({0.3}, {0.5, 5, 20}, 20, 0.9, noise);
+  for (std::size_t i = seed % 5; i < data.points.size(); i += 6) {
+    const Point& p = data.points[i];
+    data.points[i] = point_at(p.line, p.curve, p.P, p.T, p.A * (1.1 + 0.05 * static_cast<double>(i % 7)));
+  }
+  const FitOptions options{.objective = Objective::area,
+                           .sigma_T = *parse_quantity("1%"),
+                           .sigma_A = *parse_quantity("1%"),
+                           .loss = Loss::cauchy,
+                           .intervals = false};
+  const FitResult fit = fit_model(data, Model::info.key, options);
+  ASSERT_TRUE(fit.parameters[0].value) << fit.message;
+  const auto problem = make_problem<Model>(data, options, prepare<Model>(data, options, nullptr));
+  const RobustProblem robust(*problem, Loss::cauchy, fit.loss_scale);
+  const auto cost = robust.single_cost();
+  for (int i = 1; i < 4000; ++i) {
+    const double even = i / 4000.0;
+    for (const double x : {even * robust.parameters()[0].upper, std::pow(10.0, -6 * even)})
+      if (const auto here = cost->value(x)) {
+        // a fit is stationary to 1e-8 of its residuals
+        ASSERT_GE(*here, fit.sum_of_squares * (1 - 1e-8)) << Model::info.key << " seed " << seed << " at " << x;
+      }
+  }
+}
+
+TEST(RobustLoss, FindsTheLowestOfItsBasins) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    expect_global_under_cauchy<Johnson>(seed);
+    expect_global_under_cauchy<PapangeloCiavarella>(seed);
+  }
+}
+
+/// Weighted toughness on the linear scale: each weight is 1/standard error of f_model - f, here by differences of the
+/// printed quantities in A and T.
+TEST(Weighted, LinearScaleWeighsTheDifferenceItself) {
+  SeededNoise noise(5, 0.02);
+  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.3}, {0.5, 5}, 12, 0.9, noise);
+  const double s_T = 0.01, s_A = 0.02;
+  const FitResult fit = fit_model(data, "c",
+                                  {.scale = Scale::linear,
+                                   .weighted = true,
+                                   .sigma_T = *parse_quantity("1%"),
+                                   .sigma_A = *parse_quantity("2%"),
+                                   .intervals = false});
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  const double lambda = *fit.parameters[0].value;
+  const auto difference = [](double l, double P, double T, double A) {
+    const auto measured = measured_toughness(P, T, std::sqrt(A / pi<double>()));
+    return std::exp(PapangeloCiavarella::log_toughness({l}, measured.mixity).value) - measured.ratio;
+  };
+  double slope = 0, size = 0;
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const Point& p = data.points[i];
+    const double h = 1e-6;  // of each value: errors h^2 and eps/h
+    const double by_A =
+        (difference(lambda, p.P, p.T, p.A * (1 + h)) - difference(lambda, p.P, p.T, p.A * (1 - h))) / (2 * h);
+    const double by_T =
+        (difference(lambda, p.P, p.T * (1 + h), p.A) - difference(lambda, p.P, p.T * (1 - h), p.A)) / (2 * h);
+    const double error = std::hypot(by_A * s_A, by_T * s_T);
+    EXPECT_NEAR(fit.residuals[i], difference(lambda, p.P, p.T, p.A) / error, 1e-7 * std::abs(fit.residuals[i]) + 1e-9)
+        << i;
+    const double by_lambda =
+        (difference(lambda + h, p.P, p.T, p.A) - difference(lambda - h, p.P, p.T, p.A)) / (2 * h) / error;
+    slope += fit.residuals[i] * by_lambda;
+    size += by_lambda * by_lambda;
+  }
+  EXPECT_LT(std::abs(slope), 1e-6 * std::sqrt(size * fit.sum_of_squares));
+}
+
+}  // namespace
+}  // namespace mixity
