@@ -36,6 +36,8 @@ class ExperimentObjective final : public ModelProblem<Model> {
   Trial<Model> trial(std::span<const double> x) const override { return choice_.trial(x); }
   double data_norm() const override {
     double square = std::pow(ModelProblem<Model>::data_norm(), 2);
+    if constexpr (std::is_same_v<Residuals<Model>, ToughnessResiduals<Model>>)  // an eps of f, however small ln f is
+      square += static_cast<double>(points_.size());
     if constexpr (std::is_same_v<Residuals<Model>, CurveResiduals<Model>>)  // T is data there, too
       for (const MeasuredPoint& point : points_)
         if (point.sigma_T > 0) square += std::pow(point.T / point.sigma_T, 2);

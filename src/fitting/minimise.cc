@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "dataset/number_text.h"
-#include "fitting/single_cost.h"
+#include "fitting/single_scan.h"
 
 namespace mixity {
 namespace {
@@ -42,7 +42,15 @@ struct Scan {
 
 /// Cost over the grid of all parameters' scan values; a local minimum is no higher than its neighbours.
 Scan scan(const LeastSquares& problem) {
-  const std::size_t p = problem.parameters().size();
+  Scan result;
+  const auto single = problem.parameters().size() == 1 ? problem.single_cost() : nullptr;
+  if (single && single->exact_curvature() && !problem.parameters()[0].start) {
+    const SingleScan found = scan_basins(*single, problem.parameters()[0]);
+    result.lowest = found.lowest;
+    result.highest = found.highest;
+    for (const Basin& basin : found.basins) result.minima.push_back({basin.start});
+    return result;
+  }
   const auto scanned = std::count_if(problem.parameters().begin(), problem.parameters().end(),
                                      [](const FreeParameter& parameter) { return !parameter.start; });
   std::vector<std::vector<double>> axes;
@@ -60,8 +68,6 @@ Scan scan(const LeastSquares& problem) {
     return x;
   };
   std::vector<double> costs(total), residuals(problem.residual_count());
-  Scan result;
-  const auto single = p == 1 ? problem.single_cost() : nullptr;
   for (std::size_t i = 0; i < total; ++i) {
     costs[i] = kInfinity;
     if (single) {

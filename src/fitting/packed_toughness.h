@@ -6,23 +6,40 @@
 
 namespace mixity {
 
+/// The points of a one-parameter law as its loops take them.
+template <class Model>
+class ToughnessLanes {
+ public:
+  void add(const Mixity<double>& mixity) {
+    const LanePoint point = Model::lane_point(mixity);
+    first_.push_back(point.first);
+    second_.push_back(point.second);
+  }
+  std::size_t size() const { return first_.size(); }
+  /// ln f and its derivatives in the parameter; sizes as added.
+  void log_toughness(double parameter, std::span<double> value, std::span<double> slope,
+                     std::span<double> curvature) const {
+    log_toughness_lanes<Model>(parameter, first_.data(), second_.data(), first_.size(), value.data(), slope.data(),
+                               curvature.data());
+  }
+
+ private:
+  std::vector<double> first_, second_;
+};
+
 template <class Model>
 class PackedToughness final : public SingleCost {
  public:
-  /// `targets`: weights times ln f of the points; `weights`: 1/standard error, as ToughnessObjective has them.
-  PackedToughness(const std::vector<Mixity<double>>& points, const std::vector<double>& targets,
+  /// `targets`: weights times ln f of the points; `weights`: 1/standard error, as ToughnessObjective has them. All
+  /// three must outlive this.
+  PackedToughness(const ToughnessLanes<Model>& lanes, const std::vector<double>& targets,
                   const std::vector<double>& weights)
-      : targets_(targets), weights_(weights), value_(points.size()), slope_(points.size()), curvature_(points.size()) {
-    for (const Mixity<double>& mixity : points) {
-      const LanePoint point = Model::lane_point(mixity);
-      first_.push_back(point.first);
-      second_.push_back(point.second);
-    }
-  }
+      : lanes_(lanes), targets_(targets), weights_(weights), value_(lanes.size()), slope_(value_), curvature_(value_) {}
 
+  bool exact_curvature() const override { return true; }
   CostValue at(double x, std::span<const double> weights) override {
     const std::size_t n = value_.size();
-    log_toughness_lanes<Model>(x, first_.data(), second_.data(), n, value_.data(), slope_.data(), curvature_.data());
+    lanes_.log_toughness(x, value_, slope_, curvature_);
     // Four sums of each kind, which compilers keep in vector registers; the order is fixed, so is the result.
     double value[4]{}, slope[4]{}, square[4]{}, bend[4]{};
     for (std::size_t i = 0; i < n; ++i) {
@@ -40,13 +57,14 @@ class PackedToughness final : public SingleCost {
     cost.slope = 2 * sum(slope);
     cost.curvature = 2 * (sum(square) + sum(bend));
     cost.slope_size = std::sqrt(sum(square));
-    cost.exact_curvature = true;
     cost.finite = std::isfinite(cost.value) && std::isfinite(cost.slope) && std::isfinite(cost.curvature);
     return cost;
   }
 
  private:
-  std::vector<double> first_, second_, targets_, weights_, value_, slope_, curvature_;
+  const ToughnessLanes<Model>& lanes_;
+  const std::vector<double>&targets_, &weights_;
+  std::vector<double> value_, slope_, curvature_;
 };
 
 }  // namespace mixity

@@ -44,6 +44,7 @@ inline double held_value(const HeldParameter& held, const ParameterInfo& info, c
 /// about points there.
 template <class Model>
 bool describes(const Mixity<double>& mixity) {
+  if (mixity.cos > 0) return true;
   Parameters<Model> p;
   for (std::size_t i = 0; i < p.size(); ++i) p[i] = Model::parameters[i].typical;
   return std::isfinite(Model::log_toughness(p, mixity).value);

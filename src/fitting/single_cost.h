@@ -12,18 +12,19 @@
 
 namespace mixity {
 
-/// sum of weight_i r_i^2 and its derivatives in the parameter. The curvature may be Gauss-Newton's (without r r'').
+/// sum of weight_i r_i^2 and its derivatives in the parameter.
 struct CostValue {
   double value = 0, slope = 0, curvature = 0;
   double slope_size = 0;  // sqrt(sum w r'^2), for the scale-free test of the slope
   bool finite = false;
-  bool exact_curvature = false;
 };
 
 /// Not shared between threads: it owns its scratch arrays.
 class SingleCost {
  public:
   virtual ~SingleCost() = default;
+  /// False if the curvature is Gauss-Newton's, without r r''.
+  virtual bool exact_curvature() const { return false; }
   /// Weights: one per point, or empty: 1.
   virtual CostValue at(double x, std::span<const double> weights) = 0;
   /// The cost alone, unweighted; null if it is not finite.

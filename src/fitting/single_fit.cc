@@ -1,9 +1,9 @@
 #include "fitting/single_fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+
+#include "fitting/single_scan.h"
 
 namespace mixity {
 namespace {
@@ -27,7 +27,7 @@ Refined refine(SingleCost& cost, std::span<const double> weights, double low, do
     (here.slope > 0 ? high_known : low_known) = true;
     double next = here.curvature > 0 ? x - here.slope / here.curvature : here.slope > 0 ? low : high;
     const double move = next - x;
-    if (here.exact_curvature && here.curvature > 0 && next > low && next < high &&
+    if (cost.exact_curvature() && here.curvature > 0 && next > low && next < high &&
         std::abs(move) <= 1e-9 * std::abs(x)) {
       // Newton with the exact curvature squares the error: this step is the last, and the parabola gives the cost
       // there.
@@ -36,7 +36,7 @@ Refined refine(SingleCost& cost, std::span<const double> weights, double low, do
       return {next, here, true};
     }
     // The secant of the slopes has the curvature that Gauss-Newton leaves out.
-    if (!here.exact_curvature && i > 0 && here.slope != last_slope) {
+    if (!cost.exact_curvature() && i > 0 && here.slope != last_slope) {
       const double secant = x - here.slope * (x - last_x) / (here.slope - last_slope);
       if (std::abs(secant - x) < 0.1 * std::abs(x - last_x)) next = secant;
     }
@@ -76,17 +76,6 @@ void judge(SingleFit& fit, const Refined& refined, const FreeParameter& paramete
   fit.status = stationary ? FitStatus::ok : FitStatus::not_converged;
 }
 
-/// Nodes of the scan: the bounds, then log-spaced towards a lower bound of 0 and even above.
-std::vector<double> nodes(const FreeParameter& parameter) {
-  std::vector<double> list{parameter.lower};
-  const double width = parameter.upper - parameter.lower;
-  for (const double f : {1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 0.01, 0.02, 0.04, 0.07,
-                         0.12,  0.2,  0.3,  0.4,  0.5,  0.6,  0.7,  0.8,  0.88, 0.94, 0.97, 0.99})
-    list.push_back(parameter.lower + f * width);
-  list.push_back(parameter.upper);
-  return list;
-}
-
 }  // namespace
 
 std::unique_ptr<SingleCost> LeastSquares::single_cost() const { return std::make_unique<GeneralCost>(*this); }
@@ -107,35 +96,18 @@ SingleFit solve_single(SingleCost& cost, const LeastSquares& problem) {
     best.status = FitStatus::not_identifiable;
     return best;
   }
-  const std::vector<double> list = nodes(parameter);
-  std::vector<CostValue> costs;
-  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
-  for (const double x : list) {
-    costs.push_back(cost.at(x, {}));
-    if (!costs.back().finite) continue;
-    lowest = std::min(lowest, costs.back().value);
-    highest = std::max(highest, costs.back().value);
-  }
-  if (!std::isfinite(lowest)) return best;
-  if (highest <= lowest + fit_tolerance(problem, lowest)) {
+  const SingleScan scan = scan_basins(cost, parameter);
+  if (!std::isfinite(scan.lowest)) return best;
+  if (scan.highest <= scan.lowest + fit_tolerance(problem, scan.lowest)) {
     best.status = FitStatus::not_identifiable;
     return best;
   }
   std::vector<SingleFit> found;
-  const auto add = [&](double low, double high, double start) {
+  for (const Basin& basin : scan.basins) {
     SingleFit fit;
-    judge(fit, refine(cost, {}, low, high, true, start), parameter, points);
+    judge(fit, refine(cost, {}, basin.low, basin.high, true, basin.start), parameter, points);
     if (fit.sum_of_squares >= 0 && std::isfinite(fit.sum_of_squares)) found.push_back(fit);
-  };
-  const std::size_t last = list.size() - 1;
-  if (costs[0].finite && costs[0].slope >= 0) add(list[0], list[0], list[0]);
-  for (std::size_t i = 0; i < last; ++i) {
-    const bool falls = costs[i].finite ? costs[i].slope < 0 : costs[i + 1].finite;
-    if (!falls || !costs[i + 1].finite || costs[i + 1].slope < 0) continue;
-    // start from the better end
-    add(list[i], list[i + 1], costs[i].finite && costs[i].value < costs[i + 1].value ? list[i] : list[i + 1]);
   }
-  if (costs[last].finite && costs[last].slope <= 0) add(list[last], list[last], list[last]);
   if (found.empty()) return best;
   std::sort(found.begin(), found.end(),
             [](const SingleFit& one, const SingleFit& other) { return one.sum_of_squares < other.sum_of_squares; });

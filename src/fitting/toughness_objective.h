@@ -30,6 +30,8 @@ class ToughnessObjective final : public ModelProblem<Model> {
     targets_.reserve(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i)
       targets_.push_back(weights_[i] * (scale_ == Scale::log ? std::log(points_[i].ratio) : points_[i].ratio));
+    if constexpr (HasLanes<Model>)
+      for (const ToughnessPoint& point : points_) lanes_.add(point.mixity);
   }
 
   std::size_t residual_count() const override { return points_.size(); }
@@ -37,11 +39,32 @@ class ToughnessObjective final : public ModelProblem<Model> {
   const std::vector<double>& targets() const override { return targets_; }
   const std::vector<double>& weights() const override { return weights_; }
   Trial<Model> trial(std::span<const double> x) const override { return choice_.trial(x); }
+  /// ln f inherits the rounding of f, an eps however small ln f is.
+  double data_norm() const override {
+    double square = std::pow(ModelProblem<Model>::data_norm(), 2);
+    if (scale_ == Scale::log)
+      for (const double weight : weights_) square += weight * weight;
+    return std::sqrt(square);
+  }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     const Parameters<Model> p = trial(x).parameters;
     const std::vector<std::size_t>& free = choice_.model();
     bool finite = true;
+    if constexpr (HasLanes<Model>) {
+      if (scale_ == Scale::log) {
+        std::vector<double> value(points_.size()), slope(value), curvature(value);
+        lanes_.log_toughness(p[0], value, slope, curvature);
+        for (std::size_t i = 0; i < value.size(); ++i) {
+          residuals[i] = weights_[i] * value[i] - targets_[i];
+          finite &= std::isfinite(residuals[i]);
+          if (jacobian.empty() || free.empty()) continue;
+          jacobian[i] = weights_[i] * slope[i];
+          finite &= std::isfinite(jacobian[i]);
+        }
+        return finite;
+      }
+    }
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const auto log_f = Model::log_toughness(p, points_[i].mixity);
       const double f = scale_ == Scale::log ? 1 : std::exp(log_f.value);  // df = f d(ln f)
@@ -59,11 +82,7 @@ class ToughnessObjective final : public ModelProblem<Model> {
 
   std::unique_ptr<SingleCost> single_cost() const override {
     if constexpr (HasLanes<Model>) {
-      if (scale_ == Scale::log) {
-        std::vector<Mixity<double>> mixities;
-        for (const ToughnessPoint& point : points_) mixities.push_back(point.mixity);
-        return std::make_unique<PackedToughness<Model>>(mixities, targets_, weights_);
-      }
+      if (scale_ == Scale::log) return std::make_unique<PackedToughness<Model>>(lanes_, targets_, weights_);
     }
     return LeastSquares::single_cost();
   }
@@ -73,6 +92,7 @@ class ToughnessObjective final : public ModelProblem<Model> {
   Scale scale_;
   FreeChoice<Model> choice_;
   std::vector<double> weights_, targets_;
+  ToughnessLanes<Model> lanes_;
 };
 
 }  // namespace mixity
