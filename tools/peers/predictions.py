@@ -7,7 +7,7 @@ import math
 import numpy as np
 from scipy import optimize
 
-from peers.timing import OwnTime, alternate, run, time_cells
+from peers.timing import OwnTime, alternate, benchmark, run, time_cells
 
 LAMBDA, LOAD = 0.15, 3.0  # those of mechanics_benchmark
 
@@ -45,13 +45,11 @@ def table(options, model):
             low, high = np.where(below, a, low), np.where(below, high, a)
         return np.pi * low**2
 
-    def benchmark():
-        law = {"a": "Johnson", "b": "WatersGuduru"}[model]
-        text = run([options.benchmark, f"--benchmark_filter=^Predict<{law}>$", "--benchmark_min_time=0.02",
-                    "--benchmark_format=json"])
-        return OwnTime(json.loads(text)["benchmarks"][0]["time/point"] * len(loads))
-
-    tasks = {f"mixity, {model} (mechanics_benchmark)": benchmark} if options.benchmark.is_file() else {}
+    law = {"a": "Johnson", "b": "WatersGuduru"}[model]
+    timed = {f"mixity, arrays, {model}": "PredictBatch", f"mixity, point by point, {model}": "Predict"}
+    tasks = {name: lambda kind=kind: OwnTime(
+        benchmark(options.benchmarks / "mechanics_benchmark", f"{kind}<{law}>", "time/point").seconds * len(loads))
+        for name, kind in timed.items()} if options.benchmarks else {}
     tasks[f"scipy brentq on the printed equation, {model}"] = lambda: np.array(
         [math.pi * optimize.brentq(excess, bottom, top, args=(T,)) ** 2 for T in loads.tolist()])
     tasks[f"numpy bisection of 1000 at once, {model}"] = bisection

@@ -1,6 +1,7 @@
 """Runs tasks in turn, times them and shows the times side by side."""
 
 import collections
+import json
 import resource
 import statistics
 import subprocess
@@ -16,6 +17,13 @@ def run(command):
     if done.returncode not in (0, 1):
         raise RuntimeError(f"{str(command)[:80]} ended with code {done.returncode}: {done.stderr[-300:]}")
     return done.stdout
+
+
+def benchmark(program, name, field="cpu_time"):
+    """Seconds that a Google Benchmark program takes for one of its tasks; `field` may be a counter of seconds."""
+    text = run([program, f"--benchmark_filter=^{name}$", "--benchmark_min_time=0.02", "--benchmark_format=json"])
+    value = json.loads(text)["benchmarks"][0][field]
+    return OwnTime(value * 1e-9 if field == "cpu_time" else value)
 
 
 def cpu_time():
