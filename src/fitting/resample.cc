@@ -6,7 +6,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <atomic>
+#include <boost/random/taus88.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numeric>
 #include <random>
@@ -94,6 +97,9 @@ std::vector<std::vector<std::size_t>> members(const std::vector<std::size_t>& ru
   return list;
 }
 
+std::uint32_t low_word(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
+std::uint32_t high_word(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }
+
 /// Linear interpolation between order statistics (the usual type 7).
 double quantile_of(const std::vector<double>& sorted, double q) {
   const double place = q * static_cast<double>(sorted.size() - 1), below = std::floor(place);
@@ -109,10 +115,14 @@ BootstrapResult bootstrap(const LeastSquares& problem, const std::vector<double>
   const auto groups = members(runs);
   std::vector<std::vector<double>> replicates(options.replicates);
   const auto draw = [&](std::size_t replicate, std::vector<double>& weights) {
-    // Seeds far apart for neighbouring replicates: multiples of the golden ratio's bits.
-    std::mt19937_64 random(options.seed + 0x9e3779b97f4a7c15u * (static_cast<std::uint64_t>(replicate) + 1));
+    // Three words of state, so that seeding one stream for each replicate costs little.
+    const auto words = {low_word(options.seed), high_word(options.seed), low_word(replicate), high_word(replicate)};
+    std::seed_seq seed(words);
+    boost::random::taus88 random(seed);
     std::fill(weights.begin(), weights.end(), 0.0);
-    const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+    const auto pick = [&](std::size_t n) {
+      return boost::random::uniform_int_distribution<std::uint32_t>(0, low_word(n - 1))(random);
+    };
     for (const auto& group : groups) {
       if (options.resample == Resample::points)
         for (std::size_t i = 0; i < group.size(); ++i) weights[group[pick(group.size())]] += 1;
