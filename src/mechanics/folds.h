@@ -55,4 +55,6 @@ std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control contr
 
 }  // namespace mixity
 
+#include "mechanics/fold_search_impl.h"
+// after the search that it uses
 #include "mechanics/folds_impl.h"

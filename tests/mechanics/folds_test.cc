@@ -95,6 +95,32 @@ TEST(Folds, AreOneAtMostWhereTheModelSaysSo) {
   EXPECT_FALSE(Johnson::one_fold_at_most({0.81}));
 }
 
+/// Newton's method in (y, T) against the sign change of the slope along the curve.
+TEST(Folds, AreTheSameByNewtonAndByTheSlope) {
+  using namespace folds_detail;
+  std::mt19937_64 random(14);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  int compared = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const double lambda = i % 3 ? std::pow(10, -12 * uniform(random)) : 2 * uniform(random);
+    const double P = i % 2 ? -1.5 * pi<double>() * (1 - std::pow(10, -14 * uniform(random)))
+                           : std::pow(10, -8 + 16 * uniform(random));
+    const EquilibriumCurve<WatersGuduru> curve({lambda}, P);
+    const auto offset = newton_fold<WatersGuduru>({lambda}, P);
+    if (!offset || curve.uncoupled()) continue;
+    ++compared;
+    const CurvePiece& piece = curve.pieces().front();
+    const Driven<WatersGuduru> driven{curve, kLoad};
+    const double v = root_between([&](double at) { return driven.slope(curve.position(piece, at)); }, kFirst, kLast);
+    const CurvePosition slow = curve.position(piece, v), fast = curve.position_at_offset(*offset);
+    const double T = curve.tangential_load(slow);
+    // both to a few roundings, which the inverse of tau multiplies by some
+    EXPECT_NEAR(curve.tangential_load(fast), T, 1e-14 * T) << lambda << ' ' << P;
+    EXPECT_NEAR(fast.y, slow.y, 1e-14 * (slow.y + std::abs(P))) << lambda << ' ' << P;
+  }
+  EXPECT_GT(compared, 2000);
+}
+
 TEST(Folds, ThroughASpringTendToLoadAndDisplacementControl) {
   const auto check = [](const auto& curve) {
     const auto load = find_folds(curve, kLoad), displacement = find_folds(curve, kDisplacement);
