@@ -14,7 +14,7 @@ namespace {
 
 std::optional<StatedError> error_from(const std::string& flag, const std::string& text) {
   if (text.empty()) return std::nullopt;
-  const auto quantity = parse_quantity(text);
+  auto quantity = parse_quantity(text);
   if (!quantity || !(quantity->value > 0))
     throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be a percentage or a quantity above 0");
   return quantity;

@@ -142,6 +142,7 @@ BootstrapResult bootstrap(const LeastSquares& problem, const std::vector<double>
   if (2 * replicates.size() < options.replicates || replicates.size() < 2) return result;
   for (std::size_t k = 0; k < fitted.size(); ++k) {
     std::vector<double> values;
+    values.reserve(replicates.size());
     for (const auto& x : replicates) values.push_back(x[k]);
     std::sort(values.begin(), values.end());
     const auto n = static_cast<double>(values.size());

@@ -28,7 +28,8 @@ template <class F, class Found>
 void for_sign_changes(F f, double from, Found found) {
   double before = 0, here = f(from);
   bool has_before = false;
-  for (double v = from; v < kLast; v += kStep) {
+  for (int i = 0; from + i * kStep < kLast; ++i) {
+    const double v = from + i * kStep;
     const double next = f(v + kStep);
     const bool crosses = (here > 0) != (next > 0);
     const double sign = here > 0 ? 1 : -1;
