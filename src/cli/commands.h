@@ -16,6 +16,7 @@ int run_curve(const Arguments& arguments);
 int run_instability(const Arguments& arguments);
 int run_map(const Arguments& arguments);
 int run_sahli(const Arguments& arguments);
+int run_figures(const Arguments& arguments);
 int run_check(const Arguments& arguments);
 int run_import(const Arguments& arguments);
 int run_help(const Arguments& arguments);

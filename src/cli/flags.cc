@@ -31,7 +31,7 @@ DEFINE_string(confidence, "0.95", "confidence of intervals, above 0 and below 1"
 DEFINE_string(scale, "log", "toughness is compared as ln(Gc/GIc) (log) or as Gc/GIc (linear)");
 DEFINE_string(hold, "", "parameters to hold, comma-separated: NAME=VALUE, or NAME for the data set's own value");
 DEFINE_string(format, "text", "output format: text, json or csv");
-DEFINE_string(out, "", "where to write: a folder (fit), a file (import)");
+DEFINE_string(out, "", "where to write: a folder (fit, figures), a file (import)");
 DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(lambda, "", "mode-mixity parameter lambda");
 DEFINE_string(parameters, "", "all parameters of the model, such as r=1.77,eta=2.28");
@@ -52,6 +52,7 @@ DEFINE_string(load_range, "-4,40", "smallest and largest normal load of the map"
 DEFINE_string(lambda_range, "0,1", "smallest and largest lambda of the map");
 DEFINE_int32(grid, 41, "points of the map along each axis");
 DEFINE_bool(boundaries, false, "print the exact boundaries between regimes instead of the grid");
+DEFINE_bool(paper, false, "the figures of Papangelo & Ciavarella (2019)");
 DEFINE_string(upto, "0.5", "use points up to this fraction of the largest T of each run");
 
 DEFINE_string(radius, "", "radius of the sphere, such as \"9.42 mm\"");

@@ -47,6 +47,7 @@ DECLARE_string(load_range);
 DECLARE_string(lambda_range);
 DECLARE_int32(grid);
 DECLARE_bool(boundaries);
+DECLARE_bool(paper);
 DECLARE_string(upto);
 
 namespace mixity::cli {

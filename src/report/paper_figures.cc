@@ -1,0 +1,139 @@
+#include "report/paper_figures.h"
+
+#include <cmath>
+#include <functional>
+
+#include "dataset/number_text.h"
+#include "mechanics/constant_shear.h"
+#include "mechanics/sampling.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kPoints = 400;  // a curve: no corner shows
+// What the paper writes with a tilde, spelt out.
+const std::string kT = "T/(R G_{Ic})", kA = "A ξ^2/R^2";
+const Axis kP{"P/(R G_{Ic})", -6.0, 30.0};
+
+template <class Model>
+constexpr Look look_of() {
+  return std::is_same_v<Model, Johnson>        ? Look::dash_dot
+         : std::is_same_v<Model, WatersGuduru> ? Look::dashed
+                                               : Look::solid;
+}
+
+const std::vector<std::pair<std::string, Look>> kModelKey{
+    {"a", Look::dash_dot}, {"b", Look::dashed}, {"c", Look::solid}};
+
+template <class Model>
+Series toughness_curve(double lambda, double last_psi, std::size_t paint) {
+  Series series{
+      "model " + std::string(Model::info.key) + ", λ = " + rounded(lambda, 4), look_of<Model>(), color(paint), {}};
+  for (std::size_t i = 0; i <= kPoints; ++i) {
+    const double psi = last_psi * static_cast<double>(i) / kPoints;
+    const double f = std::exp(Model::log_toughness({lambda}, mixity_from_angle(psi)).value);
+    if (f < 1e6) series.points.emplace_back(psi, f);
+  }
+  return series;
+}
+
+/// a(P) at constant T: the stable part as the model's line, the rest dotted.
+template <class Model>
+Figure radius_against_load(const std::string& name, const std::vector<double>& shears) {
+  Figure figure{name,
+                "Fig. 4: contact radius against normal load at constant tangential load, model " +
+                    std::string(Model::info.key) + ", λ = 0.15",
+                kP,
+                {"a ξ/R", 0.0, 4.5},
+                {},
+                {{"unstable", Look::dotted}},
+                true};
+  for (std::size_t k = 0; k < shears.size(); ++k) {
+    Series unstable{"", Look::dotted, color(k), {}},
+        stable{"T = " + shortest(shears[k]), look_of<Model>(), color(k), {}};
+    const double largest = 40 * pi<double>() + shears[k];
+    for (int i = 1; i <= 1000; ++i) {
+      const ConstantShearPoint q = constant_shear_point<Model>({0.15}, shears[k], largest * std::pow(i / 1000.0, 2));
+      (q.dP_dy > 0 ? stable : unstable).points.emplace_back(q.P, q.a);
+      // the two meet at pull-off
+      if (q.dP_dy > 0 && stable.points.size() == 1) unstable.points.emplace_back(q.P, q.a);
+    }
+    figure.series.push_back(std::move(stable));
+    figure.series.push_back(std::move(unstable));
+  }
+  return figure;
+}
+
+using Projected = std::function<std::pair<double, double>(const CurvePoint&)>;
+
+/// Whole equilibrium curves of one model, a colour for each load; only c names the loads.
+template <class Model>
+void add_curves(Figure& figure, double lambda, const std::vector<double>& loads, double T_most,
+                const Projected& project, bool stable_only) {
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const EquilibriumCurve<Model> curve({lambda}, loads[k]);
+    Series series{look_of<Model>() == Look::solid ? "P = " + shortest(loads[k]) : "", look_of<Model>(), color(k), {}};
+    for (const CurvePoint& q : sample_uniform(curve, {drawable_ranges(curve, T_most).front()}, kPoints)) {
+      if (stable_only && q.dT < 0) break;
+      series.points.push_back(project(q));
+      if (q.T > T_most) break;
+    }
+    figure.series.push_back(std::move(series));
+  }
+}
+
+Figure curves(const std::string& name, const std::string& title, double lambda, const std::vector<double>& loads,
+              double T_most, Axis x, Axis y, const Projected& project, bool stable_only = false) {
+  Figure figure{name, title, std::move(x), std::move(y), {}, kModelKey, false};
+  add_curves<PapangeloCiavarella>(figure, lambda, loads, T_most, project, stable_only);
+  add_curves<Johnson>(figure, lambda, loads, T_most, project, stable_only);
+  add_curves<WatersGuduru>(figure, lambda, loads, T_most, project, stable_only);
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> paper_figures() {
+  const double right_angle = 0.5 * pi<double>();
+  const Axis psi{"ψ [rad]", 0.0, right_angle};
+  const auto f = [](double low, double high, bool logarithmic) {
+    return Axis{"f = G_c/G_{Ic}", low, high, logarithmic};
+  };
+  const auto every_model = [&](double lambda) {
+    return std::vector{toughness_curve<Johnson>(lambda, right_angle, 1),
+                       toughness_curve<WatersGuduru>(lambda, right_angle, 2),
+                       toughness_curve<PapangeloCiavarella>(lambda, right_angle, 0)};
+  };
+  std::vector<Figure> figures;
+  const auto toughness = [&](const char* name, const char* title, const Axis& x, const Axis& y,
+                             std::vector<Series> series) {
+    figures.push_back(Figure{name, title, x, y, std::move(series), {}, true});
+  };
+  toughness("fig3", "Fig. 3: toughness ratio against phase angle, λ = 0.15", psi, f(0, 10, false), every_model(0.15));
+
+  figures.push_back(radius_against_load<Johnson>("fig4a", {10, 20, 30, 40}));
+  figures.push_back(radius_against_load<WatersGuduru>("fig4b", {10, 40, 70, 100}));
+  figures.push_back(radius_against_load<PapangeloCiavarella>("fig4c", {10, 20, 30, 40}));
+
+  const std::vector<double> loads{-1, 1, 3, 5};
+  const Axis T{kT, 0.0, 60.0}, u{"u ξ^2/R", 0.0, 20.0}, A{kA, 0.0, 25.0};
+  const auto area = [](const CurvePoint& q) { return std::pair(q.T, q.A); };
+  figures.push_back(curves("fig6_u_T", "Fig. 6: tangential displacement against tangential load, λ = 0.15", 0.15, loads,
+                           60, T, u, [](const CurvePoint& q) { return std::pair(q.T, q.u); }));
+  figures.push_back(
+      curves("fig6_A_T", "Fig. 6: contact area against tangential load, λ = 0.15", 0.15, loads, 60, T, A, area));
+  figures.push_back(curves("fig6_A_u", "Fig. 6: contact area against tangential displacement, λ = 0.15", 0.15, loads,
+                           120, u, A, [](const CurvePoint& q) { return std::pair(q.u, q.A); }));
+
+  toughness("fig7", "Fig. 7: toughness ratio against phase angle, λ = 0.0023 (Mergel et al. 2018)", psi,
+            f(1, 1000, true), every_model(0.0023));
+  figures.push_back(curves("fig8", "Fig. 8: contact area against tangential load, λ = 0.0023 (Mergel et al. 2018)",
+                           0.0023, {30.4, 15.0, 11.5, 6.2, 3.7, 2.0, -0.23, -1.79}, 600, {kT, 0.0, 600.0},
+                           {kA, 0.0, 45.0}, area, true));
+  toughness("fig9", "Fig. 9: toughness ratio against phase angle (Waters & Guduru 2010)", {"ψ [rad]", 0.0, 1.3},
+            f(0.5, 4, false),
+            {toughness_curve<WatersGuduru>(0.30, 1.25, 2), toughness_curve<PapangeloCiavarella>(0.2331, 1.25, 0)});
+  return figures;
+}
+
+}  // namespace mixity

@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+#include "cli/run_program.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity::cli {
+namespace {
+
+TEST(Figures, OfThePaperAreListedAndThere) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"figures", "--paper", "--out", folder.path("new/paper")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  std::istringstream lines(result.out);
+  std::size_t files = 0;
+  for (std::string file; std::getline(lines, file); ++files) EXPECT_NE(content_of(file), "") << file;
+  EXPECT_EQ(files, 40u);  // ten figures: data, script, SVG, PDF
+}
+
+TEST(Figures, WithoutAPlaceToGoAreBadUsage) {
+  for (const Words& words : {Words{"figures"}, Words{"figures", "--paper"}, Words{"figures", "--out=x"}})
+    EXPECT_EQ(run_program(words).exit_code, 2);
+}
+
+TEST(Figures, InAFolderThatCannotBeWrittenEndWithFour) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file", "");
+  EXPECT_EQ(run_program({"figures", "--paper", "--out", file + "/below"}).exit_code, 4);
+}
+
+}  // namespace
+}  // namespace mixity::cli
