@@ -96,6 +96,7 @@ End find_end(SingleCost& cost, const FreeParameter& parameter, double best, doub
   double inside = best, outside = best, step = first_step;
   CostValue here;
   for (int i = 0; outside == best; ++i, step *= 2) {
+    if (i == 200) return {inside, EndStatus::open};  // steps below the resolution of doubles
     double next = best + direction * step;
     const bool last = direction < 0 ? next <= bound : next >= bound;
     if (last) next = bound;
@@ -103,7 +104,6 @@ End find_end(SingleCost& cost, const FreeParameter& parameter, double best, doub
     if (here.finite) depth.see(next, here.value);
     if (here.finite && here.value <= limit) {
       if (last) return {bound, parameter.start ? EndStatus::open : EndStatus::at_bound};
-      if (i == 200) return {next, EndStatus::open};
       inside = next;
     } else {
       outside = next;

@@ -70,6 +70,21 @@ TEST(RoundedData, ConvergeWhateverTheirDigits) {
       }
 }
 
+/// T^2 is the largest double: at lambda = 0 the slope of the cost is infinite, and no step outwards can be told from
+/// none.
+TEST(ExtremeShear, EndsAnIntervalOpenAndNotNever) {
+  Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {1, 5}, 6, 0.5);
+  for (Point& p : data.points) p = point_at(p.line, p.curve, p.P, 1e150, p.A);
+  for (const Objective objective : {Objective::area, Objective::curve}) {
+    const FitResult fit = fit_model(data, "c", with(objective, "1%"));
+    EXPECT_NE(fit.status, FitStatus::ok) << to_string(objective);
+    ASSERT_EQ(fit.parameters.size(), 1u);
+    if (fit.parameters[0].interval) {
+      EXPECT_NE(fit.parameters[0].interval->high_status, EndStatus::found);
+    }
+  }
+}
+
 /// Outliers give Cauchy's cost basins far narrower than the range: no place in it may cost less than what was found.
 template <class Model>
 void expect_global_under_cauchy(unsigned seed) {
