@@ -125,6 +125,7 @@ class CurveResiduals {
     const EquilibriumCurve<Model> curve(p, P);
     level_ = curve.uncoupled();
     projection_.emplace(curve, 2 * T_most);
+    ends_at_hertz_ = !level_ && curve.pieces().front().end == CurveEnd::hertz;
     // Only a curve that runs to infinity ends before its points for want of digits.
     if (!level_ && curve.pieces().front().end != CurveEnd::asymptote)
       resolved_to_ = std::numeric_limits<double>::infinity();
@@ -144,8 +145,15 @@ class CurveResiduals {
     n_T /= size;
     n_A /= size;
     PointResidual<Model> r;
-    // Along the normal a rounding of the place on the curve does not show; at an end the offset need not be normal.
     const double along = x * n_T + y * n_A;
+    if (ends_at_hertz_ && projection_->is_end(q) && q.y <= 1e-9 * P_ && distance > 0) {
+      set_from_end(r, point, F, std::copysign(1.0, along) * x / distance, std::copysign(1.0, along) * y / distance);
+      r.value = std::copysign(distance, along);
+      r.log_sigma_T = -x * x / r.value;
+      r.log_sigma_A = -y * y / r.value;
+      return r;
+    }
+    // Along the normal a rounding of the place on the curve does not show; at an end the offset need not be normal.
     r.value = projection_->is_end(q) ? std::copysign(distance, along) : along;
     for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = -F.parameters[k] / size;
     r.P = -F.P / size;
@@ -157,9 +165,21 @@ class CurveResiduals {
   }
 
  private:
+  /// The nearest place is Hertz's end: its area depends on the load alone, and its T keeps F = 0 there. The offset has
+  /// the direction (e_T, e_A).
+  void set_from_end(PointResidual<Model>& r, const MeasuredPoint& point, const EquilibriumGradient<Model>& F,
+                    double e_T, double e_A) const {
+    const double A_P = 0.5 * pi<double>() / hertz_radius(P_);  // 4 a^2 da = dP
+    for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = -e_T * F.parameters[k] / (F.T * point.sigma_T);
+    r.P = -e_T * (F.A * A_P + F.P) / (F.T * point.sigma_T) + e_A * A_P / point.sigma_A;
+    r.T = -e_T / point.sigma_T;
+    r.A = -e_A / point.sigma_A;
+  }
+
   Parameters<Model> p_;
   double P_;
   AreaResiduals<Model> vertical_;
+  bool ends_at_hertz_ = false;
   bool level_ = false;
   double resolved_to_ = 0;
   std::optional<Projection<Model>> projection_;
