@@ -91,6 +91,25 @@ double spread(const LeastSquares& problem, const std::vector<double>& x) {
   return 1.4826 * *middle;
 }
 
+/// Where a single parameter leaves the least spread: outliers may hide every minimum of the squares.
+std::vector<double> place_of_least_spread(const LeastSquares& problem) {
+  if (problem.parameters().size() != 1) return {};
+  const FreeParameter& parameter = problem.parameters()[0];
+  const double width = parameter.upper - parameter.lower;
+  std::vector<double> best;
+  double least = std::numeric_limits<double>::infinity();
+  constexpr int kPlaces = 100;
+  for (int i = 1; i < kPlaces; ++i)
+    for (const double share : {i / double{kPlaces}, std::pow(10.0, -8.0 * i / kPlaces)}) {
+      const std::vector<double> x{parameter.lower + share * width};
+      const double here = spread(problem, x);
+      if (!(here > 0 && here < least)) continue;
+      least = here;
+      best = x;
+    }
+  return best;
+}
+
 ShownInterval shown(const Interval& interval, const FreeParameter& parameter) {
   ShownInterval result{"profile", interval.confidence, {}, {}, interval.low_status, interval.high_status};
   if (interval.low_status != EndStatus::open) result.low = parameter.shown(interval.low);
@@ -177,11 +196,15 @@ class Fitter {
     if (options_.loss == Loss::none) return verdict;
     const double scale = options_.loss_scale.value_or(usual_scale(options_.loss));
     const bool known = problem_->known_errors();
-    for (int i = 0; i < (known ? 1 : 3) && !verdict.best.x.empty(); ++i) {
-      result_.loss_scale = scale * (known ? 1.0 : spread(*problem_, verdict.best.x));
-      if (!(result_.loss_scale > 0)) return verdict;  // no residuals to speak of
+    std::vector<double> x = verdict.best.x;
+    if (x.empty() && !known) x = place_of_least_spread(*problem_);
+    for (int i = 0; i < (known ? 1 : 3) && (known || !x.empty()); ++i) {
+      const double unit = known ? 1.0 : spread(*problem_, x);
+      if (!(unit > 0)) return verdict;  // no residuals to speak of
+      result_.loss_scale = scale * unit;
       robust_.emplace(*problem_, options_.loss, result_.loss_scale);
       verdict = minimise(*robust_, options_.near);
+      x = verdict.best.x;
     }
     return verdict;
   }
@@ -217,7 +240,7 @@ class Fitter {
         if (verdict.stderrs[j]) step = *verdict.stderrs[j] * unit;
         const Interval interval = profile_interval(cost(), verdict.best, j, options_.confidence, allowance, step);
         shown_parameter.interval = shown(interval, parameter);
-        if (interval.deeper && std::sqrt(verdict.best.sum_of_squares) > residual_rounding(*problem_)) {
+        if (interval.deeper) {
           result_.status = FitStatus::not_converged;
           result_.message = "the cost is lower at " + parameter.name + " = " +
                             rounded(parameter.shown(*interval.deeper), 4) + " than at the minimum found";

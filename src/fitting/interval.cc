@@ -43,12 +43,13 @@ struct End {
   EndStatus status;
 };
 
-/// Where costs on the way out lie below the minimum, by more than roundings of the cost explain.
+/// Where costs on the way out lie below the minimum, by more than roundings of |r| explain.
 struct Depth {
   double least;
   std::optional<double> place{};
 
-  Depth(double sum_of_squares, double allowance) : least(sum_of_squares - 1e-6 * allowance) {}
+  Depth(double sum_of_squares, double allowance, double rounding)
+      : least(std::pow(std::max(std::sqrt(sum_of_squares) - rounding, 0.0), 2) - 1e-6 * allowance) {}
   void see(double x, double cost) {
     if (!(cost < least)) return;
     least = cost;
@@ -176,12 +177,13 @@ Interval profile_interval(const LeastSquares& problem, const Minimum& best, std:
                           double allowance, std::optional<double> standard_error) {
   const FreeParameter& parameter = problem.parameters()[k];
   if (best.x.size() == 1)
-    return profile_interval(*problem.single_cost(), parameter, best.x[0], best.sum_of_squares, confidence, allowance);
+    return profile_interval(*problem.single_cost(), parameter, best.x[0], best.sum_of_squares, confidence, allowance,
+                            residual_rounding(problem));
   const double limit = best.sum_of_squares + allowance, x = best.x[k];
   // Without a standard error (at a bound) the first step is tiny: the steps grow fast.
   const double step = standard_error ? *standard_error : 1e-9 * (parameter.upper - parameter.lower);
   const Profile profile(problem, best, k);
-  Depth depth(best.sum_of_squares, allowance);
+  Depth depth(best.sum_of_squares, allowance, residual_rounding(problem));
   const auto end = [&](double bound, double direction) {
     return x == bound ? End{x, EndStatus::at_bound} : find_end(profile, parameter, x, limit, direction, step, depth);
   };
@@ -190,11 +192,11 @@ Interval profile_interval(const LeastSquares& problem, const Minimum& best, std:
 }
 
 Interval profile_interval(SingleCost& cost, const FreeParameter& parameter, double x, double sum_of_squares,
-                          double confidence, double allowance) {
+                          double confidence, double allowance, double rounding) {
   const double limit = sum_of_squares + allowance, sensitivity = cost.at(x, {}).slope_size;
   const double widest = parameter.upper - parameter.lower;
   const double step = sensitivity > 0 ? std::min(std::sqrt(allowance) / sensitivity, widest) : 1e-9 * widest;
-  Depth depth(sum_of_squares, allowance);
+  Depth depth(sum_of_squares, allowance, rounding);
   const auto end = [&](double bound, double direction) {
     return x == bound ? End{x, EndStatus::at_bound} : find_end(cost, parameter, x, limit, direction, step, depth);
   };

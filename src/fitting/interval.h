@@ -29,9 +29,9 @@ double cost_allowance(double confidence, double sum_of_squares, std::size_t n, s
 Interval profile_interval(const LeastSquares& problem, const Minimum& best, std::size_t k, double confidence,
                           double allowance, std::optional<double> standard_error);
 
-/// The same for a problem with one free parameter: `sum_of_squares` at its minimum x.
+/// The same for a problem with one free parameter: `sum_of_squares` at its minimum x, |r| known to `rounding`.
 Interval profile_interval(SingleCost& cost, const FreeParameter& parameter, double x, double sum_of_squares,
-                          double confidence, double allowance);
+                          double confidence, double allowance, double rounding = 0);
 
 /// The cost profiled along parameter k: minimised over the others, from the best known values of those.
 class Profile {

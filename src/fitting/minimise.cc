@@ -98,7 +98,12 @@ Scan scan(const LeastSquares& problem) {
     if (lowest_here) found.push_back(i);
   }
   std::sort(found.begin(), found.end(), [&](std::size_t i, std::size_t j) { return costs[i] < costs[j]; });
-  for (const std::size_t i : found) result.minima.push_back(point(i));
+  for (const std::size_t i : found) {
+    result.minima.push_back(point(i));
+    if (problem.parameters().size() > 1 || total == 1 || (i > 0 && i + 1 < total)) continue;
+    // Beside a bound, too: at it the slope may vanish by symmetry.
+    result.minima.push_back({0.5 * (point(i)[0] + point(i == 0 ? 1 : i - 1)[0])});
+  }
   return result;
 }
 
@@ -247,7 +252,15 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
                                 [&](const Minimum& known) { return same_place(problem, known, *minimum); }))
       minima.push_back(*minimum);
   }
-  if (minima.empty()) return end(FitStatus::not_converged, "no start led to a finite cost");
+  if (p == 1 && minima.size() > 1) {
+    const FreeParameter& parameter = problem.parameters()[0];
+    const auto cost = problem.single_cost();
+    std::erase_if(minima, [&](const Minimum& minimum) {
+      const double x = minimum.x[0];
+      return (x <= parameter.lower || x >= parameter.upper) && !lowest_at_bound(*cost, parameter, x);
+    });
+  }
+  if (minima.empty()) return end(FitStatus::not_converged, "no start led to a minimum");
   std::sort(minima.begin(), minima.end(),
             [](const Minimum& one, const Minimum& other) { return one.sum_of_squares < other.sum_of_squares; });
   verdict.best = minima.front();

@@ -51,6 +51,16 @@ double between(double low, double high) { return logarithmic(low, high) ? std::s
 
 }  // namespace
 
+bool lowest_at_bound(SingleCost& cost, const FreeParameter& parameter, double bound) {
+  const auto at_bound = cost.value(bound);
+  if (!at_bound) return false;
+  const double inwards = (bound == parameter.lower ? 1 : -1) * (parameter.upper - parameter.lower);
+  for (const double share : {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2})
+    if (const auto inside = cost.value(bound + share * inwards); inside && *inside < *at_bound * (1 - 1e-13))
+      return false;
+  return true;
+}
+
 SingleScan scan_basins(SingleCost& cost, const FreeParameter& parameter) {
   std::vector<Place> places;
   const auto add = [&](double x) { places.push_back({x, cost.at(x, {})}); };
@@ -79,16 +89,22 @@ SingleScan scan_basins(SingleCost& cost, const FreeParameter& parameter) {
     scan.lowest = std::min(scan.lowest, place.cost.value);
     scan.highest = std::max(scan.highest, place.cost.value);
   }
-  const Place &first = places.front(), &last = places.back();
-  if (first.cost.finite && first.cost.slope >= 0) scan.basins.push_back({first.x, first.x, first.x, first.cost.value});
+  // Outwards, or not to be told from zero
+  const auto falls_to = [&](const Place& end, double direction) {
+    const CostValue& at = end.cost;
+    return at.finite && at.slope * direction <= 1e-8 * at.slope_size * std::sqrt(at.value);
+  };
+  for (const auto& [end, direction] : {std::pair(&places.front(), -1.0), std::pair(&places.back(), 1.0)})
+    if (falls_to(*end, direction) && lowest_at_bound(cost, parameter, end->x))
+      scan.basins.push_back({end->x, end->x, end->x, end->cost.value});
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const Place &left = places[i], &right = places[i + 1];
     const bool falls = left.cost.finite ? left.cost.slope < 0 : right.cost.finite;
     if (!falls || !right.cost.finite || right.cost.slope < 0) continue;
     const Place& better = left.cost.finite && left.cost.value < right.cost.value ? left : right;
-    scan.basins.push_back({left.x, right.x, better.x, better.cost.value});
+    const bool at_bound = better.x <= parameter.lower || better.x >= parameter.upper;
+    scan.basins.push_back({left.x, right.x, at_bound ? between(left.x, right.x) : better.x, better.cost.value});
   }
-  if (last.cost.finite && last.cost.slope <= 0) scan.basins.push_back({last.x, last.x, last.x, last.cost.value});
   std::sort(scan.basins.begin(), scan.basins.end(),
             [](const Basin& one, const Basin& other) { return one.cost < other.cost; });
   return scan;

@@ -10,9 +10,13 @@ namespace mixity {
 /// Holds one minimum, at least. The slope points inwards at both ends, but for low = high: a bound the cost falls to.
 struct Basin {
   double low, high;
-  double start;  // where the cost was lowest
-  double cost;   // there
+  double start;  // a bound only if low = high
+  double cost;   // the lower one of the ends'
 };
+
+/// False if the cost is lower just inside this bound. A slope of zero does not show it where the cost is stationary by
+/// symmetry, as model b's is at lambda = 2.
+bool lowest_at_bound(SingleCost& cost, const FreeParameter& parameter, double bound);
 
 struct SingleScan {
   std::vector<Basin> basins;  // lowest first

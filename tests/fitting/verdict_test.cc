@@ -121,6 +121,78 @@ TEST(RobustLoss, FindsTheLowestOfItsBasins) {
   }
 }
 
+/// Without known errors, too, where the outliers leave plain least squares nothing to determine.
+TEST(RobustLoss, FindsWhatOutliersHideFromLeastSquares) {
+  SeededNoise noise(2, 3e-4);
+  Dataset data = synthetic_runs<PapangeloCiavarella>({0.3}, {0.5, 5}, 8, 0.3, noise);
+  for (const std::size_t i : {2u, 9u, 13u}) {
+    const Point& p = data.points[i];
+    data.points[i] = point_at(p.line, p.curve, p.P, p.T, 1.6 * p.A);
+  }
+  const auto fit_with = [&](Loss loss) {
+    return fit_model(data, "c", {.objective = Objective::area, .loss = loss, .intervals = false});
+  };
+  EXPECT_EQ(fit_with(Loss::none).status, FitStatus::not_identifiable);
+  const FitResult robust = fit_with(Loss::cauchy);
+  ASSERT_EQ(robust.status, FitStatus::ok) << robust.message;
+  // three standard errors of the thirteen good points
+  EXPECT_NEAR(*robust.parameters[0].value, 0.3, 3 * *robust.parameters[0].stderr_);
+  EXPECT_LT(*robust.parameters[0].stderr_, 0.05);
+}
+
+/// Model b's cost is stationary at lambda = 2 by symmetry, and mostly highest there.
+TEST(Symmetry, OfModelBAtItsUpperBoundIsNoMinimum) {
+  for (const double lambda : {1.5, 1.9, 1.94, 1.97, 1.99, 1.998})
+    for (const double size : {1e-9, 1e-6, 1e-4}) {
+      SeededNoise noise(4, size * (2 - lambda));
+      const Dataset data = synthetic_runs<WatersGuduru>({lambda}, {0.5, 5}, 10, 0.9, noise);
+      for (const Objective objective : {Objective::toughness, Objective::area, Objective::curve}) {
+        const FitResult fit = fit_model(data, "b", {.objective = objective});
+        const std::string where =
+            std::string(to_string(objective)) + ' ' + std::to_string(lambda) + ' ' + std::to_string(size);
+        ASSERT_TRUE(fit.parameters[0].value) << where << ' ' << fit.message;
+        EXPECT_EQ(fit.status, FitStatus::ok) << where << ' ' << fit.message;
+        // ln f depends on (2 - lambda)^2, so that an error e of A is one of about e/(2 - lambda) in lambda
+        EXPECT_NEAR(*fit.parameters[0].value, lambda, 100 * size + 1e-9) << where;
+      }
+    }
+}
+
+/// Areas below Hertz lie nearest to the curve's end, which moves with lambda.
+template <class Model>
+void expect_least_distance_below_hertz() {
+  SeededNoise noise(6, 0.02);
+  Dataset data = synthetic_runs<Model>({0.15}, {100}, 10, 0.98, noise);
+  for (const std::size_t i : {8u, 9u}) {
+    Point& p = data.points[i];
+    p.A = (0.97 + 0.01 * static_cast<double>(i - 8)) * area_from_radius(hertz_radius(p.P));
+    p.T *= i == 9 ? 1.1 : 1;
+  }
+  const FitOptions options{
+      .objective = Objective::curve, .sigma_T = *parse_quantity("2%"), .sigma_A = *parse_quantity("2%")};
+  const FitResult fit = fit_model(data, Model::info.key, options);
+  ASSERT_EQ(fit.status, FitStatus::ok) << Model::info.key << ' ' << fit.message;
+  const auto problem = make_problem<Model>(data, options, prepare<Model>(data, options, nullptr));
+  const auto cost = problem->single_cost();
+  for (int i = 1; i < 400; ++i) {
+    const auto here = cost->value(i / 400.0 * problem->parameters()[0].upper);
+    if (here) {
+      EXPECT_GE(*here, fit.sum_of_squares * (1 - 1e-9)) << Model::info.key << ' ' << i;
+    }
+  }
+  const double x = *fit.parameters[0].value;
+  for (const double at : {0.9 * x, 0.98 * x, 1.1 * x}) {
+    const double h = 1e-6 * x;  // errors h^2 and eps/h
+    const double slope = (*cost->value(at + h) - *cost->value(at - h)) / (2 * h);
+    EXPECT_NEAR(cost->at(at, {}).slope, slope, 1e-5 * std::abs(slope) + 1e-4) << Model::info.key << ' ' << at;
+  }
+}
+
+TEST(AreasBelowHertz, AreFittedByTheirDistanceFromTheCurvesEnd) {
+  expect_least_distance_below_hertz<WatersGuduru>();
+  expect_least_distance_below_hertz<PapangeloCiavarella>();
+}
+
 /// Weighted toughness on the linear scale: each weight is 1/standard error of f_model - f, here by differences of the
 /// printed quantities in A and T.
 TEST(Weighted, LinearScaleWeighsTheDifferenceItself) {
