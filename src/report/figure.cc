@@ -12,8 +12,6 @@
 #include "dataset/number_text.h"
 #include "report/output_file.h"
 
-extern char** environ;
-
 namespace mixity {
 namespace {
 
@@ -57,6 +55,7 @@ bool run_gnuplot(const std::vector<std::string>& scripts, const std::string& fol
   std::vector<std::string> words{"gnuplot"};
   words.insert(words.end(), scripts.begin(), scripts.end());
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
