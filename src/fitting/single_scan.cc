@@ -23,9 +23,7 @@ bool logarithmic(double low, double high) { return low > 0 && high > 4 * low; }
 
 /// True if the cubic through slopes and curvatures of both ends gives the rise of the cost to a tenth of its size, and
 /// changes sign no more often than the slopes at the ends show.
-bool understood(const Place& left, const Place& right) {
-  if (!left.cost.finite || !right.cost.finite) return true;
-  const bool in_logarithm = logarithmic(left.x, right.x);
+bool understood(const Place& left, const Place& right, bool in_logarithm) {
   const double h = in_logarithm ? std::log(right.x / left.x) : right.x - left.x;
   const auto derivatives = [&](const Place& place) {  // slope, and curvature times h
     const double dx = in_logarithm ? place.x : 1, slope = place.cost.slope * dx;
@@ -45,6 +43,12 @@ bool understood(const Place& left, const Place& right) {
     up = slope > 0;
   }
   return changes <= 1;
+}
+
+/// In x, or where the interval spans a larger factor, in ln x.
+bool understood(const Place& left, const Place& right) {
+  return !left.cost.finite || !right.cost.finite || understood(left, right, false) ||
+         (logarithmic(left.x, right.x) && understood(left, right, true));
 }
 
 double between(double low, double high) { return logarithmic(low, high) ? std::sqrt(low * high) : 0.5 * (low + high); }
@@ -92,7 +96,9 @@ SingleScan scan_basins(SingleCost& cost, const FreeParameter& parameter) {
   // Outwards, or not to be told from zero
   const auto falls_to = [&](const Place& end, double direction) {
     const CostValue& at = end.cost;
-    return at.finite && at.slope * direction <= 1e-8 * at.slope_size * std::sqrt(at.value);
+    const double zero = 1e-8 * at.slope_size * std::sqrt(at.value);
+    const bool highest = cost.exact_curvature() && std::abs(at.slope) <= zero && at.curvature < 0;
+    return at.finite && !highest && at.slope * direction <= zero;
   };
   for (const auto& [end, direction] : {std::pair(&places.front(), -1.0), std::pair(&places.back(), 1.0)})
     if (falls_to(*end, direction) && lowest_at_bound(cost, parameter, end->x))
