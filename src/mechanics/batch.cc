@@ -1,10 +1,8 @@
 #include "mechanics/vector_math.h"
 // after the declarations of the vector forms
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <tuple>
 
 #include "mechanics/batch.h"
 
@@ -133,20 +131,11 @@ void settle_lanes(double parameter, double P, const LanePart& part, std::span<co
   settle<Model>(parameter, P, part, T.data(), y.data(), T.size());
 }
 
-// One instance for each model of the registry that has lanes: their addresses make them.
 namespace {
 using Settle = void (*)(double, double, const LanePart&, std::span<const double>, std::span<double>);
 
-template <class Model>
-constexpr Settle instance() {
-  if constexpr (HasLanes<Model>)
-    return &settle_lanes<Model>;
-  else
-    return nullptr;
-}
-
 [[gnu::used]] const auto instances =
-    std::apply([](auto... model) { return std::array{instance<decltype(model)>()...}; }, Models{});
+    lane_instances<Settle>([](auto model) -> Settle { return &settle_lanes<decltype(model)>; });
 }  // namespace
 
 }  // namespace mixity::batch_detail

@@ -1,7 +1,5 @@
 #include "mechanics/vector_math.h"
 // after the declarations of the vector forms
-#include <array>
-#include <tuple>
 
 #include "mechanics/lanes.h"
 
@@ -34,20 +32,11 @@ void log_toughness_lanes(double parameter, const double* first, const double* se
   loop<Model>(parameter, first, second, n, value, slope, curvature);
 }
 
-// One instance for each model of the registry that has lanes: their addresses make them.
 namespace {
 using LaneLoop = void (*)(double, const double*, const double*, std::size_t, double*, double*, double*);
 
-template <class Model>
-constexpr LaneLoop instance() {
-  if constexpr (HasLanes<Model>)
-    return &log_toughness_lanes<Model>;
-  else
-    return nullptr;
-}
-
 [[gnu::used]] const auto instances =
-    std::apply([](auto... model) { return std::array{instance<decltype(model)>()...}; }, Models{});
+    lane_instances<LaneLoop>([](auto model) -> LaneLoop { return &log_toughness_lanes<decltype(model)>; });
 }  // namespace
 
 }  // namespace mixity
