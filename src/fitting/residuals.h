@@ -146,13 +146,8 @@ class CurveResiduals {
     n_A /= size;
     PointResidual<Model> r;
     const double along = x * n_T + y * n_A;
-    if (ends_at_hertz_ && projection_->is_end(q) && q.y <= 1e-9 * P_ && distance > 0) {
-      set_from_end(r, point, F, std::copysign(1.0, along) * x / distance, std::copysign(1.0, along) * y / distance);
-      r.value = std::copysign(distance, along);
-      r.log_sigma_T = -x * x / r.value;
-      r.log_sigma_A = -y * y / r.value;
-      return r;
-    }
+    if (ends_at_hertz_ && projection_->is_end(q) && q.y <= 1e-9 * P_ && distance > 0)
+      return from_hertz_end(point, F, x, y, std::copysign(distance, along));
     // Along the normal a rounding of the place on the curve does not show; at an end the offset need not be normal.
     r.value = projection_->is_end(q) ? std::copysign(distance, along) : along;
     for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = -F.parameters[k] / size;
@@ -165,15 +160,21 @@ class CurveResiduals {
   }
 
  private:
-  /// The nearest place is Hertz's end: its area depends on the load alone, and its T keeps F = 0 there. The offset has
-  /// the direction (e_T, e_A).
-  void set_from_end(PointResidual<Model>& r, const MeasuredPoint& point, const EquilibriumGradient<Model>& F,
-                    double e_T, double e_A) const {
+  /// The nearest place is Hertz's end, (x, y) standard errors away: its area depends on the load alone, and its T keeps
+  /// F = 0 there.
+  PointResidual<Model> from_hertz_end(const MeasuredPoint& point, const EquilibriumGradient<Model>& F, double x,
+                                      double y, double signed_distance) const {
+    const double e_T = x / signed_distance / point.sigma_T, e_A = y / signed_distance / point.sigma_A;
     const double A_P = 0.5 * pi<double>() / hertz_radius(P_);  // 4 a^2 da = dP
-    for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = -e_T * F.parameters[k] / (F.T * point.sigma_T);
-    r.P = -e_T * (F.A * A_P + F.P) / (F.T * point.sigma_T) + e_A * A_P / point.sigma_A;
-    r.T = -e_T / point.sigma_T;
-    r.A = -e_A / point.sigma_A;
+    PointResidual<Model> r;
+    r.value = signed_distance;
+    for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = -e_T * F.parameters[k] / F.T;
+    r.P = -e_T * (F.A * A_P + F.P) / F.T + e_A * A_P;
+    r.T = -e_T;
+    r.A = -e_A;
+    r.log_sigma_T = -x * x / signed_distance;
+    r.log_sigma_A = -y * y / signed_distance;
+    return r;
   }
 
   Parameters<Model> p_;
