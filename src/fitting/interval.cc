@@ -10,16 +10,14 @@ namespace mixity {
 namespace {
 
 /// A problem with one of its parameters held.
-class HeldProblem final : public LeastSquares {
+class HeldProblem final : public WrappedProblem {
  public:
-  HeldProblem(const LeastSquares& problem, std::size_t k, double value) : problem_(problem), k_(k), value_(value) {
+  HeldProblem(const LeastSquares& problem, std::size_t k, double value)
+      : WrappedProblem(problem), k_(k), value_(value) {
     parameters_ = problem.parameters();
     parameters_.erase(parameters_.begin() + static_cast<std::ptrdiff_t>(k));
   }
-  std::size_t residual_count() const override { return problem_.residual_count(); }
   const std::vector<FreeParameter>& parameters() const override { return parameters_; }
-  double data_norm() const override { return problem_.data_norm(); }
-  bool known_errors() const override { return problem_.known_errors(); }
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     const std::size_t p = parameters_.size(), n = residual_count();
     std::vector<double> all(x.begin(), x.end()), whole(jacobian.empty() ? 0 : n * (p + 1));
@@ -32,7 +30,6 @@ class HeldProblem final : public LeastSquares {
   }
 
  private:
-  const LeastSquares& problem_;
   std::size_t k_;
   double value_;
   std::vector<FreeParameter> parameters_;

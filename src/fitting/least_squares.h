@@ -50,6 +50,19 @@ class LeastSquares {
   virtual std::unique_ptr<SingleCost> single_cost() const;
 };
 
+/// A problem that changes another, which must outlive it, in some respect.
+class WrappedProblem : public LeastSquares {
+ public:
+  explicit WrappedProblem(const LeastSquares& problem) : problem_(problem) {}
+  std::size_t residual_count() const override { return problem_.residual_count(); }
+  const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
+  double data_norm() const override { return problem_.data_norm(); }
+  bool known_errors() const override { return problem_.known_errors(); }
+
+ protected:
+  const LeastSquares& problem_;
+};
+
 /// What rounding of model and data puts into |r|, whatever the parameters: some eps |data|.
 inline double residual_rounding(const LeastSquares& problem) {
   return 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();

@@ -21,15 +21,11 @@ namespace mixity {
 namespace {
 
 /// A problem whose points count as often as their weights say.
-class WeightedProblem final : public LeastSquares {
+class WeightedProblem final : public WrappedProblem {
  public:
-  WeightedProblem(const LeastSquares& problem, std::span<const double> weights) : problem_(problem) {
+  WeightedProblem(const LeastSquares& problem, std::span<const double> weights) : WrappedProblem(problem) {
     for (const double w : weights) roots_.push_back(std::sqrt(w));
   }
-  std::size_t residual_count() const override { return problem_.residual_count(); }
-  const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
-  double data_norm() const override { return problem_.data_norm(); }
-  bool known_errors() const override { return problem_.known_errors(); }
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     if (!problem_.evaluate(x, residuals, jacobian)) return false;
     const std::size_t p = x.size();
@@ -41,7 +37,6 @@ class WeightedProblem final : public LeastSquares {
   }
 
  private:
-  const LeastSquares& problem_;
   std::vector<double> roots_;
 };
 

@@ -17,15 +17,12 @@ constexpr std::string_view to_string(Loss loss) {
 /// Welsch 1977).
 constexpr double usual_scale(Loss loss) { return loss == Loss::cauchy ? 2.3849 : 1.345; }
 
-class RobustProblem final : public LeastSquares {
+class RobustProblem final : public WrappedProblem {
  public:
   /// `scale` > 0 in units of the residuals of `problem`, which must outlive this.
-  RobustProblem(const LeastSquares& problem, Loss loss, double scale) : problem_(problem), loss_(loss), scale_(scale) {}
+  RobustProblem(const LeastSquares& problem, Loss loss, double scale)
+      : WrappedProblem(problem), loss_(loss), scale_(scale) {}
 
-  std::size_t residual_count() const override { return problem_.residual_count(); }
-  const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
-  double data_norm() const override { return problem_.data_norm(); }
-  bool known_errors() const override { return problem_.known_errors(); }
   /// The loss bends within a standard error: its basins may be narrower than the usual steps.
   std::size_t scan_density() const override { return 512; }
 
@@ -61,7 +58,6 @@ class RobustProblem final : public LeastSquares {
   }
 
  private:
-  const LeastSquares& problem_;
   Loss loss_;
   double scale_;
 };
