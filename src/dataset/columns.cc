@@ -1,6 +1,7 @@
 #include "dataset/columns.h"
 
 #include "dataset/input_error.h"
+#include "dataset/printable.h"
 
 namespace mixity {
 namespace {
@@ -28,22 +29,56 @@ constexpr std::array<Kind, kColumnCount> kKinds{{
     {ColumnId::include, "include", dimension::none, true},
 }};
 
-struct Heading {
-  std::string_view name, unit;
-  bool has_unit = false, well_formed = true;
-};
+}  // namespace
 
-/// "T [mN]" or "T (mN)" or "T".
-Heading split(std::string_view text) {
-  text = trim(text);
+Heading heading_at(const std::string& path, const CsvRow& header, std::size_t i) {
+  const std::string_view text = trim(header[i]);
   const std::size_t open = text.find_first_of("[(");
-  if (open == std::string_view::npos) return {text, {}};
-  const char close = text[open] == '[' ? ']' : ')';
-  return {trim(text.substr(0, open)), trim(text.substr(open + 1, text.size() - open - 2)), true,
-          text.back() == close && text.size() > open + 1};
+  if (open == std::string_view::npos) return {std::string(text), {}};
+  const std::string name(trim(text.substr(0, open)));
+  if (text.back() != (text[open] == '[' ? ']' : ')') || text.size() <= open + 1)
+    throw InputError(path, header.line(), header.column(i),
+                     "the unit of column '" + name + "' is not closed: '" + std::string(header[i]) + "'");
+  return {name, std::string(trim(text.substr(open + 1, text.size() - open - 2)))};
 }
 
-}  // namespace
+Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_number, const std::string& path,
+             const CsvRow& header, std::size_t i) {
+  if (!heading.unit) return {};
+  const auto fail = [&](const std::string& message) {
+    throw InputError(path, header.line(), header.column(i), message);
+  };
+  const auto parsed = parse_unit(*heading.unit);
+  const std::string kind = always_a_number ? "a plain number" : describe(wanted) + ", or no unit if dimensionless";
+  if (!parsed) fail("'" + *heading.unit + "' of column '" + heading.name + "' is no unit; wanted " + kind);
+  const bool relative = parsed->text == "%" && heading.name.starts_with("sigma_");
+  if (!relative && parsed->dimension != (always_a_number ? dimension::none : wanted))
+    fail("unit '" + parsed->text + "' of column '" + heading.name + "' does not fit; wanted " + kind);
+  return *parsed;
+}
+
+void require_width(const std::string& path, const CsvRow& row, std::size_t count) {
+  if (row.size() < count)
+    throw InputError(path, row.line(), row.column(row.size()),
+                     "the row has " + std::to_string(row.size()) + " fields, the header " + std::to_string(count));
+  for (std::size_t i = count; i < row.size(); ++i)
+    if (!trim(row[i]).empty())
+      throw InputError(path, row.line(), row.column(i),
+                       "the row has more fields than the header's " + std::to_string(count));
+}
+
+std::optional<double> number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name) {
+  const std::string_view text = trim(row[i]);
+  if (text.empty()) return std::nullopt;
+  const auto value = parse_number(text);
+  if (!value) {
+    const bool decimal_comma = text.find(',') != std::string_view::npos;
+    throw InputError(path, row.line(), row.column(i),
+                     "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number" +
+                         (decimal_comma ? " (write a decimal point, not a comma)" : ""));
+  }
+  return value;
+}
 
 std::string_view to_string(ColumnId id) { return kKinds[static_cast<std::size_t>(id)].name; }
 
@@ -52,9 +87,8 @@ Columns::Columns(const std::string& path, const CsvRow& header) : count_(header.
     const auto fail = [&](const std::string& message) {
       throw InputError(path, header.line(), header.column(i), message);
     };
-    const Heading heading = split(header[i]);
-    const std::string name(heading.name);
-    if (!heading.well_formed) fail("the unit of column '" + name + "' is not closed: '" + std::string(header[i]) + "'");
+    const Heading heading = heading_at(path, header, i);
+    const std::string& name = heading.name;
     const Kind* kind = nullptr;
     for (const Kind& candidate : kKinds)
       if (candidate.name == heading.name) kind = &candidate;
@@ -62,17 +96,7 @@ Columns::Columns(const std::string& path, const CsvRow& header) : count_(header.
       if (!name.empty()) ignored_.push_back(name);
       continue;
     }
-    Unit unit;
-    if (heading.has_unit) {
-      const auto parsed = parse_unit(heading.unit);
-      const std::string wanted =
-          kind->always_a_number ? "a plain number" : describe(kind->dimension) + ", or no unit if dimensionless";
-      if (!parsed) fail("'" + std::string(heading.unit) + "' of column '" + name + "' is no unit; wanted " + wanted);
-      const bool relative = parsed->text == "%" && kind->name.starts_with("sigma_");
-      if (!relative && parsed->dimension != (kind->always_a_number ? dimension::none : kind->dimension))
-        fail("unit '" + parsed->text + "' of column '" + name + "' does not fit; wanted " + wanted);
-      unit = *parsed;
-    }
+    const Unit unit = unit_of(heading, kind->dimension, kind->always_a_number, path, header, i);
     auto& slot = columns_[static_cast<std::size_t>(kind->id)];
     if (slot) fail("column '" + name + "' stands twice");
     slot = Column{kind->id, i, unit};

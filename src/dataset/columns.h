@@ -49,4 +49,23 @@ class Columns {
 
 std::string_view to_string(ColumnId id);
 
+// ---- What any file with such a header is read by. Each throws InputError that names line and column. ----
+
+/// "T [mN]", "T (mN)" or "T".
+struct Heading {
+  std::string name;
+  std::optional<std::string> unit;  // as written; null without brackets
+};
+Heading heading_at(const std::string& path, const CsvRow& header, std::size_t i);
+
+/// The heading's unit, checked against what the quantity may have; none if it states none.
+Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_number, const std::string& path,
+             const CsvRow& header, std::size_t i);
+
+/// A row must have as many fields as the header; further ones must be empty.
+void require_width(const std::string& path, const CsvRow& row, std::size_t count);
+
+/// The number in field i, as it stands; null if the field is empty. `name`: of the column.
+std::optional<double> number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name);
+
 }  // namespace mixity

@@ -25,7 +25,7 @@ class Loader {
       prepare();
     } else {
       ++data_.rows;
-      check_width(row);
+      require_width(path_, row, columns_->count());
       read_point(row);
     }
   }
@@ -61,30 +61,12 @@ class Loader {
     data_.display.area_scale = data_.contact->area_unit() / (area ? unit.factor : unit.factor * unit.factor);
   }
 
-  void check_width(const CsvRow& row) const {
-    if (row.size() < columns_->count())
-      throw InputError(
-          path_, row.line(), row.column(row.size()),
-          "the row has " + std::to_string(row.size()) + " fields, the header " + std::to_string(columns_->count()));
-    for (std::size_t i = columns_->count(); i < row.size(); ++i)
-      if (!trim(row[i]).empty())
-        throw InputError(path_, row.line(), row.column(i),
-                         "the row has more fields than the header's " + std::to_string(columns_->count()));
-  }
-
   /// The field of a column in SI or as it stands; null if it is empty.
   std::optional<double> number(const CsvRow& row, ColumnId id) const {
     const Column* column = columns_->find(id);
     if (!column) return std::nullopt;
-    const std::string_view text = trim(row[column->index]);
-    if (text.empty()) return std::nullopt;
-    const auto value = parse_number(text);
-    if (!value) {
-      const bool decimal_comma = text.find(',') != std::string_view::npos;
-      throw InputError(path_, row.line(), row.column(column->index),
-                       "column '" + std::string(to_string(id)) + "': '" + printable(text, 60) + "' is not a number" +
-                           (decimal_comma ? " (write a decimal point, not a comma)" : ""));
-    }
+    const auto value = number_at(path_, row, column->index, to_string(id));
+    if (!value) return std::nullopt;
     return *value * column->unit.factor;
   }
 

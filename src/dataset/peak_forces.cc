@@ -1,0 +1,107 @@
+#include "dataset/peak_forces.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "dataset/columns.h"
+#include "dataset/csv.h"
+#include "dataset/input_error.h"
+#include "mechanics/contact.h"
+
+namespace mixity {
+namespace {
+
+enum Quantity { kLoad, kPeak, kMinimum };
+constexpr std::array<std::string_view, 3> kNames{"P", "T_peak", "T_min"};
+
+class Reader {
+ public:
+  explicit Reader(PeakForces& forces, const std::string& metadata_path)
+      : forces_(forces), metadata_path_(metadata_path) {}
+
+  void row(const CsvRow& row) {
+    if (width_ == 0) return read_header(row);
+    require_width(forces_.path, row, width_);
+    std::array<std::optional<double>, 3> values;
+    for (const Quantity q : {kLoad, kPeak, kMinimum})
+      if (columns_[q]) values[q] = number_at(forces_.path, row, *columns_[q], kNames[q]);
+    const auto exclude = [&](const std::string& why) { forces_.excluded.push_back({row.line(), why}); };
+    for (const Quantity q : {kLoad, kPeak, kMinimum})
+      if (values[q] && !std::isfinite(*values[q]))
+        return exclude("column '" + std::string(kNames[q]) + "' is not finite");
+    if (!values[kLoad]) return exclude("column 'P' is empty");
+    if (!values[kPeak] && !values[kMinimum]) return exclude("neither T_peak nor T_min is given");
+    if (!(*values[kLoad] > 0)) return exclude("P is not above 0: no area of Hertz");
+    PeakForce point{row.line(), *values[kLoad], {}, {}};
+    const double area = hertz_area(*values[kLoad] * units_[kLoad].factor);
+    if (values[kPeak]) point.peak = *values[kPeak] * units_[kPeak].factor / area / stress_;
+    if (values[kMinimum]) point.minimum = *values[kMinimum] * units_[kMinimum].factor / area / stress_;
+    forces_.rows.push_back(point);
+  }
+
+  bool has_header() const { return width_ > 0; }
+
+ private:
+  void read_header(const CsvRow& header) {
+    const std::string& path = forces_.path;
+    width_ = header.size();
+    for (std::size_t i = 0; i < header.size(); ++i) {
+      const Heading heading = heading_at(path, header, i);
+      for (const Quantity q : {kLoad, kPeak, kMinimum}) {
+        if (heading.name != kNames[q]) continue;
+        if (columns_[q])
+          throw InputError(path, header.line(), header.column(i), "column '" + heading.name + "' stands twice");
+        columns_[q] = i;
+        units_[q] = unit_of(heading, dimension::force, false, path, header, i);
+      }
+    }
+    if (!columns_[kLoad]) throw InputError(path, header.line(), 1, "column 'P' is missing");
+    if (!columns_[kPeak] && !columns_[kMinimum])
+      throw InputError(path, header.line(), 1, "column 'T_peak' or 'T_min' is missing");
+    const bool bare = units_[kLoad].dimension == dimension::none;
+    for (const Quantity q : {kPeak, kMinimum})
+      if (columns_[q] && bare != (units_[q].dimension == dimension::none))
+        throw InputError(path, header.line(), header.column(*columns_[q]),
+                         "column '" + std::string(kNames[q]) + "' and P are either both dimensionless or neither is");
+    if (bare) return;
+    const auto modulus = forces_.metadata.plane_strain_modulus();
+    for (const auto& [value, key] : {std::pair(forces_.metadata.radius, "radius"), std::pair(modulus, "modulus")})
+      if (!value)
+        throw InputError(path, "needs " + std::string(key) + " for the area of Hertz: state it in " + metadata_path_);
+    radius_ = *forces_.metadata.radius;
+    modulus_ = *modulus;
+    forces_.force_unit = units_[kLoad].text;
+    forces_.stress_unit = "kPa";
+    stress_ = 1e3;
+  }
+
+  /// a^3 = 3 P R/(4 E*); dimensionless with R = E* = 1.
+  double hertz_area(double P) const { return area_from_radius(std::cbrt(0.75 * P * radius_ / modulus_)); }
+
+  PeakForces& forces_;
+  std::string metadata_path_;
+  std::size_t width_ = 0;
+  std::array<std::optional<std::size_t>, 3> columns_;
+  std::array<Unit, 3> units_;
+  double radius_ = 1, modulus_ = 1, stress_ = 1;
+};
+
+}  // namespace
+
+PeakForces load_peak_forces(const std::string& path) {
+  PeakForces forces;
+  forces.path = path;
+  forces.name = std::filesystem::path(path).stem().string();
+  const std::string metadata_path = std::filesystem::path(path).replace_extension(".toml").string();
+  forces.metadata = read_metadata(metadata_path);
+  if (const std::string problem = modulus_problem(forces.metadata); !problem.empty())
+    throw InputError(metadata_path, problem);
+  Reader reader(forces, metadata_path);
+  read_csv(path, [&](const CsvRow& row) { reader.row(row); });
+  if (!reader.has_header()) throw InputError(path, 1, 1, "is empty: a header row is missing");
+  if (forces.rows.empty() && forces.excluded.empty()) throw InputError(path, 2, 1, "has a header but no data rows");
+  return forces;
+}
+
+}  // namespace mixity

@@ -1,0 +1,33 @@
+// Tangential loads at the first maximum (peak) and the following minimum of a shear test, against normal load: what
+// Waters & Guduru (2010), Fig. 6, give and the paper's Fig. 11 compares as mean stresses T/A_Hertz.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/dataset.h"
+
+namespace mixity {
+
+/// One row. Stresses are over the area of Hertz at P, which exists for P > 0 only: such rows are excluded.
+struct PeakForce {
+  std::size_t line;
+  double P;                             // in the file's unit
+  std::optional<double> peak, minimum;  // T/A_Hertz in `stress_unit`
+};
+
+struct PeakForces {
+  std::string path, name;
+  Metadata metadata;
+  std::string force_unit;   // as written; empty if dimensionless
+  std::string stress_unit;  // kPa; empty if dimensionless, then in units of E*/xi
+  std::vector<PeakForce> rows;
+  std::vector<Excluded> excluded;
+};
+
+/// Reads PATH.csv with columns P and T_peak or T_min or both, and PATH.toml beside it; with units the radius and the
+/// modulus are needed. Throws InputError with file, line and column.
+PeakForces load_peak_forces(const std::string& path);
+
+}  // namespace mixity
