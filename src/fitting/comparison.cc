@@ -48,7 +48,7 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
   FitOptions quick = value_only(options);
   quick.near = whole.solution;
   const auto runs = points_by_curve(data);
-  LeftOut result{0, 0};
+  LeftOut result{0, 0, {}};
   std::size_t predicted = 0;
   for (const auto& run : runs) {
     if (run.empty()) continue;
@@ -57,12 +57,19 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
       if (data.points[i].curve != data.points[run.front()].curve) others.push_back(i);
     const FitResult without = fit_model(data, model, quick, &others);
     if (!has_all_values(without) || without.status == FitStatus::not_converged) return std::nullopt;
+    const std::size_t curve = data.points[run.front()].curve;
+    LeftOut::Run left_out{data.curves[curve], data.curve_loads[curve], 0, run.size(), 0};
+    double squares = 0;
     with_model(model, [&](auto chosen) {
       using Model = decltype(chosen);
-      result.rmse_area +=
-          squared_area_errors<Model>(data, run, fitted_trial<Model>(data, without, options), result.beyond_fold);
+      squares =
+          squared_area_errors<Model>(data, run, fitted_trial<Model>(data, without, options), left_out.beyond_fold);
     });
+    left_out.rmse_area = std::sqrt(squares / static_cast<double>(run.size()));
+    result.rmse_area += squares;
+    result.beyond_fold += left_out.beyond_fold;
     predicted += run.size();
+    result.runs.push_back(std::move(left_out));
   }
   if (predicted == 0) return std::nullopt;
   result.rmse_area = std::sqrt(result.rmse_area / static_cast<double>(predicted));

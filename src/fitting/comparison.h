@@ -22,6 +22,13 @@ std::optional<Information> information(const FitResult& fit);
 struct LeftOut {
   double rmse_area;
   std::size_t beyond_fold;  // points
+  struct Run {
+    std::string curve;
+    double P;  // dimensionless
+    double rmse_area;
+    std::size_t points, beyond_fold;
+  };
+  std::vector<Run> runs;
 };
 /// Null without loads, with fewer than two runs, or if a fit without one of them yields no value.
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options);

@@ -137,4 +137,6 @@ std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<do
       {x.begin(), x.end()}, r * r, at.stationarity, at.stationarity <= 1e-8 || at.stationarity * r <= rounding};
 }
 
+std::string_view solver_version() { return CERES_VERSION_STRING; }
+
 }  // namespace mixity

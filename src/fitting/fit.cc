@@ -245,9 +245,29 @@ class Fitter {
           result_.message = "the cost is lower at " + parameter.name + " = " +
                             rounded(parameter.shown(*interval.deeper), 4) + " than at the minimum found";
         }
+        if (options_.profile_points > 0) draw_profile_of(shown_parameter, j, verdict, interval, allowance);
       }
       ++j;
     }
+  }
+
+  /// To twice the interval's distance on each side; all of a bounded range where another minimum fits as well.
+  void draw_profile_of(FittedParameter& shown_parameter, std::size_t j, const Verdict& verdict,
+                       const Interval& interval, double allowance) {
+    const FreeParameter& parameter = problem_->parameters()[j];
+    const double x = verdict.best.x[j], n = static_cast<double>(problem_->residual_count()),
+                 p = static_cast<double>(problem_->parameters().size());
+    const bool whole = verdict.status == FitStatus::multimodal && !parameter.start;
+    const auto end = [&](double found, EndStatus status, double bound) {
+      if (whole || status != EndStatus::found) return bound;
+      return std::clamp(x + 2 * (found - x), parameter.lower, parameter.upper);
+    };
+    const double variance = result_.known_errors ? 1 : verdict.best.sum_of_squares / (n - p);
+    DrawnProfile drawn = draw_profile(cost(), verdict.best, j, end(interval.low, interval.low_status, parameter.lower),
+                                      end(interval.high, interval.high_status, parameter.upper),
+                                      options_.profile_points, allowance, variance);
+    for (auto& point : drawn.points) point.first = parameter.shown(point.first);
+    shown_parameter.profile = std::move(drawn);
   }
 
   /// Bootstrap and influence, if asked for.
@@ -334,6 +354,7 @@ FitOptions value_only(FitOptions options) {
   options.intervals = false;
   options.bootstrap = {};
   options.influence = false;
+  options.profile_points = 0;
   options.progress = {};
   return options;
 }

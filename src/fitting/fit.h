@@ -44,9 +44,10 @@ struct FitOptions {
   std::optional<double> loss_scale{};  // in standard errors; null: the loss's usual one
   bool intervals = true;
   double confidence = 0.95;
-  BootstrapOptions bootstrap{};  // with replicates = 0: none
-  bool influence = false;        // of each point and run: jackknife, leverage, Cook's distance
-  Progress progress{};           // of bootstrap and influence
+  BootstrapOptions bootstrap{};    // with replicates = 0: none
+  bool influence = false;          // of each point and run: jackknife, leverage, Cook's distance
+  std::size_t profile_points = 0;  // of each free parameter's drawn profile; 0: none
+  Progress progress{};             // of bootstrap and influence
   std::vector<double> near{};  // of a refit: where the minimum is looked for, in the solver's numbers; empty: anywhere
 };
 
@@ -70,6 +71,7 @@ struct FittedParameter {
   std::optional<ShownInterval> interval{};
   std::optional<Bootstrapped> bootstrap{};  // in the reader's unit
   std::string unit{};                       // empty if dimensionless
+  std::optional<DrawnProfile> profile{};    // x in the reader's unit; if asked for
 };
 
 /// How well the fitted model predicts the area at the points' loads, in the units of the file.

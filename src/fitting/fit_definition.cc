@@ -19,7 +19,7 @@ class Reader {
     FitJob job;
     for (const auto& [key, node] : table) {
       if (key == "data")
-        job.data_path = (std::filesystem::path(path_).parent_path() / text(node, "data")).lexically_normal().string();
+        job.data_path = beside(text(node, "data"));
       else if (key == "models")
         job.models = texts(node, "models");
       else if (key == "objective")
@@ -30,11 +30,13 @@ class Reader {
         read_hold(node, job);
       else if (key == "source")
         job.source = text(node, "source");
+      else if (key == "peaks")
+        job.peaks_path = beside(text(node, "peaks"));
       else if (key == "published")
         read_published(node, job);
       else
         fail(key, "unknown key \"" + std::string(key.str()) +
-                      "\" (known: data, models, objective, scale, hold, source, published)");
+                      "\" (known: data, models, objective, scale, hold, peaks, source, published)");
     }
     if (job.data_path.empty()) throw InputError(path_, "the key data is missing");
     if (job.models.empty()) job.models = {"a", "b", "c"};
@@ -46,6 +48,11 @@ class Reader {
   template <class Placed>
   [[noreturn]] void fail(const Placed& node, const std::string& message) const {
     fail_at(path_, node, message);
+  }
+
+  /// A path as written, against the definition's folder.
+  std::string beside(const std::string& path) const {
+    return (std::filesystem::path(path_).parent_path() / path).lexically_normal().string();
   }
 
   std::string text(const toml::node& node, const std::string& key) const {

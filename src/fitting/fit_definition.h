@@ -19,6 +19,7 @@ struct Published {
 /// One model a job fits, with what it holds and what was published about it.
 struct FitJob {
   std::string data_path;            // CSV, resolved against the definition's folder
+  std::string peaks_path;           // CSV of peak forces, resolved likewise; empty: none
   std::vector<std::string> models;  // in the order to report
   FitOptions options;
   bool compare = true;     // the models with each other: information criteria, error on loads left out

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "fitting/minimise.h"
 #include "fitting/single_cost.h"
@@ -45,5 +47,16 @@ class Profile {
   std::size_t k_;
   std::vector<double> others_;  // where the last minimum lay
 };
+
+/// The profile for drawing: how far the cost lies above its minimum, in units of the errors' variance (known, or as the
+/// scatter shows it), so that it is ((x - best)/standard error)^2 for a parabola.
+struct DrawnProfile {
+  std::vector<std::pair<double, double>> points;  // x as the solver counts, rise; x rising
+  double level = 0;                               // the rise at an interval's end: allowance/variance
+};
+
+/// About `count` points from low to high, best among them; those without a finite cost are left out.
+DrawnProfile draw_profile(const LeastSquares& problem, const Minimum& best, std::size_t k, double low, double high,
+                          std::size_t count, double allowance, double variance);
 
 }  // namespace mixity

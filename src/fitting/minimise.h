@@ -39,6 +39,9 @@ double fit_tolerance(const LeastSquares& problem, double least);
 /// Given `near`, the scan is left out and the descent starts there: for refits of almost the same data.
 Verdict minimise(const LeastSquares& problem, const std::vector<double>& near = {});
 
+/// The version of Ceres.
+std::string_view solver_version();
+
 /// Ceres from one start, polished to a zero of the gradient. Null if no finite cost was found from there.
 std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<double>& start);
 

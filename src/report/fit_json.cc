@@ -64,28 +64,32 @@ Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
 
 }  // namespace
 
+Json dataset_json(const JobResult& result) {
+  const Dataset& data = result.data;
+  const bool reconstructed = data.metadata.provenance == Provenance::reconstructed;
+  Json fits = Json::array();
+  for (const FitResult& fit : result.fits) fits.push_back(fit_json(fit, result.job, data));
+  return {{"path", data.path},
+          {"name", data.name},
+          {"provenance", to_string(data.metadata.provenance)},
+          {"notice", reconstructed ? Json(kReconstructedNotice) : Json()},
+          {"source", data.metadata.source},
+          {"points", data.rows},
+          {"used", data.points.size()},
+          {"excluded", excluded_json(data.excluded)},
+          {"fits", fits},
+          {"comparison", comparison_json(result)},
+          {"per_curve", per_curve_json(result)}};
+}
+
+std::string json_text(const Json& document) {
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 std::string to_json(const std::vector<JobResult>& results) {
   Json datasets = Json::array();
-  for (const JobResult& result : results) {
-    const Dataset& data = result.data;
-    const bool reconstructed = data.metadata.provenance == Provenance::reconstructed;
-    Json fits = Json::array();
-    for (const FitResult& fit : result.fits) fits.push_back(fit_json(fit, result.job, data));
-    datasets.push_back({{"path", data.path},
-                        {"name", data.name},
-                        {"provenance", to_string(data.metadata.provenance)},
-                        {"notice", reconstructed ? Json(kReconstructedNotice) : Json()},
-                        {"source", data.metadata.source},
-                        {"points", data.rows},
-                        {"used", data.points.size()},
-                        {"excluded", excluded_json(data.excluded)},
-                        {"fits", fits},
-                        {"comparison", comparison_json(result)},
-                        {"per_curve", per_curve_json(result)}});
-  }
-  const Json document = {{"schema", "mixity-fit-1"}, {"version", MIXITY_VERSION}, {"datasets", datasets}};
-  // Names and paths may hold bytes that are not UTF-8; they are replaced rather than thrown over.
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  for (const JobResult& result : results) datasets.push_back(dataset_json(result));
+  return json_text({{"schema", "mixity-fit-1"}, {"version", MIXITY_VERSION}, {"datasets", datasets}});
 }
 
 }  // namespace mixity

@@ -67,13 +67,23 @@ Json correlations_json(const FitResult& fit) {
 
 Json comparison_json(const JobResult& result) {
   Json list = Json::array();
-  for (const ComparedModel& entry : result.comparison)
+  for (const ComparedModel& entry : result.comparison) {
+    Json runs = Json::array();
+    if (entry.left_out)
+      for (const LeftOut::Run& run : entry.left_out->runs)
+        runs.push_back({{"curve", run.curve},
+                        {"load", run.P * result.data.display.force_scale},
+                        {"rmse_area", run.rmse_area},
+                        {"points", run.points},
+                        {"beyond_fold", run.beyond_fold}});
     list.push_back({{"model", entry.model},
                     {"aicc", number_or_null(entry.aicc)},
                     {"bic", number_or_null(entry.bic)},
                     {"weight", number_or_null(entry.weight)},
                     {"loo_rmse_area", entry.left_out ? Json(entry.left_out->rmse_area) : Json()},
-                    {"loo_beyond_fold", entry.left_out ? Json(entry.left_out->beyond_fold) : Json()}});
+                    {"loo_beyond_fold", entry.left_out ? Json(entry.left_out->beyond_fold) : Json()},
+                    {"loo_curves", runs}});
+  }
   return list;
 }
 

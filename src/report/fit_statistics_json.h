@@ -11,6 +11,11 @@ using Json = nlohmann::ordered_json;
 
 inline Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
+/// Everything that was found about one data set.
+Json dataset_json(const JobResult& result);
+/// Names and paths may hold bytes that are not UTF-8; they are replaced rather than thrown over.
+std::string json_text(const Json& document);
+
 Json interval_json(const std::optional<ShownInterval>& interval);
 Json errors_json(const FitResult& fit);
 Json bootstrap_json(const FittedParameter& parameter, const FitResult& fit);

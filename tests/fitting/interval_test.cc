@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
@@ -232,6 +233,41 @@ TEST(Profile, IsLeftOutWhereItIsNotAskedForOrCannotBe) {
   EXPECT_FALSE(held.parameters[0].interval);
   const std::vector<std::size_t> one{3};
   EXPECT_FALSE(fit_model(data, "c", {}, &one).parameters[0].interval);
+}
+
+/// Sum of squares of a fit with lambda held; the other free parameters take their best values.
+double cost_with_lambda(const Dataset& data, FitOptions options, double lambda) {
+  options = value_only(options);
+  options.hold = {{"lambda", lambda}};
+  const FitResult fit = fit_model(data, "c", options);
+  return static_cast<double>(fit.used.size()) * *fit.rmse * *fit.rmse;
+}
+
+TEST(DrawnProfile, IsTheCostOfFitsWithTheParameterHeld) {
+  const Dataset data = load_dataset(MIXITY_ROOT "/data/mergel2018.csv");
+  for (const std::vector<Correction>& free : {std::vector<Correction>{}, std::vector<Correction>{kToughness}}) {
+    FitOptions options;
+    options.free = free;
+    options.profile_points = 8;
+    const FitResult fit = fit_model(data, "c", options);
+    const FittedParameter& lambda = fit.parameters[0];
+    ASSERT_TRUE(lambda.profile);
+    ASSERT_EQ(lambda.profile->points.size(), 9u);
+    EXPECT_TRUE(std::is_sorted(lambda.profile->points.begin(), lambda.profile->points.end()));
+    const double freedom = static_cast<double>(fit.used.size() - fit.free_parameters);
+    const double least = static_cast<double>(fit.used.size()) * *fit.rmse * *fit.rmse;
+    for (const auto& [value, rise] : lambda.profile->points)
+      // the held fits' costs are known to 1e-10, of which the variance is a share of 1/freedom
+      EXPECT_NEAR(rise, (cost_with_lambda(data, options, value) - least) / (least / freedom), 1e-6) << value;
+    // four half-widths, so that the interval's ends are points: there the rise is the level
+    EXPECT_NEAR(lambda.profile->points[2].first, *lambda.interval->low, 1e-8);
+    EXPECT_NEAR(lambda.profile->points[2].second, lambda.profile->level, 1e-5 * lambda.profile->level);
+  }
+}
+
+TEST(DrawnProfile, IsLeftOutUnlessAskedFor) {
+  const Dataset data = load_dataset(MIXITY_ROOT "/data/mergel2018.csv");
+  EXPECT_FALSE(fit_model(data, "c").parameters[0].profile);
 }
 
 }  // namespace

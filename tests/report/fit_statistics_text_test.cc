@@ -68,9 +68,9 @@ TEST(FitStatisticsText, EstimatedErrorsWithARobustLossAndOneEndedIntervals) {
 TEST(FitStatisticsText, ComparisonIsSortedByTheErrorOnLoadsLeftOut) {
   JobResult result = example();
   result.fits.clear();
-  result.comparison = {{"a", 321.5, 330.25, 2.3e-62, LeftOut{0.0123456, 0}},
+  result.comparison = {{"a", 321.5, 330.25, 2.3e-62, LeftOut{0.0123456, 0, {}}},
                        {"bk", {}, {}, {}, {}},
-                       {"c", 38.25, 40.5, 1, LeftOut{0.00216, 3}}};
+                       {"c", 38.25, 40.5, 1, LeftOut{0.00216, 3, {}}}};
   expect_golden(result, "comparison.txt");
 }
 
