@@ -5,7 +5,8 @@
 #include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/usage_error.h"
-#include "report/paper_figures.h"
+#include "report/figures/gnuplot.h"
+#include "report/figures/paper_figures.h"
 
 namespace mixity::cli {
 

@@ -12,10 +12,14 @@
 
 namespace mixity {
 
-inline void expect_golden(const JobResult& result, const std::string& name) {
+inline void expect_golden_text(const std::string& text, const std::string& name) {
   const std::string path = MIXITY_ROOT "/tests/report/golden/" + name;
-  if (std::getenv("MIXITY_UPDATE_GOLDEN")) write_file(path, to_text(result));
-  EXPECT_EQ(to_text(result), read_file(path)) << name;
+  if (std::getenv("MIXITY_UPDATE_GOLDEN")) write_file(path, text);
+  EXPECT_EQ(text, read_file(path)) << name;
+}
+
+inline void expect_golden(const JobResult& result, const std::string& name) {
+  expect_golden_text(to_text(result), name);
 }
 
 }  // namespace mixity

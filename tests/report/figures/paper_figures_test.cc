@@ -1,5 +1,5 @@
 // Every point of the paper's figures against the equations as printed there.
-#include "report/paper_figures.h"
+#include "report/figures/paper_figures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The figures of Papangelo & Ciavarella (2019) from the equations alone, without any data.
 #pragma once
 
-#include "report/figure.h"
+#include "report/figures/figure.h"
 
 namespace mixity {
 

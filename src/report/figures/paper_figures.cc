@@ -1,4 +1,4 @@
-#include "report/paper_figures.h"
+#include "report/figures/paper_figures.h"
 
 #include <cmath>
 #include <functional>
@@ -16,19 +16,19 @@ const std::string kT = "T/(R G_{Ic})", kA = "A ξ^2/R^2";
 const Axis kP{"P/(R G_{Ic})", -6.0, 30.0};
 
 template <class Model>
-constexpr Look look_of() {
-  return std::is_same_v<Model, Johnson>        ? Look::dash_dot
-         : std::is_same_v<Model, WatersGuduru> ? Look::dashed
-                                               : Look::solid;
+Look look_of() {
+  return model_line(Model::info.key);
 }
 
 const std::vector<std::pair<std::string, Look>> kModelKey{
     {"a", Look::dash_dot}, {"b", Look::dashed}, {"c", Look::solid}};
 
 template <class Model>
-Series toughness_curve(double lambda, double last_psi, std::size_t paint) {
-  Series series{
-      "model " + std::string(Model::info.key) + ", λ = " + rounded(lambda, 4), look_of<Model>(), color(paint), {}};
+Series toughness_curve(double lambda, double last_psi) {
+  Series series{"model " + std::string(Model::info.key) + ", λ = " + rounded(lambda, 4),
+                look_of<Model>(),
+                model_color(Model::info.key),
+                {}};
   for (std::size_t i = 0; i <= kPoints; ++i) {
     const double psi = last_psi * static_cast<double>(i) / kPoints;
     const double f = std::exp(Model::log_toughness({lambda}, mixity_from_angle(psi)).value);
@@ -47,7 +47,7 @@ Figure radius_against_load(const std::string& name, const std::vector<double>& s
                 {"a ξ/R", 0.0, 4.5},
                 {},
                 {{"unstable", Look::dotted}},
-                true};
+                KeyPlace::top_left};
   for (std::size_t k = 0; k < shears.size(); ++k) {
     Series unstable{"", Look::dotted, color(k), {}},
         stable{"T = " + shortest(shears[k]), look_of<Model>(), color(k), {}};
@@ -84,7 +84,7 @@ void add_curves(Figure& figure, double lambda, const std::vector<double>& loads,
 
 Figure curves(const std::string& name, const std::string& title, double lambda, const std::vector<double>& loads,
               double T_most, Axis x, Axis y, const Projected& project, bool stable_only = false) {
-  Figure figure{name, title, std::move(x), std::move(y), {}, kModelKey, false};
+  Figure figure{name, title, std::move(x), std::move(y), {}, kModelKey, KeyPlace::beside};
   add_curves<PapangeloCiavarella>(figure, lambda, loads, T_most, project, stable_only);
   add_curves<Johnson>(figure, lambda, loads, T_most, project, stable_only);
   add_curves<WatersGuduru>(figure, lambda, loads, T_most, project, stable_only);
@@ -100,14 +100,14 @@ std::vector<Figure> paper_figures() {
     return Axis{"f = G_c/G_{Ic}", low, high, logarithmic};
   };
   const auto every_model = [&](double lambda) {
-    return std::vector{toughness_curve<Johnson>(lambda, right_angle, 1),
-                       toughness_curve<WatersGuduru>(lambda, right_angle, 2),
-                       toughness_curve<PapangeloCiavarella>(lambda, right_angle, 0)};
+    return std::vector{toughness_curve<Johnson>(lambda, right_angle),
+                       toughness_curve<WatersGuduru>(lambda, right_angle),
+                       toughness_curve<PapangeloCiavarella>(lambda, right_angle)};
   };
   std::vector<Figure> figures;
   const auto toughness = [&](const char* name, const char* title, const Axis& x, const Axis& y,
                              std::vector<Series> series) {
-    figures.push_back(Figure{name, title, x, y, std::move(series), {}, true});
+    figures.push_back(Figure{name, title, x, y, std::move(series), {}, KeyPlace::top_left});
   };
   toughness("fig3", "Fig. 3: toughness ratio against phase angle, λ = 0.15", psi, f(0, 10, false), every_model(0.15));
 
@@ -132,7 +132,7 @@ std::vector<Figure> paper_figures() {
                            {kA, 0.0, 45.0}, area, true));
   toughness("fig9", "Fig. 9: toughness ratio against phase angle (Waters & Guduru 2010)", {"ψ [rad]", 0.0, 1.3},
             f(0.5, 4, false),
-            {toughness_curve<WatersGuduru>(0.30, 1.25, 2), toughness_curve<PapangeloCiavarella>(0.2331, 1.25, 0)});
+            {toughness_curve<WatersGuduru>(0.30, 1.25), toughness_curve<PapangeloCiavarella>(0.2331, 1.25)});
   return figures;
 }
 

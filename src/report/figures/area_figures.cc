@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/number_text.h"
+#include "fitting/fitted_trial.h"
+#include "report/figures/data_figures.h"
+#include "report/figures/drawn_units.h"
+#include "report/figures/model_curves.h"
+
+namespace mixity {
+namespace {
+
+/// One data set's area figures share its points, curves and axes.
+class AreaFigures {
+ public:
+  explicit AreaFigures(const ReportedData& reported)
+      : reported_(reported), data_(reported.result.data), units_(data_), runs_(shown_runs(data_)) {
+    for (const Point& point : data_.points) T_data_ = std::max(T_data_, point.T);
+    for (const FitResult& fit : reported.result.fits) {
+      if (!has_all_values(fit)) continue;
+      fits_.push_back(&fit);
+      curves_.emplace_back();
+      for (const std::size_t run : runs_)
+        curves_.back().push_back(drawn_curve(reported.result, fit, data_.curve_loads[run], 1.5 * T_data_));
+    }
+    T_axis_ = 1.05 * T_data_ * units_.force;
+    for (const auto& curves : curves_)
+      for (const DrawnCurve& curve : curves)
+        for (const DrawnFold& fold : curve.folds)
+          if (fold.control == Control::Kind::load && fold.T < 1.3 * T_data_ * units_.force)
+            T_axis_ = std::max(T_axis_, 1.05 * fold.T);
+  }
+
+  std::vector<Figure> draw() const {
+    std::vector<Figure> figures;
+    if (fits_.size() > 1) figures.push_back(all_models());
+    for (std::size_t m = 0; m < fits_.size(); ++m) figures.push_back(one_model(m));
+    return figures;
+  }
+
+ private:
+  Figure empty(const std::string& name, const std::string& title) const {
+    Figure figure{reported_.stem + name, title, {units_.T(), 0.0, T_axis_}, {units_.A(), 0.0, {}}, {}};
+    figure.key_title = units_.P();
+    figure.wide = true;
+    figure.key_place = KeyPlace::beside;
+    return figure;
+  }
+
+  Series measured(std::size_t k) const {
+    const std::size_t run = runs_[k];
+    Series series{rounded(data_.curve_loads[run] * units_.force, 3), Look::circles, color(k), {}};
+    std::vector<std::size_t> points;
+    for (std::size_t i = 0; i < data_.points.size(); ++i)
+      if (data_.points[i].curve == run) points.push_back(i);
+    const auto& errors = reported_.result.fits.front().errors;
+    for (const std::size_t i : shown_points(points)) {
+      const Point& point = data_.points[i];
+      const double T = point.T * units_.force, A = point.A * units_.area;
+      series.points.emplace_back(T, A);
+      series.hover.push_back(point_hover(data_, point));
+      if (!errors) continue;
+      const double dT = errors->T[i] * units_.force, dA = errors->A[i] * units_.area;
+      series.bars.push_back({T - dT, T + dT, A - dA, A + dA});
+    }
+    return series;
+  }
+
+  Figure all_models() const {
+    Figure figure = empty("_area_models", "Contact area against tangential load, all models");
+    for (std::size_t k = 0; k < runs_.size(); ++k) figure.series.push_back(measured(k));
+    std::string beyond;
+    for (std::size_t m = 0; m < fits_.size(); ++m) {
+      const Look look = model_line(fits_[m]->model);
+      figure.key.emplace_back("model " + fits_[m]->model, look);
+      for (std::size_t k = 0; k < runs_.size(); ++k) {
+        Series line{"", look, color(k), {}};
+        for (const DrawnPoint& q : curves_[m][k].points) {
+          if (!q.stable) break;
+          line.points.emplace_back(q.T, q.A);
+        }
+        figure.series.push_back(std::move(line));
+      }
+    }
+    figure.caption =
+        "Measured areas and the stable branch of every model at its fitted parameters; a line that ends "
+        "within the frame ends where the contact jumps." +
+        unshown();
+    return figure;
+  }
+
+  std::string unshown() const {
+    return runs_.size() < data_.curves.size()
+               ? " " + std::to_string(runs_.size()) + " of " + std::to_string(data_.curves.size()) + " runs are shown."
+               : "";
+  }
+
+  /// The curves at both ends of the interval as one polygon for each load.
+  void add_bands(Figure& figure, const FitResult& fit) const {
+    const auto low = at_interval_end(fit, false), high = at_interval_end(fit, true);
+    if (!low || !high) return;
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+      Series band{"", Look::band, color(k), {}};
+      const double load = data_.curve_loads[runs_[k]];
+      for (const DrawnPoint& q : drawn_curve(reported_.result, *low, load, 1.5 * T_data_).points)
+        band.points.emplace_back(q.T, q.A);
+      const DrawnCurve other = drawn_curve(reported_.result, *high, load, 1.5 * T_data_);
+      for (auto q = other.points.rbegin(); q != other.points.rend(); ++q) band.points.emplace_back(q->T, q->A);
+      figure.series.push_back(std::move(band));
+    }
+  }
+
+  Figure one_model(std::size_t m) const {
+    const FitResult& fit = *fits_[m];
+    Figure figure = empty("_area_" + fit.model, "Contact area against tangential load, model " + fit.model);
+    add_bands(figure, fit);
+    Series load{"", Look::triangles, "#000000", {}}, displacement{"", Look::diamonds, "#000000", {}};
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+      figure.series.push_back(measured(k));
+      Series stable{"", Look::solid, color(k), {}}, unstable{"", Look::dashed, color(k), {}};
+      for (const DrawnPoint& q : curves_[m][k].points) {
+        if (!q.stable && unstable.points.empty() && !stable.points.empty())
+          unstable.points.push_back(stable.points.back());
+        (q.stable ? stable : unstable).points.emplace_back(q.T, q.A);
+      }
+      figure.series.push_back(std::move(stable));
+      figure.series.push_back(std::move(unstable));
+      for (const DrawnFold& fold : curves_[m][k].folds) add_fold(fold, k, load, displacement);
+    }
+    figure.key = {{"stable", Look::solid}, {"unstable", Look::dashed}};
+    if (!load.points.empty()) figure.key.emplace_back("jump, load controlled", Look::triangles);
+    if (!displacement.points.empty()) figure.key.emplace_back("jump, displacement controlled", Look::diamonds);
+    figure.series.push_back(std::move(load));
+    figure.series.push_back(std::move(displacement));
+    const bool strength = add_strength(figure);
+    figure.caption = "Equilibrium curves of model " + fit.model + " at its fitted parameters" +
+                     (fit.parameters.front().interval ? ", bands for the ends of the interval" : "") +
+                     "; open triangles and diamonds mark where the contact jumps under load and displacement control" +
+                     (strength ? "; below the dotted line T > τ0 A, and the interface slides" : "") + "." + unshown();
+    return figure;
+  }
+
+  void add_fold(const DrawnFold& fold, std::size_t k, Series& load, Series& displacement) const {
+    const bool by_load = fold.control == Control::Kind::load;
+    Series& series = by_load ? load : displacement;
+    series.points.emplace_back(fold.T, fold.A);
+    series.hover.push_back(std::string("jump under ") + (by_load ? "load" : "displacement") + " control at P = " +
+                           with_unit(data_.curve_loads[runs_[k]] * units_.force, 4, units_.force_unit) + ": T = " +
+                           with_unit(fold.T, 5, units_.force_unit) + ", A = " + with_unit(fold.A, 5, units_.area_unit) +
+                           ", u = " + with_unit(fold.u, 4, units_.displacement_unit) + ", to " + fold.jumps_to);
+  }
+
+  bool add_strength(Figure& figure) const {
+    if (!data_.metadata.shear_strength || !data_.contact) return false;
+    // T = tau0 A in the drawn units
+    const double tau0 = *data_.metadata.shear_strength / data_.contact->stress_unit() * units_.force / units_.area;
+    figure.series.push_back({"sliding, T = τ_0 A", Look::dotted, "#000000", {{0, 0}, {T_axis_, T_axis_ / tau0}}});
+    double largest = 0;
+    for (const Point& point : data_.points) largest = std::max(largest, point.A * units_.area);
+    figure.y.high = 1.1 * largest;
+    return true;
+  }
+
+  const ReportedData& reported_;
+  const Dataset& data_;
+  DrawnUnits units_;
+  std::vector<std::size_t> runs_;
+  std::vector<const FitResult*> fits_;
+  std::vector<std::vector<DrawnCurve>> curves_;  // [fit][run]
+  double T_data_ = 0, T_axis_ = 0;
+};
+
+}  // namespace
+
+std::vector<Figure> area_figures(const ReportedData& reported) {
+  if (!reported.result.data.has_loads || reported.result.data.points.empty()) return {};
+  return AreaFigures(reported).draw();
+}
+
+}  // namespace mixity

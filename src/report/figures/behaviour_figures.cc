@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "dataset/number_text.h"
+#include "fitting/fitted_trial.h"
+#include "report/figures/data_figures.h"
+#include "report/figures/drawn_units.h"
+#include "report/figures/model_curves.h"
+
+namespace mixity {
+namespace {
+
+using Project = std::function<std::pair<double, double>(const DrawnPoint&)>;
+
+std::vector<const FitResult*> fits_with_values(const JobResult& result) {
+  std::vector<const FitResult*> fits;
+  for (const FitResult& fit : result.fits)
+    if (has_all_values(fit)) fits.push_back(&fit);
+  return fits;
+}
+
+double largest_shear(const Dataset& data) {
+  double largest = 0;
+  for (const Point& point : data.points) largest = std::max(largest, point.T);
+  return largest;
+}
+
+/// Whole equilibrium curves, a colour for each load and the model's line.
+Figure curves(const ReportedData& reported, const std::string& name, const std::string& title, Axis x, Axis y,
+              const Project& project) {
+  const Dataset& data = reported.result.data;
+  const DrawnUnits units(data);
+  Figure figure{reported.stem + name, title, std::move(x), std::move(y), {}};
+  figure.key_title = units.P();
+  figure.key_place = KeyPlace::beside;
+  figure.wide = true;
+  const std::vector<std::size_t> runs = shown_runs(data);
+  const double T_most = 1.3 * largest_shear(data);
+  double x_most = 0, y_most = 0;
+  const auto fits = fits_with_values(reported.result);
+  for (const FitResult* fit : fits) {
+    if (fits.size() > 1) figure.key.emplace_back("model " + fit->model, model_line(fit->model));
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      const double load = data.curve_loads[runs[k]];
+      Series series{fit == fits.front() ? rounded(load * units.force, 3) : "", model_line(fit->model), color(k), {}};
+      for (const DrawnPoint& q : drawn_curve(reported.result, *fit, load, T_most).points) {
+        series.points.push_back(project(q));
+        if (!q.stable || q.T > T_most * units.force) continue;
+        x_most = std::max(x_most, series.points.back().first);
+        y_most = std::max(y_most, series.points.back().second);
+      }
+      figure.series.push_back(std::move(series));
+    }
+  }
+  // As far as stable branches go: towards Hertz at small a, u = 3/4 T/a runs away.
+  figure.x.high = 1.05 * x_most;
+  figure.y.high = 1.1 * y_most;
+  figure.caption = "Equilibrium curves at the data's loads and the fitted parameters; u = 3/4 T/a, not measured.";
+  return figure;
+}
+
+/// a(P) at a few tangential loads, all models; the part that is unstable under load dotted.
+Figure radii(const ReportedData& reported) {
+  const Dataset& data = reported.result.data;
+  const DrawnUnits units(data);
+  Figure figure{reported.stem + "_a_P",
+                "Contact radius against normal load at constant tangential load",
+                {units.P(), {}, {}},
+                {units.a(), 0.0, {}},
+                {}};
+  figure.key_title = units.T();
+  figure.key_place = KeyPlace::beside;
+  figure.wide = true;
+  const auto [least, most] = std::minmax_element(data.curve_loads.begin(), data.curve_loads.end());
+  const double P_most = *most + 0.1 * (*most - *least) + 1, T_data = largest_shear(data);
+  const auto fits = fits_with_values(reported.result);
+  for (const FitResult* fit : fits) {
+    if (fits.size() > 1) figure.key.emplace_back("model " + fit->model, model_line(fit->model));
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double T = T_data * static_cast<double>(k + 1) / 4;
+      DrawnRadii drawn = drawn_radii(reported.result, *fit, T, P_most);
+      figure.series.push_back({fit == fits.front() ? rounded(T * units.force, 3) : "", model_line(fit->model), color(k),
+                               std::move(drawn.stable)});
+      figure.series.push_back({"", Look::dotted, color(k), std::move(drawn.unstable)});
+    }
+  }
+  figure.key.emplace_back("unstable", Look::dotted);
+  figure.x.high = P_most * units.force;
+  figure.x.low = std::min(*least * units.force, 0.0);
+  figure.caption = "The contact at a quarter, half, three quarters and all of the largest tangential load measured.";
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> behaviour_figures(const ReportedData& reported) {
+  const Dataset& data = reported.result.data;
+  if (!data.has_loads || data.points.empty() || fits_with_values(reported.result).empty()) return {};
+  if (!(largest_shear(data) > 0)) return {};
+  const DrawnUnits units(data);
+  const Axis T{units.T(), 0.0, {}}, u{units.u(), 0.0, {}}, A{units.A(), 0.0, {}};
+  return {curves(reported, "_u_T", "Tangential displacement against tangential load", T, u,
+                 [](const DrawnPoint& q) { return std::pair(q.T, q.u); }),
+          curves(reported, "_A_u", "Contact area against tangential displacement", u, A,
+                 [](const DrawnPoint& q) { return std::pair(q.u, q.A); }),
+          radii(reported)};
+}
+
+}  // namespace mixity

@@ -1,0 +1,81 @@
+#include "report/figures/data_figures.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "fitting/fitted_trial.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kMostRuns = 8, kMostPoints = 2000;
+
+/// n of the items, spread evenly, the first and the last among them.
+std::vector<std::size_t> spread(const std::vector<std::size_t>& items, std::size_t n) {
+  if (items.size() <= n) return items;
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < n; ++i) chosen.push_back(items[i * (items.size() - 1) / (n - 1)]);
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<std::size_t> shown_runs(const Dataset& data) {
+  std::vector<std::size_t> runs(data.curve_loads.size());
+  std::iota(runs.begin(), runs.end(), std::size_t{0});
+  std::stable_sort(runs.begin(), runs.end(),
+                   [&](std::size_t i, std::size_t j) { return data.curve_loads[i] > data.curve_loads[j]; });
+  return spread(runs, kMostRuns);
+}
+
+std::vector<std::size_t> shown_points(std::vector<std::size_t> points) { return spread(points, kMostPoints); }
+
+DataFigures data_figures(const ReportedData& reported) {
+  DataFigures figures;
+  const JobResult& result = reported.result;
+  const Dataset& data = result.data;
+  const bool any_value = std::any_of(result.fits.begin(), result.fits.end(), has_all_values);
+  const std::string no_value = "no fit has a value";
+  const std::string no_loads = "the data are (psi, Gc): they have no loads and areas";
+  const auto group = [&](const std::string& title) { figures.groups.push_back({title, {}}); };
+  // Adds what was drawn, or why nothing was.
+  const auto add = [&](std::vector<Figure> drawn, const std::string& what, const std::string& why) {
+    auto& list = figures.groups.back().figures;
+    if (drawn.empty()) figures.left_out.push_back({what, why});
+    for (Figure& figure : drawn) list.push_back(std::move(figure));
+  };
+  const auto load_reason = [&](const std::string& otherwise) {
+    return !data.has_loads ? no_loads : !any_value ? no_value : otherwise;
+  };
+
+  group("Do the models describe the data?");
+  if (any_value)
+    add(area_figures(reported), "contact area against tangential load", load_reason(""));
+  else
+    figures.left_out.push_back({"contact area against tangential load", load_reason(no_value)});
+  add(toughness_figures(reported), "toughness ratio against phase angle", "no point has a phase angle");
+  group("How well is the parameter known?");
+  add(profile_figures(reported), "profile of the cost",
+      any_value ? "no interval was asked for, or the fit leaves no degrees of freedom" : no_value);
+  add(run_figures(reported), "parameter against normal load",
+      load_reason("there is one run only, or no run determines the parameter"));
+  add(left_out_figures(reported), "error on loads left out",
+      load_reason("it needs several models, two runs or more, and fits that succeed without each of them"));
+  group("What the models leave over");
+  add(residual_figures(reported), "residuals", no_value);
+  group("What the models predict");
+  add(behaviour_figures(reported), "displacement and radius curves", load_reason("no tangential load is above 0"));
+  add(regime_figures(reported), "regime map", load_reason("no fitted model has lambda as its only parameter"));
+  group("Other laws");
+  add(sahli_figures(reported), "alpha against A0",
+      data.has_loads ? "fewer than two runs have a falling parabola" : no_loads);
+  if (reported.peaks)
+    add(peak_figures(*reported.peaks, reported.stem), "mean shear stress at peak and minimum", "no row has P > 0");
+  else
+    figures.left_out.push_back(
+        {"mean shear stress at peak and minimum", "the fit definition names no file of peak forces (peaks = ...)"});
+  std::erase_if(figures.groups, [](const FigureGroup& g) { return g.figures.empty(); });
+  return figures;
+}
+
+}  // namespace mixity

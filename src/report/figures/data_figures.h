@@ -1,0 +1,56 @@
+// The figures of one data set and its fits: only those that the case has something to show in, and why the others are
+// left out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/figures/figure.h"
+#include "report/reported_data.h"
+
+namespace mixity {
+
+struct FigureGroup {
+  std::string title;
+  std::vector<Figure> figures;
+};
+struct MissingFigure {
+  std::string what, why;
+};
+struct DataFigures {
+  std::vector<FigureGroup> groups;
+  std::vector<MissingFigure> left_out;
+};
+
+DataFigures data_figures(const ReportedData& data);
+
+/// Runs that a figure shows, by falling load: all, or eight spread over them.
+std::vector<std::size_t> shown_runs(const Dataset& data);
+
+/// Points that a figure shows: all, or every n-th of more than 2000.
+std::vector<std::size_t> shown_points(std::vector<std::size_t> points);
+
+// ---- One figure or kind of figure each; empty where it shows nothing. Names begin with the stem. ----
+
+/// f(psi): data, models and the bands of their intervals (the paper's Fig. 3, 7, 9).
+std::vector<Figure> toughness_figures(const ReportedData& data);
+/// A(T) of all models at once, then of each with both branches, instabilities and strength (Fig. 8, 10).
+std::vector<Figure> area_figures(const ReportedData& data);
+/// Residuals against psi, T and load, and their quantiles against those of a normal distribution.
+std::vector<Figure> residual_figures(const ReportedData& data);
+/// The cost profiled along each free parameter.
+std::vector<Figure> profile_figures(const ReportedData& data);
+/// The parameter of each run by itself, beside the pooled value.
+std::vector<Figure> run_figures(const ReportedData& data);
+/// Error in A on loads left out of the fit.
+std::vector<Figure> left_out_figures(const ReportedData& data);
+/// u(T), A(u) (Fig. 6) and a(P) (Fig. 4) at the fitted parameters.
+std::vector<Figure> behaviour_figures(const ReportedData& data);
+/// What becomes of a contact over load and lambda, with the data's loads.
+std::vector<Figure> regime_figures(const ReportedData& data);
+/// alpha against A0 with the exponents -5/4 and -3/2.
+std::vector<Figure> sahli_figures(const ReportedData& data);
+/// T/A_Hertz against P at peak and minimum (Fig. 11). `stem`: what the name begins with.
+std::vector<Figure> peak_figures(const PeakForces& peaks, const std::string& stem);
+
+}  // namespace mixity

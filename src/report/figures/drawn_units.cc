@@ -1,0 +1,47 @@
+#include "report/figures/drawn_units.h"
+
+#include <cmath>
+
+#include "dataset/number_text.h"
+#include "dataset/units.h"
+
+namespace mixity {
+
+DrawnUnits::DrawnUnits(const Dataset& data)
+    : force(data.display.force_scale),
+      area(data.display.area_scale),
+      force_unit(data.display.force),
+      area_unit(data.display.area) {
+  if (!data.contact) return;
+  displacement_unit = "µm";
+  displacement = data.contact->displacement_unit() * 1e6;
+  // The unit whose square is that of the areas, if it can be told from how that is written
+  for (const char* square : {"^2", "²", "2"})
+    if (area_unit.ends_with(square)) {
+      radius_unit = area_unit.substr(0, area_unit.size() - std::string(square).size());
+      break;
+    }
+  const auto unit = parse_unit(radius_unit);
+  if (!unit || unit->dimension != dimension::length) radius_unit = "mm";
+  radius = data.contact->length_unit() / parse_unit(radius_unit)->factor;
+}
+
+std::string with_unit(double value, int digits, const std::string& unit) {
+  return rounded(value, digits) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string point_hover(const Dataset& data, const Point& point, const std::string& more) {
+  const DisplayUnits& units = data.display;
+  std::string text = "line " + std::to_string(point.line);
+  if (!data.curves[point.curve].empty()) text += ", run " + data.curves[point.curve];
+  text += ": ";
+  if (data.has_loads)
+    text += "P = " + with_unit(point.P * units.force_scale, 5, units.force) +
+            ", T = " + with_unit(point.T * units.force_scale, 5, units.force) +
+            ", A = " + with_unit(point.A * units.area_scale, 5, units.area);
+  if (point.ratio > 0)
+    text += (data.has_loads ? ", ψ = " : "ψ = ") + rounded(point.psi, 4) + " rad, Gc/GIc = " + rounded(point.ratio, 4);
+  return text + more;
+}
+
+}  // namespace mixity

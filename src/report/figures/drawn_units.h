@@ -1,0 +1,36 @@
+// The units in which a data set's figures are drawn: those of its file.
+#pragma once
+
+#include <string>
+
+#include "dataset/dataset.h"
+
+namespace mixity {
+
+/// Drawn = dimensionless * scale. Radius in the root of the area's unit, displacement in um; all 1 if dimensionless.
+struct DrawnUnits {
+  explicit DrawnUnits(const Dataset& data);
+
+  double force, area, radius = 1, displacement = 1;
+  std::string force_unit, area_unit, radius_unit, displacement_unit;  // empty if dimensionless
+
+  // Axis labels: quantity and unit.
+  std::string P() const { return with("P", force_unit, "/(R G_{Ic})"); }
+  std::string T() const { return with("T", force_unit, "/(R G_{Ic})"); }
+  std::string A() const { return with("A", area_unit, " ξ^2/R^2"); }
+  std::string a() const { return with("a", radius_unit, " ξ/R"); }
+  std::string u() const { return with("u", displacement_unit, " ξ^2/R"); }
+
+ private:
+  static std::string with(const std::string& quantity, const std::string& unit, const std::string& dimensionless) {
+    return unit.empty() ? quantity + dimensionless : quantity + " [" + unit + "]";
+  }
+};
+
+/// "line 5, run 2: P = 2 mN, T = 5.1 mN, A = 0.298 mm^2, psi = 0.31 rad, Gc/GIc = 1.2", and after it `more`.
+std::string point_hover(const Dataset& data, const Point& point, const std::string& more = {});
+
+/// "0.31 mN", or without a unit "0.31".
+std::string with_unit(double value, int digits, const std::string& unit);
+
+}  // namespace mixity

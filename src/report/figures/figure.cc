@@ -1,0 +1,245 @@
+#include "report/figures/figure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "dataset/number_text.h"
+
+namespace mixity {
+namespace {
+
+/// As a gnuplot string in double quotes.
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c == '\n' ? ' ' : c;
+  }
+  return out + '"';
+}
+
+/// A field of the data file: gnuplot ends it at a quote, and its SVG holds it between apostrophes.
+std::string data_text(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text)
+    if (c == '"' || c == '\'')
+      out += "’";
+    else
+      out += c == '\\' ? '/' : static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  return out + '"';
+}
+
+int point_type(Look look) {
+  return look == Look::circles ? 6 : look == Look::squares ? 4 : look == Look::triangles ? 8 : 12;
+}
+
+std::string paint(const std::string& color) { return " lc rgb " + quoted(color); }
+
+std::string style(Look look, const std::string& color, bool bars) {
+  const auto line = [&](const char* width, const char* dashes) {
+    return std::string("with lines lw ") + width + " dt " + dashes + paint(color);
+  };
+  switch (look) {
+    case Look::solid:
+      return line("1.6", "1");
+    case Look::dashed:
+      return line("1.6", "(14,6)");
+    case Look::dash_dot:
+      return line("1.6", "(14,5,2,5)");
+    case Look::dash_dots:
+      return line("1.6", "(14,4,2,4,2,4)");
+    case Look::dotted:
+      return line("1.1", "(2,4)");
+    case Look::band:
+      return "with filledcurves closed fs transparent solid 0.25 noborder" + paint(color);
+    default:
+      return std::string(bars ? "with xyerrorbars" : "with points") + " pt " + std::to_string(point_type(look)) +
+             " ps 0.6" + paint(color);
+  }
+}
+
+constexpr double kMargin = 0.04;  // of what the points span: no symbol is cut
+
+/// What the points of a figure span along one axis.
+struct Span {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void see(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+Span span_of(const Figure& figure, bool x) {
+  Span span;
+  for (const Series& series : figure.series) {
+    for (const auto& point : series.points) span.see(x ? point.first : point.second);
+    for (const Bars& bars : series.bars) {
+      span.see(x ? bars.x_low : bars.y_low);
+      span.see(x ? bars.x_high : bars.y_high);
+    }
+  }
+  return span;
+}
+
+/// 1, 2, 2.5 or 5 times a power of ten: the smallest that makes at most `most` steps of a width.
+double tic_step(double width, int most) {
+  const double power = std::pow(10.0, std::floor(std::log10(width / most)));
+  for (const double digit : {1.0, 2.0, 2.5, 5.0})
+    if (width <= digit * power * most) return digit * power;
+  return 10 * power;
+}
+
+/// Within two decades gnuplot labels too little: the positions 1, 2, 5 or, where those are few, every digit.
+std::string logarithmic_tics(char name, double low, double high) {
+  const std::string set = std::string("set ") + name + "tics ";
+  if (high > 100 * low) return std::string("set format ") + name + " \"10^{%T}\"\n";
+  for (const auto& digits : {std::vector<int>{1, 2, 5}, std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
+    std::string list;
+    int count = 0;
+    for (int power = static_cast<int>(std::floor(std::log10(low))); power <= std::log10(high); ++power)
+      for (const int digit : digits) {
+        const double value = digit * std::pow(10.0, power);
+        if (value < low || value > high) continue;
+        list += (list.empty() ? "" : ", ") + quoted(rounded(value, 3)) + ' ' + shortest(value);
+        ++count;
+      }
+    if (count >= 3) return set + '(' + list + ")\n";
+  }
+  return {};
+}
+
+/// An end that is not stated lies a little beyond the points.
+std::string axis_commands(const Figure& figure, bool x) {
+  const Axis& axis = x ? figure.x : figure.y;
+  const char name = x ? 'x' : 'y';
+  std::string text = std::string("set ") + name + "label " + quoted(axis.label) + '\n';
+  const Span span = span_of(figure, x);
+  double low = axis.low.value_or(span.low), high = axis.high.value_or(span.high);
+  const bool resolved =
+      std::isfinite(low) && std::isfinite(high) && high - low > 1e-12 * std::max(std::abs(low), std::abs(high));
+  const auto range = [&](const std::string& from, const std::string& to) {
+    text += std::string("set ") + name + "range [" + from + ':' + to + "]\n";
+  };
+  const auto stated = [](const std::optional<double>& end) { return end ? shortest(*end) : std::string("*"); };
+  if (axis.logarithmic) {
+    text += std::string("set logscale ") + name + '\n';
+    if (resolved && low > 0) {
+      if (!axis.low) low /= 1.3;
+      if (!axis.high) high *= 1.3;
+      range(shortest(low), shortest(high));
+      return text + logarithmic_tics(name, low, high);
+    }
+  } else if (resolved) {
+    const double step = tic_step(high - low, x ? (figure.wide ? 10 : 6) : 6);
+    const double margin = kMargin * (high - low);
+    if (!axis.low) low -= margin;
+    if (!axis.high) high += margin;
+    range(shortest(low), shortest(high));
+    return text + "set " + name + "tics " + shortest(step) + '\n';
+  }
+  range(stated(axis.low), stated(axis.high));
+  return text;
+}
+
+const char* place(KeyPlace key) {
+  switch (key) {
+    case KeyPlace::beside:
+      return "outside right top";
+    case KeyPlace::top_left:
+      return "inside left top";
+    case KeyPlace::above:
+      break;
+  }
+  return "above";
+}
+
+/// Everything between `plot` and the end of the command. Points with something to say are drawn as labels; those with
+/// bars twice, since labels have none.
+std::string plotted(const Figure& figure) {
+  std::string plot;
+  const auto add = [&](const std::string& part) { plot += (plot.empty() ? "plot " : ", \\\n     ") + part; };
+  std::size_t index = 0;
+  for (const Series& series : figure.series) {
+    if (series.points.empty()) continue;
+    const bool bars = !series.bars.empty(), hover = !series.hover.empty();
+    const std::string source = quoted(figure.name + ".dat") + " index " + std::to_string(index++) + " using ";
+    const std::string look = style(series.look, series.color, bars);
+    const std::string title = series.label.empty() ? " notitle" : " title " + quoted(series.label);
+    if (bars || !hover) add(source + (bars ? "1:2:3:4:5:6 " : "1:2 ") + look + title);
+    if (!hover) continue;
+    add(source + "1:2:" + (bars ? "7" : "3") + " with labels hypertext noenhanced point pt " +
+        std::to_string(point_type(series.look)) + " ps 0.6" + paint(series.color) + " notitle");
+    if (!bars && !series.label.empty()) add("keyentry " + look + title);
+  }
+  for (const auto& [label, look] : figure.key)
+    add("keyentry " + style(look, "#000000", false) + " title " + quoted(label));
+  return plot;
+}
+
+}  // namespace
+
+std::string color(std::size_t i) {
+  static constexpr std::array kColors{"#000000", "#d55e00", "#0072b2", "#009e73",
+                                      "#cc79a7", "#e69f00", "#56b4e9", "#7f7f7f"};
+  return kColors[i % kColors.size()];
+}
+
+Look model_line(std::string_view key) {
+  return key == "a" ? Look::dash_dot : key == "b" ? Look::dashed : key == "c" ? Look::solid : Look::dash_dots;
+}
+
+Look model_symbol(std::string_view key) {
+  return key == "a" ? Look::triangles : key == "b" ? Look::squares : key == "c" ? Look::circles : Look::diamonds;
+}
+
+std::string model_color(std::string_view key) { return color(key == "a" ? 1 : key == "b" ? 2 : key == "c" ? 0 : 3); }
+
+std::string plain(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string_view("_^{}@&~\\").find(c) != std::string_view::npos) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+std::string figure_data(const Figure& figure) {
+  std::ostringstream out;
+  out << "# " << figure.title << '\n';
+  std::size_t index = 0;
+  for (const Series& series : figure.series) {
+    if (series.points.empty()) continue;
+    out << (index ? "\n\n" : "") << "# index " << index << (series.label.empty() ? "" : ": " + series.label) << '\n';
+    ++index;
+    for (std::size_t k = 0; k < series.points.size(); ++k) {
+      out << shortest(series.points[k].first) << ' ' << shortest(series.points[k].second);
+      if (!series.bars.empty())
+        for (const double end :
+             {series.bars[k].x_low, series.bars[k].x_high, series.bars[k].y_low, series.bars[k].y_high})
+          out << ' ' << shortest(end);
+      if (!series.hover.empty()) out << ' ' << data_text(series.hover[k]);
+      out << '\n';
+    }
+  }
+  return out.str();
+}
+
+std::string figure_script(const Figure& figure) {
+  std::ostringstream out;
+  out << "# " << figure.title << "\n# Draws " << figure.name << ".svg and " << figure.name << ".pdf: gnuplot "
+      << figure.name << ".gp\nreset\nset encoding utf8\nset border 3\nset tics out nomirror scale 0.6\nset key "
+      << place(figure.key_place) << " Left reverse samplen 2.5";
+  if (!figure.key_title.empty()) out << " title " << quoted(figure.key_title) << " left";
+  out << '\n' << axis_commands(figure, true) << axis_commands(figure, false);
+  // A column of a journal is 8.6 cm wide; text is then 8 pt.
+  out << "set terminal svg size " << (figure.wide ? "890,400" : "430,305")
+      << " dynamic font \"Helvetica,13\" background \"#ffffff\"\nset output " << quoted(figure.name + ".svg") << '\n'
+      << plotted(figure) << "\nset terminal pdfcairo size " << (figure.wide ? "17.8cm,8cm" : "8.6cm,6.1cm")
+      << " font \"Helvetica,8\" fontscale 1\nset output " << quoted(figure.name + ".pdf") << "\nreplot\nset output\n";
+  return out.str();
+}
+
+}  // namespace mixity

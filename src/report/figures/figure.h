@@ -1,0 +1,66 @@
+// Figures as data: what is drawn, in which look, with which axes. gnuplot.h draws them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mixity {
+
+/// Lines as the paper has them: a dash-dot, b dashed, c solid; dotted for what is unstable or a reference.
+/// band: the area within the points as a polygon, tinted.
+enum class Look { solid, dashed, dash_dot, dash_dots, dotted, circles, squares, triangles, diamonds, band };
+
+struct Bars {
+  double x_low, x_high, y_low, y_high;
+};
+
+struct Series {
+  std::string label;  // in the key; empty: not there
+  Look look = Look::solid;
+  std::string color;  // "#rrggbb"
+  std::vector<std::pair<double, double>> points;
+  std::vector<Bars> bars{};          // one for each point, or none
+  std::vector<std::string> hover{};  // one for each point, or none: what a reader sees who points at it
+};
+
+struct Axis {
+  std::string label;                    // quantity and unit; _{} and ^{} as gnuplot has them
+  std::optional<double> low{}, high{};  // null: as the points need
+  bool logarithmic = false;
+};
+
+enum class KeyPlace { above, beside, top_left };
+
+struct Figure {
+  std::string name;   // of its files, without ending
+  std::string title;  // one line
+  Axis x, y;
+  std::vector<Series> series;
+  std::vector<std::pair<std::string, Look>> key{};  // further entries: what the looks mean
+  KeyPlace key_place = KeyPlace::above;
+  std::string key_title{};
+  bool wide = false;      // over the page instead of a column
+  std::string caption{};  // one to three sentences: what is drawn and what it says
+};
+
+/// Colours that colour-blind readers tell apart (Okabe & Ito 2008), by number.
+std::string color(std::size_t i);
+
+/// A model's line, symbol and colour, the same in every figure.
+Look model_line(std::string_view key);
+Look model_symbol(std::string_view key);
+std::string model_color(std::string_view key);
+
+/// Foreign text without what gnuplot would take for markup.
+std::string plain(std::string_view text);
+
+/// Blocks of "x y [x_low x_high y_low y_high] ["hover"]", one for each series, under its name; gnuplot counts them by
+/// `index`.
+std::string figure_data(const Figure& figure);
+/// Draws NAME.svg and NAME.pdf from NAME.dat, all in the folder gnuplot is started in.
+std::string figure_script(const Figure& figure);
+
+}  // namespace mixity

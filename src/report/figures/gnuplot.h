@@ -1,0 +1,21 @@
+// Draws figures with gnuplot. Script and data are kept, so that a reader can restyle them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/figures/figure.h"
+
+namespace mixity {
+
+struct DrawnFigures {
+  std::vector<std::string> files;  // names within the folder
+  std::vector<std::string> svg;    // the text of each figure's SVG; empty where gnuplot is missing
+  std::string missing;             // why there are no SVG and PDF; empty if there are
+};
+
+/// Writes NAME.dat and NAME.gp of each figure, and with gnuplot installed NAME.svg and NAME.pdf. Each file is there
+/// whole or not at all. Throws OutputError if the folder cannot be written.
+DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string& folder);
+
+}  // namespace mixity

@@ -1,0 +1,55 @@
+// The curves of a fitted model in the reader's units, for drawing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fitting/fit_definition.h"
+#include "mechanics/folds.h"
+
+namespace mixity {
+
+struct DrawnPoint {
+  double T, A, u;
+  bool stable;  // under load control
+};
+
+/// Where the contact loses stability.
+struct DrawnFold {
+  Control::Kind control;
+  double T, A, u;
+  std::string jumps_to;
+  double area_lost;
+};
+
+/// An equilibrium curve from T = 0, with the folds met on loading under load and displacement control. Empty where
+/// there is no contact.
+struct DrawnCurve {
+  std::vector<DrawnPoint> points;
+  std::vector<DrawnFold> folds;
+};
+
+/// A fit's curve at a normal load as measured (dimensionless), as far as T_most (measured, dimensionless). With as few
+/// points as keep within 2e-4 of the curve's size. The fit must have values.
+DrawnCurve drawn_curve(const JobResult& result, const FitResult& fit, double load, double T_most);
+
+/// a(P) at a tangential load T (measured, dimensionless): stable and unstable part, which meet at pull-off, up to the
+/// load P_most.
+struct DrawnRadii {
+  std::vector<std::pair<double, double>> stable, unstable;
+};
+DrawnRadii drawn_radii(const JobResult& result, const FitResult& fit, double T, double P_most);
+
+/// f(psi), psi from 0 to last_psi, where it does not exceed `most`.
+std::vector<std::pair<double, double>> drawn_toughness(const Dataset& data, const FitResult& fit, double last_psi,
+                                                       double most);
+
+/// The fit with its first free parameter at one end of its interval; null without that end.
+std::optional<FitResult> at_interval_end(const FitResult& fit, bool high);
+
+/// The first parameter of the fit that was not held; null if there is none.
+const FittedParameter* leading_parameter(const FitResult& fit);
+
+}  // namespace mixity

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/number_text.h"
+#include "report/figures/data_figures.h"
+#include "report/figures/drawn_units.h"
+#include "report/figures/model_curves.h"
+
+namespace mixity {
+namespace {
+
+std::string symbol(const std::string& parameter) {
+  return parameter == "lambda" ? "λ" : parameter == "eta" ? "η" : plain(parameter);
+}
+
+std::string with_brackets(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " [" + unit + "]";
+}
+
+Figure profile_figure(const std::string& stem, const FitResult& fit, const FittedParameter& parameter) {
+  const DrawnProfile& profile = *parameter.profile;
+  Figure figure{stem + "_profile_" + fit.model + (parameter.name == "lambda" ? "" : "_" + parameter.name),
+                "Profile of the cost along " + parameter.name + ", model " + fit.model,
+                {with_brackets(symbol(parameter.name), parameter.unit), profile.points.front().first,
+                 profile.points.back().first},
+                {"rise of the cost/variance", 0.0, {}},
+                {}};
+  figure.series.push_back({"profile", model_line(fit.model), model_color(fit.model), profile.points});
+  double highest = profile.level;
+  for (const auto& [x, rise] : profile.points) highest = std::max(highest, rise);
+  figure.y.high = 1.05 * std::min(highest, 6 * profile.level);
+  if (parameter.stderr_ && *parameter.stderr_ > 0) {
+    Series parabola{"parabola of the standard error", Look::dotted, color(7), {}};
+    for (const auto& [x, rise] : profile.points)
+      parabola.points.emplace_back(x, std::pow((x - *parameter.value) / *parameter.stderr_, 2));
+    figure.series.push_back(std::move(parabola));
+  }
+  const double first = profile.points.front().first, last = profile.points.back().first;
+  if (parameter.interval) {
+    const std::string percent = rounded(100 * parameter.interval->confidence, 4) + " %";
+    figure.series.push_back({percent, Look::dashed, color(5), {{first, profile.level}, {last, profile.level}}});
+    Series ends{"", Look::circles, color(1), {}};
+    for (const auto& end : {parameter.interval->low, parameter.interval->high})
+      if (end) ends.points.emplace_back(*end, profile.level);
+    figure.series.push_back(std::move(ends));
+  }
+  figure.caption = "How fast the fit worsens away from the best " + parameter.name +
+                   "; circles are the ends of the interval. Where the profile leaves the parabola, the standard error "
+                   "says less than the interval.";
+  return figure;
+}
+
+Figure run_figure(const ReportedData& reported, const PerCurve& per_curve, const FitResult& fit) {
+  const Dataset& data = reported.result.data;
+  const DrawnUnits units(data);
+  const FittedParameter& pooled = *leading_parameter(fit);
+  Figure figure{reported.stem + "_runs_" + fit.model,
+                "Each run by itself: " + pooled.name + " against normal load, model " + fit.model,
+                {units.P(), {}, {}},
+                {with_brackets(symbol(pooled.name), pooled.unit), {}, {}},
+                {}};
+  Series runs{"each run", model_symbol(fit.model), model_color(fit.model), {}};
+  double first = 1e300, last = -1e300;
+  for (const CurveFit& one : per_curve.curves) {
+    const FittedParameter* own = leading_parameter(one.fit);
+    if (!own || !own->value) continue;
+    const double P = one.P * units.force, value = *own->value;
+    const double low = own->interval && own->interval->low ? *own->interval->low : value;
+    const double high = own->interval && own->interval->high ? *own->interval->high : value;
+    runs.points.emplace_back(P, value);
+    runs.bars.push_back({P, P, low, high});
+    runs.hover.push_back("run " + one.curve + ": " + own->name + " = " + rounded(value, 4) + " (" + rounded(low, 3) +
+                         " .. " + rounded(high, 3) + "), " + std::to_string(one.fit.used.size()) + " points, " +
+                         std::string(to_string(one.fit.status)));
+    first = std::min(first, P);
+    last = std::max(last, P);
+  }
+  if (runs.points.empty()) return figure;
+  const double margin = last > first ? 0.05 * (last - first) : 1;
+  figure.x.low = first -= margin;
+  figure.x.high = last += margin;
+  if (pooled.interval && pooled.interval->low && pooled.interval->high)
+    figure.series.push_back({"",
+                             Look::band,
+                             color(5),
+                             {{first, *pooled.interval->low},
+                              {last, *pooled.interval->low},
+                              {last, *pooled.interval->high},
+                              {first, *pooled.interval->high}}});
+  figure.series.push_back({"all runs", Look::solid, color(5), {{first, *pooled.value}, {last, *pooled.value}}});
+  figure.series.push_back(std::move(runs));
+  figure.caption = "Bars are the intervals of single runs, the line and its band the value for all runs together.";
+  if (per_curve.test)
+    figure.caption +=
+        per_curve.test->p_value < 0.05
+            ? " The runs do not share one value (p = " + rounded(per_curve.test->p_value, 2) + ")."
+            : " The runs are consistent with one value (p = " + rounded(per_curve.test->p_value, 2) + ").";
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> profile_figures(const ReportedData& reported) {
+  std::vector<Figure> figures;
+  for (const FitResult& fit : reported.result.fits)
+    for (const FittedParameter& parameter : fit.parameters)
+      if (parameter.profile && parameter.profile->points.size() > 2)
+        figures.push_back(profile_figure(reported.stem, fit, parameter));
+  return figures;
+}
+
+std::vector<Figure> run_figures(const ReportedData& reported) {
+  std::vector<Figure> figures;
+  if (!reported.result.data.has_loads) return figures;
+  for (const PerCurve& per_curve : reported.result.per_curve)
+    for (const FitResult& fit : reported.result.fits) {
+      const FittedParameter* pooled = leading_parameter(fit);
+      if (fit.model != per_curve.model || !pooled || !pooled->value) continue;
+      Figure figure = run_figure(reported, per_curve, fit);
+      if (!figure.series.empty()) figures.push_back(std::move(figure));
+    }
+  return figures;
+}
+
+std::vector<Figure> left_out_figures(const ReportedData& reported) {
+  const Dataset& data = reported.result.data;
+  const DrawnUnits units(data);
+  Figure figure{reported.stem + "_left_out",
+                "Error in the area at loads left out of the fit",
+                {units.P(), {}, {}},
+                {"RMS error in " + units.A(), {}, {}, true},
+                {}};
+  for (const ComparedModel& model : reported.result.comparison) {
+    if (!model.left_out) continue;
+    Series series{"model " + model.model, model_symbol(model.model), model_color(model.model), {}};
+    for (const LeftOut::Run& run : model.left_out->runs) {
+      if (!(run.rmse_area > 0)) continue;
+      series.points.emplace_back(run.P * units.force, run.rmse_area);
+      series.hover.push_back("model " + model.model + " without run " + run.curve + ": RMS error " +
+                             with_unit(run.rmse_area, 3, units.area_unit) + " over " + std::to_string(run.points) +
+                             " points, " + std::to_string(run.beyond_fold) + " past the fold");
+    }
+    figure.series.push_back(std::move(series));
+  }
+  if (figure.series.empty()) return {};
+  figure.caption = "Each load is predicted by a fit of the others: the model that is lowest predicts best.";
+  return {figure};
+}
+
+}  // namespace mixity

@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <ranges>
+
+#include "dataset/number_text.h"
+#include "report/figures/data_figures.h"
+#include "report/figures/drawn_units.h"
+
+namespace mixity {
+namespace {
+
+std::string residual_label(const FitResult& fit) {
+  if (fit.known_errors || fit.objective == Objective::curve) return "residual [standard errors]";
+  if (fit.objective == Objective::area) return "residual in A";
+  return fit.scale == Scale::log ? "residual in ln(G_c/G_{Ic})" : "residual in G_c/G_{Ic}";
+}
+
+/// Residuals of every fit over what `abscissa` says of a point.
+Figure residuals_against(const ReportedData& reported, const std::string& name, const std::string& title,
+                         const std::string& label, const std::function<double(const Point&)>& abscissa) {
+  const Dataset& data = reported.result.data;
+  Figure figure{reported.stem + "_residuals_" + name,
+                title,
+                {label, {}, {}},
+                {residual_label(reported.result.fits.front()), {}, {}},
+                {}};
+  double first = 0, last = 0;
+  for (const FitResult& fit : std::views::reverse(reported.result.fits)) {  // the first on top of the others
+    if (fit.residuals.empty()) continue;
+    Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model), {}};
+    std::vector<std::size_t> all(fit.residuals.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    for (const std::size_t i : shown_points(all)) {
+      const Point& point = data.points[fit.used[i]];
+      const double x = abscissa(point);
+      series.points.emplace_back(x, fit.residuals[i]);
+      series.hover.push_back("model " + fit.model + ", residual " + rounded(fit.residuals[i], 3) + ", " +
+                             point_hover(data, point));
+      first = std::min(first, x);
+      last = std::max(last, x);
+    }
+    figure.series.push_back(std::move(series));
+  }
+  figure.series.insert(figure.series.begin(), {"", Look::dotted, "#000000", {{first, 0}, {last, 0}}});
+  figure.caption = "Model minus data in the fitted space. A model that holds leaves no trend.";
+  return figure;
+}
+
+/// Sorted residuals in units of their RMS against the quantiles (i - 1/2)/n of a normal distribution.
+Figure quantiles(const ReportedData& reported) {
+  Figure figure{reported.stem + "_residuals_qq",
+                "Quantiles of the residuals against those of a normal distribution",
+                {"normal quantile", {}, {}},
+                {"residual/RMS", {}, {}},
+                {}};
+  const boost::math::normal normal;
+  double most = 0;
+  for (const FitResult& fit : std::views::reverse(reported.result.fits)) {
+    if (fit.residuals.empty() || !fit.rmse || !(*fit.rmse > 0)) continue;
+    std::vector<std::size_t> order(fit.residuals.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t i, std::size_t j) { return fit.residuals[i] < fit.residuals[j]; });
+    Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model), {}};
+    std::vector<std::size_t> ranks(order.size());
+    std::iota(ranks.begin(), ranks.end(), std::size_t{0});
+    for (const std::size_t rank : shown_points(ranks)) {
+      const double q = quantile(normal, (static_cast<double>(rank) + 0.5) / static_cast<double>(order.size()));
+      series.points.emplace_back(q, fit.residuals[order[rank]] / *fit.rmse);
+      series.hover.push_back("model " + fit.model + ", " +
+                             point_hover(reported.result.data, reported.result.data.points[fit.used[order[rank]]]));
+      most = std::max(most, std::abs(q));
+    }
+    figure.series.push_back(std::move(series));
+  }
+  if (figure.series.empty()) return figure;
+  figure.series.insert(figure.series.begin(), {"", Look::dotted, "#000000", {{-most, -most}, {most, most}}});
+  figure.caption = "On the dotted line the scatter is normal, which standard errors and intervals presume.";
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> residual_figures(const ReportedData& reported) {
+  const Dataset& data = reported.result.data;
+  if (std::all_of(reported.result.fits.begin(), reported.result.fits.end(),
+                  [](const FitResult& fit) { return fit.residuals.empty(); }))
+    return {};
+  const DrawnUnits units(data);
+  std::vector<Figure> figures;
+  const bool angles = std::all_of(data.points.begin(), data.points.end(), [](const Point& p) { return p.ratio > 0; });
+  if (angles)
+    figures.push_back(residuals_against(reported, "psi", "Residuals against phase angle", "ψ [rad]",
+                                        [](const Point& p) { return p.psi; }));
+  if (data.has_loads) {
+    figures.push_back(residuals_against(reported, "T", "Residuals against tangential load", units.T(),
+                                        [&](const Point& p) { return p.T * units.force; }));
+    if (data.curves.size() > 1)
+      figures.push_back(residuals_against(reported, "P", "Residuals against normal load", units.P(),
+                                          [&](const Point& p) { return p.P * units.force; }));
+  }
+  if (Figure qq = quantiles(reported); !qq.series.empty()) figures.push_back(std::move(qq));
+  return figures;
+}
+
+}  // namespace mixity

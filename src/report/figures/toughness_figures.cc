@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/number_text.h"
+#include "fitting/fitted_trial.h"
+#include "report/figures/data_figures.h"
+#include "report/figures/drawn_units.h"
+#include "report/figures/model_curves.h"
+
+namespace mixity {
+namespace {
+
+/// Both ends of the interval as one polygon.
+std::optional<Series> band(const Dataset& data, const FitResult& fit, double last_psi, double most) {
+  const auto low = at_interval_end(fit, false), high = at_interval_end(fit, true);
+  if (!low || !high) return std::nullopt;
+  Series series{"", Look::band, model_color(fit.model), drawn_toughness(data, *low, last_psi, most)};
+  const auto back = drawn_toughness(data, *high, last_psi, most);
+  series.points.insert(series.points.end(), back.rbegin(), back.rend());
+  return series;
+}
+
+}  // namespace
+
+std::vector<Figure> toughness_figures(const ReportedData& reported) {
+  const JobResult& result = reported.result;
+  const Dataset& data = result.data;
+  Series points{"data", Look::circles, color(7), {}};
+  std::vector<std::size_t> all;
+  double last_psi = 0, largest = 1, smallest = 1;
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+    if (data.points[i].ratio > 0) {
+      all.push_back(i);
+      last_psi = std::max(last_psi, data.points[i].psi);
+      largest = std::max(largest, data.points[i].ratio);
+      smallest = std::min(smallest, data.points[i].ratio);
+    }
+  if (all.empty()) return {};
+  bool errors = false;
+  for (const std::size_t i : all) errors |= data.points[i].sigma_ratio > 0;
+  for (const std::size_t i : shown_points(all)) {
+    const Point& point = data.points[i];
+    points.points.emplace_back(point.psi, point.ratio);
+    points.hover.push_back(point_hover(data, point));
+    if (errors)
+      points.bars.push_back({point.psi, point.psi, std::max(point.ratio - point.sigma_ratio, 0.5 * smallest),
+                             point.ratio + point.sigma_ratio});
+  }
+  const bool logarithmic = largest > 20;
+  last_psi = std::min(1.05 * last_psi, 0.5 * pi<double>());
+  const double most = logarithmic ? 3 * largest : 1.15 * largest;
+  Figure figure{reported.stem + "_toughness",
+                "Toughness ratio against phase angle",
+                {"ψ [rad]", 0.0, last_psi},
+                {"f = G_c/G_{Ic}", logarithmic ? 0.8 * smallest : std::max(0.0, 0.9 * smallest), most, logarithmic},
+                {}};
+  figure.series.push_back(std::move(points));
+  bool bands = false;
+  std::string models;
+  for (const FitResult& fit : result.fits) {
+    if (!has_all_values(fit)) continue;
+    if (auto ends = band(data, fit, last_psi, most)) {
+      figure.series.insert(figure.series.begin(), std::move(*ends));
+      bands = true;
+    }
+    const FittedParameter* leading = leading_parameter(fit);
+    figure.series.push_back({"model " + fit.model +
+                                 (leading ? ", " + std::string(leading->name == "lambda" ? "λ" : leading->name) +
+                                                " = " + rounded(*leading->value, 4)
+                                          : ""),
+                             model_line(fit.model), model_color(fit.model),
+                             drawn_toughness(data, fit, last_psi, most)});
+    models += (models.empty() ? "" : ", ") + fit.model;
+  }
+  figure.key_place = KeyPlace::top_left;
+  figure.caption = std::to_string(all.size()) + " points and the fitted models" +
+                   (bands ? "; bands span the intervals of the parameters" : "") +
+                   (data.has_loads ? ". Both axes are computed from the same area, so that almost any model looks good "
+                                     "here: judge by the areas."
+                                   : ".");
+  return {figure};
+}
+
+}  // namespace mixity

@@ -1,0 +1,42 @@
+#include "report/reported_data.h"
+
+#include <algorithm>
+
+#include "fitting/fitted_trial.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kProfilePoints = 80;
+constexpr double kParabolaUpTo = 0.5;  // of a run's largest T
+
+}  // namespace
+
+JobResult run_for_report(FitJob job, const Overrides& overrides) {
+  job.options.profile_points = kProfilePoints;
+  JobResult result = run(job, overrides);
+  if (result.per_curve.empty() && result.data.has_loads && result.data.curves.size() > 1)
+    for (const std::string& model : job.models)
+      result.per_curve.push_back(fit_per_curve(result.data, model, job.options));
+  return result;
+}
+
+ReportedData reported_data(const JobResult& result, const std::string& stem) {
+  ReportedData data{result, stem, {}, {}, {}};
+  if (result.data.has_loads) {
+    const auto known = std::find_if(result.fits.begin(), result.fits.end(), has_all_values);
+    std::vector<double> values;
+    if (known != result.fits.end()) {
+      data.sahli_model = known->model;
+      with_model(known->model, [&](auto model) {
+        const auto p = fitted_trial<decltype(model)>(result.data, *known, result.job.options).parameters;
+        values.assign(p.begin(), p.end());
+      });
+    }
+    data.sahli = fit_sahli(result.data, kParabolaUpTo, data.sahli_model, values);
+  }
+  if (!result.job.peaks_path.empty()) data.peaks = load_peak_forces(result.job.peaks_path);
+  return data;
+}
+
+}  // namespace mixity

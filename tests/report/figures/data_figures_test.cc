@@ -1,0 +1,104 @@
+// Which figures a case gets, and why it does not get the others.
+#include "report/figures/data_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "dataset/temporary_folder.h"
+#include "report/example_results.h"
+
+namespace mixity {
+namespace {
+
+std::set<std::string> names(const DataFigures& figures) {
+  std::set<std::string> all;
+  for (const FigureGroup& group : figures.groups)
+    for (const Figure& figure : group.figures) EXPECT_TRUE(all.insert(figure.name).second) << figure.name;
+  return all;
+}
+
+std::string reason(const DataFigures& figures, const std::string& what) {
+  for (const MissingFigure& figure : figures.left_out)
+    if (figure.what == what) return figure.why;
+  return "not left out";
+}
+
+TEST(DataFigures, OfLoadsAndAreasAreAllThereAre) {
+  const ReportedData reported = reported_data(shipped("mergel2018"), "m");
+  const DataFigures figures = data_figures(reported);
+  EXPECT_EQ(names(figures),
+            (std::set<std::string>{"m_area_models",  "m_area_a",    "m_area_b",      "m_area_c",      "m_toughness",
+                                   "m_profile_a",    "m_profile_b", "m_profile_c",   "m_runs_a",      "m_runs_b",
+                                   "m_runs_c",       "m_left_out",  "m_residuals_T", "m_residuals_P", "m_residuals_psi",
+                                   "m_residuals_qq", "m_u_T",       "m_A_u",         "m_a_P",         "m_regimes_a",
+                                   "m_regimes_b",    "m_regimes_c", "m_alpha_A0"}));
+  ASSERT_EQ(figures.left_out.size(), 1u);
+  EXPECT_EQ(figures.left_out[0].what, "mean shear stress at peak and minimum");
+}
+
+TEST(DataFigures, OfPsiAndGcHaveNoAreaMapOrLoads) {
+  const ReportedData reported = reported_data(shipped("waters_guduru2010"), "w");
+  const DataFigures figures = data_figures(reported);
+  EXPECT_EQ(names(figures), (std::set<std::string>{"w_toughness", "w_profile_a", "w_profile_b", "w_profile_c",
+                                                   "w_residuals_psi", "w_residuals_qq"}));
+  for (const char* what : {"contact area against tangential load", "parameter against normal load", "regime map",
+                           "error on loads left out", "displacement and radius curves", "alpha against A0"})
+    EXPECT_EQ(reason(figures, what), "the data are (psi, Gc): they have no loads and areas") << what;
+}
+
+TEST(DataFigures, WithoutAValueShowTheDataOnly) {
+  JobResult result = shipped("waters_guduru2010");
+  for (FitResult& fit : result.fits) {
+    for (FittedParameter& parameter : fit.parameters) {
+      parameter.value.reset();
+      parameter.profile.reset();
+    }
+    fit.residuals.clear();
+  }
+  const DataFigures figures = data_figures(reported_data(result, "w"));
+  EXPECT_EQ(names(figures), std::set<std::string>{"w_toughness"});
+  EXPECT_EQ(reason(figures, "residuals"), "no fit has a value");
+}
+
+TEST(DataFigures, OfOneModelAndOneRunHaveNothingToCompare) {
+  const TemporaryFolder folder;
+  folder.write("one.csv", "P,T,A\n3,0,20\n3,5,19.6\n3,10,18\n3,15,16\n");
+  FitJob job;
+  job.data_path = folder.path("one.csv");
+  job.models = {"c"};
+  const JobResult result = run_for_report(job);
+  const DataFigures figures = data_figures(reported_data(result, "one"));
+  EXPECT_EQ(names(figures), (std::set<std::string>{"one_area_c", "one_toughness", "one_profile_c", "one_residuals_T",
+                                                   "one_residuals_psi", "one_residuals_qq", "one_u_T", "one_A_u",
+                                                   "one_a_P", "one_regimes_c"}));
+}
+
+TEST(DataFigures, EveryFigureSaysInWordsWhatItShows) {
+  for (const char* name : {"mergel2018", "waters_guduru2010", "as4_peek_mmb"}) {
+    const ReportedData reported = reported_data(shipped(name), name);
+    for (const FigureGroup& group : data_figures(reported).groups)
+      for (const Figure& figure : group.figures) {
+        EXPECT_GT(figure.caption.size(), 20u) << figure.name;
+        EXPECT_NE(figure.x.label, "") << figure.name;
+        EXPECT_NE(figure.y.label, "") << figure.name;
+      }
+  }
+}
+
+TEST(DataFigures, OfManyRunsAndPointsShowAShareThatHoldsBothEnds) {
+  Dataset data;
+  for (int i = 0; i < 30; ++i) data.curve_loads.push_back(i);
+  const std::vector<std::size_t> runs = shown_runs(data);
+  EXPECT_EQ(runs.size(), 8u);
+  EXPECT_EQ(runs.front(), 29u);
+  EXPECT_EQ(runs.back(), 0u);
+  std::vector<std::size_t> points(100000);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = i;
+  const std::vector<std::size_t> shown = shown_points(points);
+  EXPECT_EQ(shown.size(), 2000u);
+  EXPECT_EQ(shown.back(), 99999u);
+}
+
+}  // namespace
+}  // namespace mixity

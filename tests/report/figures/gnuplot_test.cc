@@ -1,0 +1,100 @@
+#include "report/figures/gnuplot.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <pugixml.hpp>
+#include <set>
+
+#include "dataset/csv.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+namespace {
+
+Figure example(const std::string& name) {
+  return {
+      name,
+      "Areas & loads",
+      {"T [mN]", 0.0, 2.0},
+      {"A [mm^2]", 0.0, 10.0},
+      {{"data", Look::circles, "#d55e00", {{0, 1}, {1, 5}, {2, 3}}, {}, {"line 2", "line 3: T < 1 & 'A'", "line 4"}},
+       {"model", Look::solid, "#000000", {{0, 1}, {2, 4}}}},
+      {},
+      KeyPlace::above,
+      {},
+      false,
+      "Caption with < and &."};
+}
+
+/// A program that is started finds gnuplot by PATH; restored at the end of the scope.
+class WithoutPrograms {
+ public:
+  WithoutPrograms() : path_(std::getenv("PATH")) { setenv("PATH", "/nowhere", 1); }
+  WithoutPrograms(const WithoutPrograms&) = delete;
+  WithoutPrograms& operator=(const WithoutPrograms&) = delete;
+  ~WithoutPrograms() { setenv("PATH", path_.c_str(), 1); }
+
+ private:
+  std::string path_;
+};
+
+TEST(Gnuplot, DrawsSvgAndPdfBesideTheScript) {
+  const TemporaryFolder folder;
+  const DrawnFigures drawn = draw_figures({example("one"), example("two")}, folder.path());
+  EXPECT_EQ(drawn.missing, "");
+  EXPECT_EQ(
+      std::set(drawn.files.begin(), drawn.files.end()),
+      (std::set<std::string>{"one.dat", "one.gp", "one.svg", "one.pdf", "two.dat", "two.gp", "two.svg", "two.pdf"}));
+  ASSERT_EQ(drawn.svg.size(), 2u);
+  EXPECT_EQ(read_file(folder.path() + "/two.svg"), drawn.svg[1]);
+  EXPECT_NE(drawn.svg[0].find("T [mN]"), std::string::npos);
+  EXPECT_EQ(read_file(folder.path() + "/one.pdf").substr(0, 5), "%PDF-");
+}
+
+TEST(Gnuplot, WithoutItDataAndScriptAreThereAndItSaysSo) {
+  const TemporaryFolder folder;
+  const WithoutPrograms nothing;
+  const DrawnFigures drawn = draw_figures({example("one")}, folder.path());
+  EXPECT_NE(drawn.missing.find("gnuplot"), std::string::npos);
+  EXPECT_TRUE(drawn.svg.empty());
+  EXPECT_EQ(drawn.files, (std::vector<std::string>{"one.dat", "one.gp"}));
+  for (const std::string& file : drawn.files) EXPECT_TRUE(std::filesystem::exists(folder.path() + '/' + file)) << file;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() + "/one.svg"));
+}
+
+/// Texts that a browser shows at a point: titles other than the figure's own.
+std::vector<std::string> hover_texts(const pugi::xml_document& svg) {
+  std::vector<std::string> texts;
+  for (const pugi::xpath_node& node : svg.select_nodes("//g/title")) texts.emplace_back(node.node().text().get());
+  return texts;
+}
+
+TEST(Svg, SaysAtEachPointWhatItIsAndAsAWholeWhatItShows) {
+  const TemporaryFolder folder;
+  const std::string text = draw_figures({example("one")}, folder.path()).svg.at(0);
+  pugi::xml_document svg;
+  ASSERT_TRUE(svg.load_string(text.c_str()));
+  EXPECT_EQ(hover_texts(svg), (std::vector<std::string>{"line 2", "line 3: T < 1 & ’A’", "line 4"}));
+  EXPECT_STREQ(svg.child("svg").child_value("title"), "Areas & loads");
+  EXPECT_STREQ(svg.child("svg").child_value("desc"), "Caption with < and &.");
+  EXPECT_STREQ(svg.child("svg").attribute("role").value(), "img");
+  EXPECT_EQ(text.find("onmousemove"), std::string::npos);
+}
+
+TEST(Svg, HasIdsOfItsOwnAndEveryReferenceFindsOne) {
+  const TemporaryFolder folder;
+  pugi::xml_document svg;
+  ASSERT_TRUE(svg.load_string(draw_figures({example("one")}, folder.path()).svg.at(0).c_str()));
+  std::set<std::string> ids;
+  for (const pugi::xpath_node& node : svg.select_nodes("//*/@id")) {
+    EXPECT_TRUE(std::string_view(node.attribute().value()).starts_with("one-"));
+    EXPECT_TRUE(ids.insert(node.attribute().value()).second) << node.attribute().value();
+  }
+  for (const pugi::xpath_node& node : svg.select_nodes("//*/@xlink:href"))
+    EXPECT_TRUE(ids.contains(std::string(node.attribute().value()).substr(1))) << node.attribute().value();
+}
+
+}  // namespace
+}  // namespace mixity
