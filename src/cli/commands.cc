@@ -1,5 +1,6 @@
 #include "cli/commands.h"
 
+#include "cli/fit_flags.h"
 #include "cli/flags.h"
 
 namespace mixity::cli {
@@ -8,9 +9,10 @@ std::span<const Command> commands() {
   static const std::vector<Command> table{
       {"fit", run_fit, "fit DATA.csv|FIT.toml ... [flags]",
        "Fits the models to each data set and reports parameters and goodness of fit.",
-       with_metadata_flags({"models",     "objective", "scale",     "weighted", "sigma_T",    "sigma_A",   "loss",
-                            "loss_scale", "hold",      "free",      "interval", "confidence", "bootstrap", "resample",
-                            "seed",       "threads",   "influence", "compare",  "per",        "format",    "out"})},
+       with_fit_flags({"format", "out"})},
+      {"report", run_report, "report DATA.csv|FIT.toml ... --out=DIR [flags]",
+       "Fits as `fit` does, and writes a page with every figure, tables, and the figures by themselves.",
+       with_fit_flags({"out"})},
       {"predict",
        run_predict,
        "predict --model=KEY --lambda=L --load=P --shear=T1,T2,... [flags]",

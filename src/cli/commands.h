@@ -11,6 +11,7 @@ namespace mixity::cli {
 using Arguments = std::vector<std::string>;  // what is left of the command line after command and flags
 
 int run_fit(const Arguments& arguments);
+int run_report(const Arguments& arguments);
 int run_predict(const Arguments& arguments);
 int run_curve(const Arguments& arguments);
 int run_instability(const Arguments& arguments);

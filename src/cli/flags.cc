@@ -79,7 +79,20 @@ std::string value_of(std::string_view flag) {
   return value;
 }
 
+std::string given_command;  // NOLINT(cert-err58-cpp): an empty string does not throw
+
+/// As a shell reads it as one word.
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:%+@";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 }  // namespace
+
+const std::string& command_line() { return given_command; }
 
 std::vector<std::string_view> with_metadata_flags(std::vector<std::string_view> flags) {
   flags.insert(flags.end(), kMetadataFlags.begin(), kMetadataFlags.end());
@@ -88,6 +101,8 @@ std::vector<std::string_view> with_metadata_flags(std::vector<std::string_view> 
 
 Arguments parse_flags(const Command& command, const Arguments& words) {
   Arguments arguments;
+  given_command = "mixity " + std::string(command.name);
+  for (const std::string& word : words) given_command += ' ' + shell_word(word);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     if (word == "--") {

@@ -59,6 +59,9 @@ std::vector<std::string_view> with_metadata_flags(std::vector<std::string_view> 
 /// UsageError for a flag that the command does not have or that lacks a value.
 Arguments parse_flags(const Command& command, const Arguments& words);
 
+/// The command as it was given, to be pasted into a shell.
+const std::string& command_line();
+
 bool is_set(std::string_view flag);
 
 /// The metadata flags that were given; throws UsageError if one cannot be used.

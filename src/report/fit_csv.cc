@@ -24,9 +24,21 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
 }
 
+/// What a row has around it in a table of several data sets: their names, their units, and empty fields where this data
+/// set has no loads.
+struct Frame {
+  std::string before, blanks, after;
+};
+
+Frame table_frame(const Dataset& data) {
+  return {csv_field(data.name) + ',', data.has_loads ? "" : ",,,,",
+          ',' + csv_field(data.display.force) + ',' + csv_field(data.display.area)};
+}
+
 /// Stable A(T) from T = 0 to the instability, or to a fifth beyond the largest measured T, dense towards the fold.
 template <class Model>
-void write_area_curve(std::ostringstream& out, const JobResult& result, const FitResult& fit, std::size_t curve) {
+void write_area_curve(std::ostringstream& out, const JobResult& result, const FitResult& fit, std::size_t curve,
+                      const Frame& frame) {
   const DisplayUnits& units = result.data.display;
   const double measured_load = result.data.curve_loads[curve];
   const Trial<Model> trial = fitted_trial<Model>(result.data, fit, result.job.options);
@@ -45,22 +57,54 @@ void write_area_curve(std::ostringstream& out, const JobResult& result, const Fi
     const Equilibrium equilibrium = contact.at(T);
     if (equilibrium.status != EquilibriumStatus::ok) continue;
     const ContactState state = contact_state(P, T, equilibrium.y);
-    out << to_string(result.data.metadata.provenance) << ',' << fit.model << ',' << csv_field(result.data.curves[curve])
-        << ',' << shortest(measured_load * units.force_scale) << ',' << shortest(T / scale.force * units.force_scale)
-        << ',' << shortest(scale.measured_area(state.A) * units.area_scale) << ',' << shortest(state.psi) << ','
-        << shortest(state.f) << '\n';
+    out << frame.before << to_string(result.data.metadata.provenance) << ',' << fit.model << ','
+        << csv_field(result.data.curves[curve]) << ',' << shortest(measured_load * units.force_scale) << ','
+        << shortest(T / scale.force * units.force_scale) << ','
+        << shortest(scale.measured_area(state.A) * units.area_scale) << ',' << shortest(state.psi) << ','
+        << shortest(state.f) << frame.after << '\n';
   }
 }
 
 template <class Model>
-void write_toughness_curve(std::ostringstream& out, const Dataset& data, const FitResult& fit) {
+void write_toughness_curve(std::ostringstream& out, const Dataset& data, const FitResult& fit, const Frame& frame) {
   const Parameters<Model> p = fitted_trial<Model>(data, fit, {}).parameters;
   for (std::size_t i = 0; i < kCurvePoints; ++i) {
     const double psi = 0.5 * pi<double>() * static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
     const double f = std::exp(Model::log_toughness(p, mixity_from_angle(psi)).value);
     if (std::isfinite(f))
-      out << to_string(data.metadata.provenance) << ',' << fit.model << ',' << shortest(psi) << ',' << shortest(f)
-          << '\n';
+      out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << frame.blanks << ','
+          << shortest(psi) << ',' << shortest(f) << frame.after << '\n';
+  }
+}
+
+void write_residuals(std::ostringstream& out, const JobResult& result, const Frame& frame) {
+  const Dataset& data = result.data;
+  const DisplayUnits& units = data.display;
+  for (const FitResult& fit : result.fits)
+    for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
+      const Point& point = data.points[fit.used[i]];
+      out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << ',' << point.line << ','
+          << csv_field(data.curves[point.curve]) << ','
+          << (point.ratio > 0 ? shortest(point.psi) + ',' + shortest(point.ratio) : ",") << ','
+          << shortest(fit.residuals[i]);
+      if (data.has_loads) {
+        out << ',' << shortest(point.P * units.force_scale) << ',' << shortest(point.T * units.force_scale) << ','
+            << shortest(point.A * units.area_scale) << ',';
+        if (fit.area && fit.area->areas[i]) out << shortest(*fit.area->areas[i] * units.area_scale);
+      }
+      out << frame.blanks << frame.after << '\n';
+    }
+}
+
+void write_curves(std::ostringstream& out, const JobResult& result, const Frame& frame) {
+  for (const FitResult& fit : result.fits) {
+    if (!has_all_values(fit)) continue;
+    with_model(fit.model, [&](auto chosen) {
+      using Model = decltype(chosen);
+      if (!result.data.has_loads) return write_toughness_curve<Model>(out, result.data, fit, frame);
+      for (std::size_t curve = 0; curve < result.data.curves.size(); ++curve)
+        write_area_curve<Model>(out, result, fit, curve, frame);
+    });
   }
 }
 
@@ -102,20 +146,7 @@ std::string residuals_csv(const JobResult& result) {
     out << ',' << with_unit("P", units.force) << ',' << with_unit("T", units.force) << ',' << with_unit("A", units.area)
         << ',' << with_unit("A_predicted", units.area);
   out << '\n';
-  for (const FitResult& fit : result.fits)
-    for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
-      const Point& point = data.points[fit.used[i]];
-      out << to_string(data.metadata.provenance) << ',' << fit.model << ',' << point.line << ','
-          << csv_field(data.curves[point.curve]) << ','
-          << (point.ratio > 0 ? shortest(point.psi) + ',' + shortest(point.ratio) : ",") << ','
-          << shortest(fit.residuals[i]);
-      if (data.has_loads) {
-        out << ',' << shortest(point.P * units.force_scale) << ',' << shortest(point.T * units.force_scale) << ','
-            << shortest(point.A * units.area_scale) << ',';
-        if (fit.area && fit.area->areas[i]) out << shortest(*fit.area->areas[i] * units.area_scale);
-      }
-      out << '\n';
-    }
+  write_residuals(out, result, {});
   return out.str();
 }
 
@@ -127,15 +158,21 @@ std::string curves_csv(const JobResult& result) {
         << with_unit("A", units.area) << ",psi [rad],f\n";
   else
     out << "provenance,model,psi [rad],f\n";
-  for (const FitResult& fit : result.fits) {
-    if (!has_all_values(fit)) continue;
-    with_model(fit.model, [&](auto chosen) {
-      using Model = decltype(chosen);
-      if (!result.data.has_loads) return write_toughness_curve<Model>(out, result.data, fit);
-      for (std::size_t curve = 0; curve < result.data.curves.size(); ++curve)
-        write_area_curve<Model>(out, result, fit, curve);
-    });
-  }
+  write_curves(out, result, {});
+  return out.str();
+}
+
+std::string residuals_table(const std::vector<JobResult>& results) {
+  std::ostringstream out;
+  out << "dataset,provenance,model,line,curve,psi [rad],Gc_over_GIc,residual,P,T,A,A_predicted,force_unit,area_unit\n";
+  for (const JobResult& result : results) write_residuals(out, result, table_frame(result.data));
+  return out.str();
+}
+
+std::string curves_table(const std::vector<JobResult>& results) {
+  std::ostringstream out;
+  out << "dataset,provenance,model,curve,P,T,A,psi [rad],f,force_unit,area_unit\n";
+  for (const JobResult& result : results) write_curves(out, result, table_frame(result.data));
   return out.str();
 }
 

@@ -17,4 +17,9 @@ std::string residuals_csv(const JobResult& result);
 /// Predicted curves of every fitted model: A(T) at each load of the data, or f(psi) if it has no loads.
 std::string curves_csv(const JobResult& result);
 
+// The same of several data sets, each row with the data set's name and its units; fields that a data set without loads
+// does not have are empty.
+std::string residuals_table(const std::vector<JobResult>& results);
+std::string curves_table(const std::vector<JobResult>& results);
+
 }  // namespace mixity

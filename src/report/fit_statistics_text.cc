@@ -6,7 +6,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "dataset/number_text.h"
+#include "report/rounding.h"
 
 namespace mixity {
 namespace {
@@ -15,15 +15,6 @@ std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(width, text.size() + 1), ' ');
   return text;
 }
-
-/// So many significant digits that a change of `resolution` shows in the last but one.
-std::string resolved(double value, double resolution) {
-  if (!(resolution > 0) || value == 0) return rounded(value, 4);
-  const double digits = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(resolution)) + 2;
-  return rounded(value, static_cast<int>(std::clamp(digits, 2.0, 15.0)));
-}
-
-std::string unit_text(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
 
 }  // namespace
 

@@ -5,20 +5,15 @@
 #include <cmath>
 #include <sstream>
 
-#include "dataset/number_text.h"
 #include "report/fit_statistics_text.h"
+#include "report/rounding.h"
 
 namespace mixity {
 namespace {
 
 constexpr std::size_t kExcludedShown = 8;
 
-std::string r2_text(const std::optional<double>& r2) {
-  if (!r2) return "undefined (the data do not vary)";
-  // as many nines as say something: 0.9999 and 0.99994 must not both read 1.000
-  const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(std::max(1 - *r2, 1e-12)))) + 2, 4, 12);
-  return rounded(*r2, digits);
-}
+std::string shown_r2(const std::optional<double>& r2) { return r2 ? r2_text(*r2) : "undefined (the data do not vary)"; }
 
 std::string capitals(std::string_view text) {
   std::string result(text);
@@ -77,13 +72,13 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
   out << '\n';
   for (const FittedParameter& parameter : fit.parameters) write_parameter(out, parameter);
   if (fit.rmse)
-    out << "    R^2 = " << r2_text(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
+    out << "    R^2 = " << shown_r2(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
         << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size() << " points\n";
   out << errors_text(fit) << resampling_text(fit, data);
   if (fit.area) {
     out << "    ";
     if (fit.area->predicted > 0)
-      out << "R^2 = " << r2_text(fit.area->r2) << " in predicted A(T), RMS " << rounded(fit.area->rmse, 3)
+      out << "R^2 = " << shown_r2(fit.area->r2) << " in predicted A(T), RMS " << rounded(fit.area->rmse, 3)
           << (data.display.area.empty() ? "" : " ") << data.display.area << ", largest residual "
           << rounded(fit.area->max_abs_residual, 3);
     else

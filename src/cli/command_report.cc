@@ -1,0 +1,43 @@
+// mixity report: fits, and everything that can be shown of them.
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/fit_flags.h"
+#include "cli/flags.h"
+#include "cli/progress.h"
+#include "cli/usage_error.h"
+#include "report/fit_table.h"
+#include "report/report.h"
+
+namespace mixity::cli {
+int run_report(const Arguments& arguments) {
+  if (arguments.empty()) throw UsageError("report needs a data CSV or a fit definition (see mixity help report)");
+  if (FLAGS_out.empty()) throw UsageError("report needs --out=DIR");
+  const Overrides overrides = metadata_overrides();
+  const Progress progress = progress_line("report");
+  const double count = static_cast<double>(arguments.size());
+  std::vector<JobResult> results;
+  for (const std::string& path : arguments) {
+    results.push_back(run_for_report(job_for(path), overrides));
+    if (progress) progress(0.4 * static_cast<double>(results.size()) / count);
+  }
+  std::vector<ReportedData> data;
+  std::set<std::string> taken;
+  for (const JobResult& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
+  const WrittenReport written = write_report(results, data, FLAGS_out, {command_line(), [&](double fraction) {
+                                                                          if (progress) progress(0.4 + 0.6 * fraction);
+                                                                        }});
+  if (!written.missing.empty()) std::cerr << "mixity: " << written.missing << '\n';
+  std::cout << written.page << '\n';
+  for (const JobResult& result : results)
+    std::cout << '\n'
+              << result.data.name << " (" << to_string(result.data.metadata.provenance) << ")\n"
+              << table_text(result);
+  bool all_ok = true;
+  for (const JobResult& result : results)
+    for (const FitResult& fit : result.fits) all_ok &= fit.status == FitStatus::ok;
+  return all_ok ? kFine : kFitNotOk;
+}
+
+}  // namespace mixity::cli

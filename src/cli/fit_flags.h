@@ -1,0 +1,22 @@
+// Flags that describe fits, and the jobs they make of definitions and data sets.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fitting/fit_definition.h"
+
+namespace mixity::cli {
+
+/// A definition as it stands, or the default job for a CSV; flags that were given win over both. Throws UsageError.
+FitJob job_for(const std::string& path);
+
+/// These flags and those that job_for reads, metadata included.
+std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags);
+
+/// File names from data set names, made distinct where two data sets share one.
+std::string file_stem(const JobResult& result, std::set<std::string>& taken);
+
+}  // namespace mixity::cli

@@ -1,0 +1,230 @@
+#include "report/fit_table.h"
+
+#include <algorithm>
+
+#include "report/rounding.h"
+
+namespace mixity {
+namespace {
+
+std::string status_text(const FitResult& fit) {
+  std::string text(to_string(fit.status));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string parameter_text(const FittedParameter& parameter) {
+  std::string text = parameter.name + " = ";
+  if (!parameter.value) return text + "not determined";
+  const auto& interval = parameter.interval;
+  const double width = interval && interval->low && interval->high ? *interval->high - *interval->low
+                                                                   : 4 * parameter.stderr_.value_or(0);
+  text += resolved(*parameter.value, width);
+  if (interval) {
+    const auto end = [&](const std::optional<double>& value, EndStatus status) {
+      return !value ? std::string("open") : resolved(*value, width) + (status == EndStatus::at_bound ? " bound" : "");
+    };
+    text += " (" + end(interval->low, interval->low_status) + " .. " + end(interval->high, interval->high_status) + ")";
+  } else if (parameter.stderr_) {
+    text += " +/- " + rounded(*parameter.stderr_, 2);
+  } else if (parameter.held) {
+    text += " (held)";
+  }
+  return text + unit_text(parameter.unit);
+}
+
+const ComparedModel* compared(const JobResult& result, const std::string& model) {
+  for (const ComparedModel& entry : result.comparison)
+    if (entry.model == model) return &entry;
+  return nullptr;
+}
+
+/// "1", "0.0318" or, for what no longer counts, "< 0.0001".
+std::string weight_text(double weight) { return weight < 1e-4 ? "< 0.0001" : rounded(weight, 3); }
+
+}  // namespace
+
+FitTable fit_table(const JobResult& result) {
+  using Cell = FitTable::Cell;
+  const std::string unit = unit_text(result.data.display.area);
+  std::string percent;
+  for (const FitResult& fit : result.fits)
+    for (const FittedParameter& parameter : fit.parameters)
+      if (parameter.interval) percent = " (" + rounded(100 * parameter.interval->confidence, 4) + " % interval)";
+  FitTable table{{"Model", "Parameters" + percent, "Status", "R² in the fitted space", "R² of A(T)",
+                  "RMS error of A(T)", "AICc weight", "RMS error on left-out loads", "Published"},
+                 {"Model", "Parameters" + percent, "Status", "R² fit", "R² A(T)", "RMS A(T)", "AICc weight",
+                  "RMS left out", "Published"},
+                 {}};
+  for (const FitResult& fit : result.fits) {
+    std::vector<Cell> row(table.headings.size());
+    row[0].lines = {fit.model, fit.model_name};
+    for (const FittedParameter& parameter : fit.parameters) row[1].lines.push_back(parameter_text(parameter));
+    row[2] = {{status_text(fit)}, fit.status != FitStatus::ok};
+    if (fit.r2) row[3].lines = {r2_text(*fit.r2)};
+    if (fit.area && fit.area->predicted > 0) {
+      if (fit.area->r2) row[4].lines = {r2_text(*fit.area->r2)};
+      row[5].lines = {rounded(fit.area->rmse, 3) + unit};
+      if (fit.area->unpredicted > 0)
+        row[5].lines.push_back("without " + std::to_string(fit.area->unpredicted) + " past the fold");
+    }
+    if (const ComparedModel* entry = compared(result, fit.model)) {
+      if (entry->weight) row[6].lines = {weight_text(*entry->weight)};
+      if (entry->left_out) row[7].lines = {rounded(entry->left_out->rmse_area, 3) + unit};
+    }
+    for (const Agreement& agreement : compare(fit, result.job)) {
+      row[8].lines.push_back(agreement.published.name + " = " + shortest(agreement.published.value) +
+                             (agreement.agrees ? " agrees" : " DOES NOT AGREE"));
+      row[8].alert |= !agreement.agrees;
+    }
+    table.rows.push_back(std::move(row));
+  }
+  for (std::size_t column = table.headings.size(); column-- > 0;) {
+    if (std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return !row[column].lines.empty(); }))
+      continue;
+    const auto at = static_cast<std::ptrdiff_t>(column);
+    table.headings.erase(table.headings.begin() + at);
+    table.short_headings.erase(table.short_headings.begin() + at);
+    for (auto& row : table.rows) row.erase(row.begin() + at);
+  }
+  return table;
+}
+
+std::string table_text(const JobResult& result) {
+  FitTable table = fit_table(result);
+  for (auto& row : table.rows) row[0].lines.resize(1);  // the key without the name
+  // characters, not bytes
+  const auto width_of = [](const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  };
+  std::vector<std::size_t> widths;
+  for (const std::string& heading : table.short_headings) widths.push_back(width_of(heading));
+  for (const auto& row : table.rows)
+    for (std::size_t k = 0; k < row.size(); ++k)
+      for (const std::string& line : row[k].lines) widths[k] = std::max(widths[k], width_of(line));
+  std::string text;
+  const auto add = [&](std::size_t k, const std::string& cell) {
+    text += cell + (k + 1 < widths.size() ? std::string(widths[k] - width_of(cell) + 2, ' ') : "");
+  };
+  const auto end_line = [&] {
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
+  };
+  for (std::size_t k = 0; k < widths.size(); ++k) add(k, table.short_headings[k]);
+  end_line();
+  for (const auto& row : table.rows) {
+    std::size_t lines = 1;
+    for (const FitTable::Cell& cell : row) lines = std::max(lines, cell.lines.size());
+    for (std::size_t line = 0; line < lines; ++line) {
+      for (std::size_t k = 0; k < row.size(); ++k)
+        add(k, line < row[k].lines.size() ? row[k].lines[line] : std::string());
+      end_line();
+    }
+  }
+  return text;
+}
+
+std::string with_powers(std::string text) {
+  for (const auto& [plain, power] : {std::pair("^2", "²"), std::pair("^3", "³")})
+    for (std::size_t at = 0; (at = text.find(plain, at)) != std::string::npos;) text.replace(at, 2, power);
+  return text;
+}
+
+std::vector<std::string> findings(const JobResult& result) {
+  std::vector<std::string> sentences;
+  std::vector<const ComparedModel*> by_error, by_weight;
+  for (const ComparedModel& entry : result.comparison) {
+    if (entry.left_out) by_error.push_back(&entry);
+    if (entry.weight) by_weight.push_back(&entry);
+  }
+  std::stable_sort(by_error.begin(), by_error.end(), [](const ComparedModel* one, const ComparedModel* other) {
+    return one->left_out->rmse_area < other->left_out->rmse_area;
+  });
+  std::stable_sort(by_weight.begin(), by_weight.end(),
+                   [](const ComparedModel* one, const ComparedModel* other) { return *one->weight > *other->weight; });
+  if (by_error.size() > 1 && by_error[0]->left_out->rmse_area > 0) {
+    std::string text = "Model " + by_error[0]->model +
+                       " predicts the areas at loads left out of the fit best (RMS error " +
+                       rounded(by_error[0]->left_out->rmse_area, 3) + unit_text(result.data.display.area) + ")";
+    for (std::size_t i = 1; i < by_error.size(); ++i)
+      text += std::string(i == 1 ? "; " : ", ") + by_error[i]->model + " errs " +
+              rounded(by_error[i]->left_out->rmse_area / by_error[0]->left_out->rmse_area, 2) + " times as much";
+    sentences.push_back(text + ".");
+  }
+  if (by_weight.size() > 1) {
+    const double weight = *by_weight[0]->weight;
+    sentences.push_back(weight > 0.95 ? "AICc prefers model " + by_weight[0]->model + " (weight " +
+                                            (weight > 0.9999 ? "> 0.9999" : rounded(weight, 3)) + ")."
+                                      : "AICc does not decide between the models (weight of " + by_weight[0]->model +
+                                            " " + rounded(weight, 2) + ").");
+  }
+  for (const FitResult& fit : result.fits)
+    if (fit.status != FitStatus::ok)
+      sentences.push_back("Model " + fit.model + ", " + status_text(fit) + ": " + fit.message + ".");
+  return sentences;
+}
+
+std::vector<std::string> assumptions(const JobResult& result) {
+  const Dataset& data = result.data;
+  const FitOptions& options = result.job.options;
+  std::vector<std::string> list;
+  if (data.has_loads)
+    list.emplace_back(
+        "A circular contact of a sphere on a half-space, without slip and in equilibrium at every point; linear "
+        "elasticity, short-range adhesion (JKR), nu = 1/2 for the tangential displacement.");
+  else
+    list.emplace_back("Phase angle and toughness are taken as the file gives them; no area is predicted.");
+  if (data.contact)
+    list.push_back("R = " + rounded(data.contact->radius * 1e3, 6) +
+                   " mm, E* = " + rounded(data.contact->modulus * 1e-6, 6) +
+                   " MPa (plane strain) and G_Ic = " + rounded(data.contact->toughness * 1e3, 6) + " mJ/m² are exact" +
+                   (options.free.empty() ? "." : ", but for what was freed."));
+  else if (data.has_loads)
+    list.emplace_back("The file is dimensionless: P and T over R G_Ic, A times (xi/R)^2.");
+  if (options.objective == Objective::toughness) {
+    list.push_back(std::string("Residuals are differences of ") +
+                   (options.scale == Scale::log ? "ln(Gc/GIc)" : "Gc/GIc") + " at the point's phase angle, " +
+                   (options.weighted ? "weighted by each point's standard error." : "all with the same weight."));
+    if (data.has_loads)
+      list.emplace_back(
+          "Gc/GIc and psi are computed from the same area, so that their errors are correlated; R² in "
+          "this space is close to 1 for almost any model.");
+  }
+  if (options.objective == Objective::area)
+    list.emplace_back("Residuals are differences of A at the measured T, which counts as exact.");
+  if (options.objective == Objective::curve)
+    list.emplace_back("Residuals are distances of the points from the curve in T and A, in standard errors.");
+  for (const FitResult& fit : result.fits)
+    if (fit.errors && fit.errors->scatter) {
+      list.push_back("Standard errors of " + rounded(100 * *fit.errors->scatter, 2) +
+                     " % were estimated from the scatter of neighbouring points.");
+      break;
+    }
+  return list;
+}
+
+std::vector<std::pair<std::string, std::string>> fit_settings(const JobResult& result) {
+  const FitOptions& options = result.job.options;
+  std::vector<std::pair<std::string, std::string>> settings{{"objective", std::string(to_string(options.objective))}};
+  if (options.objective == Objective::toughness) settings.emplace_back("scale", to_string(options.scale));
+  settings.emplace_back("weighted", options.weighted || options.objective != Objective::toughness ? "yes" : "no");
+  std::string names;
+  for (const HeldParameter& held : options.hold)
+    names += (names.empty() ? "" : ", ") + held.name + (held.value ? " = " + shortest(*held.value) : "");
+  if (!names.empty()) settings.emplace_back("held", names);
+  names.clear();
+  for (const Correction correction : options.free)
+    names += (names.empty() ? "" : ", ") + std::string(kCorrectionNames[correction]);
+  if (!names.empty()) settings.emplace_back("freed constants", names);
+  if (options.loss != Loss::none) settings.emplace_back("loss", to_string(options.loss));
+  settings.emplace_back(
+      "intervals", options.intervals ? "profile likelihood, " + rounded(100 * options.confidence, 4) + " %" : "none");
+  if (options.bootstrap.replicates > 0)
+    settings.emplace_back("bootstrap", std::to_string(options.bootstrap.replicates) + " replicates of " +
+                                           (options.bootstrap.resample == Resample::points ? "points" : "runs") +
+                                           ", seed " + std::to_string(options.bootstrap.seed));
+  if (!result.job.source.empty()) settings.emplace_back("published by", result.job.source);
+  return settings;
+}
+
+}  // namespace mixity

@@ -1,0 +1,225 @@
+#include "report/page/report_page.h"
+
+#include <algorithm>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "report/figures/svg.h"
+#include "report/fit_table.h"
+#include "report/page/style.h"
+#include "report/versions.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kExcludedOpen = 8;  // more than these are folded away
+
+pugi::xml_node add(pugi::xml_node parent, const char* element, const std::string& text = {},
+                   const char* css_class = nullptr) {
+  pugi::xml_node node = parent.append_child(element);
+  if (css_class) node.append_attribute("class").set_value(css_class);
+  if (!text.empty()) node.text().set(text.c_str());
+  return node;
+}
+
+/// Appends text after what is already in the node.
+void add_text(pugi::xml_node node, const std::string& text) {
+  node.append_child(pugi::node_pcdata).set_value(text.c_str());
+}
+
+void add_link(pugi::xml_node node, const std::string& target, const std::string& text) {
+  add(node, "a", text).append_attribute("href").set_value(target.c_str());
+}
+
+void add_list(pugi::xml_node parent, const std::vector<std::string>& items) {
+  pugi::xml_node list = add(parent, "ul");
+  for (const std::string& item : items) add(list, "li", item);
+}
+
+class Page {
+ public:
+  explicit Page(const ReportContent& content) : content_(content) {}
+
+  std::string text() {
+    pugi::xml_node html = add(document_, "html");
+    html.append_attribute("lang").set_value("en");
+    pugi::xml_node head = add(html, "head");
+    add(head, "meta").append_attribute("charset").set_value("utf-8");
+    pugi::xml_node view = add(head, "meta");
+    view.append_attribute("name").set_value("viewport");
+    view.append_attribute("content").set_value("width=device-width, initial-scale=1");
+    add(head, "title", title());
+    add(head, "style").append_child(pugi::node_cdata).set_value(kStyleMark);
+    pugi::xml_node body = add(html, "body");
+    pugi::xml_node header = add(body, "header");
+    add(header, "h1", title());
+    add(header, "p", "Mode-mixity fits by mixity " MIXITY_VERSION, "soft");
+    if (content_.entries.size() > 1) {
+      pugi::xml_node nav = add(header, "nav");
+      for (const ReportEntry& entry : content_.entries)
+        add_link(nav, "#" + entry.data->stem, entry.data->result.data.name);
+    }
+    if (!content_.drawn.missing.empty()) add(header, "p", content_.drawn.missing, "banner");
+    pugi::xml_node main = add(body, "main");
+    for (const ReportEntry& entry : content_.entries) add_data_set(main, entry);
+    add_reproduction(add(body, "footer"));
+    return serialised();
+  }
+
+ private:
+  static constexpr char kStyleMark[] = "mixity-style";
+
+  std::string title() const {
+    std::string names;
+    for (const ReportEntry& entry : content_.entries)
+      names += (names.empty() ? "" : ", ") + entry.data->result.data.name;
+    return names;
+  }
+
+  void add_data_set(pugi::xml_node main, const ReportEntry& entry) {
+    const JobResult& result = entry.data->result;
+    const Dataset& data = result.data;
+    pugi::xml_node section = add(main, "section");
+    pugi::xml_node heading = add(section, "h2", data.name, &entry == &content_.entries.front() ? "first" : nullptr);
+    heading.append_attribute("id").set_value(entry.data->stem.c_str());
+    add_provenance(section, data);
+    add_fits(section, result);
+    for (const FigureGroup& group : entry.figures.groups) {
+      add(section, "h3", group.title);
+      pugi::xml_node figures = add(section, "div", {}, "figures");
+      for (const Figure& figure : group.figures) add_figure(figures, figure);
+    }
+    add_excluded(section, result);
+    add(section, "h3", "What was assumed");
+    add_list(section, assumptions(result));
+    pugi::xml_node settings = add(section, "dl");
+    for (const auto& [name, value] : fit_settings(result)) {
+      add(settings, "dt", name);
+      add(settings, "dd", value);
+    }
+    if (entry.figures.left_out.empty()) return;
+    add(section, "h3", "Figures left out");
+    std::vector<std::string> reasons;
+    for (const MissingFigure& figure : entry.figures.left_out) reasons.push_back(figure.what + ": " + figure.why);
+    add_list(section, reasons);
+  }
+
+  static void add_provenance(pugi::xml_node section, const Dataset& data) {
+    pugi::xml_node banner = add(section, "p", {}, data.metadata.provenance == Provenance::measured ? "soft" : "banner");
+    add(banner, "strong", "Provenance: " + std::string(to_string(data.metadata.provenance)) + ". ");
+    if (data.metadata.provenance == Provenance::reconstructed) add_text(banner, std::string(kReconstructedNotice));
+    if (data.metadata.provenance == Provenance::unstated)
+      add_text(banner, "Nothing says where these data come from; state it in the TOML beside the file.");
+    if (data.metadata.provenance == Provenance::digitised)
+      add_text(banner, "Read off a figure: errors of reading are part of the scatter.");
+    std::string counts = std::to_string(data.rows) + " data rows, " + std::to_string(data.points.size()) + " used, " +
+                         std::to_string(data.excluded.size()) + " excluded";
+    if (data.has_loads)
+      counts +=
+          ", in " + std::to_string(data.curves.size()) + (data.curves.size() == 1 ? " loading run" : " loading runs");
+    pugi::xml_node where = add(section, "p", counts + ". File: ", "soft");
+    add(where, "code", data.path);
+    if (!data.metadata.source.empty()) add(section, "p", "Source: " + data.metadata.source, "soft");
+    if (!data.metadata.note.empty()) add(section, "p", data.metadata.note, "soft");
+  }
+
+  static void add_fits(pugi::xml_node section, const JobResult& result) {
+    for (const std::string& sentence : findings(result)) add(section, "p", with_powers(sentence));
+    const FitTable fits = fit_table(result);
+    pugi::xml_node table = add(add(section, "div", {}, "scroll"), "table");
+    pugi::xml_node head = add(add(table, "thead"), "tr");
+    for (const std::string& name : fits.headings) add(head, "th", name).append_attribute("scope").set_value("col");
+    pugi::xml_node body = add(table, "tbody");
+    for (const auto& row : fits.rows) {
+      pugi::xml_node line = add(body, "tr");
+      for (std::size_t column = 0; column < row.size(); ++column) {
+        pugi::xml_node cell = add(line, column == 0 ? "th" : "td", {}, row[column].alert ? "alert" : nullptr);
+        if (column == 0) cell.append_attribute("scope").set_value("row");
+        for (const std::string& text : row[column].lines) add(cell, "div", with_powers(text));
+      }
+    }
+  }
+
+  void add_figure(pugi::xml_node parent, const Figure& figure) {
+    pugi::xml_node node = add(parent, "figure", {}, figure.wide ? "wide" : nullptr);
+    if (content_.drawn.svg.empty()) {
+      add(node, "p", "Not drawn.", "soft");
+    } else {
+      pugi::xml_document drawn;
+      drawn.load_string(inline_svg(content_.drawn.svg[figure_++]).c_str());
+      add(node, "div", {}, "plot").append_copy(drawn.document_element());
+    }
+    pugi::xml_node caption = add(node, "figcaption");
+    add(caption, "strong", with_powers(figure.title) + ". ");
+    add_text(caption, with_powers(figure.caption) + " ");
+    pugi::xml_node files = add(caption, "span", {}, "files");
+    const auto link = [&](const char* ending, const char* text) {
+      add_link(files, "figures/" + figure.name + ending, text);
+      add_text(files, " ");
+    };
+    if (!content_.drawn.svg.empty()) {
+      link(".svg", "SVG");
+      link(".pdf", "PDF");
+    }
+    link(".dat", "data");
+    link(".gp", "script");
+  }
+
+  static void add_excluded(pugi::xml_node section, const JobResult& result) {
+    add(section, "h3", "Points left out");
+    std::vector<std::string> lines;
+    for (const Excluded& point : result.data.excluded)
+      lines.push_back("line " + std::to_string(point.line) + ": " + point.reason);
+    for (const FitResult& fit : result.fits)
+      for (const Excluded& point : fit.excluded)
+        lines.push_back("line " + std::to_string(point.line) + ", model " + fit.model + " only: " + point.reason);
+    if (lines.empty()) {
+      add(section, "p", "None.");
+    } else if (lines.size() <= kExcludedOpen) {
+      add_list(section, lines);
+    } else {
+      pugi::xml_node folded = add(section, "details");
+      add(folded, "summary", std::to_string(lines.size()) + " points");
+      add_list(folded, lines);
+    }
+  }
+
+  void add_reproduction(pugi::xml_node footer) const {
+    add(footer, "h2", "To make this report again");
+    add(add(footer, "p"), "code", content_.settings.command);
+    pugi::xml_node list = add(footer, "dl");
+    for (const auto& [name, version] : versions()) {
+      add(list, "dt", name);
+      add(list, "dd", version);
+    }
+    pugi::xml_node tables = add(footer, "p", "Beside this page: ", "files");
+    for (const char* file : {"results.json", "fits.csv", "residuals.csv", "curves.csv", "summary.md"}) {
+      add_link(tables, file, file);
+      add_text(tables, " ");
+    }
+  }
+
+  /// HTML has no self-closing elements, but for meta it has no closing tag either; style is not escaped.
+  std::string serialised() const {
+    std::ostringstream out;
+    document_.save(out, "", pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags);
+    std::string page = out.str();
+    const auto replace_all = [&](const std::string& old, const std::string& by) {
+      for (std::size_t at = 0; (at = page.find(old, at)) != std::string::npos; at += by.size())
+        page.replace(at, old.size(), by);
+    };
+    replace_all("</meta>", "");
+    replace_all(std::string("<![CDATA[") + kStyleMark + "]]>", kPageStyle);
+    return "<!DOCTYPE html>\n" + page + "\n";
+  }
+
+  const ReportContent& content_;
+  pugi::xml_document document_;
+  std::size_t figure_ = 0;  // of all, in the order they were drawn
+};
+
+}  // namespace
+
+std::string report_page(const ReportContent& content) { return Page(content).text(); }
+
+}  // namespace mixity

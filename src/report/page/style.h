@@ -1,0 +1,72 @@
+// How the report's page looks: light and dark, narrow and wide, on paper.
+#pragma once
+
+namespace mixity {
+
+inline constexpr char kPageStyle[] = R"css(
+:root {
+  color-scheme: light dark;
+  --ink: #16191d; --paper: #ffffff; --soft: #5b6570; --line: #d7dce1; --sheet: #f5f7f9; --warn: #fff1d6; --alert: #a33c00;
+  --color-0: #000000; --color-1: #d55e00; --color-2: #0072b2; --color-3: #009e73;
+  --color-4: #cc79a7; --color-5: #e69f00; --color-6: #56b4e9; --color-7: #7f7f7f;
+}
+@media (prefers-color-scheme: dark) {
+  :root {
+    --ink: #e8ebee; --paper: #15181c; --soft: #a2acb6; --line: #363d45; --sheet: #1d2227; --warn: #3b2e12; --alert: #ffb07a;
+    --color-0: #e8ebee; --color-1: #ff8a3d; --color-2: #4fb3f6; --color-3: #2fd0a2;
+    --color-4: #e6a0c8; --color-5: #ffc24d; --color-6: #9bd6fa; --color-7: #a6a6a6;
+  }
+}
+* { box-sizing: border-box; }
+body { margin: 0 auto; max-width: 72rem; padding: 1.5rem 1rem 3rem; background: var(--paper); color: var(--ink);
+  font: 16px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, "Liberation Sans", sans-serif; }
+h1 { font-size: 1.6rem; margin: 0 0 .2rem; }
+h2 { font-size: 1.35rem; margin: 2.5rem 0 .6rem; padding-top: .8rem; border-top: 2px solid var(--ink); overflow-wrap: anywhere; }
+h3 { font-size: 1.05rem; margin: 1.8rem 0 .6rem; break-after: avoid; }
+p { margin: .4rem 0; max-width: 48rem; }
+ul { margin: .4rem 0; padding-left: 1.2rem; max-width: 48rem; }
+a { color: var(--color-2); }
+nav { display: flex; flex-wrap: wrap; gap: 0 1rem; }
+code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em; overflow-wrap: anywhere; }
+.soft { color: var(--soft); }
+.banner { background: var(--warn); border-left: 5px solid var(--color-5); padding: .6rem .9rem; margin: .6rem 0; max-width: 48rem; }
+.alert { color: var(--alert); font-weight: 600; }
+.scroll { overflow-x: auto; margin: .8rem 0; }
+.scroll th, .scroll td { min-width: 5rem; }
+table { border-collapse: collapse; font-size: .92rem; }
+th, td { text-align: left; vertical-align: top; padding: .35rem .8rem .35rem 0; border-bottom: 1px solid var(--line); font-variant-numeric: tabular-nums; }
+th { font-weight: 600; }
+td:nth-child(2) div { white-space: nowrap; }
+th div + div { font-weight: 400; color: var(--soft); }
+.figures { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 1.2rem; }
+figure { margin: 0; border: 1px solid var(--line); border-radius: 6px; padding: .6rem; break-inside: avoid; min-width: 0; }
+figure.wide { grid-column: 1 / -1; }
+figure svg { display: block; width: 100%; height: auto; }
+figure svg text, figure svg tspan { font-family: inherit; }
+figcaption { font-size: .88rem; color: var(--soft); margin-top: .4rem; }
+figcaption strong { color: var(--ink); }
+dl { display: grid; grid-template-columns: max-content 1fr; gap: .15rem 1rem; margin: .5rem 0; max-width: 48rem; }
+dt { color: var(--soft); }
+dd { margin: 0; overflow-wrap: anywhere; }
+details { margin: .6rem 0; }
+summary { cursor: pointer; }
+@media (max-width: 46rem) {
+  .figures { grid-template-columns: minmax(0, 1fr); }
+  figure.wide .plot { overflow-x: auto; }
+  figure.wide svg { min-width: 40rem; }
+  dl { grid-template-columns: 1fr; }
+  dt { margin-top: .3rem; }
+}
+@media print {
+  :root { --ink: #000; --paper: #fff; --soft: #333; --line: #bbb; --warn: #fff; --color-0: #000000; --color-1: #d55e00;
+    --color-2: #0072b2; --color-3: #009e73; --color-4: #cc79a7; --color-5: #e69f00; --color-6: #56b4e9; --color-7: #7f7f7f; }
+  body { max-width: none; padding: 0; font-size: 10pt; }
+  nav, .files { display: none; }
+  h2 { break-before: page; }
+  h2.first { break-before: auto; }
+  .scroll { overflow: visible; }
+  table { font-size: 8pt; }
+}
+)css";
+
+}  // namespace mixity

@@ -1,0 +1,40 @@
+// A report: one page, the figures by themselves, and tables, in a folder.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/figures/data_figures.h"
+#include "report/figures/gnuplot.h"
+#include "report/reported_data.h"
+
+namespace mixity {
+
+struct ReportSettings {
+  std::string command;  // that makes this report again
+  Progress progress{};
+};
+
+/// One data set with its figures.
+struct ReportEntry {
+  const ReportedData* data;
+  DataFigures figures;
+};
+
+struct ReportContent {
+  ReportSettings settings;
+  std::vector<ReportEntry> entries;
+  DrawnFigures drawn;  // of all figures, in order
+};
+
+struct WrittenReport {
+  std::string page;     // path of the HTML file
+  std::string missing;  // what could not be drawn, and why; empty if nothing
+};
+
+/// Writes report.html, summary.md, results.json, fits.csv, residuals.csv, curves.csv and figures/ into the folder, the
+/// page last. `data` refers to `results`, one each. Each file is there whole or not at all. Throws OutputError.
+WrittenReport write_report(const std::vector<JobResult>& results, const std::vector<ReportedData>& data,
+                           const std::string& folder, const ReportSettings& settings);
+
+}  // namespace mixity

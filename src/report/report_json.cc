@@ -1,0 +1,86 @@
+#include "report/report_json.h"
+
+#include "report/fit_statistics_json.h"
+#include "report/fit_table.h"
+#include "report/versions.h"
+
+namespace mixity {
+namespace {
+
+Json sahli_json(const std::optional<SahliResult>& sahli) {
+  if (!sahli) return {};
+  Json runs = Json::array();
+  for (const SahliRun& run : sahli->runs)
+    runs.push_back({{"curve", run.curve},
+                    {"P", run.P},
+                    {"points", run.points},
+                    {"A0", run.A0},
+                    {"A0_stderr", number_or_null(run.A0_stderr)},
+                    {"alpha", run.alpha},
+                    {"alpha_stderr", number_or_null(run.alpha_stderr)},
+                    {"alpha_predicted", number_or_null(run.alpha_predicted)}});
+  Json law;
+  if (sahli->power_law)
+    law = {{"factor", sahli->power_law->factor},
+           {"exponent", sahli->power_law->exponent},
+           {"exponent_stderr", number_or_null(sahli->power_law->exponent_stderr)}};
+  return {{"runs", runs}, {"power_law", law}};
+}
+
+Json peaks_json(const std::optional<PeakForces>& peaks) {
+  if (!peaks) return {};
+  Json rows = Json::array(), excluded = Json::array();
+  for (const PeakForce& row : peaks->rows)
+    rows.push_back({{"line", row.line},
+                    {"P", row.P},
+                    {"peak_stress", number_or_null(row.peak)},
+                    {"minimum_stress", number_or_null(row.minimum)}});
+  for (const Excluded& row : peaks->excluded) excluded.push_back({{"line", row.line}, {"reason", row.reason}});
+  return {{"path", peaks->path},
+          {"provenance", to_string(peaks->metadata.provenance)},
+          {"force_unit", peaks->force_unit},
+          {"stress_unit", peaks->stress_unit},
+          {"rows", rows},
+          {"excluded", excluded}};
+}
+
+Json entry_json(const ReportEntry& entry, bool drawn) {
+  Json json = dataset_json(entry.data->result);
+  Json settings = Json::object(), figures = Json::array(), left_out = Json::array();
+  for (const auto& [name, value] : fit_settings(entry.data->result)) settings[name] = value;
+  for (const FigureGroup& group : entry.figures.groups)
+    for (const Figure& figure : group.figures) {
+      Json files = Json::array();
+      for (const char* ending : {".dat", ".gp", ".svg", ".pdf"})
+        if (drawn || ending[1] == 'd' || ending[1] == 'g') files.push_back("figures/" + figure.name + ending);
+      figures.push_back(
+          {{"name", figure.name}, {"title", figure.title}, {"caption", figure.caption}, {"files", files}});
+    }
+  for (const MissingFigure& figure : entry.figures.left_out)
+    left_out.push_back({{"figure", figure.what}, {"reason", figure.why}});
+  json["settings"] = settings;
+  json["findings"] = findings(entry.data->result);
+  json["assumptions"] = assumptions(entry.data->result);
+  json["sahli"] = sahli_json(entry.data->sahli);
+  json["peaks"] = peaks_json(entry.data->peaks);
+  json["figures"] = figures;
+  json["figures_left_out"] = left_out;
+  return json;
+}
+
+}  // namespace
+
+std::string report_json(const ReportContent& content) {
+  Json datasets = Json::array(), made_with = Json::object();
+  const bool drawn = !content.drawn.svg.empty();
+  for (const ReportEntry& entry : content.entries) datasets.push_back(entry_json(entry, drawn));
+  for (const auto& [name, version] : versions()) made_with[name] = version;
+  return json_text({{"schema", "mixity-report-1"},
+                    {"version", MIXITY_VERSION},
+                    {"command", content.settings.command},
+                    {"made_with", made_with},
+                    {"missing", content.drawn.missing.empty() ? Json() : Json(content.drawn.missing)},
+                    {"datasets", datasets}});
+}
+
+}  // namespace mixity

@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "cli/run_program.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity::cli {
+namespace {
+
+const std::string kDefinition = MIXITY_ROOT "/fits/as4_peek_mmb.toml";
+
+TEST(Report, NamesItsPageAndRepeatsItsCommand) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path("new folder/report");
+  const ProgramResult result = run_program({"report", kDefinition, "--out", out, "--confidence=0.9"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  const std::vector<std::string> lines = lines_of(result.out);
+  ASSERT_GT(lines.size(), 4u);
+  EXPECT_EQ(lines[0], out + "/report.html");
+  EXPECT_EQ(lines[2], "as4_peek_mmb (measured)");
+  EXPECT_TRUE(lines[3].starts_with("Model ")) << lines[3];
+  const std::string page = content_of(out + "/report.html");
+  EXPECT_NE(page.find("mixity report " + kDefinition + " --out '" + out + "' --confidence=0.9"), std::string::npos);
+  EXPECT_NE(page.find("(90 % interval)"), std::string::npos);
+}
+
+TEST(Report, OfTheSameDataTwiceKeepsBoth) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"report", kDefinition, kDefinition, "--out", folder.path("out")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/as4_peek_mmb_toughness.svg")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/as4_peek_mmb-2_toughness.svg")));
+}
+
+TEST(Report, OfAFitThatDoesNotEndOkIsWrittenAndEndsWithOne) {
+  const TemporaryFolder folder;
+  const std::string data = folder.write("still.csv", "P,T,A\n1,0,10\n2,0,11\n3,0,12\n");
+  const ProgramResult result = run_program({"report", data, "--models=c", "--out", folder.path("out")});
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_NE(content_of(folder.path("out/report.html")).find("not identifiable"), std::string::npos);
+}
+
+TEST(Report, DrawsPeakForcesThatTheDefinitionNames) {
+  const TemporaryFolder folder;
+  folder.write("run.csv", "P,T,A\n3,0,20\n3,5,19.6\n3,10,18\n3,15,16\n");
+  folder.write("peaks.csv", "P,T_peak,T_min\n2,7,5\n-1,3,2\n4,9,8\n");
+  const std::string definition =
+      folder.write("fit.toml", "data = \"run.csv\"\nmodels = [\"c\"]\npeaks = \"peaks.csv\"\n");
+  const ProgramResult result = run_program({"report", definition, "--out", folder.path("out")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/run_peaks.svg")));
+  EXPECT_NE(content_of(folder.path("out/results.json")).find("\"line\": 3"), std::string::npos);
+  folder.write("peaks.csv", "P,T_peak\n2,x\n");
+  const ProgramResult refused = run_program({"report", definition, "--out", folder.path("out")});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_EQ(refused.complaint(), "mixity: " + folder.path("peaks.csv") + ":2:3: column 'T_peak': 'x' is not a number");
+}
+
+TEST(Report, WithoutGnuplotLeavesTablesScriptsAndALineOnWhatIsMissing) {
+  const TemporaryFolder folder;
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nowhere", 1);
+  const ProgramResult result = run_program({"report", kDefinition, "--out", folder.path("out")});
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.complaint().find("gnuplot"), std::string::npos) << result.complaint();
+  EXPECT_TRUE(std::filesystem::exists(folder.path("out/results.json")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/as4_peek_mmb_toughness.gp")));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("out/figures/as4_peek_mmb_toughness.svg")));
+}
+
+TEST(Report, WithoutDataOrAPlaceToGoIsBadUsage) {
+  expect_refused({"report"}, 2, "report needs a data CSV or a fit definition (see mixity help report)");
+  expect_refused({"report", kDefinition}, 2, "report needs --out=DIR");
+}
+
+TEST(Report, InAFolderThatCannotBeWrittenEndsWithFour) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file", "");
+  EXPECT_EQ(run_program({"report", kDefinition, "--out", file + "/below"}).exit_code, 4);
+}
+
+}  // namespace
+}  // namespace mixity::cli

@@ -1,0 +1,94 @@
+#include "report/fit_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "report/example_results.h"
+
+namespace mixity {
+namespace {
+
+std::string cell(const FitTable& table, std::size_t row, const std::string& heading) {
+  const auto found = std::find(table.headings.begin(), table.headings.end(), heading);
+  if (found == table.headings.end()) return "no such column";
+  std::string text;
+  for (const std::string& line : table.rows[row][static_cast<std::size_t>(found - table.headings.begin())].lines)
+    text += (text.empty() ? "" : "; ") + line;
+  return text;
+}
+
+TEST(FitTable, RoundsToTheErrorOfEachNumber) {
+  const FitTable table = fit_table(shipped("mergel2018"));
+  EXPECT_EQ(cell(table, 0, "Parameters (95 % interval)"), "lambda = 0.002306 (0.002285 .. 0.002328)");
+  EXPECT_EQ(cell(table, 0, "R² in the fitted space"), "0.9999083");
+  EXPECT_EQ(cell(table, 0, "Published"), "lambda = 0.0023 agrees; r2 = 0.9999 agrees");
+  EXPECT_EQ(cell(table, 1, "AICc weight"), "< 0.0001");
+}
+
+TEST(FitTable, HasNoColumnThatSaysNothing) {
+  const FitTable table = fit_table(shipped("waters_guduru2010"));
+  EXPECT_EQ(table.headings, (std::vector<std::string>{"Model", "Parameters (95 % interval)", "Status",
+                                                      "R² in the fitted space", "AICc weight", "Published"}));
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.headings.size());
+}
+
+TEST(FitTable, ShowsOpenAndBoundEndsHeldValuesAndStandardErrors) {
+  JobResult result = example(FitStatus::ok);
+  FitResult& fit = result.fits[0];
+  const auto text = [&] { return cell(fit_table(result), 0, fit_table(result).headings[1]); };
+  EXPECT_EQ(text(), "lambda = 0.002346 +/- 1.2e-05");
+  fit.parameters[0].interval = ShownInterval{"profile", 0.9, 0.0, {}, EndStatus::at_bound, EndStatus::open};
+  EXPECT_EQ(text(), "lambda = 0.002346 (0 bound .. open)");
+  fit.parameters[0] = {"lambda", 0.5, {}, 0, 1, false, true};
+  EXPECT_EQ(text(), "lambda = 0.5 (held)");
+}
+
+TEST(FitTable, ForATerminalIsAligned) {
+  JobResult result = example(FitStatus::ok);
+  result.fits.push_back(result.fits[0]);
+  result.fits[1].model = "bk";
+  result.fits[1].model_name = "B & K";
+  result.fits[1].status = FitStatus::not_converged;
+  EXPECT_EQ(
+      table_text(result),
+      "Model  Parameters                     Status         R² fit     R² A(T)  RMS A(T)                 Published\n"
+      "c      lambda = 0.002346 +/- 1.2e-05  ok             0.9999083  0.99935  0.00216 mm^2             lambda = "
+      "0.0023 agrees\n"
+      "                                                                         without 2 past the fold  r2 = "
+      "0.9999 agrees\n"
+      "bk     lambda = 0.002346 +/- 1.2e-05  not converged  0.9999083  0.99935  0.00216 mm^2\n"
+      "                                                                         without 2 past the fold\n");
+}
+
+TEST(Findings, NameTheBestPredictionAndWhatDidNotEndOk) {
+  const std::vector<std::string> sentences = findings(shipped("mergel2018"));
+  ASSERT_EQ(sentences.size(), 2u);
+  EXPECT_EQ(sentences[0],
+            "Model c predicts the areas at loads left out of the fit best (RMS error 0.00276 mm^2); b errs 4.6 times "
+            "as much, a errs 8.1 times as much.");
+  EXPECT_EQ(sentences[1], "AICc prefers model c (weight > 0.9999).");
+  EXPECT_EQ(
+      findings(example(FitStatus::multimodal)),
+      std::vector<std::string>{"Model c, multimodal: another minimum fits as well within the scatter: lambda = 0.41."});
+  EXPECT_TRUE(findings(example(FitStatus::ok)).empty());
+}
+
+TEST(Findings, SayWhenAiccDoesNotDecide) {
+  EXPECT_EQ(findings(shipped("waters_guduru2010")),
+            std::vector<std::string>{"AICc does not decide between the models (weight of b 0.95)."});
+}
+
+TEST(Assumptions, NameTheConstantsAndTheObjective) {
+  const std::vector<std::string> list = assumptions(shipped("mergel2018"));
+  const auto holds = [&](const char* part) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const std::string& s) { return s.find(part) != std::string::npos; });
+  };
+  EXPECT_TRUE(holds("R = 9.42 mm, E* = 2.133 MPa (plane strain) and G_Ic = 27 mJ/m² are exact."));
+  EXPECT_TRUE(holds("ln(Gc/GIc)"));
+  EXPECT_FALSE(holds("dimensionless"));
+}
+
+}  // namespace
+}  // namespace mixity

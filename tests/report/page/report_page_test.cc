@@ -1,0 +1,145 @@
+// What stands on the page, read back from its HTML.
+#include "report/page/report_page.h"
+
+#include <gtest/gtest.h>
+
+#include <pugixml.hpp>
+#include <set>
+
+#include "report/example_results.h"
+#include "report/fit_table.h"
+
+namespace mixity {
+namespace {
+
+/// The page as XML: HTML but for the line that says so and meta, which nothing closes.
+class Parsed {
+ public:
+  explicit Parsed(std::string page) {
+    EXPECT_TRUE(page.starts_with("<!DOCTYPE html>\n"));
+    page.erase(0, page.find('\n') + 1);
+    for (std::size_t at; (at = page.find("<meta")) != std::string::npos;) page.erase(at, page.find('>', at) + 1 - at);
+    const pugi::xml_parse_result parsed = document_.load_string(page.c_str());
+    EXPECT_TRUE(parsed) << parsed.description() << " near " << page.substr(static_cast<std::size_t>(parsed.offset), 80);
+  }
+  pugi::xpath_node_set all(const char* path) const { return document_.select_nodes(path); }
+  pugi::xml_node first(const char* path) const { return document_.select_node(path).node(); }
+
+ private:
+  pugi::xml_document document_;
+};
+
+/// All text below a node, with blanks between its parts.
+std::string text_of(const pugi::xml_node& node) {
+  std::string text;
+  for (const pugi::xpath_node& part : node.select_nodes(".//text()"))
+    text += (text.empty() ? "" : " ") + std::string(part.node().value());
+  return text;
+}
+
+ReportContent content_of(const ReportedData& data) { return {{"mixity report x.toml", {}}, {{&data, {}}}, {}}; }
+
+TEST(ReportPage, SaysFirstWhereTheDataComeFrom) {
+  const ReportedData data{shipped("mergel2018"), "mergel2018", {}, {}, {}};
+  const Parsed page(report_page(content_of(data)));
+  const pugi::xml_node banner = page.first("//section/h2/following-sibling::*[1]");
+  EXPECT_STREQ(banner.attribute("class").value(), "banner");
+  const std::string text = text_of(banner);
+  EXPECT_NE(text.find("Provenance: reconstructed"), std::string::npos) << text;
+  EXPECT_NE(text.find(std::string(kReconstructedNotice)), std::string::npos) << text;
+}
+
+TEST(ReportPage, HoldsTheFitTable) {
+  const ReportedData data{shipped("mergel2018"), "mergel2018", {}, {}, {}};
+  const Parsed page(report_page(content_of(data)));
+  const FitTable table = fit_table(shipped("mergel2018"));
+  const auto cells = page.all("//tbody/tr/*");
+  ASSERT_EQ(cells.size(), table.rows.size() * table.headings.size());
+  std::size_t i = 0;
+  for (const auto& row : table.rows)
+    for (const FitTable::Cell& cell : row) {
+      std::string text;
+      for (const std::string& line : cell.lines) text += (text.empty() ? "" : " ") + with_powers(line);
+      EXPECT_EQ(text_of(cells[i++].node()), text);
+    }
+}
+
+TEST(ReportPage, MarksEveryStatusThatIsNotOk) {
+  for (const FitStatus status : {FitStatus::ok, FitStatus::at_bound, FitStatus::not_identifiable, FitStatus::multimodal,
+                                 FitStatus::not_converged}) {
+    const JobResult result = example(status);
+    const ReportedData data{result, "example", {}, {}, {}};
+    const Parsed page(report_page(content_of(data)));
+    EXPECT_EQ(page.all("//td[@class='alert']").size(), status == FitStatus::ok                 ? 0u
+                                                       : status == FitStatus::not_identifiable ? 2u  // not published's
+                                                       : status == FitStatus::at_bound         ? 2u
+                                                                                               : 1u)
+        << to_string(status);
+    if (status == FitStatus::ok) continue;
+    EXPECT_NE(text_of(page.first("//section")).find(result.fits[0].message), std::string::npos) << to_string(status);
+  }
+}
+
+TEST(ReportPage, ListsEveryExcludedPointWithItsReason) {
+  JobResult result = example(FitStatus::ok);
+  for (std::size_t line = 10; line < 40; ++line) result.data.excluded.push_back({line, "T < 0"});
+  result.fits[0].excluded = {{30, "infinite toughness"}};
+  const ReportedData data{result, "example", {}, {}, {}};
+  const Parsed page(report_page(content_of(data)));
+  EXPECT_EQ(page.all("//details//li").size(), 33u);
+  EXPECT_EQ(text_of(page.first("//details/summary")), "33 points");
+  EXPECT_NE(text_of(page.first("//details")).find("line 30, model c only: infinite toughness"), std::string::npos);
+}
+
+TEST(ReportPage, ForeignTextIsNotMarkup) {
+  JobResult result = example(FitStatus::ok);
+  result.data.name = "<script>alert(1)</script> & \"x\"";
+  result.data.metadata.source = "a < b && c > d";
+  const ReportedData data{result, "example", {}, {}, {}};
+  const std::string html = report_page(content_of(data));
+  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_EQ(text_of(Parsed(html).first("//h2")), result.data.name);
+}
+
+TEST(ReportPage, ShowsEveryFigureOnceWithLinksToItsFiles) {
+  const ReportedData data = reported_data(shipped("waters_guduru2010"), "w");
+  ReportContent content = content_of(data);
+  content.entries[0].figures = data_figures(data);
+  std::set<std::string> names;
+  for (const FigureGroup& group : content.entries[0].figures.groups)
+    for (const Figure& figure : group.figures) {
+      names.insert(figure.name);
+      content.drawn.svg.push_back("<svg viewBox=\"0 0 1 1\"><desc>" + figure.name + "</desc></svg>");
+    }
+  const Parsed page(report_page(content));
+  EXPECT_EQ(page.all("//figure").size(), names.size());
+  for (const pugi::xpath_node& node : page.all("//figure")) {
+    const std::string name = node.node().select_node(".//desc").node().text().get();
+    EXPECT_TRUE(names.erase(name)) << name;
+    for (const char* ending : {".svg", ".pdf", ".dat", ".gp"})
+      EXPECT_TRUE(node.node().select_node((".//a[@href='figures/" + name + ending + "']").c_str())) << name << ending;
+  }
+  EXPECT_NE(text_of(page.first("//main")).find("regime map: the data are (psi, Gc)"), std::string::npos);
+}
+
+TEST(ReportPage, WithoutDrawingsSaysSoAndLinksScriptsAndData) {
+  const ReportedData data = reported_data(shipped("as4_peek_mmb"), "w");
+  ReportContent content = content_of(data);
+  content.entries[0].figures = data_figures(data);
+  content.drawn.missing = "gnuplot is not installed";
+  const Parsed page(report_page(content));
+  EXPECT_EQ(text_of(page.first("//header/p[@class='banner']")), "gnuplot is not installed");
+  EXPECT_TRUE(page.first("//a[@href='figures/w_toughness.gp']"));
+  EXPECT_FALSE(page.first("//a[@href='figures/w_toughness.svg']"));
+}
+
+TEST(ReportPage, SaysHowToMakeItAgain) {
+  const ReportedData data{shipped("mergel2018"), "mergel2018", {}, {}, {}};
+  const Parsed page(report_page(content_of(data)));
+  const std::string footer = text_of(page.first("//footer"));
+  for (const char* part : {"mixity report x.toml", "Ceres", "2.1.0"})
+    EXPECT_NE(footer.find(part), std::string::npos) << part;
+}
+
+}  // namespace
+}  // namespace mixity

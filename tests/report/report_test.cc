@@ -1,0 +1,142 @@
+// The files of a report and how their numbers agree with those of `fit`.
+#include "report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "dataset/csv.h"
+#include "dataset/temporary_folder.h"
+#include "report/example_results.h"
+#include "report/fit_json.h"
+#include "report/output_file.h"
+
+namespace mixity {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Two shipped data sets, with and without loads, reported once for all tests.
+class Report : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TemporaryFolder;
+    results_ = new std::vector<JobResult>{shipped("mergel2018"), shipped("waters_guduru2010")};
+    const std::vector<ReportedData> data{reported_data((*results_)[0], "mergel2018"),
+                                         reported_data((*results_)[1], "waters_guduru2010")};
+    written_ = write_report(*results_, data, folder_->path(), {"mixity report 'a b.toml'", {}});
+  }
+  static void TearDownTestSuite() {
+    delete results_;
+    delete folder_;
+  }
+  static std::string content(const std::string& name) { return read_file(folder_->path(name)); }
+
+  static inline TemporaryFolder* folder_ = nullptr;
+  static inline std::vector<JobResult>* results_ = nullptr;
+  static inline WrittenReport written_;
+};
+
+TEST_F(Report, HasAPageASummaryAndTables) {
+  EXPECT_EQ(written_.page, folder_->path("report.html"));
+  EXPECT_EQ(written_.missing, "");
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_->path()))
+    names.insert(entry.path().filename().string());
+  EXPECT_EQ(names, (std::set<std::string>{"report.html", "summary.md", "results.json", "fits.csv", "residuals.csv",
+                                          "curves.csv", "figures"}));
+}
+
+TEST_F(Report, JsonHoldsTheFitsAsFitDoes) {
+  const Json report = Json::parse(content("results.json"));
+  EXPECT_EQ(report["schema"], "mixity-report-1");
+  EXPECT_EQ(report["command"], "mixity report 'a b.toml'");
+  std::size_t i = 0;
+  for (const char* name : {"mergel2018", "waters_guduru2010"}) {
+    const JobResult fitted = run(read_fit_definition(MIXITY_ROOT "/fits/" + std::string(name) + ".toml"));
+    const Json fit = Json::parse(to_json({fitted}))["datasets"][0];
+    for (const char* key : {"path", "name", "provenance", "notice", "points", "excluded", "fits", "comparison"})
+      EXPECT_EQ(report["datasets"][i][key], fit[key]) << name << ' ' << key;
+    ++i;
+  }
+}
+
+TEST_F(Report, JsonNamesEveryFigureAndItsFiles) {
+  const Json report = Json::parse(content("results.json"));
+  std::set<std::string> listed, there;
+  for (const Json& data : report["datasets"])
+    for (const Json& figure : data["figures"])
+      for (const Json& file : figure["files"]) listed.insert(file.get<std::string>());
+  for (const auto& entry : std::filesystem::directory_iterator(folder_->path("figures")))
+    there.insert("figures/" + entry.path().filename().string());
+  EXPECT_EQ(listed, there);
+}
+
+TEST_F(Report, ResidualTableHoldsEveryResidualToTheLastBit) {
+  std::istringstream table(content("residuals.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(
+      line,
+      "dataset,provenance,model,line,curve,psi [rad],Gc_over_GIc,residual,P,T,A,A_predicted,force_unit,area_unit");
+  for (const JobResult& result : *results_)
+    for (const FitResult& fit : result.fits)
+      for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
+        ASSERT_TRUE(std::getline(table, line));
+        std::vector<std::string> fields;
+        std::istringstream stream(line + ",");
+        for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+        ASSERT_EQ(fields.size(), 14u) << line;
+        EXPECT_EQ(fields[0], result.data.name);
+        EXPECT_EQ(fields[1], "reconstructed");
+        EXPECT_EQ(fields[2], fit.model);
+        EXPECT_EQ(std::stoul(fields[3]), result.data.points[fit.used[i]].line);
+        EXPECT_EQ(std::stod(fields[7]), fit.residuals[i]);
+        EXPECT_EQ(fields[8].empty(), !result.data.has_loads);
+        EXPECT_EQ(fields[12], result.data.has_loads ? "mN" : "");
+      }
+  EXPECT_FALSE(std::getline(table, line));
+}
+
+TEST_F(Report, CurveTableHasAsManyFieldsForEveryDataSet) {
+  std::istringstream table(content("curves.csv"));
+  std::set<std::string> sets;
+  for (std::string line; std::getline(table, line);) {
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 10) << line;
+    sets.insert(line.substr(0, line.find(',')));
+  }
+  EXPECT_EQ(sets, (std::set<std::string>{"dataset", "mergel2018", "waters_guduru2010"}));
+}
+
+TEST_F(Report, IsTheSameToTheByteWhenMadeAgain) {
+  const TemporaryFolder again;
+  const std::vector<ReportedData> data{reported_data((*results_)[0], "mergel2018"),
+                                       reported_data((*results_)[1], "waters_guduru2010")};
+  write_report(*results_, data, again.path(), {"mixity report 'a b.toml'", {}});
+  for (const char* name : {"report.html", "summary.md", "results.json", "fits.csv", "residuals.csv", "curves.csv"})
+    EXPECT_EQ(read_file(again.path(name)), content(name)) << name;
+}
+
+TEST(ReportProgress, RisesToOne) {
+  const TemporaryFolder folder;
+  const std::vector<JobResult> results{shipped("as4_peek_mmb")};
+  double last = 0;
+  write_report(results, {reported_data(results[0], "x")}, folder.path(), {"mixity", [&](double fraction) {
+                                                                            EXPECT_GE(fraction, last);
+                                                                            last = fraction;
+                                                                          }});
+  EXPECT_EQ(last, 1);
+}
+
+TEST(ReportFolder, ThatCannotBeWrittenIsSaid) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file", "");
+  const std::vector<JobResult> results{shipped("as4_peek_mmb")};
+  EXPECT_THROW(write_report(results, {reported_data(results[0], "x")}, file + "/below", {}), OutputError);
+}
+
+}  // namespace
+}  // namespace mixity

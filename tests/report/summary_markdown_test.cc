@@ -1,0 +1,40 @@
+// The summary for a lab book, one golden file for each status and one of a shipped data set; MIXITY_UPDATE_GOLDEN=1
+// writes them anew.
+#include "report/summary_markdown.h"
+
+#include <gtest/gtest.h>
+
+#include "report/example_results.h"
+#include "report/golden_file.h"
+
+namespace mixity {
+namespace {
+
+/// Without the last line, which names versions.
+std::string summary(const JobResult& result) {
+  const ReportedData data{result, "example", {}, {}, {}};
+  const std::string text = summary_markdown({{"mixity report example.toml", {}}, {{&data, {}}}, {}});
+  return text.substr(0, text.rfind("with "));
+}
+
+TEST(SummaryMarkdown, OfEachStatus) {
+  for (const FitStatus status : {FitStatus::ok, FitStatus::at_bound, FitStatus::not_identifiable, FitStatus::multimodal,
+                                 FitStatus::not_converged})
+    expect_golden_text(summary(example(status)), "summary_" + std::string(to_string(status)) + ".md");
+}
+
+TEST(SummaryMarkdown, OfAShippedDataSet) {
+  expect_golden_text(summary(shipped("mergel2018")), "summary_mergel2018.md");
+}
+
+TEST(SummaryMarkdown, ForeignTextDoesNotBreakTheTable) {
+  JobResult result = example(FitStatus::ok);
+  result.data.name = "a|b_c*d";
+  result.fits[0].model_name = "x|y";
+  const std::string text = summary(result);
+  EXPECT_NE(text.find("## a\\|b\\_c\\*d"), std::string::npos) << text;
+  EXPECT_NE(text.find("c; x\\|y |"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace mixity
