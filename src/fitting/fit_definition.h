@@ -48,6 +48,7 @@ struct JobResult {
   std::vector<PerCurve> per_curve;        // per model, if asked for
 };
 
-JobResult run(const FitJob& job, const Overrides& overrides = {});
+/// Tells `progress` how much is done, after each model.
+JobResult run(const FitJob& job, const Overrides& overrides = {}, const Progress& progress = {});
 
 }  // namespace mixity

@@ -12,12 +12,18 @@ constexpr double kParabolaUpTo = 0.5;  // of a run's largest T
 
 }  // namespace
 
-JobResult run_for_report(FitJob job, const Overrides& overrides) {
+JobResult run_for_report(FitJob job, const Overrides& overrides, const Progress& progress) {
   job.options.profile_points = kProfilePoints;
-  JobResult result = run(job, overrides);
+  const auto advance = [&](double fraction) {
+    if (progress) progress(fraction);
+  };
+  JobResult result = run(job, overrides, [&](double fraction) { advance(0.7 * fraction); });
   if (result.per_curve.empty() && result.data.has_loads && result.data.curves.size() > 1)
-    for (const std::string& model : job.models)
+    for (const std::string& model : job.models) {
       result.per_curve.push_back(fit_per_curve(result.data, model, job.options));
+      advance(0.7 + 0.3 * static_cast<double>(result.per_curve.size()) / static_cast<double>(job.models.size()));
+    }
+  advance(1);
   return result;
 }
 

@@ -47,14 +47,18 @@ class AreaFigures {
     return figure;
   }
 
-  Series measured(std::size_t k) const {
-    const std::size_t run = runs_[k];
-    Series series{rounded(data_.curve_loads[run] * units_.force, 3), Look::circles, color(k), {}};
+  std::vector<std::size_t> points_of(std::size_t run) const {
     std::vector<std::size_t> points;
     for (std::size_t i = 0; i < data_.points.size(); ++i)
       if (data_.points[i].curve == run) points.push_back(i);
+    return points;
+  }
+
+  Series measured(std::size_t k) const {
+    const std::size_t run = runs_[k];
+    Series series{rounded(data_.curve_loads[run] * units_.force, 4), Look::circles, color(k), {}};
     const auto& errors = reported_.result.fits.front().errors;
-    for (const std::size_t i : shown_points(points)) {
+    for (const std::size_t i : shown_points(points_of(run), runs_.size())) {
       const Point& point = data_.points[i];
       const double T = point.T * units_.force, A = point.A * units_.area;
       series.points.emplace_back(T, A);
@@ -89,10 +93,19 @@ class AreaFigures {
     return figure;
   }
 
+  /// How many runs and points of them are left out of the picture.
   std::string unshown() const {
-    return runs_.size() < data_.curves.size()
-               ? " " + std::to_string(runs_.size()) + " of " + std::to_string(data_.curves.size()) + " runs are shown."
-               : "";
+    std::size_t all = 0, shown = 0;
+    for (const std::size_t run : runs_) {
+      const std::vector<std::size_t> points = points_of(run);
+      all += points.size();
+      shown += shown_points(points, runs_.size()).size();
+    }
+    const std::string runs =
+        runs_.size() < data_.curves.size()
+            ? " " + std::to_string(runs_.size()) + " of " + std::to_string(data_.curves.size()) + " runs are shown."
+            : "";
+    return runs + shown_note(shown, all);
   }
 
   /// The curves at both ends of the interval as one polygon for each load.

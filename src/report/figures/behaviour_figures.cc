@@ -43,7 +43,7 @@ Figure curves(const ReportedData& reported, const std::string& name, const std::
     if (fits.size() > 1) figure.key.emplace_back("model " + fit->model, model_line(fit->model));
     for (std::size_t k = 0; k < runs.size(); ++k) {
       const double load = data.curve_loads[runs[k]];
-      Series series{fit == fits.front() ? rounded(load * units.force, 3) : "", model_line(fit->model), color(k), {}};
+      Series series{fit == fits.front() ? rounded(load * units.force, 4) : "", model_line(fit->model), color(k), {}};
       for (const DrawnPoint& q : drawn_curve(reported.result, *fit, load, T_most).points) {
         series.points.push_back(project(q));
         if (!q.stable || q.T > T_most * units.force) continue;
@@ -80,7 +80,7 @@ Figure radii(const ReportedData& reported) {
     for (std::size_t k = 0; k < 4; ++k) {
       const double T = T_data * static_cast<double>(k + 1) / 4;
       DrawnRadii drawn = drawn_radii(reported.result, *fit, T, P_most);
-      figure.series.push_back({fit == fits.front() ? rounded(T * units.force, 3) : "", model_line(fit->model), color(k),
+      figure.series.push_back({fit == fits.front() ? rounded(T * units.force, 4) : "", model_line(fit->model), color(k),
                                std::move(drawn.stable)});
       figure.series.push_back({"", Look::dotted, color(k), std::move(drawn.unstable)});
     }

@@ -28,7 +28,13 @@ std::vector<std::size_t> shown_runs(const Dataset& data) {
   return spread(runs, kMostRuns);
 }
 
-std::vector<std::size_t> shown_points(std::vector<std::size_t> points) { return spread(points, kMostPoints); }
+std::vector<std::size_t> shown_points(const std::vector<std::size_t>& points, std::size_t series) {
+  return spread(points, std::max<std::size_t>(kMostPoints / series, 2));
+}
+
+std::string shown_note(std::size_t shown, std::size_t all) {
+  return shown < all ? " " + std::to_string(shown) + " of " + std::to_string(all) + " points are shown." : "";
+}
 
 DataFigures data_figures(const ReportedData& reported) {
   DataFigures figures;

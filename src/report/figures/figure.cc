@@ -230,7 +230,8 @@ std::string figure_data(const Figure& figure) {
 std::string figure_script(const Figure& figure) {
   std::ostringstream out;
   out << "# " << figure.title << "\n# Draws " << figure.name << ".svg and " << figure.name << ".pdf: gnuplot "
-      << figure.name << ".gp\nreset\nset encoding utf8\nset border 3\nset tics out nomirror scale 0.6\nset key "
+      << figure.name
+      << ".gp\nreset\nset encoding utf8\nset border 3\nset tics out nomirror scale 0.6\nset errorbars 0.4\nset key "
       << place(figure.key_place) << " Left reverse samplen 2.5";
   if (!figure.key_title.empty()) out << " title " << quoted(figure.key_title) << " left";
   out << '\n' << axis_commands(figure, true) << axis_commands(figure, false);

@@ -18,6 +18,15 @@ std::string residual_label(const FitResult& fit) {
   return fit.scale == Scale::log ? "residual in ln(G_c/G_{Ic})" : "residual in G_c/G_{Ic}";
 }
 
+std::string residuals_note(const ReportedData& reported) {
+  std::size_t shown = 0, all = 0;
+  for (const FitResult& fit : reported.result.fits) {
+    all += fit.residuals.size();
+    shown += shown_points(std::vector<std::size_t>(fit.residuals.size()), reported.result.fits.size()).size();
+  }
+  return shown_note(shown, all);
+}
+
 /// Residuals of every fit over what `abscissa` says of a point.
 Figure residuals_against(const ReportedData& reported, const std::string& name, const std::string& title,
                          const std::string& label, const std::function<double(const Point&)>& abscissa) {
@@ -33,7 +42,7 @@ Figure residuals_against(const ReportedData& reported, const std::string& name, 
     Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model), {}};
     std::vector<std::size_t> all(fit.residuals.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    for (const std::size_t i : shown_points(all)) {
+    for (const std::size_t i : shown_points(all, reported.result.fits.size())) {
       const Point& point = data.points[fit.used[i]];
       const double x = abscissa(point);
       series.points.emplace_back(x, fit.residuals[i]);
@@ -45,7 +54,8 @@ Figure residuals_against(const ReportedData& reported, const std::string& name, 
     figure.series.push_back(std::move(series));
   }
   figure.series.insert(figure.series.begin(), {"", Look::dotted, "#000000", {{first, 0}, {last, 0}}});
-  figure.caption = "Model minus data in the fitted space. A model that holds leaves no trend.";
+  figure.caption =
+      "Model minus data in the fitted space. A model that holds leaves no trend." + residuals_note(reported);
   return figure;
 }
 
@@ -67,7 +77,7 @@ Figure quantiles(const ReportedData& reported) {
     Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model), {}};
     std::vector<std::size_t> ranks(order.size());
     std::iota(ranks.begin(), ranks.end(), std::size_t{0});
-    for (const std::size_t rank : shown_points(ranks)) {
+    for (const std::size_t rank : shown_points(ranks, reported.result.fits.size())) {
       const double q = quantile(normal, (static_cast<double>(rank) + 0.5) / static_cast<double>(order.size()));
       series.points.emplace_back(q, fit.residuals[order[rank]] / *fit.rmse);
       series.hover.push_back("model " + fit.model + ", " +
@@ -78,7 +88,8 @@ Figure quantiles(const ReportedData& reported) {
   }
   if (figure.series.empty()) return figure;
   figure.series.insert(figure.series.begin(), {"", Look::dotted, "#000000", {{-most, -most}, {most, most}}});
-  figure.caption = "On the dotted line the scatter is normal, which standard errors and intervals presume.";
+  figure.caption = "On the dotted line the scatter is normal, which standard errors and intervals presume." +
+                   residuals_note(reported);
   return figure;
 }
 

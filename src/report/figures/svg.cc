@@ -40,6 +40,30 @@ void for_each_element(pugi::xml_node node, const Visit& visit) {
   }
 }
 
+std::string attributes_of(const pugi::xml_node& node) {
+  std::string text;
+  for (const pugi::xml_attribute& attribute : node.attributes())
+    text += std::string(attribute.name()) + '=' + attribute.value() + '\n';
+  return text;
+}
+
+/// gnuplot opens a group for each symbol: neighbours that say the same become one, which halves a figure of points.
+void join_groups(pugi::xml_node node) {
+  for (pugi::xml_node child = node.first_child(); child; child = child.next_sibling()) {
+    join_groups(child);
+    const auto joins = [](const pugi::xml_node& one) {
+      return std::string_view(one.name()) == "g" && !one.attribute("id") && !one.child("title");
+    };
+    if (!joins(child)) continue;
+    const std::string attributes = attributes_of(child);
+    for (pugi::xml_node next = child.next_sibling(); joins(next) && attributes_of(next) == attributes;
+         next = child.next_sibling()) {
+      while (const pugi::xml_node moved = next.first_child()) child.append_move(moved);
+      node.remove_child(next);
+    }
+  }
+}
+
 /// The hover text within gnuplot's call of its own script: showHypertext(evt,'TEXT').
 std::string hover_text(std::string_view call) {
   const std::size_t begin = call.find("evt,'"), end = call.rfind("')");
@@ -94,6 +118,7 @@ std::string readable_svg(const std::string& text, const Figure& figure) {
       }
     if (std::string_view(node.name()) == "g" && !node.first_child()) node.parent().remove_child(node);
   });
+  join_groups(svg);
   pugi::xml_node description = svg.prepend_child("desc");
   description.text().set(figure.caption.c_str());
   pugi::xml_node title = svg.prepend_child("title");

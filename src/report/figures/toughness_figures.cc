@@ -54,7 +54,6 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
                 {"ψ [rad]", 0.0, last_psi},
                 {"f = G_c/G_{Ic}", logarithmic ? 0.8 * smallest : std::max(0.0, 0.9 * smallest), most, logarithmic},
                 {}};
-  figure.series.push_back(std::move(points));
   bool bands = false;
   std::string models;
   for (const FitResult& fit : result.fits) {
@@ -72,12 +71,16 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
                              drawn_toughness(data, fit, last_psi, most)});
     models += (models.empty() ? "" : ", ") + fit.model;
   }
+  figure.series.push_back(std::move(points));
   figure.key_place = KeyPlace::top_left;
   figure.caption = std::to_string(all.size()) + " points and the fitted models" +
                    (bands ? "; bands span the intervals of the parameters" : "") +
                    (data.has_loads ? ". Both axes are computed from the same area, so that almost any model looks good "
                                      "here: judge by the areas."
-                                   : ".");
+                                   : ".") +
+                   shown_note(shown_points(all).size(), all.size());
+  if (!result.job.options.free.empty())
+    figure.caption += " Points are computed with the stated constants, not with those that were fitted.";
   return {figure};
 }
 

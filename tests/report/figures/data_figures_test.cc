@@ -98,6 +98,9 @@ TEST(DataFigures, OfManyRunsAndPointsShowAShareThatHoldsBothEnds) {
   const std::vector<std::size_t> shown = shown_points(points);
   EXPECT_EQ(shown.size(), 2000u);
   EXPECT_EQ(shown.back(), 99999u);
+  EXPECT_EQ(shown_points(points, 8).size(), 250u);
+  EXPECT_EQ(shown_note(250, 100000), " 250 of 100000 points are shown.");
+  EXPECT_EQ(shown_note(5, 5), "");
 }
 
 }  // namespace
