@@ -47,7 +47,7 @@ Figure radius_against_load(const std::string& name, const std::vector<double>& s
                 {"a ξ/R", 0.0, 4.5},
                 {},
                 {{"unstable", Look::dotted}},
-                KeyPlace::top_left};
+                KeyPlace::beside};
   for (std::size_t k = 0; k < shears.size(); ++k) {
     Series unstable{"", Look::dotted, color(k), {}},
         stable{"T = " + shortest(shears[k]), look_of<Model>(), color(k), {}};
@@ -85,6 +85,7 @@ void add_curves(Figure& figure, double lambda, const std::vector<double>& loads,
 Figure curves(const std::string& name, const std::string& title, double lambda, const std::vector<double>& loads,
               double T_most, Axis x, Axis y, const Projected& project, bool stable_only = false) {
   Figure figure{name, title, std::move(x), std::move(y), {}, kModelKey, KeyPlace::beside};
+  figure.wide = true;
   add_curves<PapangeloCiavarella>(figure, lambda, loads, T_most, project, stable_only);
   add_curves<Johnson>(figure, lambda, loads, T_most, project, stable_only);
   add_curves<WatersGuduru>(figure, lambda, loads, T_most, project, stable_only);
