@@ -22,13 +22,17 @@ struct Line {
     const std::lock_guard lock(mutex);
     const auto now = Clock::now();
     using std::chrono::milliseconds;
-    if (now - start < milliseconds(1000) || (shown && now - last < milliseconds(200))) return;
-    shown = true;
-    last = now;
-    std::fprintf(stderr, "\r\033[K%s %3.0f%%", what.c_str(), 100 * fraction);
-    if (fraction >= 1) {
-      std::fprintf(stderr, "\r\033[K");
+    if (fraction >= 1) {  // what comes next is not the bar's
+      if (shown) std::fprintf(stderr, "\r\033[K");
       shown = false;
+    } else {
+      if (now - start < milliseconds(1000) || (shown && now - last < milliseconds(200))) return;
+      constexpr std::size_t kWidth = 30;
+      const auto full = static_cast<std::size_t>(kWidth * fraction);
+      std::fprintf(stderr, "\r\033[K%s [%s%s] %3.0f%%", what.c_str(), std::string(full, '=').c_str(),
+                   std::string(kWidth - full, ' ').c_str(), 100 * fraction);
+      shown = true;
+      last = now;
     }
     std::fflush(stderr);
   }
