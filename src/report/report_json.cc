@@ -44,13 +44,15 @@ Json peaks_json(const std::optional<PeakForces>& peaks) {
           {"excluded", excluded}};
 }
 
-Json entry_json(const ReportEntry& entry, bool drawn) {
+/// `svg`: those of this entry's figures and further ones; moves on past them.
+Json entry_json(const ReportEntry& entry, std::vector<std::string>::const_iterator& svg) {
   Json json = dataset_json(entry.data->result);
   Json settings = Json::object(), figures = Json::array(), left_out = Json::array();
   for (const auto& [name, value] : fit_settings(entry.data->result)) settings[name] = value;
   for (const FigureGroup& group : entry.figures.groups)
     for (const Figure& figure : group.figures) {
       Json files = Json::array();
+      const bool drawn = !(svg++)->empty();
       for (const char* ending : {".dat", ".gp", ".svg", ".pdf"})
         if (drawn || ending[1] == 'd' || ending[1] == 'g') files.push_back("figures/" + figure.name + ending);
       figures.push_back(
@@ -72,8 +74,8 @@ Json entry_json(const ReportEntry& entry, bool drawn) {
 
 std::string report_json(const ReportContent& content) {
   Json datasets = Json::array(), made_with = Json::object();
-  const bool drawn = !content.drawn.svg.empty();
-  for (const ReportEntry& entry : content.entries) datasets.push_back(entry_json(entry, drawn));
+  auto svg = content.drawn.svg.begin();
+  for (const ReportEntry& entry : content.entries) datasets.push_back(entry_json(entry, svg));
   for (const auto& [name, version] : versions()) made_with[name] = version;
   return json_text({{"schema", "mixity-report-1"},
                     {"version", MIXITY_VERSION},

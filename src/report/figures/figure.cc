@@ -111,37 +111,28 @@ std::string logarithmic_tics(char name, double low, double high) {
   return {};
 }
 
-/// An end that is not stated lies a little beyond the points.
+/// An end that is not stated lies a little beyond the points; an axis that would have no length gets some.
 std::string axis_commands(const Figure& figure, bool x) {
   const Axis& axis = x ? figure.x : figure.y;
   const char name = x ? 'x' : 'y';
   std::string text = std::string("set ") + name + "label " + quoted(axis.label) + '\n';
+  if (axis.logarithmic) text += std::string("set logscale ") + name + '\n';
   const Span span = span_of(figure, x);
   double low = axis.low.value_or(span.low), high = axis.high.value_or(span.high);
-  const bool resolved =
-      std::isfinite(low) && std::isfinite(high) && high - low > 1e-12 * std::max(std::abs(low), std::abs(high));
-  const auto range = [&](const std::string& from, const std::string& to) {
-    text += std::string("set ") + name + "range [" + from + ':' + to + "]\n";
-  };
-  const auto stated = [](const std::optional<double>& end) { return end ? shortest(*end) : std::string("*"); };
+  if (!std::isfinite(low) || !std::isfinite(high) || (axis.logarithmic && !(low > 0))) return text;  // nothing to show
+  const double least = 1e-9 * std::max(std::abs(low), std::abs(high));
+  std::string tics;
   if (axis.logarithmic) {
-    text += std::string("set logscale ") + name + '\n';
-    if (resolved && low > 0) {
-      if (!axis.low) low /= 1.3;
-      if (!axis.high) high *= 1.3;
-      range(shortest(low), shortest(high));
-      return text + logarithmic_tics(name, low, high);
-    }
-  } else if (resolved) {
-    const double step = tic_step(high - low, x ? (figure.wide ? 10 : 6) : 6);
-    const double margin = kMargin * (high - low);
-    if (!axis.low) low -= margin;
-    if (!axis.high) high += margin;
-    range(shortest(low), shortest(high));
-    return text + "set " + name + "tics " + shortest(step) + '\n';
+    if (!axis.low || high - low <= least) low /= 1.3;
+    if (!axis.high || high - low <= least) high *= 1.3;
+    tics = logarithmic_tics(name, low, high);
+  } else {
+    const double margin = high - low > least ? kMargin * (high - low) : std::max(0.1 * std::abs(low), 1e-3);
+    if (!axis.low || high - low <= least) low -= margin;
+    if (!axis.high || high - low <= least) high += margin;
+    tics = std::string("set ") + name + "tics " + shortest(tic_step(high - low, x && figure.wide ? 10 : 6)) + '\n';
   }
-  range(stated(axis.low), stated(axis.high));
-  return text;
+  return text + "set " + name + "range [" + shortest(low) + ':' + shortest(high) + "]\n" + tics;
 }
 
 const char* place(KeyPlace key) {

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <thread>
 
@@ -34,26 +35,23 @@ std::optional<pid_t> start_gnuplot(const std::vector<std::string>& scripts, cons
   return failure == 0 ? std::optional(child) : std::nullopt;
 }
 
-bool ended_well(pid_t child) {
+void wait_for(pid_t child) {
   int status = 0;
-  return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
 }
 
-/// As many programs as the machine has processors. False if gnuplot is not installed or fails.
+/// As many programs as the machine has processors. False if gnuplot is not installed.
 bool run_gnuplot(const std::vector<std::string>& scripts, const std::string& folder) {
   const std::size_t programs =
       std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, std::max<std::size_t>(scripts.size(), 1));
   std::vector<std::vector<std::string>> shares(programs);
   for (std::size_t i = 0; i < scripts.size(); ++i) shares[i % programs].push_back(scripts[i]);
   std::vector<pid_t> children;
-  bool fine = true;
-  for (const auto& share : shares) {
-    const auto child = start_gnuplot(share, folder);
-    if (child) children.push_back(*child);
-    fine &= child.has_value();
-  }
-  for (const pid_t child : children) fine &= ended_well(child);
-  return fine;
+  for (const auto& share : shares)
+    if (const auto child = start_gnuplot(share, folder)) children.push_back(*child);
+  for (const pid_t child : children) wait_for(child);
+  return children.size() == shares.size();
 }
 
 /// A folder of its own, gone at the end of the scope.
@@ -91,14 +89,29 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
     }
     scripts.push_back(figure.name + ".gp");
   }
+  drawn.svg.resize(figures.size());
   if (figures.empty()) return drawn;
+  const auto is_drawn = [&](const Figure& figure) {
+    std::error_code error;
+    const auto size = [&](const char* ending) {
+      return std::filesystem::file_size(scratch.path() + '/' + figure.name + ending, error);
+    };
+    return size(".svg") > 0 && !error && size(".pdf") > 0 && !error;
+  };
   if (!run_gnuplot(scripts, scratch.path())) {
-    drawn.missing = "gnuplot is not installed or failed: no SVG and PDF; the scripts draw them (gnuplot NAME.gp)";
+    drawn.missing = "gnuplot is not installed: no SVG and PDF; the scripts draw them (gnuplot NAME.gp)";
     return drawn;
   }
-  for (const Figure& figure : figures) {
-    drawn.svg.push_back(readable_svg(read_file(scratch.path() + '/' + figure.name + ".svg"), figure));
-    write_file(folder + '/' + figure.name + ".svg", drawn.svg.back());
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const Figure& figure = figures[i];
+    // A script that fails takes with it those that the same program would have drawn next.
+    if (!is_drawn(figure)) run_gnuplot({figure.name + ".gp"}, scratch.path());
+    if (!is_drawn(figure)) {
+      drawn.missing += (drawn.missing.empty() ? "gnuplot failed at " : ", ") + figure.name;
+      continue;
+    }
+    drawn.svg[i] = readable_svg(read_file(scratch.path() + '/' + figure.name + ".svg"), figure);
+    write_file(folder + '/' + figure.name + ".svg", drawn.svg[i]);
     write_file(folder + '/' + figure.name + ".pdf", read_file(scratch.path() + '/' + figure.name + ".pdf"));
     for (const char* ending : {".svg", ".pdf"}) drawn.files.push_back(figure.name + ending);
   }

@@ -10,8 +10,8 @@ namespace mixity {
 
 struct DrawnFigures {
   std::vector<std::string> files;  // names within the folder
-  std::vector<std::string> svg;    // the text of each figure's SVG; empty where gnuplot is missing
-  std::string missing;             // why there are no SVG and PDF; empty if there are
+  std::vector<std::string> svg;    // each figure's SVG; an empty text where it could not be drawn
+  std::string missing;             // why there are figures without SVG and PDF; empty if there are none
 };
 
 /// Writes NAME.dat and NAME.gp of each figure, and with gnuplot installed NAME.svg and NAME.pdf. Each file is there

@@ -75,7 +75,7 @@ std::vector<Figure> peak_figures(const PeakForces& forces, const std::string& st
   Figure figure{stem + "_peaks",
                 "Mean shear stress over the area of Hertz against normal load",
                 {bare ? "P/(R G_{Ic})" : "P [" + forces.force_unit + "]", 0.0, {}},
-                {bare ? "T/A_{Hertz} ξ/E^*" : "T/A_{Hertz} [" + forces.stress_unit + "]", 0.0, {}},
+                {bare ? "T/A_{Hertz} ξ/E^*" : "T/A_{Hertz}  [" + forces.stress_unit + "]", 0.0, {}},
                 {}};
   const auto spread = [](const Series& series) {
     double low = 1e300, high = 0;

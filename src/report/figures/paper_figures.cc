@@ -82,6 +82,7 @@ void add_curves(Figure& figure, double lambda, const std::vector<double>& loads,
   }
 }
 
+/// Models a, b and c at the same lambda.
 Figure curves(const std::string& name, const std::string& title, double lambda, const std::vector<double>& loads,
               double T_most, Axis x, Axis y, const Projected& project, bool stable_only = false) {
   Figure figure{name, title, std::move(x), std::move(y), {}, kModelKey, KeyPlace::beside};
@@ -134,6 +135,18 @@ std::vector<Figure> paper_figures() {
   toughness("fig9", "Fig. 9: toughness ratio against phase angle (Waters & Guduru 2010)", {"ψ [rad]", 0.0, 1.3},
             f(0.5, 4, false),
             {toughness_curve<WatersGuduru>(0.30, 1.25), toughness_curve<PapangeloCiavarella>(0.2331, 1.25)});
+  // The paper's loads are those of the experiment, whose constants it does not give: those of Fig. 6 stand for them.
+  Figure fig10;
+  fig10.name = "fig10";
+  fig10.title = "Fig. 10: contact area against tangential load, b with λ = 0.30, c with λ = 0.2331 (loads chosen here)";
+  fig10.x = {kT, 0.0, 30.0};
+  fig10.y = A;
+  fig10.key = {{"b", Look::dashed}, {"c", Look::solid}};
+  fig10.key_place = KeyPlace::beside;
+  fig10.wide = true;
+  add_curves<PapangeloCiavarella>(fig10, 0.2331, loads, 30, area, true);
+  add_curves<WatersGuduru>(fig10, 0.30, loads, 30, area, true);
+  figures.push_back(std::move(fig10));
   return figures;
 }
 

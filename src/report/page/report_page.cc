@@ -142,11 +142,12 @@ class Page {
 
   void add_figure(pugi::xml_node parent, const Figure& figure) {
     pugi::xml_node node = add(parent, "figure", {}, figure.wide ? "wide" : nullptr);
-    if (content_.drawn.svg.empty()) {
+    const std::string& svg = content_.drawn.svg.at(figure_++);
+    if (svg.empty()) {
       add(node, "p", "Not drawn.", "soft");
     } else {
       pugi::xml_document drawn;
-      drawn.load_string(inline_svg(content_.drawn.svg[figure_++]).c_str());
+      drawn.load_string(inline_svg(svg).c_str());
       add(node, "div", {}, "plot").append_copy(drawn.document_element());
     }
     pugi::xml_node caption = add(node, "figcaption");
@@ -157,7 +158,7 @@ class Page {
       add_link(files, "figures/" + figure.name + ending, text);
       add_text(files, " ");
     };
-    if (!content_.drawn.svg.empty()) {
+    if (!svg.empty()) {
       link(".svg", "SVG");
       link(".pdf", "PDF");
     }

@@ -58,10 +58,31 @@ TEST(Gnuplot, WithoutItDataAndScriptAreThereAndItSaysSo) {
   const WithoutPrograms nothing;
   const DrawnFigures drawn = draw_figures({example("one")}, folder.path());
   EXPECT_NE(drawn.missing.find("gnuplot"), std::string::npos);
-  EXPECT_TRUE(drawn.svg.empty());
+  EXPECT_EQ(drawn.svg, std::vector<std::string>{""});
   EXPECT_EQ(drawn.files, (std::vector<std::string>{"one.dat", "one.gp"}));
   for (const std::string& file : drawn.files) EXPECT_TRUE(std::filesystem::exists(folder.path() + '/' + file)) << file;
   EXPECT_FALSE(std::filesystem::exists(folder.path() + "/one.svg"));
+}
+
+TEST(Gnuplot, AFigureThatCannotBeDrawnDoesNotTakeOthersAlong) {
+  const TemporaryFolder folder;
+  Figure broken = example("broken");
+  broken.series.clear();  // nothing to plot: an error of the script
+  const DrawnFigures drawn = draw_figures({example("one"), broken, example("two"), example("three")}, folder.path());
+  EXPECT_EQ(drawn.missing, "gnuplot failed at broken");
+  EXPECT_EQ(drawn.svg.at(1), "");
+  for (const std::size_t i : {0, 2, 3}) EXPECT_NE(drawn.svg.at(i), "") << i;
+}
+
+TEST(Gnuplot, DrawsWhatHasNoExtent) {
+  const TemporaryFolder folder;
+  for (const bool logarithmic : {false, true}) {
+    Figure figure = example("point");
+    figure.x = {"x", 0.0, 0.0};
+    figure.y = {"y", {}, {}, logarithmic};
+    figure.series = {{"one point", Look::circles, "#000000", {{0, 5}}}};
+    EXPECT_EQ(draw_figures({figure}, folder.path()).missing, "");
+  }
 }
 
 /// Texts that a browser shows at a point: titles other than the figure's own.

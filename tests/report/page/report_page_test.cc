@@ -127,6 +127,7 @@ TEST(ReportPage, WithoutDrawingsSaysSoAndLinksScriptsAndData) {
   ReportContent content = content_of(data);
   content.entries[0].figures = data_figures(data);
   content.drawn.missing = "gnuplot is not installed";
+  content.drawn.svg.resize(4);
   const Parsed page(report_page(content));
   EXPECT_EQ(text_of(page.first("//header/p[@class='banner']")), "gnuplot is not installed");
   EXPECT_TRUE(page.first("//a[@href='figures/w_toughness.gp']"));
