@@ -27,6 +27,7 @@ int run_report(const Arguments& arguments) {
       advance(kFits * (static_cast<double>(results.size()) + fraction) / static_cast<double>(arguments.size()));
     }));
   std::vector<ReportedData> data;
+  data.reserve(results.size());
   std::set<std::string> taken;
   for (const JobResult& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
   const WrittenReport written = write_report(

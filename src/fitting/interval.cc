@@ -205,10 +205,11 @@ DrawnProfile draw_profile(const LeastSquares& problem, const Minimum& best, std:
                           std::size_t count, double allowance, double variance) {
   DrawnProfile drawn{{{best.x[k], 0.0}}, allowance / variance};
   // From the best outwards, since each minimum over the others starts from the one before.
+  const std::size_t half = count / 2;
   for (const double end : {low, high}) {
     Profile profile(problem, best, k);
-    for (std::size_t i = 1; i <= count / 2; ++i) {
-      const double x = best.x[k] + (end - best.x[k]) * static_cast<double>(i) / static_cast<double>(count / 2);
+    for (std::size_t i = 1; i <= half; ++i) {
+      const double x = best.x[k] + (end - best.x[k]) * static_cast<double>(i) / static_cast<double>(half);
       const auto cost = x == best.x[k] ? std::nullopt : profile(x);
       if (cost && std::isfinite(*cost)) drawn.points.emplace_back(x, (*cost - best.sum_of_squares) / variance);
     }

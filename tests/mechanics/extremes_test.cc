@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "mechanics/area_judge.h"
 #include "mechanics/batch.h"
 #include "mechanics/prediction.h"
 #include "mechanics/printed_equation.h"
@@ -53,85 +54,14 @@ struct Tally {
 };
 
 template <class Model>
-struct Judge {
-  Parameters<Model> p;
-  double P, T;
-
-  Digits50 residual(const Digits50& y, const Digits50& shear) const {
-    if (T < 1e15) return truth::residual_of<Model>(p, P, y, shear);
-    using truth::Digits700;
-    return Digits50(truth::residual_of<Model, Digits700>(p, P, Digits700(y), Digits700(shear)));
-  }
-  Digits50 edge_load_of(const Digits50& A) const {
-    const Digits50 a = sqrt(Digits50(A / truth::kPi));
-    return Digits50(4) / 3 * a * a * a - P;
-  }
-  /// True if the printed equation changes sign between areas within this relative distance of A. The middle is asked,
-  /// too: near a fold it may lie between two roots.
-  bool brackets(double A, double tolerance) const {
-    const Digits50 low = edge_load_of(Digits50(A) * (1 - Digits50(tolerance)));
-    const Digits50 high = edge_load_of(Digits50(A) * (1 + Digits50(tolerance)));
-    const Digits50 middle = edge_load_of(A);
-    const bool below = low <= 0 || residual(low, T) <= 0 || residual(middle, T) <= 0;
-    return below && residual(high, T) >= 0;
-  }
-  /// The same for some distance up to the tolerance: near a fold the next root may lie closer than that.
-  bool root_within(double A, double tolerance) const {
-    for (double t = std::min(4e-15, tolerance); t < 2 * tolerance; t *= 2)
-      if (brackets(A, std::min(t, tolerance))) return true;
-    return false;
-  }
-  /// How many times a relative change of T, P or of the equation's own terms is magnified in A.
-  double condition(double y) const {
-    const Digits50 h = Digits50(1e-12) * y, k = Digits50(1e-12) * T;
-    const Digits50 R_y = (residual(y + h, T) - residual(y - h, T)) / (2 * h);
-    const Digits50 R_T = T > 0 ? Digits50((residual(y, T + k) - residual(y, T - k)) / (2 * k)) : Digits50(0);
-    const Digits50 terms = abs(R_T * T) + 6 * truth::kPi * std::abs(P);
-    return static_cast<double>(Digits50(terms / (abs(R_y) * (Digits50(y) + P) * 1.5)));
-  }
-  /// The printed residual in double at places above y: positive if no root lies there, as must be on the upper branch.
-  bool nothing_above(double y) const {
-    const double top = 3 * pi<double>() + circle_radius(P);
-    for (int i = 1; i < 40; ++i) {
-      const double z = y + (top - y) * (1e-4 + (1 - 2e-4) * i / 40);
-      if (residual(z, T) < 0) return false;
-    }
-    return true;
-  }
-};
-
-template <class Model>
 void judge_one(const LoadedContact<Model>& contact, const Judge<Model>& judge, Tally& tally) {
   const Equilibrium found = contact.at(judge.T);
   ++tally.cases;
   tally.iterations.push_back(found.iterations);
-  const auto where = [&] {
-    return ::testing::Message() << Model::info.key << " p0=" << judge.p[0] << " P=" << judge.P << " T=" << judge.T
-                                << " y=" << found.y;
-  };
-  if (found.status != EquilibriumStatus::ok) {
-    ++tally.refused;
-    EXPECT_EQ(found.status, EquilibriumStatus::no_equilibrium) << where();
-    EXPECT_GT(judge.T, contact.last_load()) << where();
-    return;
-  }
-  ++tally.solved;
-  const ContactState state = contact_state(judge.P, judge.T, found.y);
-  for (const double value : {state.y, state.a, state.A, state.u, state.psi, state.f})
-    ASSERT_TRUE(std::isfinite(value)) << where();
-
-  // A few roundings away from folds; towards one, what the condition number leaves of a double, and at the fold itself
-  // (where it is infinite) sqrt(eps), or at the cusp of model a, where three states meet, its cube root.
-  const double condition = found.y > 0 ? judge.condition(found.y) : 1;
-  const bool regular = condition < 3;
-  const double at_fold = Model::info.key == "a" ? 2e-5 : 3e-7;
-  // At the fold to the last digit the equation may have no root for this double T: the fold's own area is right then.
-  if (std::abs(judge.T / contact.branches().front().T_bottom - 1) < 4e-15) {
-    EXPECT_NEAR(state.y, contact.branches().front().y_bottom, at_fold * (state.y + std::abs(judge.P))) << where();
-    return;
-  }
-  const double tolerance = regular ? 4e-15 : std::min(4e-15 + 8e-16 * condition, at_fold);
-  EXPECT_TRUE(judge.root_within(state.A, tolerance)) << where() << " condition " << condition;
+  ++(found.status == EquilibriumStatus::ok ? tally.solved : tally.refused);
+  double error = 0;
+  EXPECT_EQ(wrong_with_area(contact, judge, error), "")
+      << Model::info.key << " p0=" << judge.p[0] << " P=" << judge.P << " T=" << judge.T << " y=" << found.y;
 }
 
 template <class Model>

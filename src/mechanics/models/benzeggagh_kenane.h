@@ -16,13 +16,23 @@ struct BenzeggaghKenane {
   /// that neither the exponent nor a small r magnifies a rounding.
   template <class S>
   struct Power {
-    S log_B, reduced, value, f;  // reduced = B^(eta-1), value = B^eta, f = (1 - B^eta) + r B^eta
+    bool tiny;                   // B underflows, which B^eta need not: 1e-300^0.01 = 0.001
+    S log_B, reduced, value, f;  // reduced = B^(eta-1), meaningless if tiny; value = B^eta, f = (1 - B^eta) + r B^eta
     Power(const std::array<S, 2>& p, const Mixity<S>& mixity) {
       using std::exp, std::expm1, std::log, std::log1p, std::pow;
       const S B = mixity.sin * mixity.sin;
-      log_B = B < S(0.5) ? S(log(B)) : S(log1p(-mixity.cos * mixity.cos));
-      reduced = B < S(0.5) ? S(pow(B, p[1] - S(1))) : S(exp((p[1] - S(1)) * log_B));
-      value = reduced * B;
+      tiny = !(B > S(1e-290));
+      log_B = tiny ? S(S(2) * log(mixity.sin)) : B < S(0.5) ? S(log(B)) : S(log1p(-mixity.cos * mixity.cos));
+      if (tiny) {
+        reduced = S(0);
+        value = pow(mixity.sin, S(2) * p[1]);
+      } else if (p[1] < S(0.5)) {  // eta - 1 would round eta off, times ln B
+        value = pow(B, p[1]);
+        reduced = value / B;
+      } else {
+        reduced = B < S(0.5) ? S(pow(B, p[1] - S(1))) : S(exp((p[1] - S(1)) * log_B));
+        value = reduced * B;
+      }
       f = p[0] * value - expm1(p[1] * log_B);
     }
   };
@@ -31,7 +41,7 @@ struct BenzeggaghKenane {
   template <class S>
   static Differentiated<S, 2> log_toughness(const std::array<S, 2>& p, const Mixity<S>& mixity) {
     using std::log, std::log1p;
-    if (!(mixity.sin > S(1e-145))) return {S(0), {S(0), S(0)}, {S(0), S(0), S(0), S(0)}};  // B would underflow
+    if (!(mixity.sin > S(0))) return {S(0), {S(0), S(0)}, {S(0), S(0), S(0), S(0)}};
     const Power<S> power(p, mixity);
     const S q = (p[0] - S(1)) * power.value;
     const S u = power.value / power.f, v = q * power.log_B / power.f;
@@ -47,14 +57,15 @@ struct BenzeggaghKenane {
     if (!(T > S(0))) return {S(0), S(0), S(0)};
     const S& eta = p[1];
     const Mixity<S> mixity = mixity_from_loads(y, T);
-    const S B = mixity.sin * mixity.sin, C = mixity.cos * mixity.cos;
-    if (!(B > S(1e-290))) return {S(0), S(0), S(0)};  // B underflows: shear does not act yet
+    const S C = mixity.cos * mixity.cos;
+    if (!(mixity.sin > S(0))) return {S(0), S(0), S(0)};
     const Power<S> power(p, mixity);
+    if (power.tiny && p[0] >= S(1)) return {S(0), S(0), S(0)};  // eta >= 1 then: of the size of T^2, which underflows
     const S& f = power.f;
     const S q = (p[0] - S(1)) * power.value;
     const S g = q * (eta - f) / (f * f);
-    return {T * T * ((S(1) - (p[0] - S(1)) * power.reduced) + q) / f, S(2) * y * g,
-            S(2) * g - S(4) * eta * q * C * ((eta - S(1)) - (eta + S(1)) * q) / (f * f * f)};
+    const S value = power.tiny ? S(-q * y * y / f) : S(T * T * ((S(1) - (p[0] - S(1)) * power.reduced) + q) / f);
+    return {value, S(2) * y * g, S(2) * g - S(4) * eta * q * C * ((eta - S(1)) - (eta + S(1)) * q) / (f * f * f)};
   }
 
   /// d(tau^2)/dy has the sign of (r - 1)(eta - f), and f lies between 1 and r.

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
-#include <ranges>
 
 #include "dataset/number_text.h"
 #include "report/figures/data_figures.h"
@@ -16,6 +15,11 @@ std::string residual_label(const FitResult& fit) {
   if (fit.known_errors || fit.objective == Objective::curve) return "residual [standard errors]";
   if (fit.objective == Objective::area) return "residual in A";
   return fit.scale == Scale::log ? "residual in ln(G_c/G_{Ic})" : "residual in G_c/G_{Ic}";
+}
+
+/// The order of drawing: the first fit on top of the others.
+std::vector<std::reference_wrapper<const FitResult>> last_first(const JobResult& result) {
+  return {result.fits.rbegin(), result.fits.rend()};
 }
 
 std::string residuals_note(const ReportedData& reported) {
@@ -37,7 +41,7 @@ Figure residuals_against(const ReportedData& reported, const std::string& name, 
                 {residual_label(reported.result.fits.front()), {}, {}},
                 {}};
   double first = 0, last = 0;
-  for (const FitResult& fit : std::views::reverse(reported.result.fits)) {  // the first on top of the others
+  for (const FitResult& fit : last_first(reported.result)) {
     if (fit.residuals.empty()) continue;
     Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model), {}};
     std::vector<std::size_t> all(fit.residuals.size());
@@ -68,7 +72,7 @@ Figure quantiles(const ReportedData& reported) {
                 {}};
   const boost::math::normal normal;
   double most = 0;
-  for (const FitResult& fit : std::views::reverse(reported.result.fits)) {
+  for (const FitResult& fit : last_first(reported.result)) {
     if (fit.residuals.empty() || !fit.rmse || !(*fit.rmse > 0)) continue;
     std::vector<std::size_t> order(fit.residuals.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

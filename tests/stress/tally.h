@@ -1,0 +1,54 @@
+// What a run of random cases found: worst error, slowest case, and everything that went wrong.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace mixity::stress {
+
+struct Tally {
+  std::string what;
+  std::size_t cases = 0, answered = 0, failures = 0;
+  double worst_error = 0, slowest_ns = 0, total_ns = 0;
+  std::string worst_case, slowest_case;
+  std::vector<std::string> first_failures;  // at most ten
+
+  void fail(const std::string& why) {
+    ++failures;
+    if (first_failures.size() < 10) first_failures.push_back(why);
+  }
+  void see_error(double error, const std::string& where) {
+    if (!(error > worst_error)) return;
+    worst_error = error;
+    worst_case = where;
+  }
+  template <class Action>
+  auto timed(const std::string& where, Action&& action) {
+    const auto start = std::chrono::steady_clock::now();
+    auto result = action();
+    const double ns = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+    total_ns += ns;
+    if (ns > slowest_ns) {
+      slowest_ns = ns;
+      slowest_case = where;
+    }
+    return result;
+  }
+  void add(const Tally& other) {
+    cases += other.cases;
+    answered += other.answered;
+    failures += other.failures;
+    total_ns += other.total_ns;
+    see_error(other.worst_error, other.worst_case);
+    if (other.slowest_ns > slowest_ns) {
+      slowest_ns = other.slowest_ns;
+      slowest_case = other.slowest_case;
+    }
+    for (const std::string& why : other.first_failures)
+      if (first_failures.size() < 10) first_failures.push_back(why);
+  }
+};
+
+}  // namespace mixity::stress
