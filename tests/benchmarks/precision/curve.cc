@@ -88,8 +88,8 @@ class Drawing {
     for (const double n : {10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0}) {
       const auto points = static_cast<std::size_t>(n);
       if (!whole_) {
-        add(rows, "uniform in T, TOMS 748", n, [this, points] { return uniform_in_T_by_search(points); });
-        add(rows, "uniform in T, mixity", n, [this, points] { return uniform_in_T(points); });
+        add(rows, "uniform in T by TOMS 748", n, [this, points] { return uniform_in_T_by_search(points); });
+        add(rows, "uniform in T by mixity", n, [this, points] { return uniform_in_T(points); });
       }
       add(rows, "uniform in phi", n, [this, points] { return places(sample_uniform(curve_, ranges_, points)); });
     }
