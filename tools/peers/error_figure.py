@@ -1,4 +1,4 @@
-"""Draws error against time, one line per method: a gnuplot script and its data, and with gnuplot installed the figure."""
+"""Draws error against time, one line per method: gnuplot's script and data, and where it is installed the figure."""
 
 import math
 import shutil
@@ -52,7 +52,8 @@ def plot_script(name, panels, places):
     height = (top - bottom - gap * (len(panels) - 1)) / len(panels)
     lines = [f"# gnuplot draws {name}.svg of this and {name}.dat",
              f"set terminal svg size 520,{200 + 270 * len(panels)} dynamic background '#ffffff' font 'Helvetica,16'",
-             f"set output '{name}.svg'", "set logscale xy", "unset mxtics", "unset mytics", "set border lc rgb '#444444'",
+             f"set output '{name}.svg'", "set logscale xy", "unset mxtics", "unset mytics",
+             "set border lc rgb '#444444'",
              "set format y '10^{%L}'", "set lmargin screen 0.165", "set rmargin screen 0.97",
              "set grid lc rgb '#dddddd' lt 1", "set ylabel 'relative error' offset 1.2",
              f"set xrange [{min(times) / 2:.2g}:{max(times) * 2:.2g}]", "set yrange [1e-17:10]",
