@@ -40,6 +40,26 @@ struct Scan {
   double lowest = kInfinity, highest = 0;   // over the finite costs
 };
 
+/// The lowest place that two finer scans find between `low` and `high`, `middle` among them. A cost with a bend for
+/// each point that passes the fold of the model's curve has basins much narrower than its envelope, on whose bottom
+/// they are.
+double zoomed(SingleCost& cost, double low, double middle, double high, double least) {
+  constexpr int kPlaces = 64;
+  for (int round = 0; round < 2; ++round) {
+    const double step = (high - low) / (kPlaces + 1), from = low;
+    for (int i = 1; i <= kPlaces; ++i) {
+      const double x = from + i * step;
+      if (const auto here = cost.value(x); here && *here < least) {
+        least = *here;
+        middle = x;
+      }
+    }
+    low = std::max(low, middle - step);
+    high = std::min(high, middle + step);
+  }
+  return middle;
+}
+
 /// Cost over the grid of all parameters' scan values; a local minimum is no higher than its neighbours.
 Scan scan(const LeastSquares& problem) {
   Scan result;
@@ -99,6 +119,12 @@ Scan scan(const LeastSquares& problem) {
   }
   std::sort(found.begin(), found.end(), [&](std::size_t i, std::size_t j) { return costs[i] < costs[j]; });
   for (const std::size_t i : found) {
+    if (single && i > 0 && i + 1 < total && result.minima.size() < 3) {  // the lowest ones: each costs another scan
+      const double x = zoomed(*single, point(i - 1)[0], point(i)[0], point(i + 1)[0], costs[i]);
+      if (const auto least = single->value(x)) result.lowest = std::min(result.lowest, *least);
+      result.minima.push_back({x});
+      continue;
+    }
     result.minima.push_back(point(i));
     if (problem.parameters().size() > 1 || total == 1 || (i > 0 && i + 1 < total)) continue;
     // Beside a bound, too: at it the slope may vanish by symmetry.
