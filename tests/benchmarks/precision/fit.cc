@@ -1,0 +1,153 @@
+// Fitting lambda to points (psi, f): time against error, this program's solvers beside other libraries'. An evaluation
+// is a sweep over the points, with or without derivatives. 200 points, psi evenly up to 1.54.
+#include "fitting/fit.h"
+
+#include <memory>
+#include <random>
+
+#include "benchmarks/precision/log_toughness.h"
+#include "benchmarks/precision/peers.h"
+#include "benchmarks/precision/precision.h"
+#include "fitting/interval.h"
+#include "fitting/single_fit.h"
+#include "fitting/synthetic_runs.h"
+
+namespace mixity::precision {
+namespace {
+
+constexpr std::size_t kPoints = 200;
+constexpr double kConfidence = 0.95;
+
+/// Counts the sweeps of another cost.
+class CountedCost final : public SingleCost {
+ public:
+  CountedCost(std::unique_ptr<SingleCost> cost, long& sweeps) : cost_(std::move(cost)), sweeps_(sweeps) {}
+  bool exact_curvature() const override { return cost_->exact_curvature(); }
+  CostValue at(double x, std::span<const double> weights) override {
+    ++sweeps_;
+    return cost_->at(x, weights);
+  }
+  std::optional<double> value(double x) override {
+    ++sweeps_;
+    return cost_->value(x);
+  }
+
+ private:
+  std::unique_ptr<SingleCost> cost_;
+  long& sweeps_;
+};
+
+class CountedProblem final : public WrappedProblem {
+ public:
+  using WrappedProblem::WrappedProblem;
+  mutable long sweeps = 0;
+  bool evaluate(std::span<const double> x, std::span<double> r, std::span<double> J) const override {
+    ++sweeps;
+    return problem_.evaluate(x, r, J);
+  }
+  std::unique_ptr<SingleCost> single_cost() const override {
+    return std::make_unique<CountedCost>(problem_.single_cost(), sweeps);
+  }
+};
+
+/// One set of points in every form that a solver takes, and the true lambda.
+template <class Model>
+struct Case {
+  std::string name;
+  std::vector<ToughnessPoint> points;
+  Dataset data;
+  std::unique_ptr<ToughnessObjective<Model>> objective;
+  std::unique_ptr<LogToughness<Model>> problem;
+  Exact truth;
+
+  Case(double lambda, double relative_noise) {
+    SeededNoise noise(1, relative_noise);
+    data.path = data.name = "synthetic";
+    data.curves = {""};
+    for (std::size_t i = 0; i < kPoints; ++i) {
+      Point point{};
+      point.line = i + 2;
+      point.psi = 1.54 * (static_cast<double>(i) + 0.5) / kPoints;
+      point.mixity = mixity_from_angle(point.psi);
+      point.ratio = std::exp(Model::log_toughness({lambda}, point.mixity).value) * (1 + noise());
+      data.points.push_back(point);
+      points.push_back({point.mixity, point.ratio});
+    }
+    data.rows = kPoints;
+    char text[80];
+    std::snprintf(text, sizeof text, "%s, lambda %g, %s", std::string(Model::info.key).c_str(), lambda,
+                  relative_noise > 0 ? "2 % noise" : "clean");
+    name = text;
+    objective = std::make_unique<ToughnessObjective<Model>>(
+        points, Scale::log, FreeChoice<Model>({{Model::parameters[0].typical}, {}}, {}));
+    problem = std::make_unique<LogToughness<Model>>(points);
+    truth = exact_minimum<Model>(points);
+  }
+
+  double error(double x) const {
+    if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
+    const Exact scale = truth > Exact(1e-12) ? truth : Exact(1e-12);
+    return static_cast<double>(abs(Exact(x) - truth) / scale);
+  }
+};
+
+/// The whole fit in parts, so that sweeps can be counted: minimum, verdict and the interval's ends.
+double sweeps_of_whole_fit(const LeastSquares& objective) {
+  const CountedProblem problem(objective);
+  const Verdict verdict = minimise(problem);
+  if (!verdict.best.x.empty()) {
+    const double least = verdict.best.sum_of_squares;
+    profile_interval(problem, verdict.best, 0, kConfidence, cost_allowance(kConfidence, least, kPoints, 1, false),
+                     verdict.stderrs[0]);
+  }
+  return static_cast<double>(problem.sweeps);
+}
+
+template <class Model>
+void add_rows(const Case<Model>& at, std::vector<Row>& rows) {
+  const CountedProblem counted(*at.objective);
+  const SingleFit batch = solve_single(*counted.single_cost(), counted);
+  rows.push_back({"fit", at.name, "mixity batch", 0, at.error(batch.x), static_cast<double>(counted.sweeps),
+                  std::string(to_string(batch.status)),
+                  [&at] { solve_single(*at.objective->single_cost(), *at.objective); }});
+  const FitResult whole = fit_model(at.data, Model::info.key);
+  const double value = whole.has_values() ? *whole.parameters[0].value : std::nan("");
+  rows.push_back({"fit", at.name, "mixity whole fit", 0, at.error(value), sweeps_of_whole_fit(*at.objective),
+                  std::string(to_string(whole.status)), [&at] { fit_model(at.data, Model::info.key); }});
+  for (const auto& peer : peers<LogToughness<Model>>())
+    for (int digits = 2; digits <= 15; ++digits) {
+      const double tolerance = std::pow(10.0, -digits);
+      const auto run = [&at, solve = peer.solve, tolerance] {
+        return solve(*at.problem, Model::parameters[0].typical, Tolerances::all(tolerance));
+      };
+      const Answer answer = run();
+      rows.push_back(
+          {"fit", at.name, peer.name, tolerance, at.error(answer.x), answer.sweeps, answer.claim, [run] { run(); }});
+    }
+}
+
+/// The same shares of the range for all models.
+template <class Model>
+std::vector<std::unique_ptr<Case<Model>>> cases() {
+  std::vector<std::unique_ptr<Case<Model>>> list;
+  for (const double share : {0.0023, 0.3, 0.97})
+    for (const double noise : {0.0, 0.02})
+      list.push_back(std::make_unique<Case<Model>>(share * Model::parameters[0].upper, noise));
+  return list;
+}
+
+}  // namespace
+}  // namespace mixity::precision
+
+int main() {
+  using namespace mixity::precision;
+  const auto a = cases<mixity::Johnson>();
+  const auto b = cases<mixity::WatersGuduru>();
+  const auto c = cases<mixity::PapangeloCiavarella>();
+  std::vector<Row> rows;
+  for (const auto& at : a) add_rows(*at, rows);
+  for (const auto& at : b) add_rows(*at, rows);
+  for (const auto& at : c) add_rows(*at, rows);
+  measure(rows);
+  print(rows);
+}
