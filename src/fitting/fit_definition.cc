@@ -102,8 +102,9 @@ class Reader {
       for (const auto& [name, value] : *entries.as_table()) {
         if (!value.is_table()) fail(value, std::string(name.str()) + " must be {value = ..., tolerance = ...}");
         const toml::table& table = *value.as_table();
-        job.published[std::string(model.str())].push_back(
-            {std::string(name.str()), number(table, "value"), number(table, "tolerance")});
+        const double tolerance = number(table, "tolerance");
+        if (tolerance < 0) fail(value, "the tolerance of " + std::string(name.str()) + " is negative");
+        job.published[std::string(model.str())].push_back({std::string(name.str()), number(table, "value"), tolerance});
       }
     }
   }
