@@ -1,6 +1,7 @@
 // mixity COMMAND [flags] [files]: finds the command, and turns every failure into one line and an exit code.
 #include <glog/logging.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -45,6 +46,7 @@ int main(int argc, char** argv) {
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres warns of what the fit's status says better
   google::InitGoogleLogging(argv[0]);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of write(), not the end of the program
   int code = kFine;
   try {
     code = run({argv + 1, argv + argc});

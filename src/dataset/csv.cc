@@ -3,6 +3,7 @@
 #include <csv.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -61,6 +62,7 @@ struct CsvParser {
     }
     if (csv_parse(&state, line.data(), line.size(), on_field, on_row, this) != line.size()) return false;
     if (std::count(line.begin(), line.end(), '"') % 2 != 0) quote_open = !quote_open;
+    if (completed > 0 && quote_open) stray_return = true;  // a field began after the row's end
     return true;
   }
   bool finish() { return csv_fini(&state, on_field, on_row, this) == 0; }
@@ -70,15 +72,9 @@ std::string read_file(const std::string& path) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) throw InputError(path, std::string("cannot be opened: ") + std::strerror(errno));
   std::string text;
-  std::size_t filled = 0;
-  do {
-    text.resize(std::max<std::size_t>(2 * text.size(), 1 << 16));
-    const std::size_t got = std::fread(text.data() + filled, 1, text.size() - filled, file.get());
-    filled += got;
-    if (got == 0) break;
-  } while (true);
+  std::array<char, 1 << 14> part;
+  while (const std::size_t got = std::fread(part.data(), 1, part.size(), file.get())) text.append(part.data(), got);
   if (std::ferror(file.get())) throw InputError(path, std::string("cannot be read: ") + std::strerror(errno));
-  text.resize(filled);
   return text;
 }
 
@@ -92,6 +88,23 @@ std::string csv_field(const std::string& text) {
 void read_csv(const std::string& path, const std::function<void(const CsvRow&)>& use) {
   read_csv_text(read_file(path), path, true, use);
 }
+
+namespace {
+
+/// Comma, semicolon or tab, whichever the line has most of outside quotes.
+char delimiter_of(std::string_view line) {
+  constexpr std::string_view kCandidates = ",;\t";
+  std::array<std::size_t, 3> counts{};
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    const std::size_t which = kCandidates.find(c);
+    if (!quoted && which != std::string_view::npos) ++counts[which];
+  }
+  return kCandidates[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
+}
+
+}  // namespace
 
 void read_csv_text(std::string_view text, const std::string& path, bool comments,
                    const std::function<void(const CsvRow&)>& use) {
@@ -114,11 +127,7 @@ void read_csv_text(std::string_view text, const std::string& path, bool comments
     rest.remove_prefix(end);
     if (!parser) {
       if ((comments && line.starts_with('#')) || line.find_first_not_of(" \t\r\n") == std::string_view::npos) continue;
-      char delimiter = ',';
-      for (const char candidate : {';', '\t'})
-        if (std::count(line.begin(), line.end(), candidate) > std::count(line.begin(), line.end(), delimiter))
-          delimiter = candidate;
-      parser = std::make_unique<CsvParser>(delimiter);
+      parser = std::make_unique<CsvParser>(delimiter_of(line));
     } else if (comments && line.starts_with('#') && !parser->quote_open) {
       continue;
     }

@@ -13,6 +13,9 @@
 namespace mixity {
 namespace {
 
+/// What is positive in nature is so as a number, too: neither underflow nor overflow.
+bool in_range(double value) { return std::isfinite(value) && value > 0; }
+
 /// Reads the rows of one file into a data set.
 class Loader {
  public:
@@ -52,6 +55,8 @@ class Loader {
     data_.contact =
         Contact{demand(data_.metadata.radius, "radius"), demand(data_.metadata.plane_strain_modulus(), "modulus"),
                 demand(data_.metadata.toughness, "toughness")};
+    for (const double unit : {data_.contact->force_unit(), data_.contact->length_unit(), data_.contact->area_unit()})
+      if (!in_range(unit)) throw InputError(path_, "radius, modulus and toughness together are out of range");
     const Unit& shear = columns_->find(ColumnId::T)->unit;
     data_.display.force = shear.text;
     data_.display.force_scale = data_.contact->force_unit() / shear.factor;
@@ -59,6 +64,8 @@ class Loader {
     const Unit& unit = area ? area->unit : columns_->find(ColumnId::a)->unit;
     data_.display.area = area ? unit.text : unit.text + "^2";
     data_.display.area_scale = data_.contact->area_unit() / (area ? unit.factor : unit.factor * unit.factor);
+    if (!in_range(data_.display.force_scale) || !in_range(data_.display.area_scale))
+      throw InputError(path_, "the units of its columns are out of range beside radius, modulus and toughness");
   }
 
   /// The field of a column in SI or as it stands; null if it is empty.
@@ -104,7 +111,9 @@ class Loader {
     const auto error = finite(row, id);
     if (!error) return std::nullopt;
     if (*error < 0) return exclude(row, std::string(to_string(id)) + " < 0"), std::nullopt;
-    return column->unit.text == "%" ? *error * std::abs(value) : *error / unit;
+    const double result = column->unit.text == "%" ? *error * std::abs(value) : *error / unit;
+    if (!std::isfinite(result)) return exclude(row, std::string(to_string(id)) + " is out of range"), std::nullopt;
+    return result;
   }
 
   bool read_loads(const CsvRow& row, Point& point) {
@@ -121,10 +130,11 @@ class Loader {
     point.T = *T / force;
     const double a = (by_area ? std::sqrt(*size / pi<double>()) : *size) / length;
     point.A = by_area ? *size / (length * length) : area_from_radius(a);
+    if (!std::isfinite(point.P) || !std::isfinite(point.T) || !in_range(point.A))
+      return exclude(row, "P, T or A is out of range"), false;
     if (edge_load(a, point.P) > 0) {
       const auto measured = measured_toughness(point.P, point.T, a);
-      if (!std::isfinite(measured.ratio) || !(measured.ratio > 0))
-        return exclude(row, "the toughness ratio is out of range"), false;
+      if (!in_range(measured.ratio)) return exclude(row, "the toughness ratio is out of range"), false;
       point.mixity = measured.mixity;
       point.ratio = measured.ratio;
       point.psi = phase_angle(point.mixity);
@@ -158,6 +168,7 @@ class Loader {
     if (!Gc) return false;
     if (*Gc <= 0) return exclude(row, "Gc <= 0"), false;
     point.ratio = *Gc / ratio_unit_;
+    if (!in_range(point.ratio)) return exclude(row, "the toughness ratio is out of range"), false;
     const auto error = sigma(row, ColumnId::sigma_Gc, point.ratio, ratio_unit_);
     if (!error) return false;
     point.sigma_ratio = *error;

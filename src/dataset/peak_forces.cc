@@ -37,6 +37,8 @@ class Reader {
     const double area = hertz_area(*values[kLoad] * units_[kLoad].factor);
     if (values[kPeak]) point.peak = *values[kPeak] * units_[kPeak].factor / area / stress_;
     if (values[kMinimum]) point.minimum = *values[kMinimum] * units_[kMinimum].factor / area / stress_;
+    if (!std::isfinite(point.peak.value_or(0)) || !std::isfinite(point.minimum.value_or(0)))
+      return exclude("the mean stress is out of range");
     forces_.rows.push_back(point);
   }
 

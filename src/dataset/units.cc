@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 namespace mixity {
 namespace {
@@ -114,7 +115,8 @@ std::optional<Unit> parse_unit(std::string_view text) {
     unit.dimension.length += n * symbol->dimension.length;
     unit.dimension.angle += n * symbol->dimension.angle;
     text = trim(text);
-    if (text.empty()) return unit;
+    // Absurd powers leave the range of numbers; what lies beyond it is no unit.
+    if (text.empty()) return std::isfinite(unit.factor) && unit.factor > 0 ? std::optional(unit) : std::nullopt;
     divide = take(text, "/");
     if (!divide && !take(text, "*")) take(text, "·");
     text = trim(text);
@@ -130,9 +132,8 @@ std::optional<double> parse_number(std::string_view text) {
   if (error == std::errc()) return value;
   // Out of range: from_chars says so without a value. Too small is zero for our purposes, too large infinite.
   if (error != std::errc::result_out_of_range) return std::nullopt;
-  const std::size_t e = text.find_first_of("eE");
-  const bool tiny = e != std::string_view::npos ? text.substr(e + 1).starts_with('-') : text.find('.') <= 2;
-  return tiny ? 0.0 : (text.starts_with('-') ? -1.0 : 1.0) * HUGE_VAL;
+  const double sized = std::strtod(std::string(text).c_str(), nullptr);
+  return std::abs(sized) < 1 ? 0.0 : sized;
 }
 
 std::optional<Quantity> parse_quantity(std::string_view text) {
@@ -146,7 +147,7 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
   const auto unit = parse_unit(rest);
   if (!unit) return std::nullopt;
   quantity.unit = *unit;
-  return quantity;
+  return std::isfinite(quantity.si()) ? std::optional(quantity) : std::nullopt;
 }
 
 std::string describe(const Dimension& d) {

@@ -35,8 +35,8 @@ struct Quantity {
   double si() const { return value * unit.factor; }
 };
 
-/// "9.42 mm" or "9.42mm"; a bare number has dimension none. Null if the text is not a finite number followed by
-/// nothing or a unit.
+/// "9.42 mm" or "9.42mm"; a bare number has dimension none. Null if the text is not a finite number, in SI too, followed
+/// by nothing or a unit.
 std::optional<Quantity> parse_quantity(std::string_view text);
 
 /// A whole field as one number, surrounding blanks allowed. Null if it is not; inf and nan are numbers here.

@@ -102,8 +102,9 @@ class Reader {
       for (const auto& [name, value] : *entries.as_table()) {
         if (!value.is_table()) fail(value, std::string(name.str()) + " must be {value = ..., tolerance = ...}");
         const toml::table& table = *value.as_table();
-        job.published[std::string(model.str())].push_back(
-            {std::string(name.str()), number(table, "value"), number(table, "tolerance")});
+        const double tolerance = number(table, "tolerance");
+        if (tolerance < 0) fail(value, "the tolerance of " + std::string(name.str()) + " is negative");
+        job.published[std::string(model.str())].push_back({std::string(name.str()), number(table, "value"), tolerance});
       }
     }
   }
@@ -145,30 +146,6 @@ std::vector<Agreement> compare(const FitResult& fit, const FitJob& job) {
     agreements.push_back({number, found && std::abs(*found - number.value) <= number.tolerance});
   }
   return agreements;
-}
-
-JobResult run(const FitJob& job, const Overrides& overrides, const Progress& progress) {
-  const PointUse use = job.options.objective == Objective::toughness ? PointUse::toughness : PointUse::areas;
-  JobResult result{job, load_dataset(job.data_path, overrides, use), {}, {}, {}};
-  // the comparison refits without each run, which takes about as long as the fits; so do fits of single runs
-  const double steps = static_cast<double>(job.models.size() * (job.per_curve ? 3 : 2));
-  double done = 0;
-  const auto advance = [&](double by) {
-    done += by;
-    if (progress) progress(done / steps);
-  };
-  for (const std::string& model : job.models) {
-    result.fits.push_back(fit_model(result.data, model, job.options));
-    advance(1);
-  }
-  if (job.compare && job.models.size() > 1) result.comparison = compare_models(result.data, result.fits, job.options);
-  advance(static_cast<double>(job.models.size()));
-  if (job.per_curve)
-    for (const std::string& model : job.models) {
-      result.per_curve.push_back(fit_per_curve(result.data, model, job.options));
-      advance(1);
-    }
-  return result;
 }
 
 }  // namespace mixity

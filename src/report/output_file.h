@@ -12,7 +12,8 @@ class OutputError : public std::runtime_error {
 };
 
 /// Writes to a temporary name in the same folder, flushes to disk and renames: whoever looks sees the old file or the
-/// new one. Creates the folder if it is missing. Throws OutputError; then nothing is left behind.
+/// new one. Creates the folder if it is missing, and removes the temporary names of this file whose process was killed.
+/// Throws OutputError; then nothing is left behind.
 void write_file(const std::string& path, const std::string& content);
 
 }  // namespace mixity

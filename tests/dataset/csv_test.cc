@@ -96,6 +96,12 @@ TEST(Csv, RaggedRowsAreHandedOverAsTheyAre) {
   EXPECT_EQ(rows[2].fields.size(), 3);
 }
 
+TEST(Csv, WhatStandsInQuotesDoesNotChooseTheDelimiter) {
+  const auto rows = rows_of("P,\"a;b;c\"\n1,2\n");
+  ASSERT_EQ(rows.size(), 2);
+  EXPECT_EQ(rows[0].fields, (std::vector<std::string>{"P", "a;b;c"}));
+}
+
 TEST(Csv, AFileWithoutRowsIsNoError) {
   for (const std::string_view text : {"", "\xEF\xBB\xBF", "\n", " \r\n\r\n", "# only a comment"})
     EXPECT_TRUE(rows_of(text).empty()) << text;
@@ -109,6 +115,7 @@ TEST(Csv, WhatIsNoCsvIsRefusedWithItsPlace) {
            {"a,b\n1,\"2\n3,4\n", ":2:1: a quote (\") is opened but not closed before the end of the file"},
            {"\"", ":1:1: a quote (\") is opened but not closed before the end of the file"},
            {"a,b\n1,2\r3,4\n", ":2:1: has a carriage return inside the line"},
+           {"a,b\n1,2\r\"3,4\n5\",6\n", ":2:1: has a carriage return inside the line"},
            {std::string_view("\xFF\xFE"
                              "a\0,\0b\0",
                              8),

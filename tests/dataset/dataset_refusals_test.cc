@@ -60,6 +60,22 @@ TEST(Dataset, PointsThatCannotBeUsedAreListedWithTheirReason) {
   EXPECT_EQ(data.rows, data.points.size() + data.excluded.size());
 }
 
+TEST(Dataset, PointsBeyondTheRangeOfNumbersAreListed) {
+  EXPECT_EQ(excluded_lines(load_text("P,T,a,sigma_T [%]\n1,1,1e200,\n1,1,1e-200,\n1,1e5,2.5,1e306\n1,1,2.5,1\n", "", {},
+                                     PointUse::areas)),
+            "2 P, T or A is out of range\n3 P, T or A is out of range\n4 sigma_T is out of range\n");
+  EXPECT_EQ(excluded_lines(load_text("psi,Gc [N/m]\n1,1e300\n1,1\n", "toughness = \"1e-20 J/m^2\"")),
+            "2 the toughness ratio is out of range\n");
+}
+
+TEST(Dataset, ConstantsThatTogetherLeaveTheRangeOfNumbersAreRefused) {
+  const std::string csv = "P [mN],T [mN],A [mm^2]\n1,0.5,0.24\n";
+  EXPECT_EQ(load_error(csv, "radius = \"1e-200 m\"\nmodulus = \"1 Pa\"\ntoughness = \"1e-200 J/m^2\""),
+            "a.csv: radius, modulus and toughness together are out of range");
+  EXPECT_EQ(load_error(csv, "radius = \"1e308 GPa\""),
+            "a.toml:1:10: radius is \"1e308 GPa\"; it must be a number with a unit, such as \"9.42 mm\"");
+}
+
 TEST(Dataset, AnAreaBelowHertzCountsWhereAreasAreAskedFor) {
   const Dataset data = load_text("P,T,A\n1,1,19\n1,2,2.59\n1,3,0\n", "", {}, PointUse::areas);
   EXPECT_EQ(excluded_lines(data), "4 A <= 0\n");

@@ -28,6 +28,12 @@ void expect_refused(const std::string& csv, const std::string& toml, const std::
 
 constexpr const char* kContact = "radius = \"2 mm\"\nmodulus = \"3 MPa\"\n";
 
+TEST(PeakForces, BeyondTheRangeOfNumbersAreListed) {
+  const PeakForces peaks = load("P,T_peak\n1e-300,1e300\n1,2\n");
+  ASSERT_EQ(peaks.excluded.size(), 1u);
+  EXPECT_EQ(peaks.excluded[0].reason, "the mean stress is out of range");
+}
+
 TEST(PeakForces, AreStressesOverTheAreaOfHertz) {
   const PeakForces peaks = load("P [mN],T_peak [mN],T_min [mN],note\n8,30,20,x\n-5.5,10,8,x\n3.5,,12,x\n", kContact);
   ASSERT_EQ(peaks.rows.size(), 2u);

@@ -105,7 +105,7 @@ TEST(Quantities, ABareNumberHasNoDimension) {
 
 TEST(Quantities, TheRestIsRefused) {
   for (const char* text : {"", "mm", "9,42 mm", "9.42 furlong", "nan mm", "inf mm", "1e400 mm", "- 3 mm", "--3 mm",
-                           "+-3 mm", "9.42 mm mm^", "1 2 mm", "0x10 mm"})
+                           "+-3 mm", "9.42 mm mm^", "1 2 mm", "0x10 mm", "1e308 GPa"})
     EXPECT_FALSE(parse_quantity(text)) << text;
 }
 
@@ -122,6 +122,18 @@ TEST(Numbers, AWholeFieldIsRead) {
                                     {"Infinity", kInfinity}})
     EXPECT_EQ(parse_number(text), value) << text;
   EXPECT_TRUE(std::isnan(parse_number("NaN").value()));
+}
+
+TEST(Quantities, UnitsBeyondTheRangeOfNumbersAreNone) {
+  for (const char* text : {"Gm^9 Gm^9 Gm^9 Gm^9", "pm^9 pm^9 pm^9 pm^9", "Gm^9 Gm^9 Gm^9 Gm^9/m/Gm^9/Gm^9/Gm^9/Gm^9"})
+    EXPECT_FALSE(parse_unit(text)) << text;
+}
+
+TEST(Numbers, AnExponentCountsTogetherWithTheDigits) {
+  EXPECT_EQ(parse_number(std::string(400, '9') + "e-5"), kInfinity);
+  EXPECT_EQ(parse_number("-" + std::string(400, '9') + "e-5"), -kInfinity);
+  EXPECT_EQ(parse_number("0." + std::string(400, '0') + "1e+5"), 0.0);
+  EXPECT_EQ(parse_number("000." + std::string(400, '0') + "1"), 0.0);
 }
 
 TEST(Numbers, TooManyDigitsAreNoObstacle) {

@@ -1,0 +1,258 @@
+// What becomes of results when the disk is full, a folder is closed, or the program is killed half-way.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/ptrace.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/run_program.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity::cli {
+namespace {
+
+using Contents = std::map<std::string, std::string>;  // of a folder's files, by path within it
+
+const std::string kDefinition = MIXITY_ROOT "/fits/as4_peek_mmb.toml";
+
+Contents contents_of(const std::string& folder) {
+  Contents contents;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      contents[std::filesystem::relative(entry.path(), folder).string()] = content_of(entry.path().string());
+  return contents;
+}
+
+bool is_temporary(const std::string& name) { return name.find(".tmp") != std::string::npos; }
+
+/// A child that runs the program after `prepare`, its complaints in the file `err`; its output goes nowhere.
+pid_t start(
+    const Words& words, const std::string& err, const std::function<void()>& prepare = [] {}) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  const int nowhere = ::open("/dev/null", O_RDWR), complaints = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  ::dup2(nowhere, STDIN_FILENO);
+  ::dup2(nowhere, STDOUT_FILENO);
+  ::dup2(complaints, STDERR_FILENO);
+  prepare();
+  std::string program = MIXITY_PROGRAM;
+  Words copies = words;
+  std::vector<char*> argv{program.data()};
+  for (std::string& word : copies) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  ::execv(program.c_str(), argv.data());
+  ::_exit(127);
+}
+
+ProgramResult finish(pid_t child, const std::string& err) {
+  int status = 0;
+  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), "", content_of(err)};
+}
+
+void redirect_output(const char* path) { ::dup2(::open(path, O_WRONLY), STDOUT_FILENO); }
+
+TEST(OutputSafety, AFullDiskBehindStandardOutputEndsWithFour) {
+  const TemporaryFolder folder;
+  const std::string err = folder.path("err");
+  const std::string plot = folder.write("plot.csv", "run 1,\nX,Y\n0,19.6\n5,19.2\n");
+  for (const Words& words : std::vector<Words>{
+           {"fit", kDefinition},
+           {"fit", kDefinition, "--format=json"},
+           {"fit", kDefinition, "--format=csv"},
+           {"check", MIXITY_ROOT "/data/mergel2018.csv"},
+           {"sahli", MIXITY_ROOT "/data/mergel2018.csv"},
+           {"import", plot, "--x=T", "--y=A", "--loads=1"},
+           {"predict", "--model=c", "--lambda=0.1", "--load=1", "--shear=0,1"},
+           {"curve", "--model=c", "--lambda=0.1", "--load=1"},
+           {"instability", "--model=c", "--lambda=0.1", "--load=1"},
+           {"help"},
+           {"--version"},
+       }) {
+    const ProgramResult result = finish(start(words, err, [] { redirect_output("/dev/full"); }), err);
+    EXPECT_EQ(result.exit_code, 4) << joined(words);
+    EXPECT_EQ(result.complaint(), "mixity: standard output cannot be written") << joined(words);
+  }
+}
+
+/// As on a full disk, a file can only be written in part: beyond this size, write() fails.
+void limit_files() {
+  const rlimit limit{600, 600};
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+TEST(OutputSafety, AFileThatDoesNotFitLeavesTheEarlierResults) {
+  const TemporaryFolder folder;
+  const std::string err = folder.path("err"), out = folder.path("out");
+  for (const Words& words : std::vector<Words>{{"fit", kDefinition, "--out", out},
+                                               {"report", kDefinition, "--out", out},
+                                               {"figures", "--paper", "--out", out}}) {
+    std::filesystem::remove_all(out);
+    ASSERT_EQ(run_program(words).exit_code, 0) << joined(words);
+    const Contents before = contents_of(out);
+    const ProgramResult result = finish(start(words, err, limit_files), err);
+    EXPECT_EQ(result.exit_code, 4) << joined(words);
+    EXPECT_NE(result.complaint().find(": cannot be written: File too large"), std::string::npos) << result.err;
+    EXPECT_TRUE(contents_of(out) == before) << joined(words);
+  }
+}
+
+TEST(OutputSafety, AnImportThatDoesNotFitLeavesTheEarlierOne) {
+  const TemporaryFolder folder;
+  std::string plot = "run 1,\nX,Y\n";
+  for (int i = 0; i < 200; ++i) plot += std::to_string(i) + ",19.6\n";
+  const std::string err = folder.path("err"), data = folder.write("data.csv", "mine");
+  const Words words{"import", folder.write("plot.csv", plot), "--x=T", "--y=A", "--loads=1", "--out", data};
+  EXPECT_EQ(finish(start(words, err, limit_files), err).exit_code, 4);
+  EXPECT_EQ(content_of(data), "mine");
+}
+
+/// As a user without rights, whoever runs the test.
+void become_nobody() {
+  if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) ::_exit(126);
+}
+
+TEST(OutputSafety, AFolderThatIsClosedToWritingEndsWithFourAndKeepsWhatItHolds) {
+  const TemporaryFolder folder, complaints;
+  const std::string out = folder.path("out"), err = complaints.write("err", "");
+  for (const std::string& path : {folder.path(), complaints.path(), err})
+    std::filesystem::permissions(path, std::filesystem::perms::all);
+  const Words words{"fit", kDefinition, "--out", out};
+  ASSERT_EQ(run_program(words).exit_code, 0);
+  if (finish(start({"check", MIXITY_ROOT "/data/mergel2018.csv"}, err, become_nobody), err).exit_code != 0)
+    GTEST_SKIP() << "nobody may not run the program";
+  const Contents before = contents_of(out);
+  std::filesystem::permissions(out, std::filesystem::perms(0555));
+  for (const char* command : {"fit", "report"}) {
+    const ProgramResult result = finish(start({command, kDefinition, "--out", out}, err, become_nobody), err);
+    EXPECT_EQ(result.exit_code, 4) << command;
+    EXPECT_NE(result.complaint().find("Permission denied"), std::string::npos) << result.err;
+  }
+  EXPECT_TRUE(contents_of(out) == before);
+  std::filesystem::permissions(out, std::filesystem::perms::all);
+}
+
+TEST(OutputSafety, AFileWhereAFolderIsWantedStaysAsItIs) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("out", "mine");
+  for (const char* command : {"fit", "report"}) {
+    const ProgramResult result = run_program({command, kDefinition, "--out", file});
+    EXPECT_EQ(result.exit_code, 4) << command;
+    EXPECT_NE(result.complaint().find(file), std::string::npos) << result.complaint();
+    EXPECT_EQ(content_of(file), "mine");
+  }
+}
+
+/// Lets a program that begins with PTRACE_TRACEME run until it has entered or left `most` system calls. Returns how
+/// many it had when it stopped, or ended and was waited for.
+long run_to_call(pid_t child, long most) {
+  int status = 0, signal = 0;
+  if (::waitpid(child, &status, 0) != child || !WIFSTOPPED(status)) return 0;
+  long calls = 0;
+  while (calls < most && ::ptrace(PTRACE_SYSCALL, child, nullptr, static_cast<long>(signal)) == 0) {
+    if (::waitpid(child, &status, 0) != child || !WIFSTOPPED(status)) break;
+    signal = WSTOPSIG(status) == SIGTRAP ? 0 : WSTOPSIG(status);
+    if (signal == 0) ++calls;
+  }
+  return calls;
+}
+
+void be_traced() { ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr); }
+
+/// Overwrites an earlier result and is killed: at any moment, or at one of the system calls that write, which are its
+/// last.
+class Killed : public testing::TestWithParam<const char*> {
+ protected:
+  /// Without gnuplot, whose figures take most of the time and whose processes would live on.
+  void SetUp() override {
+    ::setenv("PATH", "/nowhere", 1);
+    ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);  // which cannot be done to a program that is traced
+  }
+  void TearDown() override {
+    ::setenv("PATH", path_.c_str(), 1);
+    ::unsetenv("ASAN_OPTIONS");
+  }
+
+  Words words(const char* confidence) const {
+    return {GetParam(), kDefinition, "--out", out_, std::string("--confidence=") + confidence};
+  }
+
+  void put_back(const Contents& contents) const {
+    std::filesystem::remove_all(out_);
+    for (const auto& [name, content] : contents) {
+      std::filesystem::create_directories(std::filesystem::path(out_ + "/" + name).parent_path());
+      folder_.write("out/" + name, content);
+    }
+  }
+
+  const std::string path_ = std::getenv("PATH");
+  const TemporaryFolder folder_;
+  const std::string out_ = folder_.path("out"), err_ = folder_.path("err");
+};
+
+TEST_P(Killed, LeavesEachFileOldOrNewAndTheNextRunIsWhole) {
+  ASSERT_EQ(run_program(words("0.9")).exit_code, 0);
+  const Contents before = contents_of(out_);
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_EQ(run_program(words("0.95")).exit_code, 0);
+  const auto whole_run =
+      std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begin).count();
+  const Contents after = contents_of(out_);
+  ASSERT_FALSE(before == after);
+
+  const long calls = run_to_call(start(words("0.95"), err_, be_traced), 1'000'000);
+  if (calls == 0) GTEST_SKIP() << "programs may not be traced here";
+  const std::size_t writing = 25 * after.size();  // system calls, roughly
+  ASSERT_GT(calls, static_cast<long>(writing));
+  std::mt19937 random(1);
+  int killed = 0, mixed = 0;
+  for (int run = 0; run < 400 && (killed < 40 || mixed < 3); ++run) {  // some end before they are killed
+    put_back(before);
+    const bool anywhen = run % 2 == 0;
+    const pid_t child = anywhen ? start(words("0.95"), err_) : start(words("0.95"), err_, be_traced);
+    if (anywhen)
+      std::this_thread::sleep_for(std::chrono::microseconds(random() % static_cast<std::uint64_t>(whole_run)));
+    else
+      run_to_call(child, calls - static_cast<long>(random() % writing));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    killed += ::waitpid(child, &status, 0) == child && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+
+    bool old_left = false, new_there = false;
+    const Contents left = contents_of(out_);
+    for (const auto& [name, content] : before) EXPECT_TRUE(left.contains(name)) << name << " is gone";
+    for (const auto& [name, content] : left) {
+      if (is_temporary(name)) continue;  // never mistaken for a result: no reader looks for such a name
+      const bool is_old = before.contains(name) && content == before.at(name);
+      const bool is_new = after.contains(name) && content == after.at(name);
+      EXPECT_TRUE(is_old || is_new) << name << " is neither the old file nor the new one, run " << run;
+      old_left |= is_old && !is_new;
+      new_there |= is_new && !is_old;
+    }
+    mixed += old_left && new_there;
+  }
+  EXPECT_GE(killed, 40);
+  EXPECT_GE(mixed, 3) << "too few runs were killed while they wrote";
+
+  ASSERT_EQ(run_program(words("0.95")).exit_code, 0);
+  EXPECT_TRUE(contents_of(out_) == after) << "what killed runs left behind is still there";
+}
+
+INSTANTIATE_TEST_SUITE_P(OutputSafety, Killed, testing::Values("fit", "report"),
+                         [](const auto& command) { return std::string(command.param); });
+
+}  // namespace
+}  // namespace mixity::cli
