@@ -34,6 +34,8 @@ class ExperimentObjective final : public ModelProblem<Model> {
   const std::vector<double>& targets() const override { return targets_; }
   const std::vector<double>& weights() const override { return weights_; }
   Trial<Model> trial(std::span<const double> x) const override { return choice_.trial(x); }
+  /// Every point that passes the fold bends the cost of areas.
+  bool narrow_basins() const override { return std::is_same_v<Residuals<Model>, AreaResiduals<Model>>; }
   double data_norm() const override {
     double square = std::pow(ModelProblem<Model>::data_norm(), 2);
     if constexpr (std::is_same_v<Residuals<Model>, ToughnessResiduals<Model>>)  // an eps of f, however small ln f is

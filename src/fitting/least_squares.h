@@ -46,6 +46,8 @@ class LeastSquares {
   virtual std::vector<double> curvatures(std::span<const double>) const { return {}; }
   /// Places of a scan over one parameter, each spaced evenly and by factors.
   virtual std::size_t scan_density() const { return 64; }
+  /// True if basins may be far narrower than the spacing of that scan.
+  virtual bool narrow_basins() const { return false; }
   /// The cost for the batch engine; only with one free parameter. The problem must outlive it.
   virtual std::unique_ptr<SingleCost> single_cost() const;
 };
@@ -58,6 +60,7 @@ class WrappedProblem : public LeastSquares {
   const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
   double data_norm() const override { return problem_.data_norm(); }
   bool known_errors() const override { return problem_.known_errors(); }
+  bool narrow_basins() const override { return problem_.narrow_basins(); }
 
  protected:
   const LeastSquares& problem_;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "dataset/number_text.h"
+#include "fitting/narrow_basins.h"
 #include "fitting/single_scan.h"
 
 namespace mixity {
@@ -40,36 +40,6 @@ struct Scan {
   std::vector<std::vector<double>> minima;  // starts, best first
   double lowest = kInfinity, highest = 0;   // over the finite costs
 };
-
-/// The lowest place that finer scans find between `low` and `high`, `middle` among them. A cost with a bend for each
-/// point that passes the fold of the model's curve has basins much narrower than its envelope, on whose bottom they
-/// are. The second scan is wider than the first one's spacing, which may have missed the lowest; the third looks into
-/// the lowest basins of the second.
-double zoomed(SingleCost& cost, double low, double middle, double high, double least) {
-  constexpr int kFirst = 64, kSecond = 128, kThird = 16, kReach = 8, kBasins = 4;
-  double step = 0;
-  const auto look = [&](double from, double to, int places) {
-    std::vector<std::pair<double, double>> seen;  // cost, place
-    step = (to - from) / (places + 1);
-    for (int i = 1; i <= places; ++i) {
-      const double x = from + i * step;
-      seen.emplace_back(cost.value(x).value_or(kInfinity), x);
-      if (seen.back().first < least) std::tie(least, middle) = seen.back();
-    }
-    return seen;
-  };
-  look(low, high, kFirst);
-  const double reach = kReach * step;
-  const auto seen = look(std::max(low, middle - reach), std::min(high, middle + reach), kSecond);
-  std::vector<std::pair<double, double>> basins;
-  for (std::size_t i = 1; i + 1 < seen.size(); ++i)
-    if (seen[i].first <= seen[i - 1].first && seen[i].first < seen[i + 1].first) basins.push_back(seen[i]);
-  std::sort(basins.begin(), basins.end());
-  if (basins.size() > kBasins) basins.resize(kBasins);
-  const double width = step;
-  for (const auto& [ignored, x] : basins) look(x - width, x + width, kThird);
-  return middle;
-}
 
 /// Cost over the grid of all parameters' scan values; a local minimum is no higher than its neighbours.
 Scan scan(const LeastSquares& problem) {
@@ -130,7 +100,8 @@ Scan scan(const LeastSquares& problem) {
   }
   std::sort(found.begin(), found.end(), [&](std::size_t i, std::size_t j) { return costs[i] < costs[j]; });
   for (const std::size_t i : found) {
-    if (single && i > 0 && i + 1 < total && result.minima.size() < 3) {  // the lowest ones: each costs another scan
+    if (single && problem.narrow_basins() && i > 0 && i + 1 < total &&
+        result.minima.size() < 3) {  // the lowest ones: each costs another scan
       const double x = zoomed(*single, point(i - 1)[0], point(i)[0], point(i + 1)[0], costs[i]);
       if (const auto least = single->value(x)) result.lowest = std::min(result.lowest, *least);
       result.minima.push_back({x});
