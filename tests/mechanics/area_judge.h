@@ -88,12 +88,12 @@ std::string wrong_with_area(const LoadedContact<Model>& contact, const Judge<Mod
   if (quick && *quick <= 4e-15) return "";
   const double condition = found.y > 0 ? judge.condition(found.y) : 1;
   const double at_fold = Model::info.key == "a" ? 2e-5 : 3e-7;
+  const double tolerance = condition < 3 ? 4e-15 : std::min(4e-15 + 8e-16 * condition, at_fold);
+  if (quick && *quick <= tolerance) return "";
   // At the fold to the last digit the equation may have no root for this double T: the fold's own area is right then.
   const StableBranch& first = contact.branches().front();
   if (std::abs(judge.T / first.T_bottom - 1) < 4e-15)
     return std::abs(state.y - first.y_bottom) <= at_fold * (state.y + std::abs(judge.P)) ? "" : "not the fold's area";
-  const double tolerance = condition < 3 ? 4e-15 : std::min(4e-15 + 8e-16 * condition, at_fold);
-  if (quick && *quick <= tolerance) return "";
   error = 0;
   return judge.root_within(state.A, tolerance) ? "" : "no root within the tolerance";
 }
