@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "dataset/csv.h"
-#include "dataset/number_text.h"
 #include "fitting/fitted_trial.h"
 #include "mechanics/prediction.h"
+#include "report/figures/model_curves.h"
+#include "report/rounding.h"
 
 namespace mixity {
 namespace {
@@ -18,10 +20,6 @@ std::string number(const std::optional<double>& value) { return value ? shortest
 
 std::string notice(const Dataset& data) {
   return data.metadata.provenance == Provenance::reconstructed ? std::string(kReconstructedNotice) : std::string();
-}
-
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : name + " [" + unit + "]";
 }
 
 /// What a row has around it in a table of several data sets: their names, their units, and empty fields where this data
@@ -65,16 +63,11 @@ void write_area_curve(std::ostringstream& out, const JobResult& result, const Fi
   }
 }
 
-template <class Model>
 void write_toughness_curve(std::ostringstream& out, const Dataset& data, const FitResult& fit, const Frame& frame) {
-  const Parameters<Model> p = fitted_trial<Model>(data, fit, {}).parameters;
-  for (std::size_t i = 0; i < kCurvePoints; ++i) {
-    const double psi = 0.5 * pi<double>() * static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
-    const double f = std::exp(Model::log_toughness(p, mixity_from_angle(psi)).value);
-    if (std::isfinite(f))
-      out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << frame.blanks << ','
-          << shortest(psi) << ',' << shortest(f) << frame.after << '\n';
-  }
+  const double finite = std::numeric_limits<double>::max();
+  for (const auto& [psi, f] : drawn_toughness(data, fit, 0.5 * pi<double>(), finite, kCurvePoints - 1))
+    out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << frame.blanks << ','
+        << shortest(psi) << ',' << shortest(f) << frame.after << '\n';
 }
 
 void write_residuals(std::ostringstream& out, const JobResult& result, const Frame& frame) {
@@ -99,9 +92,12 @@ void write_residuals(std::ostringstream& out, const JobResult& result, const Fra
 void write_curves(std::ostringstream& out, const JobResult& result, const Frame& frame) {
   for (const FitResult& fit : result.fits) {
     if (!has_all_values(fit)) continue;
+    if (!result.data.has_loads) {
+      write_toughness_curve(out, result.data, fit, frame);
+      continue;
+    }
     with_model(fit.model, [&](auto chosen) {
       using Model = decltype(chosen);
-      if (!result.data.has_loads) return write_toughness_curve<Model>(out, result.data, fit, frame);
       for (std::size_t curve = 0; curve < result.data.curves.size(); ++curve)
         write_area_curve<Model>(out, result, fit, curve, frame);
     });
@@ -143,8 +139,8 @@ std::string residuals_csv(const JobResult& result) {
   std::ostringstream out;
   out << "provenance,model,line,curve,psi [rad],Gc_over_GIc,residual";
   if (data.has_loads)
-    out << ',' << with_unit("P", units.force) << ',' << with_unit("T", units.force) << ',' << with_unit("A", units.area)
-        << ',' << with_unit("A_predicted", units.area);
+    out << ',' << bracketed("P", units.force) << ',' << bracketed("T", units.force) << ',' << bracketed("A", units.area)
+        << ',' << bracketed("A_predicted", units.area);
   out << '\n';
   write_residuals(out, result, {});
   return out.str();
@@ -154,8 +150,8 @@ std::string curves_csv(const JobResult& result) {
   const DisplayUnits& units = result.data.display;
   std::ostringstream out;
   if (result.data.has_loads)
-    out << "provenance,model,curve," << with_unit("P", units.force) << ',' << with_unit("T", units.force) << ','
-        << with_unit("A", units.area) << ",psi [rad],f\n";
+    out << "provenance,model,curve," << bracketed("P", units.force) << ',' << bracketed("T", units.force) << ','
+        << bracketed("A", units.area) << ",psi [rad],f\n";
   else
     out << "provenance,model,psi [rad],f\n";
   write_curves(out, result, {});

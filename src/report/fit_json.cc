@@ -5,12 +5,6 @@
 namespace mixity {
 namespace {
 
-Json excluded_json(const std::vector<Excluded>& excluded) {
-  Json list = Json::array();
-  for (const Excluded& point : excluded) list.push_back({{"line", point.line}, {"reason", point.reason}});
-  return list;
-}
-
 Json parameters_json(const FitResult& fit) {
   Json parameters = Json::object();
   for (const FittedParameter& parameter : fit.parameters)
@@ -63,6 +57,12 @@ Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
 }
 
 }  // namespace
+
+Json excluded_json(const std::vector<Excluded>& excluded) {
+  Json list = Json::array();
+  for (const Excluded& point : excluded) list.push_back({{"line", point.line}, {"reason", point.reason}});
+  return list;
+}
 
 Json dataset_json(const JobResult& result) {
   const Dataset& data = result.data;

@@ -29,19 +29,18 @@ Json sahli_json(const std::optional<SahliResult>& sahli) {
 
 Json peaks_json(const std::optional<PeakForces>& peaks) {
   if (!peaks) return {};
-  Json rows = Json::array(), excluded = Json::array();
+  Json rows = Json::array();
   for (const PeakForce& row : peaks->rows)
     rows.push_back({{"line", row.line},
                     {"P", row.P},
                     {"peak_stress", number_or_null(row.peak)},
                     {"minimum_stress", number_or_null(row.minimum)}});
-  for (const Excluded& row : peaks->excluded) excluded.push_back({{"line", row.line}, {"reason", row.reason}});
   return {{"path", peaks->path},
           {"provenance", to_string(peaks->metadata.provenance)},
           {"force_unit", peaks->force_unit},
           {"stress_unit", peaks->stress_unit},
           {"rows", rows},
-          {"excluded", excluded}};
+          {"excluded", excluded_json(peaks->excluded)}};
 }
 
 /// `svg`: those of this entry's figures and further ones; moves on past them.

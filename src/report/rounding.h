@@ -23,6 +23,11 @@ inline std::string r2_text(double r2) {
   return rounded(r2, digits);
 }
 
+/// "T [mN]", or "T" for a dimensionless quantity.
+inline std::string bracketed(const std::string& quantity, const std::string& unit) {
+  return unit.empty() ? quantity : quantity + " [" + unit + "]";
+}
+
 /// " mN", or nothing for a dimensionless quantity.
 inline std::string unit_text(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
 

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "dataset/number_text.h"
-#include "fitting/fitted_trial.h"
 #include "report/figures/data_figures.h"
 #include "report/figures/drawn_units.h"
 #include "report/figures/model_curves.h"
@@ -14,14 +13,17 @@ namespace {
 class AreaFigures {
  public:
   explicit AreaFigures(const ReportedData& reported)
-      : reported_(reported), data_(reported.result.data), units_(data_), runs_(shown_runs(data_)) {
-    for (const Point& point : data_.points) T_data_ = std::max(T_data_, point.T);
-    for (const FitResult& fit : reported.result.fits) {
-      if (!has_all_values(fit)) continue;
-      fits_.push_back(&fit);
+      : reported_(reported),
+        data_(reported.result.data),
+        units_(data_),
+        runs_(shown_runs(data_)),
+        points_(points_by_curve(data_)),
+        fits_(fits_with_values(reported.result)),
+        T_data_(largest_shear(data_)) {
+    for (const FitResult* fit : fits_) {
       curves_.emplace_back();
       for (const std::size_t run : runs_)
-        curves_.back().push_back(drawn_curve(reported.result, fit, data_.curve_loads[run], 1.5 * T_data_));
+        curves_.back().push_back(drawn_curve(reported.result, *fit, data_.curve_loads[run], 1.5 * T_data_));
     }
     T_axis_ = 1.05 * T_data_ * units_.force;
     for (const auto& curves : curves_)
@@ -47,18 +49,11 @@ class AreaFigures {
     return figure;
   }
 
-  std::vector<std::size_t> points_of(std::size_t run) const {
-    std::vector<std::size_t> points;
-    for (std::size_t i = 0; i < data_.points.size(); ++i)
-      if (data_.points[i].curve == run) points.push_back(i);
-    return points;
-  }
-
   Series measured(std::size_t k) const {
     const std::size_t run = runs_[k];
     Series series{rounded(data_.curve_loads[run] * units_.force, 4), Look::circles, color(k), {}};
     const auto& errors = reported_.result.fits.front().errors;
-    for (const std::size_t i : shown_points(points_of(run), runs_.size())) {
+    for (const std::size_t i : shown_points(points_[run], runs_.size())) {
       const Point& point = data_.points[i];
       const double T = point.T * units_.force, A = point.A * units_.area;
       series.points.emplace_back(T, A);
@@ -73,7 +68,6 @@ class AreaFigures {
   Figure all_models() const {
     Figure figure = empty("_area_models", "Contact area against tangential load, all models");
     for (std::size_t k = 0; k < runs_.size(); ++k) figure.series.push_back(measured(k));
-    std::string beyond;
     for (std::size_t m = 0; m < fits_.size(); ++m) {
       const Look look = model_line(fits_[m]->model);
       figure.key.emplace_back("model " + fits_[m]->model, look);
@@ -97,9 +91,8 @@ class AreaFigures {
   std::string unshown() const {
     std::size_t all = 0, shown = 0;
     for (const std::size_t run : runs_) {
-      const std::vector<std::size_t> points = points_of(run);
-      all += points.size();
-      shown += shown_points(points, runs_.size()).size();
+      all += points_[run].size();
+      shown += shown_points(points_[run], runs_.size()).size();
     }
     const std::string runs =
         runs_.size() < data_.curves.size()
@@ -108,10 +101,10 @@ class AreaFigures {
     return runs + shown_note(shown, all);
   }
 
-  /// The curves at both ends of the interval as one polygon for each load.
-  void add_bands(Figure& figure, const FitResult& fit) const {
+  /// The curves at both ends of the interval as one polygon for each load. False without both ends.
+  bool add_bands(Figure& figure, const FitResult& fit) const {
     const auto low = at_interval_end(fit, false), high = at_interval_end(fit, true);
-    if (!low || !high) return;
+    if (!low || !high) return false;
     for (std::size_t k = 0; k < runs_.size(); ++k) {
       Series band{"", Look::band, color(k), {}};
       const double load = data_.curve_loads[runs_[k]];
@@ -121,12 +114,13 @@ class AreaFigures {
       for (auto q = other.points.rbegin(); q != other.points.rend(); ++q) band.points.emplace_back(q->T, q->A);
       figure.series.push_back(std::move(band));
     }
+    return true;
   }
 
   Figure one_model(std::size_t m) const {
     const FitResult& fit = *fits_[m];
     Figure figure = empty("_area_" + fit.model, "Contact area against tangential load, model " + fit.model);
-    add_bands(figure, fit);
+    const bool bands = add_bands(figure, fit);
     Series load{"", Look::triangles, "#000000", {}}, displacement{"", Look::diamonds, "#000000", {}};
     for (std::size_t k = 0; k < runs_.size(); ++k) {
       figure.series.push_back(measured(k));
@@ -147,7 +141,7 @@ class AreaFigures {
     figure.series.push_back(std::move(displacement));
     const bool strength = add_strength(figure);
     figure.caption = "Equilibrium curves of model " + fit.model + " at its fitted parameters" +
-                     (fit.parameters.front().interval ? ", bands for the ends of the interval" : "") +
+                     (bands ? ", bands for the ends of the interval" : "") +
                      "; open triangles and diamonds mark where the contact jumps under load and displacement control" +
                      (strength ? "; below the dotted line T > τ0 A, and the interface slides" : "") + "." + unshown();
     return figure;
@@ -164,9 +158,9 @@ class AreaFigures {
   }
 
   bool add_strength(Figure& figure) const {
-    if (!data_.metadata.shear_strength || !data_.contact) return false;
-    // T = tau0 A in the drawn units
-    const double tau0 = *data_.metadata.shear_strength / data_.contact->stress_unit() * units_.force / units_.area;
+    const auto strength = stated_strength(data_);
+    if (!strength) return false;
+    const double tau0 = *strength * units_.force / units_.area;  // T = tau0 A in the drawn units
     figure.series.push_back({"sliding, T = τ_0 A", Look::dotted, "#000000", {{0, 0}, {T_axis_, T_axis_ / tau0}}});
     double largest = 0;
     for (const Point& point : data_.points) largest = std::max(largest, point.A * units_.area);
@@ -178,9 +172,10 @@ class AreaFigures {
   const Dataset& data_;
   DrawnUnits units_;
   std::vector<std::size_t> runs_;
+  std::vector<std::vector<std::size_t>> points_;  // by run
   std::vector<const FitResult*> fits_;
+  double T_data_, T_axis_ = 0;                   // T_data_ dimensionless
   std::vector<std::vector<DrawnCurve>> curves_;  // [fit][run]
-  double T_data_ = 0, T_axis_ = 0;
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <functional>
 
 #include "dataset/number_text.h"
-#include "fitting/fitted_trial.h"
 #include "report/figures/data_figures.h"
 #include "report/figures/drawn_units.h"
 #include "report/figures/model_curves.h"
@@ -13,40 +12,44 @@ namespace {
 
 using Project = std::function<std::pair<double, double>(const DrawnPoint&)>;
 
-std::vector<const FitResult*> fits_with_values(const JobResult& result) {
+/// The curves that u(T) and A(u) both show, in the order of fits and runs.
+struct Behaviour {
   std::vector<const FitResult*> fits;
-  for (const FitResult& fit : result.fits)
-    if (has_all_values(fit)) fits.push_back(&fit);
-  return fits;
-}
+  std::vector<std::size_t> runs;
+  double T_most;                                // dimensionless
+  std::vector<std::vector<DrawnCurve>> curves;  // [fit][run]
 
-double largest_shear(const Dataset& data) {
-  double largest = 0;
-  for (const Point& point : data.points) largest = std::max(largest, point.T);
-  return largest;
-}
+  explicit Behaviour(const ReportedData& reported)
+      : fits(fits_with_values(reported.result)),
+        runs(shown_runs(reported.result.data)),
+        T_most(1.3 * largest_shear(reported.result.data)) {
+    for (const FitResult* fit : fits) {
+      curves.emplace_back();
+      for (const std::size_t run : runs)
+        curves.back().push_back(drawn_curve(reported.result, *fit, reported.result.data.curve_loads[run], T_most));
+    }
+  }
+};
 
 /// Whole equilibrium curves, a colour for each load and the model's line.
-Figure curves(const ReportedData& reported, const std::string& name, const std::string& title, Axis x, Axis y,
-              const Project& project) {
+Figure curves(const ReportedData& reported, const Behaviour& behaviour, const std::string& name,
+              const std::string& title, Axis x, Axis y, const Project& project) {
   const Dataset& data = reported.result.data;
   const DrawnUnits units(data);
   Figure figure{reported.stem + name, title, std::move(x), std::move(y), {}};
   figure.key_title = units.P();
   figure.key_place = KeyPlace::beside;
   figure.wide = true;
-  const std::vector<std::size_t> runs = shown_runs(data);
-  const double T_most = 1.3 * largest_shear(data);
   double x_most = 0, y_most = 0;
-  const auto fits = fits_with_values(reported.result);
-  for (const FitResult* fit : fits) {
-    if (fits.size() > 1) figure.key.emplace_back("model " + fit->model, model_line(fit->model));
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-      const double load = data.curve_loads[runs[k]];
-      Series series{fit == fits.front() ? rounded(load * units.force, 4) : "", model_line(fit->model), color(k), {}};
-      for (const DrawnPoint& q : drawn_curve(reported.result, *fit, load, T_most).points) {
+  for (std::size_t m = 0; m < behaviour.fits.size(); ++m) {
+    const std::string& model = behaviour.fits[m]->model;
+    if (behaviour.fits.size() > 1) figure.key.emplace_back("model " + model, model_line(model));
+    for (std::size_t k = 0; k < behaviour.runs.size(); ++k) {
+      const double load = data.curve_loads[behaviour.runs[k]];
+      Series series{m == 0 ? rounded(load * units.force, 4) : "", model_line(model), color(k), {}};
+      for (const DrawnPoint& q : behaviour.curves[m][k].points) {
         series.points.push_back(project(q));
-        if (!q.stable || q.T > T_most * units.force) continue;
+        if (!q.stable || q.T > behaviour.T_most * units.force) continue;
         x_most = std::max(x_most, series.points.back().first);
         y_most = std::max(y_most, series.points.back().second);
       }
@@ -100,9 +103,10 @@ std::vector<Figure> behaviour_figures(const ReportedData& reported) {
   if (!(largest_shear(data) > 0)) return {};
   const DrawnUnits units(data);
   const Axis T{units.T(), 0.0, {}}, u{units.u(), 0.0, {}}, A{units.A(), 0.0, {}};
-  return {curves(reported, "_u_T", "Tangential displacement against tangential load", T, u,
+  const Behaviour behaviour(reported);
+  return {curves(reported, behaviour, "_u_T", "Tangential displacement against tangential load", T, u,
                  [](const DrawnPoint& q) { return std::pair(q.T, q.u); }),
-          curves(reported, "_A_u", "Contact area against tangential displacement", u, A,
+          curves(reported, behaviour, "_A_u", "Contact area against tangential displacement", u, A,
                  [](const DrawnPoint& q) { return std::pair(q.u, q.A); }),
           radii(reported)};
 }

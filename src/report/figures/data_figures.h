@@ -27,8 +27,8 @@ DataFigures data_figures(const ReportedData& data);
 /// Runs that a figure shows, by falling load: all, or eight spread over them.
 std::vector<std::size_t> shown_runs(const Dataset& data);
 
-/// Points that a figure shows of one of `series` series: all, or a share spread evenly, so that a figure has 2000 points
-/// at most.
+/// Points that a figure shows of one of `series` series: all, or a share spread evenly, so that a figure has 2000
+/// points at most.
 std::vector<std::size_t> shown_points(const std::vector<std::size_t>& points, std::size_t series = 1);
 
 /// " 2000 of 50000 points are shown." where not all are; else empty.

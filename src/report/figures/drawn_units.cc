@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "dataset/number_text.h"
 #include "dataset/units.h"
+#include "report/rounding.h"
 
 namespace mixity {
 
@@ -27,10 +27,10 @@ DrawnUnits::DrawnUnits(const Dataset& data)
 }
 
 std::string with_unit(double value, int digits, const std::string& unit) {
-  return rounded(value, digits) + (unit.empty() ? "" : " " + unit);
+  return rounded(value, digits) + unit_text(unit);
 }
 
-std::string point_hover(const Dataset& data, const Point& point, const std::string& more) {
+std::string point_hover(const Dataset& data, const Point& point) {
   const DisplayUnits& units = data.display;
   std::string text = "line " + std::to_string(point.line);
   if (!data.curves[point.curve].empty()) text += ", run " + data.curves[point.curve];
@@ -41,7 +41,7 @@ std::string point_hover(const Dataset& data, const Point& point, const std::stri
             ", A = " + with_unit(point.A * units.area_scale, 5, units.area);
   if (point.ratio > 0)
     text += (data.has_loads ? ", ψ = " : "ψ = ") + rounded(point.psi, 4) + " rad, Gc/GIc = " + rounded(point.ratio, 4);
-  return text + more;
+  return text;
 }
 
 }  // namespace mixity

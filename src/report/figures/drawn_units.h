@@ -27,8 +27,8 @@ struct DrawnUnits {
   }
 };
 
-/// "line 5, run 2: P = 2 mN, T = 5.1 mN, A = 0.298 mm^2, psi = 0.31 rad, Gc/GIc = 1.2", and after it `more`.
-std::string point_hover(const Dataset& data, const Point& point, const std::string& more = {});
+/// "line 5, run 2: P = 2 mN, T = 5.1 mN, A = 0.298 mm^2, psi = 0.31 rad, Gc/GIc = 1.2".
+std::string point_hover(const Dataset& data, const Point& point);
 
 /// "0.31 mN", or without a unit "0.31".
 std::string with_unit(double value, int digits, const std::string& unit);

@@ -188,6 +188,10 @@ Look model_symbol(std::string_view key) {
 
 std::string model_color(std::string_view key) { return color(key == "a" ? 1 : key == "b" ? 2 : key == "c" ? 0 : 3); }
 
+std::string parameter_symbol(const std::string& name) {
+  return name == "lambda" ? "λ" : name == "eta" ? "η" : plain(name);
+}
+
 std::string plain(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -11,8 +11,7 @@
 namespace mixity {
 namespace {
 
-constexpr double kChord = 2e-4;       // of the curve's size: a hundredth of a line's width
-constexpr std::size_t kPoints = 300;  // where a curve is sampled uniformly
+constexpr double kChord = 2e-4;  // of the curve's size: a hundredth of a line's width
 constexpr std::size_t kRadiusPoints = 400;
 
 /// From the model's numbers to those of the reader's axes.
@@ -51,9 +50,8 @@ DrawnCurve curve_of(const JobResult& result, const FitResult& fit, double load, 
   for (const Control::Kind kind : {Control::Kind::load, Control::Kind::displacement})
     for (const Fold& fold : find_folds(curve, {kind}))
       if (fold.place.maximum)
-        drawn.folds.push_back({kind, shown.T(fold.T), shown.A(fold.A), shown.u(fold.u),
-                               std::string(to_string(fold.jumps_to)),
-                               fold.area_lost / shown.scale().area * DrawnUnits(result.data).area});
+        drawn.folds.push_back(
+            {kind, shown.T(fold.T), shown.A(fold.A), shown.u(fold.u), std::string(to_string(fold.jumps_to))});
   return drawn;
 }
 
@@ -93,18 +91,36 @@ DrawnRadii drawn_radii(const JobResult& result, const FitResult& fit, double T, 
 }
 
 std::vector<std::pair<double, double>> drawn_toughness(const Dataset& data, const FitResult& fit, double last_psi,
-                                                       double most) {
+                                                       double most, std::size_t steps) {
   std::vector<std::pair<double, double>> points;
   with_model(fit.model, [&](auto chosen) {
     using Model = decltype(chosen);
     const Parameters<Model> p = fitted_trial<Model>(data, fit, {}).parameters;
-    for (std::size_t i = 0; i <= kPoints; ++i) {
-      const double psi = last_psi * static_cast<double>(i) / kPoints;
+    for (std::size_t i = 0; i <= steps; ++i) {
+      const double psi = last_psi * static_cast<double>(i) / static_cast<double>(steps);
       const double f = std::exp(Model::log_toughness(p, mixity_from_angle(psi)).value);
       if (f <= most) points.emplace_back(psi, f);
     }
   });
   return points;
+}
+
+std::vector<const FitResult*> fits_with_values(const JobResult& result) {
+  std::vector<const FitResult*> fits;
+  for (const FitResult& fit : result.fits)
+    if (has_all_values(fit)) fits.push_back(&fit);
+  return fits;
+}
+
+double largest_shear(const Dataset& data) {
+  double largest = 0;
+  for (const Point& point : data.points) largest = std::max(largest, point.T);
+  return largest;
+}
+
+std::optional<double> stated_strength(const Dataset& data) {
+  if (!data.metadata.shear_strength || !data.contact) return std::nullopt;
+  return *data.metadata.shear_strength / data.contact->stress_unit();
 }
 
 const FittedParameter* leading_parameter(const FitResult& fit) {

@@ -21,7 +21,6 @@ struct DrawnFold {
   Control::Kind control;
   double T, A, u;
   std::string jumps_to;
-  double area_lost;
 };
 
 /// An equilibrium curve from T = 0, with the folds met on loading under load and displacement control. Empty where
@@ -42,12 +41,21 @@ struct DrawnRadii {
 };
 DrawnRadii drawn_radii(const JobResult& result, const FitResult& fit, double T, double P_most);
 
-/// f(psi), psi from 0 to last_psi, where it does not exceed `most`.
+/// f(psi) at the ends of so many even steps of psi from 0 to last_psi, where it does not exceed `most`.
 std::vector<std::pair<double, double>> drawn_toughness(const Dataset& data, const FitResult& fit, double last_psi,
-                                                       double most);
+                                                       double most, std::size_t steps = 300);
 
 /// The fit with its first free parameter at one end of its interval; null without that end.
 std::optional<FitResult> at_interval_end(const FitResult& fit, bool high);
+
+/// The fits that can be drawn: all of their parameters have values.
+std::vector<const FitResult*> fits_with_values(const JobResult& result);
+
+/// Of the data's points, dimensionless.
+double largest_shear(const Dataset& data);
+
+/// The stated shear strength, dimensionless; null if there is none, or no contact to scale it by.
+std::optional<double> stated_strength(const Dataset& data);
 
 /// The first parameter of the fit that was not held; null if there is none.
 const FittedParameter* leading_parameter(const FitResult& fit);

@@ -5,23 +5,16 @@
 #include "report/figures/data_figures.h"
 #include "report/figures/drawn_units.h"
 #include "report/figures/model_curves.h"
+#include "report/rounding.h"
 
 namespace mixity {
 namespace {
-
-std::string symbol(const std::string& parameter) {
-  return parameter == "lambda" ? "λ" : parameter == "eta" ? "η" : plain(parameter);
-}
-
-std::string with_brackets(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : name + " [" + unit + "]";
-}
 
 Figure profile_figure(const std::string& stem, const FitResult& fit, const FittedParameter& parameter) {
   const DrawnProfile& profile = *parameter.profile;
   Figure figure{stem + "_profile_" + fit.model + (parameter.name == "lambda" ? "" : "_" + parameter.name),
                 "Profile of the cost along " + parameter.name + ", model " + fit.model,
-                {with_brackets(symbol(parameter.name), parameter.unit), profile.points.front().first,
+                {bracketed(parameter_symbol(parameter.name), parameter.unit), profile.points.front().first,
                  profile.points.back().first},
                 {"rise of the cost/variance", 0.0, {}},
                 {}};
@@ -57,7 +50,7 @@ Figure run_figure(const ReportedData& reported, const PerCurve& per_curve, const
   Figure figure{reported.stem + "_runs_" + fit.model,
                 "Each run by itself: " + pooled.name + " against normal load, model " + fit.model,
                 {units.P(), {}, {}},
-                {with_brackets(symbol(pooled.name), pooled.unit), {}, {}},
+                {bracketed(parameter_symbol(pooled.name), pooled.unit), {}, {}},
                 {}};
   Series runs{"each run", model_symbol(fit.model), model_color(fit.model), {}};
   double first = 1e300, last = -1e300;

@@ -4,10 +4,10 @@
 #include <list>
 
 #include "dataset/number_text.h"
-#include "fitting/fitted_trial.h"
 #include "mechanics/regimes.h"
 #include "report/figures/data_figures.h"
 #include "report/figures/drawn_units.h"
+#include "report/figures/model_curves.h"
 
 namespace mixity {
 namespace {
@@ -104,10 +104,9 @@ class RegimeMap {
     P_low_ = std::max(*least - margin, -1.5 * pi<double>() * 0.999);
     P_high_ = *most + margin;
     last_ = info.upper;
-    logarithmic_ = *lambda_.value < 0.05 * last_;
+    logarithmic_ = *lambda_.value > 0 && *lambda_.value < 0.05 * last_;  // 0 has no place on a logarithmic axis
     first_ = logarithmic_ ? std::max(0.1 * *lambda_.value, 1e-6) : info.lower;
-    if (data_.metadata.shear_strength && data_.contact)
-      tau0_ = *data_.metadata.shear_strength / data_.contact->stress_unit();
+    tau0_ = stated_strength(data_);
   }
 
   Figure draw() const {
@@ -176,13 +175,11 @@ class RegimeMap {
 std::vector<Figure> regime_figures(const ReportedData& reported) {
   std::vector<Figure> figures;
   if (!reported.result.data.has_loads || reported.result.data.curve_loads.empty()) return figures;
-  for (const FitResult& fit : reported.result.fits) {
-    if (!has_all_values(fit)) continue;
-    with_model(fit.model, [&](auto chosen) {
+  for (const FitResult* fit : fits_with_values(reported.result))
+    with_model(fit->model, [&](auto chosen) {
       using Model = decltype(chosen);
-      if constexpr (parameter_count<Model> == 1) figures.push_back(RegimeMap<Model>(reported, fit).draw());
+      if constexpr (parameter_count<Model> == 1) figures.push_back(RegimeMap<Model>(reported, *fit).draw());
     });
-  }
   return figures;
 }
 

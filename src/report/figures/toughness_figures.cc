@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "dataset/number_text.h"
-#include "fitting/fitted_trial.h"
 #include "report/figures/data_figures.h"
 #include "report/figures/drawn_units.h"
 #include "report/figures/model_curves.h"
@@ -55,21 +54,17 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
                 {"f = G_c/G_{Ic}", logarithmic ? 0.8 * smallest : std::max(0.0, 0.9 * smallest), most, logarithmic},
                 {}};
   bool bands = false;
-  std::string models;
-  for (const FitResult& fit : result.fits) {
-    if (!has_all_values(fit)) continue;
+  for (const FitResult* drawn : fits_with_values(result)) {
+    const FitResult& fit = *drawn;
     if (auto ends = band(data, fit, last_psi, most)) {
       figure.series.insert(figure.series.begin(), std::move(*ends));
       bands = true;
     }
     const FittedParameter* leading = leading_parameter(fit);
-    figure.series.push_back({"model " + fit.model +
-                                 (leading ? ", " + std::string(leading->name == "lambda" ? "λ" : leading->name) +
-                                                " = " + rounded(*leading->value, 4)
-                                          : ""),
-                             model_line(fit.model), model_color(fit.model),
-                             drawn_toughness(data, fit, last_psi, most)});
-    models += (models.empty() ? "" : ", ") + fit.model;
+    figure.series.push_back(
+        {"model " + fit.model +
+             (leading ? ", " + parameter_symbol(leading->name) + " = " + rounded(*leading->value, 4) : ""),
+         model_line(fit.model), model_color(fit.model), drawn_toughness(data, fit, last_psi, most)});
   }
   figure.series.push_back(std::move(points));
   figure.key_place = KeyPlace::top_left;
