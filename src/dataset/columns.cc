@@ -70,14 +70,11 @@ void require_width(const std::string& path, const CsvRow& row, std::size_t count
 std::optional<double> number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name) {
   const std::string_view text = trim(row[i]);
   if (text.empty()) return std::nullopt;
-  const auto value = parse_number(text);
-  if (!value) {
-    const bool decimal_comma = text.find(',') != std::string_view::npos;
-    throw InputError(path, row.line(), row.column(i),
-                     "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number" +
-                         (decimal_comma ? " (write a decimal point, not a comma)" : ""));
-  }
-  return value;
+  if (const auto value = parse_number(text)) return value;
+  const bool decimal_comma = text.find(',') != std::string_view::npos;
+  throw InputError(path, row.line(), row.column(i),
+                   "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number" +
+                       (decimal_comma ? " (write a decimal point, not a comma)" : ""));
 }
 
 std::string_view to_string(ColumnId id) { return kKinds[static_cast<std::size_t>(id)].name; }

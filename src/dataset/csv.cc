@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 
+#include "dataset/csv_rows.h"
 #include "dataset/input_error.h"
+#include "dataset/trim.h"
 
 namespace mixity {
 
@@ -23,70 +21,6 @@ std::size_t CsvRow::column(std::size_t i) const {
     if ((c & 0xC0) != 0x80) ++column;  // count characters, not the later bytes of UTF-8
   }
   return column;
-}
-
-/// Owns libcsv's state and collects its callbacks into a row. The callbacks do not throw: libcsv is C.
-struct CsvParser {
-  csv_parser state;
-  CsvRow row;
-  int completed = 0;
-  bool stray_return = false, quote_open = false;
-
-  explicit CsvParser(char delimiter) {
-    csv_init(&state, CSV_STRICT | CSV_STRICT_FINI);
-    csv_set_delim(&state, static_cast<unsigned char>(delimiter));
-    row.delimiter_ = delimiter;
-  }
-  ~CsvParser() { csv_free(&state); }
-  CsvParser(const CsvParser&) = delete;
-  CsvParser& operator=(const CsvParser&) = delete;
-
-  static void on_field(void* field, std::size_t size, void* self) {
-    CsvParser& parser = *static_cast<CsvParser*>(self);
-    if (parser.completed > 0) parser.stray_return = true;
-    parser.row.text_.append(static_cast<const char*>(field), size);
-    parser.row.ends_.push_back(parser.row.text_.size());
-  }
-  static void on_row(int, void* self) { ++static_cast<CsvParser*>(self)->completed; }
-
-  /// Feeds one line with its line end; a quoted field may run over several, and the row then counts as the first.
-  bool feed(std::string_view line, std::size_t number) {
-    if (completed > 0) {
-      row.text_.clear();
-      row.ends_.clear();
-      completed = 0;
-    }
-    if (!quote_open) {
-      row.line_ = number;
-      row.raw_ = line.substr(0, line.find_last_not_of("\r\n") + 1);
-    }
-    if (csv_parse(&state, line.data(), line.size(), on_field, on_row, this) != line.size()) return false;
-    if (std::count(line.begin(), line.end(), '"') % 2 != 0) quote_open = !quote_open;
-    if (completed > 0 && quote_open) stray_return = true;  // a field began after the row's end
-    return true;
-  }
-  bool finish() { return csv_fini(&state, on_field, on_row, this) == 0; }
-};
-
-std::string read_file(const std::string& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw InputError(path, std::string("cannot be opened: ") + std::strerror(errno));
-  std::string text;
-  std::array<char, 1 << 14> part;
-  while (const std::size_t got = std::fread(part.data(), 1, part.size(), file.get())) text.append(part.data(), got);
-  if (std::ferror(file.get())) throw InputError(path, std::string("cannot be read: ") + std::strerror(errno));
-  return text;
-}
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",;\t\"\n\r#") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
-void read_csv(const std::string& path, const std::function<void(const CsvRow&)>& use) {
-  read_csv_text(read_file(path), path, true, use);
 }
 
 namespace {
@@ -104,41 +38,158 @@ char delimiter_of(std::string_view line) {
   return kCandidates[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
 }
 
+/// The first line of a text, its end included; takes it off.
+std::string_view take_line(std::string_view& text, char line_end) {
+  const std::string_view line = text.substr(0, std::min(text.find(line_end), text.size() - 1) + 1);
+  text.remove_prefix(line.size());
+  return line;
+}
+
+bool odd_quotes(std::string_view line) { return std::count(line.begin(), line.end(), '"') % 2 != 0; }
+
 }  // namespace
 
-void read_csv_text(std::string_view text, const std::string& path, bool comments,
-                   const std::function<void(const CsvRow&)>& use) {
-  std::string_view rest = text;
-  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
-  if (rest.starts_with("\xFF\xFE") || rest.starts_with("\xFE\xFF"))
-    throw InputError(path, 1, 1, "is UTF-16; save it as UTF-8");
-  const char line_end = rest.find('\n') == std::string_view::npos ? '\r' : '\n';
+/// Makes rows of lines. For quotes it owns libcsv's state, whose callbacks do not throw: libcsv is C.
+struct CsvParser {
+  csv_parser state;
+  CsvRow row;
+  std::string text;               // the fields libcsv has found, one after the other
+  std::vector<std::size_t> ends;  // where each ends in it
+  int completed = 0;
+  bool stray_return = false, quote_open = false;
 
-  std::unique_ptr<CsvParser> parser;
-  std::size_t number = 0;
+  explicit CsvParser(char delimiter) {
+    csv_init(&state, CSV_STRICT | CSV_STRICT_FINI);
+    csv_set_delim(&state, static_cast<unsigned char>(delimiter));
+    row.delimiter_ = delimiter;
+  }
+  ~CsvParser() { csv_free(&state); }
+  CsvParser(const CsvParser&) = delete;
+  CsvParser& operator=(const CsvParser&) = delete;
+
+  void begin(std::string_view line, std::size_t number) {
+    row.line_ = number;
+    row.raw_ = line.substr(0, line.find_last_not_of("\r\n") + 1);
+  }
+
+  /// True of quotes, and of a carriage return inside the line.
+  bool needs_library(std::string_view line) const {
+    return quote_open || line.find('"') != std::string_view::npos ||
+           line.find('\r') < line.find_last_not_of("\r\n") + 1;
+  }
+  void split(std::string_view line, std::size_t number) {
+    begin(line, number);
+    row.fields_.clear();
+    for (std::string_view rest = row.raw_;;) {
+      const std::size_t end = rest.find(row.delimiter_);
+      row.fields_.push_back(trim(rest.substr(0, end)));  // as libcsv does
+      if (end == std::string_view::npos) return;
+      rest.remove_prefix(end + 1);
+    }
+  }
+
+  static void on_field(void* field, std::size_t size, void* self) {
+    CsvParser& parser = *static_cast<CsvParser*>(self);
+    if (parser.completed > 0) parser.stray_return = true;
+    parser.text.append(static_cast<const char*>(field), size);
+    parser.ends.push_back(parser.text.size());
+  }
+  static void on_row(int, void* self) { ++static_cast<CsvParser*>(self)->completed; }
+
+  /// Feeds one line with its line end; a quoted field may run over several, and the row then counts as the first.
+  bool feed(std::string_view line, std::size_t number) {
+    if (!quote_open) {
+      begin(line, number);
+      text.clear();
+      ends.clear();
+      completed = 0;
+    }
+    if (csv_parse(&state, line.data(), line.size(), on_field, on_row, this) != line.size()) return false;
+    if (odd_quotes(line)) quote_open = !quote_open;
+    if (completed > 0 && quote_open) stray_return = true;  // a field began after the row's end
+    return true;
+  }
+  bool finish() { return csv_fini(&state, on_field, on_row, this) == 0; }
+
+  /// The fields that libcsv has found become the row's.
+  void gather() {
+    row.fields_.clear();
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const std::size_t begin = i == 0 ? 0 : ends[i - 1];
+      row.fields_.push_back(std::string_view(text).substr(begin, ends[i] - begin));
+    }
+  }
+};
+
+void read_rows(std::string_view text, std::size_t first_line, const CsvFormat& format, const std::string& path,
+               const UseRow& use) {
+  CsvParser parser(format.delimiter);
+  std::size_t number = first_line;
+  // Of most files this can be said at once, which saves looking through each of their lines for what none has.
+  const bool plain = text.find('"') == std::string_view::npos && text.find('\r') == std::string_view::npos;
   const auto hand_over = [&] {
-    if (parser->stray_return) throw InputError(path, number, 1, "has a carriage return inside the line");
-    if (parser->completed > 0 && !parser->row.blank()) use(parser->row);
+    if (parser.stray_return) throw InputError(path, number, 1, "has a carriage return inside the line");
+    if (parser.completed == 0) return;
+    parser.gather();
+    if (!parser.row.blank()) use(parser.row);
   };
-  while (!rest.empty()) {
-    ++number;
-    const std::size_t end = std::min(rest.find(line_end), rest.size() - 1) + 1;
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(end);
-    if (!parser) {
-      if ((comments && line.starts_with('#')) || line.find_first_not_of(" \t\r\n") == std::string_view::npos) continue;
-      parser = std::make_unique<CsvParser>(delimiter_of(line));
-    } else if (comments && line.starts_with('#') && !parser->quote_open) {
+  bool fed = false;
+  for (; !text.empty(); ++number) {
+    const std::string_view line = take_line(text, format.line_end);
+    if (format.comments && line.starts_with('#') && !parser.quote_open) continue;
+    fed = !plain && parser.needs_library(line);
+    if (!fed) {
+      parser.split(line, number);
+      if (!parser.row.blank()) use(parser.row);
       continue;
     }
-    if (!parser->feed(line, number))
+    if (!parser.feed(line, number))
       throw InputError(path, number, 1, "a quote (\") inside a field is not doubled or not closed");
     hand_over();
   }
-  if (!parser || parser->completed > 0) return;
-  if (!parser->finish())
-    throw InputError(path, parser->row.line(), 1, "a quote (\") is opened but not closed before the end of the file");
+  if (!fed || parser.completed > 0) return;
+  if (!parser.finish())
+    throw InputError(path, parser.row.line(), 1, "a quote (\") is opened but not closed before the end of the file");
   hand_over();
+}
+
+std::size_t end_of_rows(std::string_view text, const CsvFormat& format) {
+  if (text.find('"') == std::string_view::npos) return text.find_last_of(format.line_end) + 1;  // npos + 1 is 0
+  std::size_t end = 0;
+  bool quote_open = false;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view line = take_line(rest, format.line_end);
+    if (!(format.comments && line.starts_with('#') && !quote_open) && odd_quotes(line)) quote_open = !quote_open;
+    if (!quote_open && line.back() == format.line_end) end = text.size() - rest.size();
+  }
+  return end;
+}
+
+void drop_mark(std::string_view& text, const std::string& path) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw InputError(path, 1, 1, "is UTF-16; save it as UTF-8");
+}
+
+bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format) {
+  for (; !text.empty(); ++line) {
+    std::string_view after = text;
+    const std::string_view first = take_line(after, format.line_end);
+    const bool comment = format.comments && first.starts_with('#');
+    if (!comment && first.find_first_not_of(" \t\r\n") != std::string_view::npos) {
+      format.delimiter = delimiter_of(first);
+      return true;
+    }
+    text = after;
+  }
+  return false;
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",;\t\"\n\r#") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
 }
 
 }  // namespace mixity

@@ -1,9 +1,13 @@
-// Rows of a CSV file with the places they came from. The reader is libcsv; this adds what it leaves to its caller:
-// line numbers, byte order mark, delimiter, ragged rows.
+// Rows of a CSV file with the places they came from. What is in quotes is read by libcsv; lines without any, nearly all
+// of what instruments write, are split where the delimiter stands. This adds what both leave to their caller: line
+// numbers, byte order mark, delimiter, comments, ragged rows, and blocks that several threads can read.
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,34 +16,77 @@ namespace mixity {
 
 class CsvRow {
  public:
-  std::size_t line() const { return line_; }          // 1-based
-  std::size_t size() const { return ends_.size(); }   // number of fields
-  std::string_view operator[](std::size_t i) const {  // field i, unquoted
-    const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
-    return std::string_view(text_).substr(begin, ends_[i] - begin);
-  }
-  bool blank() const { return text_.empty() && ends_.size() <= 1; }
+  std::size_t line() const { return line_; }  // 1-based
+  std::size_t size() const { return fields_.size(); }
+  std::string_view operator[](std::size_t i) const {
+    return fields_[i];
+  }  // field i, unquoted, without blanks around it
+  bool blank() const { return fields_.empty() || (fields_.size() == 1 && fields_[0].empty()); }
   /// 1-based character column at which field i starts in the file.
   std::size_t column(std::size_t i) const;
 
  private:
   friend struct CsvParser;
-  std::string text_;               // the fields, one after the other
-  std::vector<std::size_t> ends_;  // where each ends in text_
-  std::string_view raw_;           // the line as it stands in the file
+  std::vector<std::string_view> fields_;
+  std::string_view raw_;  // the line as it stands in the file
   std::size_t line_ = 0;
   char delimiter_ = ',';
+};
+
+using UseRow = std::function<void(const CsvRow&)>;
+
+struct CsvFormat {
+  char delimiter = 0, line_end = '\n';
+  bool comments = true;  // a line that starts with '#' is none of the table's
+};
+
+/// Whole rows of a file. Its parts may be read on several threads at once.
+class CsvBlock {
+ public:
+  /// Calls use(row) for each row that is not blank. The row is valid during the call only. Throws InputError for quotes
+  /// that do not match.
+  void rows(const UseRow& use) const;
+  std::size_t bytes() const { return text_.size(); }
+  std::size_t lines() const { return lines_; }
+
+ private:
+  friend class CsvFile;
+  std::string text_, path_;
+  std::size_t first_line_ = 1, lines_ = 0;
+  CsvFormat format_;
+};
+
+/// A file cut between rows. No more of it is held than a block, or its longest row.
+class CsvFile {
+ public:
+  /// Throws InputError if the file cannot be opened.
+  explicit CsvFile(const std::string& path, std::size_t block_bytes = std::size_t{1} << 18);
+  /// The next rows; null at the end. Throws InputError if the file cannot be read or is UTF-16.
+  std::optional<CsvBlock> next();
+  /// Of the file; null where that is not known beforehand (a pipe).
+  std::optional<std::size_t> bytes() const;
+
+ private:
+  bool read(std::string& text, std::size_t bytes);
+  void begin(std::string& text);
+
+  std::string path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  std::size_t block_bytes_;
+  std::string rest_;  // read, but not handed out
+  std::size_t line_ = 1;
+  CsvFormat format_;
+  bool begun_ = false, at_end_ = false;
 };
 
 /// Calls use(row) for each row that is not blank and does not start with '#'. UTF-8 with or without byte order
 /// mark; LF or CRLF; comma, semicolon or tab, whichever the first row has most of. The row is valid during the
 /// call only. Throws InputError for a file that cannot be read or whose quotes do not match.
-void read_csv(const std::string& path, const std::function<void(const CsvRow&)>& use);
+void read_csv(const std::string& path, const UseRow& use);
 
 /// The same for text that is already there; `name` stands for the file in messages. Without comments, '#' starts a
 /// field like any other character.
-void read_csv_text(std::string_view text, const std::string& name, bool comments,
-                   const std::function<void(const CsvRow&)>& use);
+void read_csv_text(std::string_view text, const std::string& name, bool comments, const UseRow& use);
 
 /// Text as a CSV field, quoted where it must be to be read back as one field.
 std::string csv_field(const std::string& text);

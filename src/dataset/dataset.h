@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dataset/metadata.h"
@@ -18,14 +19,15 @@ struct Point {
   std::size_t curve;  // index into Dataset::curves
   double P, T, A;
   Mixity<double> mixity;
-  double psi;                            // rad
   double ratio;                          // G_c/G_Ic > 0; 0 where there is none (PointUse::areas)
   double sigma_T, sigma_A, sigma_ratio;  // standard errors in the units of T, A, ratio; 0 where not given
+
+  double psi() const { return phase_angle(mixity); }  // rad; figures and tables ask for it, fits do not
 };
 
 struct Excluded {
   std::size_t line;
-  std::string reason;
+  std::string_view reason;  // a fixed text: a file may have millions of excluded rows
 };
 
 /// How the file's own units relate to the dimensionless ones: value in file = dimensionless * scale.

@@ -14,6 +14,8 @@ namespace {
 
 enum Quantity { kLoad, kPeak, kMinimum };
 constexpr std::array<std::string_view, 3> kNames{"P", "T_peak", "T_min"};
+constexpr std::array<std::string_view, 3> kNotFinite{"column 'P' is not finite", "column 'T_peak' is not finite",
+                                                     "column 'T_min' is not finite"};
 
 class Reader {
  public:
@@ -26,10 +28,9 @@ class Reader {
     std::array<std::optional<double>, 3> values;
     for (const Quantity q : {kLoad, kPeak, kMinimum})
       if (columns_[q]) values[q] = number_at(forces_.path, row, *columns_[q], kNames[q]);
-    const auto exclude = [&](const std::string& why) { forces_.excluded.push_back({row.line(), why}); };
+    const auto exclude = [&](std::string_view why) { forces_.excluded.push_back({row.line(), why}); };
     for (const Quantity q : {kLoad, kPeak, kMinimum})
-      if (values[q] && !std::isfinite(*values[q]))
-        return exclude("column '" + std::string(kNames[q]) + "' is not finite");
+      if (values[q] && !std::isfinite(*values[q])) return exclude(kNotFinite[q]);
     if (!values[kLoad]) return exclude("column 'P' is empty");
     if (!values[kPeak] && !values[kMinimum]) return exclude("neither T_peak nor T_min is given");
     if (!(*values[kLoad] > 0)) return exclude("P is not above 0: no area of Hertz");

@@ -84,13 +84,6 @@ std::optional<int> take_power(std::string_view& factor) {
 
 }  // namespace
 
-std::string_view trim(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 std::optional<Unit> parse_unit(std::string_view text) {
   text = trim(text);
   Unit unit{1, {}, std::string(text)};

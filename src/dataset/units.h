@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "dataset/trim.h"
+
 namespace mixity {
 
 /// Powers of newton, metre and radian; enough for contact mechanics (Pa = N/m^2, J/m^2 = N/m).
@@ -35,15 +37,12 @@ struct Quantity {
   double si() const { return value * unit.factor; }
 };
 
-/// "9.42 mm" or "9.42mm"; a bare number has dimension none. Null if the text is not a finite number, in SI too, followed
-/// by nothing or a unit.
+/// "9.42 mm" or "9.42mm"; a bare number has dimension none. Null if the text is not a finite number, in SI too,
+/// followed by nothing or a unit.
 std::optional<Quantity> parse_quantity(std::string_view text);
 
 /// A whole field as one number, surrounding blanks allowed. Null if it is not; inf and nan are numbers here.
 std::optional<double> parse_number(std::string_view text);
-
-/// Text without leading and trailing blanks.
-std::string_view trim(std::string_view text);
 
 /// How a dimension is called in messages: "a force such as mN".
 std::string describe(const Dimension& dimension);

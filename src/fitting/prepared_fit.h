@@ -53,13 +53,14 @@ bool describes(const Mixity<double>& mixity) {
 template <class Model>
 PreparedFit<Model> prepare(const Dataset& data, const FitOptions& options, const std::vector<std::size_t>* points) {
   PreparedFit<Model> prepared;
+  static const std::string kInfinite =
+      "model " + std::string(Model::info.key) + " has an infinite toughness at this psi";
   const auto consider = [&](std::size_t i) {
     const Point& point = data.points[i];
     if (options.objective != Objective::toughness || describes<Model>(point.mixity))
       prepared.used.push_back(i);
     else
-      prepared.excluded.push_back(
-          {point.line, "model " + std::string(Model::info.key) + " has an infinite toughness at this psi"});
+      prepared.excluded.push_back({point.line, kInfinite});
   };
   if (points)
     for (const std::size_t i : *points) consider(i);

@@ -78,7 +78,7 @@ void write_residuals(std::ostringstream& out, const JobResult& result, const Fra
       const Point& point = data.points[fit.used[i]];
       out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << ',' << point.line << ','
           << csv_field(data.curves[point.curve]) << ','
-          << (point.ratio > 0 ? shortest(point.psi) + ',' + shortest(point.ratio) : ",") << ','
+          << (point.ratio > 0 ? shortest(point.psi()) + ',' + shortest(point.ratio) : ",") << ','
           << shortest(fit.residuals[i]);
       if (data.has_loads) {
         out << ',' << shortest(point.P * units.force_scale) << ',' << shortest(point.T * units.force_scale) << ','

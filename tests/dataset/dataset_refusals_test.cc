@@ -14,7 +14,8 @@ namespace {
 
 std::string excluded_lines(const Dataset& data) {
   std::string text;
-  for (const Excluded& excluded : data.excluded) text += std::to_string(excluded.line) + " " + excluded.reason + "\n";
+  for (const Excluded& excluded : data.excluded)
+    text += std::to_string(excluded.line) + " " + std::string(excluded.reason) + "\n";
   return text;
 }
 

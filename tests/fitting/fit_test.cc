@@ -35,7 +35,7 @@ TEST(Fit, EndsAtTheZeroOfTheGradientHoweverLargeTheResiduals) {
     const auto gradient = [&](double l) {
       double sum = 0;
       for (const Point& point : data.points) {
-        const double c2 = std::pow(std::cos(point.psi), 2), s2 = std::pow(std::sin(point.psi), 2);
+        const double c2 = std::pow(std::cos(point.psi()), 2), s2 = std::pow(std::sin(point.psi()), 2);
         sum += (-std::log(c2 + l * s2) - std::log(point.ratio)) * -s2 / (c2 + l * s2);
       }
       return sum;

@@ -22,7 +22,6 @@ Dataset synthetic(
     Point point{};
     point.line = i + 2;
     point.mixity = mixity_from_angle(angles[i]);
-    point.psi = angles[i];
     point.ratio = std::exp(Model::log_toughness(p, point.mixity).value + noise(i));
     data.points.push_back(point);
   }

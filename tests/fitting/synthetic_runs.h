@@ -32,7 +32,6 @@ inline Point point_at(std::size_t line, std::size_t curve, double P, double T, d
   point.A = A;
   const auto measured = measured_toughness(P, T, std::sqrt(A / pi<double>()));
   point.mixity = measured.mixity;
-  point.psi = phase_angle(measured.mixity);
   point.ratio = measured.ratio;
   return point;
 }

@@ -91,10 +91,10 @@ void check_data(const Dataset& data) {
   check_metadata(data.metadata);
   promise(data.points.size() + data.excluded.size() == data.rows && data.rows > 0, "each row is used or excluded");
   for (const Point& point : data.points) {
-    for (const double value : {point.P, point.T, point.A, point.psi, point.ratio, point.mixity.cos, point.mixity.sin,
+    for (const double value : {point.P, point.T, point.A, point.psi(), point.ratio, point.mixity.cos, point.mixity.sin,
                                point.sigma_T, point.sigma_A, point.sigma_ratio})
       promise(std::isfinite(value), "an accepted point is finite");
-    promise(point.psi >= 0 && point.psi < 1.5708, "psi lies in 0..90 degrees");
+    promise(point.psi() >= 0 && point.psi() < 1.5708, "psi lies in 0..90 degrees");
     promise(point.curve < data.curves.size(), "a point belongs to a run");
     if (data.has_loads) promise(point.T >= 0 && point.A > 0, "T is not negative and A positive");
   }

@@ -60,7 +60,6 @@ inline RandomData random_data(Random& random) {
     const double log_f = kind == Kind::right_angle ? uniform(random, 0, 5) : printed_log_toughness(model, here, psi);
     Point point{};
     point.line = i + 2;
-    point.psi = psi;
     point.mixity = mixity_from_angle(psi);
     point.ratio = std::exp(std::clamp(log_f + noise * normal(random), -300.0, 300.0));
     data.points.push_back(point);
@@ -80,7 +79,7 @@ class PrintedCost {
     double sum = 0;
     for (const std::size_t i : fit_.used) {
       const Point& point = data_.points[i];
-      const double r = printed_log_toughness(fit_.model, lambda, point.psi) - std::log(point.ratio);
+      const double r = printed_log_toughness(fit_.model, lambda, point.psi()) - std::log(point.ratio);
       sum += r * r;
     }
     return sum;
@@ -136,7 +135,7 @@ inline std::string wrong_with_fit(const Dataset& data, const FitResult& fit) {
   // Roundings of the printed law: tan psi towards pi/2 magnifies that of psi.
   double steepest = 0, size = 0;
   for (const std::size_t i : fit.used) {
-    steepest = std::max(steepest, std::tan(data.points[i].psi));
+    steepest = std::max(steepest, std::tan(data.points[i].psi()));
     size = std::max(size, std::abs(std::log(data.points[i].ratio)));
   }
   const double n = static_cast<double>(fit.used.size());

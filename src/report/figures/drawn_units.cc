@@ -40,7 +40,8 @@ std::string point_hover(const Dataset& data, const Point& point) {
             ", T = " + with_unit(point.T * units.force_scale, 5, units.force) +
             ", A = " + with_unit(point.A * units.area_scale, 5, units.area);
   if (point.ratio > 0)
-    text += (data.has_loads ? ", ψ = " : "ψ = ") + rounded(point.psi, 4) + " rad, Gc/GIc = " + rounded(point.ratio, 4);
+    text +=
+        (data.has_loads ? ", ψ = " : "ψ = ") + rounded(point.psi(), 4) + " rad, Gc/GIc = " + rounded(point.ratio, 4);
   return text;
 }
 

@@ -109,7 +109,7 @@ std::vector<Figure> residual_figures(const ReportedData& reported) {
   const bool angles = std::all_of(data.points.begin(), data.points.end(), [](const Point& p) { return p.ratio > 0; });
   if (angles)
     figures.push_back(residuals_against(reported, "psi", "Residuals against phase angle", "ψ [rad]",
-                                        [](const Point& p) { return p.psi; }));
+                                        [](const Point& p) { return p.psi(); }));
   if (data.has_loads) {
     figures.push_back(residuals_against(reported, "T", "Residuals against tangential load", units.T(),
                                         [&](const Point& p) { return p.T * units.force; }));

@@ -30,7 +30,7 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
   for (std::size_t i = 0; i < data.points.size(); ++i)
     if (data.points[i].ratio > 0) {
       all.push_back(i);
-      last_psi = std::max(last_psi, data.points[i].psi);
+      last_psi = std::max(last_psi, data.points[i].psi());
       largest = std::max(largest, data.points[i].ratio);
       smallest = std::min(smallest, data.points[i].ratio);
     }
@@ -39,10 +39,10 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
   for (const std::size_t i : all) errors |= data.points[i].sigma_ratio > 0;
   for (const std::size_t i : shown_points(all)) {
     const Point& point = data.points[i];
-    points.points.emplace_back(point.psi, point.ratio);
+    points.points.emplace_back(point.psi(), point.ratio);
     points.hover.push_back(point_hover(data, point));
     if (errors)
-      points.bars.push_back({point.psi, point.psi, std::max(point.ratio - point.sigma_ratio, 0.5 * smallest),
+      points.bars.push_back({point.psi(), point.psi(), std::max(point.ratio - point.sigma_ratio, 0.5 * smallest),
                              point.ratio + point.sigma_ratio});
   }
   const bool logarithmic = largest > 20;

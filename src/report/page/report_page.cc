@@ -170,10 +170,11 @@ class Page {
     add(section, "h3", "Points left out");
     std::vector<std::string> lines;
     for (const Excluded& point : result.data.excluded)
-      lines.push_back("line " + std::to_string(point.line) + ": " + point.reason);
+      lines.push_back("line " + std::to_string(point.line) + ": " + std::string(point.reason));
     for (const FitResult& fit : result.fits)
       for (const Excluded& point : fit.excluded)
-        lines.push_back("line " + std::to_string(point.line) + ", model " + fit.model + " only: " + point.reason);
+        lines.push_back("line " + std::to_string(point.line) + ", model " + fit.model +
+                        " only: " + std::string(point.reason));
     if (lines.empty()) {
       add(section, "p", "None.");
     } else if (lines.size() <= kExcludedOpen) {

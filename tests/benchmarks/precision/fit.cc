@@ -67,8 +67,7 @@ struct Case {
     for (std::size_t i = 0; i < kPoints; ++i) {
       Point point{};
       point.line = i + 2;
-      point.psi = 1.54 * (static_cast<double>(i) + 0.5) / kPoints;
-      point.mixity = mixity_from_angle(point.psi);
+      point.mixity = mixity_from_angle(1.54 * (static_cast<double>(i) + 0.5) / kPoints);
       point.ratio = std::exp(Model::log_toughness({lambda}, point.mixity).value) * (1 + noise());
       data.points.push_back(point);
       points.push_back({point.mixity, point.ratio});

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "dataset/csv.h"
+#include "dataset/csv_rows.h"
+#include "dataset/input_error.h"
+
+namespace mixity {
+
+CsvFile::CsvFile(const std::string& path, std::size_t block_bytes)
+    : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose), block_bytes_(block_bytes) {
+  if (!file_) throw InputError(path, std::string("cannot be opened: ") + std::strerror(errno));
+}
+
+std::optional<std::size_t> CsvFile::bytes() const {
+  std::error_code problem;
+  const auto size = std::filesystem::file_size(path_, problem);
+  return problem ? std::nullopt : std::optional<std::size_t>(size);
+}
+
+/// Appends up to so many bytes. False at the end of the file.
+bool CsvFile::read(std::string& text, std::size_t bytes) {
+  const std::size_t before = text.size();
+  text.resize(before + bytes);
+  const std::size_t got = std::fread(text.data() + before, 1, bytes, file_.get());
+  text.resize(before + got);
+  if (std::ferror(file_.get())) throw InputError(path_, std::string("cannot be read: ") + std::strerror(errno));
+  at_end_ = got < bytes;
+  return got > 0;
+}
+
+/// What is known from the file's first bytes on.
+void CsvFile::begin(std::string& text) {
+  begun_ = true;
+  // A file without a single line feed is one of the old Macintosh: that takes reading to the first, or to the end.
+  while (text.find('\n') == std::string::npos && !at_end_) read(text, std::max(block_bytes_, text.size()));
+  if (text.find('\n') == std::string::npos) format_.line_end = '\r';
+  std::string_view rest = text;
+  drop_mark(rest, path_);
+  text.erase(0, text.size() - rest.size());
+}
+
+std::optional<CsvBlock> CsvFile::next() {
+  CsvBlock block;
+  std::string& text = block.text_;
+  text = std::move(rest_);
+  rest_.clear();
+  if (text.size() < block_bytes_ && !at_end_) read(text, block_bytes_ - text.size());
+  if (!begun_) begin(text);
+  std::size_t end = end_of_rows(text, format_);
+  for (; end == 0 && !at_end_; end = end_of_rows(text, format_)) read(text, text.size());  // a row of many lines
+  if (at_end_) end = text.size();
+  if (end == 0) return std::nullopt;
+  rest_.assign(text, end);
+  text.resize(end);
+  block.first_line_ = line_;
+  block.lines_ = static_cast<std::size_t>(std::count(text.begin(), text.end(), format_.line_end));
+  line_ += block.lines_;
+  if (format_.delimiter == 0) {
+    std::string_view rows = text;
+    find_first_row(rows, block.first_line_, format_);
+    text.erase(0, text.size() - rows.size());
+  }
+  block.path_ = path_;
+  block.format_ = format_;
+  return block;
+}
+
+void CsvBlock::rows(const UseRow& use) const { read_rows(text_, first_line_, format_, path_, use); }
+
+void read_csv(const std::string& path, const UseRow& use) {
+  CsvFile file(path);
+  while (const auto block = file.next()) block->rows(use);
+}
+
+void read_csv_text(std::string_view text, const std::string& name, bool comments, const UseRow& use) {
+  CsvFormat format;
+  format.comments = comments;
+  drop_mark(text, name);
+  if (text.find('\n') == std::string_view::npos) format.line_end = '\r';
+  std::size_t line = 1;
+  if (find_first_row(text, line, format)) read_rows(text, line, format, name, use);
+}
+
+std::string read_file(const std::string& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) throw InputError(path, std::string("cannot be opened: ") + std::strerror(errno));
+  std::string text;
+  std::array<char, 1 << 14> part;
+  while (const std::size_t got = std::fread(part.data(), 1, part.size(), file.get())) text.append(part.data(), got);
+  if (std::ferror(file.get())) throw InputError(path, std::string("cannot be read: ") + std::strerror(errno));
+  return text;
+}
+
+}  // namespace mixity

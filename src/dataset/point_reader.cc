@@ -1,0 +1,163 @@
+#include "dataset/point_reader.h"
+
+#include <array>
+#include <cmath>
+
+#include "dataset/input_error.h"
+#include "mechanics/measurement.h"
+
+namespace mixity {
+namespace {
+
+/// What is positive in nature is so as a number, too: neither underflow nor overflow.
+bool in_range(double value) { return std::isfinite(value) && value > 0; }
+
+enum Complaint { kEmpty, kNotFinite, kNegative, kOutOfRange };
+
+/// What a column's value is, said once: a file may have millions of them.
+std::string_view said_of(ColumnId id, Complaint complaint) {
+  static const auto kTexts = [] {
+    std::array<std::array<std::string, 4>, kColumnCount> texts;
+    for (std::size_t i = 0; i < kColumnCount; ++i)
+      for (std::size_t k = 0; k < 4; ++k)
+        texts[i][k] = std::string(to_string(static_cast<ColumnId>(i))) +
+                      std::array{" is empty", " is not finite", " < 0", " is out of range"}[k];
+    return texts;
+  }();
+  return kTexts[static_cast<std::size_t>(id)][complaint];
+}
+
+}  // namespace
+
+PointReader::PointReader(const std::string& metadata_path, PointUse use, const CsvRow& header, Dataset& data)
+    : data_(data), use_(use), columns_(data.path, header) {
+  data_.has_loads = columns_.holds_loads();
+  data_.ignored_columns = columns_.ignored();
+  require_constants(metadata_path);
+  if (data_.contact) set_display();
+}
+
+void PointReader::require_constants(const std::string& metadata_path) {
+  const auto demand = [&](std::optional<double> value, const std::string& key) {
+    if (value) return *value;
+    throw InputError(data_.path, "needs " + key + " to be made dimensionless: state it in " + metadata_path +
+                                     " or by a flag (--" + key + "=...)");
+  };
+  if (!data_.has_loads) {
+    const Column* Gc = columns_.find(ColumnId::Gc);
+    if (Gc && Gc->unit.dimension != dimension::none) ratio_unit_ = demand(data_.metadata.toughness, "toughness");
+    return;
+  }
+  if (columns_.find(ColumnId::P)->unit.dimension == dimension::none) return;
+  data_.contact =
+      Contact{demand(data_.metadata.radius, "radius"), demand(data_.metadata.plane_strain_modulus(), "modulus"),
+              demand(data_.metadata.toughness, "toughness")};
+  for (const double unit : {data_.contact->force_unit(), data_.contact->length_unit(), data_.contact->area_unit()})
+    if (!in_range(unit)) throw InputError(data_.path, "radius, modulus and toughness together are out of range");
+}
+
+void PointReader::set_display() {
+  const Unit& shear = columns_.find(ColumnId::T)->unit;
+  data_.display.force = shear.text;
+  data_.display.force_scale = data_.contact->force_unit() / shear.factor;
+  const Column* area = columns_.find(ColumnId::A);
+  const Unit& unit = area ? area->unit : columns_.find(ColumnId::a)->unit;
+  data_.display.area = area ? unit.text : unit.text + "^2";
+  data_.display.area_scale = data_.contact->area_unit() / (area ? unit.factor : unit.factor * unit.factor);
+  if (!in_range(data_.display.force_scale) || !in_range(data_.display.area_scale))
+    throw InputError(data_.path, "the units of its columns are out of range beside radius, modulus and toughness");
+}
+
+std::optional<std::string_view> PointReader::run_name(const CsvRow& row) const {
+  const Column* column = columns_.find(ColumnId::curve);
+  return column ? std::optional(trim(row[column->index])) : std::nullopt;
+}
+
+std::string_view PointReader::read(const CsvRow& row, Point& point) const {
+  require_width(data_.path, row, columns_.count());
+  if (const Column* include = columns_.find(ColumnId::include)) {
+    const std::string_view text = trim(row[include->index]);
+    if (text != "0" && text != "1")
+      throw InputError(data_.path, row.line(), row.column(include->index),
+                       "column 'include': '" + printable(text, 60) + "' is neither 0 nor 1");
+    if (text == "0") return "include = 0";
+  }
+  point = {};
+  point.line = row.line();
+  return data_.has_loads ? read_loads(row, point) : read_toughness(row, point);
+}
+
+/// In SI or as it stands.
+PointReader::Value PointReader::number(const CsvRow& row, ColumnId id) const {
+  const Column& column = *columns_.find(id);
+  const auto value = number_at(data_.path, row, column.index, to_string(id));
+  if (!value) return {0, said_of(id, kEmpty)};
+  const double scaled = *value * column.unit.factor;
+  if (!std::isfinite(scaled)) return {0, said_of(id, kNotFinite)};
+  return {scaled, {}};
+}
+
+/// In the units of `value`; 0 where the column or the field is missing.
+PointReader::Value PointReader::standard_error(const CsvRow& row, ColumnId id, double value, double unit) const {
+  const Column* column = columns_.find(id);
+  if (!column || trim(row[column->index]).empty()) return {};
+  Value error = number(row, id);
+  if (!error) return error;
+  if (error.value < 0) return {0, said_of(id, kNegative)};
+  error.value = column->unit.text == "%" ? error.value * std::abs(value) : error.value / unit;
+  if (!std::isfinite(error.value)) return {0, said_of(id, kOutOfRange)};
+  return error;
+}
+
+std::string_view PointReader::read_loads(const CsvRow& row, Point& point) const {
+  const double force = data_.contact ? data_.contact->force_unit() : 1;
+  const double length = data_.contact ? data_.contact->length_unit() : 1;
+  const bool by_area = columns_.has(ColumnId::A);
+  const Value P = number(row, ColumnId::P);
+  if (!P) return P.unusable;
+  const Value T = number(row, ColumnId::T);
+  if (!T) return T.unusable;
+  const Value size = number(row, by_area ? ColumnId::A : ColumnId::a);
+  if (!size) return size.unusable;
+  if (*T < 0) return "T < 0";
+  if (*size <= 0) return by_area ? "A <= 0" : "a <= 0";
+  point.P = *P / force;
+  point.T = *T / force;
+  const double a = (by_area ? std::sqrt(*size / pi<double>()) : *size) / length;
+  point.A = by_area ? *size / (length * length) : area_from_radius(a);
+  if (!std::isfinite(point.P) || !std::isfinite(point.T) || !in_range(point.A)) return "P, T or A is out of range";
+  if (edge_load(a, point.P) > 0) {
+    const auto measured = measured_toughness(point.P, point.T, a);
+    if (!in_range(measured.ratio)) return "the toughness ratio is out of range";
+    point.mixity = measured.mixity;
+    point.ratio = measured.ratio;
+  } else if (use_ == PointUse::toughness) {
+    return "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists";
+  }
+  const Value sigma_T = standard_error(row, ColumnId::sigma_T, point.T, force);
+  if (!sigma_T) return sigma_T.unusable;
+  const Value sigma_A = standard_error(row, ColumnId::sigma_A, point.A, length * length);
+  point.sigma_T = sigma_T.value;
+  point.sigma_A = sigma_A.value;
+  return sigma_A.unusable;
+}
+
+std::string_view PointReader::read_toughness(const CsvRow& row, Point& point) const {
+  const bool by_angle = columns_.has(ColumnId::psi);
+  const Value mixity = number(row, by_angle ? ColumnId::psi : ColumnId::mode_ratio);
+  if (!mixity) return mixity.unusable;
+  // the double next to pi/2 is what 90 degrees become
+  if (*mixity < 0 || *mixity > (by_angle ? 1.5707963267948968 : 1))
+    return by_angle ? "psi outside 0..90 degrees" : "mode_ratio outside 0..1";
+  point.mixity = by_angle ? mixity_from_angle(*mixity) : mixity_from_mode_ratio(*mixity);
+  const Value Gc = number(row, columns_.has(ColumnId::Gc) ? ColumnId::Gc : ColumnId::Gc_over_GIc);
+  if (!Gc) return Gc.unusable;
+  if (*Gc <= 0) return "Gc <= 0";
+  point.ratio = *Gc / ratio_unit_;
+  if (!in_range(point.ratio)) return "the toughness ratio is out of range";
+  const Value error = standard_error(row, ColumnId::sigma_Gc, point.ratio, ratio_unit_);
+  point.sigma_ratio = error.value;
+  return error.unusable;
+}
+
+}  // namespace mixity

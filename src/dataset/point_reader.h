@@ -1,0 +1,48 @@
+// What a header and the experiment's constants make of a data row: a point, or a reason why it cannot be used.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "dataset/columns.h"
+#include "dataset/dataset.h"
+
+namespace mixity {
+
+class PointReader {
+ public:
+  /// Understands the header and fills in what it says of the data set: loads or toughness, scales, ignored columns.
+  /// Throws InputError for a header that cannot be used, and for a constant that is needed and not stated.
+  PointReader(const std::string& metadata_path, PointUse use, const CsvRow& header, Dataset& data);
+
+  /// Reads a row into a point whose run is left open. Empty, or why the row cannot be used. Throws InputError for a row
+  /// that cannot be understood. Several threads may read rows at once.
+  std::string_view read(const CsvRow& row, Point& point) const;
+
+  /// What the header's column names the row's run; null without such a column.
+  std::optional<std::string_view> run_name(const CsvRow& row) const;
+
+ private:
+  /// A number, or why there is none.
+  struct Value {
+    double value = 0;
+    std::string_view unusable{};
+    explicit operator bool() const { return unusable.empty(); }
+    double operator*() const { return value; }
+  };
+
+  void require_constants(const std::string& metadata_path);
+  void set_display();
+  Value number(const CsvRow& row, ColumnId id) const;
+  Value standard_error(const CsvRow& row, ColumnId id, double value, double unit) const;
+  std::string_view read_loads(const CsvRow& row, Point& point) const;
+  std::string_view read_toughness(const CsvRow& row, Point& point) const;
+
+  Dataset& data_;  // for the constants; changed by the constructor only
+  PointUse use_;
+  Columns columns_;
+  double ratio_unit_ = 1;
+};
+
+}  // namespace mixity
