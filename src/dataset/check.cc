@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 #include <tuple>
 
 #include "dataset/number_text.h"
@@ -44,26 +44,41 @@ void check_usable(const Dataset& data, Lines& odd) {
 }
 
 void check_order(const Dataset& data, Lines& odd) {
-  std::map<std::size_t, const Point*> last;
-  std::map<std::size_t, std::pair<std::size_t, std::size_t>> drops;  // curve -> count, first line
+  struct Falls {
+    const Point* before = nullptr;
+    std::size_t count = 0, first_line = 0;
+  };
+  std::vector<Falls> runs(data.curves.size());
   for (const Point& point : data.points) {
-    const Point*& before = last[point.curve];
-    if (before && point.T < before->T && ++drops[point.curve].first == 1) drops[point.curve].second = point.line;
-    before = &point;
+    Falls& falls = runs[point.curve];
+    if (falls.before && point.T < falls.before->T && ++falls.count == 1) falls.first_line = point.line;
+    falls.before = &point;
   }
-  for (const auto& [curve, drop] : drops)
-    odd.push_back("run " + data.curves[curve] + ": T falls " + times(drop.first) + ", first at line " +
-                  std::to_string(drop.second) + "; is unloading or a second run mixed in?");
+  for (std::size_t curve = 0; curve < runs.size(); ++curve)
+    if (runs[curve].count > 0)
+      odd.push_back("run " + data.curves[curve] + ": T falls " + times(runs[curve].count) + ", first at line " +
+                    std::to_string(runs[curve].first_line) + "; is unloading or a second run mixed in?");
 }
 
 void check_duplicates(const Dataset& data, Lines& odd) {
-  std::map<std::tuple<double, double, double, double>, std::size_t> seen;
-  for (const Point& point : data.points) {
-    const auto key = data.has_loads ? std::tuple(point.P, point.T, point.A, 0.0)
-                                    : std::tuple(point.mixity.cos, point.mixity.sin, point.ratio, 1.0);
-    const auto [first, is_new] = seen.try_emplace(key, point.line);
-    if (!is_new) odd.push_back("line " + std::to_string(point.line) + " repeats line " + std::to_string(first->second));
-  }
+  const auto key = [&](std::size_t i) {
+    const Point& point = data.points[i];
+    return data.has_loads ? std::tuple(point.P, point.T, point.A)
+                          : std::tuple(point.mixity.cos, point.mixity.sin, point.ratio);
+  };
+  std::vector<std::size_t> order(data.points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return std::tuple(key(i), i) < std::tuple(key(j), j); });
+  std::vector<std::pair<std::size_t, std::size_t>> repeats;  // line, and the first that says the same
+  for (std::size_t k = 1, first = 0; k < order.size(); ++k)
+    if (key(order[k]) == key(order[first]))
+      repeats.emplace_back(data.points[order[k]].line, data.points[order[first]].line);
+    else
+      first = k;
+  std::sort(repeats.begin(), repeats.end());
+  for (const auto& [line, first] : repeats)
+    odd.push_back("line " + std::to_string(line) + " repeats line " + std::to_string(first));
 }
 
 void check_loads(const Dataset& data, Lines& odd) {
@@ -83,16 +98,20 @@ void check_loads(const Dataset& data, Lines& odd) {
     if (above_pull_off(curve.P) < 0)
       odd.push_back("run " + curve.name + ": the load lies below the JKR pull-off load, -3 pi/2 R G_Ic");
   }
-  std::map<std::size_t, std::pair<double, double>> range;
+  std::vector<std::pair<double, double>> range;  // of each run's loads
+  for (const double load : data.curve_loads) range.emplace_back(load, load);
   for (const Point& point : data.points) {
-    auto [entry, is_new] = range.try_emplace(point.curve, point.P, point.P);
-    entry->second = {std::min(entry->second.first, point.P), std::max(entry->second.second, point.P)};
+    auto& [least, most] = range[point.curve];
+    least = std::min(least, point.P);
+    most = std::max(most, point.P);
   }
-  for (const auto& [curve, loads] : range)
-    if (loads.second - loads.first > 0.05 * std::max({std::abs(loads.first), std::abs(loads.second), 1.0}))
+  for (std::size_t curve = 0; curve < range.size(); ++curve) {
+    const auto [least, most] = range[curve];
+    if (most - least > 0.05 * std::max({std::abs(least), std::abs(most), 1.0}))
       odd.push_back("run " + data.curves[curve] + ": the load varies from " +
-                    rounded(loads.first * data.display.force_scale, 4) + " to " +
-                    rounded(loads.second * data.display.force_scale, 4) + " within the run");
+                    rounded(least * data.display.force_scale, 4) + " to " +
+                    rounded(most * data.display.force_scale, 4) + " within the run");
+  }
   if (data.curves.size() == 1) odd.push_back("only one load: whether lambda depends on load cannot be seen");
 }
 
@@ -102,7 +121,7 @@ void check_toughness(const Dataset& data, Lines& odd) {
   if (too_wide > 0)
     odd.push_back("psi leaves 0..90 degrees " + times(too_wide) + "; is its unit rad where deg was meant?");
   for (const Point& point : data.points)
-    if (point.psi < 0.05 && std::abs(std::log(point.ratio)) > 0.5)
+    if (point.psi() < 0.05 && std::abs(std::log(point.ratio)) > 0.5)
       odd.push_back("line " + std::to_string(point.line) + ": Gc/GIc is " + rounded(point.ratio, 3) +
                     " near psi = 0, where it must be 1; is toughness (G_Ic) right?");
 }
