@@ -1,0 +1,243 @@
+// growth [--largest=N] [TASK...]: time and memory of each task over a range of sizes, with the exponent of growth.
+// Tasks: reading, points, loads, replicates, threads; all by default.
+#include <tbb/global_control.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <thread>
+
+#include "dataset/check.h"
+#include "dataset/csv.h"
+#include "dataset/units.h"
+#include "fitting/fit.h"
+#include "growth/data.h"
+#include "growth/measure.h"
+
+namespace {
+
+using namespace mixity;
+using namespace mixity::growth;
+
+using Task = std::function<void()>;
+using Prepare = std::function<Task(std::size_t n)>;
+
+std::size_t largest = 10000000;
+
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / ("mixity_growth_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string file(std::size_t n, std::size_t runs = 10) const {
+    const std::string path = path_ / (std::to_string(n) + "_" + std::to_string(runs) + ".csv");
+    if (!std::filesystem::exists(path)) write_csv(path, n, runs);
+    return path;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string time_text(double seconds) {
+  char text[32];
+  const double shown = seconds < 1e-3 ? 1e6 * seconds : seconds < 1 ? 1e3 * seconds : seconds;
+  std::snprintf(text, sizeof text, "%.3g %s", shown, seconds < 1e-3 ? "us" : seconds < 1 ? "ms" : "s");
+  return text;
+}
+std::string memory_text(double bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g MB", bytes / 1048576);
+  return text;
+}
+std::string exponent_text(const std::optional<double>& value) {
+  char text[32];
+  if (!value) return "";
+  std::snprintf(text, sizeof text, "%.2f", *value);
+  return text;
+}
+
+/// One row a task: its time at each size, the exponent, memory at the largest and its exponent.
+void table(const char* unit, const std::vector<std::size_t>& sizes,
+           const std::vector<std::pair<std::string, Prepare>>& tasks) {
+  std::printf("\n| %s |", unit);
+  for (const std::size_t n : sizes) std::printf(" %zu |", n);
+  std::printf(" time grows as n^ | memory | per %s | memory grows as n^ |\n|---|", unit);
+  for (std::size_t i = 0; i < sizes.size() + 4; ++i) std::printf("---|");
+  std::printf("\n");
+  for (const auto& [name, prepare] : tasks) {
+    std::printf("| %s |", name.c_str());
+    std::vector<std::pair<double, double>> times, bytes;
+    for (const std::size_t n : sizes) {
+      // What has begun to take a minute would take ten at the next size.
+      const auto cost = times.empty() || times.back().second < 60 ? measured([&] { return prepare(n); }) : std::nullopt;
+      std::printf(" %s |", cost ? time_text(cost->seconds).c_str() : "-");
+      if (!cost) continue;
+      times.emplace_back(static_cast<double>(n), cost->seconds);
+      bytes.emplace_back(static_cast<double>(n), cost->bytes);
+    }
+    const auto last = bytes.empty() ? std::pair(1.0, 0.0) : bytes.back();
+    std::printf(" %s | %s | %.3g B | %s |\n", exponent_text(exponent(times, 1e-3)).c_str(),
+                memory_text(last.second).c_str(), last.second / last.first,
+                exponent_text(exponent(bytes, 1 << 20)).c_str());
+  }
+}
+
+std::vector<std::size_t> powers(std::size_t first, std::size_t last) {
+  std::vector<std::size_t> sizes;
+  for (std::size_t n = first; n <= std::min(last, largest); n *= 10) sizes.push_back(n);
+  return sizes;
+}
+
+/// The file in blocks, and where its lines end.
+void find_lines(const std::string& path) {
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  std::vector<char> block(1 << 18);
+  volatile std::size_t lines = 0;
+  while (const std::size_t got = std::fread(block.data(), 1, block.size(), file)) {
+    const char *at = block.data(), *end = at + got;
+    std::size_t here = 0;
+    for (; (at = static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)))); ++at) ++here;
+    lines = lines + here;
+  }
+  std::fclose(file);
+}
+
+void reading(const Folder& folder) {
+  const auto of_file = [&](std::function<void(const std::string&)> read) {
+    return [&folder, read](std::size_t n) { return Task([path = folder.file(n), read] { read(path); }); };
+  };
+  const auto on_one = [](std::function<void(const std::string&)> read) {
+    return [read](const std::string& path) {
+      const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+      read(path);
+    };
+  };
+  const auto load = [](const std::string& path) { load_dataset(path); };
+  table("rows read", powers(100, 10000000),
+        {{"file read, line ends found (memchr)", of_file(find_lines)},
+         {"lines by std::getline", of_file([](const std::string& path) {
+            std::ifstream file(path);
+            for (std::string line; std::getline(file, line);) {
+            }
+          })},
+         {"rows and fields", of_file([](const std::string& path) { read_csv(path, [](const CsvRow&) {}); })},
+         {"rows and numbers", of_file([](const std::string& path) {
+            volatile double last = 0;
+            read_csv(path, [&](const CsvRow& row) {
+              for (std::size_t i = 0; i < row.size(); ++i) last = parse_number(row[i]).value_or(0);
+            });
+          })},
+         {"data set, one thread", of_file(on_one(load))},
+         {"data set", of_file(load)}});
+}
+
+Prepare fit_task(const Folder& folder, const std::string& model, const FitOptions& options, std::size_t runs = 10) {
+  return [&folder, model, options, runs](std::size_t n) {
+    const PointUse use = options.objective == Objective::toughness ? PointUse::toughness : PointUse::areas;
+    return Task(
+        [data = load_dataset(folder.file(n, runs), {}, use), model, options] { fit_model(data, model, options); });
+  };
+}
+
+FitOptions with_objective(Objective objective) {
+  FitOptions options;
+  options.objective = objective;
+  return options;
+}
+
+void points(const Folder& folder) {
+  std::vector<std::pair<std::string, Prepare>> tasks;
+  for (const std::string model : {"a", "b", "c"})
+    tasks.emplace_back("toughness, model " + model, fit_task(folder, model, {}));
+  tasks.emplace_back(
+      "check", [&](std::size_t n) { return Task([data = load_dataset(folder.file(n))] { find_oddities(data); }); });
+  table("points fitted", powers(100, 10000000), tasks);
+  tasks.clear();
+  for (const std::string model : {"b", "c"})
+    tasks.emplace_back("area, model " + model, fit_task(folder, model, with_objective(Objective::area)));
+  for (const std::string model : {"b", "c"})
+    tasks.emplace_back("curve, model " + model, fit_task(folder, model, with_objective(Objective::curve)));
+  table("points fitted", powers(100, 1000000), tasks);
+}
+
+void loads(const Folder& folder) {
+  const std::size_t n = std::min<std::size_t>(100000, largest);
+  std::printf("\n%zu points, spread over so many loads\n", n);
+  const auto fit = [&](const std::string& model, const FitOptions& options) {
+    return [&folder, model, options, n](std::size_t runs) { return fit_task(folder, model, options, runs)(n); };
+  };
+  table("loads", powers(1, 10000),
+        {{"reading",
+          [&folder, n](std::size_t runs) { return Task([path = folder.file(n, runs)] { load_dataset(path); }); }},
+         {"toughness, model b", fit("b", {})},
+         {"area, model b", fit("b", with_objective(Objective::area))},
+         {"area, model c", fit("c", with_objective(Objective::area))},
+         {"curve, model c", fit("c", with_objective(Objective::curve))}});
+}
+
+Dataset mergel() { return load_dataset(MIXITY_ROOT "/data/mergel2018.csv"); }
+
+FitOptions with_bootstrap(std::size_t replicates, unsigned threads) {
+  FitOptions options;
+  options.intervals = false;
+  options.bootstrap.replicates = replicates;
+  options.bootstrap.threads = threads;
+  return options;
+}
+
+void replicates(const Folder&) {
+  std::vector<std::pair<std::string, Prepare>> tasks;
+  for (const std::string model : {"a", "b", "c"})
+    tasks.emplace_back("bootstrap of 200 points, model " + model, [model](std::size_t n) {
+      return Task([data = mergel(), model, n] { fit_model(data, model, with_bootstrap(n, 0)); });
+    });
+  table("replicates", powers(100, 100000), tasks);
+}
+
+void threads(const Folder& folder) {
+  std::vector<std::size_t> counts;
+  for (std::size_t k = 1; k <= std::max(2u, std::thread::hardware_concurrency()); k *= 2) counts.push_back(k);
+  const std::size_t rows = std::min<std::size_t>(1000000, largest);
+  table(
+      "threads", counts,
+      {{"bootstrap, 10000 replicates, model b",
+        [](std::size_t k) {
+          return Task([data = mergel(), k] { fit_model(data, "b", with_bootstrap(10000, static_cast<unsigned>(k))); });
+        }},
+       {"reading " + std::to_string(rows) + " rows", [&folder, rows](std::size_t k) {
+          return Task([path = folder.file(rows), k] {
+            const tbb::global_control most(tbb::global_control::max_allowed_parallelism, k);
+            load_dataset(path);
+          });
+        }}});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::pair<std::string, void (*)(const Folder&)>> known{
+      {"reading", reading}, {"points", points}, {"loads", loads}, {"replicates", replicates}, {"threads", threads}};
+  std::vector<std::string> wanted;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word.starts_with("--largest="))
+      largest = static_cast<std::size_t>(std::atof(word.c_str() + 10));
+    else
+      wanted.push_back(word);
+  }
+  const auto is_known = [&](const std::string& word) {
+    return std::any_of(known.begin(), known.end(), [&](const auto& task) { return task.first == word; });
+  };
+  if (largest < 1000 || !std::all_of(wanted.begin(), wanted.end(), is_known)) {
+    std::fprintf(stderr, "growth [--largest=N] [reading|points|loads|replicates|threads ...], N at least 1000\n");
+    return 2;
+  }
+  const Folder folder;
+  for (const auto& [name, run] : known)
+    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end()) run(folder);
+}
