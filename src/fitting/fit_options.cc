@@ -1,5 +1,6 @@
 // The words in which fits are asked for: names of models, parameters and objectives. Apart from the fits themselves, so
 // that whoever only reads them needs no solver.
+#include <algorithm>
 #include <cmath>
 
 #include "dataset/units.h"
@@ -28,7 +29,8 @@ bool has_parameter(const std::vector<std::string>& models, std::string_view name
   bool found = false;
   for (const std::string& key : models)
     with_model(key, [&](auto model) {
-      for (const ParameterInfo& info : decltype(model)::parameters) found |= info.name == name;
+      const auto& parameters = decltype(model)::parameters;
+      found |= std::any_of(parameters.begin(), parameters.end(), [&](const auto& info) { return info.name == name; });
     });
   return found;
 }

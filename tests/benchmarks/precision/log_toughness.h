@@ -50,7 +50,7 @@ class LogToughness {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const S argument = log_argument(Model{}, *x, points_[i]);
       if (!(argument > S(0))) return false;
-      residuals[i] = double{Model::kLogSign} * log(argument) - targets_[i];
+      residuals[i] = static_cast<double>(Model::kLogSign) * log(argument) - targets_[i];
     }
     return true;
   }

@@ -50,7 +50,7 @@ struct Case {
   double P, T, y_bottom, y_jkr;
   truth::Digits50 area{};
 
-  Case(std::string fraction, double lambda, double load, double shear) : p{lambda}, P(load), T(shear) {
+  Case(const std::string& fraction, double lambda, double load, double shear) : p{lambda}, P(load), T(shear) {
     const LoadedContact<Model> contact(p, P);
     y_bottom = contact.first_branch().y_bottom;
     y_jkr = contact.jkr_edge_load();
