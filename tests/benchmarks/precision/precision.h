@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,23 +26,43 @@ struct Row {
   double median_ns = 0, spread_ns = 0;  // filled by measure(): spread is half the range between the quartiles
 };
 
+/// Time that this thread spent on the processor, where there is such a clock: other programs are not in it. Reading it
+/// takes some 0.5 us, which is why batches are timed.
+inline double thread_ns() {
+#ifdef CLOCK_THREAD_CPUTIME_ID
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+#else
+  using namespace std::chrono;
+  return duration<double, std::nano>(steady_clock::now().time_since_epoch()).count();
+#endif
+}
+
+inline constexpr int kRepetitions = 21;
+
 /// Times every row. Each repetition visits all rows in turn, so that what disturbs the machine disturbs all; a visit
-/// runs a row as often as fills `batch_ns`.
-inline void measure(std::vector<Row>& rows, int repetitions = 21, double batch_ns = 2e5) {
-  using Clock = std::chrono::steady_clock;
+/// runs a row as often as fills `batch_ns`. Before each repetition `turn` lets others take theirs.
+inline void measure(std::vector<Row>& rows, int repetitions = kRepetitions, const std::function<void()>& turn = {},
+                    double batch_ns = 2e5) {
   const auto time = [](const Row& row, int times) {
-    const auto start = Clock::now();
+    const double start = thread_ns();
     for (int i = 0; i < times; ++i) row.run();
-    return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / times;
+    return (thread_ns() - start) / times;
   };
   std::vector<int> times;
   std::vector<std::vector<double>> samples(rows.size());
   for (const Row& row : rows) {
     time(row, 1);  // caches, pages
-    times.push_back(std::clamp(static_cast<int>(batch_ns / std::max(time(row, 3), 1.0)), 1, 100000));
+    int runs = 3;  // more and more, until reading the clock no longer counts
+    double each = time(row, runs);
+    while (each * runs < 0.1 * batch_ns && runs < 100000) each = time(row, runs *= 4);
+    times.push_back(std::clamp(static_cast<int>(batch_ns / std::max(each, 1.0)), 1, 100000));
   }
-  for (int repetition = 0; repetition < repetitions; ++repetition)
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    if (turn) turn();
     for (std::size_t i = 0; i < rows.size(); ++i) samples[i].push_back(time(rows[i], times[i]));
+  }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::sort(samples[i].begin(), samples[i].end());
     const auto at = [&](double part) {
