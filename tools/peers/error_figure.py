@@ -5,18 +5,29 @@ import shutil
 import subprocess
 import sys
 
-ROUNDING = 1.1e-16  # half the distance of doubles: a smaller error is luck
+from peers.tables import ROUNDING
+
 # Okabe and Ito's colours, with a shape each for those who print in grey. mixity's stand out by size.
 STYLES = {"mixity": ("#000000", 7), "mixity anew": ("#000000", 6), "mixity arrays": ("#000000", 9),
           "Newton": ("#D55E00", 4), "Newton in a bracket": ("#CC79A7", 5), "Brent": ("#009E73", 8),
           "TOMS 748": ("#0072B2", 10), "bisection": ("#56B4E9", 2), "linear table": ("#E69F00", 1),
-          "cubic table": ("#999999", 3)}
+          "cubic table": ("#999999", 3), "mixity batch": ("#000000", 7), "mixity whole fit": ("#000000", 6)}
+# Fits have a colour for each library and a shape for its derivatives.
+LIBRARIES = {"Ceres": "#D55E00", "TinySolver": "#E69F00", "MINPACK": "#0072B2", "GSL": "#009E73",
+             "SciPy": "#56B4E9", "lmfit": "#CC79A7"}
+SHAPES = {"analytic": 5, "lmder": 5, "automatic": 13, "numeric": 4, "lmdif": 4}
 SPARE = ["#D55E00", "#CC79A7", "#009E73", "#0072B2", "#56B4E9", "#E69F00"]
 
 
 def look(method, spare):
-    colour, shape = STYLES.get(method) or (spare.setdefault(method, SPARE[len(spare) % len(SPARE)]), 7)
-    size = 1.5 if method == "mixity anew" else 1 if method.startswith("mixity") else 0.6
+    library, derivatives = method.split()[0], method.split()[-1]
+    if method in STYLES:
+        colour, shape = STYLES[method]
+    elif library in LIBRARIES:
+        colour, shape = LIBRARIES[library], SHAPES.get(derivatives, 7) + 4 * ("trf" in method)
+    else:
+        colour, shape = spare.setdefault(method, SPARE[len(spare) % len(SPARE)]), 7
+    size = 1.5 if method in ("mixity anew", "mixity whole fit") else 1 if library == "mixity" else 0.6
     return f"lc rgb '{colour}' pt {shape} ps {size}"
 
 
@@ -35,23 +46,37 @@ def plot_data(panels):
 
 TIMES = ("'1 ns' 1e-9, '10 ns' 1e-8, '100 ns' 1e-7, '1 us' 1e-6, '10 us' 1e-5, '100 us' 1e-4, '1 ms' 1e-3, "
          "'10 ms' 1e-2, '100 ms' 1e-1, '1 s' 1")
+PANEL, LEGEND_ROW = 270, 25  # heights in pixels
 BARE_TIMES = ", ".join(f"'' 1e-{n}" for n in range(10))
 
 
-def legend(methods, spare, top):
-    """gnuplot's own key would not keep to three columns here."""
+def legend_columns(methods):
+    """As many as the longest name leaves room for; gnuplot's own key would not keep to columns here."""
+    return 2 if max(map(len, methods)) > 19 else 3
+
+
+def legend_rows(methods):
+    return -(-len(methods) // legend_columns(methods))
+
+
+def legend(methods, spare, height):
+    columns = legend_columns(methods)
     for i, method in enumerate(methods):
-        place = f"screen {0.06 + 0.33 * (i % 3):.3f},{top - 0.033 * (i // 3):.4f}"
+        row = LEGEND_ROW * (legend_rows(methods) - i // columns)
+        place = f"screen {0.06 + 0.99 / columns * (i % columns):.3f},{(row - 15) / height:.4f}"
         yield f"set label '{method}' at {place} offset 1,-0.25 font ',15' point {look(method, spare)}"
 
 
 def plot_script(name, panels, places):
     """Panels above each other with one legend below; text as large as it must be at a column's width of 8.6 cm."""
     times = [row["median_ns"] * 1e-9 for _, rows in panels for row in rows]
-    top, bottom, gap = 0.955, 0.235, 0.055
+    methods = list(dict.fromkeys(method for _, method, _, _ in places))
+    below = 74 + LEGEND_ROW * legend_rows(methods)
+    pixels = below + PANEL * len(panels) + 26
+    top, bottom, gap = 1 - 33 / pixels, below / pixels, 41 / pixels
     height = (top - bottom - gap * (len(panels) - 1)) / len(panels)
     lines = [f"# gnuplot draws {name}.svg of this and {name}.dat",
-             f"set terminal svg size 520,{200 + 270 * len(panels)} dynamic background '#ffffff' font 'Helvetica,16'",
+             f"set terminal svg size 520,{pixels} dynamic background '#ffffff' font 'Helvetica,16'",
              f"set output '{name}.svg'", "set logscale xy", "unset mxtics", "unset mytics",
              "set border lc rgb '#444444'",
              "set format y '10^{%L}'", "set lmargin screen 0.165", "set rmargin screen 0.97",
@@ -67,7 +92,7 @@ def plot_script(name, panels, places):
                   "set xlabel 'time for one answer' offset 0,0.4" if last else "unset xlabel",
                   f"set xtics ({TIMES if last else BARE_TIMES})", "unset key"]
         if last:
-            lines += legend(dict.fromkeys(method for _, method, _, _ in places), spare, bottom - 0.12)
+            lines += legend(methods, spare, pixels)
         drawn = []
         for where, method, block, points in places:
             if where != case:

@@ -7,6 +7,8 @@ import lmfit
 import numpy as np
 from scipy import optimize
 
+from peers.solvers import SOLVERS, Problem
+
 DATA = pathlib.Path(__file__).resolve().parents[2] / "data/mergel2018.csv"
 UPPER = {"b": 2.0, "c": 1.0}  # bounds of lambda
 START = 0.15
@@ -51,8 +53,17 @@ def log_toughness(model, psi):
     if model == "c":
         B = np.sin(psi) ** 2
         return lambda _, lam: -np.log1p((lam - 1) * B), lambda _, lam: (-B / (1 + (lam - 1) * B))[:, None]
+    if model == "a":
+        B = np.tan(psi) ** 2
+        return lambda _, lam: np.log1p((1 - lam) * B), lambda _, lam: (-B / (1 + (1 - lam) * B))[:, None]
     return (lambda psi, lam: -2 * np.log(np.cos((1 - lam / 2) * psi)),
             lambda psi, lam: (-psi * np.tan((1 - lam / 2) * psi))[:, None])
+
+
+def problem(model, psi, log_f, bounds):
+    """The fit for solvers.SOLVERS."""
+    f, df = log_toughness(model, psi)
+    return Problem(lambda lam: f(psi, lam) - log_f, lambda lam: df(psi, lam)[:, 0], *bounds)
 
 
 def reference(model, psi, log_f, offset=False):
@@ -78,6 +89,7 @@ def peers(model, psi, log_f):
     """Name and function of each way to fit, which returns lambda."""
     f, df = log_toughness(model, psi)
     bounds = (0, UPPER[model])
+    fit = problem(model, psi, log_f, bounds)
 
     def parameters(**more):
         start = lmfit.Parameters()
@@ -87,26 +99,23 @@ def peers(model, psi, log_f):
     def curve_fit(**more):
         return optimize.curve_fit(f, psi, log_f, START, bounds=bounds, **more)[0][0]
 
-    def trf(**more):
-        return optimize.least_squares(lambda x: f(psi, x[0]) - log_f, [START], bounds=bounds, method="trf", **more).x[0]
-
     def lmfit_model():
         return lmfit.Model(lambda psi, lam: f(psi, lam)).fit(log_f, parameters(), psi=psi).params["lam"].value
 
-    def minimize(**more):
-        return lmfit.minimize(lambda p: f(psi, p["lam"].value) - log_f, parameters(), **more).params["lam"].value
+    def least_squares(solver):
+        return lambda: SOLVERS[solver](fit, START).x
 
     def with_interval():
-        fit = lmfit.Minimizer(lambda p: f(psi, p["lam"].value) + p["offset"].value - log_f, parameters(offset=0.0))
-        result = fit.minimize()
-        lmfit.conf_interval(fit, result, p_names=["lam"], sigmas=[0.95])
+        both = lmfit.Minimizer(lambda p: f(psi, p["lam"].value) + p["offset"].value - log_f, parameters(offset=0.0))
+        result = both.minimize()
+        lmfit.conf_interval(both, result, p_names=["lam"], sigmas=[0.95])
         return result.params["lam"].value
 
     return {"scipy curve_fit, bounds": curve_fit,
             "scipy curve_fit, bounds, Jacobian": lambda: curve_fit(jac=df),
-            "scipy least_squares trf": trf,
-            "scipy least_squares trf, Jacobian": lambda: trf(jac=lambda x: df(psi, x[0])),
+            "scipy least_squares trf": least_squares("SciPy trf numeric"),
+            "scipy least_squares trf, Jacobian": least_squares("SciPy trf analytic"),
             "lmfit Model.fit": lmfit_model,
-            "lmfit minimize": minimize,
-            "lmfit minimize, Jacobian": lambda: minimize(Dfun=lambda p: df(psi, p["lam"].value)),
+            "lmfit minimize": least_squares("lmfit numeric"),
+            "lmfit minimize, Jacobian": least_squares("lmfit analytic"),
             "lmfit minimize + conf_interval, 2 variables": with_interval}

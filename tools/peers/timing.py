@@ -9,6 +9,8 @@ import time
 
 import numpy as np
 
+from peers.markdown import show_time
+
 OwnTime = collections.namedtuple("OwnTime", "seconds")  # what a task returns that has its own clock
 
 
@@ -48,24 +50,9 @@ def alternate(tasks, repetitions, clock):
     return {name: np.array(taken) for name, taken in times.items()}, answers
 
 
-def show_time(seconds):
-    for unit, size in (("s", 1), ("ms", 1e-3), ("us", 1e-6)):
-        if seconds >= size:
-            return f"{seconds / size:.3g} {unit}"
-    return f"{seconds * 1e9:.3g} ns"
-
-
 def time_cells(times):
     """Name, median, spread, ratio of each task; the first is what the others are compared with."""
     unit = statistics.median(next(iter(times.values())))
     for name, taken in times.items():
         low, middle, high = statistics.quantiles(taken, n=4, method="inclusive")
         yield [name, show_time(middle), show_time((high - low) / 2), f"{middle / unit:.3g}"]
-
-
-def markdown(header, rows):
-    table = [header, *rows]
-    widths = [max(len(line[i]) for line in table) for i in range(len(header))]
-    lines = ["| " + " | ".join(text.ljust(width) for text, width in zip(line, widths)) + " |" for line in table]
-    lines.insert(1, "|" + "|".join("-" * (width + 2) for width in widths) + "|")
-    return "\n".join(lines)

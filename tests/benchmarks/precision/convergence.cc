@@ -1,10 +1,10 @@
 // How often a solver is wrong and says that it converged: area data in seven units, from eleven starts. Each solver is
 // run with the tolerances it comes with, and with 1e-15 everywhere. Right: within 1e-6 of the global minimum, or within
-// 1e-3 standard errors. A value out of lambda's range tells its reader that it is wrong.
+// 1e-3 standard errors. A value out of lambda's range tells its reader that it is wrong. With --serve solvers
+// of another process take part (convergence_server.h).
 #include <glog/logging.h>
 
-#include <map>
-
+#include "benchmarks/precision/convergence_server.h"
 #include "benchmarks/precision/log_toughness.h"
 #include "benchmarks/precision/peers.h"
 #include "fitting/fit.h"
@@ -35,61 +35,21 @@ class AreaProblem : public AreaDifferences<Model> {
   }
 };
 
-struct Tally {
-  int right = 0, said_so = 0, silent = 0;
-  std::map<std::string, int> silent_in{};  // by data set
-  std::array<int, kAreaUnits.size()> silent_by_unit{};
-  int runs() const { return right + said_so + silent; }
-};
-
-class Table {
- public:
-  void count(const std::string& solver, const std::string& data, std::size_t unit, bool right, bool claims) {
-    if (!rows_.contains(solver)) order_.push_back(solver);
-    Tally& tally = rows_[solver];
-    ++(right ? tally.right : claims ? tally.silent : tally.said_so);
-    if (right || !claims) return;
-    ++tally.silent_in[data];
-    ++tally.silent_by_unit[unit];
-  }
-
-  void print() const {
-    std::printf("| solver | right | wrong and said so | wrong but \"converged\" | runs |\n|---|---|---|---|---|\n");
-    for (const std::string& solver : order_) {
-      const Tally& tally = rows_.at(solver);
-      const auto share = [&](int n) { return 100.0 * n / tally.runs(); };
-      std::printf("| %s | %.1f %% | %.1f %% | %.1f %% | %d |\n", solver.c_str(), share(tally.right),
-                  share(tally.said_so), share(tally.silent), tally.runs());
-    }
-    std::printf("\nWrong but \"converged\", by data set:\n\n");
-    for (const std::string& solver : order_) {
-      if (rows_.at(solver).silent_in.empty()) continue;
-      std::printf("- %s:", solver.c_str());
-      const char* comma = " ";
-      for (const auto& [data, n] : rows_.at(solver).silent_in) {
-        std::printf("%s%s %d", comma, data.c_str(), n);
-        comma = "; ";
-      }
-      std::printf("; by unit:");
-      for (std::size_t i = 0; i < kAreaUnits.size(); ++i)
-        std::printf(" %s %d", kAreaUnits[i].name, rows_.at(solver).silent_by_unit[i]);
-      std::printf("\n");
-    }
-  }
-
- private:
-  std::map<std::string, Tally> rows_;
-  std::vector<std::string> order_;
-};
+/// Of one data set, in every unit.
+template <class Model>
+std::vector<AreaProblem<Model>> problems(const Dataset& data) {
+  std::vector<AreaProblem<Model>> list;
+  for (const AreaUnit& unit : kAreaUnits) list.emplace_back(data, data.contact->area_unit() / unit.square_metres);
+  return list;
+}
 
 template <class Model>
-void run_peers(const UnitCase& at, const Dataset& data, const BestValue& best, Table& table) {
-  const double area_unit = data.contact->area_unit();
+void run_peers(const UnitCase& at, const std::vector<AreaProblem<Model>>& units, const BestValue& best,
+               ConvergenceTable& table) {
   for (const auto& peer : peers<AreaProblem<Model>>())
     for (const bool tight : {false, true})
-      for (std::size_t k = 0; k < kAreaUnits.size(); ++k) {
-        const AreaUnit& unit = kAreaUnits[k];
-        const AreaProblem<Model> problem(data, area_unit / unit.square_metres);
+      for (std::size_t k = 0; k < units.size(); ++k) {
+        const AreaProblem<Model>& problem = units[k];
         for (const double start : kStarts) {
           const Tolerances tolerances = tight ? Tolerances{1e-15, 1e-15, 1e-15, 0} : peer.usual;
           const Answer answer = peer.solve(problem, start * problem.upper, tolerances);
@@ -102,7 +62,7 @@ void run_peers(const UnitCase& at, const Dataset& data, const BestValue& best, T
 
 /// As a user has it: a file in these units, and a status. It takes no start.
 template <class Model>
-void run_ours(const UnitCase& at, const BestValue& best, Table& table) {
+void run_ours(const UnitCase& at, const BestValue& best, ConvergenceTable& table) {
   for (std::size_t k = 0; k < kAreaUnits.size(); ++k) {
     const AreaUnit& unit = kAreaUnits[k];
     const Dataset data = at.in(unit);
@@ -127,27 +87,37 @@ void run_ours(const UnitCase& at, const BestValue& best, Table& table) {
 }
 
 template <class Model>
-void run(const UnitCase& at, Table& table) {
+void run(const UnitCase& at, ConvergenceTable& table, ConvergenceServer& server) {
   const Dataset data = at.in({"m^2", 1});
   const BestValue best = best_value<Model>(data, 8000);
   std::fprintf(stderr, "%s: best %.10g +/- %.2g, %d minima within 10 %%\n", at.name.c_str(), best.x,
                best.standard_error, best.minima);
   run_ours<Model>(at, best, table);
-  run_peers<Model>(at, data, best, table);
+  const auto units = problems<Model>(data);
+  run_peers<Model>(at, units, best, table);
+  server.add(at.name, best, units);
 }
 
 }  // namespace
 }  // namespace mixity::precision
 
-int main() {
+int main(int count, char** arguments) {
   using namespace mixity;
   FLAGS_minloglevel = google::GLOG_FATAL;  // of Ceres: what fails is counted
-  precision::Table table;
-  for (const UnitCase& at : unit_cases(MIXITY_ROOT "/data/mergel2018.csv"))
+  const bool serves = count == 2 && arguments[1] == std::string("--serve");
+  if (count > 1 && !serves) {
+    std::fprintf(stderr, "usage: precision_convergence [--serve]\n");
+    return 2;
+  }
+  precision::ConvergenceTable table;
+  precision::ConvergenceServer server;
+  const std::vector<UnitCase> cases = unit_cases(MIXITY_ROOT "/data/mergel2018.csv");
+  for (const UnitCase& at : cases)
     with_model(at.model, [&](auto model) {
-      if constexpr (parameter_count<decltype(model)> == 1) precision::run<decltype(model)>(at, table);
+      if constexpr (parameter_count<decltype(model)> == 1) precision::run<decltype(model)>(at, table, server);
     });
+  if (serves) server.serve(precision::kStarts, table);
   table.print();
-  std::printf("\n%zu data sets x %zu units x %zu starts; mixity takes no start.\n", std::size_t{6}, kAreaUnits.size(),
+  std::printf("\n%zu data sets x %zu units x %zu starts; mixity takes no start.\n", cases.size(), kAreaUnits.size(),
               precision::kStarts.size());
 }

@@ -1,7 +1,11 @@
 // Fitting lambda to points (psi, f): time against error, this program's solvers beside other libraries'. An evaluation
 // is a sweep over the points, with or without derivatives. 200 points, psi evenly up to 1.54.
+//
+// With --turns solvers of another process take part: the cases come first, a line of JSON each, and before each
+// repetition the line "turn", after which this program waits for a line. tools/peers/fit_rows.py is such a process.
 #include "fitting/fit.h"
 
+#include <iostream>
 #include <memory>
 #include <random>
 
@@ -83,10 +87,16 @@ struct Case {
     truth = exact_minimum<Model>(points);
   }
 
+  /// Relative to the truth, or where that is the bound 0, to lambda's range.
   double error(double x) const {
     if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
-    const Exact scale = truth > Exact(1e-12) ? truth : Exact(1e-12);
+    const Exact scale = truth > 0 ? truth : Exact(problem->upper);
     return static_cast<double>(abs(Exact(x) - truth) / scale);
+  }
+
+  /// What an answer says of itself: its reader knows lambda's range, not all solvers do.
+  std::string claim(const Answer& answer) const {
+    return answer.x < problem->lower || answer.x > problem->upper ? "out of range" : answer.claim;
   }
 };
 
@@ -120,8 +130,8 @@ void add_rows(const Case<Model>& at, std::vector<Row>& rows) {
         return solve(*at.problem, Model::parameters[0].typical, Tolerances::all(tolerance));
       };
       const Answer answer = run();
-      rows.push_back(
-          {"fit", at.name, peer.name, tolerance, at.error(answer.x), answer.sweeps, answer.claim, [run] { run(); }});
+      rows.push_back({"fit", at.name, peer.name, tolerance, at.error(answer.x), answer.sweeps, at.claim(answer),
+                      [run] { run(); }});
     }
 }
 
@@ -135,18 +145,57 @@ std::vector<std::unique_ptr<Case<Model>>> cases() {
   return list;
 }
 
+/// All that a solver of another process needs to know.
+template <class Model>
+void print_case(const Case<Model>& at) {
+  constexpr ParameterInfo lambda = Model::parameters[0];
+  std::printf(R"({"case": "%s", "model": "%s", "lower": %.17g, "upper": %.17g, "start": %.17g, "truth": "%s")",
+              at.name.c_str(), std::string(Model::info.key).c_str(), lambda.lower, lambda.upper, lambda.typical,
+              at.truth.str(40).c_str());
+  const auto print_array = [&](const char* name, auto member) {
+    const char* comma = "";
+    std::printf(R"(, "%s": [)", name);
+    for (const Point& point : at.data.points) {
+      std::printf("%s%.17g", comma, point.*member);
+      comma = ", ";
+    }
+    std::printf("]");
+  };
+  print_array("psi", &Point::psi);
+  print_array("f", &Point::ratio);
+  std::printf("}\n");
+}
+
+void let_others_take_turn() {
+  std::printf("turn\n");
+  std::fflush(stdout);
+  std::string line;
+  std::getline(std::cin, line);
+}
+
 }  // namespace
 }  // namespace mixity::precision
 
-int main() {
+int main(int count, char** arguments) {
   using namespace mixity::precision;
+  const bool turns = count == 2 && arguments[1] == std::string("--turns");
+  if (count > 1 && !turns) {
+    std::fprintf(stderr, "usage: precision_fit [--turns]\n");
+    return 2;
+  }
+  std::vector<Row> rows;
+  const auto add = [&](const auto& cases) {
+    for (const auto& at : cases) {
+      if (turns) print_case(*at);
+      add_rows(*at, rows);
+    }
+  };
   const auto a = cases<mixity::Johnson>();
   const auto b = cases<mixity::WatersGuduru>();
   const auto c = cases<mixity::PapangeloCiavarella>();
-  std::vector<Row> rows;
-  for (const auto& at : a) add_rows(*at, rows);
-  for (const auto& at : b) add_rows(*at, rows);
-  for (const auto& at : c) add_rows(*at, rows);
-  measure(rows);
+  add(a);
+  add(b);
+  add(c);
+  measure(rows, kRepetitions, turns ? let_others_take_turn : std::function<void()>{});
   print(rows);
 }
