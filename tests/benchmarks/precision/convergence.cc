@@ -39,6 +39,7 @@ class AreaProblem : public AreaDifferences<Model> {
 template <class Model>
 std::vector<AreaProblem<Model>> problems(const Dataset& data) {
   std::vector<AreaProblem<Model>> list;
+  list.reserve(kAreaUnits.size());
   for (const AreaUnit& unit : kAreaUnits) list.emplace_back(data, data.contact->area_unit() / unit.square_metres);
   return list;
 }
@@ -116,7 +117,7 @@ int main(int count, char** arguments) {
     with_model(at.model, [&](auto model) {
       if constexpr (parameter_count<decltype(model)> == 1) precision::run<decltype(model)>(at, table, server);
     });
-  if (serves) server.serve(precision::kStarts, table);
+  if (serves && !server.serve(precision::kStarts, table)) return 1;
   table.print();
   std::printf("\n%zu data sets x %zu units x %zu starts; mixity takes no start.\n", cases.size(), kAreaUnits.size(),
               precision::kStarts.size());

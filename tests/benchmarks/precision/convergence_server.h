@@ -24,13 +24,14 @@ class ConvergenceServer {
   void add(const std::string& data, const BestValue& best, std::vector<Problem> units) {
     const Problem& any = units.front();
     Served served{data, any.size(), any.lower, any.upper, best, {}, {}};
-    served.residuals = [units](std::size_t unit, double x, double* out) { fill(units.at(unit), x, out); };
-    served.slopes = [units](std::size_t unit, double x, double* out) { fill_slopes(units.at(unit), x, out); };
+    served.residuals = [units](std::size_t unit, double x, double* out) { fill(units[unit], x, out); };
+    served.slopes = [units](std::size_t unit, double x, double* out) { fill_slopes(units[unit], x, out); };
     served_.push_back(std::move(served));
   }
 
+  /// False after a line that is no request.
   template <std::size_t N>
-  void serve(const std::array<double, N>& starts, ConvergenceTable& table) const {
+  bool serve(const std::array<double, N>& starts, ConvergenceTable& table) const {
     announce(starts);
     std::string line;
     while (std::getline(std::cin, line)) {
@@ -39,15 +40,18 @@ class ConvergenceServer {
       double x = 0;
       int claims = 0, solver = 0;
       const int read = std::sscanf(line.c_str(), "%15s %zu %zu %lf %d %n", what, &data, &unit, &x, &claims, &solver);
-      const Served& at = served_.at(data);
+      if (read < 4 || data >= served_.size() || unit >= kAreaUnits.size()) {
+        std::fprintf(stderr, "no request: %s\n", line.c_str());
+        return false;
+      }
+      const Served& at = served_[data];
       if (std::strcmp(what, "count") == 0 && read == 5)
         table.count(line.substr(static_cast<std::size_t>(solver)), at.name, unit, is_right(x, at.best),
                     claims && x >= at.lower && x <= at.upper);
-      else if (read == 4)
-        answer(at, std::strcmp(what, "slopes") == 0 ? at.slopes : at.residuals, unit, x);
       else
-        throw std::runtime_error("no request: " + line);
+        answer(at, std::strcmp(what, "slopes") == 0 ? at.slopes : at.residuals, unit, x);
     }
+    return true;
   }
 
  private:
