@@ -67,10 +67,10 @@ void require_width(const std::string& path, const CsvRow& row, std::size_t count
                        "the row has more fields than the header's " + std::to_string(count));
 }
 
-std::optional<double> number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name) {
+bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value) {
   const std::string_view text = trim(row[i]);
-  if (text.empty()) return std::nullopt;
-  if (const auto value = parse_number(text)) return value;
+  if (text.empty()) return false;
+  if (parse_number(text, value)) return true;
   const bool decimal_comma = text.find(',') != std::string_view::npos;
   throw InputError(path, row.line(), row.column(i),
                    "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number" +

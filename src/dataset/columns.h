@@ -65,7 +65,7 @@ Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_numb
 /// A row must have as many fields as the header; further ones must be empty.
 void require_width(const std::string& path, const CsvRow& row, std::size_t count);
 
-/// The number in field i, as it stands; null if the field is empty. `name`: of the column.
-std::optional<double> number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name);
+/// Reads the number in field i, as it stands; false if the field is empty. `name`: of the column.
+bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value);
 
 }  // namespace mixity

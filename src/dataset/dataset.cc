@@ -1,10 +1,9 @@
 #include "dataset/dataset.h"
 
-#include <tbb/parallel_pipeline.h>
-
 #include <algorithm>
-#include <exception>
+#include <deque>
 #include <filesystem>
+#include <future>
 #include <map>
 #include <thread>
 
@@ -50,13 +49,12 @@ class Runs {
   double last_load_ = 0;
 };
 
-/// What a block of rows holds; `error` is that of its first row that cannot be understood.
+/// What a block of rows holds.
 struct Part {
   std::size_t rows = 0;
   std::vector<Point> points;
   std::vector<Excluded> excluded;
   Runs runs;
-  std::exception_ptr error;
 
   void row(const PointReader& reader, const Dataset& data, const CsvRow& row) {
     ++rows;
@@ -88,16 +86,17 @@ class Loader {
       take(part_of(*block));
     }
     reserve(file, bytes);
-    const std::size_t in_flight = 4 * std::max(1u, std::thread::hardware_concurrency());
-    tbb::parallel_pipeline(
-        in_flight,
-        tbb::make_filter<void, CsvBlock>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) {
-          auto block = file.next();
-          if (!block) flow.stop();
-          return block ? std::move(*block) : CsvBlock();
-        }) & tbb::make_filter<CsvBlock, Part>(tbb::filter_mode::parallel, [&](const CsvBlock& block) {
-          return part_of(block);
-        }) & tbb::make_filter<Part, void>(tbb::filter_mode::serial_in_order, [&](const Part& part) { take(part); }));
+    const std::size_t most = 2 * std::max(1u, std::thread::hardware_concurrency());
+    for (std::deque<std::future<Part>> parts;;) {
+      while (parts.size() < most) {
+        auto block = file.next();
+        if (!block) break;
+        parts.push_back(std::async([this, block = std::move(*block)] { return part_of(block); }));
+      }
+      if (parts.empty()) break;
+      take(parts.front().get());
+      parts.pop_front();
+    }
     finish();
   }
 
@@ -107,22 +106,17 @@ class Loader {
   Part part_of(const CsvBlock& block) {
     Part part;
     part.points.reserve(block.lines());
-    try {
-      block.rows([&](const CsvRow& row) {
-        if (reader_)
-          part.row(*reader_, data_, row);
-        else
-          reader_.emplace(metadata_path_, use_, row, data_);
-      });
-    } catch (...) {
-      part.error = std::current_exception();
-    }
+    block.rows([&](const CsvRow& row) {
+      if (reader_)
+        part.row(*reader_, data_, row);
+      else
+        reader_.emplace(metadata_path_, use_, row, data_);
+    });
     return part;
   }
 
-  /// Parts come in the order of the file, so that the first error in it is the one that is told.
+  /// Parts are taken in the order of the file, so that the first error in it is the one that is told.
   void take(const Part& part) {
-    if (part.error) std::rethrow_exception(part.error);
     std::vector<std::size_t> run(part.runs.names().size());
     for (std::size_t i = 0; i < run.size(); ++i) run[i] = runs_.index(part.runs.names()[i], part.runs.loads()[i]);
     const std::size_t before = data_.points.size();

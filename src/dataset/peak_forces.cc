@@ -26,8 +26,9 @@ class Reader {
     if (width_ == 0) return read_header(row);
     require_width(forces_.path, row, width_);
     std::array<std::optional<double>, 3> values;
+    double value = 0;
     for (const Quantity q : {kLoad, kPeak, kMinimum})
-      if (columns_[q]) values[q] = number_at(forces_.path, row, *columns_[q], kNames[q]);
+      if (columns_[q] && number_at(forces_.path, row, *columns_[q], kNames[q], value)) values[q] = value;
     const auto exclude = [&](std::string_view why) { forces_.excluded.push_back({row.line(), why}); };
     for (const Quantity q : {kLoad, kPeak, kMinimum})
       if (values[q] && !std::isfinite(*values[q])) return exclude(kNotFinite[q]);

@@ -88,43 +88,39 @@ std::string_view PointReader::read(const CsvRow& row, Point& point) const {
 }
 
 /// In SI or as it stands.
-PointReader::Value PointReader::number(const CsvRow& row, ColumnId id) const {
+std::string_view PointReader::number(const CsvRow& row, ColumnId id, double& value) const {
   const Column& column = *columns_.find(id);
-  const auto value = number_at(data_.path, row, column.index, to_string(id));
-  if (!value) return {0, said_of(id, kEmpty)};
-  const double scaled = *value * column.unit.factor;
-  if (!std::isfinite(scaled)) return {0, said_of(id, kNotFinite)};
-  return {scaled, {}};
+  if (!number_at(data_.path, row, column.index, to_string(id), value)) return said_of(id, kEmpty);
+  value *= column.unit.factor;
+  return std::isfinite(value) ? std::string_view() : said_of(id, kNotFinite);
 }
 
-/// In the units of `value`; 0 where the column or the field is missing.
-PointReader::Value PointReader::standard_error(const CsvRow& row, ColumnId id, double value, double unit) const {
+/// In the units of what it is the error `of`; 0 where the column or the field is missing.
+std::string_view PointReader::standard_error(const CsvRow& row, ColumnId id, double of, double unit,
+                                             double& error) const {
+  error = 0;
   const Column* column = columns_.find(id);
   if (!column || trim(row[column->index]).empty()) return {};
-  Value error = number(row, id);
-  if (!error) return error;
-  if (error.value < 0) return {0, said_of(id, kNegative)};
-  error.value = column->unit.text == "%" ? error.value * std::abs(value) : error.value / unit;
-  if (!std::isfinite(error.value)) return {0, said_of(id, kOutOfRange)};
-  return error;
+  if (const auto unusable = number(row, id, error); !unusable.empty()) return unusable;
+  if (error < 0) return said_of(id, kNegative);
+  error = column->unit.text == "%" ? error * std::abs(of) : error / unit;
+  return std::isfinite(error) ? std::string_view() : said_of(id, kOutOfRange);
 }
 
 std::string_view PointReader::read_loads(const CsvRow& row, Point& point) const {
   const double force = data_.contact ? data_.contact->force_unit() : 1;
   const double length = data_.contact ? data_.contact->length_unit() : 1;
   const bool by_area = columns_.has(ColumnId::A);
-  const Value P = number(row, ColumnId::P);
-  if (!P) return P.unusable;
-  const Value T = number(row, ColumnId::T);
-  if (!T) return T.unusable;
-  const Value size = number(row, by_area ? ColumnId::A : ColumnId::a);
-  if (!size) return size.unusable;
-  if (*T < 0) return "T < 0";
-  if (*size <= 0) return by_area ? "A <= 0" : "a <= 0";
-  point.P = *P / force;
-  point.T = *T / force;
-  const double a = (by_area ? std::sqrt(*size / pi<double>()) : *size) / length;
-  point.A = by_area ? *size / (length * length) : area_from_radius(a);
+  double P = 0, T = 0, size = 0;
+  if (const auto unusable = number(row, ColumnId::P, P); !unusable.empty()) return unusable;
+  if (const auto unusable = number(row, ColumnId::T, T); !unusable.empty()) return unusable;
+  if (const auto unusable = number(row, by_area ? ColumnId::A : ColumnId::a, size); !unusable.empty()) return unusable;
+  if (T < 0) return "T < 0";
+  if (size <= 0) return by_area ? "A <= 0" : "a <= 0";
+  point.P = P / force;
+  point.T = T / force;
+  const double a = (by_area ? std::sqrt(size / pi<double>()) : size) / length;
+  point.A = by_area ? size / (length * length) : area_from_radius(a);
   if (!std::isfinite(point.P) || !std::isfinite(point.T) || !in_range(point.A)) return "P, T or A is out of range";
   if (edge_load(a, point.P) > 0) {
     const auto measured = measured_toughness(point.P, point.T, a);
@@ -134,30 +130,25 @@ std::string_view PointReader::read_loads(const CsvRow& row, Point& point) const 
   } else if (use_ == PointUse::toughness) {
     return "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists";
   }
-  const Value sigma_T = standard_error(row, ColumnId::sigma_T, point.T, force);
-  if (!sigma_T) return sigma_T.unusable;
-  const Value sigma_A = standard_error(row, ColumnId::sigma_A, point.A, length * length);
-  point.sigma_T = sigma_T.value;
-  point.sigma_A = sigma_A.value;
-  return sigma_A.unusable;
+  const auto unusable = standard_error(row, ColumnId::sigma_T, point.T, force, point.sigma_T);
+  return unusable.empty() ? standard_error(row, ColumnId::sigma_A, point.A, length * length, point.sigma_A) : unusable;
 }
 
 std::string_view PointReader::read_toughness(const CsvRow& row, Point& point) const {
   const bool by_angle = columns_.has(ColumnId::psi);
-  const Value mixity = number(row, by_angle ? ColumnId::psi : ColumnId::mode_ratio);
-  if (!mixity) return mixity.unusable;
+  double mixity = 0, Gc = 0;
+  if (const auto unusable = number(row, by_angle ? ColumnId::psi : ColumnId::mode_ratio, mixity); !unusable.empty())
+    return unusable;
   // the double next to pi/2 is what 90 degrees become
-  if (*mixity < 0 || *mixity > (by_angle ? 1.5707963267948968 : 1))
+  if (mixity < 0 || mixity > (by_angle ? 1.5707963267948968 : 1))
     return by_angle ? "psi outside 0..90 degrees" : "mode_ratio outside 0..1";
-  point.mixity = by_angle ? mixity_from_angle(*mixity) : mixity_from_mode_ratio(*mixity);
-  const Value Gc = number(row, columns_.has(ColumnId::Gc) ? ColumnId::Gc : ColumnId::Gc_over_GIc);
-  if (!Gc) return Gc.unusable;
-  if (*Gc <= 0) return "Gc <= 0";
-  point.ratio = *Gc / ratio_unit_;
+  point.mixity = by_angle ? mixity_from_angle(mixity) : mixity_from_mode_ratio(mixity);
+  const ColumnId toughness = columns_.has(ColumnId::Gc) ? ColumnId::Gc : ColumnId::Gc_over_GIc;
+  if (const auto unusable = number(row, toughness, Gc); !unusable.empty()) return unusable;
+  if (Gc <= 0) return "Gc <= 0";
+  point.ratio = Gc / ratio_unit_;
   if (!in_range(point.ratio)) return "the toughness ratio is out of range";
-  const Value error = standard_error(row, ColumnId::sigma_Gc, point.ratio, ratio_unit_);
-  point.sigma_ratio = error.value;
-  return error.unusable;
+  return standard_error(row, ColumnId::sigma_Gc, point.ratio, ratio_unit_, point.sigma_ratio);
 }
 
 }  // namespace mixity

@@ -24,18 +24,11 @@ class PointReader {
   std::optional<std::string_view> run_name(const CsvRow& row) const;
 
  private:
-  /// A number, or why there is none.
-  struct Value {
-    double value = 0;
-    std::string_view unusable{};
-    explicit operator bool() const { return unusable.empty(); }
-    double operator*() const { return value; }
-  };
-
   void require_constants(const std::string& metadata_path);
   void set_display();
-  Value number(const CsvRow& row, ColumnId id) const;
-  Value standard_error(const CsvRow& row, ColumnId id, double value, double unit) const;
+  // Each reads what its last argument takes, and says why there is none; empty if there is.
+  std::string_view number(const CsvRow& row, ColumnId id, double& value) const;
+  std::string_view standard_error(const CsvRow& row, ColumnId id, double of, double unit, double& error) const;
   std::string_view read_loads(const CsvRow& row, Point& point) const;
   std::string_view read_toughness(const CsvRow& row, Point& point) const;
 

@@ -116,17 +116,22 @@ std::optional<Unit> parse_unit(std::string_view text) {
   }
 }
 
-std::optional<double> parse_number(std::string_view text) {
+bool parse_number(std::string_view text, double& value) {
   text = trim(text);
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size() || text.empty()) return std::nullopt;
-  if (error == std::errc()) return value;
+  if (end != text.data() + text.size() || text.empty()) return false;
+  if (error == std::errc()) return true;
   // Out of range: from_chars says so without a value. Too small is zero for our purposes, too large infinite.
-  if (error != std::errc::result_out_of_range) return std::nullopt;
+  if (error != std::errc::result_out_of_range) return false;
   const double sized = std::strtod(std::string(text).c_str(), nullptr);
-  return std::abs(sized) < 1 ? 0.0 : sized;
+  value = std::abs(sized) < 1 ? 0.0 : sized;
+  return true;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  return parse_number(text, value) ? std::optional(value) : std::nullopt;
 }
 
 std::optional<Quantity> parse_quantity(std::string_view text) {

@@ -43,6 +43,8 @@ std::optional<Quantity> parse_quantity(std::string_view text);
 
 /// A whole field as one number, surrounding blanks allowed. Null if it is not; inf and nan are numbers here.
 std::optional<double> parse_number(std::string_view text);
+/// The same for files of millions of them; false if it is none.
+bool parse_number(std::string_view text, double& value);
 
 /// How a dimension is called in messages: "a force such as mN".
 std::string describe(const Dimension& dimension);

@@ -1,8 +1,5 @@
 #include "fitting/resample.h"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <atomic>
@@ -10,6 +7,7 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <numeric>
 #include <random>
@@ -71,15 +69,22 @@ template <class Body>
 void for_each_refit(const LeastSquares& problem, const std::vector<double>& fitted, std::size_t n, unsigned threads,
                     const Progress& progress, Body body) {
   const std::size_t most = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, most);
-  std::atomic<std::size_t> done = 0;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 16), [&](const tbb::blocked_range<std::size_t>& range) {
+  constexpr std::size_t kShare = 16;  // taken at a time
+  std::atomic<std::size_t> taken = 0, done = 0;
+  const auto work = [&] {
     Refitter refit(problem, fitted);
     std::vector<double> weights(problem.residual_count());
-    for (std::size_t i = range.begin(); i < range.end(); ++i) body(i, refit, weights);
-    done += range.size();
-    if (progress) progress(static_cast<double>(done) / static_cast<double>(n));
-  });
+    for (std::size_t first; (first = taken.fetch_add(kShare)) < n;) {
+      const std::size_t last = std::min(first + kShare, n);
+      for (std::size_t i = first; i < last; ++i) body(i, refit, weights);
+      done += last - first;
+      if (progress) progress(static_cast<double>(done) / static_cast<double>(n));
+    }
+  };
+  std::vector<std::future<void>> helpers;
+  for (std::size_t k = 1; k < std::min(most, (n + kShare - 1) / kShare); ++k) helpers.push_back(std::async(work));
+  work();
+  for (auto& helper : helpers) helper.get();
 }
 
 std::vector<std::vector<std::size_t>> members(const std::vector<std::size_t>& runs) {

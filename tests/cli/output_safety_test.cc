@@ -41,7 +41,7 @@ bool is_temporary(const std::string& name) { return name.find(".tmp") != std::st
 /// A child that runs the program after `prepare`, its complaints in the file `err`; its output goes nowhere.
 pid_t start(
     const Words& words, const std::string& err, const std::function<void()>& prepare = [] {},
-    std::string program = MIXITY_PROGRAM) {
+    const std::string& program = MIXITY_PROGRAM) {
   const pid_t child = ::fork();
   if (child != 0) return child;
   const int nowhere = ::open("/dev/null", O_RDWR), complaints = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
@@ -50,7 +50,8 @@ pid_t start(
   ::dup2(complaints, STDERR_FILENO);
   prepare();
   Words copies = words;
-  std::vector<char*> argv{program.data()};
+  copies.insert(copies.begin(), program);
+  std::vector<char*> argv;
   for (std::string& word : copies) argv.push_back(word.data());
   argv.push_back(nullptr);
   ::execv(program.c_str(), argv.data());

@@ -1,6 +1,6 @@
 // growth [--largest=N] [TASK...]: time and memory of each task over a range of sizes, with the exponent of growth.
 // Tasks: reading, points, loads, replicates, threads; all by default.
-#include <tbb/global_control.h>
+#include <sched.h>
 
 #include <cstring>
 #include <filesystem>
@@ -61,6 +61,14 @@ std::string exponent_text(const std::optional<double>& value) {
   return text;
 }
 
+/// This process on so many processors from here on.
+void run_on(std::size_t processors) {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  for (std::size_t k = 0; k < processors; ++k) CPU_SET(k, &set);
+  sched_setaffinity(0, sizeof set, &set);
+}
+
 /// One row a task: its time at each size, the exponent, memory at the largest and its exponent.
 void table(const char* unit, const std::vector<std::size_t>& sizes,
            const std::vector<std::pair<std::string, Prepare>>& tasks) {
@@ -113,7 +121,7 @@ void reading(const Folder& folder) {
   };
   const auto on_one = [](std::function<void(const std::string&)> read) {
     return [read](const std::string& path) {
-      const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+      run_on(1);
       read(path);
     };
   };
@@ -132,7 +140,7 @@ void reading(const Folder& folder) {
               for (std::size_t i = 0; i < row.size(); ++i) last = parse_number(row[i]).value_or(0);
             });
           })},
-         {"data set, one thread", of_file(on_one(load))},
+         {"data set, one processor", of_file(on_one(load))},
          {"data set", of_file(load)}});
 }
 
@@ -211,7 +219,7 @@ void threads(const Folder& folder) {
         }},
        {"reading " + std::to_string(rows) + " rows", [&folder, rows](std::size_t k) {
           return Task([path = folder.file(rows), k] {
-            const tbb::global_control most(tbb::global_control::max_allowed_parallelism, k);
+            run_on(k);
             load_dataset(path);
           });
         }}});
