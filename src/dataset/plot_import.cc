@@ -72,11 +72,11 @@ std::string import_plot(const std::string& path, const PlotImport& options) {
   }
   text += options.x_column + "," + options.y_column + "\n";
   // The header must mean to us what it says: two axes, known, with fitting units.
-  read_csv_text(text, "the header '" + text.substr(0, text.size() - 1) + "'", true, [&](const CsvRow& header) {
-    const Columns columns("the header '" + text.substr(0, text.size() - 1) + "'", header);
+  const std::string name = path + ": the header '" + text.substr(0, text.size() - 1) + "'";
+  read_csv_text(text, name, true, [&](const CsvRow& header) {
+    const Columns columns(name, header);
     if (header.size() != (with_loads ? 4u : 3u) || !columns.ignored().empty() || columns.holds_loads() != with_loads)
-      throw InputError("the header '" + text.substr(0, text.size() - 1) + "'",
-                       "does not name two axes of one kind: T and A (or a) with loads, or psi and Gc without");
+      throw InputError(name, "does not name two axes of one kind: T and A (or a) with loads, or psi and Gc without");
   });
   std::size_t points = 0;
   for (std::size_t k = 0; k < series.size(); ++k)
