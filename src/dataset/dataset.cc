@@ -86,7 +86,7 @@ class Loader {
       take(part_of(*block));
     }
     reserve(file, bytes);
-    const std::size_t most = 2 * std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t most = std::size_t{2} * std::max(1u, std::thread::hardware_concurrency());
     for (std::deque<std::future<Part>> parts;;) {
       while (parts.size() < most) {
         auto block = file.next();

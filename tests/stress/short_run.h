@@ -10,7 +10,7 @@ namespace mixity::stress {
 inline constexpr std::uint64_t kShortSeed = 20261121;  // not the first of tools/stress
 
 /// So many cases, or under sanitizers, which slow 50-digit arithmetic down, so many.
-constexpr std::size_t short_run(std::size_t cases, [[maybe_unused]] std::size_t sanitized) {
+constexpr std::size_t short_run([[maybe_unused]] std::size_t cases, [[maybe_unused]] std::size_t sanitized) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   return sanitized;
 #else
