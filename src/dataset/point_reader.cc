@@ -57,14 +57,19 @@ void PointReader::require_constants(const std::string& metadata_path) {
 }
 
 void PointReader::set_display() {
-  const Unit& shear = columns_.find(ColumnId::T)->unit;
-  data_.display.force = shear.text;
-  data_.display.force_scale = data_.contact->force_unit() / shear.factor;
-  const Column* area = columns_.find(ColumnId::A);
-  const Unit& unit = area ? area->unit : columns_.find(ColumnId::a)->unit;
-  data_.display.area = area ? unit.text : unit.text + "^2";
-  data_.display.area_scale = data_.contact->area_unit() / (area ? unit.factor : unit.factor * unit.factor);
-  if (!in_range(data_.display.force_scale) || !in_range(data_.display.area_scale))
+  DisplayUnits& display = data_.display;
+  if (const Column* shear = columns_.find(ColumnId::T)) {
+    display.force = shear->unit.text;
+    display.force_scale = data_.contact->force_unit() / shear->unit.factor;
+  }
+  if (const Column* area = columns_.find(ColumnId::A)) {
+    display.area = area->unit.text;
+    display.area_scale = data_.contact->area_unit() / area->unit.factor;
+  } else if (const Column* radius = columns_.find(ColumnId::a)) {
+    display.area = radius->unit.text + "^2";
+    display.area_scale = data_.contact->area_unit() / (radius->unit.factor * radius->unit.factor);
+  }
+  if (!in_range(display.force_scale) || !in_range(display.area_scale))
     throw InputError(data_.path, "the units of its columns are out of range beside radius, modulus and toughness");
 }
 
