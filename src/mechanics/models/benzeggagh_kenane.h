@@ -12,28 +12,59 @@ struct BenzeggaghKenane {
   static constexpr ModelInfo info{"bk", "Benzeggagh-Kenane 1996", "f = 1 + (r-1) B^eta, B = sin^2(psi)"};
   static constexpr std::array<ParameterInfo, 2> parameters{{{"r", 1e-3, 1e3, 2}, {"eta", 1e-2, 1e2, 2}}};
 
-  /// B^eta and what it is made of, for B > 0. ln B comes from cos psi where B is near 1, and 1 - B^eta from ln B, so
-  /// that neither the exponent nor a small r magnifies a rounding.
+  /// B = sin^2 psi, C = 1 - B and ln B. `tiny` where B underflows, which B^eta need not: 1e-300^0.01 = 0.001; then
+  /// scaled = 2^600 sin psi stands for B, since T/y may be less than any double, too.
+  template <class S>
+  struct ModeRatio {
+    S B, C, log_B, scaled;
+    bool tiny;
+
+    explicit ModeRatio(const Mixity<S>& mixity)
+        : B(mixity.sin * mixity.sin), C(mixity.cos * mixity.cos), scaled(mixity.sin), tiny(is_tiny(B)) {
+      if (tiny) scaled = mixity.sin * S(kScale);
+      set_log();
+    }
+    /// From the ratio of the loads, without the roots of sin psi and cos psi: each rounding of B counts eta times.
+    ModeRatio(const S& y, const S& T) : scaled(T) {
+      const bool steep = T > y;
+      const S t = steep ? S(y / T) : S(T / y), square = t * t, larger = S(1) / (S(1) + square),
+              smaller = square * larger;
+      B = steep ? larger : smaller;
+      C = steep ? smaller : larger;
+      tiny = is_tiny(B);
+      if (tiny) scaled = T * S(kScale) / y;
+      set_log();
+    }
+
+   private:
+    static constexpr double kScale = 0x1p600;
+    static bool is_tiny(const S& B) { return !(B > S(1e-290)); }
+    /// From C where B is near 1, so that the exponent does not magnify a rounding of B.
+    void set_log() {
+      using std::log, std::log1p;
+      log_B = tiny ? S(S(2) * (log(scaled) - log(S(kScale)))) : B < S(0.5) ? S(log(B)) : S(log1p(-C));
+    }
+    friend struct BenzeggaghKenane;
+  };
+
+  /// B^eta and what follows from it, for B > 0. 1 - B^eta comes from ln B, so that a small r magnifies no rounding.
   template <class S>
   struct Power {
-    bool tiny;                   // B underflows, which B^eta need not: 1e-300^0.01 = 0.001
-    S log_B, reduced, value, f;  // reduced = B^(eta-1), meaningless if tiny; value = B^eta, f = (1 - B^eta) + r B^eta
-    Power(const std::array<S, 2>& p, const Mixity<S>& mixity) {
-      using std::exp, std::expm1, std::log, std::log1p, std::pow;
-      const S B = mixity.sin * mixity.sin;
-      tiny = !(B > S(1e-290));
-      log_B = tiny ? S(S(2) * log(mixity.sin)) : B < S(0.5) ? S(log(B)) : S(log1p(-mixity.cos * mixity.cos));
-      if (tiny) {
+    S reduced, value, f;  // reduced = B^(eta-1), meaningless if tiny; value = B^eta, f = (1 - B^eta) + r B^eta
+    Power(const std::array<S, 2>& p, const ModeRatio<S>& mode) {
+      using std::exp, std::expm1, std::pow;
+      const S& B = mode.B;
+      if (mode.tiny) {
         reduced = S(0);
-        value = pow(mixity.sin, S(2) * p[1]);
+        value = pow(mode.scaled, S(2) * p[1]) * pow(S(1 / ModeRatio<S>::kScale), S(2) * p[1]);
       } else if (p[1] < S(0.5)) {  // eta - 1 would round eta off, times ln B
         value = pow(B, p[1]);
         reduced = value / B;
       } else {
-        reduced = B < S(0.5) ? S(pow(B, p[1] - S(1))) : S(exp((p[1] - S(1)) * log_B));
+        reduced = B < S(0.5) ? S(pow(B, p[1] - S(1))) : S(exp((p[1] - S(1)) * mode.log_B));
         value = reduced * B;
       }
-      f = p[0] * value - expm1(p[1] * log_B);
+      f = p[0] * value - expm1(p[1] * mode.log_B);
     }
   };
 
@@ -42,30 +73,31 @@ struct BenzeggaghKenane {
   static Differentiated<S, 2> log_toughness(const std::array<S, 2>& p, const Mixity<S>& mixity) {
     using std::log, std::log1p;
     if (!(mixity.sin > S(0))) return {S(0), {S(0), S(0)}, {S(0), S(0), S(0), S(0)}};
-    const Power<S> power(p, mixity);
+    const ModeRatio<S> mode(mixity);
+    const Power<S> power(p, mode);
     const S q = (p[0] - S(1)) * power.value;
-    const S u = power.value / power.f, v = q * power.log_B / power.f;
-    const S cross = u * power.log_B / power.f;
+    const S u = power.value / power.f, v = q * mode.log_B / power.f;
+    const S cross = u * mode.log_B / power.f;
     const S value = power.f < S(0.5) ? S(log(power.f)) : S(log1p(q));
-    return {value, {u, v}, {-u * u, cross, cross, v * power.log_B / power.f}};
+    return {value, {u, v}, {-u * u, cross, cross, v * mode.log_B / power.f}};
   }
 
-  /// tau^2 = (y^2 + T^2)/f - y^2 = T^2 (1 - (f - 1) y^2/T^2)/f, with (f - 1) y^2/T^2 = (r - 1) B^(eta-1) (1 - B), whose
-  /// difference from 1 is taken as (1 - (r - 1) B^(eta-1)) + (r - 1) B^eta for the sake of eta = 1, r = 2.
+  /// tau^2 = (y^2 + T^2)/f - y^2 = T^2 (1 - (f - 1) y^2/T^2)/f, with (f - 1) y^2/T^2 = k (1 - B), k = (r - 1)
+  /// B^(eta-1). Up to k = 1 its difference from 1 is (1 - k) + k B, for the sake of eta = 1, r = 2 where it is B;
+  /// beyond, where 1 - k is negative and that sum would cancel, as it stands.
   template <class S>
   static ShearTerm<S> shear_term(const std::array<S, 2>& p, const S& y, const S& T) {
     if (!(T > S(0))) return {S(0), S(0), S(0)};
     const S& eta = p[1];
-    const Mixity<S> mixity = mixity_from_loads(y, T);
-    const S C = mixity.cos * mixity.cos;
-    if (!(mixity.sin > S(0))) return {S(0), S(0), S(0)};
-    const Power<S> power(p, mixity);
-    if (power.tiny && p[0] >= S(1)) return {S(0), S(0), S(0)};  // eta >= 1 then: of the size of T^2, which underflows
+    const ModeRatio<S> mode(y, T);
+    if (mode.tiny && p[0] >= S(1)) return {S(0), S(0), S(0)};  // eta >= 1 then: of the size of T^2, which underflows
+    const Power<S> power(p, mode);
     const S& f = power.f;
-    const S q = (p[0] - S(1)) * power.value;
+    const S k = (p[0] - S(1)) * power.reduced, q = (p[0] - S(1)) * power.value;
     const S g = q * (eta - f) / (f * f);
-    const S value = power.tiny ? S(-q * y * y / f) : S(T * T * ((S(1) - (p[0] - S(1)) * power.reduced) + q) / f);
-    return {value, S(2) * y * g, S(2) * g - S(4) * eta * q * C * ((eta - S(1)) - (eta + S(1)) * q) / (f * f * f)};
+    const S left = k > S(1) ? S(S(1) - k * mode.C) : S((S(1) - k) + q);
+    const S value = mode.tiny ? S(-q * y * y / f) : S(T * T * left / f);
+    return {value, S(2) * y * g, S(2) * g - S(4) * eta * q * mode.C * ((eta - S(1)) - (eta + S(1)) * q) / (f * f * f)};
   }
 
   /// d(tau^2)/dy has the sign of (r - 1)(eta - f), and f lies between 1 and r.
