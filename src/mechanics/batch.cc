@@ -85,7 +85,7 @@ MIXITY_LOOP void euler_step(double parameter, double P, const LanePart& part, co
     const double d1 = 2 * v + tau2.d1, d2 = 2 + tau2.d2, inner = d1 * d1 - 2 * value * d2;
     const double step = -2 * value / (d1 + std::sqrt(inner > 0 ? inner : 0.0));
     const bool done = (std::abs(value) <= 0.5 * eps * size) | (std::abs(step) <= eps * y[i]) |
-                      (std::abs(d2 * step * step * step) <= 0.1 * eps * d1 * y[i] * y[i]);
+                      ((2 + std::abs(tau2.d2)) * std::abs(step * step * step) <= 0.1 * eps * d1 * y[i] * y[i]);
     const double next = y[i] + step;
     const bool inside = (next >= low) & (next <= high) & (d1 > 0);
     settled[i] = done & inside ? 1.0 : 0.0;

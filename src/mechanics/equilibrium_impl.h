@@ -48,8 +48,10 @@ Equilibrium LoadedContact<Model>::solve(double T, double low, double high, doubl
       y = low > 0 && high > 16 * low ? std::sqrt(low * high) : 0.5 * (low + high);
       continue;
     }
-    // What the step leaves is a third of a cubic term, |R''' step^3/6 R'|, with R''' about R''/y.
-    const bool done = std::abs(step) <= eps * y || std::abs(R.d2 * step * step * step) <= 0.1 * eps * R.d1 * y * y;
+    // What the step leaves is a third of a cubic term, |R''' step^3/6 R'|, with R''' about R''/y; R'' by its terms, 2
+    // and tau^2_yy, whose sum may pass through 0 where R''' does not.
+    const double bend = 2 + std::abs(R.d2 - 2);
+    const bool done = std::abs(step) <= eps * y || bend * std::abs(step * step * step) <= 0.1 * eps * R.d1 * y * y;
     y = next;
     if (done) {
       ++iterations;
