@@ -22,7 +22,7 @@ bool asymptotic_edge_loads(const Parameters<Model>& p, double P, double& upper, 
   const double excess = shear_limit<Model>(p);
   if (std::isinf(excess)) return false;
   const double g = 1 + excess, centre = 3 * pi<double>();
-  const double square = centre * centre + 2 * centre * P * g;
+  const double square = 2 * centre * (above_pull_off(P) + P * excess);  // centre^2 + 2 centre P g, which would cancel
   if (square < 0) return false;
   upper = (centre + std::sqrt(square)) / g;
   lower = -2 * centre * P / (centre + std::sqrt(square));  // the product of the roots is -6 pi P/g
@@ -49,7 +49,8 @@ double tangential_load(const Parameters<Model>& p, double y, double tau) {
     }
     // Where it does not: ln tau as a function of ln T has a slope of order one throughout, kept between bounds.
     const double target = std::log(tau);
-    double low = -345, high = 345, x = target;  // e^345 = kFar
+    constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+    double low = std::log(kLeast), high = 345, x = target;  // e^345 = kFar
     for (int i = 0; i < 100 && high - low > 1e-15 * std::abs(high); ++i) {
       x = x > low && x < high ? x : 0.5 * (low + high);
       const ShearTerm<double> term = Model::shear_term(p, y, std::exp(x));
@@ -61,14 +62,14 @@ double tangential_load(const Parameters<Model>& p, double y, double tau) {
     }
     if (!(x >= low && x <= high)) x = 0.5 * (low + high);
     if (x > 344.9) return std::numeric_limits<double>::infinity();
-    const double missed = 0.5 * std::log(Model::shear_term(p, y, std::exp(x)).value) - target;
-    if (!(std::abs(missed) < 1e-3)) return 0;  // bk with a small eta: T lies below all doubles
-    // The last digits in T itself: ln T of a large T has lost some.
     T = std::exp(x);
+    // bk with a small eta: T lies below all doubles
+    if (T <= kLeast && 0.5 * std::log(Model::shear_term(p, y, kLeast).value) > target) return 0;
+    // The last digits in T itself: ln T of a large T has lost some.
     for (int i = 0; i < 2; ++i) {
       const ShearTerm<double> term = Model::shear_term(p, y, T);
       const double root = std::sqrt(term.value);
-      T += (tau - root) * T * root / (term.value - 0.5 * y * term.d1);
+      T += T * ((tau - root) * root / (term.value - 0.5 * y * term.d1));  // in this order for a denormal T
     }
     return std::isfinite(T) && T > 0 ? T : std::numeric_limits<double>::infinity();
   }
