@@ -1,11 +1,13 @@
 // Random contacts over the whole domain and its edges: every area against the printed equation in 50 digits.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <random>
 
 #include "dataset/number_text.h"
 #include "mechanics/area_judge.h"
+#include "mechanics/batch.h"
 #include "stress/tally.h"
 
 namespace mixity::stress {
@@ -44,9 +46,11 @@ inline double random_load(Random& random) {
   }
 }
 
-/// As parts of where the contact first loses stability, or of a natural scale if it never does.
+/// As parts of where the contact first loses stability, or of a natural scale if it never does; or any double.
 inline double random_shear(Random& random, double scale) {
-  switch (random() % 6) {
+  switch (random() % 7) {
+    case 6:
+      return std::exp2(uniform(random, -1074, 498));  // from the least double to kLargestLoad
     case 0:
       return chance(random, 0.2) ? 0.0 : scale * log_uniform(random, 1e-300, 1e-2);
     case 1:
@@ -60,7 +64,7 @@ inline double random_shear(Random& random, double scale) {
   }
 }
 
-/// Four loads T on one contact.
+/// Four loads T on one contact, each alone and all as an array.
 template <class Model>
 void one_contact(Random& random, Tally& tally) {
   Parameters<Model> p{};
@@ -79,18 +83,30 @@ void one_contact(Random& random, Tally& tally) {
   const double fold = tally.timed(where + " (folds)", [&] { return contact.branches().front().T_bottom; });
   const double w = Model::small_shear(p);
   const double scale = std::isfinite(fold) ? fold : circle_radius(P) / std::sqrt(w > 0 && w < 1e9 ? w : 1.0);
-  for (int i = 0; i < 4; ++i) {
+  std::array<double, 4> loads{}, areas{};
+  for (std::size_t i = 0; i < loads.size(); ++i) {
     const double T = std::min(random_shear(random, scale), kLargestLoad);
+    loads[i] = T;
     const std::string here = where + " T=" + shortest(T);
     ++tally.cases;
     const Equilibrium found = tally.timed(here, [&] { return contact.at(T); });
     tally.answered += found.status == EquilibriumStatus::ok;
     double error = 0;
-    const std::string wrong = wrong_with_area(contact, Judge<Model>{p, P, T}, error);
+    const std::string wrong = wrong_with_area(contact, Judge<Model>{p, P, T}, found, error);
     if (!wrong.empty()) tally.fail(here + ": " + wrong);
     // Towards a fold errors grow as the condition number; the worst of those elsewhere says how good the solver is.
     if (error > tally.worst_error && found.y > 0 && Judge<Model>{p, P, T}.condition(found.y) < 3)
       tally.see_error(error, here);
+  }
+  predict_areas<Model>(p, P, loads, areas);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const Equilibrium found = contact.at(loads[i]);
+    const double A = found.status == EquilibriumStatus::ok ? contact_state(P, loads[i], found.y).A : 0;
+    // Both within 4e-15 of the truth, or of what the condition leaves.
+    if (std::abs(areas[i] - A) <= 8e-15 * A) continue;
+    const double condition = found.y > 0 ? Judge<Model>{p, P, loads[i]}.condition(found.y) : 1;
+    if (!(std::abs(areas[i] - A) <= std::min(2 * (4e-15 + 8e-16 * condition), 4e-5) * A))
+      tally.fail(where + " T=" + shortest(loads[i]) + ": " + shortest(areas[i]) + " in an array, alone " + shortest(A));
   }
 }
 
