@@ -13,20 +13,27 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// The residuals times `scale`: Ceres damps its steps as if J'J were at least 1e-6, which is all of the
+/// size of a step where psi is small.
 class CeresAdapter final : public ceres::CostFunction {
  public:
-  explicit CeresAdapter(const LeastSquares& problem) : problem_(problem) {
+  CeresAdapter(const LeastSquares& problem, double scale) : problem_(problem), scale_(scale) {
     set_num_residuals(static_cast<int>(problem.residual_count()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.parameters().size()));
   }
   bool Evaluate(const double* const* x, double* residuals, double** jacobians) const override {
     const std::size_t n = problem_.residual_count(), p = problem_.parameters().size();
     const bool wanted = jacobians && jacobians[0];
-    return problem_.evaluate({x[0], p}, {residuals, n}, {wanted ? jacobians[0] : nullptr, wanted ? n * p : 0});
+    if (!problem_.evaluate({x[0], p}, {residuals, n}, {wanted ? jacobians[0] : nullptr, wanted ? n * p : 0}))
+      return false;
+    for (std::size_t i = 0; i < n; ++i) residuals[i] *= scale_;
+    for (std::size_t i = 0; wanted && i < n * p; ++i) jacobians[0][i] *= scale_;
+    return true;
   }
 
  private:
   const LeastSquares& problem_;
+  double scale_;
 };
 
 /// Residuals, Jacobian and what the first-order condition makes of them.
@@ -92,8 +99,14 @@ void polish(const LeastSquares& problem, Vector& x, Linearised& at, double round
     if (!step.allFinite()) return;
     const Vector next = clamped(problem, x + step);
     const Linearised there = linearise(problem, next);
-    const bool better =
-        there.finite && there.stationarity < at.stationarity && there.r.norm() <= at.r.norm() * (1 + 1e-12) + rounding;
+    // At a bound J may vanish by symmetry, which makes any |r| stationary: a step to one has to pay.
+    bool to_bound = false;
+    for (Eigen::Index k = 0; k < p; ++k) {
+      const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
+      to_bound |= next[k] != x[k] && (next[k] <= parameter.lower || next[k] >= parameter.upper);
+    }
+    const double rise = at.r.norm() * 1e-12 + (to_bound ? 0 : rounding);
+    const bool better = there.finite && there.stationarity < at.stationarity && there.r.norm() <= at.r.norm() + rise;
     if (!better) return;
     x = next;
     at = there;
@@ -104,9 +117,12 @@ void polish(const LeastSquares& problem, Vector& x, Linearised& at, double round
 
 std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<double>& start) {
   Vector x = Eigen::Map<const Vector>(start.data(), static_cast<Eigen::Index>(start.size()));
-  if (!linearise(problem, x).finite) return std::nullopt;
+  const Linearised first = linearise(problem, x);
+  if (!first.finite) return std::nullopt;
 
-  CeresAdapter cost(problem);
+  // Below 1e-17 a parameter moves no residual by a rounding, over all of its range.
+  const double slope = first.J.colwise().norm().maxCoeff();
+  CeresAdapter cost(problem, slope > 1e-17 && slope < 1 ? 1 / slope : 1);
   ceres::Problem::Options ownership;
   ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem ceres_problem(ownership);
@@ -126,7 +142,8 @@ std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<do
   options.parameter_tolerance = 1e-14;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &ceres_problem, &summary);
+  // Where rounding is all that is left of the gradient, no step lowers the cost, of which Ceres would complain.
+  if (first.stationarity > 1e-14) ceres::Solve(options, &ceres_problem, &summary);
 
   Linearised at = linearise(problem, x);
   if (!at.finite) return std::nullopt;

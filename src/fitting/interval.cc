@@ -63,11 +63,13 @@ End find_end(Profile profile, const FreeParameter& parameter, double best, doubl
     double next = best + direction * step;
     const bool last = direction < 0 ? next <= bound : next >= bound;
     if (last) next = bound;
+    if (next == inside && !last) continue;  // a step below the resolution of doubles
     const auto cost = profile(next);
     if (!cost) return {inside, EndStatus::open};
     depth.see(next, *cost);
     const double excess_here = *cost / limit - 1;
     if (excess_here > 0) {
+      if (next == inside) return {inside, EndStatus::found};
       std::uintmax_t evaluations = 60;
       const auto excess = [&](double x) { return profile(x).value_or(2 * limit) / limit - 1; };
       const bool down = direction < 0;

@@ -245,20 +245,22 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
   const auto fits_as_well = [&](double sum_of_squares, double least) {
     return sum_of_squares <= least + fit_tolerance(problem, least);
   };
-  const bool any_scanned = near.empty() && std::any_of(problem.parameters().begin(), problem.parameters().end(),
-                                                       [](const FreeParameter& parameter) { return !parameter.start; });
-  if (any_scanned && (std::sqrt(scanned.highest) <= rounding || fits_as_well(scanned.highest, scanned.lowest))) {
-    std::string names;
-    for (const FreeParameter& parameter : problem.parameters()) names += (names.empty() ? "" : ", ") + parameter.name;
-    return end(FitStatus::not_identifiable, "the data do not constrain " + names + ": every value in the range fits");
-  }
-
   std::vector<Minimum> minima;
   for (const auto& start : scanned.minima) {
     const auto minimum = descend(problem, start);
     if (minimum && std::none_of(minima.begin(), minima.end(),
                                 [&](const Minimum& known) { return same_place(problem, known, *minimum); }))
       minima.push_back(*minimum);
+  }
+  const bool any_scanned = near.empty() && std::any_of(problem.parameters().begin(), problem.parameters().end(),
+                                                       [](const FreeParameter& parameter) { return !parameter.start; });
+  // Of the minima, not of the scan's places: a narrow basin between two of them goes far below both.
+  double least = scanned.lowest;
+  for (const Minimum& minimum : minima) least = std::min(least, minimum.sum_of_squares);
+  if (any_scanned && (std::sqrt(scanned.highest) <= rounding || fits_as_well(scanned.highest, least))) {
+    std::string names;
+    for (const FreeParameter& parameter : problem.parameters()) names += (names.empty() ? "" : ", ") + parameter.name;
+    return end(FitStatus::not_identifiable, "the data do not constrain " + names + ": every value in the range fits");
   }
   if (p == 1 && minima.size() > 1) {
     const FreeParameter& parameter = problem.parameters()[0];

@@ -98,19 +98,21 @@ SingleFit solve_single(SingleCost& cost, const LeastSquares& problem) {
   }
   const SingleScan scan = scan_basins(cost, parameter);
   if (!std::isfinite(scan.lowest)) return best;
-  if (scan.highest <= scan.lowest + fit_tolerance(problem, scan.lowest)) {
-    best.status = FitStatus::not_identifiable;
-    return best;
-  }
   std::vector<SingleFit> found;
   for (const Basin& basin : scan.basins) {
     SingleFit fit;
     judge(fit, refine(cost, {}, basin.low, basin.high, true, basin.start), parameter, points);
     if (fit.sum_of_squares >= 0 && std::isfinite(fit.sum_of_squares)) found.push_back(fit);
   }
-  if (found.empty()) return best;
   std::sort(found.begin(), found.end(),
             [](const SingleFit& one, const SingleFit& other) { return one.sum_of_squares < other.sum_of_squares; });
+  // Of the minima, not of the scan's places: a narrow basin between two of them goes far below both.
+  const double least = found.empty() ? scan.lowest : std::min(scan.lowest, found.front().sum_of_squares);
+  if (scan.highest <= least + fit_tolerance(problem, least)) {
+    best.status = FitStatus::not_identifiable;
+    return best;
+  }
+  if (found.empty()) return best;
   best = found.front();
   for (std::size_t i = 1; i < found.size(); ++i)
     if (std::abs(found[i].x - best.x) > 1e-5 * std::max(std::abs(best.x), 1e-9)) best.others.push_back(found[i].x);

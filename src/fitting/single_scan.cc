@@ -111,6 +111,16 @@ SingleScan scan_basins(SingleCost& cost, const FreeParameter& parameter) {
     const bool at_bound = better.x <= parameter.lower || better.x >= parameter.upper;
     scan.basins.push_back({left.x, right.x, at_bound ? between(left.x, right.x) : better.x, better.cost.value});
   }
+  if (scan.basins.empty() && std::isfinite(scan.lowest)) {
+    // Where the cost is hardly more than rounding, its slopes and values may contradict each other.
+    const auto lowest = std::find_if(places.begin(), places.end(), [&](const Place& place) {
+      return place.cost.finite && place.cost.value == scan.lowest;
+    });
+    const double low = lowest == places.begin() ? lowest->x : (lowest - 1)->x;
+    const double high = lowest + 1 == places.end() ? lowest->x : (lowest + 1)->x;
+    const bool at_bound = low == lowest->x || high == lowest->x;
+    scan.basins.push_back({at_bound ? lowest->x : low, at_bound ? lowest->x : high, lowest->x, scan.lowest});
+  }
   std::sort(scan.basins.begin(), scan.basins.end(),
             [](const Basin& one, const Basin& other) { return one.cost < other.cost; });
   return scan;
