@@ -32,12 +32,14 @@ Tally shared_out(std::uint64_t seed, std::size_t cases, const Run& run) {
 }
 
 void print(const Tally& tally) {
+  if (tally.cases == 0) return;
   std::printf("| %s | %zu | %zu | %.2g | %.3g us | %.3g us | %zu |\n", tally.what.c_str(), tally.cases, tally.answered,
-              tally.worst_error, 1e-3 * tally.total_ns / static_cast<double>(std::max<std::size_t>(tally.cases, 1)),
-              1e-3 * tally.slowest_ns, tally.failures);
+              tally.worst_error, 1e-3 * tally.total_ns / static_cast<double>(tally.cases), 1e-3 * tally.slowest_ns,
+              tally.failures);
 }
 
 void explain(const Tally& tally) {
+  if (tally.cases == 0) return;
   if (!tally.worst_case.empty()) std::printf("worst of %s: %s\n", tally.what.c_str(), tally.worst_case.c_str());
   std::printf("slowest of %s: %s\n", tally.what.c_str(), tally.slowest_case.c_str());
   for (const std::string& why : tally.first_failures) std::printf("FAILED: %s\n", why.c_str());
