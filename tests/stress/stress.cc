@@ -48,7 +48,7 @@ void explain(const Tally& tally) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::size_t areas = 1000000, fits = 100000, large = 4, experiments = 1000, seed = 1;
+  std::size_t areas = 1000000, fits = 100000, large = 4, experiments = 500, seed = 1;
   for (int i = 1; i < argc; ++i) {
     const auto number = [&](const char* flag, std::size_t& value) {
       const std::size_t length = std::strlen(flag);
