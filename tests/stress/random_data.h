@@ -18,7 +18,7 @@ inline double printed_log_toughness(const std::string& model, const std::vector<
   if (model == "b") return std::log1p(std::pow(std::tan((1 - 0.5 * p[0]) * psi), 2));
   const double C = std::pow(std::cos(psi), 2), B = std::pow(std::sin(psi), 2);
   if (model == "c") return p[0] < 0.5 ? -std::log(C + p[0] * B) : -std::log1p((p[0] - 1) * B);
-  const double power = std::exp(p[1] * (B < 0.5 ? std::log(B) : std::log1p(-C)));
+  const double power = std::exp(p.back() * (B < 0.5 ? std::log(B) : std::log1p(-C)));
   return std::log1p((p[0] - 1) * power);
 }
 
