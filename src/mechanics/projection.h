@@ -37,8 +37,12 @@ class Projection {
   /// T of the last point of the polyline: T_most, or less where the curve ends or doubles no longer resolve it.
   double last_T() const { return nodes_.back().T; }
 
-  /// True if a nearest point is the first or the last of the curve.
-  bool is_end(const CurvePoint& q) const { return q.phi == nodes_.front().phi || q.phi == nodes_.back().phi; }
+  /// True if a nearest point is the first or the last of the curve. A search for the first, which is a corner for bk
+  /// with eta < 1, comes as close as it likes.
+  bool is_end(const CurvePoint& q) const {
+    const double first = nodes_.front().phi;
+    return q.phi <= first + 1e-9 * (nodes_[1].phi - first) || q.phi == nodes_.back().phi;
+  }
 
   /// The nearest point. T >= 0, A > 0, standard errors > 0.
   CurvePoint nearest(double T, double A, double sigma_T, double sigma_A) const {

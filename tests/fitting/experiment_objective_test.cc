@@ -201,5 +201,19 @@ TYPED_TEST(ExperimentJacobian, CorrectionsUndoWhatWrongConstantsDo) {
   compare(objective<TypeParam, CurveResiduals>(right), objective<TypeParam, CurveResiduals>(wrong));
 }
 
+/// With eta < 1 the curve leaves JKR straight down: a point above that has its nearest place at this corner, where the
+/// curve's normal says nothing of the distance.
+TEST(CurveResiduals, AboveTheCornerOfASmallExponentTheDistanceCounts) {
+  for (const double eta : {0.1, 0.36, 0.45}) {
+    const double P = 17, A = area_from_radius(jkr_radius(P));
+    CurveResiduals<BenzeggaghKenane> residuals({0.68, eta}, P, 20);
+    for (const double T : {0.0, 0.01}) {
+      const auto r = residuals({P, T, A + 0.6, 1, 1});
+      ASSERT_TRUE(r);
+      EXPECT_NEAR(r->value, -std::hypot(T, 0.6), 1e-9) << eta << ' ' << T;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mixity
