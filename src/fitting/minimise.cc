@@ -290,7 +290,8 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
   if (!verdict.best.stationary)
     return end(FitStatus::not_converged, "the solver stopped where the gradient is not zero (relative size " +
                                              rounded(verdict.best.stationarity, 2) + ")");
-  if (verdict.best.sum_of_squares > scanned.lowest * (1 + 1e-9) && std::sqrt(verdict.best.sum_of_squares) > rounding)
+  if (verdict.best.sum_of_squares > scanned.lowest * (1 + 1e-9) &&
+      std::sqrt(verdict.best.sum_of_squares) > std::sqrt(scanned.lowest) + rounding)
     return end(FitStatus::not_converged, "the solver ended above the lowest cost of the scan");
   if (!bounds.empty()) return end(FitStatus::at_bound, bounds);
   if (!verdict.others.empty() && fits_as_well(verdict.others.front().sum_of_squares, verdict.best.sum_of_squares))

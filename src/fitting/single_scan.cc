@@ -13,9 +13,10 @@ struct Place {
   CostValue cost;
 };
 
-/// Fractions of the range: few where intervals are halved as needed, else enough to do without. Towards the upper
-/// bound, too: with psi next to pi/2 model a has basins at 1 - lambda of some cot^2 psi, too narrow for eight halvings.
-constexpr double kCoarse[] = {1e-12, 1e-6, 1e-3, 0.05, 0.3, 0.7, 1 - 1e-3, 1 - 1e-6};
+/// Fractions of the range: few where intervals are halved as needed, else enough to do without. Over a factor of 1000
+/// slopes, curvatures and values may agree by chance, with two basins in between. Towards the upper bound, too: with
+/// psi next to pi/2 model a has basins at 1 - lambda of some cot^2 psi, too narrow for eight halvings.
+constexpr double kCoarse[] = {1e-12, 1e-6, 3e-5, 1e-3, 0.05, 0.3, 0.7, 1 - 1e-3, 1 - 1e-6};
 constexpr double kFine[] = {1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 0.01, 0.02, 0.04, 0.07,
                             0.12,  0.2,  0.3,  0.4,  0.5,  0.6,  0.7,  0.8,  0.88, 0.94, 0.97, 0.99};
 

@@ -152,17 +152,17 @@ void print_case(const Case<Model>& at) {
   std::printf(R"({"case": "%s", "model": "%s", "lower": %.17g, "upper": %.17g, "start": %.17g, "truth": "%s")",
               at.name.c_str(), std::string(Model::info.key).c_str(), lambda.lower, lambda.upper, lambda.typical,
               at.truth.str(40).c_str());
-  const auto print_array = [&](const char* name, auto member) {
+  const auto print_array = [&](const char* name, auto value_of) {
     const char* comma = "";
     std::printf(R"(, "%s": [)", name);
     for (const Point& point : at.data.points) {
-      std::printf("%s%.17g", comma, point.*member);
+      std::printf("%s%.17g", comma, value_of(point));
       comma = ", ";
     }
     std::printf("]");
   };
-  print_array("psi", &Point::psi);
-  print_array("f", &Point::ratio);
+  print_array("psi", [](const Point& point) { return point.psi(); });
+  print_array("f", [](const Point& point) { return point.ratio; });
   std::printf("}\n");
 }
 
