@@ -74,7 +74,7 @@ void table(const char* unit, const std::vector<std::size_t>& sizes,
            const std::vector<std::pair<std::string, Prepare>>& tasks) {
   std::printf("\n| %s |", unit);
   for (const std::size_t n : sizes) std::printf(" %zu |", n);
-  std::printf(" time grows as n^ | memory | per %s | memory grows as n^ |\n|---|", unit);
+  std::printf(" time grows as n^ | memory at the last | each | memory grows as n^ |\n|---|");
   for (std::size_t i = 0; i < sizes.size() + 4; ++i) std::printf("---|");
   std::printf("\n");
   for (const auto& [name, prepare] : tasks) {
