@@ -34,7 +34,7 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
   std::string file(std::size_t n, std::size_t runs = 10) const {
-    const std::string path = path_ / (std::to_string(n) + "_" + std::to_string(runs) + ".csv");
+    std::string path = path_ / (std::to_string(n) + "_" + std::to_string(runs) + ".csv");
     if (!std::filesystem::exists(path)) write_csv(path, n, runs);
     return path;
   }
@@ -77,8 +77,9 @@ void table(const char* unit, const std::vector<std::size_t>& sizes,
   std::printf(" time grows as n^ | memory at the last | each | memory grows as n^ |\n|---|");
   for (std::size_t i = 0; i < sizes.size() + 4; ++i) std::printf("---|");
   std::printf("\n");
-  for (const auto& [name, prepare] : tasks) {
-    std::printf("| %s |", name.c_str());
+  for (const auto& task : tasks) {
+    const Prepare& prepare = task.second;
+    std::printf("| %s |", task.first.c_str());
     std::vector<std::pair<double, double>> times, bytes;
     for (const std::size_t n : sizes) {
       // What has begun to take a minute would take ten at the next size.
@@ -116,10 +117,10 @@ void find_lines(const std::string& path) {
 }
 
 void reading(const Folder& folder) {
-  const auto of_file = [&](std::function<void(const std::string&)> read) {
+  const auto of_file = [&](const std::function<void(const std::string&)>& read) {
     return [&folder, read](std::size_t n) { return Task([path = folder.file(n), read] { read(path); }); };
   };
-  const auto on_one = [](std::function<void(const std::string&)> read) {
+  const auto on_one = [](const std::function<void(const std::string&)>& read) {
     return [read](const std::string& path) {
       run_on(1);
       read(path);

@@ -102,7 +102,7 @@ void run(const UnitCase& at, ConvergenceTable& table, ConvergenceServer& server)
 }  // namespace
 }  // namespace mixity::precision
 
-int main(int count, char** arguments) {
+int main(int count, char** arguments) try {
   using namespace mixity;
   FLAGS_minloglevel = google::GLOG_FATAL;  // of Ceres: what fails is counted
   const bool serves = count == 2 && arguments[1] == std::string("--serve");
@@ -121,4 +121,7 @@ int main(int count, char** arguments) {
   table.print();
   std::printf("\n%zu data sets x %zu units x %zu starts; mixity takes no start.\n", cases.size(), kAreaUnits.size(),
               precision::kStarts.size());
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "precision_convergence: %s\n", error.what());
+  return 1;
 }
