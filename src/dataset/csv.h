@@ -18,9 +18,8 @@ class CsvRow {
  public:
   std::size_t line() const { return line_; }  // 1-based
   std::size_t size() const { return fields_.size(); }
-  std::string_view operator[](std::size_t i) const {
-    return fields_[i];
-  }  // field i, unquoted, without blanks around it
+  /// Field i, unquoted, without blanks around it.
+  std::string_view operator[](std::size_t i) const { return fields_[i]; }
   bool blank() const { return fields_.empty() || (fields_.size() == 1 && fields_[0].empty()); }
   /// 1-based character column at which field i starts in the file.
   std::size_t column(std::size_t i) const;
