@@ -22,7 +22,7 @@ double shear_to_lose_area(const Parameters<Model>& p, double P) {
   return std::min(fold, circle_radius(P) / std::sqrt(w > 0 && w < 1 ? w : 1.0));
 }
 
-/// A point with everything that follows from its loads and area. A > 0 above the Hertz area.
+/// A point with everything that follows from its loads and area: above the Hertz area phase angle and toughness, too.
 inline Point point_at(std::size_t line, std::size_t curve, double P, double T, double A) {
   Point point{};
   point.line = line;
@@ -30,7 +30,9 @@ inline Point point_at(std::size_t line, std::size_t curve, double P, double T, d
   point.P = P;
   point.T = T;
   point.A = A;
-  const auto measured = measured_toughness(P, T, std::sqrt(A / pi<double>()));
+  const double a = std::sqrt(A / pi<double>());
+  if (!(edge_load(a, P) > 0)) return point;
+  const auto measured = measured_toughness(P, T, a);
   point.mixity = measured.mixity;
   point.ratio = measured.ratio;
   return point;

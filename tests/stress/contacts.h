@@ -84,12 +84,13 @@ void one_contact(Random& random, Tally& tally) {
   const double w = Model::small_shear(p);
   const double scale = std::isfinite(fold) ? fold : circle_radius(P) / std::sqrt(w > 0 && w < 1e9 ? w : 1.0);
   std::array<double, 4> loads{}, areas{};
+  std::array<Equilibrium, 4> alone;
   for (std::size_t i = 0; i < loads.size(); ++i) {
     const double T = std::min(random_shear(random, scale), kLargestLoad);
     loads[i] = T;
     const std::string here = where + " T=" + shortest(T);
     ++tally.cases;
-    const Equilibrium found = tally.timed(here, [&] { return contact.at(T); });
+    const Equilibrium& found = alone[i] = tally.timed(here, [&] { return contact.at(T); });
     tally.answered += found.status == EquilibriumStatus::ok;
     double error = 0;
     const std::string wrong = wrong_with_area(contact, Judge<Model>{p, P, T}, found, error);
@@ -100,7 +101,7 @@ void one_contact(Random& random, Tally& tally) {
   }
   predict_areas<Model>(p, P, loads, areas);
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    const Equilibrium found = contact.at(loads[i]);
+    const Equilibrium& found = alone[i];
     const double A = found.status == EquilibriumStatus::ok ? contact_state(P, loads[i], found.y).A : 0;
     // Both within 4e-15 of the truth, or of what the condition leaves.
     if (std::abs(areas[i] - A) <= 8e-15 * A) continue;
@@ -112,11 +113,9 @@ void one_contact(Random& random, Tally& tally) {
 
 /// At least `cases` areas of all models, from a random stream of their own.
 inline Tally random_contacts(std::uint64_t seed, std::size_t cases) {
-  Tally tally;
-  tally.what = "areas";
-  Random random(seed);
-  while (tally.cases < cases) for_each_model([&](auto model) { one_contact<decltype(model)>(random, tally); });
-  return tally;
+  return random_cases("areas", seed, cases, [](Random& random, Tally& tally) {
+    for_each_model([&](auto model) { one_contact<decltype(model)>(random, tally); });
+  });
 }
 
 }  // namespace mixity::stress

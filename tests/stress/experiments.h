@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "mechanics/measurement.h"
+#include "fitting/synthetic_runs.h"
 #include "mechanics/sampling.h"
 #include "stress/fits.h"
 
@@ -53,18 +53,10 @@ Experiment random_experiment(Random& random) {
       const Equilibrium found = contact.at(T);
       const double y = found.status == EquilibriumStatus::ok ? found.y : contact.branches().back().y_bottom;
       const double A = area_from_radius(radius_from_edge_load(y, P)), sigma_A = noise * A, sigma_T = noise * last;
-      Point point{};
-      point.line = data.points.size() + 2;
-      point.curve = static_cast<std::size_t>(run);
-      point.P = P;
-      point.T = curve ? std::max(T + sigma_T * normal(random), 0.0) : T;
-      point.A = std::max(A + sigma_A * normal(random), 0.1 * A);
-      const double a = std::sqrt(point.A / pi<double>());
-      if (edge_load(a, P) > 0) {
-        const auto measured = measured_toughness(P, point.T, a);
-        point.mixity = measured.mixity;
-        point.ratio = measured.ratio;
-      }
+      const double T_measured = curve ? std::max(T + sigma_T * normal(random), 0.0) : T;
+      const double A_measured = std::max(A + sigma_A * normal(random), 0.1 * A);
+      const auto line = data.points.size() + 2, curve_index = static_cast<std::size_t>(run);
+      Point point = point_at(line, curve_index, P, T_measured, A_measured);
       point.sigma_A = sigma_A;
       point.sigma_T = curve ? sigma_T : 0;
       data.points.push_back(point);
@@ -127,12 +119,8 @@ double experiment_cost(const Experiment& experiment, const Parameters<Model>& p,
     const Equilibrium at = contact.at(T);
     const double y = at.status == EquilibriumStatus::ok ? at.y : contact.branches().back().y_bottom;
     double distance = std::abs(area_from_radius(radius_from_edge_load(y, P)) - A) / sigma_A;
-    if (curve && EquilibriumCurve<Model>(p, P).uncoupled()) {
-      sum += distance * distance;
-      continue;
-    }
-    if (curve) {
-      const EquilibriumCurve<Model> whole(p, P);
+    const EquilibriumCurve<Model> whole(p, P);
+    if (curve && !whole.uncoupled()) {
       const auto from = [&](const CurvePoint& q) { return std::hypot((q.T - T) / sigma_T, (q.A - A) / sigma_A); };
       distance = HUGE_VAL;
       for (std::size_t i = 0; i < line.size(); ++i) {
@@ -201,27 +189,15 @@ std::string wrong_with_experiment(const Experiment& experiment, const FitResult&
 template <class Model>
 void one_experiment(Random& random, Tally& tally) {
   const Experiment experiment = random_experiment<Model>(random);
-  ++tally.cases;
-  try {
-    const FitResult fit =
-        tally.timed(experiment.what, [&] { return fit_model(experiment.data, Model::info.key, experiment.options); });
-    tally.answered += fit.status == FitStatus::ok;
-    double error = 0;
-    const std::string wrong = wrong_with_experiment<Model>(experiment, fit, error);
-    if (!wrong.empty())
-      tally.fail(experiment.what + " (" + std::string(to_string(fit.status)) + ", " + fit.message + "): " + wrong);
-    tally.see_error(error, experiment.what);
-  } catch (const InputError& refused) {
-    tally.fail(experiment.what + ": refused: " + refused.what());
-  }
+  judge_fit(
+      tally, experiment.what, [&] { return fit_model(experiment.data, Model::info.key, experiment.options); },
+      [&](const FitResult& fit, double& error) { return wrong_with_experiment<Model>(experiment, fit, error); });
 }
 
 inline Tally random_experiments(std::uint64_t seed, std::size_t cases) {
-  Tally tally;
-  tally.what = "fits of areas and curves";
-  Random random(seed);
-  while (tally.cases < cases) for_each_model([&](auto model) { one_experiment<decltype(model)>(random, tally); });
-  return tally;
+  return random_cases("fits of areas and curves", seed, cases, [](Random& random, Tally& tally) {
+    for_each_model([&](auto model) { one_experiment<decltype(model)>(random, tally); });
+  });
 }
 
 }  // namespace mixity::stress

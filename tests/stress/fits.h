@@ -185,14 +185,15 @@ inline std::string wrong_with_fit(const Dataset& data, const FitResult& fit, dou
   return "";
 }
 
-inline void one_fit(const RandomData& drawn, const char* model, Tally& tally) {
-  const std::string where = drawn.what + "; fitted " + model;
+/// Times a fit, counts it and what `wrong_with(fit, error)` says of it; no fit may be refused.
+template <class Fit, class WrongWith>
+void judge_fit(Tally& tally, const std::string& where, const Fit& fit_it, const WrongWith& wrong_with) {
   ++tally.cases;
   try {
-    const FitResult fit = tally.timed(where, [&] { return fit_model(drawn.data, model); });
+    const FitResult fit = tally.timed(where, fit_it);
     tally.answered += fit.status == FitStatus::ok;
     double error = 0;
-    const std::string wrong = wrong_with_fit(drawn.data, fit, error);
+    const std::string wrong = wrong_with(fit, error);
     if (!wrong.empty())
       tally.fail(where + " (" + std::string(to_string(fit.status)) + ", " + fit.message + "): " + wrong);
     tally.see_error(error, where);
@@ -201,18 +202,20 @@ inline void one_fit(const RandomData& drawn, const char* model, Tally& tally) {
   }
 }
 
+inline void one_fit(const RandomData& drawn, const char* model, Tally& tally) {
+  judge_fit(
+      tally, drawn.what + "; fitted " + model, [&] { return fit_model(drawn.data, model); },
+      [&](const FitResult& fit, double& error) { return wrong_with_fit(drawn.data, fit, error); });
+}
+
 /// Fits of all models to random data, from a random stream of their own; bk, with its scans over a plane, to fewer.
 inline Tally random_fits(std::uint64_t seed, std::size_t cases) {
-  Tally tally;
-  tally.what = "fits";
-  Random random(seed);
-  while (tally.cases < cases) {
+  return random_cases("fits", seed, cases, [](Random& random, Tally& tally) {
     const auto kind = static_cast<Kind>(random() % 8);
     const RandomData drawn = random_data(random, kind, random_size(random));
     for (const char* model : {"a", "b", "c"}) one_fit(drawn, model, tally);
     if (drawn.data.points.size() <= 100 && chance(random, 0.1)) one_fit(drawn, "bk", tally);
-  }
-  return tally;
+  });
 }
 
 /// One data set of a million points, fitted with a, b and c.

@@ -3,6 +3,8 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -50,5 +52,15 @@ struct Tally {
       if (first_failures.size() < 10) first_failures.push_back(why);
   }
 };
+
+/// At least so many cases, from a random stream of their own: draw(random, tally) makes and judges some.
+template <class Draw>
+Tally random_cases(const char* what, std::uint64_t seed, std::size_t cases, const Draw& draw) {
+  Tally tally;
+  tally.what = what;
+  std::mt19937_64 random(seed);
+  while (tally.cases < cases) draw(random, tally);
+  return tally;
+}
 
 }  // namespace mixity::stress
