@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cstdint>
 
 namespace mixity {
 
@@ -39,32 +41,28 @@ double tangential_load(const Parameters<Model>& p, double y, double tau) {
     const bool regular = w > 0 && std::isfinite(w);
     double T = tau / (regular ? std::sqrt(w) : 1.0);
     if (tau < 1e-140 * y) return regular ? T : 0.0;  // tau^2 would underflow
-    // tau bends little as a function of T: Newton on it ends in a few steps.
+    // tau bends little as a function of T: Newton on it ends in a few steps, or in rounding.
+    double before = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 12; ++i) {
       const ShearTerm<double> term = Model::shear_term(p, y, T);
       const double root = std::sqrt(term.value), step = (tau - root) * T * root / (term.value - 0.5 * y * term.d1);
       T += step;
       if (!(T > 0 && T < kFar)) break;
-      if (std::abs(step) <= 4e-16 * T) return T;
+      if (std::abs(step) <= 4e-16 * T || (std::abs(step) <= 1e-13 * T && std::abs(step) >= 0.5 * before)) return T;
+      before = std::abs(step);
     }
-    // Where it does not: ln tau as a function of ln T has a slope of order one throughout, kept between bounds.
+    // Where it does not: a bracket of ln T.
     const double target = std::log(tau);
-    constexpr double kLeast = std::numeric_limits<double>::denorm_min();
-    double low = std::log(kLeast), high = 345, x = target;  // e^345 = kFar
-    for (int i = 0; i < 100 && high - low > 1e-15 * std::abs(high); ++i) {
-      x = x > low && x < high ? x : 0.5 * (low + high);
-      const ShearTerm<double> term = Model::shear_term(p, y, std::exp(x));
-      const double error = 0.5 * std::log(term.value) - target;
-      (error > 0 ? high : low) = x;
-      const double step = -error * term.value / (term.value - 0.5 * y * term.d1);
-      x += step;
-      if (std::abs(step) <= 1e-9) break;
-    }
-    if (!(x >= low && x <= high)) x = 0.5 * (low + high);
-    if (x > 344.9) return std::numeric_limits<double>::infinity();
-    T = std::exp(x);
-    // bk with a small eta: T lies below all doubles
-    if (T <= kLeast && 0.5 * std::log(Model::shear_term(p, y, kLeast).value) > target) return 0;
+    const auto error = [&](double x) {
+      return std::max(0.5 * std::log(Model::shear_term(p, y, std::exp(x)).value) - target, -kFar);
+    };
+    const double low = std::log(std::numeric_limits<double>::denorm_min()), high = 345;  // e^345 = kFar
+    if (error(low) > 0) return 0;  // bk with a small eta: T lies below all doubles
+    if (!(error(high) >= 0)) return std::numeric_limits<double>::infinity();
+    std::uintmax_t evaluations = 200;
+    const auto ends =
+        boost::math::tools::toms748_solve(error, low, high, boost::math::tools::eps_tolerance<double>(40), evaluations);
+    T = std::exp(0.5 * (ends.first + ends.second));
     // The last digits in T itself: ln T of a large T has lost some.
     for (int i = 0; i < 2; ++i) {
       const ShearTerm<double> term = Model::shear_term(p, y, T);

@@ -118,7 +118,7 @@ void LoadedContact<Model>::find_branches(std::size_t folds) const {
   bool open = true;
   const std::vector<FoldPlace> places = locate_folds(curve, {Control::Kind::load}, folds);
   for (const FoldPlace& fold : places) {
-    const double y = fold.position.y, T = curve.tangential_load(fold.position);
+    const double y = fold.position.y, T = fold.T;
     if (fold.maximum)
       branches_.push_back({branch.y_top, branch.T_top, y, T, true});
     else

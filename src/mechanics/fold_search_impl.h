@@ -5,6 +5,8 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <optional>
 
+#include "mechanics/load_folds_impl.h"
+
 namespace mixity {
 
 namespace folds_detail {
@@ -23,53 +25,32 @@ double root_between(F f, double low, double high) {
 /// A pair of folds shallower than this cannot be told from none: the contact does not jump by more than rounding.
 constexpr double kRounding = 2e-15;
 
-/// Calls found(v) for the sign changes of f on [from, kLast], in order, until it returns false.
-template <class F, class Found>
-void for_sign_changes(F f, double from, Found found) {
-  double before = 0, here = f(from);
+/// Calls found(v) for the sign changes of f on [from, last], in order, until it returns false. step(v), asked after
+/// f(v), is how far the next sample may lie.
+template <class F, class Step, class Found>
+void for_sign_changes(F f, double from, double last, Step step, Found found) {
+  double v_before = from, before = 0, v = from, here = f(from);
   bool has_before = false;
-  for (int i = 0; from + i * kStep < kLast; ++i) {
-    const double v = from + i * kStep;
-    const double next = f(v + kStep);
+  while (v < last) {
+    const double v_next = std::min(v + step(v), last), next = f(v_next);
     const bool crosses = (here > 0) != (next > 0);
     const double sign = here > 0 ? 1 : -1;
     if (crosses) {
-      if (!found(root_between(f, v, v + kStep))) return;
+      if (!found(root_between(f, v, v_next))) return;
     } else if (has_before && sign * before > sign * here && sign * next > sign * here) {
       const auto dip =
-          boost::math::tools::brent_find_minima([&](double x) { return sign * f(x); }, v - kStep, v + kStep, 50);
+          boost::math::tools::brent_find_minima([&](double x) { return sign * f(x); }, v_before, v_next, 50);
       if (dip.second < -kRounding) {
-        if (!found(root_between(f, v - kStep, dip.first))) return;
-        if (!found(root_between(f, dip.first, v + kStep))) return;
+        if (!found(root_between(f, v_before, dip.first))) return;
+        if (!found(root_between(f, dip.first, v_next))) return;
       }
     }
     has_before = !crosses;
+    v_before = v;
     before = here;
+    v = v_next;
     here = next;
   }
-}
-
-/// y - 3 pi at the fold under load control of a model with one at most: Newton's method on R = R_y = 0 in y and T, of
-/// which R's derivatives in T follow from its homogeneity. Null if it leaves y > 0 (the curve may reach Hertz without a
-/// fold) or does not settle.
-template <class Model>
-std::optional<double> newton_fold(const Parameters<Model>& p, double P) {
-  constexpr double eps = std::numeric_limits<double>::epsilon();
-  const double S0 = circle_radius(P), y_least = 1e-3 * std::abs(P);
-  double v = 0, T = S0 / std::sqrt(Model::small_shear(p));
-  for (int i = 0; i < 30; ++i) {
-    const double y = 3 * pi<double>() + v;
-    if (!(y > y_least && T > 0 && T < kFar)) return std::nullopt;
-    const ShearTerm<double> tau2 = Model::shear_term(p, y, T);
-    const double R = (v - S0) * (v + S0) + tau2.value, R_y = 2 * v + tau2.d1, R_yy = 2 + tau2.d2;
-    const double R_T = (2 * tau2.value - y * tau2.d1) / T, R_yT = (tau2.d1 - y * tau2.d2) / T;
-    const double determinant = R_y * R_yT - R_T * R_yy;
-    const double dv = (R_y * R_T - R * R_yT) / determinant, dT = (R * R_yy - R_y * R_y) / determinant;
-    v += dv;
-    T += dT;
-    if (std::abs(dv) <= 4 * eps * S0 && std::abs(dT) <= 1e-8 * T) return v;  // Newton squares what is left of T
-  }
-  return std::nullopt;
 }
 
 /// State of the curve at a position, and what drives it.
@@ -117,9 +98,15 @@ double first_coordinate(const EquilibriumCurve<Model>& curve, std::size_t piece,
 }
 
 template <class Model>
-FoldPlace place_at_offset(const EquilibriumCurve<Model>& curve, std::size_t piece, double offset) {
+FoldPlace place_at_offset(const EquilibriumCurve<Model>& curve, double offset) {
   const CurvePosition at = curve.position_at_offset(offset);
-  return {piece, curve.coordinate(curve.pieces()[piece], at), at, true};
+  return {0, curve.coordinate(curve.pieces()[0], at), at, curve.tangential_load(at), true};
+}
+
+template <class Model>
+FoldPlace place_at_coordinate(const EquilibriumCurve<Model>& curve, std::size_t piece, double v, bool maximum) {
+  const CurvePosition at = curve.position(curve.pieces()[piece], v);
+  return {piece, v, at, curve.tangential_load(at), maximum};
 }
 
 /// The fold under load control of a model with one at most. R is convex in y and grows with T: the y with R <= 0 are an
@@ -128,8 +115,9 @@ template <class Model>
 std::optional<FoldPlace> only_fold(const EquilibriumCurve<Model>& curve) {
   if constexpr (!requires { Model::tangential_load(curve.parameters(), 1.0, 1.0); }) {
     // T of each place costs a search of its own
-    if (const auto offset = newton_fold<Model>(curve.parameters(), curve.load()))
-      return place_at_offset(curve, 0, *offset);
+    const double T = circle_radius(curve.load()) / std::sqrt(Model::small_shear(curve.parameters()));
+    if (const auto fold = newton_fold<Model>(curve.parameters(), curve.load(), 0, T))
+      return place_at_offset(curve, fold->v);
   }
   const Driven<Model> driven{curve, {Control::Kind::load}};
   const CurvePiece& piece = curve.pieces().front();
@@ -142,7 +130,50 @@ std::optional<FoldPlace> only_fold(const EquilibriumCurve<Model>& curve) {
   }
   if (!(low < high)) return std::nullopt;
   const double v = root_between(slope, low, high);
-  return FoldPlace{0, v, curve.position(piece, v), true};
+  return place_at_coordinate(curve, 0, v, true);
+}
+
+/// Under load control: calls found(place) for the folds in order until it returns false. False, without any, if the
+/// first lies at less shear than doubles resolve.
+template <class Model, class Found>
+bool folds_by_angle(const EquilibriumCurve<Model>& curve, Found found) {
+  const CurveByAngle<Model> by_angle(curve);
+  double x_last = std::numeric_limits<double>::quiet_NaN();
+  typename CurveByAngle<Model>::Place last{};
+  const auto at = [&](double x) -> const auto& {
+    if (x != x_last) last = by_angle.at(x_last = x);
+    return last;
+  };
+  const double from = by_angle.first();
+  bool stable = at(from).slope > 0;
+  if (!stable) return false;
+  for_sign_changes([&](double x) { return at(x).slope; }, from, CurveByAngle<Model>::kLast,
+                   [&](double x) { return CurveByAngle<Model>::step(x, at(x)); },
+                   [&](double x) {
+                     const bool maximum = stable;
+                     stable = !stable;
+                     return found(by_angle.fold(curve, x, maximum));
+                   });
+  return true;
+}
+
+/// The same under any control, along each piece of the curve; T of each place costs a search of its own.
+template <class Model, class Found>
+void folds_by_position(const EquilibriumCurve<Model>& curve, Control control, Found found) {
+  const Driven<Model> driven{curve, control};
+  bool more = true;
+  for (std::size_t i = 0; more && i < curve.pieces().size(); ++i) {
+    const CurvePiece& piece = curve.pieces()[i];
+    const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
+    bool stable = slope(kFirst) > 0;
+    for_sign_changes(
+        slope, kFirst, kLast, [](double) { return kStep; },
+        [&](double v) {
+          const bool maximum = stable;
+          stable = !stable;
+          return more = found(place_at_coordinate(curve, i, v, maximum));
+        });
+  }
 }
 
 }  // namespace folds_detail
@@ -151,37 +182,24 @@ template <class Model>
 std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Control control, std::size_t at_most) {
   using namespace folds_detail;
   std::vector<FoldPlace> folds;
+  if (curve.uncoupled()) return folds;
+  const bool load = control.kind == Control::Kind::load;
+  if constexpr (requires { Model::fold_offset(curve.parameters(), 0.0, true); }) {
+    if (control.kind != Control::Kind::stiffness)
+      return {place_at_offset(curve, Model::fold_offset(curve.parameters(), curve.load(), !load))};
+  }
   // Beyond the largest load nothing is known but rounding.
   const auto add = [&](const FoldPlace& fold) {
-    if (curve.tangential_load(fold.position) < 0.1 * kFar) folds.push_back(fold);
+    if (fold.T < 0.1 * kFar) folds.push_back(fold);
+    return folds.size() < at_most;
   };
   if constexpr (requires { Model::one_fold_at_most(curve.parameters()); }) {
-    if (control.kind == Control::Kind::load && Model::one_fold_at_most(curve.parameters())) {
-      if (curve.pieces().empty()) return folds;
+    if (load && Model::one_fold_at_most(curve.parameters())) {
       if (const auto fold = only_fold(curve)) add(*fold);
       return folds;
     }
   }
-  const Driven<Model> driven{curve, control};
-  for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
-    const CurvePiece& piece = curve.pieces()[i];
-    if constexpr (requires { Model::fold_offset(curve.parameters(), 0.0, true); }) {
-      if (control.kind != Control::Kind::stiffness) {
-        const bool displacement = control.kind == Control::Kind::displacement;
-        folds.push_back(place_at_offset(curve, i, Model::fold_offset(curve.parameters(), curve.load(), displacement)));
-        continue;
-      }
-    }
-    const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
-    const double from = first_coordinate(curve, i, control);
-    bool stable = slope(from) > 0;
-    for_sign_changes(slope, from, [&](double v) {
-      add({i, v, curve.position(piece, v), stable});
-      stable = !stable;
-      return folds.size() < at_most;
-    });
-    if (folds.size() >= at_most) break;
-  }
+  if (!load || !folds_by_angle(curve, add)) folds_by_position(curve, control, add);
   return folds;
 }
 

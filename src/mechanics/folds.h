@@ -24,6 +24,7 @@ struct FoldPlace {
   std::size_t piece;  // of the curve
   double coordinate;  // logistic, see EquilibriumCurve::position
   CurvePosition position;
+  double T;
   bool maximum;  // met on loading; a minimum is met on reversal from a lower branch
 };
 
@@ -31,7 +32,7 @@ struct FoldPlace {
 struct Fold {
   Control control;
   FoldPlace place;
-  double T, u, A, psi;
+  double T, u, A, psi;  // T is the place's
   Jump jumps_to;
   double area_after;  // area of the state it jumps to: 0 off contact
   double area_lost;   // A - area_after; negative where the contact regains area
@@ -48,8 +49,9 @@ std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Contro
 ///     R_y (3 + 4 a/k) (y + P) + 2 tau^2 - y tau^2_y = 0      (displacement: k -> infinity; load: R_y = 0)
 ///
 /// whose sign changes over the whole curve, down to 1e-18 of its ends, are refined to the last digits; a dip of it
-/// between two samples is followed to its bottom, so that close pairs are found. Model c under load and displacement
-/// uses its closed forms. T has relative error below 1e-13; A and u below 1e-12.
+/// between two samples is followed to its bottom, so that close pairs are found. Under load control the samples are of
+/// psi, from which y and T follow in closed form. Model c under load and displacement uses its closed forms, a model
+/// that has one fold at most is not sampled. T has relative error below 1e-13; A and u below 1e-12.
 template <class Model>
 std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control control);
 

@@ -64,7 +64,7 @@ std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control contr
   const std::vector<Stretch> stable = stable_stretches(places, curve.pieces().size());
   std::vector<Fold> folds;
   for (const FoldPlace& place : places) {
-    const double T = curve.tangential_load(place.position), a = driven.radius(place.position);
+    const double T = place.T, a = driven.radius(place.position);
     Fold fold{control,
               place,
               T,

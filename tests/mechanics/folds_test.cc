@@ -106,13 +106,14 @@ TEST(Folds, AreTheSameByNewtonAndByTheSlope) {
     const double P = i % 2 ? -1.5 * pi<double>() * (1 - std::pow(10, -14 * uniform(random)))
                            : std::pow(10, -8 + 16 * uniform(random));
     const EquilibriumCurve<WatersGuduru> curve({lambda}, P);
-    const auto offset = newton_fold<WatersGuduru>({lambda}, P);
-    if (!offset || curve.uncoupled()) continue;
+    const double T_start = circle_radius(P) / std::sqrt(WatersGuduru::small_shear({lambda}));
+    const auto fold = newton_fold<WatersGuduru>({lambda}, P, 0, T_start);
+    if (!fold || curve.uncoupled()) continue;
     ++compared;
     const CurvePiece& piece = curve.pieces().front();
     const Driven<WatersGuduru> driven{curve, kLoad};
     const double v = root_between([&](double at) { return driven.slope(curve.position(piece, at)); }, kFirst, kLast);
-    const CurvePosition slow = curve.position(piece, v), fast = curve.position_at_offset(*offset);
+    const CurvePosition slow = curve.position(piece, v), fast = curve.position_at_offset(fold->v);
     const double T = curve.tangential_load(slow);
     // both to a few roundings, which the inverse of tau multiplies by some
     EXPECT_NEAR(curve.tangential_load(fast), T, 1e-14 * T) << lambda << ' ' << P;

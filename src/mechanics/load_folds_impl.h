@@ -1,0 +1,125 @@
+// Two forms of the equilibrium under load control that make its folds cheap to find. Included by fold_search_impl.h
+// only.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace mixity::folds_detail {
+
+/// v = y - 3 pi and T of a fold under load control.
+struct LoadFold {
+  double v, T;
+};
+
+/// Newton's method on R = R_y = 0 in v and T, of which R's derivatives in T follow from its homogeneity. Null if it
+/// leaves y > 0 (the curve may reach Hertz without a fold) or does not settle.
+template <class Model>
+std::optional<LoadFold> newton_fold(const Parameters<Model>& p, double P, double v, double T) {
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  const double S0 = circle_radius(P), y_least = 1e-3 * std::abs(P);
+  for (int i = 0; i < 30; ++i) {
+    const double y = 3 * pi<double>() + v;
+    if (!(y > y_least && T > 0 && T < kFar)) return std::nullopt;
+    const ShearTerm<double> tau2 = Model::shear_term(p, y, T);
+    const double R = (v - S0) * (v + S0) + tau2.value, R_y = 2 * v + tau2.d1, R_yy = 2 + tau2.d2;
+    const double R_T = (2 * tau2.value - y * tau2.d1) / T, R_yT = (tau2.d1 - y * tau2.d2) / T;
+    const double determinant = R_y * R_yT - R_T * R_yy;
+    const double dv = (R_y * R_T - R * R_yT) / determinant, dT = (R * R_yy - R_y * R_y) / determinant;
+    v += dv;
+    T += dT;
+    if (std::abs(dv) <= 4 * eps * S0 && std::abs(dT) <= 1e-8 * T)
+      return LoadFold{v, T};  // Newton squares what is left of T
+  }
+  return std::nullopt;
+}
+
+/// The upper half of the curve, y > -2 P, by x = ln tan psi. tau^2 = y^2 (g - 1), where g depends on psi alone, makes
+/// the circle a quadratic in y, g y^2 = 6 pi (y + P), of which this is the larger root: a place costs one evaluation of
+/// the model. dT = 0 reads (y + 2 P)/(y + P) = d ln g/dx, so that there is no fold on the lower half, which only P < 0
+/// has: y + 2 P < 0 there, y + P > 0, and g grows with psi.
+template <class Model>
+class CurveByAngle {
+ public:
+  explicit CurveByAngle(const EquilibriumCurve<Model>& curve)
+      : p_(curve.parameters()), P_(curve.load()), S0_(circle_radius(P_)) {}
+
+  struct Place {
+    double y, offset;    // offset = y - 3 pi
+    double tau2, slope;  // tau^2; R_y relative to its terms: > 0 where the contact is stable
+    double growth;       // d ln tau^2/dx at fixed y
+    bool exists;         // false beyond the largest psi of the curve
+  };
+
+  Place at(double x) const {
+    const double centre = 3 * pi<double>();
+    const ShearTerm<double> excess = Model::shear_term(p_, 1.0, std::exp(x));  // g - 1 and d1 = 2 (g - 1) - dg/dx
+    const double g = 1 + excess.value, square = S0_ * S0_ + 2 * centre * P_ * excess.value;
+    const double root = std::sqrt(std::max(square, 0.0)), y = (centre + root) / g;
+    const double offset = (root - centre * excess.value) / g, d1 = y * excess.d1;
+    const double size = 2 * std::abs(offset) + std::abs(d1);
+    return {y,
+            offset,
+            y * y * excess.value,
+            square < 0 ? -1
+            : size > 0 ? (2 * offset + d1) / size
+                       : 0,
+            excess.value > 0 ? 2 - excess.d1 / excess.value : 2,
+            square >= 0};
+  }
+
+  /// The fold at x. Newton's method takes it to its last digits where psi itself turns back close to it, near pull-off;
+  /// where that does not settle, at the edge of a model's domain, those of x stand.
+  FoldPlace fold(const EquilibriumCurve<Model>& curve, double x, bool maximum) const {
+    const Place place = at(x);
+    double y = place.y, offset = place.offset, tau2 = place.tau2, T = y * std::exp(x);
+    const auto last_digits = y > 4 ? newton_fold<Model>(p_, P_, offset, T) : std::nullopt;  // y - 3 pi rounds a small y
+    if (last_digits && std::abs(last_digits->v - offset) <= 1e-6 * S0_ && std::abs(last_digits->T - T) <= 1e-12 * T) {
+      offset = last_digits->v;
+      T = last_digits->T;
+      y = 3 * pi<double>() + offset;
+      tau2 = Model::shear_term(p_, y, T).value;
+    }
+    // each half angle from what does not cancel there
+    const double cosine = std::clamp(offset / S0_, -1.0, 1.0), sine2 = tau2 / (S0_ * S0_);
+    const double larger = 0.5 * (1 + std::abs(cosine)), smaller = 0.25 * sine2 / larger;
+    const CurvePosition on_circle{y, cosine > 0 ? larger : smaller, cosine > 0 ? smaller : larger};
+    return {0, curve.coordinate(curve.pieces()[0], on_circle), on_circle, T, maximum};
+  }
+
+  /// x below which there is no fold: where tau grows with y, above the centre of the circle; else where shear is some
+  /// 1e-9 of all.
+  double first() const {
+    const bool simple_top = Model::tau_grows_with_edge_load(p_);
+    const auto before = [&](double x) {
+      const Place place = at(x);
+      return place.exists && (simple_top ? place.offset > 0 : place.tau2 <= 4e-9 * S0_ * S0_);
+    };
+    double low = -1, high = 1;
+    while (low > kFirst && !before(low)) high = low, low = std::max(2 * low, kFirst);
+    while (high < kLast && before(high)) low = high, high = std::min(2 * high, kLast);
+    for (int i = 0; i < 20 && high - low > 0.25; ++i) {
+      const double middle = 0.5 * (low + high);
+      (before(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+
+  /// How far from x, where the curve is at `place`, the next sample may lie: a quarter of ln tau^2, and where psi is
+  /// large of the powers of tan psi that g is made of.
+  static double step(double x, const Place& place) {
+    if (!place.exists) return kLast - x;
+    if (x < -1) return std::clamp(0.25 / std::max(place.growth, 0.02), 0.125, 12.0);
+    return x < 6 ? 0.125 : x < 12 ? 0.25 : 0.5;
+  }
+
+  static constexpr double kFirst = -700, kLast = 42;  // tan psi from the least of all doubles to 1e18
+
+ private:
+  Parameters<Model> p_;
+  double P_, S0_;
+};
+
+}  // namespace mixity::folds_detail
