@@ -5,6 +5,7 @@
 
 #include "fitting/goodness.h"
 #include "fitting/prepared_fit.h"
+#include "fitting/starts.h"
 #include "fitting/trial_areas.h"
 
 namespace mixity {
@@ -35,22 +36,6 @@ AreaGoodness predict_areas(const Dataset& data, const std::vector<std::size_t>& 
   area.rmse = fit.rmse;
   area.max_abs_residual = fit.max_abs_residual;
   return area;
-}
-
-/// Where the constants start: at the JKR curve through the points without shear (T up to 1 % of the largest).
-template <class Model>
-std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, const PreparedFit<Model>& prepared) {
-  std::vector<double> start(options.free.size(), 0.0);
-  double largest = 0;
-  for (const std::size_t i : prepared.used) largest = std::max(largest, data.points[i].T);
-  PreparedFit<Model> unsheared = prepared;
-  unsheared.held.fill(true);
-  std::erase_if(unsheared.used, [&](std::size_t i) { return data.points[i].T > 0.01 * largest; });
-  if (unsheared.used.size() < options.free.size()) return start;
-  FitOptions area = options;
-  area.objective = Objective::area;
-  const auto minimum = descend(*make_problem<Model>(data, area, unsheared), start);
-  return minimum && minimum->stationary ? minimum->x : start;
 }
 
 /// 1/standard error of ln f (or f) minus the model's at the point's psi: through f and psi at once, from sigma_A and
@@ -127,17 +112,24 @@ class Fitter {
     describe();
     if (!options_.free.empty()) prepared_.start = jkr_start<Model>(data_, options_, prepared_);
     problem_ = make_problem<Model>(data_, options_, prepared_);
+    if (problem_->parameters().size() > 1 && options_.objective != Objective::toughness && options_.near.empty())
+      guess();
     std::vector<double> x;
     if (problem_->parameters().empty()) {
       result_.status = FitStatus::ok;
       result_.message = "every parameter is held: nothing was fitted";
     } else {
-      const Verdict verdict = find_minimum();
-      result_.status = verdict.status;
-      result_.message = verdict.message;
-      if (!result_.has_values() || verdict.best.x.empty()) return result_;
-      x = verdict.best.x;
-      add_parameters(verdict);
+      Verdict verdict;
+      // An interval may come upon a lower place, from which to start again.
+      for (std::vector<double> deeper; guesses_.size() < kMostGuesses; guesses_.push_back(deeper)) {
+        verdict = find_minimum();
+        result_.status = verdict.status;
+        result_.message = verdict.message;
+        if (!result_.has_values() || verdict.best.x.empty()) return result_;
+        x = verdict.best.x;
+        deeper = add_parameters(verdict);
+        if (deeper.empty()) break;
+      }
       resample(verdict);
     }
     judge(x);
@@ -169,8 +161,29 @@ class Fitter {
       }
   }
 
+  /// Starts from fits of toughness, which cost no search for an equilibrium: with two free parameters the basins of
+  /// areas and curves may be far narrower than the steps of a scan. Points beyond the fold are outliers there. A
+  /// thousand points, evenly chosen, are enough.
+  void guess() {
+    constexpr std::size_t kEnough = 1000;
+    const std::size_t every = prepared_.used.size() / kEnough + 1;
+    std::vector<std::size_t> points;
+    for (std::size_t i = 0; i < prepared_.used.size(); i += every)
+      if (data_.points[prepared_.used[i]].ratio > 0) points.push_back(prepared_.used[i]);
+    FitOptions toughness = value_only(options_);
+    toughness.objective = Objective::toughness;
+    toughness.scale = Scale::log;
+    toughness.weighted = false;
+    toughness.loss_scale.reset();
+    for (const Loss loss : {Loss::none, Loss::cauchy}) {
+      toughness.loss = loss;
+      const FitResult fit = Fitter(data_, toughness, &points).run();
+      if (!fit.solution.empty()) guesses_.push_back(fit.solution);
+    }
+  }
+
   Verdict find_minimum() {
-    Verdict verdict = minimise(*problem_, options_.near);
+    Verdict verdict = minimise(*problem_, options_.near, guesses_);
     if (options_.objective == Objective::toughness && options_.weighted) {
       // The standard errors depend on the model: until they no longer change.
       double change = 0;
@@ -179,7 +192,7 @@ class Fitter {
         const Parameters<Model> at = before.empty() ? prepared_.base : problem_->trial(before).parameters;
         problem_ =
             make_problem<Model>(data_, options_, prepared_, toughness_weights<Model>(data_, options_, prepared_, at));
-        verdict = minimise(*problem_, options_.near);
+        verdict = minimise(*problem_, options_.near, guesses_);
         if (verdict.best.x.empty()) break;
         if (before.empty()) continue;
         change = 0;
@@ -203,7 +216,7 @@ class Fitter {
       if (!(unit > 0)) return verdict;  // no residuals to speak of
       result_.loss_scale = scale * unit;
       robust_.emplace(*problem_, options_.loss, result_.loss_scale);
-      verdict = minimise(*robust_, options_.near);
+      verdict = minimise(*robust_, options_.near, guesses_);
       x = verdict.best.x;
     }
     return verdict;
@@ -214,7 +227,9 @@ class Fitter {
     return *problem_;
   }
 
-  void add_parameters(const Verdict& verdict) {
+  /// Returns a place where the cost is lower than at the verdict's, if the intervals met one.
+  std::vector<double> add_parameters(const Verdict& verdict) {
+    std::vector<double> deeper;
     result_.free_parameters = problem_->parameters().size();
     result_.solution = verdict.best.x;
     result_.sum_of_squares = verdict.best.sum_of_squares;
@@ -233,6 +248,8 @@ class Fitter {
       const double x = verdict.best.x[j];
       shown_parameter.value = parameter.shown(x);
       shown_parameter.at_bound = verdict.at_bound[j];
+      shown_parameter.stderr_.reset();
+      shown_parameter.interval.reset();
       if (verdict.stderrs[j]) shown_parameter.stderr_ = *verdict.stderrs[j] * unit * parameter.shown_slope(x);
       const bool judged = verdict.status != FitStatus::not_converged && n > p && allowance > 0;
       if (options_.intervals && judged) {
@@ -240,15 +257,17 @@ class Fitter {
         if (verdict.stderrs[j]) step = *verdict.stderrs[j] * unit;
         const Interval interval = profile_interval(cost(), verdict.best, j, options_.confidence, allowance, step);
         shown_parameter.interval = shown(interval, parameter);
-        if (interval.deeper) {
+        if (!interval.deeper.empty()) {
+          deeper = interval.deeper;
           result_.status = FitStatus::not_converged;
-          result_.message = "the cost is lower at " + parameter.name + " = " +
-                            rounded(parameter.shown(*interval.deeper), 4) + " than at the minimum found";
+          result_.message = "the cost is lower at " + parameter.name + " = " + rounded(parameter.shown(deeper[j]), 4) +
+                            " than at the minimum found";
         }
         if (options_.profile_points > 0) draw_profile_of(shown_parameter, j, verdict, interval, allowance);
       }
       ++j;
     }
+    return deeper;
   }
 
   /// To twice the interval's distance on each side; all of a bounded range where another minimum fits as well.
@@ -315,9 +334,11 @@ class Fitter {
     if (data_.has_loads) result_.area = predict_areas<Model>(data_, result_.used, problem_->trial(x));
   }
 
+  static constexpr std::size_t kMostGuesses = 6;
   const Dataset& data_;
   const FitOptions& options_;
   PreparedFit<Model> prepared_;
+  std::vector<std::vector<double>> guesses_;  // of the free parameters, beside those of the scan
   std::unique_ptr<ModelProblem<Model>> problem_;
   std::optional<RobustProblem> robust_;
   FitResult result_;

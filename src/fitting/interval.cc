@@ -42,14 +42,14 @@ struct End {
 /// Where costs on the way out lie below the minimum, by more than roundings of |r| explain.
 struct Depth {
   double least;
-  std::optional<double> place{};
+  std::vector<double> place{};
 
   Depth(double sum_of_squares, double allowance, double rounding)
       : least(std::pow(std::max(std::sqrt(sum_of_squares) - rounding, 0.0), 2) - 1e-6 * allowance) {}
-  void see(double x, double cost) {
-    if (!(cost < least)) return;
+  bool is_below(double cost) const { return cost < least; }
+  void see(std::vector<double> x, double cost) {
     least = cost;
-    place = x;
+    place = std::move(x);
   }
 };
 
@@ -66,7 +66,7 @@ End find_end(Profile profile, const FreeParameter& parameter, double best, doubl
     if (next == inside && !last) continue;  // a step below the resolution of doubles
     const auto cost = profile(next);
     if (!cost) return {inside, EndStatus::open};
-    depth.see(next, *cost);
+    if (depth.is_below(*cost)) depth.see(profile.place(), *cost);
     const double excess_here = *cost / limit - 1;
     if (excess_here > 0) {
       if (next == inside) return {inside, EndStatus::found};
@@ -100,7 +100,7 @@ End find_end(SingleCost& cost, const FreeParameter& parameter, double best, doub
     const bool last = direction < 0 ? next <= bound : next >= bound;
     if (last) next = bound;
     here = cost.at(next, {});
-    if (here.finite) depth.see(next, here.value);
+    if (here.finite && depth.is_below(here.value)) depth.see({next}, here.value);
     if (here.finite && here.value <= limit) {
       if (last) return {bound, parameter.start ? EndStatus::open : EndStatus::at_bound};
       inside = next;
@@ -156,7 +156,14 @@ Profile::Profile(const LeastSquares& problem, const Minimum& best, std::size_t k
   others_.erase(others_.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
+std::vector<double> Profile::place() const {
+  std::vector<double> all = others_;
+  all.insert(all.begin() + static_cast<std::ptrdiff_t>(k_), value_);
+  return all;
+}
+
 std::optional<double> Profile::operator()(double value) {
+  value_ = value;
   const HeldProblem held(problem_, k_, value);
   if (others_.empty()) {
     std::vector<double> residuals(held.residual_count());

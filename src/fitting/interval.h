@@ -18,7 +18,8 @@ struct Interval {
   double confidence;
   double low, high;  // meaningless where open
   EndStatus low_status, high_status;
-  std::optional<double> deeper{};  // where the cost turned out lower than at the minimum, which then is none
+  std::vector<double>
+      deeper{};  // all parameters where the cost turned out lower than at the minimum, which then is none
 };
 
 /// How much the cost may rise above its minimum before a value of one parameter is rejected: chi^2(1) where the
@@ -41,10 +42,13 @@ class Profile {
   Profile(const LeastSquares& problem, const Minimum& best, std::size_t k);
   /// Null if no finite cost was found.
   std::optional<double> operator()(double value);
+  /// All parameters at the minimum last found.
+  std::vector<double> place() const;
 
  private:
   const LeastSquares& problem_;
   std::size_t k_;
+  double value_ = 0;
   std::vector<double> others_;  // where the last minimum lay
 };
 

@@ -22,6 +22,7 @@ struct FreeParameter {
   double scale = 1;
   bool logarithmic = false;
   std::string unit{};
+  double neutral = 0;  // > 0: a value in the neighbourhood of which only the distance from it matters
 
   double shown(double x) const { return scale * (logarithmic ? std::exp(x) : x); }
   /// d shown/dx

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "dataset/number_text.h"
+#include "fitting/edge_minimum.h"
 #include "fitting/narrow_basins.h"
 #include "fitting/single_scan.h"
 
@@ -16,7 +17,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kChiSquare95 = 3.841458820694124;  // of one degree of freedom
 
-/// Values of one parameter to scan: logarithmic, and from a lower bound of zero logarithmic at first, then even.
+/// Values of one parameter to scan: logarithmic, also away from a neutral value, and from a lower bound of zero
+/// logarithmic at first, then even.
 std::vector<double> scan_values(const FreeParameter& parameter, std::size_t density) {
   std::vector<double> values;
   if (parameter.start) return {*parameter.start};
@@ -26,6 +28,10 @@ std::vector<double> scan_values(const FreeParameter& parameter, std::size_t dens
   };
   if (parameter.lower > 0) {
     logarithmic(parameter.lower, parameter.upper, 2 * density);
+    if (parameter.neutral > 0)
+      for (const double distance : {0.1, 0.03, 0.01, 0.003})
+        for (const double side : {-1, 1}) values.push_back(parameter.neutral * (1 + side * distance));
+    std::sort(values.begin(), values.end());
     return values;
   }
   const double width = parameter.upper - parameter.lower;
@@ -41,22 +47,18 @@ struct Scan {
   double lowest = kInfinity, highest = 0;   // over the finite costs
 };
 
-/// Cost over the grid of all parameters' scan values; a local minimum is no higher than its neighbours.
-Scan scan(const LeastSquares& problem) {
+std::optional<double> sum_of_squares(const LeastSquares& problem, const std::vector<double>& x) {
+  std::vector<double> residuals(problem.residual_count());
+  if (!problem.evaluate(x, residuals, {})) return std::nullopt;
+  double sum = 0;
+  for (const double r : residuals) sum += r * r;
+  return sum;
+}
+
+/// Cost over the grid of the axes' values; a local minimum is no higher than its neighbours.
+Scan scan_grid(const LeastSquares& problem, const std::vector<std::vector<double>>& axes) {
   Scan result;
   const auto single = problem.parameters().size() == 1 ? problem.single_cost() : nullptr;
-  if (single && single->exact_curvature() && !problem.parameters()[0].start) {
-    const SingleScan found = scan_basins(*single, problem.parameters()[0]);
-    result.lowest = found.lowest;
-    result.highest = found.highest;
-    for (const Basin& basin : found.basins) result.minima.push_back({basin.start});
-    return result;
-  }
-  const auto scanned = std::count_if(problem.parameters().begin(), problem.parameters().end(),
-                                     [](const FreeParameter& parameter) { return !parameter.start; });
-  std::vector<std::vector<double>> axes;
-  for (const FreeParameter& parameter : problem.parameters())
-    axes.push_back(scan_values(parameter, scanned == 1 ? problem.scan_density() : 16));
   std::size_t total = 1;
   for (const auto& axis : axes) total *= axis.size();
 
@@ -68,20 +70,11 @@ Scan scan(const LeastSquares& problem) {
     }
     return x;
   };
-  std::vector<double> costs(total), residuals(problem.residual_count());
+  std::vector<double> costs(total, kInfinity);
   for (std::size_t i = 0; i < total; ++i) {
-    costs[i] = kInfinity;
-    if (single) {
-      const auto cost = single->value(point(i)[0]);
-      if (!cost) continue;
-      costs[i] = *cost;
-      result.lowest = std::min(result.lowest, costs[i]);
-      result.highest = std::max(result.highest, costs[i]);
-      continue;
-    }
-    if (!problem.evaluate(point(i), residuals, {})) continue;
-    costs[i] = 0;
-    for (const double r : residuals) costs[i] += r * r;
+    const auto cost = single ? single->value(point(i)[0]) : sum_of_squares(problem, point(i));
+    if (!cost) continue;
+    costs[i] = *cost;
     result.lowest = std::min(result.lowest, costs[i]);
     result.highest = std::max(result.highest, costs[i]);
   }
@@ -115,6 +108,25 @@ Scan scan(const LeastSquares& problem) {
   return result;
 }
 
+/// Over the whole range of all parameters.
+Scan scan(const LeastSquares& problem) {
+  const auto single = problem.parameters().size() == 1 ? problem.single_cost() : nullptr;
+  if (single && single->exact_curvature() && !problem.parameters()[0].start) {
+    Scan result;
+    const SingleScan found = scan_basins(*single, problem.parameters()[0]);
+    result.lowest = found.lowest;
+    result.highest = found.highest;
+    for (const Basin& basin : found.basins) result.minima.push_back({basin.start});
+    return result;
+  }
+  const auto scanned = std::count_if(problem.parameters().begin(), problem.parameters().end(),
+                                     [](const FreeParameter& parameter) { return !parameter.start; });
+  std::vector<std::vector<double>> axes;
+  for (const FreeParameter& parameter : problem.parameters())
+    axes.push_back(scan_values(parameter, scanned == 1 ? problem.scan_density() : 16));
+  return scan_grid(problem, axes);
+}
+
 bool same_place(const LeastSquares& problem, const Minimum& one, const Minimum& other) {
   for (std::size_t k = 0; k < one.x.size(); ++k) {
     const FreeParameter& parameter = problem.parameters()[k];
@@ -122,6 +134,29 @@ bool same_place(const LeastSquares& problem, const Minimum& one, const Minimum& 
     if (std::abs(one.x[k] - other.x[k]) > 1e-5 * scale) return false;
   }
   return true;
+}
+
+/// Values of each parameter by up to the part `reach` above and below x.
+std::vector<std::vector<double>> axes_around(const LeastSquares& problem, const std::vector<double>& x, double reach) {
+  constexpr int kHalf = 8;
+  std::vector<std::vector<double>> axes;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const FreeParameter& parameter = problem.parameters()[k];
+    std::vector<double> axis;
+    const double size = std::max(std::abs(x[k]), 1e-3 * (parameter.upper - parameter.lower));
+    for (int i = -kHalf; i <= kHalf; ++i) {
+      const double value = std::clamp(x[k] + reach * size * i / kHalf, parameter.lower, parameter.upper);
+      if (axis.empty() || value > axis.back()) axis.push_back(value);
+    }
+    axes.push_back(axis);
+  }
+  return axes;
+}
+
+const Minimum& lowest(const std::vector<Minimum>& minima) {
+  return *std::min_element(minima.begin(), minima.end(), [](const Minimum& one, const Minimum& other) {
+    return one.sum_of_squares < other.sum_of_squares;
+  });
 }
 
 std::string value_text(const FreeParameter& parameter, double x) {
@@ -218,7 +253,8 @@ double fit_tolerance(const LeastSquares& problem, double least) {
   return kChiSquare95 * (problem.known_errors() ? 1 : least / freedom);
 }
 
-Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
+Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
+                 const std::vector<std::vector<double>>& guesses) {
   const std::size_t n = problem.residual_count(), p = problem.parameters().size();
   Verdict verdict{FitStatus::ok, {}, {}, std::vector<bool>(p), std::vector<std::optional<double>>(p), {}, {}};
   const auto end = [&](FitStatus status, const std::string& message) {
@@ -238,6 +274,7 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
     scanned = scan(problem);
   else
     scanned.minima = {near};
+  scanned.minima.insert(scanned.minima.end(), guesses.begin(), guesses.end());
   if (scanned.minima.empty())
     return end(FitStatus::not_converged, "the model is not finite at these points for any parameter value");
   // Within rounding, or within what the scatter allows, every value fits as well as the best.
@@ -246,12 +283,21 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
     return sum_of_squares <= least + fit_tolerance(problem, least);
   };
   std::vector<Minimum> minima;
-  for (const auto& start : scanned.minima) {
+  const auto descend_from = [&](const std::vector<double>& start) {
     const auto minimum = descend(problem, start);
     if (minimum && std::none_of(minima.begin(), minima.end(),
                                 [&](const Minimum& known) { return same_place(problem, known, *minimum); }))
       minima.push_back(*minimum);
-  }
+  };
+  for (const auto& start : scanned.minima) descend_from(start);
+  if (near.empty() && p > 1 && problem.narrow_basins())
+    for (const double reach : {0.3, 0.1, 0.03, 0.01}) {
+      if (minima.empty()) break;
+      Scan closer = scan_grid(problem, axes_around(problem, lowest(minima).x, reach));
+      constexpr std::size_t kStarts = 4;
+      if (closer.minima.size() > kStarts) closer.minima.resize(kStarts);
+      for (const auto& start : closer.minima) descend_from(start);
+    }
   const bool any_scanned = near.empty() && std::any_of(problem.parameters().begin(), problem.parameters().end(),
                                                        [](const FreeParameter& parameter) { return !parameter.start; });
   // Of the minima, not of the scan's places: a narrow basin between two of them goes far below both.
@@ -275,6 +321,8 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
             [](const Minimum& one, const Minimum& other) { return one.sum_of_squares < other.sum_of_squares; });
   verdict.best = minima.front();
   verdict.others.assign(minima.begin() + 1, minima.end());
+  const std::optional<EdgeMinimum> edge = verdict.best.stationary ? std::nullopt : edge_minimum(problem, verdict.best);
+  if (edge) verdict.best = edge->minimum;
 
   std::string bounds;
   for (std::size_t k = 0; k < p; ++k) {
@@ -287,17 +335,27 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near) {
   }
   const std::string degenerate = standard_errors(problem, verdict);
   if (!degenerate.empty()) return end(FitStatus::not_identifiable, "the data do not constrain " + degenerate);
-  if (!verdict.best.stationary)
+  if (!verdict.best.stationary && !edge)
     return end(FitStatus::not_converged, "the solver stopped where the gradient is not zero (relative size " +
                                              rounded(verdict.best.stationarity, 2) + ")");
+  if (edge) {
+    verdict.stderrs.assign(p, std::nullopt);
+    verdict.correlations.clear();
+  }
   if (verdict.best.sum_of_squares > scanned.lowest * (1 + 1e-9) &&
       std::sqrt(verdict.best.sum_of_squares) > std::sqrt(scanned.lowest) + rounding)
     return end(FitStatus::not_converged, "the solver ended above the lowest cost of the scan");
   if (!bounds.empty()) return end(FitStatus::at_bound, bounds);
+  if (edge && edge->at_end)
+    return end(FitStatus::at_bound, place(problem, verdict.best.x) + " lies at the end of what the model describes");
   if (!verdict.others.empty() && fits_as_well(verdict.others.front().sum_of_squares, verdict.best.sum_of_squares))
     return end(FitStatus::multimodal, std::string("another minimum fits as well within the ") +
                                           (problem.known_errors() ? "standard errors: " : "scatter: ") +
                                           place(problem, verdict.others.front().x));
+  if (edge)
+    verdict.message =
+        "the least squares lie on a bend of the cost, such as where a measured load is that of the fold: no standard "
+        "error";
   return verdict;
 }
 

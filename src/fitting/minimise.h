@@ -36,8 +36,10 @@ double fit_tolerance(const LeastSquares& problem, double least);
 
 /// Scans the whole range of the parameters without a start (one or two), the others at theirs, descends with Ceres from
 /// every local minimum of the scan, and judges the best.
-/// Given `near`, the scan is left out and the descent starts there: for refits of almost the same data.
-Verdict minimise(const LeastSquares& problem, const std::vector<double>& near = {});
+/// Given `near`, the scan is left out and the descent starts there: for refits of almost the same data. It starts from
+/// `guesses`, too.
+Verdict minimise(const LeastSquares& problem, const std::vector<double>& near = {},
+                 const std::vector<std::vector<double>>& guesses = {});
 
 /// The version of Ceres.
 std::string_view solver_version();

@@ -39,6 +39,7 @@ class FreeChoice {
         const ParameterInfo& info = Model::parameters[i];
         model_.push_back(i);
         parameters_.push_back({std::string(info.name), info.lower, info.upper});
+        parameters_.back().neutral = info.neutral;
       }
   }
   void add(Correction correction, FreeParameter parameter) {

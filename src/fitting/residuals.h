@@ -85,23 +85,33 @@ class AreaResiduals {
   }
 
  private:
-  /// dA/dparameter and dA/dP of the fold itself by central differences, once for the load.
+  /// dA/dparameter and dA/dP of the last equilibrium itself, once for the load. At a fold R = R_y = 0, so that
+  /// R_T dT = -dR and R_yy dy = -(dR_y + R_yT dT) at fixed y and T; R's derivatives in T follow from its homogeneity.
   void set_fold_slopes(PointResidual<Model>& r, double sigma_A) {
     if (!fold_slopes_) {
       fold_slopes_.emplace();
-      const auto area = [](const Parameters<Model>& p, double P) {
-        return area_from_radius(radius_from_edge_load(LoadedContact<Model>(p, P).branches().back().y_bottom, P));
-      };
-      for (std::size_t k = 0; k < p_.size(); ++k) {
-        Parameters<Model> low = p_, high = p_;
-        const double h = 1e-5 * std::max(std::abs(p_[k]), 1e-3);
-        low[k] = std::max(p_[k] - h, Model::parameters[k].lower);
-        high[k] = std::min(p_[k] + h, Model::parameters[k].upper);
-        fold_slopes_->parameters[k] = (area(high, P_) - area(low, P_)) / (high[k] - low[k]);
+      const StableBranch& last = contact_.branches().back();
+      const double y = last.y_bottom, T = last.T_bottom;
+      // A = pi (3/4 (y + P))^(2/3)
+      const double growth = 2.0 / 3 * area_from_radius(radius_from_edge_load(y, P_)) / (y + P_);
+      double y_P = 0;  // Hertz's area does not depend on the parameters
+      if (last.ends_in_fold) {
+        const ShearTerm<double> term = Model::shear_term(p_, y, T);
+        const double R_T = (2 * term.value - y * term.d1) / T, R_yT = (term.d1 - y * term.d2) / T, R_yy = 2 + term.d2;
+        const auto y_slope = [&](double R, double R_y) { return -(R_y - R_yT * R / R_T) / R_yy; };
+        for (std::size_t k = 0; k < p_.size(); ++k) {
+          Parameters<Model> low = p_, high = p_;
+          const double h = 1e-5 * std::max(std::abs(p_[k]), 1e-3);
+          low[k] = std::max(p_[k] - h, Model::parameters[k].lower);
+          high[k] = std::min(p_[k] + h, Model::parameters[k].upper);
+          const ShearTerm<double> below = Model::shear_term(low, y, T), above = Model::shear_term(high, y, T);
+          const double width = high[k] - low[k];
+          fold_slopes_->parameters[k] =
+              growth * y_slope((above.value - below.value) / width, (above.d1 - below.d1) / width);
+        }
+        y_P = y_slope(-6 * pi<double>(), 0);
       }
-      const double h = 1e-5 * std::max(std::abs(P_), 1.0);
-      const double below = std::max(P_ - h, -1.5 * pi<double>());
-      fold_slopes_->P = (area(p_, P_ + h) - area(p_, below)) / (P_ + h - below);
+      fold_slopes_->P = growth * (y_P + 1);
     }
     for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = fold_slopes_->parameters[k] / sigma_A;
     r.P = fold_slopes_->P / sigma_A;

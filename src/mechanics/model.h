@@ -62,6 +62,7 @@ struct ParameterInfo {
   std::string_view name;
   double lower, upper;  // closed range in which the published law makes sense
   double typical;       // shown in help, and the start where nothing better is known
+  double neutral = 0;   // > 0: where f = 1 whatever the other parameters; only the distance from it matters nearby
 };
 
 struct ModelInfo {

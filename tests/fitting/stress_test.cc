@@ -15,10 +15,11 @@ TEST(Stress, NoRandomFitClaimsWhatThePrintedCostContradicts) {
 }
 
 TEST(Stress, NoRandomFitOfAreasOrCurvesMissesTheLowestCost) {
-  constexpr std::size_t kCases = short_run(8, 4);
+  constexpr std::size_t kCases = short_run(40, 4);
   const Tally tally = random_experiments(kShortSeed, kCases);
   expect_explained(tally);
   EXPECT_GT(tally.answered, kCases / 4);
+  EXPECT_EQ(tally.given_up, 0u);
 }
 
 /// The judge finds a value that is off, and a claim that the data say nothing.

@@ -16,6 +16,7 @@ struct Experiment {
   Dataset data;
   FitOptions options;
   std::string what;
+  std::vector<double> truth{};  // the parameters the data were made with
 };
 
 /// Points of up to three runs under T from 0 to beyond the fold, where the area is the fold's, with scatter.
@@ -66,6 +67,7 @@ Experiment random_experiment(Random& random) {
   result.options.objective = curve ? Objective::curve : Objective::area;
   // with a constant freed the condition number of the normal matrix goes up: factor and lambda move areas alike
   if (p.size() == 1 && chance(random, 0.2)) result.options.free = {kToughness};
+  result.truth.assign(p.begin(), p.end());
   result.what = std::string(Model::info.key);
   for (const double value : p) result.what += " " + shortest(value);
   result.what += " P=" + loads + " noise " + rounded(noise, 3) + ", " + std::to_string(data.rows) + " points, " +
@@ -150,13 +152,16 @@ std::string wrong_with_experiment(const Experiment& experiment, const FitResult&
   // the cost that the program reports is the one this file computes: to 1e-6 of a chi^2 of one, or of itself
   if (!(std::abs(found - fit.sum_of_squares) <= 1e-6 * (1 + found)))
     return "the cost is " + shortest(found) + ", reported " + shortest(fit.sum_of_squares);
-  // Lower places: over the whole range of the only parameter, around the place found of two.
+  // Lower places: the truth's, over the whole range of the only parameter, around the place found of two.
   Place lowest{{}, found};
   const auto see = [&](const Parameters<Model>& q, double log_factor) {
     const double cost = experiment_cost<Model>(experiment, q, log_factor);
     if (cost < lowest.cost) lowest = {{q[0], q.back(), log_factor}, cost};
     return cost;
   };
+  Parameters<Model> truth;
+  std::copy(experiment.truth.begin(), experiment.truth.end(), truth.begin());
+  see(truth, 0);
   if (p.size() == 1 && !freed) {
     const bool curve = experiment.options.objective == Objective::curve;
     std::vector<double> places = places_to(Model::parameters[0].upper, curve ? 12 : 60), costs;

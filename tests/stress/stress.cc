@@ -33,9 +33,9 @@ Tally shared_out(std::uint64_t seed, std::size_t cases, const Run& run) {
 
 void print(const Tally& tally) {
   if (tally.cases == 0) return;
-  std::printf("| %s | %zu | %zu | %.2g | %.3g us | %.3g us | %zu |\n", tally.what.c_str(), tally.cases, tally.answered,
-              tally.worst_error, 1e-3 * tally.total_ns / static_cast<double>(tally.cases), 1e-3 * tally.slowest_ns,
-              tally.failures);
+  std::printf("| %s | %zu | %zu | %zu | %.2g | %.3g us | %.3g us | %zu |\n", tally.what.c_str(), tally.cases,
+              tally.answered, tally.given_up, tally.worst_error,
+              1e-3 * tally.total_ns / static_cast<double>(tally.cases), 1e-3 * tally.slowest_ns, tally.failures);
 }
 
 void explain(const Tally& tally) {
@@ -65,7 +65,8 @@ int main(int argc, char** argv) {
   const Tally tallies[] = {shared_out(seed, areas, random_contacts), shared_out(seed, fits, random_fits),
                            shared_out(seed, large, large_fits), shared_out(seed, experiments, random_experiments)};
   std::printf(
-      "| what | cases | answered | worst error | mean time | slowest | failures |\n|---|---|---|---|---|---|---|\n");
+      "| what | cases | answered | given up | worst error | mean time | slowest | failures |\n"
+      "|---|---|---|---|---|---|---|---|\n");
   for (const Tally& tally : tallies) print(tally);
   std::printf("errors of areas are relative, those of fits in standard errors from the scanned minimum\n");
   std::size_t failures = 0;

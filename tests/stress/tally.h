@@ -12,7 +12,7 @@ namespace mixity::stress {
 
 struct Tally {
   std::string what;
-  std::size_t cases = 0, answered = 0, failures = 0;
+  std::size_t cases = 0, answered = 0, given_up = 0, failures = 0;  // given up: fits that did not converge, and said so
   double worst_error = 0, slowest_ns = 0, total_ns = 0;
   std::string worst_case, slowest_case;
   std::vector<std::string> first_failures;  // at most ten
@@ -41,6 +41,7 @@ struct Tally {
   void add(const Tally& other) {
     cases += other.cases;
     answered += other.answered;
+    given_up += other.given_up;
     failures += other.failures;
     total_ns += other.total_ns;
     see_error(other.worst_error, other.worst_case);

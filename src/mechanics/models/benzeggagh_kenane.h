@@ -10,7 +10,7 @@ namespace mixity {
 
 struct BenzeggaghKenane {
   static constexpr ModelInfo info{"bk", "Benzeggagh-Kenane 1996", "f = 1 + (r-1) B^eta, B = sin^2(psi)"};
-  static constexpr std::array<ParameterInfo, 2> parameters{{{"r", 1e-3, 1e3, 2}, {"eta", 1e-2, 1e2, 2}}};
+  static constexpr std::array<ParameterInfo, 2> parameters{{{"r", 1e-3, 1e3, 2, 1}, {"eta", 1e-2, 1e2, 2}}};
 
   /// B = sin^2 psi, C = 1 - B and ln B. `tiny` where B underflows, which B^eta need not: 1e-300^0.01 = 0.001; then
   /// scaled = 2^600 sin psi stands for B, since T/y may be less than any double, too.

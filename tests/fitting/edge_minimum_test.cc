@@ -1,0 +1,119 @@
+// Minima that no vanishing gradient marks: on bends of the cost, at the end of what a law describes, at bounds.
+#include "fitting/edge_minimum.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "stress/experiments.h"
+
+namespace mixity {
+namespace {
+
+/// One residual of one or two parameters in 0..1; not finite where it is negative.
+class OneResidual final : public LeastSquares {
+ public:
+  using Function = std::function<double(std::span<const double>)>;
+  OneResidual(std::size_t parameters, Function f) : f_(std::move(f)) {
+    for (std::size_t k = 0; k < parameters; ++k) parameters_.push_back({"x", 0, 1});
+  }
+  std::size_t residual_count() const override { return 1; }
+  const std::vector<FreeParameter>& parameters() const override { return parameters_; }
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double>) const override {
+    residuals[0] = f_(x);
+    return residuals[0] >= 0;
+  }
+  double data_norm() const override { return 1; }
+
+ private:
+  std::vector<FreeParameter> parameters_;
+  Function f_;
+};
+
+std::optional<EdgeMinimum> near(const OneResidual& problem, const std::vector<double>& x) {
+  double residual = 0;
+  EXPECT_TRUE(problem.evaluate(x, {&residual, 1}, {}));
+  return edge_minimum(problem, {x, residual * residual, 1, false});
+}
+
+TEST(EdgeMinimum, IsFoundOnABend) {
+  const OneResidual one(1, [](auto x) { return 1 + std::abs(x[0] - 0.3); });
+  const auto found = near(one, {0.3002});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->minimum.x[0], 0.3, 1e-10);  // as the header promises, 3e-11 of it
+  EXPECT_FALSE(found->at_end);
+}
+
+TEST(EdgeMinimum, IsFoundInACurvedValleyWithABend) {
+  const OneResidual two(2, [](auto x) { return 1 + std::abs(x[1] - x[0] * x[0]) + std::pow(x[0] - 0.3, 2); });
+  const auto found = near(two, {0.301, 0.0906});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->minimum.x[0], 0.3, 1e-7);  // along the valley the cost is a parabola: sqrt(eps)
+  EXPECT_NEAR(found->minimum.x[1], 0.09, 1e-7);
+}
+
+TEST(EdgeMinimum, SaysThatTheModelEndsThere) {
+  const OneResidual ends(1, [](auto x) { return x[0] > 0.7 ? -1 : 2 - x[0]; });
+  const auto found = near(ends, {0.699});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->minimum.x[0], 0.7, 1e-9);
+  EXPECT_TRUE(found->at_end);
+}
+
+TEST(EdgeMinimum, IsNotClaimedWhereTheCostFallsOn) {
+  // steps ever lower, closer together than any reach
+  const OneResidual steps(1, [](auto x) { return 2 - x[0] + 1e-9 * std::floor(x[0] * 1e7); });
+  EXPECT_FALSE(near(steps, {0.4}));
+}
+
+template <class Model>
+FitResult fit_of_areas(unsigned seed, double* truth_cost = nullptr) {
+  stress::Random random(seed);
+  stress::Experiment experiment = stress::random_experiment<Model>(random);
+  experiment.options.free.clear();
+  EXPECT_EQ(experiment.options.objective, Objective::area) << seed;
+  if (truth_cost) {
+    Parameters<Model> truth;
+    std::copy(experiment.truth.begin(), experiment.truth.end(), truth.begin());
+    *truth_cost = stress::experiment_cost<Model>(experiment, truth, 0);
+  }
+  return fit_model(experiment.data, Model::info.key, experiment.options);
+}
+
+/// The measured area at the last load is less than that of the fold: the fold is drawn to that load, and no further.
+TEST(FitOfAreas, WithALoadAtItsFoldIsAFitWithoutAStandardError) {
+  const FitResult fit = fit_of_areas<PapangeloCiavarella>(100123);
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_NE(fit.message.find("fold"), std::string::npos);
+  EXPECT_FALSE(fit.parameters[0].stderr_);
+  ASSERT_TRUE(fit.parameters[0].interval);
+  EXPECT_LT(*fit.parameters[0].interval->low, *fit.parameters[0].value);
+  EXPECT_GT(*fit.parameters[0].interval->high, *fit.parameters[0].value);
+}
+
+/// Model a at lambda = 1 loses its contact at a fold, at any smaller lambda it never does: the cost jumps there.
+TEST(FitOfAreas, MadeWithLambdaOneIsAtThatBound) {
+  const FitResult fit = fit_of_areas<Johnson>(100219);
+  EXPECT_EQ(fit.status, FitStatus::at_bound) << fit.message;
+  EXPECT_EQ(*fit.parameters[0].value, 1);
+}
+
+TEST(FitOfAreas, SaysWhenItLiesAtTheEndOfWhatModelBkDescribes) {
+  const FitResult fit = fit_of_areas<BenzeggaghKenane>(200127);
+  EXPECT_EQ(fit.status, FitStatus::at_bound) << fit.message;
+  EXPECT_NEAR(*fit.parameters[1].value, 1, 1e-8);
+}
+
+/// The basin of the truth is as narrow as a hundredth of a parameter here; other minima, far away, fit much worse.
+TEST(FitOfAreas, OfTwoParametersFindsTheNarrowBasinOfTheTruth) {
+  for (const unsigned seed : {100067u, 200091u, 200341u, 200362u, 200803u, 200849u, 201007u}) {
+    double truth = 0;
+    const FitResult fit = fit_of_areas<BenzeggaghKenane>(seed, &truth);
+    EXPECT_EQ(fit.status, FitStatus::ok) << seed << fit.message;
+    EXPECT_LE(fit.sum_of_squares, truth) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace mixity
