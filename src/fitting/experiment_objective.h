@@ -15,18 +15,19 @@ template <class Model, template <class> class Residuals>
 class ExperimentObjective final : public ModelProblem<Model> {
  public:
   /// `targets` and `weights`: what the reported R^2 compares with, one per point.
-  ExperimentObjective(std::vector<MeasuredPoint> points, std::vector<double> targets, std::vector<double> weights,
-                      FreeChoice<Model> choice)
-      : points_(std::move(points)),
-        targets_(std::move(targets)),
-        weights_(std::move(weights)),
-        choice_(std::move(choice)),
-        order_(points_.size()) {
+  ExperimentObjective(const std::vector<MeasuredPoint>& points, std::vector<double> targets,
+                      std::vector<double> weights, FreeChoice<Model> choice)
+      : targets_(std::move(targets)), weights_(std::move(weights)), choice_(std::move(choice)), order_(points.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::size_t i, std::size_t j) { return points_[i].P < points_[j].P; });
-    // no point's nearest place on its curve lies further out than a few standard errors
-    for (const MeasuredPoint& point : points_) T_most_ = std::max(T_most_, point.T + 10 * point.sigma_T);
+                     [&](std::size_t i, std::size_t j) { return points[i].P < points[j].P; });
+    for (const std::size_t i : order_) {
+      if (points_.empty() || points_.back().P != points[i].P) runs_.push_back(points_.size());
+      points_.push_back(points[i]);
+      // no point's nearest place on its curve lies further out than a few standard errors
+      T_most_ = std::max(T_most_, points[i].T + 10 * points[i].sigma_T);
+    }
+    runs_.push_back(points_.size());
   }
 
   std::size_t residual_count() const override { return points_.size(); }
@@ -49,28 +50,43 @@ class ExperimentObjective final : public ModelProblem<Model> {
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     const Trial<Model> at = trial(x);
     const CorrectedScale scale(at.corrections);
-    std::optional<Residuals<Model>> of_load;
-    double load = 0;
-    bool finite = true;
-    for (const std::size_t i : order_) {  // all points of one load share what depends on it alone
-      const MeasuredPoint& point = points_[i];
-      if (!of_load || point.P != load) {
-        load = point.P;
-        of_load.emplace(at.parameters, scale.load(load), scale.shear(T_most_));
+    std::vector<MeasuredPoint> corrected;
+    if (at.corrections != Corrections{})
+      for (const MeasuredPoint& point : points_) {
+        corrected.push_back({scale.load(point.P), scale.shear(point.T), scale.true_area(point.A),
+                             scale.force * point.sigma_T, scale.area * point.sigma_A});
+        if (!(corrected.back().A > 0)) return false;
       }
-      const MeasuredPoint scaled{scale.load(point.P), scale.shear(point.T), scale.true_area(point.A),
-                                 scale.force * point.sigma_T, scale.area * point.sigma_A};
-      if (!(scaled.A > 0)) return false;
-      const auto r = (*of_load)(scaled);
-      if (!r) return false;
-      residuals[i] = r->value;
-      finite &= std::isfinite(r->value);
-      if (jacobian.empty()) continue;
-      const std::span<double> row = jacobian.subspan(i * choice_.size(), choice_.size());
-      std::size_t k = 0;
-      for (const std::size_t parameter : choice_.model()) row[k++] = r->parameters[parameter];
-      for (const Correction correction : choice_.corrections()) row[k++] = slope(*r, correction, scaled, scale);
-      for (const double value : row) finite &= std::isfinite(value);
+    const std::span<const MeasuredPoint> points = corrected.empty() ? points_ : corrected;
+    std::vector<double> values;
+    bool finite = true;
+    for (std::size_t run = 0; run + 1 < runs_.size(); ++run) {
+      const std::size_t from = runs_[run], count = runs_[run + 1] - from;
+      const std::span<const MeasuredPoint> of_run = points.subspan(from, count);
+      Residuals<Model> of_load(at.parameters, of_run[0].P, scale.shear(T_most_));
+      if constexpr (requires { of_load.values(of_run, values); })
+        if (jacobian.empty()) {
+          values.resize(count);
+          if (!of_load.values(of_run, values)) return false;
+          for (std::size_t i = 0; i < count; ++i) {
+            residuals[order_[from + i]] = values[i];
+            finite &= std::isfinite(values[i]);
+          }
+          continue;
+        }
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t original = order_[from + i];
+        const auto r = of_load(of_run[i]);
+        if (!r) return false;
+        residuals[original] = r->value;
+        finite &= std::isfinite(r->value);
+        if (jacobian.empty()) continue;
+        const std::span<double> row = jacobian.subspan(original * choice_.size(), choice_.size());
+        std::size_t k = 0;
+        for (const std::size_t parameter : choice_.model()) row[k++] = r->parameters[parameter];
+        for (const Correction correction : choice_.corrections()) row[k++] = slope(*r, correction, of_run[i], scale);
+        for (const double value : row) finite &= std::isfinite(value);
+      }
     }
     return finite;
   }
@@ -94,10 +110,11 @@ class ExperimentObjective final : public ModelProblem<Model> {
     return r.A * scale.area;
   }
 
-  std::vector<MeasuredPoint> points_;
+  std::vector<MeasuredPoint> points_;  // by load: all points of one share what depends on it alone
+  std::vector<std::size_t> runs_;      // where each load begins, and the end
   std::vector<double> targets_, weights_;
   FreeChoice<Model> choice_;
-  std::vector<std::size_t> order_;
+  std::vector<std::size_t> order_;  // of each in points_: its place in the residuals
   double T_most_ = 0;
 };
 

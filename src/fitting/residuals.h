@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "mechanics/batch.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/projection.h"
 #include "mechanics/sensitivity.h"
@@ -84,6 +85,23 @@ class AreaResiduals {
     return r;
   }
 
+  /// The values alone, for many points at once: scans need no derivatives. False where the operator returns null.
+  bool values(std::span<const MeasuredPoint> points, std::span<double> residuals) {
+    if (!contact_.obstacle().empty() || !contact_.in_contact()) return false;
+    T_.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) T_[i] = points[i].T;
+    predict_areas(contact_, p_, P_, T_, residuals);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      double A = residuals[i];
+      if (A == 0) {
+        if (!(points[i].T >= 0 && points[i].T <= kLargestLoad)) return false;
+        A = area_from_radius(radius_from_edge_load(contact_.branches().back().y_bottom, P_));
+      }
+      residuals[i] = (A - points[i].A) / points[i].sigma_A;
+    }
+    return true;
+  }
+
  private:
   /// dA/dparameter and dA/dP of the last equilibrium itself, once for the load. At a fold R = R_y = 0, so that
   /// R_T dT = -dR and R_yy dy = -(dR_y + R_yT dT) at fixed y and T; R's derivatives in T follow from its homogeneity.
@@ -121,6 +139,7 @@ class AreaResiduals {
   double P_;
   LoadedContact<Model> contact_;
   std::optional<PointResidual<Model>> fold_slopes_;
+  std::vector<double> T_;
 };
 
 /// Signed distance of the point from the equilibrium curve in the plane of T and A, each in units of its standard

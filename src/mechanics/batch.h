@@ -47,11 +47,12 @@ LanePart lane_part(const LoadedContact<Model>& contact, const Parameters<Model>&
 
 /// Fills areas[i] with the area at T[i] (as LoadedContact::at, dimensionless, within 4e-15 of it) and returns how many
 /// were found. Where no equilibrium exists, or T[i] is invalid, areas[i] is 0: no contact has that area. Sizes must
-/// agree. Models a, b and c are vectorised; bk, and what lies close to a fold, is solved point by point.
+/// agree. Models a, b and c are vectorised; bk, and what lies close to a fold, is solved point by point. `contact` is
+/// that of p and P.
 template <class Model>
-std::size_t predict_areas(const Parameters<Model>& p, double P, std::span<const double> T, std::span<double> areas) {
+std::size_t predict_areas(const LoadedContact<Model>& contact, const Parameters<Model>& p, double P,
+                          std::span<const double> T, std::span<double> areas) {
   assert(T.size() == areas.size());
-  const LoadedContact<Model> contact(p, P);
   const bool solvable = contact.obstacle().empty() && contact.in_contact();
   if constexpr (requires { Model::shear_on_circle(p, P); }) {
     if (solvable) return batch_detail::closed_form_areas(Model::shear_on_circle(p, 1.0), circle_radius(P), P, T, areas);
@@ -80,6 +81,12 @@ std::size_t predict_areas(const Parameters<Model>& p, double P, std::span<const 
   }
   batch_detail::areas_from_loads(areas);
   return found;
+}
+
+/// The same for a contact of its own.
+template <class Model>
+std::size_t predict_areas(const Parameters<Model>& p, double P, std::span<const double> T, std::span<double> areas) {
+  return predict_areas(LoadedContact<Model>(p, P), p, P, T, areas);
 }
 
 }  // namespace mixity
