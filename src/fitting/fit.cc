@@ -119,16 +119,16 @@ class Fitter {
       result_.status = FitStatus::ok;
       result_.message = "every parameter is held: nothing was fitted";
     } else {
-      Verdict verdict;
+      Verdict verdict = find_minimum();
       // An interval may come upon a lower place, from which to start again.
-      for (std::vector<double> deeper; guesses_.size() < kMostGuesses; guesses_.push_back(deeper)) {
-        verdict = find_minimum();
+      for (int again = 0;; ++again, verdict = find_minimum()) {
         result_.status = verdict.status;
         result_.message = verdict.message;
         if (!result_.has_values() || verdict.best.x.empty()) return result_;
         x = verdict.best.x;
-        deeper = add_parameters(verdict);
-        if (deeper.empty()) break;
+        const std::vector<double> deeper = add_parameters(verdict);
+        if (deeper.empty() || again == kMostRestarts) break;
+        guesses_.push_back(deeper);
       }
       resample(verdict);
     }
@@ -334,7 +334,7 @@ class Fitter {
     if (data_.has_loads) result_.area = predict_areas<Model>(data_, result_.used, problem_->trial(x));
   }
 
-  static constexpr std::size_t kMostGuesses = 6;
+  static constexpr int kMostRestarts = 3;
   const Dataset& data_;
   const FitOptions& options_;
   PreparedFit<Model> prepared_;

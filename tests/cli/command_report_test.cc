@@ -62,7 +62,8 @@ TEST(Report, DrawsPeakForcesThatTheDefinitionNames) {
 
 TEST(Report, WithoutGnuplotLeavesTablesScriptsAndALineOnWhatIsMissing) {
   const TemporaryFolder folder;
-  const std::string path = std::getenv("PATH");
+  const char* before = std::getenv("PATH");
+  const std::string path = before ? before : "";
   setenv("PATH", "/nowhere", 1);
   const ProgramResult result = run_program({"report", kDefinition, "--out", folder.path("out")});
   setenv("PATH", path.c_str(), 1);

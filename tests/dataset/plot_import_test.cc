@@ -69,8 +69,8 @@ TEST(PlotImport, SpellingsOfTheExportMakeNoDifference) {
            "a,,b,\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n",
            "a,,b\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n",           // no comma behind the last name
            "a,,b,\r\nX,Y,X,Y\r\n0,2,0,3\r\n,,1,2.5\r\n",  // CRLF
-           "\xEF\xBB\xBF"
-           "a,,b,\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n",  // byte order mark
+           ("\xEF\xBB\xBF"
+            "a,,b,\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n"),  // byte order mark
            "a;;b;\nX;Y;X;Y\n0;2;0;3\n;;1;2.5\n",
            "a\t\tb\t\nX\tY\tX\tY\n0\t2\t0\t3\n\t\t1\t2.5\n",
            "a,,b,\n0,2,0,3\n,,1,2.5\n",  // no labels

@@ -85,7 +85,8 @@ TEST(CurveEnds, TheAngleOfTheAsymptoteKeepsItsDigits) {
   for (const double lambda : {0.15, 1e-4, 1e-8, 1e-12, 1e-16, 1e-100})
     for (const double P : {-4.7, 0.0, 3.0, 1e4}) {
       using Number = truth::Digits700;  // the width cancels by 200 digits in this line
-      const Number q = boost::math::constants::pi<Number>(), m = 1 - Number(lambda);
+      const Number& q = boost::math::constants::pi<Number>();
+      const Number m = 1 - Number(lambda);
       const Number square = 9 * q * q + 6 * q * P / m, S0 = sqrt(Number(9 * q * q + 6 * q * P));
       if (square < 0) continue;
       const Number phi = acos(Number((m * (3 * q + sqrt(square)) - 3 * q) / S0));

@@ -16,7 +16,7 @@ struct Experiment {
   Dataset data;
   FitOptions options;
   std::string what;
-  std::vector<double> truth{};  // the parameters the data were made with
+  std::vector<double> truth;  // the parameters the data were made with
 };
 
 /// Points of up to three runs under T from 0 to beyond the fold, where the area is the fold's, with scatter.
@@ -194,9 +194,9 @@ std::string wrong_with_experiment(const Experiment& experiment, const FitResult&
 template <class Model>
 void one_experiment(Random& random, Tally& tally) {
   const Experiment experiment = random_experiment<Model>(random);
-  judge_fit(
-      tally, experiment.what, [&] { return fit_model(experiment.data, Model::info.key, experiment.options); },
-      [&](const FitResult& fit, double& error) { return wrong_with_experiment<Model>(experiment, fit, error); });
+  const auto fit_it = [&] { return fit_model(experiment.data, Model::info.key, experiment.options); };
+  judge_fit(tally, experiment.what, fit_it,
+            [&](const FitResult& fit, double& error) { return wrong_with_experiment<Model>(experiment, fit, error); });
 }
 
 inline Tally random_experiments(std::uint64_t seed, std::size_t cases) {
