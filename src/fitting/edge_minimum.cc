@@ -19,10 +19,7 @@ class Values {
     return true;
   }
   std::optional<double> finite(const std::vector<double>& x) {
-    if (!inside(x) || !problem_.evaluate(x, residuals_, {})) return std::nullopt;
-    double sum = 0;
-    for (const double r : residuals_) sum += r * r;
-    return sum;
+    return inside(x) ? sum_of_squares(problem_, x, residuals_) : std::nullopt;
   }
   double operator()(const std::vector<double>& x) { return std::min(finite(x).value_or(outside_), outside_); }
 

@@ -167,10 +167,7 @@ std::optional<double> Profile::operator()(double value) {
   const HeldProblem held(problem_, k_, value);
   if (others_.empty()) {
     std::vector<double> residuals(held.residual_count());
-    if (!held.evaluate({}, residuals, {})) return std::nullopt;
-    double cost = 0;
-    for (const double r : residuals) cost += r * r;
-    return cost;
+    return sum_of_squares(held, {}, residuals);
   }
   const auto minimum = descend(held, others_);
   if (!minimum) return std::nullopt;

@@ -53,6 +53,15 @@ class LeastSquares {
   virtual std::unique_ptr<SingleCost> single_cost() const;
 };
 
+/// Sum of squares at x; fills residuals [n]. Null if it is not finite.
+inline std::optional<double> sum_of_squares(const LeastSquares& problem, std::span<const double> x,
+                                            std::span<double> residuals) {
+  if (!problem.evaluate(x, residuals, {})) return std::nullopt;
+  double sum = 0;
+  for (const double r : residuals) sum += r * r;
+  return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
+}
+
 /// A problem that changes another, which must outlive it, in some respect.
 class WrappedProblem : public LeastSquares {
  public:

@@ -1,4 +1,4 @@
-// The scan that finds every basin, and the verdict on what the solver found there.
+// The verdict on what the solver found from the places of the scan.
 #include "fitting/minimise.h"
 
 #include <Eigen/Dense>
@@ -8,124 +8,13 @@
 
 #include "dataset/number_text.h"
 #include "fitting/edge_minimum.h"
-#include "fitting/narrow_basins.h"
+#include "fitting/scan.h"
 #include "fitting/single_scan.h"
 
 namespace mixity {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kChiSquare95 = 3.841458820694124;  // of one degree of freedom
-
-/// Values of one parameter to scan: logarithmic, also away from a neutral value, and from a lower bound of zero
-/// logarithmic at first, then even.
-std::vector<double> scan_values(const FreeParameter& parameter, std::size_t density) {
-  std::vector<double> values;
-  if (parameter.start) return {*parameter.start};
-  const auto logarithmic = [&](double from, double to, std::size_t n) {
-    for (std::size_t i = 0; i < n; ++i)
-      values.push_back(from * std::pow(to / from, static_cast<double>(i) / static_cast<double>(n - 1)));
-  };
-  if (parameter.lower > 0) {
-    logarithmic(parameter.lower, parameter.upper, 2 * density);
-    if (parameter.neutral > 0)
-      for (const double distance : {0.1, 0.03, 0.01, 0.003})
-        for (const double side : {-1, 1}) values.push_back(parameter.neutral * (1 + side * distance));
-    std::sort(values.begin(), values.end());
-    return values;
-  }
-  const double width = parameter.upper - parameter.lower;
-  values.push_back(parameter.lower);
-  logarithmic(1e-12 * width, 0.02 * width, density);
-  for (std::size_t i = 2; i <= density; ++i)
-    values.push_back(parameter.lower + width * static_cast<double>(i) / static_cast<double>(density));
-  return values;
-}
-
-struct Scan {
-  std::vector<std::vector<double>> minima;  // starts, best first
-  double lowest = kInfinity, highest = 0;   // over the finite costs
-};
-
-std::optional<double> sum_of_squares(const LeastSquares& problem, const std::vector<double>& x) {
-  std::vector<double> residuals(problem.residual_count());
-  if (!problem.evaluate(x, residuals, {})) return std::nullopt;
-  double sum = 0;
-  for (const double r : residuals) sum += r * r;
-  return sum;
-}
-
-/// Cost over the grid of the axes' values; a local minimum is no higher than its neighbours.
-Scan scan_grid(const LeastSquares& problem, const std::vector<std::vector<double>>& axes) {
-  Scan result;
-  const auto single = problem.parameters().size() == 1 ? problem.single_cost() : nullptr;
-  std::size_t total = 1;
-  for (const auto& axis : axes) total *= axis.size();
-
-  const auto point = [&](std::size_t index) {
-    std::vector<double> x;
-    for (const auto& axis : axes) {
-      x.push_back(axis[index % axis.size()]);
-      index /= axis.size();
-    }
-    return x;
-  };
-  std::vector<double> costs(total, kInfinity);
-  for (std::size_t i = 0; i < total; ++i) {
-    const auto cost = single ? single->value(point(i)[0]) : sum_of_squares(problem, point(i));
-    if (!cost) continue;
-    costs[i] = *cost;
-    result.lowest = std::min(result.lowest, costs[i]);
-    result.highest = std::max(result.highest, costs[i]);
-  }
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < total; ++i) {
-    bool lowest_here = std::isfinite(costs[i]);
-    std::size_t stride = 1;
-    for (const auto& axis : axes) {
-      const std::size_t position = i / stride % axis.size();
-      // <= on one side only, so that a plateau counts once
-      if (position > 0) lowest_here &= costs[i] <= costs[i - stride];
-      if (position + 1 < axis.size()) lowest_here &= costs[i] < costs[i + stride];
-      stride *= axis.size();
-    }
-    if (lowest_here) found.push_back(i);
-  }
-  std::sort(found.begin(), found.end(), [&](std::size_t i, std::size_t j) { return costs[i] < costs[j]; });
-  for (const std::size_t i : found) {
-    if (single && problem.narrow_basins() && i > 0 && i + 1 < total &&
-        result.minima.size() < 3) {  // the lowest ones: each costs another scan
-      const double x = zoomed(*single, point(i - 1)[0], point(i)[0], point(i + 1)[0], costs[i]);
-      if (const auto least = single->value(x)) result.lowest = std::min(result.lowest, *least);
-      result.minima.push_back({x});
-      continue;
-    }
-    result.minima.push_back(point(i));
-    if (problem.parameters().size() > 1 || total == 1 || (i > 0 && i + 1 < total)) continue;
-    // Beside a bound, too: at it the slope may vanish by symmetry.
-    result.minima.push_back({0.5 * (point(i)[0] + point(i == 0 ? 1 : i - 1)[0])});
-  }
-  return result;
-}
-
-/// Over the whole range of all parameters.
-Scan scan(const LeastSquares& problem) {
-  const auto single = problem.parameters().size() == 1 ? problem.single_cost() : nullptr;
-  if (single && single->exact_curvature() && !problem.parameters()[0].start) {
-    Scan result;
-    const SingleScan found = scan_basins(*single, problem.parameters()[0]);
-    result.lowest = found.lowest;
-    result.highest = found.highest;
-    for (const Basin& basin : found.basins) result.minima.push_back({basin.start});
-    return result;
-  }
-  const auto scanned = std::count_if(problem.parameters().begin(), problem.parameters().end(),
-                                     [](const FreeParameter& parameter) { return !parameter.start; });
-  std::vector<std::vector<double>> axes;
-  for (const FreeParameter& parameter : problem.parameters())
-    axes.push_back(scan_values(parameter, scanned == 1 ? problem.scan_density() : 16));
-  return scan_grid(problem, axes);
-}
 
 bool same_place(const LeastSquares& problem, const Minimum& one, const Minimum& other) {
   for (std::size_t k = 0; k < one.x.size(); ++k) {
@@ -134,23 +23,6 @@ bool same_place(const LeastSquares& problem, const Minimum& one, const Minimum& 
     if (std::abs(one.x[k] - other.x[k]) > 1e-5 * scale) return false;
   }
   return true;
-}
-
-/// Values of each parameter by up to the part `reach` above and below x.
-std::vector<std::vector<double>> axes_around(const LeastSquares& problem, const std::vector<double>& x, double reach) {
-  constexpr int kHalf = 8;
-  std::vector<std::vector<double>> axes;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const FreeParameter& parameter = problem.parameters()[k];
-    std::vector<double> axis;
-    const double size = std::max(std::abs(x[k]), 1e-3 * (parameter.upper - parameter.lower));
-    for (int i = -kHalf; i <= kHalf; ++i) {
-      const double value = std::clamp(x[k] + reach * size * i / kHalf, parameter.lower, parameter.upper);
-      if (axis.empty() || value > axis.back()) axis.push_back(value);
-    }
-    axes.push_back(axis);
-  }
-  return axes;
 }
 
 const Minimum& lowest(const std::vector<Minimum>& minima) {
@@ -293,7 +165,7 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
   if (near.empty() && p > 1 && problem.narrow_basins())
     for (const double reach : {0.3, 0.1, 0.03, 0.01}) {
       if (minima.empty()) break;
-      Scan closer = scan_grid(problem, axes_around(problem, lowest(minima).x, reach));
+      Scan closer = scan_around(problem, lowest(minima).x, reach);
       constexpr std::size_t kStarts = 4;
       if (closer.minima.size() > kStarts) closer.minima.resize(kStarts);
       for (const auto& start : closer.minima) descend_from(start);
@@ -347,7 +219,8 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
     return end(FitStatus::not_converged, "the solver ended above the lowest cost of the scan");
   if (!bounds.empty()) return end(FitStatus::at_bound, bounds);
   if (edge && edge->at_end)
-    return end(FitStatus::at_bound, place(problem, verdict.best.x) + " lies at the end of what the model describes");
+    return end(FitStatus::at_bound,
+               "beyond " + place(problem, verdict.best.x) + " the model is not defined at these loads");
   if (!verdict.others.empty() && fits_as_well(verdict.others.front().sum_of_squares, verdict.best.sum_of_squares))
     return end(FitStatus::multimodal, std::string("another minimum fits as well within the ") +
                                           (problem.known_errors() ? "standard errors: " : "scatter: ") +

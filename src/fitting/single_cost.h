@@ -54,12 +54,7 @@ class GeneralCost final : public SingleCost {
     return cost;
   }
 
-  std::optional<double> value(double x) override {
-    if (!problem_.evaluate({&x, 1}, residuals_, {})) return std::nullopt;
-    double sum = 0;
-    for (const double r : residuals_) sum += r * r;
-    return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
-  }
+  std::optional<double> value(double x) override { return sum_of_squares(problem_, {&x, 1}, residuals_); }
 
  private:
   const LeastSquares& problem_;

@@ -70,14 +70,15 @@ TEST(ModelAJumpBoundary, HasItsTwoPartsMeetWhereDerived) {
 }
 
 TEST(ModelAJumpBoundary, RisesWithTheLoadAndKeepsItsComplement) {
-  double last_complement = 2;
-  for (double P = -4.7; P < 1e8; P = P < 5 ? P + 0.05 : P * 1.3) {
+  double last_complement = 2, P = -4.7;
+  while (P < 1e8) {
     const CuspPoint point = model_a_jump_boundary(P);
     EXPECT_EQ(point.P, P);
     EXPECT_GT(point.one_minus_lambda, 0) << P;
     EXPECT_LT(point.one_minus_lambda, last_complement) << P;
     EXPECT_NEAR(point.lambda + point.one_minus_lambda, 1, 3e-16) << P;
     last_complement = point.one_minus_lambda;
+    P = P < 5 ? P + 0.05 : P * 1.3;
   }
 }
 

@@ -1,0 +1,23 @@
+// Places from which to descend: the local minima of a cost over grids of its parameters.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "fitting/least_squares.h"
+
+namespace mixity {
+
+struct Scan {
+  std::vector<std::vector<double>> minima;                               // best first
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;  // over the finite costs
+};
+
+/// Over the whole range of the parameters without a start, the others at theirs. Where the cost is not finite there is
+/// no place.
+Scan scan(const LeastSquares& problem);
+
+/// Over a grid of each parameter by up to the part `reach` above and below x.
+Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, double reach);
+
+}  // namespace mixity
