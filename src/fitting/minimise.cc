@@ -162,9 +162,8 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
       minima.push_back(*minimum);
   };
   for (const auto& start : scanned.minima) descend_from(start);
-  if (near.empty() && p > 1 && problem.narrow_basins())
-    for (const double reach : {0.3, 0.1, 0.03, 0.01}) {
-      if (minima.empty()) break;
+  if (near.empty() && problem.narrow_basins())
+    for (double reach = 0.3; !minima.empty() && reach > (p > 1 ? 0.005 : 3e-5); reach *= 0.3) {
       Scan closer = scan_around(problem, lowest(minima).x, reach);
       constexpr std::size_t kStarts = 4;
       if (closer.minima.size() > kStarts) closer.minima.resize(kStarts);

@@ -193,10 +193,11 @@ std::string wrong_with_experiment(const Experiment& experiment, const FitResult&
 
 template <class Model>
 void one_experiment(Random& random, Tally& tally) {
-  const Experiment experiment = random_experiment<Model>(random);
-  const auto fit_it = [&] { return fit_model(experiment.data, Model::info.key, experiment.options); };
-  judge_fit(tally, experiment.what, fit_it,
-            [&](const FitResult& fit, double& error) { return wrong_with_experiment<Model>(experiment, fit, error); });
+  const Experiment made = random_experiment<Model>(random);
+  constexpr std::string_view kModel = Model::info.key;
+  judge_fit(
+      tally, made.what, [&] { return fit_model(made.data, kModel, made.options); },
+      [&](const FitResult& fit, double& error) { return wrong_with_experiment<Model>(made, fit, error); });
 }
 
 inline Tally random_experiments(std::uint64_t seed, std::size_t cases) {
