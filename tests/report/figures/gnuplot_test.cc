@@ -31,7 +31,10 @@ Figure example(const std::string& name) {
 /// A program that is started finds gnuplot by PATH; restored at the end of the scope.
 class WithoutPrograms {
  public:
-  WithoutPrograms() : path_(std::getenv("PATH")) { setenv("PATH", "/nowhere", 1); }
+  WithoutPrograms() {
+    if (const char* path = std::getenv("PATH")) path_ = path;
+    setenv("PATH", "/nowhere", 1);
+  }
   WithoutPrograms(const WithoutPrograms&) = delete;
   WithoutPrograms& operator=(const WithoutPrograms&) = delete;
   ~WithoutPrograms() { setenv("PATH", path_.c_str(), 1); }
