@@ -163,7 +163,7 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
   };
   for (const auto& start : scanned.minima) descend_from(start);
   if (near.empty() && problem.narrow_basins())
-    for (double reach = 0.3; !minima.empty() && reach > (p > 1 ? 0.005 : 3e-5); reach *= 0.3) {
+    for (double reach = 0.3; !minima.empty() && reach > (p > 1 ? 0.005 : 3e-4); reach *= 0.3) {
       Scan closer = scan_around(problem, lowest(minima).x, reach);
       constexpr std::size_t kStarts = 4;
       if (closer.minima.size() > kStarts) closer.minima.resize(kStarts);

@@ -36,8 +36,9 @@ std::vector<double> scan_values(const FreeParameter& parameter, std::size_t dens
   return values;
 }
 
-/// Cost over the grid of the axes' values; a local minimum is no higher than its neighbours.
-Scan scan_grid(const LeastSquares& problem, const std::vector<std::vector<double>>& axes) {
+/// Cost over the grid of the axes' values; a local minimum is no higher than its neighbours. With `zoom` the lowest are
+/// looked at more closely where basins may be narrow.
+Scan scan_grid(const LeastSquares& problem, const std::vector<std::vector<double>>& axes, bool zoom) {
   Scan result;
   const auto single = problem.parameters().size() == 1 ? problem.single_cost() : nullptr;
   std::size_t total = 1;
@@ -74,7 +75,7 @@ Scan scan_grid(const LeastSquares& problem, const std::vector<std::vector<double
   }
   std::sort(found.begin(), found.end(), [&](std::size_t i, std::size_t j) { return costs[i] < costs[j]; });
   for (const std::size_t i : found) {
-    if (single && problem.narrow_basins() && i > 0 && i + 1 < total &&
+    if (zoom && single && problem.narrow_basins() && i > 0 && i + 1 < total &&
         result.minima.size() < 3) {  // the lowest ones: each costs another scan
       const double x = zoomed(*single, point(i - 1)[0], point(i)[0], point(i + 1)[0], costs[i]);
       if (const auto least = single->value(x)) result.lowest = std::min(result.lowest, *least);
@@ -106,23 +107,23 @@ Scan scan(const LeastSquares& problem) {
   std::vector<std::vector<double>> axes;
   for (const FreeParameter& parameter : problem.parameters())
     axes.push_back(scan_values(parameter, scanned == 1 ? problem.scan_density() : 16));
-  return scan_grid(problem, axes);
+  return scan_grid(problem, axes, true);
 }
 
 Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, double reach) {
-  constexpr int kHalf = 8;
+  const int half = x.size() > 1 ? 8 : 64;  // a single parameter can afford more
   std::vector<std::vector<double>> axes;
   for (std::size_t k = 0; k < x.size(); ++k) {
     const FreeParameter& parameter = problem.parameters()[k];
     std::vector<double> axis;
     const double size = std::max(std::abs(x[k]), 1e-3 * (parameter.upper - parameter.lower));
-    for (int i = -kHalf; i <= kHalf; ++i) {
-      const double value = std::clamp(x[k] + reach * size * i / kHalf, parameter.lower, parameter.upper);
+    for (int i = -half; i <= half; ++i) {
+      const double value = std::clamp(x[k] + reach * size * i / half, parameter.lower, parameter.upper);
       if (axis.empty() || value > axis.back()) axis.push_back(value);
     }
     axes.push_back(axis);
   }
-  return scan_grid(problem, axes);
+  return scan_grid(problem, axes, false);
 }
 
 }  // namespace mixity
