@@ -83,10 +83,11 @@ struct BenzeggaghKenane {
   }
 
   /// tau^2 = (y^2 + T^2)/f - y^2 = T^2 (1 - (f - 1) y^2/T^2)/f, with (f - 1) y^2/T^2 = k (1 - B), k = (r - 1)
-  /// B^(eta-1). Up to k = 1 its difference from 1 is (1 - k) + k B, for the sake of eta = 1, r = 2 where it is B;
-  /// beyond, where 1 - k is negative and that sum would cancel, as it stands.
+  /// B^(eta-1). Up to k = 1 its difference from 1 is (1 - k) + k B, for the sake of eta = 1, r = 2 where it is B, and
+  /// 1 - k is a sum of two that do not cancel; beyond, where 1 - k is negative and would cancel with k B, as it stands.
   template <class S>
   static ShearTerm<S> shear_term(const std::array<S, 2>& p, const S& y, const S& T) {
+    using std::expm1;
     if (!(T > S(0))) return {S(0), S(0), S(0)};
     const S& eta = p[1];
     const ModeRatio<S> mode(y, T);
@@ -94,8 +95,9 @@ struct BenzeggaghKenane {
     const Power<S> power(p, mode);
     const S& f = power.f;
     const S k = (p[0] - S(1)) * power.reduced, q = (p[0] - S(1)) * power.value;
-    const S g = q * (eta - f) / (f * f);
-    const S left = k > S(1) ? S(S(1) - k * mode.C) : S((S(1) - k) + q);
+    const S slack = (eta - S(1)) - q, g = q * slack / (f * f);  // slack = eta - f
+    const S rest = k > S(0.5) ? S((S(2) - p[0]) - (p[0] - S(1)) * expm1((eta - S(1)) * mode.log_B)) : S(S(1) - k);
+    const S left = k > S(1) ? S(S(1) - k * mode.C) : S(rest + q);
     const S value = mode.tiny ? S(-q * y * y / f) : S(T * T * left / f);
     return {value, S(2) * y * g, S(2) * g - S(4) * eta * q * mode.C * ((eta - S(1)) - (eta + S(1)) * q) / (f * f * f)};
   }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "mechanics/printed_equation.h"
 #include "mechanics/registry.h"
@@ -53,6 +54,23 @@ TEST(BenzeggaghKenane, ReachesItsTwoEndsExactly) {
   const Parameters<BenzeggaghKenane> p{1.774, 2.284};
   EXPECT_EQ(std::exp(BenzeggaghKenane::log_toughness(p, mixity_from_mode_ratio(0)).value), 1);
   EXPECT_NEAR(std::exp(BenzeggaghKenane::log_toughness(p, mixity_from_mode_ratio(1)).value), 1.774, 1e-15);
+}
+
+/// At r = 2, eta = 1 all of T^2 but its part B cancels in tau^2.
+TEST(BenzeggaghKenane, ShearTermKeepsItsDigitsAtTheEdgeOfTheDomain) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int i = 0; i < 5000; ++i) {
+    const double eta = i % 5 ? 1 + std::pow(10, -15 + 13 * uniform(random)) : 1;
+    const double r = 2 - (i % 3 ? std::pow(10, -15 + 13 * uniform(random)) : 0);
+    const double y = 0.5 + 9 * uniform(random), T = y * std::pow(10, -7 + 5 * uniform(random));
+    const std::array<Digits50, 2> exact{r, eta};
+    const auto wanted = BenzeggaghKenane::shear_term(exact, Digits50(y), Digits50(T));
+    const auto got = BenzeggaghKenane::shear_term(std::array{r, eta}, y, T);
+    // roundings of B, ln B, f and a dozen operations
+    EXPECT_NEAR(got.value, static_cast<double>(wanted.value), 3e-15 * static_cast<double>(wanted.value))
+        << r << ' ' << eta << ' ' << y << ' ' << T;
+  }
 }
 
 TEST(BenzeggaghKenane, NamesItsDomainOfEquilibrium) {
