@@ -25,8 +25,8 @@ double root_between(F f, double low, double high) {
 /// A pair of folds shallower than this cannot be told from none: the contact does not jump by more than rounding.
 constexpr double kRounding = 2e-15;
 
-/// Calls found(v) for the sign changes of f on [from, last], in order, until it returns false. step(v), asked after
-/// f(v), is how far the next sample may lie.
+/// Calls found(v, falls) for the sign changes of f on [from, last], in order, until it returns false; falls: from > 0.
+/// step(v), asked after f(v), is how far the next sample may lie.
 template <class F, class Step, class Found>
 void for_sign_changes(F f, double from, double last, Step step, Found found) {
   double v_before = from, before = 0, v = from, here = f(from);
@@ -36,13 +36,13 @@ void for_sign_changes(F f, double from, double last, Step step, Found found) {
     const bool crosses = (here > 0) != (next > 0);
     const double sign = here > 0 ? 1 : -1;
     if (crosses) {
-      if (!found(root_between(f, v, v_next))) return;
+      if (!found(root_between(f, v, v_next), here > 0)) return;
     } else if (has_before && sign * before > sign * here && sign * next > sign * here) {
       const auto dip =
           boost::math::tools::brent_find_minima([&](double x) { return sign * f(x); }, v_before, v_next, 50);
       if (dip.second < -kRounding) {
-        if (!found(root_between(f, v_before, dip.first))) return;
-        if (!found(root_between(f, dip.first, v_next))) return;
+        if (!found(root_between(f, v_before, dip.first), here > 0)) return;
+        if (!found(root_between(f, dip.first, v_next), here <= 0)) return;
       }
     }
     has_before = !crosses;
@@ -88,15 +88,6 @@ struct Driven {
   }
 };
 
-/// Under load control R_y > 0 above the centre if tau grows with y: no fold there. Else from the top.
-template <class Model>
-double first_coordinate(const EquilibriumCurve<Model>& curve, std::size_t piece, const Control& control) {
-  const CurvePiece& part = curve.pieces()[piece];
-  const bool simple_top = control.kind == Control::Kind::load && piece == 0 &&
-                          Model::tau_grows_with_edge_load(curve.parameters()) && part.y_end < 3 * pi<double>();
-  return simple_top ? std::max(curve.coordinate(part, curve.position_at_offset(0)) - kStep, kFirst) : kFirst;
-}
-
 template <class Model>
 FoldPlace place_at_offset(const EquilibriumCurve<Model>& curve, double offset) {
   const CurvePosition at = curve.position_at_offset(offset);
@@ -123,7 +114,10 @@ std::optional<FoldPlace> only_fold(const EquilibriumCurve<Model>& curve) {
   const CurvePiece& piece = curve.pieces().front();
   const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
   if (slope(kLast) > 0) return std::nullopt;
-  double low = first_coordinate(curve, 0, driven.control), high = low;
+  // R_y > 0 above the centre if tau grows with y: no fold there
+  const bool simple_top = Model::tau_grows_with_edge_load(curve.parameters()) && piece.y_end < 3 * pi<double>();
+  double low = simple_top ? std::max(curve.coordinate(piece, curve.position_at_offset(0)) - kStep, kFirst) : kFirst;
+  double high = low;
   for (double step = kStep; high < kLast && slope(high) > 0; step *= 2) {
     low = high;
     high = std::min(high + step, kLast);
@@ -145,15 +139,10 @@ bool folds_by_angle(const EquilibriumCurve<Model>& curve, Found found) {
     return last;
   };
   const double from = by_angle.first();
-  bool stable = at(from).slope > 0;
-  if (!stable) return false;
+  if (!(at(from).slope > 0)) return false;
   for_sign_changes([&](double x) { return at(x).slope; }, from, CurveByAngle<Model>::kLast,
                    [&](double x) { return CurveByAngle<Model>::step(x, at(x)); },
-                   [&](double x) {
-                     const bool maximum = stable;
-                     stable = !stable;
-                     return found(by_angle.fold(curve, x, maximum));
-                   });
+                   [&](double x, bool maximum) { return found(by_angle.fold(curve, x, maximum)); });
   return true;
 }
 
@@ -165,14 +154,9 @@ void folds_by_position(const EquilibriumCurve<Model>& curve, Control control, Fo
   for (std::size_t i = 0; more && i < curve.pieces().size(); ++i) {
     const CurvePiece& piece = curve.pieces()[i];
     const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
-    bool stable = slope(kFirst) > 0;
     for_sign_changes(
         slope, kFirst, kLast, [](double) { return kStep; },
-        [&](double v) {
-          const bool maximum = stable;
-          stable = !stable;
-          return more = found(place_at_coordinate(curve, i, v, maximum));
-        });
+        [&](double v, bool maximum) { return more = found(place_at_coordinate(curve, i, v, maximum)); });
   }
 }
 
