@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include "cli/run_program.h"
 #include "dataset/temporary_folder.h"
+#include "report/without_programs.h"
 
 namespace mixity::cli {
 namespace {
@@ -62,11 +62,8 @@ TEST(Report, DrawsPeakForcesThatTheDefinitionNames) {
 
 TEST(Report, WithoutGnuplotLeavesTablesScriptsAndALineOnWhatIsMissing) {
   const TemporaryFolder folder;
-  const char* before = std::getenv("PATH");
-  const std::string path = before ? before : "";
-  setenv("PATH", "/nowhere", 1);
+  const WithoutPrograms nothing;
   const ProgramResult result = run_program({"report", kDefinition, "--out", folder.path("out")});
-  setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_NE(result.complaint().find("gnuplot"), std::string::npos) << result.complaint();
   EXPECT_TRUE(std::filesystem::exists(folder.path("out/results.json")));

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <pugixml.hpp>
 #include <set>
 
 #include "dataset/csv.h"
 #include "dataset/temporary_folder.h"
+#include "report/without_programs.h"
 
 namespace mixity {
 namespace {
@@ -27,21 +27,6 @@ Figure example(const std::string& name) {
       false,
       "Caption with < and &."};
 }
-
-/// A program that is started finds gnuplot by PATH; restored at the end of the scope.
-class WithoutPrograms {
- public:
-  WithoutPrograms() {
-    if (const char* path = std::getenv("PATH")) path_ = path;
-    setenv("PATH", "/nowhere", 1);
-  }
-  WithoutPrograms(const WithoutPrograms&) = delete;
-  WithoutPrograms& operator=(const WithoutPrograms&) = delete;
-  ~WithoutPrograms() { setenv("PATH", path_.c_str(), 1); }
-
- private:
-  std::string path_;
-};
 
 TEST(Gnuplot, DrawsSvgAndPdfBesideTheScript) {
   const TemporaryFolder folder;
