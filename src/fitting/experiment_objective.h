@@ -35,8 +35,6 @@ class ExperimentObjective final : public ModelProblem<Model> {
   const std::vector<double>& targets() const override { return targets_; }
   const std::vector<double>& weights() const override { return weights_; }
   Trial<Model> trial(std::span<const double> x) const override { return choice_.trial(x); }
-  /// Every point that passes the fold bends the cost of areas.
-  bool narrow_basins() const override { return std::is_same_v<Residuals<Model>, AreaResiduals<Model>>; }
   double data_norm() const override {
     double square = std::pow(ModelProblem<Model>::data_norm(), 2);
     if constexpr (std::is_same_v<Residuals<Model>, ToughnessResiduals<Model>>)  // an eps of f, however small ln f is
@@ -48,6 +46,55 @@ class ExperimentObjective final : public ModelProblem<Model> {
   }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    std::vector<double> values;
+    bool finite = true;
+    const CorrectedScale scale(trial(x).corrections);
+    const bool defined = each_load(
+        x, [&](Residuals<Model>& of_load, std::span<const MeasuredPoint> points, std::span<const std::size_t> places) {
+          if constexpr (requires { of_load.values(points, values); })
+            if (jacobian.empty()) {
+              values.resize(points.size());
+              if (!of_load.values(points, values)) return false;
+              for (std::size_t i = 0; i < points.size(); ++i) {
+                residuals[places[i]] = values[i];
+                finite &= std::isfinite(values[i]);
+              }
+              return true;
+            }
+          for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto r = of_load(points[i]);
+            if (!r) return false;
+            residuals[places[i]] = r->value;
+            finite &= std::isfinite(r->value);
+            if (jacobian.empty()) continue;
+            const std::span<double> row = jacobian.subspan(places[i] * choice_.size(), choice_.size());
+            std::size_t k = 0;
+            for (const std::size_t parameter : choice_.model()) row[k++] = r->parameters[parameter];
+            for (const Correction correction : choice_.corrections())
+              row[k++] = slope(*r, correction, points[i], scale);
+            for (const double value : row) finite &= std::isfinite(value);
+          }
+          return true;
+        });
+    return defined && finite;
+  }
+
+  /// Every point that passes a fold bends the cost of areas.
+  std::size_t bends_passed(std::span<const double> x) const override {
+    std::size_t count = 0;
+    if constexpr (std::is_same_v<Residuals<Model>, AreaResiduals<Model>>)
+      each_load(x, [&](const Residuals<Model>& of_load, std::span<const MeasuredPoint> points, auto) {
+        count += of_load.beyond_ends(points);
+        return true;
+      });
+    return count;
+  }
+
+ private:
+  /// Calls use(residuals of a load, its points as corrected, their places among the residuals) until it returns false.
+  /// False then, and where a correction leaves no area.
+  template <class Use>
+  bool each_load(std::span<const double> x, Use&& use) const {
     const Trial<Model> at = trial(x);
     const CorrectedScale scale(at.corrections);
     std::vector<MeasuredPoint> corrected;
@@ -58,40 +105,14 @@ class ExperimentObjective final : public ModelProblem<Model> {
         if (!(corrected.back().A > 0)) return false;
       }
     const std::span<const MeasuredPoint> points = corrected.empty() ? points_ : corrected;
-    std::vector<double> values;
-    bool finite = true;
     for (std::size_t run = 0; run + 1 < runs_.size(); ++run) {
       const std::size_t from = runs_[run], count = runs_[run + 1] - from;
-      const std::span<const MeasuredPoint> of_run = points.subspan(from, count);
-      Residuals<Model> of_load(at.parameters, of_run[0].P, scale.shear(T_most_));
-      if constexpr (requires { of_load.values(of_run, values); })
-        if (jacobian.empty()) {
-          values.resize(count);
-          if (!of_load.values(of_run, values)) return false;
-          for (std::size_t i = 0; i < count; ++i) {
-            residuals[order_[from + i]] = values[i];
-            finite &= std::isfinite(values[i]);
-          }
-          continue;
-        }
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t original = order_[from + i];
-        const auto r = of_load(of_run[i]);
-        if (!r) return false;
-        residuals[original] = r->value;
-        finite &= std::isfinite(r->value);
-        if (jacobian.empty()) continue;
-        const std::span<double> row = jacobian.subspan(original * choice_.size(), choice_.size());
-        std::size_t k = 0;
-        for (const std::size_t parameter : choice_.model()) row[k++] = r->parameters[parameter];
-        for (const Correction correction : choice_.corrections()) row[k++] = slope(*r, correction, of_run[i], scale);
-        for (const double value : row) finite &= std::isfinite(value);
-      }
+      Residuals<Model> of_load(at.parameters, points[from].P, scale.shear(T_most_));
+      if (!use(of_load, points.subspan(from, count), std::span(order_).subspan(from, count))) return false;
     }
-    return finite;
+    return true;
   }
 
- private:
   /// Chain rule through CorrectedScale.
   static double slope(const PointResidual<Model>& r, Correction correction, const MeasuredPoint& scaled,
                       const CorrectedScale& scale) {

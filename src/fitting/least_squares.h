@@ -47,8 +47,9 @@ class LeastSquares {
   virtual std::vector<double> curvatures(std::span<const double>) const { return {}; }
   /// Places of a scan over one parameter, each spaced evenly and by factors.
   virtual std::size_t scan_density() const { return 64; }
-  /// True if basins may be far narrower than the spacing of that scan.
-  virtual bool narrow_basins() const { return false; }
+  /// How many bends of the cost lie on one side of x. Between places where this differs, basins may be far narrower
+  /// than the spacing of any scan.
+  virtual std::size_t bends_passed(std::span<const double> /* x */) const { return 0; }
   /// The cost for the batch engine; only with one free parameter. The problem must outlive it.
   virtual std::unique_ptr<SingleCost> single_cost() const;
 };
@@ -70,7 +71,7 @@ class WrappedProblem : public LeastSquares {
   const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
   double data_norm() const override { return problem_.data_norm(); }
   bool known_errors() const override { return problem_.known_errors(); }
-  bool narrow_basins() const override { return problem_.narrow_basins(); }
+  std::size_t bends_passed(std::span<const double> x) const override { return problem_.bends_passed(x); }
 
  protected:
   const LeastSquares& problem_;

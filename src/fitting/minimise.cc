@@ -145,8 +145,8 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
   if (near.empty())
     scanned = scan(problem);
   else
-    scanned.minima = {near};
-  scanned.minima.insert(scanned.minima.end(), guesses.begin(), guesses.end());
+    scanned.minima = {{near}};
+  for (const auto& guess : guesses) scanned.minima.push_back({guess});
   if (scanned.minima.empty())
     return end(FitStatus::not_converged, "the model is not finite at these points for any parameter value");
   // Within rounding, or within what the scatter allows, every value fits as well as the best.
@@ -161,13 +161,15 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
                                 [&](const Minimum& known) { return same_place(problem, known, *minimum); }))
       minima.push_back(*minimum);
   };
-  for (const auto& start : scanned.minima) descend_from(start);
-  if (near.empty() && problem.narrow_basins())
+  for (const Start& start : scanned.minima) descend_from(start.x);
+  if (near.empty())
     for (double reach = 0.3; !minima.empty() && reach > (p > 1 ? 0.005 : 3e-4); reach *= 0.3) {
       Scan closer = scan_around(problem, lowest(minima).x, reach);
+      if (closer.minima.empty()) break;
       constexpr std::size_t kStarts = 4;
       if (closer.minima.size() > kStarts) closer.minima.resize(kStarts);
-      for (const auto& start : closer.minima) descend_from(start);
+      for (const Start& start : closer.minima)
+        if (start.reachable < lowest(minima).sum_of_squares) descend_from(start.x);
     }
   const bool any_scanned = near.empty() && std::any_of(problem.parameters().begin(), problem.parameters().end(),
                                                        [](const FreeParameter& parameter) { return !parameter.start; });

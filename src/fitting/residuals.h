@@ -68,13 +68,12 @@ class AreaResiduals {
     if (equilibrium.status == EquilibriumStatus::invalid) return std::nullopt;
     PointResidual<Model> r;
     const bool beyond_fold = equilibrium.status == EquilibriumStatus::no_equilibrium;
-    const double y = beyond_fold ? contact_.branches().back().y_bottom : equilibrium.y;
-    const double A = area_from_radius(radius_from_edge_load(y, P_));
+    const double A = beyond_fold ? last_area() : area_from_radius(radius_from_edge_load(equilibrium.y, P_));
     r.value = (A - point.A) / point.sigma_A;
     if (beyond_fold) {
       set_fold_slopes(r, point.sigma_A);
     } else {
-      const EquilibriumGradient<Model> F = equilibrium_gradient<Model>(p_, P_, point.T, y);
+      const EquilibriumGradient<Model> F = equilibrium_gradient<Model>(p_, P_, point.T, equilibrium.y);
       const double scale = -1 / (F.A * point.sigma_A);
       for (std::size_t k = 0; k < p_.size(); ++k) r.parameters[k] = scale * F.parameters[k];
       r.T = scale * F.T;
@@ -83,6 +82,16 @@ class AreaResiduals {
     r.A = -1 / point.sigma_A;
     r.log_sigma_A = -r.value;
     return r;
+  }
+
+  /// How many ends of branches the points lie beyond, together. Where this changes with the parameters, a point passes
+  /// a fold, and its residual bends.
+  std::size_t beyond_ends(std::span<const MeasuredPoint> points) const {
+    if (!contact_.obstacle().empty() || !contact_.in_contact()) return 0;
+    std::size_t count = 0;
+    for (const StableBranch& branch : contact_.branches())
+      for (const MeasuredPoint& point : points) count += point.T > branch.T_bottom;
+    return count;
   }
 
   /// The values alone, for many points at once: scans need no derivatives. False where the operator returns null.
@@ -95,7 +104,7 @@ class AreaResiduals {
       double A = residuals[i];
       if (A == 0) {
         if (!(points[i].T >= 0 && points[i].T <= kLargestLoad)) return false;
-        A = area_from_radius(radius_from_edge_load(contact_.branches().back().y_bottom, P_));
+        A = last_area();
       }
       residuals[i] = (A - points[i].A) / points[i].sigma_A;
     }
@@ -103,6 +112,11 @@ class AreaResiduals {
   }
 
  private:
+  double last_area() {
+    if (!last_area_) last_area_ = area_from_radius(radius_from_edge_load(contact_.branches().back().y_bottom, P_));
+    return *last_area_;
+  }
+
   /// dA/dparameter and dA/dP of the last equilibrium itself, once for the load. At a fold R = R_y = 0, so that
   /// R_T dT = -dR and R_yy dy = -(dR_y + R_yT dT) at fixed y and T; R's derivatives in T follow from its homogeneity.
   void set_fold_slopes(PointResidual<Model>& r, double sigma_A) {
@@ -111,7 +125,7 @@ class AreaResiduals {
       const StableBranch& last = contact_.branches().back();
       const double y = last.y_bottom, T = last.T_bottom;
       // A = pi (3/4 (y + P))^(2/3)
-      const double growth = 2.0 / 3 * area_from_radius(radius_from_edge_load(y, P_)) / (y + P_);
+      const double growth = 2.0 / 3 * last_area() / (y + P_);
       double y_P = 0;  // Hertz's area does not depend on the parameters
       if (last.ends_in_fold) {
         const ShearTerm<double> term = Model::shear_term(p_, y, T);
@@ -138,6 +152,7 @@ class AreaResiduals {
   Parameters<Model> p_;
   double P_;
   LoadedContact<Model> contact_;
+  std::optional<double> last_area_;  // of the last equilibrium
   std::optional<PointResidual<Model>> fold_slopes_;
   std::vector<double> T_;
 };

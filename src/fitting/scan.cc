@@ -60,6 +60,19 @@ Scan scan_grid(const LeastSquares& problem, const std::vector<std::vector<double
     result.lowest = std::min(result.lowest, costs[i]);
     result.highest = std::max(result.highest, costs[i]);
   }
+  // A parabola through a place and its neighbours reaches an eighth of their second difference below it at most.
+  const auto reachable = [&](std::size_t i) {
+    double rise = 0;
+    std::size_t stride = 1;
+    for (const auto& axis : axes) {
+      const std::size_t position = i / stride % axis.size();
+      if (axis.size() > 1)
+        rise += costs[position == 0 ? i + stride : i - stride] +
+                costs[position + 1 == axis.size() ? i - stride : i + stride] - 2 * costs[i];
+      stride *= axis.size();
+    }
+    return costs[i] - rise;
+  };
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < total; ++i) {
     bool lowest_here = std::isfinite(costs[i]);
@@ -74,20 +87,38 @@ Scan scan_grid(const LeastSquares& problem, const std::vector<std::vector<double
     if (lowest_here) found.push_back(i);
   }
   std::sort(found.begin(), found.end(), [&](std::size_t i, std::size_t j) { return costs[i] < costs[j]; });
+  const double lowest = result.lowest;
+  const bool contested =
+      std::count_if(found.begin(), found.end(), [&](std::size_t i) { return reachable(i) < lowest; }) > 1;
   for (const std::size_t i : found) {
-    if (zoom && single && problem.narrow_basins() && i > 0 && i + 1 < total &&
-        result.minima.size() < 3) {  // the lowest ones: each costs another scan
+    if (zoom && single && contested && reachable(i) < lowest && i > 0 && i + 1 < total &&
+        result.minima.size() < 3 &&  // each costs a scan
+        problem.bends_passed(point(i - 1)) != problem.bends_passed(point(i + 1))) {
       const double x = zoomed(*single, point(i - 1)[0], point(i)[0], point(i + 1)[0], costs[i]);
       if (const auto least = single->value(x)) result.lowest = std::min(result.lowest, *least);
-      result.minima.push_back({x});
+      result.minima.push_back({{x}, reachable(i)});
       continue;
     }
-    result.minima.push_back(point(i));
+    result.minima.push_back({point(i), reachable(i)});
     if (problem.parameters().size() > 1 || total == 1 || (i > 0 && i + 1 < total)) continue;
     // Beside a bound, too: at it the slope may vanish by symmetry.
-    result.minima.push_back({0.5 * (point(i)[0] + point(i == 0 ? 1 : i - 1)[0])});
+    result.minima.push_back({{0.5 * (point(i)[0] + point(i == 0 ? 1 : i - 1)[0])}});
   }
   return result;
+}
+
+/// The number of bends passed grows or falls with each parameter, so that it is least at one corner of the grid and
+/// largest at another.
+bool bends_within(const LeastSquares& problem, const std::vector<std::vector<double>>& axes) {
+  std::optional<std::size_t> first;
+  for (std::size_t corner = 0; corner < std::size_t{1} << axes.size(); ++corner) {
+    std::vector<double> x;
+    for (std::size_t k = 0; k < axes.size(); ++k) x.push_back(corner >> k & 1 ? axes[k].back() : axes[k].front());
+    const std::size_t bends = problem.bends_passed(x);
+    if (first && bends != *first) return true;
+    first = bends;
+  }
+  return false;
 }
 
 }  // namespace
@@ -99,7 +130,7 @@ Scan scan(const LeastSquares& problem) {
     const SingleScan found = scan_basins(*single, problem.parameters()[0]);
     result.lowest = found.lowest;
     result.highest = found.highest;
-    for (const Basin& basin : found.basins) result.minima.push_back({basin.start});
+    for (const Basin& basin : found.basins) result.minima.push_back({{basin.start}});
     return result;
   }
   const auto scanned = std::count_if(problem.parameters().begin(), problem.parameters().end(),
@@ -111,7 +142,9 @@ Scan scan(const LeastSquares& problem) {
 }
 
 Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, double reach) {
-  const int half = x.size() > 1 ? 8 : 64;  // a single parameter can afford more
+  // A single parameter can afford more; of several, the grid has some hundred places.
+  const double places = std::pow(350, 1 / static_cast<double>(x.size()));
+  const int half = x.size() > 1 ? std::max(static_cast<int>(0.5 * (places - 1)), 1) : 64;
   std::vector<std::vector<double>> axes;
   for (std::size_t k = 0; k < x.size(); ++k) {
     const FreeParameter& parameter = problem.parameters()[k];
@@ -123,6 +156,7 @@ Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, doub
     }
     axes.push_back(axis);
   }
+  if (!bends_within(problem, axes)) return {};
   return scan_grid(problem, axes, false);
 }
 

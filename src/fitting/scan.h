@@ -8,8 +8,14 @@
 
 namespace mixity {
 
+/// A place from which to descend, and how low its basin may reach.
+struct Start {
+  std::vector<double> x;
+  double reachable = -std::numeric_limits<double>::infinity();
+};
+
 struct Scan {
-  std::vector<std::vector<double>> minima;                               // best first
+  std::vector<Start> minima;                                             // best first
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;  // over the finite costs
 };
 
@@ -17,7 +23,8 @@ struct Scan {
 /// no place.
 Scan scan(const LeastSquares& problem);
 
-/// Over a grid of each parameter by up to the part `reach` above and below x.
+/// Over a grid of each parameter by up to the part `reach` above and below x; empty if no bend of the cost lies there,
+/// without which a basin is as wide as what surrounds it.
 Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, double reach);
 
 }  // namespace mixity
