@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fitting/narrow_basins.h"
 #include "fitting/single_scan.h"
 
 namespace mixity {
@@ -36,80 +35,84 @@ std::vector<double> scan_values(const FreeParameter& parameter, std::size_t dens
   return values;
 }
 
-/// Cost over the grid of the axes' values; a local minimum is no higher than its neighbours. With `zoom` the lowest are
-/// looked at more closely where basins may be narrow.
-Scan scan_grid(const LeastSquares& problem, const std::vector<std::vector<double>>& axes, bool zoom) {
-  Scan result;
-  const auto single = problem.parameters().size() == 1 ? problem.single_cost() : nullptr;
-  std::size_t total = 1;
-  for (const auto& axis : axes) total *= axis.size();
+using Axes = std::vector<std::vector<double>>;
 
-  const auto point = [&](std::size_t index) {
+/// Places of a grid, numbered along the first axis, then the second, ...
+class Grid {
+ public:
+  explicit Grid(const Axes& axes) : axes_(axes) {}
+
+  std::size_t size() const {
+    std::size_t total = 1;
+    for (const auto& axis : axes_) total *= axis.size();
+    return total;
+  }
+  std::vector<double> place(std::size_t i) const {
     std::vector<double> x;
-    for (const auto& axis : axes) {
-      x.push_back(axis[index % axis.size()]);
-      index /= axis.size();
+    for (const auto& axis : axes_) {
+      x.push_back(axis[i % axis.size()]);
+      i /= axis.size();
     }
     return x;
-  };
-  std::vector<double> costs(total, kInfinity), residuals(problem.residual_count());
-  for (std::size_t i = 0; i < total; ++i) {
-    const auto cost = single ? single->value(point(i)[0]) : sum_of_squares(problem, point(i), residuals);
+  }
+  /// Calls use(below, above) for each axis: the neighbours of place i, null beyond an end of the axis.
+  template <class Use>
+  void neighbours(std::size_t i, Use&& use) const {
+    std::size_t stride = 1;
+    for (const auto& axis : axes_) {
+      const std::size_t position = i / stride % axis.size();
+      use(position > 0 ? std::optional(i - stride) : std::nullopt,
+          position + 1 < axis.size() ? std::optional(i + stride) : std::nullopt);
+      stride *= axis.size();
+    }
+  }
+
+ private:
+  const Axes& axes_;
+};
+
+/// Cost over the grid of the axes' values; a local minimum is no higher than its neighbours.
+Scan scan_grid(const LeastSquares& problem, const Axes& axes) {
+  Scan result;
+  const Grid grid(axes);
+  const auto single = problem.parameters().size() == 1 ? problem.single_cost() : nullptr;
+  std::vector<double> costs(grid.size(), kInfinity), residuals(problem.residual_count());
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const std::vector<double> x = grid.place(i);
+    const auto cost = single ? single->value(x[0]) : sum_of_squares(problem, x, residuals);
     if (!cost) continue;
     costs[i] = *cost;
     result.lowest = std::min(result.lowest, costs[i]);
     result.highest = std::max(result.highest, costs[i]);
   }
-  // A parabola through a place and its neighbours reaches an eighth of their second difference below it at most.
-  const auto reachable = [&](std::size_t i) {
-    double rise = 0;
-    std::size_t stride = 1;
-    for (const auto& axis : axes) {
-      const std::size_t position = i / stride % axis.size();
-      if (axis.size() > 1)
-        rise += costs[position == 0 ? i + stride : i - stride] +
-                costs[position + 1 == axis.size() ? i - stride : i + stride] - 2 * costs[i];
-      stride *= axis.size();
-    }
-    return costs[i] - rise;
-  };
   std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < total; ++i) {
+  for (std::size_t i = 0; i < costs.size(); ++i) {
     bool lowest_here = std::isfinite(costs[i]);
-    std::size_t stride = 1;
-    for (const auto& axis : axes) {
-      const std::size_t position = i / stride % axis.size();
+    grid.neighbours(i, [&](auto below, auto above) {
       // <= on one side only, so that a plateau counts once
-      if (position > 0) lowest_here &= costs[i] <= costs[i - stride];
-      if (position + 1 < axis.size()) lowest_here &= costs[i] < costs[i + stride];
-      stride *= axis.size();
-    }
+      lowest_here &= (!below || costs[i] <= costs[*below]) && (!above || costs[i] < costs[*above]);
+    });
     if (lowest_here) found.push_back(i);
   }
   std::sort(found.begin(), found.end(), [&](std::size_t i, std::size_t j) { return costs[i] < costs[j]; });
-  const double lowest = result.lowest;
-  const bool contested =
-      std::count_if(found.begin(), found.end(), [&](std::size_t i) { return reachable(i) < lowest; }) > 1;
   for (const std::size_t i : found) {
-    if (zoom && single && contested && reachable(i) < lowest && i > 0 && i + 1 < total &&
-        result.minima.size() < 3 &&  // each costs a scan
-        problem.bends_passed(point(i - 1)) != problem.bends_passed(point(i + 1))) {
-      const double x = zoomed(*single, point(i - 1)[0], point(i)[0], point(i + 1)[0], costs[i]);
-      if (const auto least = single->value(x)) result.lowest = std::min(result.lowest, *least);
-      result.minima.push_back({{x}, reachable(i)});
-      continue;
-    }
-    result.minima.push_back({point(i), reachable(i)});
-    if (problem.parameters().size() > 1 || total == 1 || (i > 0 && i + 1 < total)) continue;
+    // A parabola through a place and its neighbours reaches an eighth of their second difference below it at most.
+    double reachable = costs[i];
+    grid.neighbours(i, [&](auto below, auto above) {
+      if (below || above) reachable -= costs[below ? *below : *above] + costs[above ? *above : *below] - 2 * costs[i];
+    });
+    result.minima.push_back({grid.place(i), reachable});
+    const bool at_end = i == 0 || i + 1 == costs.size();
+    if (!single || costs.size() == 1 || !at_end) continue;
     // Beside a bound, too: at it the slope may vanish by symmetry.
-    result.minima.push_back({{0.5 * (point(i)[0] + point(i == 0 ? 1 : i - 1)[0])}});
+    result.minima.push_back({{0.5 * (axes[0][i] + axes[0][i == 0 ? 1 : i - 1])}});
   }
   return result;
 }
 
 /// The number of bends passed grows or falls with each parameter, so that it is least at one corner of the grid and
 /// largest at another.
-bool bends_within(const LeastSquares& problem, const std::vector<std::vector<double>>& axes) {
+bool bends_within(const LeastSquares& problem, const Axes& axes) {
   std::optional<std::size_t> first;
   for (std::size_t corner = 0; corner < std::size_t{1} << axes.size(); ++corner) {
     std::vector<double> x;
@@ -135,17 +138,17 @@ Scan scan(const LeastSquares& problem) {
   }
   const auto scanned = std::count_if(problem.parameters().begin(), problem.parameters().end(),
                                      [](const FreeParameter& parameter) { return !parameter.start; });
-  std::vector<std::vector<double>> axes;
+  Axes axes;
   for (const FreeParameter& parameter : problem.parameters())
     axes.push_back(scan_values(parameter, scanned == 1 ? problem.scan_density() : 16));
-  return scan_grid(problem, axes, true);
+  return scan_grid(problem, axes);
 }
 
 Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, double reach) {
   // A single parameter can afford more; of several, the grid has some hundred places.
   const double places = std::pow(350, 1 / static_cast<double>(x.size()));
   const int half = x.size() > 1 ? std::max(static_cast<int>(0.5 * (places - 1)), 1) : 64;
-  std::vector<std::vector<double>> axes;
+  Axes axes;
   for (std::size_t k = 0; k < x.size(); ++k) {
     const FreeParameter& parameter = problem.parameters()[k];
     std::vector<double> axis;
@@ -157,7 +160,7 @@ Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, doub
     axes.push_back(axis);
   }
   if (!bends_within(problem, axes)) return {};
-  return scan_grid(problem, axes, false);
+  return scan_grid(problem, axes);
 }
 
 }  // namespace mixity
