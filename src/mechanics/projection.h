@@ -110,7 +110,8 @@ class Projection {
     // Not from the very start, where bk with eta < 1 has dT = dA = 0.
     const double share = std::clamp(candidate.share, 0.02, 0.98);
     CurvePoint q = curve_.point(nodes_[i].phi + share * (nodes_[i + 1].phi - nodes_[i].phi));
-    double last_phi = 0, last_slope = 0;
+    double last_phi = 0, last_slope = 0, least_slope = std::numeric_limits<double>::infinity();
+    int stalled = 0;
     for (int step = 0; step < 60; ++step) {
       const double x = target.x(q), y = target.y(q), dx = q.dT / target.sigma_T, dy = q.dA / target.sigma_A;
       const double slope = x * dx + y * dy, size = std::hypot(dx, dy);
@@ -125,6 +126,13 @@ class Projection {
       }
       last_phi = q.phi;
       last_slope = slope;
+      // Towards an asymptote steps from either side may creep for hundreds of turns.
+      stalled = std::abs(slope) < 0.5 * least_slope ? 0 : stalled + 1;
+      least_slope = std::min(least_slope, std::abs(slope));
+      if (stalled == 2) {
+        next = 0.5 * (low + high);
+        stalled = 0;
+      }
       if (!(next > low && next < high)) {
         // An end itself is tried once, where it is no place at which both derivatives vanish.
         const int end = next <= low ? 0 : 1;

@@ -215,6 +215,26 @@ TEST(NearestPoint, OfAPointFarOffIsTheExtremeOfTheCurve) {
 }
 
 /// lambda = 0: shear does not act, the curve is one point.
+/// Towards an asymptote T grows over all bounds within a few segments; the search once crept from both sides of them.
+TEST(NearestPoint, IsNoFurtherThanThePointAboveOrBelow) {
+  std::mt19937_64 random(2024);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int i = 0; i < 4000; ++i) {
+    const double lambda = 1 - std::pow(10, -3 * uniform(random)), P = -4 + 34 * uniform(random);
+    const LoadedContact<Johnson> contact({lambda}, P);
+    const double scale = circle_radius(P), T_most = scale * (2 + 40 * uniform(random)),
+                 T = 0.5 * T_most * uniform(random);
+    const Equilibrium at = contact.at(T);
+    if (at.status != EquilibriumStatus::ok) continue;
+    const double A_T = area_from_radius(radius_from_edge_load(at.y, P)), A = A_T * (0.9 + 0.2 * uniform(random));
+    const double sigma_T = 0.02 * scale * 20, sigma_A = 0.02 * A;
+    const CurvePoint q = Projection<Johnson>({{lambda}, P}, T_most).nearest(T, A, sigma_T, sigma_A);
+    const double above = std::abs(A_T - A) / sigma_A;
+    EXPECT_LE(std::hypot((q.T - T) / sigma_T, (q.A - A) / sigma_A), above * (1 + 1e-9) + 1e-7)
+        << lambda << " P=" << P << " T=" << T << " A=" << A << " T_most=" << T_most;
+  }
+}
+
 TEST(NearestPoint, OfAnUncoupledContactIsJkr) {
   const EquilibriumCurve<PapangeloCiavarella> curve({0.0}, 2.0);
   const CurvePoint q = Projection<PapangeloCiavarella>(curve, 100).nearest(30, 5, 1, 1);
