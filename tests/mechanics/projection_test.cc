@@ -214,7 +214,6 @@ TEST(NearestPoint, OfAPointFarOffIsTheExtremeOfTheCurve) {
   EXPECT_NEAR(out.T, T_fold, 1e-10 * T_fold);
 }
 
-/// lambda = 0: shear does not act, the curve is one point.
 /// Towards an asymptote T grows over all bounds within a few segments; the search once crept from both sides of them.
 TEST(NearestPoint, IsNoFurtherThanThePointAboveOrBelow) {
   std::mt19937_64 random(2024);
@@ -235,6 +234,7 @@ TEST(NearestPoint, IsNoFurtherThanThePointAboveOrBelow) {
   }
 }
 
+/// lambda = 0: shear does not act, the curve is one point.
 TEST(NearestPoint, OfAnUncoupledContactIsJkr) {
   const EquilibriumCurve<PapangeloCiavarella> curve({0.0}, 2.0);
   const CurvePoint q = Projection<PapangeloCiavarella>(curve, 100).nearest(30, 5, 1, 1);
