@@ -48,34 +48,32 @@ class ExperimentObjective final : public ModelProblem<Model> {
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     std::vector<double> values;
     bool finite = true;
-    const CorrectedScale scale(trial(x).corrections);
-    const bool defined = each_load(
-        x, [&](Residuals<Model>& of_load, std::span<const MeasuredPoint> points, std::span<const std::size_t> places) {
-          if constexpr (requires { of_load.values(points, values); })
-            if (jacobian.empty()) {
-              values.resize(points.size());
-              if (!of_load.values(points, values)) return false;
-              for (std::size_t i = 0; i < points.size(); ++i) {
-                residuals[places[i]] = values[i];
-                finite &= std::isfinite(values[i]);
-              }
-              return true;
-            }
+    const bool defined = each_load(x, [&](Residuals<Model>& of_load, std::span<const MeasuredPoint> points,
+                                          std::span<const std::size_t> places, const CorrectedScale& scale) {
+      if constexpr (requires { of_load.values(points, values); })
+        if (jacobian.empty()) {
+          values.resize(points.size());
+          if (!of_load.values(points, values)) return false;
           for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto r = of_load(points[i]);
-            if (!r) return false;
-            residuals[places[i]] = r->value;
-            finite &= std::isfinite(r->value);
-            if (jacobian.empty()) continue;
-            const std::span<double> row = jacobian.subspan(places[i] * choice_.size(), choice_.size());
-            std::size_t k = 0;
-            for (const std::size_t parameter : choice_.model()) row[k++] = r->parameters[parameter];
-            for (const Correction correction : choice_.corrections())
-              row[k++] = slope(*r, correction, points[i], scale);
-            for (const double value : row) finite &= std::isfinite(value);
+            residuals[places[i]] = values[i];
+            finite &= std::isfinite(values[i]);
           }
           return true;
-        });
+        }
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto r = of_load(points[i]);
+        if (!r) return false;
+        residuals[places[i]] = r->value;
+        finite &= std::isfinite(r->value);
+        if (jacobian.empty()) continue;
+        const std::span<double> row = jacobian.subspan(places[i] * choice_.size(), choice_.size());
+        std::size_t k = 0;
+        for (const std::size_t parameter : choice_.model()) row[k++] = r->parameters[parameter];
+        for (const Correction correction : choice_.corrections()) row[k++] = slope(*r, correction, points[i], scale);
+        for (const double value : row) finite &= std::isfinite(value);
+      }
+      return true;
+    });
     return defined && finite;
   }
 
@@ -83,7 +81,7 @@ class ExperimentObjective final : public ModelProblem<Model> {
   std::size_t bends_passed(std::span<const double> x) const override {
     std::size_t count = 0;
     if constexpr (std::is_same_v<Residuals<Model>, AreaResiduals<Model>>)
-      each_load(x, [&](const Residuals<Model>& of_load, std::span<const MeasuredPoint> points, auto) {
+      each_load(x, [&](const Residuals<Model>& of_load, std::span<const MeasuredPoint> points, auto, auto) {
         count += of_load.beyond_ends(points);
         return true;
       });
@@ -91,8 +89,8 @@ class ExperimentObjective final : public ModelProblem<Model> {
   }
 
  private:
-  /// Calls use(residuals of a load, its points as corrected, their places among the residuals) until it returns false.
-  /// False then, and where a correction leaves no area.
+  /// Calls use(residuals of a load, its points as corrected, their places among the residuals, the correction's scale)
+  /// until it returns false. False then, and where a correction leaves no area.
   template <class Use>
   bool each_load(std::span<const double> x, Use&& use) const {
     const Trial<Model> at = trial(x);
@@ -108,7 +106,7 @@ class ExperimentObjective final : public ModelProblem<Model> {
     for (std::size_t run = 0; run + 1 < runs_.size(); ++run) {
       const std::size_t from = runs_[run], count = runs_[run + 1] - from;
       Residuals<Model> of_load(at.parameters, points[from].P, scale.shear(T_most_));
-      if (!use(of_load, points.subspan(from, count), std::span(order_).subspan(from, count))) return false;
+      if (!use(of_load, points.subspan(from, count), std::span(order_).subspan(from, count), scale)) return false;
     }
     return true;
   }
