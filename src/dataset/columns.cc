@@ -32,7 +32,7 @@ constexpr std::array<Kind, kColumnCount> kKinds{{
 }  // namespace
 
 Heading heading_at(const std::string& path, const CsvRow& header, std::size_t i) {
-  const std::string_view text = trim(header[i]);
+  const std::string_view text = header[i];
   const std::size_t open = text.find_first_of("[(");
   if (open == std::string_view::npos) return {std::string(text), {}};
   const std::string name(trim(text.substr(0, open)));
@@ -62,13 +62,13 @@ void require_width(const std::string& path, const CsvRow& row, std::size_t count
     throw InputError(path, row.line(), row.column(row.size()),
                      "the row has " + std::to_string(row.size()) + " fields, the header " + std::to_string(count));
   for (std::size_t i = count; i < row.size(); ++i)
-    if (!trim(row[i]).empty())
+    if (!row[i].empty())
       throw InputError(path, row.line(), row.column(i),
                        "the row has more fields than the header's " + std::to_string(count));
 }
 
 bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value) {
-  const std::string_view text = trim(row[i]);
+  const std::string_view text = row[i];
   if (text.empty()) return false;
   if (parse_number(text, value)) return true;
   const bool decimal_comma = text.find(',') != std::string_view::npos;

@@ -116,7 +116,7 @@ struct CsvParser {
     row.fields_.clear();
     for (std::size_t i = 0; i < ends.size(); ++i) {
       const std::size_t begin = i == 0 ? 0 : ends[i - 1];
-      row.fields_.push_back(std::string_view(text).substr(begin, ends[i] - begin));
+      row.fields_.push_back(trim(std::string_view(text).substr(begin, ends[i] - begin)));
     }
   }
 };

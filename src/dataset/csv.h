@@ -59,9 +59,10 @@ class CsvBlock {
 class CsvFile {
  public:
   /// Throws InputError if the file cannot be opened.
-  explicit CsvFile(const std::string& path, std::size_t block_bytes = std::size_t{1} << 18);
-  /// The next rows; null at the end. Throws InputError if the file cannot be read or is UTF-16.
-  std::optional<CsvBlock> next();
+  explicit CsvFile(const std::string& path, std::size_t block_bytes = std::size_t{1} << 17);
+  /// Makes the block hold the next rows; false at the end. Throws InputError if the file cannot be read or is UTF-16.
+  /// A block used again spares the memory of a new one.
+  bool next(CsvBlock& block);
   /// Of the file; null where that is not known beforehand (a pipe).
   std::optional<std::size_t> bytes() const;
 

@@ -43,17 +43,16 @@ void CsvFile::begin(std::string& text) {
   text.erase(0, text.size() - rest.size());
 }
 
-std::optional<CsvBlock> CsvFile::next() {
-  CsvBlock block;
+bool CsvFile::next(CsvBlock& block) {
   std::string& text = block.text_;
-  text = std::move(rest_);
+  text.assign(rest_);
   rest_.clear();
   if (text.size() < block_bytes_ && !at_end_) read(text, block_bytes_ - text.size());
   if (!begun_) begin(text);
   std::size_t end = end_of_rows(text, format_);
   for (; end == 0 && !at_end_; end = end_of_rows(text, format_)) read(text, text.size());  // a row of many lines
   if (at_end_) end = text.size();
-  if (end == 0) return std::nullopt;
+  if (end == 0) return false;
   rest_.assign(text, end);
   text.resize(end);
   block.first_line_ = line_;
@@ -66,14 +65,14 @@ std::optional<CsvBlock> CsvFile::next() {
   }
   block.path_ = path_;
   block.format_ = format_;
-  return block;
+  return true;
 }
 
 void CsvBlock::rows(const UseRow& use) const { read_rows(text_, first_line_, format_, path_, use); }
 
 void read_csv(const std::string& path, const UseRow& use) {
   CsvFile file(path);
-  while (const auto block = file.next()) block->rows(use);
+  for (CsvBlock block; file.next(block);) block.rows(use);
 }
 
 void read_csv_text(std::string_view text, const std::string& name, bool comments, const UseRow& use) {

@@ -1,15 +1,15 @@
 #include "dataset/dataset.h"
 
 #include <algorithm>
-#include <deque>
 #include <filesystem>
-#include <future>
 #include <map>
 #include <thread>
 
 #include "dataset/csv.h"
 #include "dataset/input_error.h"
+#include "dataset/large_pages.h"
 #include "dataset/number_text.h"
+#include "dataset/pipeline.h"
 #include "dataset/point_reader.h"
 
 namespace mixity {
@@ -49,13 +49,21 @@ class Runs {
   double last_load_ = 0;
 };
 
-/// What a block of rows holds.
+/// A block of rows, and what they hold.
 struct Part {
+  CsvBlock block;
   std::size_t rows = 0;
   std::vector<Point> points;
   std::vector<Excluded> excluded;
   Runs runs;
 
+  void clear() {
+    rows = 0;
+    points.clear();
+    points.reserve(block.lines());
+    excluded.clear();
+    runs = {};
+  }
   void row(const PointReader& reader, const Dataset& data, const CsvRow& row) {
     ++rows;
     Point& point = points.emplace_back();
@@ -73,64 +81,51 @@ struct Part {
 class Loader {
  public:
   Loader(const std::string& metadata_path, PointUse use, Dataset& data)
-      : metadata_path_(metadata_path), use_(use), data_(data) {}
+      : metadata_path_(metadata_path), use_(use), data_(data), file_(data.path) {}
 
   void read() {
-    CsvFile file(data_.path);
     // What is small is read here: threads cost more than they save.
     std::size_t bytes = 0;
-    while (bytes < kAlone || !reader_) {
-      const auto block = file.next();
-      if (!block) return finish();
-      bytes += block->bytes();
-      take(part_of(*block));
+    for (Part part; bytes < kAlone || !reader_; bytes += part.block.bytes()) {
+      if (!file_.next(part.block)) return finish();
+      understand(part);
+      take(part);
     }
-    reserve(file, bytes);
-    const std::size_t most = std::size_t{2} * std::max(1u, std::thread::hardware_concurrency());
-    for (std::deque<std::future<Part>> parts;;) {
-      while (parts.size() < most) {
-        auto block = file.next();
-        if (!block) break;
-        parts.push_back(std::async([this, block = std::move(*block)] { return part_of(block); }));
-      }
-      if (parts.empty()) break;
-      take(parts.front().get());
-      parts.pop_front();
-    }
+    reserve(bytes);
+    pipeline<Part>(
+        std::max(1u, std::thread::hardware_concurrency()), [&](Part& part) { return file_.next(part.block); },
+        [&](Part& part) { understand(part); }, [&](const Part& part) { take(part); });
     finish();
   }
 
  private:
   static constexpr std::size_t kAlone = std::size_t{1} << 18;
 
-  Part part_of(const CsvBlock& block) {
-    Part part;
-    part.points.reserve(block.lines());
-    block.rows([&](const CsvRow& row) {
+  void understand(Part& part) {
+    part.clear();
+    part.block.rows([&](const CsvRow& row) {
       if (reader_)
         part.row(*reader_, data_, row);
       else
         reader_.emplace(metadata_path_, use_, row, data_);
     });
-    return part;
   }
 
-  /// Parts are taken in the order of the file, so that the first error in it is the one that is told.
   void take(const Part& part) {
     std::vector<std::size_t> run(part.runs.names().size());
     for (std::size_t i = 0; i < run.size(); ++i) run[i] = runs_.index(part.runs.names()[i], part.runs.loads()[i]);
-    const std::size_t before = data_.points.size();
-    data_.points.insert(data_.points.end(), part.points.begin(), part.points.end());
-    for (std::size_t i = before; i < data_.points.size(); ++i) data_.points[i].curve = run[data_.points[i].curve];
+    for (const Point& point : part.points) data_.points.emplace_back(point).curve = run[point.curve];
     data_.excluded.insert(data_.excluded.end(), part.excluded.begin(), part.excluded.end());
     data_.rows += part.rows;
   }
 
   /// Room for as many points as the file may hold if it goes on much as it began: to move them takes twice their
   /// memory, while what is never touched takes none.
-  void reserve(const CsvFile& file, std::size_t bytes) {
-    const double times = 1.25 * static_cast<double>(file.bytes().value_or(0)) / static_cast<double>(bytes);
-    if (times > 1) data_.points.reserve(static_cast<std::size_t>(times * static_cast<double>(data_.points.size())));
+  void reserve(std::size_t bytes) {
+    const double times = 1.25 * static_cast<double>(file_.bytes().value_or(0)) / static_cast<double>(bytes);
+    if (times <= 1) return;
+    data_.points.reserve(static_cast<std::size_t>(times * static_cast<double>(data_.points.size())));
+    prefer_large_pages(data_.points.data(), data_.points.capacity() * sizeof(Point));
   }
 
   void finish() {
@@ -143,6 +138,7 @@ class Loader {
   const std::string& metadata_path_;
   PointUse use_;
   Dataset& data_;
+  CsvFile file_;
   std::optional<PointReader> reader_;  // made of the first row, before any thread
   Runs runs_;
 };

@@ -19,7 +19,7 @@ struct Series {
 /// A number field as written; empty if the field is. Throws if it is anything else.
 std::string number_field(const std::string& path, const CsvRow& row, std::size_t i) {
   if (i >= row.size()) return {};
-  const std::string_view text = trim(row[i]);
+  const std::string_view text = row[i];
   if (text.empty()) return {};
   const auto value = parse_number(text);
   if (!value || !std::isfinite(*value))
@@ -33,15 +33,15 @@ std::vector<Series> read_series(const std::string& path) {
   read_csv_text(read_file(path), path, false, [&](const CsvRow& row) {
     if (++rows == 1) {
       for (std::size_t i = 0; i < row.size(); i += 2) {
-        const std::string name(trim(row[i]));
+        const std::string name(row[i]);
         if (name.empty() && i + 1 >= row.size()) break;
         series.push_back({name.empty() ? "data set " + std::to_string(i / 2 + 1) : name, {}});
       }
       return;
     }
-    if (rows == 2 && !parse_number(row[0]) && !trim(row[0]).empty()) return;  // the labels X,Y
+    if (rows == 2 && !parse_number(row[0]) && !row[0].empty()) return;  // the labels X,Y
     for (std::size_t i = 2 * series.size(); i < row.size(); ++i)
-      if (!trim(row[i]).empty())
+      if (!row[i].empty())
         throw InputError(path, row.line(), row.column(i), "a value stands beyond the last named data set");
     for (std::size_t k = 0; k < series.size(); ++k) {
       const std::string x = number_field(path, row, 2 * k), y = number_field(path, row, 2 * k + 1);

@@ -52,7 +52,9 @@ void PointReader::require_constants(const std::string& metadata_path) {
   data_.contact =
       Contact{demand(data_.metadata.radius, "radius"), demand(data_.metadata.plane_strain_modulus(), "modulus"),
               demand(data_.metadata.toughness, "toughness")};
-  for (const double unit : {data_.contact->force_unit(), data_.contact->length_unit(), data_.contact->area_unit()})
+  force_unit_ = data_.contact->force_unit();
+  length_unit_ = data_.contact->length_unit();
+  for (const double unit : {force_unit_, length_unit_, data_.contact->area_unit()})
     if (!in_range(unit)) throw InputError(data_.path, "radius, modulus and toughness together are out of range");
 }
 
@@ -75,13 +77,13 @@ void PointReader::set_display() {
 
 std::optional<std::string_view> PointReader::run_name(const CsvRow& row) const {
   const Column* column = columns_.find(ColumnId::curve);
-  return column ? std::optional(trim(row[column->index])) : std::nullopt;
+  return column ? std::optional(row[column->index]) : std::nullopt;
 }
 
 std::string_view PointReader::read(const CsvRow& row, Point& point) const {
   require_width(data_.path, row, columns_.count());
   if (const Column* include = columns_.find(ColumnId::include)) {
-    const std::string_view text = trim(row[include->index]);
+    const std::string_view text = row[include->index];
     if (text != "0" && text != "1")
       throw InputError(data_.path, row.line(), row.column(include->index),
                        "column 'include': '" + printable(text, 60) + "' is neither 0 nor 1");
@@ -105,7 +107,7 @@ std::string_view PointReader::standard_error(const CsvRow& row, ColumnId id, dou
                                              double& error) const {
   error = 0;
   const Column* column = columns_.find(id);
-  if (!column || trim(row[column->index]).empty()) return {};
+  if (!column || row[column->index].empty()) return {};
   if (const auto unusable = number(row, id, error); !unusable.empty()) return unusable;
   if (error < 0) return said_of(id, kNegative);
   error = column->unit.text == "%" ? error * std::abs(of) : error / unit;
@@ -113,8 +115,6 @@ std::string_view PointReader::standard_error(const CsvRow& row, ColumnId id, dou
 }
 
 std::string_view PointReader::read_loads(const CsvRow& row, Point& point) const {
-  const double force = data_.contact ? data_.contact->force_unit() : 1;
-  const double length = data_.contact ? data_.contact->length_unit() : 1;
   const bool by_area = columns_.has(ColumnId::A);
   double P = 0, T = 0, size = 0;
   if (const auto unusable = number(row, ColumnId::P, P); !unusable.empty()) return unusable;
@@ -122,10 +122,10 @@ std::string_view PointReader::read_loads(const CsvRow& row, Point& point) const 
   if (const auto unusable = number(row, by_area ? ColumnId::A : ColumnId::a, size); !unusable.empty()) return unusable;
   if (T < 0) return "T < 0";
   if (size <= 0) return by_area ? "A <= 0" : "a <= 0";
-  point.P = P / force;
-  point.T = T / force;
-  const double a = (by_area ? std::sqrt(size / pi<double>()) : size) / length;
-  point.A = by_area ? size / (length * length) : area_from_radius(a);
+  point.P = P / force_unit_;
+  point.T = T / force_unit_;
+  const double a = (by_area ? std::sqrt(size / pi<double>()) : size) / length_unit_;
+  point.A = by_area ? size / (length_unit_ * length_unit_) : area_from_radius(a);
   if (!std::isfinite(point.P) || !std::isfinite(point.T) || !in_range(point.A)) return "P, T or A is out of range";
   if (edge_load(a, point.P) > 0) {
     const auto measured = measured_toughness(point.P, point.T, a);
@@ -135,8 +135,9 @@ std::string_view PointReader::read_loads(const CsvRow& row, Point& point) const 
   } else if (use_ == PointUse::toughness) {
     return "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists";
   }
-  const auto unusable = standard_error(row, ColumnId::sigma_T, point.T, force, point.sigma_T);
-  return unusable.empty() ? standard_error(row, ColumnId::sigma_A, point.A, length * length, point.sigma_A) : unusable;
+  const auto unusable = standard_error(row, ColumnId::sigma_T, point.T, force_unit_, point.sigma_T);
+  return unusable.empty() ? standard_error(row, ColumnId::sigma_A, point.A, length_unit_ * length_unit_, point.sigma_A)
+                          : unusable;
 }
 
 std::string_view PointReader::read_toughness(const CsvRow& row, Point& point) const {

@@ -35,7 +35,7 @@ class PointReader {
   Dataset& data_;  // for the constants; changed by the constructor only
   PointUse use_;
   Columns columns_;
-  double ratio_unit_ = 1;
+  double force_unit_ = 1, length_unit_ = 1, ratio_unit_ = 1;  // SI units in one of those of a point
 };
 
 }  // namespace mixity

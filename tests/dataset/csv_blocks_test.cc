@@ -84,7 +84,7 @@ TEST(CsvBlocks, ABlockOfAnySizeChangesNothing) {
     for (const std::size_t block_bytes : {1, 2, 3, 7, 16, 64, 1000}) {
       const auto in_blocks = outcome([&](const UseRow& use) {
         CsvFile file(path, block_bytes);
-        while (const auto block = file.next()) block->rows(use);
+        for (CsvBlock block; file.next(block);) block.rows(use);
       });
       ASSERT_EQ(in_blocks, whole) << block_bytes << " bytes of\n" << text;
     }
@@ -99,11 +99,11 @@ TEST(CsvBlocks, NoMoreOfAFileIsHeldThanABlock) {
   for (int i = 0; i < 5000; ++i) text += std::to_string(i) + ",1\n";
   CsvFile file(folder.write("a.csv", text), 512);
   std::size_t blocks = 0, bytes = 0, lines = 0;
-  while (const auto block = file.next()) {
+  for (CsvBlock block; file.next(block);) {
     ++blocks;
-    bytes += block->bytes();
-    lines += block->lines();
-    EXPECT_LE(block->bytes(), 512);
+    bytes += block.bytes();
+    lines += block.lines();
+    EXPECT_LE(block.bytes(), 512);
   }
   EXPECT_GT(blocks, 50);
   EXPECT_EQ(bytes, text.size());

@@ -96,6 +96,12 @@ TEST(Csv, RaggedRowsAreHandedOverAsTheyAre) {
   EXPECT_EQ(rows[2].fields.size(), 3);
 }
 
+TEST(Csv, BlanksAroundAFieldGoWithAndWithoutQuotes) {
+  const auto rows = rows_of("a,b,c\n 1 ,\" 2\t\", \"x y\" \n");
+  ASSERT_EQ(rows.size(), 2);
+  EXPECT_EQ(rows[1].fields, (Fields{"1", "2", "x y"}));
+}
+
 TEST(Csv, WhatStandsInQuotesDoesNotChooseTheDelimiter) {
   const auto rows = rows_of("P,\"a;b;c\"\n1,2\n");
   ASSERT_EQ(rows.size(), 2);
