@@ -11,7 +11,7 @@
 namespace mixity {
 namespace {
 
-using Number = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>>;
+using Number = truth::Digits<100>;
 
 #if defined(__SANITIZE_ADDRESS__)
 constexpr std::size_t kStride = 12;  // slow under sanitizers: every twelfth fold

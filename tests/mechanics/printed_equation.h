@@ -4,18 +4,18 @@
 
 #include <array>
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstddef>
 #include <string_view>
 #include <type_traits>
 
+#include "many_digits.h"
+
 namespace mixity::truth {
 
-using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>>;
 inline const Digits50 kPi = boost::math::constants::pi<Digits50>();
 
 /// Where psi lies within 1e-30 of pi/2 an angle in 50 digits is not enough.
-using Digits700 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<700>>;
+using Digits700 = Digits<700>;
 
 /// The rounding of a double, a little more than 2^-52, by which results are allowed to differ from the truth.
 inline constexpr double kEps = 2.3e-16;

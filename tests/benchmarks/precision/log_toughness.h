@@ -2,16 +2,16 @@
 // and its least value in 50 digits.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include "fitting/toughness_objective.h"
+#include "many_digits.h"
 
 namespace mixity::precision {
 
-using Exact = boost::multiprecision::cpp_bin_float_50;
+using Exact = truth::Digits50;
 
 /// What the logarithm is taken of, from what can be computed once for each point.
 template <class S>
