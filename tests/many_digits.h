@@ -1,5 +1,5 @@
-// Numbers of many digits, in which the truth is computed. By MPFR: what computes with a library compiles in two thirds of
-// the time that arithmetic made of templates takes.
+// Numbers of many digits, in which the truth is computed. By MPFR: what computes with a library compiles in two thirds
+// of the time that arithmetic made of templates takes.
 #pragma once
 
 #include <boost/multiprecision/mpfr.hpp>
