@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fitting/fitted_parameters.h"
 #include "fitting/goodness.h"
 #include "fitting/prepared_fit.h"
 #include "fitting/robust_scale.h"
@@ -66,13 +67,6 @@ std::vector<double> toughness_weights(const Dataset& data, const FitOptions& opt
   return weights;
 }
 
-ShownInterval shown(const Interval& interval, const FreeParameter& parameter) {
-  ShownInterval result{"profile", interval.confidence, {}, {}, interval.low_status, interval.high_status};
-  if (interval.low_status != EndStatus::open) result.low = parameter.shown(interval.low);
-  if (interval.high_status != EndStatus::open) result.high = parameter.shown(interval.high);
-  return result;
-}
-
 template <class Model>
 class Fitter {
  public:
@@ -97,11 +91,11 @@ class Fitter {
         result_.message = verdict.message;
         if (!result_.has_values() || verdict.best.x.empty()) return result_;
         x = verdict.best.x;
-        const std::vector<double> deeper = add_parameters(verdict);
+        const std::vector<double> deeper = tell_parameters(cost(), verdict, options_, result_);
         if (deeper.empty() || again == kMostRestarts) break;
         guesses_.push_back(deeper);
       }
-      resample(verdict);
+      tell_resampled(cost(), verdict, data_, options_, result_);
     }
     judge(x);
     return result_;
@@ -196,97 +190,6 @@ class Fitter {
   const LeastSquares& cost() const {
     if (robust_) return *robust_;
     return *problem_;
-  }
-
-  /// Returns a place where the cost is lower than at the verdict's, if the intervals met one.
-  std::vector<double> add_parameters(const Verdict& verdict) {
-    std::vector<double> deeper;
-    result_.free_parameters = problem_->parameters().size();
-    result_.solution = verdict.best.x;
-    result_.sum_of_squares = verdict.best.sum_of_squares;
-    result_.correlations = verdict.correlations;
-    const bool known = result_.known_errors = problem_->known_errors();
-    const std::size_t n = problem_->residual_count(), p = problem_->parameters().size();
-    const double allowance = n > p ? cost_allowance(options_.confidence, verdict.best.sum_of_squares, n, p, known) : 0;
-    // Errors from J'J are in units of the scatter; known errors have unit size.
-    const double unit = known && verdict.best.sum_of_squares > 0 && n > p
-                            ? std::sqrt(static_cast<double>(n - p) / verdict.best.sum_of_squares)
-                            : 1;
-    std::size_t j = 0;
-    for (FittedParameter& shown_parameter : result_.parameters) {
-      if (shown_parameter.held) continue;
-      const FreeParameter& parameter = problem_->parameters()[j];
-      const double x = verdict.best.x[j];
-      shown_parameter.value = parameter.shown(x);
-      shown_parameter.at_bound = verdict.at_bound[j];
-      shown_parameter.stderr_.reset();
-      shown_parameter.interval.reset();
-      if (verdict.stderrs[j]) shown_parameter.stderr_ = *verdict.stderrs[j] * unit * parameter.shown_slope(x);
-      const bool judged = verdict.status != FitStatus::not_converged && n > p && allowance > 0;
-      if (options_.intervals && judged) {
-        std::optional<double> step;
-        if (verdict.stderrs[j]) step = *verdict.stderrs[j] * unit;
-        const Interval interval = profile_interval(cost(), verdict.best, j, options_.confidence, allowance, step);
-        shown_parameter.interval = shown(interval, parameter);
-        if (!interval.deeper.empty()) {
-          deeper = interval.deeper;
-          result_.status = FitStatus::not_converged;
-          result_.message = "the cost is lower at " + parameter.name + " = " + rounded(parameter.shown(deeper[j]), 4) +
-                            " than at the minimum found";
-        }
-        if (options_.profile_points > 0) draw_profile_of(shown_parameter, j, verdict, interval, allowance);
-      }
-      ++j;
-    }
-    return deeper;
-  }
-
-  /// To twice the interval's distance on each side; all of a bounded range where another minimum fits as well.
-  void draw_profile_of(FittedParameter& shown_parameter, std::size_t j, const Verdict& verdict,
-                       const Interval& interval, double allowance) {
-    const FreeParameter& parameter = problem_->parameters()[j];
-    const double x = verdict.best.x[j], n = static_cast<double>(problem_->residual_count()),
-                 p = static_cast<double>(problem_->parameters().size());
-    const bool whole = verdict.status == FitStatus::multimodal && !parameter.start;
-    const auto end = [&](double found, EndStatus status, double bound) {
-      if (whole || status != EndStatus::found) return bound;
-      return std::clamp(x + 2 * (found - x), parameter.lower, parameter.upper);
-    };
-    const double variance = result_.known_errors ? 1 : verdict.best.sum_of_squares / (n - p);
-    DrawnProfile drawn = draw_profile(cost(), verdict.best, j, end(interval.low, interval.low_status, parameter.lower),
-                                      end(interval.high, interval.high_status, parameter.upper),
-                                      options_.profile_points, allowance, variance);
-    for (auto& point : drawn.points) point.first = parameter.shown(point.first);
-    shown_parameter.profile = std::move(drawn);
-  }
-
-  /// Bootstrap and influence, if asked for.
-  void resample(const Verdict& verdict) {
-    if (verdict.status == FitStatus::not_converged) return;
-    std::vector<std::size_t> runs;
-    for (const std::size_t i : prepared_.used) runs.push_back(data_.points[i].curve);
-    const std::vector<FreeParameter>& parameters = problem_->parameters();
-    if (options_.bootstrap.replicates > 0) {
-      result_.bootstrap =
-          bootstrap(cost(), verdict.best.x, runs, options_.bootstrap, options_.confidence, options_.progress);
-      for (std::size_t j = 0, k = 0; j < result_.bootstrap->parameters.size(); ++k) {
-        if (result_.parameters[k].held) continue;
-        const Bootstrapped& b = result_.bootstrap->parameters[j];
-        const double slope = parameters[j].shown_slope(verdict.best.x[j]);
-        result_.parameters[k].bootstrap = {parameters[j].shown(b.low), parameters[j].shown(b.high),
-                                           slope * b.standard_deviation, slope * b.bias};
-        ++j;
-      }
-    }
-    if (!options_.influence) return;
-    result_.influence = influence(cost(), verdict.best.x, runs, options_.bootstrap.threads, options_.progress);
-    const auto show = [&](std::vector<double>& change) {
-      for (std::size_t j = 0; j < change.size(); ++j) change[j] *= parameters[j].shown_slope(verdict.best.x[j]);
-    };
-    for (PointInfluence& point : result_.influence->points) show(point.change);
-    for (auto& change : result_.influence->runs) show(change);
-    for (std::size_t run = 0; run < data_.curves.size(); ++run)
-      if (std::find(runs.begin(), runs.end(), run) != runs.end()) result_.run_names.push_back(data_.curves[run]);
   }
 
   /// Goodness of fit in the fitted space and of the predicted areas.

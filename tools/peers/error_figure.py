@@ -9,7 +9,7 @@ from peers.tables import ROUNDING
 
 # Okabe and Ito's colours, with a shape each for those who print in grey. mixity's stand out by size.
 STYLES = {"mixity": ("#000000", 7), "mixity anew": ("#000000", 6), "mixity arrays": ("#000000", 9),
-          "Newton": ("#D55E00", 4), "Newton in a bracket": ("#CC79A7", 5), "Brent": ("#009E73", 8),
+          "Newton": ("#D55E00", 4), "bracketed Newton": ("#CC79A7", 5), "Brent": ("#009E73", 8),
           "TOMS 748": ("#0072B2", 10), "bisection": ("#56B4E9", 2), "linear table": ("#E69F00", 1),
           "cubic table": ("#999999", 3), "mixity batch": ("#000000", 7), "mixity whole fit": ("#000000", 6)}
 # Fits have a colour for each library and a shape for its derivatives.

@@ -108,7 +108,7 @@ template <class Model>
 void add_textbook(const Case<Model>& c, std::vector<Row>& rows) {
   using Method = Answer (*)(const PrintedEquation<Model>&, const Bracket&, double);
   const std::vector<std::pair<const char*, Method>> methods{
-      {"Newton", &newton<Model>},    {"Newton in a bracket", &bracketed_newton<Model>},
+      {"Newton", &newton<Model>},    {"bracketed Newton", &bracketed_newton<Model>},
 #ifdef MIXITY_HAS_GSL
       {"Brent", &brent<Model>},
 #endif

@@ -1,0 +1,115 @@
+#include "fitting/fitted_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/number_text.h"
+
+namespace mixity {
+namespace {
+
+ShownInterval shown(const Interval& interval, const FreeParameter& parameter) {
+  ShownInterval result{"profile", interval.confidence, {}, {}, interval.low_status, interval.high_status};
+  if (interval.low_status != EndStatus::open) result.low = parameter.shown(interval.low);
+  if (interval.high_status != EndStatus::open) result.high = parameter.shown(interval.high);
+  return result;
+}
+
+/// To twice the interval's distance on each side; all of a bounded range where another minimum fits as well.
+DrawnProfile profile_of(const LeastSquares& cost, const Verdict& verdict, std::size_t j, const Interval& interval,
+                        double allowance, std::size_t points) {
+  const FreeParameter& parameter = cost.parameters()[j];
+  const double x = verdict.best.x[j], n = static_cast<double>(cost.residual_count()),
+               p = static_cast<double>(cost.parameters().size());
+  const bool whole = verdict.status == FitStatus::multimodal && !parameter.start;
+  const auto end = [&](double found, EndStatus status, double bound) {
+    if (whole || status != EndStatus::found) return bound;
+    return std::clamp(x + 2 * (found - x), parameter.lower, parameter.upper);
+  };
+  const double variance = cost.known_errors() ? 1 : verdict.best.sum_of_squares / (n - p);
+  DrawnProfile drawn =
+      draw_profile(cost, verdict.best, j, end(interval.low, interval.low_status, parameter.lower),
+                   end(interval.high, interval.high_status, parameter.upper), points, allowance, variance);
+  for (auto& point : drawn.points) point.first = parameter.shown(point.first);
+  return drawn;
+}
+
+/// The parameters of a fit that are not held, in the order of the solver's.
+std::vector<FittedParameter*> free_parameters(FitResult& fit) {
+  std::vector<FittedParameter*> free;
+  for (FittedParameter& parameter : fit.parameters)
+    if (!parameter.held) free.push_back(&parameter);
+  return free;
+}
+
+}  // namespace
+
+std::vector<double> tell_parameters(const LeastSquares& cost, const Verdict& verdict, const FitOptions& options,
+                                    FitResult& fit) {
+  std::vector<double> deeper;
+  fit.free_parameters = cost.parameters().size();
+  fit.solution = verdict.best.x;
+  fit.sum_of_squares = verdict.best.sum_of_squares;
+  fit.correlations = verdict.correlations;
+  const bool known = fit.known_errors = cost.known_errors();
+  const std::size_t n = cost.residual_count(), p = cost.parameters().size();
+  const double allowance = n > p ? cost_allowance(options.confidence, verdict.best.sum_of_squares, n, p, known) : 0;
+  const bool judged = verdict.status != FitStatus::not_converged && n > p && allowance > 0;
+  // Errors from J'J are in units of the scatter; known errors have unit size.
+  const double unit = known && verdict.best.sum_of_squares > 0 && n > p
+                          ? std::sqrt(static_cast<double>(n - p) / verdict.best.sum_of_squares)
+                          : 1;
+  const std::vector<FittedParameter*> fitted = free_parameters(fit);
+  for (std::size_t j = 0; j < fitted.size(); ++j) {
+    const FreeParameter& parameter = cost.parameters()[j];
+    const double x = verdict.best.x[j];
+    std::optional<double> error;
+    if (verdict.stderrs[j]) error = *verdict.stderrs[j] * unit;
+    fitted[j]->value = parameter.shown(x);
+    fitted[j]->at_bound = verdict.at_bound[j];
+    fitted[j]->stderr_.reset();
+    fitted[j]->interval.reset();
+    if (error) fitted[j]->stderr_ = *error * parameter.shown_slope(x);
+    if (!options.intervals || !judged) continue;
+    const Interval interval = profile_interval(cost, verdict.best, j, options.confidence, allowance, error);
+    fitted[j]->interval = shown(interval, parameter);
+    if (!interval.deeper.empty()) {
+      deeper = interval.deeper;
+      fit.status = FitStatus::not_converged;
+      fit.message = "the cost is lower at " + parameter.name + " = " + rounded(parameter.shown(deeper[j]), 4) +
+                    " than at the minimum found";
+    }
+    if (options.profile_points > 0)
+      fitted[j]->profile = profile_of(cost, verdict, j, interval, allowance, options.profile_points);
+  }
+  return deeper;
+}
+
+void tell_resampled(const LeastSquares& cost, const Verdict& verdict, const Dataset& data, const FitOptions& options,
+                    FitResult& fit) {
+  if (verdict.status == FitStatus::not_converged) return;
+  std::vector<std::size_t> runs;
+  for (const std::size_t i : fit.used) runs.push_back(data.points[i].curve);
+  const std::vector<FreeParameter>& parameters = cost.parameters();
+  const auto slope = [&](std::size_t j) { return parameters[j].shown_slope(verdict.best.x[j]); };
+  if (options.bootstrap.replicates > 0) {
+    fit.bootstrap = bootstrap(cost, verdict.best.x, runs, options.bootstrap, options.confidence, options.progress);
+    const std::vector<FittedParameter*> fitted = free_parameters(fit);
+    for (std::size_t j = 0; j < fit.bootstrap->parameters.size(); ++j) {
+      const Bootstrapped& b = fit.bootstrap->parameters[j];
+      fitted[j]->bootstrap = {parameters[j].shown(b.low), parameters[j].shown(b.high), slope(j) * b.standard_deviation,
+                              slope(j) * b.bias};
+    }
+  }
+  if (!options.influence) return;
+  fit.influence = influence(cost, verdict.best.x, runs, options.bootstrap.threads, options.progress);
+  const auto show = [&](std::vector<double>& change) {
+    for (std::size_t j = 0; j < change.size(); ++j) change[j] *= slope(j);
+  };
+  for (PointInfluence& point : fit.influence->points) show(point.change);
+  for (auto& change : fit.influence->runs) show(change);
+  for (std::size_t run = 0; run < data.curves.size(); ++run)
+    if (std::find(runs.begin(), runs.end(), run) != runs.end()) fit.run_names.push_back(data.curves[run]);
+}
+
+}  // namespace mixity

@@ -1,0 +1,20 @@
+// What a minimum says of the parameters: values, standard errors, intervals, and how far they depend on the points.
+#pragma once
+
+#include <vector>
+
+#include "fitting/fit.h"
+
+namespace mixity {
+
+/// Fills in the parameters of `fit` that are not held, with the intervals and profiles that the options ask for. `cost`
+/// is what the verdict is on. If the intervals met a place where it is lower, that place is returned and the fit has
+/// not converged; otherwise empty.
+std::vector<double> tell_parameters(const LeastSquares& cost, const Verdict& verdict, const FitOptions& options,
+                                    FitResult& fit);
+
+/// Fills in bootstrap and influence, if the options ask for them, in a reader's units.
+void tell_resampled(const LeastSquares& cost, const Verdict& verdict, const Dataset& data, const FitOptions& options,
+                    FitResult& fit);
+
+}  // namespace mixity
