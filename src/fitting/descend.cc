@@ -45,13 +45,16 @@ struct Linearised {
   double stationarity = 0;
 };
 
-Linearised linearise(const LeastSquares& problem, const Vector& x) {
+/// Into `at`, whose memory is used again: with many points the system's handing it out takes longer than filling it.
+void linearise(const LeastSquares& problem, const Vector& x, Linearised& at) {
   const auto n = static_cast<Eigen::Index>(problem.residual_count());
   const auto p = static_cast<Eigen::Index>(problem.parameters().size());
-  Linearised at{Vector(n), Matrix(n, p), Vector(p), false, 0};
+  at.r.resize(n);
+  at.J.resize(n, p);
+  at.stationarity = 0;
   at.finite = problem.evaluate({x.data(), static_cast<std::size_t>(p)}, {at.r.data(), static_cast<std::size_t>(n)},
                                {at.J.data(), static_cast<std::size_t>(n * p)});
-  if (!at.finite) return at;
+  if (!at.finite) return;
   at.gradient = at.J.transpose() * at.r;
   for (Eigen::Index k = 0; k < p; ++k) {
     const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
@@ -61,7 +64,6 @@ Linearised linearise(const LeastSquares& problem, const Vector& x) {
     const double scale = at.J.col(k).norm() * at.r.norm();
     if (scale > 0) at.stationarity = std::max(at.stationarity, std::abs(at.gradient[k]) / scale);
   }
-  return at;
 }
 
 Vector clamped(const LeastSquares& problem, Vector x) {
@@ -77,6 +79,7 @@ Vector clamped(const LeastSquares& problem, Vector x) {
 /// noise that is all there is.
 void polish(const LeastSquares& problem, Vector& x, Linearised& at, double rounding) {
   const Eigen::Index p = x.size();
+  Linearised below, above;
   for (int iteration = 0; iteration < 12 && at.stationarity > 0; ++iteration) {
     Eigen::MatrixXd H(p, p);
     for (Eigen::Index k = 0; k < p; ++k) {
@@ -89,7 +92,8 @@ void polish(const LeastSquares& problem, Vector& x, Linearised& at, double round
       Vector low = x, high = x;
       low[k] = std::max(x[k] - h, parameter.lower);
       high[k] = std::min(x[k] + h, parameter.upper);
-      const Linearised below = linearise(problem, low), above = linearise(problem, high);
+      linearise(problem, low, below);
+      linearise(problem, high, above);
       if (!below.finite || !above.finite) return;
       H.col(k) = (above.J.transpose() * above.r - below.J.transpose() * below.r) / (high[k] - low[k]);
     }
@@ -98,7 +102,8 @@ void polish(const LeastSquares& problem, Vector& x, Linearised& at, double round
     const Vector step = H.fullPivLu().solve(-at.gradient);
     if (!step.allFinite()) return;
     const Vector next = clamped(problem, x + step);
-    const Linearised there = linearise(problem, next);
+    Linearised& there = below;
+    linearise(problem, next, there);
     // At a bound J may vanish by symmetry, which makes any |r| stationary: a step to one has to pay.
     bool to_bound = false;
     for (Eigen::Index k = 0; k < p; ++k) {
@@ -109,7 +114,7 @@ void polish(const LeastSquares& problem, Vector& x, Linearised& at, double round
     const bool better = there.finite && there.stationarity < at.stationarity && there.r.norm() <= at.r.norm() + rise;
     if (!better) return;
     x = next;
-    at = there;
+    std::swap(at, there);
   }
 }
 
@@ -117,11 +122,12 @@ void polish(const LeastSquares& problem, Vector& x, Linearised& at, double round
 
 std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<double>& start) {
   Vector x = Eigen::Map<const Vector>(start.data(), static_cast<Eigen::Index>(start.size()));
-  const Linearised first = linearise(problem, x);
-  if (!first.finite) return std::nullopt;
+  Linearised at;
+  linearise(problem, x, at);
+  if (!at.finite) return std::nullopt;
 
   // Below 1e-17 a parameter moves no residual by a rounding, over all of its range.
-  const double slope = first.J.colwise().norm().maxCoeff();
+  const double slope = at.J.colwise().norm().maxCoeff();
   CeresAdapter cost(problem, slope > 1e-17 && slope < 1 ? 1 / slope : 1);
   ceres::Problem::Options ownership;
   ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -143,9 +149,9 @@ std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<do
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   // Where rounding is all that is left of the gradient, no step lowers the cost, of which Ceres would complain.
-  if (first.stationarity > 1e-14) ceres::Solve(options, &ceres_problem, &summary);
+  if (at.stationarity > 1e-14) ceres::Solve(options, &ceres_problem, &summary);
 
-  Linearised at = linearise(problem, x);
+  linearise(problem, x, at);
   if (!at.finite) return std::nullopt;
   const double rounding = residual_rounding(problem);
   polish(problem, x, at, rounding);

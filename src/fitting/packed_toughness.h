@@ -1,6 +1,11 @@
 // Objective `toughness` in ln f on packed arrays: one vectorised sweep gives the cost and both derivatives.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
 #include "fitting/single_cost.h"
 #include "mechanics/lanes.h"
 
@@ -15,12 +20,22 @@ class ToughnessLanes {
     first_.push_back(point.first);
     second_.push_back(point.second);
   }
-  std::size_t size() const { return first_.size(); }
-  /// ln f and its derivatives in the parameter; sizes as added.
-  void log_toughness(double parameter, std::span<double> value, std::span<double> slope,
-                     std::span<double> curvature) const {
-    log_toughness_lanes<Model>(parameter, first_.data(), second_.data(), first_.size(), value.data(), slope.data(),
-                               curvature.data());
+  void reserve(std::size_t n) {
+    first_.reserve(n);
+    second_.reserve(n);
+  }
+  /// Calls use(begin, n, value, slope, curvature) for the points begin..begin + n - 1, all in order: ln f and its
+  /// derivatives in the parameter, in chunks that stay in the processor's cache. Each begins at a multiple of four.
+  template <class Use>
+  void log_toughness(double parameter, const Use& use) const {
+    constexpr std::size_t kChunk = 512;
+    std::array<double, kChunk> value, slope, curvature;
+    for (std::size_t begin = 0; begin < first_.size(); begin += kChunk) {
+      const std::size_t n = std::min(kChunk, first_.size() - begin);
+      log_toughness_lanes<Model>(parameter, first_.data() + begin, second_.data() + begin, n, value.data(),
+                                 slope.data(), curvature.data());
+      use(begin, n, value.data(), slope.data(), curvature.data());
+    }
   }
 
  private:
@@ -34,23 +49,23 @@ class PackedToughness final : public SingleCost {
   /// three must outlive this.
   PackedToughness(const ToughnessLanes<Model>& lanes, const std::vector<double>& targets,
                   const std::vector<double>& weights)
-      : lanes_(lanes), targets_(targets), weights_(weights), value_(lanes.size()), slope_(value_), curvature_(value_) {}
+      : lanes_(lanes), targets_(targets), weights_(weights) {}
 
   bool exact_curvature() const override { return true; }
   CostValue at(double x, std::span<const double> weights) override {
-    const std::size_t n = value_.size();
-    lanes_.log_toughness(x, value_, slope_, curvature_);
     // Four sums of each kind, which compilers keep in vector registers; the order is fixed, so is the result.
     double value[4]{}, slope[4]{}, square[4]{}, bend[4]{};
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t k = i % 4;
-      const double w = weights.empty() ? 1 : weights[i];
-      const double r = weights_[i] * value_[i] - targets_[i], d = weights_[i] * slope_[i];
-      value[k] += w * r * r;
-      slope[k] += w * r * d;
-      square[k] += w * d * d;
-      bend[k] += w * r * weights_[i] * curvature_[i];
-    }
+    lanes_.log_toughness(x, [&](std::size_t begin, std::size_t n, const double* f, const double* f1, const double* f2) {
+      for (std::size_t j = 0; j < n; ++j) {
+        const std::size_t i = begin + j, k = j % 4;
+        const double w = weights.empty() ? 1 : weights[i];
+        const double r = weights_[i] * f[j] - targets_[i], d = weights_[i] * f1[j];
+        value[k] += w * r * r;
+        slope[k] += w * r * d;
+        square[k] += w * d * d;
+        bend[k] += w * r * weights_[i] * f2[j];
+      }
+    });
     const auto sum = [](const double* s) { return (s[0] + s[1]) + (s[2] + s[3]); };
     CostValue cost;
     cost.value = sum(value);
@@ -64,7 +79,6 @@ class PackedToughness final : public SingleCost {
  private:
   const ToughnessLanes<Model>& lanes_;
   const std::vector<double>&targets_, &weights_;
-  std::vector<double> value_, slope_, curvature_;
 };
 
 }  // namespace mixity

@@ -97,6 +97,7 @@ PreparedFit<Model> prepare(const Dataset& data, const FitOptions& options, const
 template <class Model>
 std::vector<MeasuredPoint> measured_points(const Dataset& data, const PreparedFit<Model>& prepared) {
   std::vector<MeasuredPoint> points;
+  points.reserve(prepared.used.size());
   for (const std::size_t i : prepared.used) {
     const Point& p = data.points[i];
     points.push_back(
@@ -161,6 +162,7 @@ std::unique_ptr<ModelProblem<Model>> make_problem(const Dataset& data, const Fit
   std::unique_ptr<ModelProblem<Model>> problem;
   if (options.objective == Objective::toughness && !corrected) {
     std::vector<ToughnessPoint> points;
+    points.reserve(prepared.used.size());
     for (const std::size_t i : prepared.used) points.push_back({data.points[i].mixity, data.points[i].ratio});
     problem = std::make_unique<ToughnessObjective<Model>>(std::move(points), options.scale, choice, std::move(weights));
   } else {

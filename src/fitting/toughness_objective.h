@@ -30,8 +30,10 @@ class ToughnessObjective final : public ModelProblem<Model> {
     targets_.reserve(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i)
       targets_.push_back(weights_[i] * (scale_ == Scale::log ? std::log(points_[i].ratio) : points_[i].ratio));
-    if constexpr (HasLanes<Model>)
+    if constexpr (HasLanes<Model>) {
+      lanes_.reserve(points_.size());
       for (const ToughnessPoint& point : points_) lanes_.add(point.mixity);
+    }
   }
 
   std::size_t residual_count() const override { return points_.size(); }
@@ -53,15 +55,18 @@ class ToughnessObjective final : public ModelProblem<Model> {
     bool finite = true;
     if constexpr (HasLanes<Model>) {
       if (scale_ == Scale::log) {
-        std::vector<double> value(points_.size()), slope(value), curvature(value);
-        lanes_.log_toughness(p[0], value, slope, curvature);
-        for (std::size_t i = 0; i < value.size(); ++i) {
-          residuals[i] = weights_[i] * value[i] - targets_[i];
-          finite &= std::isfinite(residuals[i]);
-          if (jacobian.empty() || free.empty()) continue;
-          jacobian[i] = weights_[i] * slope[i];
-          finite &= std::isfinite(jacobian[i]);
-        }
+        const bool slopes = !jacobian.empty() && !free.empty();
+        lanes_.log_toughness(
+            p[0], [&](std::size_t begin, std::size_t n, const double* value, const double* slope, const double*) {
+              for (std::size_t j = 0; j < n; ++j) {
+                const std::size_t i = begin + j;
+                residuals[i] = weights_[i] * value[j] - targets_[i];
+                finite &= std::isfinite(residuals[i]);
+                if (!slopes) continue;
+                jacobian[i] = weights_[i] * slope[j];
+                finite &= std::isfinite(jacobian[i]);
+              }
+            });
         return finite;
       }
     }
