@@ -10,7 +10,7 @@ set lmargin screen 0.165
 set rmargin screen 0.97
 set grid lc rgb '#dddddd' lt 1
 set ylabel 'relative error' offset 1.2
-set xrange [5.8e-09:3.4e-06]
+set xrange [5.8e-09:3.5e-06]
 set yrange [1e-17:10]
 set ytics 1e-16,1e4,1
 set multiplot
@@ -40,7 +40,7 @@ set label 'mixity' at screen 0.060,0.1149 offset 1,-0.25 font ',15' point lc rgb
 set label 'mixity anew' at screen 0.390,0.1149 offset 1,-0.25 font ',15' point lc rgb '#000000' pt 6 ps 1.5
 set label 'mixity arrays' at screen 0.720,0.1149 offset 1,-0.25 font ',15' point lc rgb '#000000' pt 9 ps 1
 set label 'Newton' at screen 0.060,0.0811 offset 1,-0.25 font ',15' point lc rgb '#D55E00' pt 4 ps 0.6
-set label 'Newton in a bracket' at screen 0.390,0.0811 offset 1,-0.25 font ',15' point lc rgb '#CC79A7' pt 5 ps 0.6
+set label 'bracketed Newton' at screen 0.390,0.0811 offset 1,-0.25 font ',15' point lc rgb '#CC79A7' pt 5 ps 0.6
 set label 'Brent' at screen 0.720,0.0811 offset 1,-0.25 font ',15' point lc rgb '#009E73' pt 8 ps 0.6
 set label 'TOMS 748' at screen 0.060,0.0473 offset 1,-0.25 font ',15' point lc rgb '#0072B2' pt 10 ps 0.6
 set label 'bisection' at screen 0.390,0.0473 offset 1,-0.25 font ',15' point lc rgb '#56B4E9' pt 2 ps 0.6

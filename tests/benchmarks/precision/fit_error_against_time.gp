@@ -10,7 +10,7 @@ set lmargin screen 0.165
 set rmargin screen 0.97
 set grid lc rgb '#dddddd' lt 1
 set ylabel 'relative error' offset 1.2
-set xrange [5.5e-06:0.0038]
+set xrange [5.8e-06:0.0043]
 set yrange [1e-17:10]
 set ytics 1e-16,1e4,1
 set multiplot
