@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fitting/minimise.h"
 
@@ -43,6 +44,7 @@ struct Linearised {
   Vector gradient;  // J'r, zero where a bound holds the parameter
   bool finite = false;
   double stationarity = 0;
+  bool settled = true;  // a step to a zero of the gradient would be lost in the rounding of x
 };
 
 /// Into `at`, whose memory is used again: with many points the system's handing it out takes longer than filling it.
@@ -52,6 +54,7 @@ void linearise(const LeastSquares& problem, const Vector& x, Linearised& at) {
   at.r.resize(n);
   at.J.resize(n, p);
   at.stationarity = 0;
+  at.settled = true;
   at.finite = problem.evaluate({x.data(), static_cast<std::size_t>(p)}, {at.r.data(), static_cast<std::size_t>(n)},
                                {at.J.data(), static_cast<std::size_t>(n * p)});
   if (!at.finite) return;
@@ -61,7 +64,8 @@ void linearise(const LeastSquares& problem, const Vector& x, Linearised& at) {
     const bool held_low = x[k] <= parameter.lower && at.gradient[k] > 0;
     const bool held_high = x[k] >= parameter.upper && at.gradient[k] < 0;
     if (held_low || held_high) at.gradient[k] = 0;
-    const double scale = at.J.col(k).norm() * at.r.norm();
+    const double slope = at.J.col(k).norm(), scale = slope * at.r.norm();
+    at.settled &= std::abs(at.gradient[k]) <= std::numeric_limits<double>::epsilon() * std::abs(x[k]) * slope * slope;
     if (scale > 0) at.stationarity = std::max(at.stationarity, std::abs(at.gradient[k]) / scale);
   }
 }
@@ -88,7 +92,9 @@ void polish(const LeastSquares& problem, Vector& x, Linearised& at, double round
         continue;
       }
       const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
-      const double h = 1e-5 * std::max(std::abs(x[k]), 1e-9 * (parameter.upper - parameter.lower));
+      // Close to an upper bound only the distance from it may matter, as that of lambda from 1 in model a.
+      const double room = parameter.upper - x[k], size = room > 0 ? std::min(std::abs(x[k]), room) : std::abs(x[k]);
+      const double h = 1e-5 * std::max(size, 1e-9 * (parameter.upper - parameter.lower));
       Vector low = x, high = x;
       low[k] = std::max(x[k] - h, parameter.lower);
       high[k] = std::min(x[k] + h, parameter.upper);
@@ -156,8 +162,10 @@ std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<do
   const double rounding = residual_rounding(problem);
   polish(problem, x, at, rounding);
   const double r = at.r.norm();
-  return Minimum{
-      {x.begin(), x.end()}, r * r, at.stationarity, at.stationarity <= 1e-8 || at.stationarity * r <= rounding};
+  return Minimum{{x.begin(), x.end()},
+                 r * r,
+                 at.stationarity,
+                 at.stationarity <= 1e-8 || at.stationarity * r <= rounding || at.settled};
 }
 
 std::string_view solver_version() { return CERES_VERSION_STRING; }

@@ -1,8 +1,12 @@
 // Fits whose condition number, the standard error of lambda in units of the noise, is next to 1/eps.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "fitting/fit.h"
 #include "fitting/synthetic.h"
+#include "many_digits.h"
 
 namespace mixity {
 namespace {
@@ -49,6 +53,35 @@ TEST(IllConditioned, ABasinBetweenTwoPlacesOfTheScanIsSeen) {
     const FitResult fit = fit_model(data, "b");
     ASSERT_TRUE(fit.parameters[0].value) << lambda << fit.message;
     EXPECT_NEAR(*fit.parameters[0].value, lambda, 1e-5) << lambda;
+  }
+}
+
+/// f = 1 + (1 - lambda) tan^2(psi): next to pi/2 lambda matters by its distance from 1, to a few hundred of its last
+/// digits. Against the printed cost in 50 digits at the doubles around.
+TEST(IllConditioned, LambdaNextToOneIsFoundToItsLastDigits) {
+  std::vector<double> angles;
+  for (int i = 0; i < 60; ++i) angles.push_back(1.5707963267948966 - std::pow(10.0, -7 + i / 20.0));
+  for (const double distance : {1e-10, 1e-12, 1.3e-13, 3e-14}) {
+    const Dataset data = synthetic<Johnson>({1 - distance}, angles, [](std::size_t i) { return 0.3 * scatter(i); });
+    const FitResult fit = fit_model(data, "a");
+    EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+    EXPECT_TRUE(fit.parameters[0].stderr_) << distance;
+    const auto cost = [&](const truth::Digits50& lambda) {
+      truth::Digits50 sum = 0;
+      for (const Point& point : data.points) {
+        const truth::Digits50 t = truth::Digits50(point.mixity.sin) / point.mixity.cos;
+        const truth::Digits50 r = log(truth::Digits50(1 + (1 - lambda) * t * t)) - log(truth::Digits50(point.ratio));
+        sum += r * r;
+      }
+      return sum;
+    };
+    const double found = *fit.parameters[0].value, digit = 0.5 * std::numeric_limits<double>::epsilon();
+    const truth::Digits50 here = cost(found);
+    for (int step = 2; step < 2000; step += 1 + step / 10) {  // within two of the last digit no double is lower
+      EXPECT_GT(cost(found - step * digit), here) << distance << ' ' << step;
+      if (found + step * digit >= 1) break;
+      EXPECT_GT(cost(found + step * digit), here) << distance << ' ' << step;
+    }
   }
 }
 
