@@ -59,8 +59,9 @@ TEST(IllConditioned, ABasinBetweenTwoPlacesOfTheScanIsSeen) {
 /// f = 1 + (1 - lambda) tan^2(psi): next to pi/2 lambda matters by its distance from 1, to a few hundred of its last
 /// digits. Against the printed cost in 50 digits at the doubles around.
 TEST(IllConditioned, LambdaNextToOneIsFoundToItsLastDigits) {
-  std::vector<double> angles;
-  for (int i = 0; i < 60; ++i) angles.push_back(1.5707963267948966 - std::pow(10.0, -7 + i / 20.0));
+  std::vector<double> angles(60);
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    angles[i] = 1.5707963267948966 - std::pow(10.0, -7 + static_cast<double>(i) / 20);
   for (const double distance : {1e-10, 1e-12, 1.3e-13, 3e-14}) {
     const Dataset data = synthetic<Johnson>({1 - distance}, angles, [](std::size_t i) { return 0.3 * scatter(i); });
     const FitResult fit = fit_model(data, "a");
