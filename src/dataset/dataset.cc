@@ -1,9 +1,7 @@
 #include "dataset/dataset.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
-#include <thread>
 
 #include "dataset/csv.h"
 #include "dataset/input_error.h"
@@ -11,6 +9,7 @@
 #include "dataset/number_text.h"
 #include "dataset/pipeline.h"
 #include "dataset/point_reader.h"
+#include "dataset/side_by_side.h"
 
 namespace mixity {
 namespace {
@@ -93,8 +92,8 @@ class Loader {
     }
     reserve(bytes);
     pipeline<Part>(
-        std::max(1u, std::thread::hardware_concurrency()), [&](Part& part) { return file_.next(part.block); },
-        [&](Part& part) { understand(part); }, [&](const Part& part) { take(part); });
+        processors(), [&](Part& part) { return file_.next(part.block); }, [&](Part& part) { understand(part); },
+        [&](const Part& part) { take(part); });
     finish();
   }
 

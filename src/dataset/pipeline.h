@@ -4,9 +4,9 @@
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
-#include <future>
 #include <mutex>
-#include <vector>
+
+#include "dataset/side_by_side.h"
 
 namespace mixity {
 
@@ -50,10 +50,7 @@ void pipeline(std::size_t threads, const Next& next, const Work& work, const Tak
       turns.notify_all();
     }
   };
-  std::vector<std::future<void>> helpers;
-  for (std::size_t k = 1; k < threads; ++k) helpers.push_back(std::async(run));
-  run();
-  for (auto& helper : helpers) helper.get();
+  side_by_side(threads, run);
   if (failure) std::rethrow_exception(failure);
 }
 

@@ -108,7 +108,7 @@ void polish(const LeastSquares& problem, Vector& x, Linearised& at, double round
     const Vector step = H.fullPivLu().solve(-at.gradient);
     if (!step.allFinite()) return;
     const Vector next = clamped(problem, x + step);
-    Linearised& there = below;
+    Linearised& there = below;  // which has served
     linearise(problem, next, there);
     // At a bound J may vanish by symmetry, which makes any |r| stationary: a step to one has to pay.
     bool to_bound = false;

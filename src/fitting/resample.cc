@@ -7,12 +7,11 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
 #include <cstdint>
-#include <future>
 #include <memory>
 #include <numeric>
 #include <random>
-#include <thread>
 
+#include "dataset/side_by_side.h"
 #include "fitting/single_fit.h"
 
 namespace mixity {
@@ -38,7 +37,7 @@ class WeightedProblem final : public WrappedProblem {
   std::vector<double> roots_;
 };
 
-/// Refits from one start; one for each thread, since the packed cost keeps scratch arrays.
+/// Refits from one start; one for each thread, since a cost may keep scratch arrays.
 class Refitter {
  public:
   Refitter(const LeastSquares& problem, const std::vector<double>& start) : problem_(problem), start_(start) {
@@ -68,7 +67,7 @@ class Refitter {
 template <class Body>
 void for_each_refit(const LeastSquares& problem, const std::vector<double>& fitted, std::size_t n, unsigned threads,
                     const Progress& progress, Body body) {
-  const std::size_t most = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t most = threads > 0 ? threads : processors();
   constexpr std::size_t kShare = 16;  // taken at a time
   std::atomic<std::size_t> taken = 0, done = 0;
   const auto work = [&] {
@@ -81,10 +80,7 @@ void for_each_refit(const LeastSquares& problem, const std::vector<double>& fitt
       if (progress) progress(static_cast<double>(done) / static_cast<double>(n));
     }
   };
-  std::vector<std::future<void>> helpers;
-  for (std::size_t k = 1; k < std::min(most, (n + kShare - 1) / kShare); ++k) helpers.push_back(std::async(work));
-  work();
-  for (auto& helper : helpers) helper.get();
+  side_by_side(std::min(most, (n + kShare - 1) / kShare), work);
 }
 
 std::vector<std::vector<std::size_t>> members(const std::vector<std::size_t>& runs) {

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <thread>
 
 #include "dataset/csv.h"
+#include "dataset/side_by_side.h"
 #include "report/figures/svg.h"
 #include "report/output_file.h"
 
@@ -43,8 +43,7 @@ void wait_for(pid_t child) {
 
 /// As many programs as the machine has processors. False if gnuplot is not installed.
 bool run_gnuplot(const std::vector<std::string>& scripts, const std::string& folder) {
-  const std::size_t programs =
-      std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, std::max<std::size_t>(scripts.size(), 1));
+  const std::size_t programs = std::min(processors(), std::max<std::size_t>(scripts.size(), 1));
   std::vector<std::vector<std::string>> shares(programs);
   for (std::size_t i = 0; i < scripts.size(); ++i) shares[i % programs].push_back(scripts[i]);
   std::vector<pid_t> children;
