@@ -122,7 +122,7 @@ void add_textbook(const Case<Model>& c, std::vector<Row>& rows) {
       const double tolerance = std::pow(10.0, -digits);
       const Answer answer = method(G, bracket, tolerance);
       rows.push_back(c.row(name, tolerance, answer.A, answer.evaluations, answer.ok));
-      rows.back().run = [G, bracket, tolerance, method] { sink = method(G, bracket, tolerance).A; };
+      rows.back().run = [G, bracket, tolerance, solve = method] { sink = solve(G, bracket, tolerance).A; };
     }
 }
 
