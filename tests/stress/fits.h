@@ -192,7 +192,7 @@ void judge_fit(Tally& tally, const std::string& where, const Fit& fit_it, const 
   try {
     const FitResult fit = tally.timed(where, fit_it);
     tally.answered += fit.status == FitStatus::ok;
-    tally.given_up += fit.status == FitStatus::not_converged;
+    if (fit.status == FitStatus::not_converged) tally.give_up(where + ": " + fit.message);
     double error = 0;
     const std::string wrong = wrong_with(fit, error);
     if (!wrong.empty())

@@ -42,6 +42,7 @@ void explain(const Tally& tally) {
   if (tally.cases == 0) return;
   if (!tally.worst_case.empty()) std::printf("worst of %s: %s\n", tally.what.c_str(), tally.worst_case.c_str());
   std::printf("slowest of %s: %s\n", tally.what.c_str(), tally.slowest_case.c_str());
+  for (const std::string& where : tally.first_given_up) std::printf("given up: %s\n", where.c_str());
   for (const std::string& why : tally.first_failures) std::printf("FAILED: %s\n", why.c_str());
 }
 

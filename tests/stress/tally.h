@@ -15,11 +15,15 @@ struct Tally {
   std::size_t cases = 0, answered = 0, given_up = 0, failures = 0;  // given up: fits that did not converge, and said so
   double worst_error = 0, slowest_ns = 0, total_ns = 0;
   std::string worst_case, slowest_case;
-  std::vector<std::string> first_failures;  // at most ten
+  std::vector<std::string> first_failures, first_given_up;  // at most ten
 
   void fail(const std::string& why) {
     ++failures;
-    if (first_failures.size() < 10) first_failures.push_back(why);
+    note(first_failures, why);
+  }
+  void give_up(const std::string& where) {
+    ++given_up;
+    note(first_given_up, where);
   }
   void see_error(double error, const std::string& where) {
     if (!(error > worst_error)) return;
@@ -49,8 +53,13 @@ struct Tally {
       slowest_ns = other.slowest_ns;
       slowest_case = other.slowest_case;
     }
-    for (const std::string& why : other.first_failures)
-      if (first_failures.size() < 10) first_failures.push_back(why);
+    for (const std::string& why : other.first_failures) note(first_failures, why);
+    for (const std::string& where : other.first_given_up) note(first_given_up, where);
+  }
+
+ private:
+  static void note(std::vector<std::string>& list, const std::string& text) {
+    if (list.size() < 10) list.push_back(text);
   }
 };
 
