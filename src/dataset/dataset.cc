@@ -88,9 +88,9 @@ class Loader {
     for (Part part; bytes < kAlone || !reader_; bytes += part.block.bytes()) {
       if (!file_.next(part.block)) return finish();
       understand(part);
+      if (data_.points.empty() && !part.points.empty()) reserve(part);
       take(part);
     }
-    reserve(bytes);
     pipeline<Part>(
         processors(), [&](Part& part) { return file_.next(part.block); }, [&](Part& part) { understand(part); },
         [&](const Part& part) { take(part); });
@@ -118,12 +118,11 @@ class Loader {
     data_.rows += part.rows;
   }
 
-  /// Room for as many points as the file may hold if it goes on much as it began: to move them takes twice their
+  /// Room for as many points as the file may hold if it goes on as this part of it: to move them takes twice their
   /// memory, while what is never touched takes none.
-  void reserve(std::size_t bytes) {
-    const double times = 1.25 * static_cast<double>(file_.bytes().value_or(0)) / static_cast<double>(bytes);
-    if (times <= 1) return;
-    data_.points.reserve(static_cast<std::size_t>(times * static_cast<double>(data_.points.size())));
+  void reserve(const Part& part) {
+    const double times = static_cast<double>(file_.bytes().value_or(0)) / static_cast<double>(part.block.bytes());
+    data_.points.reserve(static_cast<std::size_t>(1.25 * times * static_cast<double>(part.points.size())));
     prefer_large_pages(data_.points.data(), data_.points.capacity() * sizeof(Point));
   }
 
