@@ -12,7 +12,7 @@
 namespace mixity {
 namespace {
 
-enum Quantity { kLoad, kPeak, kMinimum };
+enum Force { kLoad, kPeak, kMinimum };
 constexpr std::array<std::string_view, 3> kNames{"P", "T_peak", "T_min"};
 constexpr std::array<std::string_view, 3> kNotFinite{"column 'P' is not finite", "column 'T_peak' is not finite",
                                                      "column 'T_min' is not finite"};
@@ -27,10 +27,10 @@ class Reader {
     require_width(forces_.path, row, width_);
     std::array<std::optional<double>, 3> values;
     double value = 0;
-    for (const Quantity q : {kLoad, kPeak, kMinimum})
+    for (const Force q : {kLoad, kPeak, kMinimum})
       if (columns_[q] && number_at(forces_.path, row, *columns_[q], kNames[q], value)) values[q] = value;
     const auto exclude = [&](std::string_view why) { forces_.excluded.push_back({row.line(), why}); };
-    for (const Quantity q : {kLoad, kPeak, kMinimum})
+    for (const Force q : {kLoad, kPeak, kMinimum})
       if (values[q] && !std::isfinite(*values[q])) return exclude(kNotFinite[q]);
     if (!values[kLoad]) return exclude("column 'P' is empty");
     if (!values[kPeak] && !values[kMinimum]) return exclude("neither T_peak nor T_min is given");
@@ -52,7 +52,7 @@ class Reader {
     width_ = header.size();
     for (std::size_t i = 0; i < header.size(); ++i) {
       const Heading heading = heading_at(path, header, i);
-      for (const Quantity q : {kLoad, kPeak, kMinimum}) {
+      for (const Force q : {kLoad, kPeak, kMinimum}) {
         if (heading.name != kNames[q]) continue;
         if (columns_[q])
           throw InputError(path, header.line(), header.column(i), "column '" + heading.name + "' stands twice");
@@ -64,7 +64,7 @@ class Reader {
     if (!columns_[kPeak] && !columns_[kMinimum])
       throw InputError(path, header.line(), 1, "column 'T_peak' or 'T_min' is missing");
     const bool bare = units_[kLoad].dimension == dimension::none;
-    for (const Quantity q : {kPeak, kMinimum})
+    for (const Force q : {kPeak, kMinimum})
       if (columns_[q] && bare != (units_[q].dimension == dimension::none))
         throw InputError(path, header.line(), header.column(*columns_[q]),
                          "column '" + std::string(kNames[q]) + "' and P are either both dimensionless or neither is");
