@@ -113,8 +113,9 @@ void Columns::require_a_complete_set(const std::string& path, std::size_t line) 
     if (has(one) && has(other)) fail("columns " + names + ": one of them, not both");
   };
   if (!loads && !toughness)
-    fail(
-        "the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or Gc_over_GIc)");
+    fail(std::string("the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or "
+                     "Gc_over_GIc)") +
+         (count_ == 1 ? ", separated by commas, semicolons or tabs" : ""));
   if (loads && toughness) fail("the header mixes loads (P, T, A) with toughness (psi, Gc); give one set");
   if (loads) {
     for (const ColumnId id : {ColumnId::P, ColumnId::T})
