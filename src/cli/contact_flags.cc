@@ -19,6 +19,7 @@ OutputUnits output_units() {
   if (!force || !length || force->dimension != dimension::force || length->dimension != dimension::length)
     throw UsageError("flag '--units' is '" + FLAGS_units + "'; it must be a force and a length, such as mN,mm");
   const Contact contact{*metadata.radius, *modulus, *metadata.toughness};
+  if (!contact.usable()) throw UsageError("--radius, --modulus and --toughness together are out of range");
   const double metre = 1 / length->factor;
   return {names[0],
           names[1],

@@ -9,9 +9,6 @@
 namespace mixity {
 namespace {
 
-/// What is positive in nature is so as a number, too: neither underflow nor overflow.
-bool in_range(double value) { return std::isfinite(value) && value > 0; }
-
 enum Complaint { kEmpty, kNotFinite, kNegative, kOutOfRange };
 
 /// What a column's value is, said once: a file may have millions of them.
@@ -54,8 +51,7 @@ void PointReader::require_constants(const std::string& metadata_path) {
               demand(data_.metadata.toughness, "toughness")};
   force_unit_ = data_.contact->force_unit();
   length_unit_ = data_.contact->length_unit();
-  for (const double unit : {force_unit_, length_unit_, data_.contact->area_unit()})
-    if (!in_range(unit)) throw InputError(data_.path, "radius, modulus and toughness together are out of range");
+  if (!data_.contact->usable()) throw InputError(data_.path, "radius, modulus and toughness together are out of range");
 }
 
 void PointReader::set_display() {
@@ -111,7 +107,7 @@ std::string_view PointReader::standard_error(const CsvRow& row, ColumnId id, dou
   if (const auto unusable = number(row, id, error); !unusable.empty()) return unusable;
   if (error < 0) return said_of(id, kNegative);
   error = column->unit.text == "%" ? error * std::abs(of) : error / unit;
-  return std::isfinite(error) ? std::string_view() : said_of(id, kOutOfRange);
+  return error == 0 || in_range(error) ? std::string_view() : said_of(id, kOutOfRange);
 }
 
 std::string_view PointReader::read_loads(const CsvRow& row, Point& point) const {
@@ -126,7 +122,8 @@ std::string_view PointReader::read_loads(const CsvRow& row, Point& point) const 
   point.T = T / force_unit_;
   const double a = (by_area ? std::sqrt(size / pi<double>()) : size) / length_unit_;
   point.A = by_area ? size / (length_unit_ * length_unit_) : area_from_radius(a);
-  if (!std::isfinite(point.P) || !std::isfinite(point.T) || !in_range(point.A)) return "P, T or A is out of range";
+  if (!(std::abs(point.P) <= kMostQuantity) || !(point.T <= kMostQuantity) || !in_range(point.A))
+    return "P, T or A is out of range";
   if (edge_load(a, point.P) > 0) {
     const auto measured = measured_toughness(point.P, point.T, a);
     if (!in_range(measured.ratio)) return "the toughness ratio is out of range";

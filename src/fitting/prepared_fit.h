@@ -111,7 +111,7 @@ std::vector<MeasuredPoint> measured_points(const Dataset& data, const PreparedFi
 template <class Model>
 FreeChoice<Model> free_choice(const Dataset& data, const FitOptions& options, const PreparedFit<Model>& prepared) {
   FreeChoice<Model> choice({prepared.base, options.corrections}, prepared.held);
-  double largest_load = 1, smallest_area = std::numeric_limits<double>::infinity();
+  double largest_load = 1, smallest_area = prepared.used.empty() ? 1 : std::numeric_limits<double>::infinity();
   for (const std::size_t i : prepared.used) {
     largest_load = std::max(largest_load, std::abs(data.points[i].P));
     smallest_area = std::min(smallest_area, data.points[i].A);

@@ -7,6 +7,12 @@
 
 namespace mixity {
 
+// Between these the fourth power of a quantity is a double, which sums of squares of products need.
+inline constexpr double kLeastQuantity = 1e-75, kMostQuantity = 1e75;
+
+/// For what is positive in nature.
+inline bool in_range(double value) { return value >= kLeastQuantity && value <= kMostQuantity; }
+
 /// Constants of a contact in SI units, all > 0: radius R [m], plane-strain modulus E* [Pa], mode-I toughness
 /// G_Ic [J/m^2].
 struct Contact {
@@ -22,6 +28,12 @@ struct Contact {
   double displacement_unit() const { return radius / (xi() * xi()); }  // u: R/xi^2 [m]
   double stress_unit() const { return modulus / xi(); }                // tau0: E*/xi [Pa]
   double stiffness_unit() const { return xi() * xi() * toughness; }    // k: xi^2 G_Ic [N/m]
+
+  /// Whether numbers in these units can be computed with.
+  bool usable() const {
+    return in_range(force_unit()) && in_range(area_unit()) && in_range(displacement_unit()) &&
+           in_range(stress_unit()) && in_range(stiffness_unit());
+  }
 };
 
 /// E* of a rigid sphere on a soft half-space from its Young's modulus [Pa] and Poisson ratio (0 <= nu <= 0.5).

@@ -53,7 +53,7 @@ TEST(Dataset, PointsThatCannotBeUsedAreListedWithTheirReason) {
             "3 include = 0\n4 include = 0\n5 T < 0\n"
             "6 y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists\n"
             "7 A <= 0\n8 T is not finite\n9 P is not finite\n10 A is not finite\n11 T is empty\n12 A is empty\n"
-            "13 A is not finite\n14 sigma_A < 0\n15 the toughness ratio is out of range\n");
+            "13 A is not finite\n14 sigma_A < 0\n15 P, T or A is out of range\n");
   ASSERT_EQ(data.points.size(), 2);
   EXPECT_EQ(data.points[1].line, 16);
   EXPECT_EQ(data.points[0].sigma_A, 0);
@@ -65,6 +65,11 @@ TEST(Dataset, PointsBeyondTheRangeOfNumbersAreListed) {
   EXPECT_EQ(excluded_lines(load_text("P,T,a,sigma_T [%]\n1,1,1e200,\n1,1,1e-200,\n1,1e5,2.5,1e306\n1,1,2.5,1\n", "", {},
                                      PointUse::areas)),
             "2 P, T or A is out of range\n3 P, T or A is out of range\n4 sigma_T is out of range\n");
+  // whose fourth powers are no doubles
+  EXPECT_EQ(
+      excluded_lines(load_text("P,T,A\n1,2e75,19\n-2e75,1,19\n1,1,2e75\n1,1,5e-76\n1,1,19\n", "", {}, PointUse::areas)),
+      "2 P, T or A is out of range\n3 P, T or A is out of range\n4 P, T or A is out of range\n"
+      "5 P, T or A is out of range\n");
   EXPECT_EQ(excluded_lines(load_text("psi,Gc [N/m]\n1,1e300\n1,1\n", "toughness = \"1e-20 J/m^2\"")),
             "2 the toughness ratio is out of range\n");
 }
