@@ -43,7 +43,9 @@ std::optional<Information> information(const FitResult& fit) {
 }
 
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options) {
-  if (!data.has_loads || data.curves.size() < 2 || !has_all_values(whole)) return std::nullopt;
+  constexpr std::size_t kMostRuns = 200;
+  if (!data.has_loads || data.curves.size() < 2 || data.curves.size() > kMostRuns || !has_all_values(whole))
+    return std::nullopt;
   const std::string& model = whole.model;
   FitOptions quick = value_only(options);
   quick.near = whole.solution;

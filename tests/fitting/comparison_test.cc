@@ -128,6 +128,16 @@ TEST(LeaveOneLoadOut, NeedsTwoRunsWithLoads) {
   EXPECT_FALSE(leave_one_load_out(angles, fit_model(angles, "c"), {}));
 }
 
+TEST(LeaveOneLoadOut, LooksAtTwoHundredRunsAtMost) {
+  std::vector<double> loads(201);
+  for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = 1 + 0.1 * static_cast<double>(i);
+  const Dataset many = noisy(6, loads);
+  EXPECT_FALSE(leave_one_load_out(many, fit_model(many, "c", area_options()), area_options()));
+  loads.pop_back();
+  const Dataset as_many = noisy(6, loads);
+  EXPECT_TRUE(leave_one_load_out(as_many, fit_model(as_many, "c", area_options()), area_options()));
+}
+
 TEST(LeaveOneLoadOut, CountsWhatLiesBeyondTheFold) {
   Dataset data = noisy(5);
   // a point 20 % beyond the fold of its run, where only the fold's area can stand for the model's
