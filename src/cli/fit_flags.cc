@@ -1,8 +1,11 @@
 #include "cli/fit_flags.h"
 
+#include <algorithm>
+
 #include "cli/flags.h"
 #include "cli/statistics_flags.h"
 #include "cli/usage_error.h"
+#include "report/output_file.h"
 
 namespace mixity::cli {
 namespace {
@@ -10,7 +13,11 @@ namespace {
 std::vector<std::string> models_from_flag() {
   std::vector<std::string> models = split_list(FLAGS_models);
   if (models.empty()) throw UsageError("flag '--models' names no model");
-  for (const std::string& model : models) require_model("models", model);
+  for (auto model = models.begin(); model != models.end(); ++model) {
+    require_model("models", *model);
+    if (std::find(models.begin(), model, *model) != model)
+      throw UsageError("flag '--models' names '" + *model + "' twice");
+  }
   return models;
 }
 
@@ -55,9 +62,13 @@ FitJob job_for(const std::string& path) {
   if (!FLAGS_per.empty() && FLAGS_per != "curve")
     throw UsageError("flag '--per' is '" + FLAGS_per + "'; it must be curve");
   job.per_curve |= FLAGS_per == "curve";
-  for (const HeldParameter& held : job.options.hold)
+  for (const HeldParameter& held : job.options.hold) {
     if (!has_parameter(job.models, held.name))
       throw UsageError("flag '--hold': no fitted model has a parameter '" + held.name + "'");
+    const auto same = [&](const HeldParameter& other) { return other.name == held.name; };
+    if (std::count_if(job.options.hold.begin(), job.options.hold.end(), same) > 1)
+      throw UsageError("flag '--hold' names '" + held.name + "' twice");
+  }
   return job;
 }
 
@@ -69,8 +80,9 @@ std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags
 }
 
 std::string file_stem(const JobResult& result, std::set<std::string>& taken) {
-  std::string stem = result.data.name;
-  for (int i = 2; !taken.insert(stem).second; ++i) stem = result.data.name + "-" + std::to_string(i);
+  const std::string name = plain_file_name(result.data.name);
+  std::string stem = name;
+  for (int i = 2; !taken.insert(stem).second; ++i) stem = name + "-" + std::to_string(i);
   return stem;
 }
 

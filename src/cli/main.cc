@@ -50,6 +50,8 @@ int main(int argc, char** argv) {
   int code = kFine;
   try {
     code = run({argv + 1, argv + argc});
+    std::cout.flush();
+    if (!std::cout) code = fail("standard output cannot be written", kCannotWrite);
   } catch (const UsageError& error) {
     code = fail(error.what(), kBadUsage);
   } catch (const InputError& error) {
@@ -59,7 +61,5 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     code = fail("not enough memory", kBadInput);
   }
-  std::cout.flush();
-  if (!std::cout && code == kFine) code = fail("standard output cannot be written", kCannotWrite);
   return code;
 }

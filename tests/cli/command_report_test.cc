@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -11,6 +12,24 @@ namespace mixity::cli {
 namespace {
 
 const std::string kDefinition = MIXITY_ROOT "/fits/as4_peek_mmb.toml";
+
+/// Names that a shell or gnuplot would run as a command, or take for an option.
+TEST(Report, AFileNameIsNeverACommand) {
+  const TemporaryFolder folder;
+  const std::string touched = folder.path("touched"), text = content_of(MIXITY_ROOT "/data/mergel2018.csv"),
+                    constants = content_of(MIXITY_ROOT "/data/mergel2018.toml");
+  ::setenv("MIXITY_TOUCHED", touched.c_str(), 1);
+  for (const std::string name :
+       {"`touch $MIXITY_TOUCHED`", "<touch $MIXITY_TOUCHED;", "|touch $MIXITY_TOUCHED;", "-k", "$a", "a\nb"}) {
+    const std::string data = folder.write(name + ".csv", text);
+    folder.write(name + ".toml", constants);
+    const ProgramResult result = run_program({"report", data, "--models=c", "--out", folder.path("out")});
+    EXPECT_EQ(result.exit_code, 0) << name;
+    EXPECT_EQ(result.err, "") << name;
+    EXPECT_FALSE(std::filesystem::exists(touched)) << name;
+  }
+  ::unsetenv("MIXITY_TOUCHED");
+}
 
 TEST(Report, NamesItsPageAndRepeatsItsCommand) {
   const TemporaryFolder folder;

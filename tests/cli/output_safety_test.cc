@@ -70,7 +70,10 @@ TEST(OutputSafety, AFullDiskBehindStandardOutputEndsWithFour) {
   const TemporaryFolder folder;
   const std::string err = folder.path("err");
   const std::string plot = folder.write("plot.csv", "run 1,\nX,Y\n0,19.6\n5,19.2\n");
+  const std::string not_ok = folder.write("one.csv", "P,T,A\n1,0,19.6\n");  // by itself the fit would end with 1
   for (const Words& words : std::vector<Words>{
+           {},
+           {"fit", not_ok},
            {"fit", kDefinition},
            {"fit", kDefinition, "--format=json"},
            {"fit", kDefinition, "--format=csv"},
@@ -87,6 +90,15 @@ TEST(OutputSafety, AFullDiskBehindStandardOutputEndsWithFour) {
     EXPECT_EQ(result.exit_code, 4) << joined(words);
     EXPECT_EQ(result.complaint(), "mixity: standard output cannot be written") << joined(words);
   }
+}
+
+TEST(OutputSafety, AFolderForTemporaryFilesThatIsNoneEndsWithFour) {
+  const TemporaryFolder folder;
+  const std::string err = folder.path("err");
+  const Words words{"figures", "--paper", "--out", folder.path("out")};
+  const ProgramResult result = finish(start(words, err, [] { ::setenv("TMPDIR", "/nonexistent", 1); }), err);
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_EQ(result.complaint(), "mixity: TMPDIR names no folder for temporary files: No such file or directory");
 }
 
 /// As on a full disk, a file can only be written in part: beyond this size, write() fails.

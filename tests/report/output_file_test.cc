@@ -1,6 +1,8 @@
 #include "report/output_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,6 +20,52 @@ std::size_t files_in(const std::filesystem::path& folder) {
   std::size_t n = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++n;
   return n;
+}
+
+TEST(OutputFile, APlainNameIsNothingElseToAnyone) {
+  EXPECT_EQ(plain_file_name("mergel2018"), "mergel2018");
+  EXPECT_EQ(plain_file_name("Probe 3 (µm).v-2"), "Probe 3 (µm).v-2");
+  EXPECT_EQ(plain_file_name("`touch x`"), "_touch x_");
+  EXPECT_EQ(plain_file_name("<a>|b;$c\"'\\/\n%@#*?!&~"), "_a__b__c" + std::string(13, '_'));
+  for (const char* first : {"-a", ".a", " a", "=a", "|a"}) EXPECT_EQ(plain_file_name(first), "_a") << first;
+  EXPECT_EQ(plain_file_name("a\xff"), "a_");
+}
+
+TEST(OutputFile, ANameWithoutAFolderIsOneHere) {
+  const TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  EXPECT_NO_THROW(write_file("new.csv", "1,2\n"));
+  std::filesystem::current_path(before);
+  EXPECT_EQ(read_file(folder.path("new.csv")), "1,2\n");
+}
+
+TEST(OutputFile, ALinkStaysALinkAndADeviceADevice) {
+  const TemporaryFolder folder;
+  const std::string target = folder.write("target", "old"), link = folder.path("link"), pipe = folder.path("pipe");
+  std::filesystem::create_symlink(target, link);
+  write_file(link, "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(read_file(target), "new");
+  write_file("/dev/null", "new");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_THROW(write_file("/dev/full", "new"), OutputError);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  write_file(pipe, "new");
+  char text[8];
+  EXPECT_EQ(::read(reader, text, sizeof text), 3);
+  ::close(reader);
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+TEST(OutputFile, AFileClosedToWritingIsNotReplaced) {
+  if (::geteuid() == 0) GTEST_SKIP() << "nothing is closed to the superuser";
+  const TemporaryFolder folder;
+  const std::string path = folder.write("kept", "old");
+  std::filesystem::permissions(path, std::filesystem::perms::owner_read);
+  EXPECT_THROW(write_file(path, "new"), OutputError);
+  EXPECT_EQ(read_file(path), "old");
 }
 
 TEST(OutputFile, CreatesFoldersAndLeavesNoTemporaryName) {

@@ -16,7 +16,7 @@ std::string quoted(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
-    out += c == '\n' ? ' ' : c;
+    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c == '`' ? '\'' : c;  // gnuplot would run what is in backquotes
   }
   return out + '"';
 }

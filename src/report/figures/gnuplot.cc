@@ -57,7 +57,10 @@ bool run_gnuplot(const std::vector<std::string>& scripts, const std::string& fol
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "mixity-figures-XXXXXX").string();
+    std::error_code error;
+    const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+    if (error) throw OutputError("TMPDIR names no folder for temporary files: " + error.message());
+    std::string pattern = (folder / "mixity-figures-XXXXXX").string();
     if (!mkdtemp(pattern.data())) throw OutputError(pattern + ": a temporary folder cannot be made");
     path_ = pattern;
   }
@@ -91,11 +94,13 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
   drawn.svg.resize(figures.size());
   if (figures.empty()) return drawn;
   const auto is_drawn = [&](const Figure& figure) {
-    std::error_code error;
-    const auto size = [&](const char* ending) {
-      return std::filesystem::file_size(scratch.path() + '/' + figure.name + ending, error);
+    const auto ends_with = [&](const char* ending, std::string_view last) {
+      const std::string path = scratch.path() + '/' + figure.name + ending;
+      if (!std::filesystem::exists(path)) return false;
+      const std::string text = read_file(path);
+      return text.substr(0, text.find_last_not_of("\r\n") + 1).ends_with(last);
     };
-    return size(".svg") > 0 && !error && size(".pdf") > 0 && !error;
+    return ends_with(".svg", "</svg>") && ends_with(".pdf", "%%EOF");  // gnuplot does not tell of a full disk
   };
   if (!run_gnuplot(scripts, scratch.path())) {
     drawn.missing = "gnuplot is not installed: no SVG and PDF; the scripts draw them (gnuplot NAME.gp)";
