@@ -1,4 +1,4 @@
-// A machine on which no other program is installed.
+// A machine on which no other program is installed, or only those of a folder.
 #pragma once
 
 #include <cstdlib>
@@ -9,9 +9,9 @@ namespace mixity {
 /// A program that is started finds gnuplot by PATH; restored at the end of the scope.
 class WithoutPrograms {
  public:
-  WithoutPrograms() {
+  explicit WithoutPrograms(const std::string& but = "/nowhere") {
     if (const char* path = std::getenv("PATH")) path_ = path;
-    setenv("PATH", "/nowhere", 1);
+    setenv("PATH", but.c_str(), 1);
   }
   WithoutPrograms(const WithoutPrograms&) = delete;
   WithoutPrograms& operator=(const WithoutPrograms&) = delete;

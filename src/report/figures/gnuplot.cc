@@ -93,14 +93,13 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
   }
   drawn.svg.resize(figures.size());
   if (figures.empty()) return drawn;
-  const auto is_drawn = [&](const Figure& figure) {
-    const auto ends_with = [&](const char* ending, std::string_view last) {
-      const std::string path = scratch.path() + '/' + figure.name + ending;
-      if (!std::filesystem::exists(path)) return false;
-      const std::string text = read_file(path);
-      return text.substr(0, text.find_last_not_of("\r\n") + 1).ends_with(last);
-    };
-    return ends_with(".svg", "</svg>") && ends_with(".pdf", "%%EOF");  // gnuplot does not tell of a full disk
+  // What gnuplot drew, or nothing if the file does not end as one does: gnuplot does not tell of a full disk.
+  const auto whole = [&](const std::string& file, std::string_view end) -> std::string {
+    const std::string path = scratch.path() + '/' + file;
+    if (!std::filesystem::exists(path)) return {};
+    std::string text = read_file(path);
+    const bool is_whole = std::string_view(text).substr(0, text.find_last_not_of("\r\n") + 1).ends_with(end);
+    return is_whole ? text : std::string();
   };
   if (!run_gnuplot(scripts, scratch.path())) {
     drawn.missing = "gnuplot is not installed: no SVG and PDF; the scripts draw them (gnuplot NAME.gp)";
@@ -108,15 +107,20 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
   }
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const Figure& figure = figures[i];
+    std::string svg, pdf;
+    const auto is_drawn = [&] {
+      svg = whole(figure.name + ".svg", "</svg>");
+      pdf = whole(figure.name + ".pdf", "%%EOF");
+      return !svg.empty() && !pdf.empty();
+    };
     // A script that fails takes with it those that the same program would have drawn next.
-    if (!is_drawn(figure)) run_gnuplot({figure.name + ".gp"}, scratch.path());
-    if (!is_drawn(figure)) {
+    if (!is_drawn() && !(run_gnuplot({figure.name + ".gp"}, scratch.path()) && is_drawn())) {
       drawn.missing += (drawn.missing.empty() ? "gnuplot failed at " : ", ") + figure.name;
       continue;
     }
-    drawn.svg[i] = readable_svg(read_file(scratch.path() + '/' + figure.name + ".svg"), figure);
+    drawn.svg[i] = readable_svg(svg, figure);
     write_file(folder + '/' + figure.name + ".svg", drawn.svg[i]);
-    write_file(folder + '/' + figure.name + ".pdf", read_file(scratch.path() + '/' + figure.name + ".pdf"));
+    write_file(folder + '/' + figure.name + ".pdf", pdf);
     for (const char* ending : {".svg", ".pdf"}) drawn.files.push_back(figure.name + ending);
   }
   return drawn;

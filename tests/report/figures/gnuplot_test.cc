@@ -52,6 +52,18 @@ TEST(Gnuplot, WithoutItDataAndScriptAreThereAndItSaysSo) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() + "/one.svg"));
 }
 
+TEST(Gnuplot, AFigureThatIsCutShortIsNotDelivered) {
+  const TemporaryFolder folder, programs;
+  // as on a full disk: a file is there, and nobody complained
+  const std::string gnuplot = programs.write(
+      "gnuplot", "#!/bin/sh\nfor s; do echo '<svg></svg>' > ${s%.gp}.svg; echo '%PDF-1.5' > ${s%.gp}.pdf; done\n");
+  std::filesystem::permissions(gnuplot, std::filesystem::perms::owner_all);
+  const WithoutPrograms others(programs.path());
+  const DrawnFigures drawn = draw_figures({example("one")}, folder.path());
+  EXPECT_EQ(drawn.missing, "gnuplot failed at one");
+  for (const char* file : {"/one.svg", "/one.pdf"}) EXPECT_FALSE(std::filesystem::exists(folder.path() + file)) << file;
+}
+
 TEST(Gnuplot, AFigureThatCannotBeDrawnDoesNotTakeOthersAlong) {
   const TemporaryFolder folder;
   Figure broken = example("broken");
