@@ -138,7 +138,7 @@ void become_nobody() {
   if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) ::_exit(126);
 }
 
-TEST(OutputSafety, AFolderThatIsClosedToWritingEndsWithFourAndKeepsWhatItHolds) {
+TEST(OutputSafety, AFolderOrFileThatIsClosedToWritingEndsWithFourAndKeepsWhatItHolds) {
   const TemporaryFolder folder, complaints;
   // Program and data are copied to where nobody may read them: the build may lie in a private folder.
   const std::string out = folder.path("out"), err = complaints.write("err", ""), program = folder.path("mixity"),
@@ -152,14 +152,19 @@ TEST(OutputSafety, AFolderThatIsClosedToWritingEndsWithFourAndKeepsWhatItHolds) 
   const ProgramResult allowed = finish(start({"check", data}, err, become_nobody, program), err);
   ASSERT_EQ(allowed.exit_code, 0) << allowed.err;
   const Contents before = contents_of(out);
-  std::filesystem::permissions(out, std::filesystem::perms(0555));
-  for (const char* command : {"fit", "report"}) {
+  const auto refuses = [&](const char* command) {
     const ProgramResult result = finish(start({command, data, "--out", out}, err, become_nobody, program), err);
     EXPECT_EQ(result.exit_code, 4) << command;
     EXPECT_NE(result.complaint().find("Permission denied"), std::string::npos) << result.err;
-  }
-  EXPECT_TRUE(contents_of(out) == before);
+    EXPECT_TRUE(contents_of(out) == before) << command;
+  };
+  std::filesystem::permissions(out, std::filesystem::perms(0555));
+  refuses("fit");
+  refuses("report");
   std::filesystem::permissions(out, std::filesystem::perms::all);
+  for (const auto& file : std::filesystem::directory_iterator(out))
+    std::filesystem::permissions(file.path(), std::filesystem::perms(0444));
+  refuses("fit");
 }
 
 TEST(OutputSafety, AFileWhereAFolderIsWantedStaysAsItIs) {

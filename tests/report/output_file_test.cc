@@ -59,15 +59,6 @@ TEST(OutputFile, ALinkStaysALinkAndADeviceADevice) {
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
-TEST(OutputFile, AFileClosedToWritingIsNotReplaced) {
-  if (::geteuid() == 0) GTEST_SKIP() << "nothing is closed to the superuser";
-  const TemporaryFolder folder;
-  const std::string path = folder.write("kept", "old");
-  std::filesystem::permissions(path, std::filesystem::perms::owner_read);
-  EXPECT_THROW(write_file(path, "new"), OutputError);
-  EXPECT_EQ(read_file(path), "old");
-}
-
 TEST(OutputFile, CreatesFoldersAndLeavesNoTemporaryName) {
   const TemporaryFolder folder;
   const std::string path = folder.path("a/b/file.csv");
