@@ -62,9 +62,10 @@ void check_order(const Dataset& data, Lines& odd) {
 
 void check_duplicates(const Dataset& data, Lines& odd) {
   const auto key = [&](std::size_t i) {
+    if (!data.has_loads)
+      return std::tuple(data.converted[i].mixity.cos, data.converted[i].mixity.sin, data.converted[i].ratio);
     const Point& point = data.points[i];
-    return data.has_loads ? std::tuple(point.P, point.T, point.A)
-                          : std::tuple(point.mixity.cos, point.mixity.sin, point.ratio);
+    return std::tuple(point.P, point.T, point.A);
   };
   std::vector<std::size_t> order(data.points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -120,10 +121,12 @@ void check_toughness(const Dataset& data, Lines& odd) {
   for (const Excluded& excluded : data.excluded) too_wide += excluded.reason.starts_with("psi outside");
   if (too_wide > 0)
     odd.push_back("psi leaves 0..90 degrees " + times(too_wide) + "; is its unit rad where deg was meant?");
-  for (const Point& point : data.points)
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const ToughnessPoint& point = data.converted[i];
     if (point.psi() < 0.05 && std::abs(std::log(point.ratio)) > 0.5)
-      odd.push_back("line " + std::to_string(point.line) + ": Gc/GIc is " + rounded(point.ratio, 3) +
+      odd.push_back("line " + std::to_string(data.points[i].line) + ": Gc/GIc is " + rounded(point.ratio, 3) +
                     " near psi = 0, where it must be 1; is toughness (G_Ic) right?");
+  }
 }
 
 }  // namespace

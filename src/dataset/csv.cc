@@ -23,6 +23,23 @@ std::size_t CsvRow::column(std::size_t i) const {
   return column;
 }
 
+void CsvRow::begin(std::string_view line, std::size_t number, char delimiter) {
+  line_ = number;
+  raw_ = line.substr(0, line.find_last_not_of("\r\n") + 1);
+  delimiter_ = delimiter;
+}
+
+void CsvRow::split(std::string_view line, std::size_t number, char delimiter) {
+  begin(line, number, delimiter);
+  fields_.clear();
+  for (std::string_view rest = raw_;;) {
+    const std::size_t end = rest.find(delimiter);
+    fields_.push_back(trim(rest.substr(0, end)));  // as libcsv does
+    if (end == std::string_view::npos) return;
+    rest.remove_prefix(end + 1);
+  }
+}
+
 namespace {
 
 /// Comma, semicolon or tab, whichever the line has most of outside quotes.
@@ -52,41 +69,27 @@ bool odd_quotes(std::string_view line) { return std::count(line.begin(), line.en
 /// Makes rows of lines. For quotes it owns libcsv's state, whose callbacks do not throw: libcsv is C.
 struct CsvParser {
   csv_parser state;
+  char delimiter;
   CsvRow row;
   std::string text;               // the fields libcsv has found, one after the other
   std::vector<std::size_t> ends;  // where each ends in it
   int completed = 0;
   bool stray_return = false, quote_open = false;
 
-  explicit CsvParser(char delimiter) {
+  explicit CsvParser(char separator) : delimiter(separator) {
     csv_init(&state, CSV_STRICT | CSV_STRICT_FINI);
     csv_set_delim(&state, static_cast<unsigned char>(delimiter));
-    row.delimiter_ = delimiter;
   }
   ~CsvParser() { csv_free(&state); }
   CsvParser(const CsvParser&) = delete;
   CsvParser& operator=(const CsvParser&) = delete;
-
-  void begin(std::string_view line, std::size_t number) {
-    row.line_ = number;
-    row.raw_ = line.substr(0, line.find_last_not_of("\r\n") + 1);
-  }
 
   /// True of quotes, and of a carriage return inside the line.
   bool needs_library(std::string_view line) const {
     return quote_open || line.find('"') != std::string_view::npos ||
            line.find('\r') < line.find_last_not_of("\r\n") + 1;
   }
-  void split(std::string_view line, std::size_t number) {
-    begin(line, number);
-    row.fields_.clear();
-    for (std::string_view rest = row.raw_;;) {
-      const std::size_t end = rest.find(row.delimiter_);
-      row.fields_.push_back(trim(rest.substr(0, end)));  // as libcsv does
-      if (end == std::string_view::npos) return;
-      rest.remove_prefix(end + 1);
-    }
-  }
+  void split(std::string_view line, std::size_t number) { row.split(line, number, delimiter); }
 
   static void on_field(void* field, std::size_t size, void* self) {
     CsvParser& parser = *static_cast<CsvParser*>(self);
@@ -99,7 +102,7 @@ struct CsvParser {
   /// Feeds one line with its line end; a quoted field may run over several, and the row then counts as the first.
   bool feed(std::string_view line, std::size_t number) {
     if (!quote_open) {
-      begin(line, number);
+      row.begin(line, number, delimiter);
       text.clear();
       ends.clear();
       completed = 0;
@@ -122,11 +125,12 @@ struct CsvParser {
 };
 
 void read_rows(std::string_view text, std::size_t first_line, const CsvFormat& format, const std::string& path,
-               const UseRow& use) {
+               const UseRow& use, NumberRows* numbers) {
   CsvParser parser(format.delimiter);
   std::size_t number = first_line;
   // Of most files this can be said at once, which saves looking through each of their lines for what none has.
-  const bool plain = text.find('"') == std::string_view::npos && text.find('\r') == std::string_view::npos;
+  const bool unquoted = text.find('"') == std::string_view::npos;
+  const bool plain = unquoted && text.find('\r') == std::string_view::npos;
   const auto hand_over = [&] {
     if (parser.stray_return) throw InputError(path, number, 1, "has a carriage return inside the line");
     if (parser.completed == 0) return;
@@ -135,6 +139,10 @@ void read_rows(std::string_view text, std::size_t first_line, const CsvFormat& f
   };
   bool fed = false;
   for (; !text.empty(); ++number) {
+    if (numbers && unquoted) {
+      number += numbers->take(text, number);
+      if (text.empty()) break;
+    }
     const std::string_view line = take_line(text, format.line_end);
     if (format.comments && line.starts_with('#') && !parser.quote_open) continue;
     fed = !plain && parser.needs_library(line);
@@ -163,6 +171,15 @@ std::size_t end_of_rows(std::string_view text, const CsvFormat& format) {
     if (!quote_open && line.back() == format.line_end) end = text.size() - rest.size();
   }
   return end;
+}
+
+std::size_t end_of_first_row(std::string_view text, const CsvFormat& format) {
+  bool quote_open = false;
+  for (std::string_view rest = text; !rest.empty();) {
+    if (odd_quotes(take_line(rest, format.line_end))) quote_open = !quote_open;
+    if (!quote_open) return text.size() - rest.size();
+  }
+  return text.size();
 }
 
 void drop_mark(std::string_view& text, const std::string& path) {

@@ -3,6 +3,7 @@
 // numbers, byte order mark, delimiter, comments, ragged rows, and blocks that several threads can read.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdio>
 #include <functional>
@@ -26,6 +27,11 @@ class CsvRow {
 
  private:
   friend struct CsvParser;
+  friend class CsvNumbers;
+  void begin(std::string_view line, std::size_t number, char delimiter);
+  /// A line without quotes, which may still have its end.
+  void split(std::string_view line, std::size_t number, char delimiter);
+
   std::vector<std::string_view> fields_;
   std::string_view raw_;  // the line as it stands in the file
   std::size_t line_ = 0;
@@ -33,6 +39,37 @@ class CsvRow {
 };
 
 using UseRow = std::function<void(const CsvRow&)>;
+
+/// Which fields of a row are wanted as numbers and which as text, by their place in it; others are passed over.
+struct CsvWanted {
+  std::vector<std::size_t> numbers, texts;
+  std::size_t count = 0;  // fields of a row
+};
+
+/// Rows on consecutive lines in which each wanted number is one and nothing is quoted, missing or too much.
+class CsvNumbers {
+ public:
+  static constexpr std::size_t kMost = 256;
+  std::size_t size() const { return size_; }
+  std::size_t line(std::size_t i) const { return first_line_ + i; }
+  /// Of all rows, field CsvWanted::numbers[k].
+  const double* numbers(std::size_t k) const { return numbers_[k].data(); }
+  /// Of row i, field CsvWanted::texts[k], without blanks around it.
+  std::string_view text(std::size_t k, std::size_t i) const { return texts_[k][i]; }
+  /// Row i as any other; valid until the next call.
+  const CsvRow& row(std::size_t i) const;
+
+ private:
+  friend class NumberRows;
+  std::size_t first_line_ = 1, size_ = 0;
+  std::vector<std::array<double, kMost>> numbers_;
+  std::vector<std::array<std::string_view, kMost>> texts_;
+  std::array<const char*, kMost + 1> begins_;  // of each row in the file's text, and of what follows
+  char delimiter_ = ',';
+  mutable CsvRow row_;
+};
+
+using UseNumbers = std::function<void(const CsvNumbers&)>;
 
 struct CsvFormat {
   char delimiter = 0, line_end = '\n';
@@ -45,6 +82,8 @@ class CsvBlock {
   /// Calls use(row) for each row that is not blank. The row is valid during the call only. Throws InputError for quotes
   /// that do not match.
   void rows(const UseRow& use) const;
+  /// The same, but most rows come as numbers, and only those that cannot come one by one. All in the file's order.
+  void rows(const CsvWanted& wanted, const UseNumbers& use_numbers, const UseRow& use_row) const;
   std::size_t bytes() const { return text_.size(); }
   std::size_t lines() const { return lines_; }
 
@@ -60,8 +99,8 @@ class CsvFile {
  public:
   /// Throws InputError if the file cannot be opened.
   explicit CsvFile(const std::string& path, std::size_t block_bytes = std::size_t{1} << 17);
-  /// Makes the block hold the next rows; false at the end. Throws InputError if the file cannot be read or is UTF-16.
-  /// A block used again spares the memory of a new one.
+  /// Makes the block hold the next rows, the first of all by itself; false at the end. Throws InputError if the file
+  /// cannot be read or is UTF-16. A block used again spares the memory of a new one.
   bool next(CsvBlock& block);
   /// Of the file; null where that is not known beforehand (a pipe).
   std::optional<std::size_t> bytes() const;

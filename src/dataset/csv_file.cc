@@ -53,22 +53,30 @@ bool CsvFile::next(CsvBlock& block) {
   for (; end == 0 && !at_end_; end = end_of_rows(text, format_)) read(text, text.size());  // a row of many lines
   if (at_end_) end = text.size();
   if (end == 0) return false;
+  block.first_line_ = line_;
+  std::size_t begin = 0;
+  if (format_.delimiter == 0) {
+    std::string_view rows = std::string_view(text).substr(0, end);
+    find_first_row(rows, block.first_line_, format_);
+    begin = end - rows.size();
+    end = begin + end_of_first_row(rows, format_);
+  }
   rest_.assign(text, end);
   text.resize(end);
-  block.first_line_ = line_;
   block.lines_ = static_cast<std::size_t>(std::count(text.begin(), text.end(), format_.line_end));
   line_ += block.lines_;
-  if (format_.delimiter == 0) {
-    std::string_view rows = text;
-    find_first_row(rows, block.first_line_, format_);
-    text.erase(0, text.size() - rows.size());
-  }
+  text.erase(0, begin);
   block.path_ = path_;
   block.format_ = format_;
   return true;
 }
 
 void CsvBlock::rows(const UseRow& use) const { read_rows(text_, first_line_, format_, path_, use); }
+
+void CsvBlock::rows(const CsvWanted& wanted, const UseNumbers& use_numbers, const UseRow& use_row) const {
+  NumberRows numbers(wanted, format_, use_numbers);
+  read_rows(text_, first_line_, format_, path_, use_row, &numbers);
+}
 
 void read_csv(const std::string& path, const UseRow& use) {
   CsvFile file(path);

@@ -18,7 +18,7 @@ namespace {
 class Runs {
  public:
   /// The run that the row's column names; failing that, points of equal load form one.
-  std::size_t of(std::optional<std::string_view> name, const Point& point, const Dataset& data) {
+  std::size_t of(const std::optional<std::string_view>& name, const Point& point, const Dataset& data) {
     const double load = data.has_loads ? point.P : 0;
     if (!names_.empty() && (name ? *name == names_[last_] : load == last_load_)) return last_;
     last_load_ = load;
@@ -48,30 +48,60 @@ class Runs {
   double last_load_ = 0;
 };
 
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 /// A block of rows, and what they hold.
 struct Part {
   CsvBlock block;
   std::size_t rows = 0;
   std::vector<Point> points;
+  std::vector<ToughnessPoint> converted;
+  std::vector<PointErrors> errors;
   std::vector<Excluded> excluded;
   Runs runs;
+  PointBatch batch;
 
   void clear() {
     rows = 0;
     points.clear();
     points.reserve(block.lines());
+    converted.clear();
+    errors.clear();
     excluded.clear();
     runs = {};
   }
   void row(const PointReader& reader, const Dataset& data, const CsvRow& row) {
     ++rows;
-    Point& point = points.emplace_back();
-    const std::string_view unusable = reader.read(row, point);
-    if (unusable.empty()) {
-      point.curve = runs.of(reader.run_name(row), point, data);
-    } else {
-      points.pop_back();
+    ReadPoint read;
+    const std::string_view unusable = reader.read(row, read);
+    if (!unusable.empty()) {
       excluded.push_back({row.line(), unusable});
+      return;
+    }
+    read.point.curve = runs.of(reader.run_name(row), read.point, data);
+    points.push_back(read.point);
+    if (!data.has_loads) converted.push_back(read.converted);
+    if (reader.has_errors()) errors.push_back(read.errors);
+  }
+  void numbers(const PointReader& reader, const Dataset& data, const CsvNumbers& numbers) {
+    reader.read(numbers, batch);
+    const bool has_errors = reader.has_errors();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (!batch.usable[i]) {
+        row(reader, data, numbers.row(i));
+        continue;
+      }
+      ++rows;
+      Point& point = points.emplace_back();
+      point.line = numbers.line(i);
+      point.P = batch.P[i];
+      point.T = batch.T[i];
+      point.A = batch.A[i];
+      point.curve = runs.of(reader.run_name(numbers, i), point, data);
+      if (has_errors) errors.push_back({batch.sigma_T[i], batch.sigma_A[i], 0});
     }
   }
 };
@@ -102,19 +132,25 @@ class Loader {
 
   void understand(Part& part) {
     part.clear();
-    part.block.rows([&](const CsvRow& row) {
+    const auto one = [&](const CsvRow& row) {
       if (reader_)
         part.row(*reader_, data_, row);
       else
         reader_.emplace(metadata_path_, use_, row, data_);
-    });
+    };
+    const CsvWanted* wanted = reader_ ? reader_->wanted() : nullptr;
+    if (!wanted) return part.block.rows(one);
+    part.block.rows(
+        *wanted, [&](const CsvNumbers& numbers) { part.numbers(*reader_, data_, numbers); }, one);
   }
 
   void take(const Part& part) {
     std::vector<std::size_t> run(part.runs.names().size());
     for (std::size_t i = 0; i < run.size(); ++i) run[i] = runs_.index(part.runs.names()[i], part.runs.loads()[i]);
     for (const Point& point : part.points) data_.points.emplace_back(point).curve = run[point.curve];
-    data_.excluded.insert(data_.excluded.end(), part.excluded.begin(), part.excluded.end());
+    append(data_.converted, part.converted);
+    append(data_.errors, part.errors);
+    append(data_.excluded, part.excluded);
     data_.rows += part.rows;
   }
 

@@ -9,7 +9,7 @@
 
 #include "dataset/metadata.h"
 #include "mechanics/contact.h"
-#include "mechanics/model.h"
+#include "mechanics/measurement.h"
 
 namespace mixity {
 
@@ -18,12 +18,16 @@ struct Point {
   std::size_t line;   // in the CSV
   std::size_t curve;  // index into Dataset::curves
   double P, T, A;
-  Mixity<double> mixity;
-  double ratio;                          // G_c/G_Ic > 0; 0 where there is none (PointUse::areas)
-  double sigma_T, sigma_A, sigma_ratio;  // standard errors in the units of T, A, ratio; 0 where not given
-
-  double psi() const { return phase_angle(mixity); }  // rad; figures and tables ask for it, fits do not
 };
+
+/// Standard errors in the units of T, A and the toughness ratio; 0 where not given.
+struct PointErrors {
+  double T, A, ratio;
+};
+
+/// Why a point with loads has no toughness.
+inline constexpr std::string_view kNoPhaseAngle =
+    "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists";
 
 struct Excluded {
   std::size_t line;
@@ -39,15 +43,24 @@ struct DisplayUnits {
 struct Dataset {
   std::string path, name;  // name: the file's without folder and ending
   Metadata metadata;
-  bool has_loads = false;          // (P, T, A) rather than (psi, Gc)
-  std::optional<Contact> contact;  // null if the data are dimensionless or (psi, f)
-  std::size_t rows = 0;            // data rows in the file: points + excluded
-  std::vector<Point> points;       // usable, in file order
+  bool has_loads = false;                 // (P, T, A) rather than (psi, Gc)
+  std::optional<Contact> contact;         // null if the data are dimensionless or (psi, f)
+  std::size_t rows = 0;                   // data rows in the file: points + excluded
+  std::vector<Point> points;              // usable, in file order
+  std::vector<ToughnessPoint> converted;  // of each point, if the data set has no loads
+  std::vector<PointErrors> errors;        // of each point, if the file states any
   std::vector<Excluded> excluded;
   std::vector<std::string> curves;  // names of the loading runs: the curve column, or one per load
   std::vector<double> curve_loads;  // dimensionless load of each run's first point; empty without loads
   std::vector<std::string> ignored_columns;
   DisplayUnits display;
+
+  /// What point i says of the toughness; null where its area does not exceed that of Hertz (PointUse::areas).
+  std::optional<ToughnessPoint> toughness(std::size_t i) const {
+    if (!has_loads) return converted[i];
+    return toughness_of_area(points[i].P, points[i].T, points[i].A);
+  }
+  PointErrors errors_of(std::size_t i) const { return errors.empty() ? PointErrors{} : errors[i]; }
 };
 
 /// Indices into Dataset::points, by run.

@@ -32,6 +32,7 @@ PointReader::PointReader(const std::string& metadata_path, PointUse use, const C
   data_.ignored_columns = columns_.ignored();
   require_constants(metadata_path);
   if (data_.contact) set_display();
+  if (data_.has_loads && !columns_.has(ColumnId::include)) set_wanted();
 }
 
 void PointReader::require_constants(const std::string& metadata_path) {
@@ -71,12 +72,26 @@ void PointReader::set_display() {
     throw InputError(data_.path, "the units of its columns are out of range beside radius, modulus and toughness");
 }
 
+void PointReader::set_wanted() {
+  wanted_.emplace().count = columns_.count();
+  for (std::size_t i = 0; i < kColumnCount; ++i) {
+    const Column* column = columns_.find(static_cast<ColumnId>(i));
+    if (!column) continue;
+    place_[i] = wanted_->numbers.size();
+    (column->id == ColumnId::curve ? wanted_->texts : wanted_->numbers).push_back(column->index);
+  }
+}
+
 std::optional<std::string_view> PointReader::run_name(const CsvRow& row) const {
   const Column* column = columns_.find(ColumnId::curve);
   return column ? std::optional(row[column->index]) : std::nullopt;
 }
 
-std::string_view PointReader::read(const CsvRow& row, Point& point) const {
+std::optional<std::string_view> PointReader::run_name(const CsvNumbers& rows, std::size_t i) const {
+  return columns_.has(ColumnId::curve) ? std::optional(rows.text(0, i)) : std::nullopt;
+}
+
+std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
   require_width(data_.path, row, columns_.count());
   if (const Column* include = columns_.find(ColumnId::include)) {
     const std::string_view text = row[include->index];
@@ -86,7 +101,7 @@ std::string_view PointReader::read(const CsvRow& row, Point& point) const {
     if (text == "0") return "include = 0";
   }
   point = {};
-  point.line = row.line();
+  point.point.line = row.line();
   return data_.has_loads ? read_loads(row, point) : read_toughness(row, point);
 }
 
@@ -110,7 +125,7 @@ std::string_view PointReader::standard_error(const CsvRow& row, ColumnId id, dou
   return error == 0 || in_range(error) ? std::string_view() : said_of(id, kOutOfRange);
 }
 
-std::string_view PointReader::read_loads(const CsvRow& row, Point& point) const {
+std::string_view PointReader::read_loads(const CsvRow& row, ReadPoint& read) const {
   const bool by_area = columns_.has(ColumnId::A);
   double P = 0, T = 0, size = 0;
   if (const auto unusable = number(row, ColumnId::P, P); !unusable.empty()) return unusable;
@@ -118,26 +133,62 @@ std::string_view PointReader::read_loads(const CsvRow& row, Point& point) const 
   if (const auto unusable = number(row, by_area ? ColumnId::A : ColumnId::a, size); !unusable.empty()) return unusable;
   if (T < 0) return "T < 0";
   if (size <= 0) return by_area ? "A <= 0" : "a <= 0";
+  Point& point = read.point;
   point.P = P / force_unit_;
   point.T = T / force_unit_;
-  const double a = (by_area ? std::sqrt(size / pi<double>()) : size) / length_unit_;
-  point.A = by_area ? size / (length_unit_ * length_unit_) : area_from_radius(a);
+  const double area_unit = length_unit_ * length_unit_;
+  point.A = by_area ? size / area_unit : area_from_radius(size / length_unit_);
   if (!(std::abs(point.P) <= kMostQuantity) || !(point.T <= kMostQuantity) || !in_range(point.A))
     return "P, T or A is out of range";
-  if (edge_load(a, point.P) > 0) {
-    const auto measured = measured_toughness(point.P, point.T, a);
-    if (!in_range(measured.ratio)) return "the toughness ratio is out of range";
-    point.mixity = measured.mixity;
-    point.ratio = measured.ratio;
+  const double a = radius_from_area(point.A), y = edge_load(a, point.P);
+  if (y > 0) {
+    if (!in_range(toughness_ratio(y, point.T, a))) return "the toughness ratio is out of range";
   } else if (use_ == PointUse::toughness) {
-    return "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists";
+    return kNoPhaseAngle;
   }
-  const auto unusable = standard_error(row, ColumnId::sigma_T, point.T, force_unit_, point.sigma_T);
-  return unusable.empty() ? standard_error(row, ColumnId::sigma_A, point.A, length_unit_ * length_unit_, point.sigma_A)
-                          : unusable;
+  const auto unusable = standard_error(row, ColumnId::sigma_T, point.T, force_unit_, read.errors.T);
+  return unusable.empty() ? standard_error(row, ColumnId::sigma_A, point.A, area_unit, read.errors.A) : unusable;
 }
 
-std::string_view PointReader::read_toughness(const CsvRow& row, Point& point) const {
+void PointReader::read(const CsvNumbers& rows, PointBatch& batch) const {
+  const std::size_t n = rows.size();
+  const auto scaled = [&](ColumnId id, double unit, PointBatch::Values<double>& values) {
+    const double *const in = rows.numbers(place_[static_cast<std::size_t>(id)]),
+                        factor = columns_.find(id)->unit.factor;
+    for (std::size_t i = 0; i < n; ++i) values[i] = in[i] * factor / unit;
+  };
+  const double area_unit = length_unit_ * length_unit_;
+  scaled(ColumnId::P, force_unit_, batch.P);
+  scaled(ColumnId::T, force_unit_, batch.T);
+  if (columns_.has(ColumnId::A)) {
+    scaled(ColumnId::A, area_unit, batch.A);
+  } else {
+    scaled(ColumnId::a, length_unit_, batch.A);
+    for (std::size_t i = 0; i < n; ++i) batch.A[i] = batch.A[i] > 0 ? area_from_radius(batch.A[i]) : 0;
+  }
+  toughness_ratios(batch.P.data(), batch.T.data(), batch.A.data(), batch.toughness_ratio.data(), n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double ratio = batch.toughness_ratio[i];
+    batch.usable[i] = (std::abs(batch.P[i]) <= kMostQuantity) & (batch.T[i] >= 0) & (batch.T[i] <= kMostQuantity) &
+                      in_range(batch.A[i]) & (in_range(ratio) | ((ratio < 0) & (use_ == PointUse::areas)));
+  }
+  const auto standard_errors = [&](ColumnId id, const PointBatch::Values<double>& of, double unit,
+                                   PointBatch::Values<double>& errors) {
+    errors.fill(0);
+    const Column* column = columns_.find(id);
+    if (!column) return;
+    scaled(id, column->unit.text == "%" ? 1 : unit, errors);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (column->unit.text == "%") errors[i] *= std::abs(of[i]);
+      batch.usable[i] &= errors[i] == 0 || in_range(errors[i]);
+    }
+  };
+  if (!has_errors()) return;
+  standard_errors(ColumnId::sigma_T, batch.T, force_unit_, batch.sigma_T);
+  standard_errors(ColumnId::sigma_A, batch.A, area_unit, batch.sigma_A);
+}
+
+std::string_view PointReader::read_toughness(const CsvRow& row, ReadPoint& read) const {
   const bool by_angle = columns_.has(ColumnId::psi);
   double mixity = 0, Gc = 0;
   if (const auto unusable = number(row, by_angle ? ColumnId::psi : ColumnId::mode_ratio, mixity); !unusable.empty())
@@ -145,13 +196,14 @@ std::string_view PointReader::read_toughness(const CsvRow& row, Point& point) co
   // the double next to pi/2 is what 90 degrees become
   if (mixity < 0 || mixity > (by_angle ? 1.5707963267948968 : 1))
     return by_angle ? "psi outside 0..90 degrees" : "mode_ratio outside 0..1";
+  ToughnessPoint& point = read.converted;
   point.mixity = by_angle ? mixity_from_angle(mixity) : mixity_from_mode_ratio(mixity);
   const ColumnId toughness = columns_.has(ColumnId::Gc) ? ColumnId::Gc : ColumnId::Gc_over_GIc;
   if (const auto unusable = number(row, toughness, Gc); !unusable.empty()) return unusable;
   if (Gc <= 0) return "Gc <= 0";
   point.ratio = Gc / ratio_unit_;
   if (!in_range(point.ratio)) return "the toughness ratio is out of range";
-  return standard_error(row, ColumnId::sigma_Gc, point.ratio, ratio_unit_, point.sigma_ratio);
+  return standard_error(row, ColumnId::sigma_Gc, point.ratio, ratio_unit_, read.errors.ratio);
 }
 
 }  // namespace mixity

@@ -10,6 +10,21 @@
 
 namespace mixity {
 
+/// A point, and what there may be beside it.
+struct ReadPoint {
+  Point point;
+  ToughnessPoint converted;
+  PointErrors errors;
+};
+
+/// Points of rows that come several at a time, by quantity. What is not usable is still to be read one by one.
+struct PointBatch {
+  template <class T>
+  using Values = std::array<T, CsvNumbers::kMost>;
+  Values<double> P, T, A, toughness_ratio, sigma_T, sigma_A;
+  Values<bool> usable;
+};
+
 class PointReader {
  public:
   /// Understands the header and fills in what it says of the data set: loads or toughness, scales, ignored columns.
@@ -18,23 +33,36 @@ class PointReader {
 
   /// Reads a row into a point whose run is left open. Empty, or why the row cannot be used. Throws InputError for a row
   /// that cannot be understood. Several threads may read rows at once.
-  std::string_view read(const CsvRow& row, Point& point) const;
+  std::string_view read(const CsvRow& row, ReadPoint& point) const;
 
+  /// The fields that rows must bring to be read several at a time; null if this kind of file is read one by one.
+  const CsvWanted* wanted() const { return wanted_ ? &*wanted_ : nullptr; }
+  /// The same points as read() makes of each row, if it makes one.
+  void read(const CsvNumbers& rows, PointBatch& batch) const;
+
+  /// Whether the file has a column of standard errors.
+  bool has_errors() const {
+    return columns_.has(ColumnId::sigma_T) || columns_.has(ColumnId::sigma_A) || columns_.has(ColumnId::sigma_Gc);
+  }
   /// What the header's column names the row's run; null without such a column.
   std::optional<std::string_view> run_name(const CsvRow& row) const;
+  std::optional<std::string_view> run_name(const CsvNumbers& rows, std::size_t i) const;
 
  private:
   void require_constants(const std::string& metadata_path);
   void set_display();
+  void set_wanted();
   // Each reads what its last argument takes, and says why there is none; empty if there is.
   std::string_view number(const CsvRow& row, ColumnId id, double& value) const;
   std::string_view standard_error(const CsvRow& row, ColumnId id, double of, double unit, double& error) const;
-  std::string_view read_loads(const CsvRow& row, Point& point) const;
-  std::string_view read_toughness(const CsvRow& row, Point& point) const;
+  std::string_view read_loads(const CsvRow& row, ReadPoint& point) const;
+  std::string_view read_toughness(const CsvRow& row, ReadPoint& point) const;
 
   Dataset& data_;  // for the constants; changed by the constructor only
   PointUse use_;
   Columns columns_;
+  std::optional<CsvWanted> wanted_;
+  std::array<std::size_t, kColumnCount> place_{};             // of a column among the wanted numbers
   double force_unit_ = 1, length_unit_ = 1, ratio_unit_ = 1;  // SI units in one of those of a point
 };
 

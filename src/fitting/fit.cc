@@ -47,14 +47,15 @@ std::vector<double> toughness_weights(const Dataset& data, const FitOptions& opt
   std::vector<double> weights;
   for (const std::size_t i : prepared.used) {
     const Point& point = data.points[i];
-    double error = point.sigma_ratio / point.ratio;
+    const double ratio = data.toughness(i)->ratio;
+    double error = data.errors_of(i).ratio / ratio;
     if (data.has_loads) {
       const double sigma_T = prepared.errors->T[i], sigma_A = prepared.errors->A[i];
       const auto r = ToughnessResiduals<Model>(p, point.P, 0)({point.P, point.T, point.A, sigma_T, sigma_A});
       double by_T = r->T, by_A = r->A;  // of ln f_model - ln f
       if (options.scale == Scale::linear) {
         // d(f_model - f) = f_model d(ln f_model - ln f) + (f_model - f) d(ln f), here over f
-        const double a = std::sqrt(point.A / pi<double>()), y = edge_load(a, point.P), y_A = 2 * a / pi<double>();
+        const double a = radius_from_area(point.A), y = edge_load(a, point.P), y_A = 2 * a / pi<double>();
         const double square = y * y + point.T * point.T, growth = std::expm1(r->value);
         by_T = (1 + growth) * by_T + growth * 2 * point.T / square;
         by_A = (1 + growth) * by_A + growth * y_A * (2 * y / square - 1 / (y + point.P));
@@ -62,7 +63,7 @@ std::vector<double> toughness_weights(const Dataset& data, const FitOptions& opt
       error = std::hypot(by_T * sigma_T, by_A * sigma_A);
     }
     if (!(error > 0)) throw InputError(data.path, point.line, 0, "this point has no standard error (sigma_Gc is 0)");
-    weights.push_back(1 / (options.scale == Scale::log ? error : error * point.ratio));
+    weights.push_back(1 / (options.scale == Scale::log ? error : error * ratio));
   }
   return weights;
 }
@@ -134,7 +135,7 @@ class Fitter {
     const std::size_t every = prepared_.used.size() / kEnough + 1;
     std::vector<std::size_t> points;
     for (std::size_t i = 0; i < prepared_.used.size(); i += every)
-      if (data_.points[prepared_.used[i]].ratio > 0) points.push_back(prepared_.used[i]);
+      if (data_.toughness(prepared_.used[i])) points.push_back(prepared_.used[i]);
     FitOptions toughness = value_only(options_);
     toughness.objective = Objective::toughness;
     toughness.scale = Scale::log;

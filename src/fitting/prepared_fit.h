@@ -56,11 +56,12 @@ PreparedFit<Model> prepare(const Dataset& data, const FitOptions& options, const
   static const std::string kInfinite =
       "model " + std::string(Model::info.key) + " has an infinite toughness at this psi";
   const auto consider = [&](std::size_t i) {
-    const Point& point = data.points[i];
-    if (options.objective != Objective::toughness || describes<Model>(point.mixity))
+    const auto toughness =
+        options.objective == Objective::toughness ? data.toughness(i) : std::optional<ToughnessPoint>();
+    if (options.objective != Objective::toughness || (toughness && describes<Model>(toughness->mixity)))
       prepared.used.push_back(i);
     else
-      prepared.excluded.push_back({point.line, kInfinite});
+      prepared.excluded.push_back({data.points[i].line, toughness ? std::string_view(kInfinite) : kNoPhaseAngle});
   };
   if (points)
     for (const std::size_t i : *points) consider(i);
@@ -139,8 +140,7 @@ std::unique_ptr<ModelProblem<Model>> experiment(const std::vector<MeasuredPoint>
   std::vector<double> targets, weights;
   for (const MeasuredPoint& point : points) {
     if (toughness) {
-      const auto measured = measured_toughness(point.P, point.T, std::sqrt(point.A / pi<double>()));
-      targets.push_back(std::log(measured.ratio));
+      targets.push_back(std::log(toughness_of_area(point.P, point.T, point.A)->ratio));
       weights.push_back(1);
     } else {
       targets.push_back(point.A / point.sigma_A);
@@ -163,7 +163,7 @@ std::unique_ptr<ModelProblem<Model>> make_problem(const Dataset& data, const Fit
   if (options.objective == Objective::toughness && !corrected) {
     std::vector<ToughnessPoint> points;
     points.reserve(prepared.used.size());
-    for (const std::size_t i : prepared.used) points.push_back({data.points[i].mixity, data.points[i].ratio});
+    for (const std::size_t i : prepared.used) points.push_back(*data.toughness(i));
     problem = std::make_unique<ToughnessObjective<Model>>(std::move(points), options.scale, choice, std::move(weights));
   } else {
     const std::vector<MeasuredPoint> points = measured_points(data, prepared);

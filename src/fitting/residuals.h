@@ -36,7 +36,7 @@ class ToughnessResiduals {
   ToughnessResiduals(const Parameters<Model>& p, double P, double) : p_(p), P_(P) {}
 
   std::optional<PointResidual<Model>> operator()(const MeasuredPoint& point) const {
-    const double a = std::sqrt(point.A / pi<double>()), y = edge_load(a, P_), sum = y + P_;
+    const double a = radius_from_area(point.A), y = edge_load(a, P_), sum = y + P_;
     if (!(y > 0)) return std::nullopt;
     const EquilibriumGradient<Model> F = equilibrium_gradient<Model>(p_, P_, point.T, y);
     PointResidual<Model> r;

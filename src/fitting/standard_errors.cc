@@ -73,14 +73,14 @@ std::string_view to_string(ErrorSource source) {
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
                                const std::optional<StatedError>& sigma_A) {
   const auto any = [&](auto member) {
-    return std::any_of(data.points.begin(), data.points.end(), [&](const Point& p) { return p.*member > 0; });
+    return std::any_of(data.errors.begin(), data.errors.end(), [&](const PointErrors& e) { return e.*member > 0; });
   };
   const Stated stated_T =
       understand(data, "sigma_T", sigma_T, dimension::force, data.contact ? data.contact->force_unit() : 1);
   const Stated stated_A =
       understand(data, "sigma_A", sigma_A, dimension::area, data.contact ? data.contact->area_unit() : 1);
   StandardErrors errors;
-  const bool has_A = sigma_A || any(&Point::sigma_A), has_T = sigma_T || any(&Point::sigma_T);
+  const bool has_A = sigma_A || any(&PointErrors::A), has_T = sigma_T || any(&PointErrors::T);
   errors.source_A = sigma_A ? ErrorSource::stated : has_A ? ErrorSource::columns : ErrorSource::scatter;
   errors.source_T = sigma_T ? ErrorSource::stated
                     : has_T ? ErrorSource::columns
@@ -100,9 +100,11 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
     }
     return 0.0;
   };
-  for (const Point& point : data.points) {
-    errors.T.push_back(error(errors.source_T, stated_T, point.T, point.sigma_T));
-    errors.A.push_back(error(errors.source_A, stated_A, point.A, point.sigma_A));
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const Point& point = data.points[i];
+    const PointErrors columns = data.errors_of(i);
+    errors.T.push_back(error(errors.source_T, stated_T, point.T, columns.T));
+    errors.A.push_back(error(errors.source_A, stated_A, point.A, columns.A));
     if (!(errors.A.back() > 0))
       throw InputError(data.path, point.line, 0, "this point has no standard error of its area (sigma_A is 0)");
   }

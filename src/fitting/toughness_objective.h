@@ -7,17 +7,12 @@
 
 #include "fitting/model_problem.h"
 #include "fitting/packed_toughness.h"
+#include "mechanics/measurement.h"
 
 namespace mixity {
 
 enum class Scale { log, linear };
 constexpr std::string_view to_string(Scale scale) { return scale == Scale::log ? "log" : "linear"; }
-
-/// What the objective needs of a point.
-struct ToughnessPoint {
-  Mixity<double> mixity;
-  double ratio;  // G_c/G_Ic > 0
-};
 
 template <class Model>
 class ToughnessObjective final : public ModelProblem<Model> {

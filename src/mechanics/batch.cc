@@ -32,14 +32,6 @@ inline double area_of(double load) {
 
 }  // namespace
 
-// Four lanes where the processor has them, two elsewhere, chosen when the program starts: before a sanitizer is ready.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define MIXITY_LANES __attribute__((target_clones("avx2", "default")))
-#else
-#define MIXITY_LANES
-#endif
-
 MIXITY_LANES void areas_from_loads(std::span<double> loads) {
   double* const load = loads.data();
   const std::size_t n = loads.size();

@@ -80,4 +80,10 @@ S area_from_radius(const S& a) {
   return pi<S>() * a * a;
 }
 
+template <class S>
+S radius_from_area(const S& A) {
+  using std::sqrt;
+  return sqrt(A / pi<S>());
+}
+
 }  // namespace mixity

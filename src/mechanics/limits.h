@@ -27,7 +27,7 @@ std::optional<double> shear_sensitivity(const Parameters<Model>& p, double P) {
 /// The load at which JKR has area A0 on its stable branch: with h = 4/3 a^3, h = P + 3 pi + S0 gives
 /// P = h - sqrt(6 pi h). A0 must be at least that at pull-off, 4/3 a^3 = 3 pi/2.
 inline std::optional<double> jkr_load(double A0) {
-  const double a = std::sqrt(A0 / pi<double>()), h = 4.0 / 3 * a * a * a;
+  const double a = radius_from_area(A0), h = 4.0 / 3 * a * a * a;
   if (!(h >= 1.5 * pi<double>())) return std::nullopt;
   return h - std::sqrt(6 * pi<double>() * h);
 }

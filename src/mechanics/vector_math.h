@@ -21,4 +21,11 @@ __attribute__((simd("notinbranch"))) double atan(double) noexcept;
 #define MIXITY_WIDE
 #define MIXITY_HAS_WIDE false
 #endif
+// The same for one function, chosen when the program starts: before a sanitizer is ready.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define MIXITY_LANES __attribute__((target_clones("avx2", "default")))
+#else
+#define MIXITY_LANES
+#endif
 #define MIXITY_LOOP inline __attribute__((always_inline))

@@ -76,9 +76,10 @@ void write_residuals(std::ostringstream& out, const JobResult& result, const Fra
   for (const FitResult& fit : result.fits)
     for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
       const Point& point = data.points[fit.used[i]];
+      const auto toughness = data.toughness(fit.used[i]);
       out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << ',' << point.line << ','
           << csv_field(data.curves[point.curve]) << ','
-          << (point.ratio > 0 ? shortest(point.psi()) + ',' + shortest(point.ratio) : ",") << ','
+          << (toughness ? shortest(toughness->psi()) + ',' + shortest(toughness->ratio) : ",") << ','
           << shortest(fit.residuals[i]);
       if (data.has_loads) {
         out << ',' << shortest(point.P * units.force_scale) << ',' << shortest(point.T * units.force_scale) << ','

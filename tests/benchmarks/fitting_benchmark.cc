@@ -16,7 +16,7 @@ const Dataset& mergel() {
 template <class Model>
 ToughnessObjective<Model> objective() {
   std::vector<ToughnessPoint> points;
-  for (const Point& point : mergel().points) points.push_back({point.mixity, point.ratio});
+  for (std::size_t i = 0; i < mergel().points.size(); ++i) points.push_back(*mergel().toughness(i));
   return {std::move(points), Scale::log, FreeChoice<Model>({{0.15}, {}}, {})};
 }
 

@@ -142,7 +142,7 @@ TEST(LeaveOneLoadOut, CountsWhatLiesBeyondTheFold) {
   Dataset data = noisy(5);
   // a point 20 % beyond the fold of its run, where only the fold's area can stand for the model's
   const double T = 1.2 * shear_to_lose_area<PapangeloCiavarella>({0.15}, 3);
-  data.points.push_back(point_at(60, 1, 3, T, 15));
+  data.points.push_back({60, 1, 3, T, 15});
   const auto found = leave_one_load_out(data, fit_model(data, "c", area_options()), area_options());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->beyond_fold, 1u);
@@ -214,7 +214,7 @@ TEST(PerCurve, HasNoTestOfASingleRun) {
 /// A freed constant belongs to the experiment: every run is fitted with the value that all of them together want.
 TEST(PerCurve, SharesTheConstantsThatAreFree) {
   Dataset data = runs_of(0.15, 0.15, 8);
-  for (Point& p : data.points) p = point_at(p.line, p.curve, p.P, p.T, p.A + 0.5);
+  for (Point& p : data.points) p = {p.line, p.curve, p.P, p.T, p.A + 0.5};
   FitOptions options = area_options();
   options.free = {kAreaOffset};
   const FitResult whole = fit_model(data, "c", options);

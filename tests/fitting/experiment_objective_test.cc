@@ -172,10 +172,7 @@ TYPED_TEST(ExperimentJacobian, ToughnessResidualIsThatOfThePhaseAngles) {
   const Parameters<TypeParam> p = cases<TypeParam>()[0];
   std::vector<ToughnessPoint> converted;
   const auto measured = points<TypeParam>(p);
-  for (const MeasuredPoint& q : measured) {
-    const auto toughness = measured_toughness(q.P, q.T, std::sqrt(q.A / pi<double>()));
-    converted.push_back({toughness.mixity, toughness.ratio});
-  }
+  for (const MeasuredPoint& q : measured) converted.push_back(*toughness_of_area(q.P, q.T, q.A));
   const ToughnessObjective<TypeParam> plain(converted, Scale::log, FreeChoice<TypeParam>({p, {}}, {}));
   const FreeChoice<TypeParam> choice({p, {}}, {});
   const auto loaded = objective<TypeParam, ToughnessResiduals>(measured, choice);

@@ -46,7 +46,7 @@ TEST(ManyBasins, OkIsTheLowest) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     SeededNoise of_A(seed, 0.003), of_T(seed + 1000, 0.02);
     Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 2, 5, 10, 20, 40}, 25, 0.999, of_A);
-    for (Point& p : data.points) p = point_at(p.line, p.curve, p.P, p.T * (1 + of_T()), p.A);
+    for (Point& p : data.points) p = {p.line, p.curve, p.P, p.T * (1 + of_T()), p.A};
     const UnitCase at("seed " + std::to_string(seed), "c", data);
     const BestValue best = best_value<PapangeloCiavarella>(at.in(unit), 1200);
     EXPECT_GT(best.minima, 1);

@@ -59,7 +59,7 @@ TEST(ExactRuns, GiveBothParametersOfTheTwoParameterLawBack) {
 Dataset misdescribed(const Dataset& right, double toughness, double modulus) {
   Dataset data = right;
   for (Point& p : data.points)
-    p = point_at(p.line, p.curve, p.P / toughness, p.T / toughness, p.A * std::pow(modulus / toughness, 2.0 / 3));
+    p = {p.line, p.curve, p.P / toughness, p.T / toughness, p.A * std::pow(modulus / toughness, 2.0 / 3)};
   for (double& P : data.curve_loads) P /= toughness;
   return data;
 }
@@ -86,7 +86,7 @@ TYPED_TEST(ExactRuns, GiveToughnessAndModulusBackWhenTheyAreFree) {
 /// Offsets, too: loads read 0.3 too small and areas 0.4 too large.
 TYPED_TEST(ExactRuns, GiveOffsetsBackWhenTheyAreFree) {
   Dataset data = synthetic_runs<TypeParam>({0.15}, {1, 5, 30}, 8);
-  for (Point& p : data.points) p = point_at(p.line, p.curve, p.P - 0.3, p.T, p.A + 0.4);
+  for (Point& p : data.points) p = {p.line, p.curve, p.P - 0.3, p.T, p.A + 0.4};
   for (const Objective objective : {Objective::area, Objective::curve}) {
     const FitResult fit = fit_model(data, TypeParam::info.key, with(objective, {kLoadOffset, kAreaOffset}));
     EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << fit.message;

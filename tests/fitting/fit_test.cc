@@ -34,7 +34,7 @@ TEST(Fit, EndsAtTheZeroOfTheGradientHoweverLargeTheResiduals) {
                                                         [&](std::size_t i) { return noise * scatter(i); });
     const auto gradient = [&](double l) {
       double sum = 0;
-      for (const Point& point : data.points) {
+      for (const ToughnessPoint& point : data.converted) {
         const double c2 = std::pow(std::cos(point.psi()), 2), s2 = std::pow(std::sin(point.psi()), 2);
         sum += (-std::log(c2 + l * s2) - std::log(point.ratio)) * -s2 / (c2 + l * s2);
       }
@@ -145,11 +145,8 @@ TEST(Minimise, DoesNotCallTheStartAMinimumWhenResidualsAreTiny) {
 
 TEST(Fit, LeavesOutWhatAModelCannotDescribeAndSaysSo) {
   Dataset data = synthetic<PapangeloCiavarella>({0.3}, {0.0, 0.4, 0.8, 1.2});
-  Point shear{};
-  shear.line = 6;
-  shear.mixity = {0, 1};
-  shear.ratio = 1 / 0.3;
-  data.points.push_back(shear);
+  data.points.push_back({6, 0, 0, 0, 0});
+  data.converted.push_back({{0, 1}, 1 / 0.3});
   const FitResult a = fit_model(data, "a"), c = fit_model(data, "c");
   ASSERT_EQ(a.excluded.size(), 1u);
   EXPECT_EQ(a.excluded[0].line, 6u);

@@ -69,7 +69,7 @@ TEST(IllConditioned, LambdaNextToOneIsFoundToItsLastDigits) {
     EXPECT_TRUE(fit.parameters[0].stderr_) << distance;
     const auto cost = [&](const truth::Digits50& lambda) {
       truth::Digits50 sum = 0;
-      for (const Point& point : data.points) {
+      for (const ToughnessPoint& point : data.converted) {
         const truth::Digits50 t = truth::Digits50(point.mixity.sin) / point.mixity.cos;
         const truth::Digits50 r = log(truth::Digits50(1 + (1 - lambda) * t * t)) - log(truth::Digits50(point.ratio));
         sum += r * r;

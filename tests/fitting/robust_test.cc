@@ -150,7 +150,7 @@ TEST(Robust, OutliersMoveAFitLessThanLeastSquares) {
     Dataset spoilt = clean;
     for (std::size_t i = 0; i < 10; ++i) {
       const Point& p = clean.points[9 * i + 4];
-      spoilt.points[9 * i + 4] = point_at(p.line, p.curve, p.P, p.T, 1.3 * p.A);
+      spoilt.points[9 * i + 4] = {p.line, p.curve, p.P, p.T, 1.3 * p.A};
     }
     const auto moved = [&](Loss loss) {
       return std::abs(*fit_model(spoilt, "c", area_with(loss)).parameters[0].value -

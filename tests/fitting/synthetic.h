@@ -19,11 +19,9 @@ Dataset synthetic(
   data.path = data.name = "synthetic";
   data.curves = {""};
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    Point point{};
-    point.line = i + 2;
-    point.mixity = mixity_from_angle(angles[i]);
-    point.ratio = std::exp(Model::log_toughness(p, point.mixity).value + noise(i));
-    data.points.push_back(point);
+    const auto mixity = mixity_from_angle(angles[i]);
+    data.points.push_back({i + 2, 0, 0, 0, 0});
+    data.converted.push_back({mixity, std::exp(Model::log_toughness(p, mixity).value + noise(i))});
   }
   data.rows = angles.size();
   return data;

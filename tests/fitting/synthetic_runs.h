@@ -10,7 +10,6 @@
 
 #include "dataset/dataset.h"
 #include "mechanics/equilibrium.h"
-#include "mechanics/measurement.h"
 #include "mechanics/registry.h"
 
 namespace mixity {
@@ -20,22 +19,6 @@ template <class Model>
 double shear_to_lose_area(const Parameters<Model>& p, double P) {
   const double fold = LoadedContact<Model>(p, P).branches().front().T_bottom, w = Model::small_shear(p);
   return std::min(fold, circle_radius(P) / std::sqrt(w > 0 && w < 1 ? w : 1.0));
-}
-
-/// A point with everything that follows from its loads and area: above the Hertz area phase angle and toughness, too.
-inline Point point_at(std::size_t line, std::size_t curve, double P, double T, double A) {
-  Point point{};
-  point.line = line;
-  point.curve = curve;
-  point.P = P;
-  point.T = T;
-  point.A = A;
-  const double a = std::sqrt(A / pi<double>());
-  if (!(edge_load(a, P) > 0)) return point;
-  const auto measured = measured_toughness(P, T, a);
-  point.mixity = measured.mixity;
-  point.ratio = measured.ratio;
-  return point;
 }
 
 inline Dataset empty_runs() {
@@ -58,7 +41,7 @@ void add_run(
   for (std::size_t i = 0; i < n; ++i) {
     const double T = T_last * static_cast<double>(i) / static_cast<double>(n - 1);
     const double A = area_from_radius(radius_from_edge_load(contact.at(T).y, P)) * (1 + noise());
-    data.points.push_back(point_at(data.points.size() + 2, curve, P, T, A));
+    data.points.push_back({data.points.size() + 2, curve, P, T, A});
   }
   data.rows = data.points.size();
 }

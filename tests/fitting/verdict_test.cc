@@ -58,8 +58,7 @@ TEST(RoundedData, ConvergeWhateverTheirDigits) {
     for (const double lambda : {0.01, 0.15, 0.4, 0.8})
       for (const Objective objective : {Objective::toughness, Objective::area, Objective::curve}) {
         Dataset data = synthetic_runs<PapangeloCiavarella>({lambda}, {0.5, 5, 20}, 12, 0.9);
-        for (Point& p : data.points)
-          p = point_at(p.line, p.curve, p.P, rounded_to(p.T, digits), rounded_to(p.A, digits));
+        for (Point& p : data.points) p = {p.line, p.curve, p.P, rounded_to(p.T, digits), rounded_to(p.A, digits)};
         FitOptions options{.objective = objective};
         const FitResult fit = fit_model(data, "c", options);
         const std::string where =
@@ -74,7 +73,7 @@ TEST(RoundedData, ConvergeWhateverTheirDigits) {
 /// none.
 TEST(ExtremeShear, EndsAnIntervalOpenAndNotNever) {
   Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {1, 5}, 6, 0.5);
-  for (Point& p : data.points) p = point_at(p.line, p.curve, p.P, 1e150, p.A);
+  for (Point& p : data.points) p = {p.line, p.curve, p.P, 1e150, p.A};
   for (const Objective objective : {Objective::area, Objective::curve}) {
     const FitResult fit = fit_model(data, "c", with(objective, "1%"));
     EXPECT_NE(fit.status, FitStatus::ok) << to_string(objective);
@@ -92,7 +91,7 @@ void expect_global_under_cauchy(unsigned seed) {
   Dataset data = synthetic_runs<WatersGuduru>({0.3}, {0.5, 5, 20}, 20, 0.9, noise);
   for (std::size_t i = seed % 5; i < data.points.size(); i += 6) {
     const Point& p = data.points[i];
-    data.points[i] = point_at(p.line, p.curve, p.P, p.T, p.A * (1.1 + 0.05 * static_cast<double>(i % 7)));
+    data.points[i] = {p.line, p.curve, p.P, p.T, p.A * (1.1 + 0.05 * static_cast<double>(i % 7))};
   }
   const FitOptions options{.objective = Objective::area,
                            .sigma_T = *parse_quantity("1%"),
@@ -127,7 +126,7 @@ TEST(RobustLoss, FindsWhatOutliersHideFromLeastSquares) {
   Dataset data = synthetic_runs<PapangeloCiavarella>({0.3}, {0.5, 5}, 8, 0.3, noise);
   for (const std::size_t i : {2u, 9u, 13u}) {
     const Point& p = data.points[i];
-    data.points[i] = point_at(p.line, p.curve, p.P, p.T, 1.6 * p.A);
+    data.points[i] = {p.line, p.curve, p.P, p.T, 1.6 * p.A};
   }
   const auto fit_with = [&](Loss loss) {
     return fit_model(data, "c", {.objective = Objective::area, .loss = loss, .intervals = false});
@@ -208,8 +207,8 @@ TEST(Weighted, LinearScaleWeighsTheDifferenceItself) {
   ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
   const double lambda = *fit.parameters[0].value;
   const auto difference = [](double l, double P, double T, double A) {
-    const auto measured = measured_toughness(P, T, std::sqrt(A / pi<double>()));
-    return std::exp(PapangeloCiavarella::log_toughness({l}, measured.mixity).value) - measured.ratio;
+    const auto measured = toughness_of_area(P, T, A);
+    return std::exp(PapangeloCiavarella::log_toughness({l}, measured->mixity).value) - measured->ratio;
   };
   double slope = 0, size = 0;
   for (std::size_t i = 0; i < data.points.size(); ++i) {

@@ -87,14 +87,57 @@ void check_metadata(const Metadata& metadata) {
   if (metadata.poisson_ratio) promise(*metadata.poisson_ratio >= 0 && *metadata.poisson_ratio <= 0.5, "poisson_ratio");
 }
 
-void check_data(const Dataset& data) {
+/// Rows that come as numbers are those that come one by one.
+void check_numbers(const std::string& path) {
+  CsvFile file(path);
+  std::size_t fields = 0;
+  for (CsvBlock block; file.next(block);) {
+    std::vector<std::pair<std::size_t, std::vector<std::string>>> rows;
+    block.rows([&](const CsvRow& row) {
+      rows.push_back({row.line(), {}});
+      for (std::size_t i = 0; i < row.size(); ++i) rows.back().second.emplace_back(row[i]);
+    });
+    if (fields == 0 && !rows.empty()) fields = rows.front().second.size();
+    if (fields == 0) continue;
+    CsvWanted wanted{{}, {}, fields};
+    for (std::size_t i = 0; i < fields; ++i) (i % 4 == 3 ? wanted.texts : wanted.numbers).push_back(i);
+    std::size_t at = 0;
+    const auto next = [&](std::size_t line) -> const std::vector<std::string>& {
+      promise(at < rows.size() && rows[at].first == line, "each row comes once and in order", path);
+      return rows[at++].second;
+    };
+    block.rows(
+        wanted,
+        [&](const CsvNumbers& numbers) {
+          for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const auto& row = next(numbers.line(i));
+            promise(row.size() == fields, "a row of numbers is whole");
+            for (std::size_t k = 0; k < wanted.numbers.size(); ++k)
+              promise(parse_number(row[wanted.numbers[k]]) == numbers.numbers(k)[i], "a number is what its text says");
+            for (std::size_t k = 0; k < wanted.texts.size(); ++k)
+              promise(row[wanted.texts[k]] == numbers.text(k, i), "a text is the field's");
+          }
+        },
+        [&](const CsvRow& row) { promise(row.size() == next(row.line()).size(), "a row is itself"); });
+    promise(at == rows.size(), "no row is left out");
+  }
+}
+
+void check_data(const Dataset& data, PointUse use) {
   check_metadata(data.metadata);
   promise(data.points.size() + data.excluded.size() == data.rows && data.rows > 0, "each row is used or excluded");
-  for (const Point& point : data.points) {
-    for (const double value : {point.P, point.T, point.A, point.psi(), point.ratio, point.mixity.cos, point.mixity.sin,
-                               point.sigma_T, point.sigma_A, point.sigma_ratio})
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const Point& point = data.points[i];
+    const PointErrors errors = data.errors_of(i);
+    for (const double value : {point.P, point.T, point.A, errors.T, errors.A, errors.ratio})
       promise(std::isfinite(value), "an accepted point is finite");
-    promise(point.psi() >= 0 && point.psi() < 1.5708, "psi lies in 0..90 degrees");
+    const auto toughness = data.toughness(i);
+    promise(toughness || use == PointUse::areas, "a point read for its toughness has one");
+    if (toughness) {
+      for (const double value : {toughness->ratio, toughness->mixity.cos, toughness->mixity.sin})
+        promise(std::isfinite(value), "what is known of the toughness is finite");
+      promise(toughness->psi() >= 0 && toughness->psi() < 1.5708, "psi lies in 0..90 degrees");
+    }
     promise(point.curve < data.curves.size(), "a point belongs to a run");
     if (data.has_loads) promise(point.T >= 0 && point.A > 0, "T is not negative and A positive");
   }
@@ -108,7 +151,8 @@ void check_dataset(std::string_view text) {
   const auto [toml, csv] = cut(text, "\n---\n");
   const std::string &path = table.hold(csv), &beside = metadata.hold(toml);
   for (const PointUse use : {PointUse::toughness, PointUse::areas})
-    accepts({path + ":", beside + ":"}, [&] { check_data(load_dataset(path, {}, use)); });
+    accepts({path + ":", beside + ":"}, [&] { check_data(load_dataset(path, {}, use), use); });
+  accepts({path + ":"}, [&] { check_numbers(path); });
 }
 
 void check_peaks(std::string_view text) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "mechanics/measurement.h"
 #include "mechanics/printed_equation.h"
@@ -48,6 +50,26 @@ TEST(Measurement, InvertsAJkrPoint) {
     EXPECT_NEAR(measured.ratio, 1, 1e-13);  // y = 4/3 a^3 - P loses a digit or two
     EXPECT_EQ(measured.mixity.sin, 0);
   }
+}
+
+TEST(Measurement, OfManyPointsAtOnceIsThatOfEach) {
+  std::vector<double> P, T, A;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> decades(-20, 20);
+  for (int i = 0; i < 10007; ++i) {
+    P.push_back((i % 3 - 1) * std::pow(10, decades(random)));
+    T.push_back(i % 5 == 0 ? 0 : std::pow(10, decades(random)));
+    A.push_back(std::pow(10, decades(random)));
+  }
+  std::vector<double> ratios(P.size());
+  toughness_ratios(P.data(), T.data(), A.data(), ratios.data(), ratios.size());
+  std::size_t none = 0;
+  for (std::size_t i = 0; i < P.size(); ++i) {
+    const auto one = toughness_of_area(P[i], T[i], A[i]);
+    none += !one;
+    ASSERT_EQ(ratios[i], one ? one->ratio : -1) << P[i] << ' ' << T[i] << ' ' << A[i];
+  }
+  EXPECT_GT(none, 1000);
 }
 
 TEST(Mixity, KeepsFullAccuracyAtBothEnds) {

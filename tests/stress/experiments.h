@@ -57,10 +57,8 @@ Experiment random_experiment(Random& random) {
       const double T_measured = curve ? std::max(T + sigma_T * normal(random), 0.0) : T;
       const double A_measured = std::max(A + sigma_A * normal(random), 0.1 * A);
       const auto line = data.points.size() + 2, curve_index = static_cast<std::size_t>(run);
-      Point point = point_at(line, curve_index, P, T_measured, A_measured);
-      point.sigma_A = sigma_A;
-      point.sigma_T = curve ? sigma_T : 0;
-      data.points.push_back(point);
+      data.points.push_back({line, curve_index, P, T_measured, A_measured});
+      data.errors.push_back({curve ? sigma_T : 0, sigma_A, 0});
     }
   }
   data.rows = data.points.size();
@@ -98,11 +96,14 @@ double experiment_cost(const Experiment& experiment, const Parameters<Model>& p,
   const double force = std::exp(-log_factor), area = std::exp(-2.0 / 3 * log_factor);
   const bool curve = experiment.options.objective == Objective::curve;
   double T_most = 0, sum = 0;
-  for (const Point& point : experiment.data.points) T_most = std::max(T_most, force * (point.T + 10 * point.sigma_T));
+  const Dataset& data = experiment.data;
+  for (std::size_t k = 0; k < data.points.size(); ++k)
+    T_most = std::max(T_most, force * (data.points[k].T + 10 * data.errors[k].T));
   std::map<double, std::pair<LoadedContact<Model>, std::vector<CurvePoint>>> of_load;
-  for (const Point& point : experiment.data.points) {
+  for (std::size_t k = 0; k < data.points.size(); ++k) {
+    const Point& point = data.points[k];
     const double P = point.P * force, T = point.T * force, A = point.A * area;
-    const double sigma_T = point.sigma_T * force, sigma_A = point.sigma_A * area;
+    const double sigma_T = data.errors[k].T * force, sigma_A = data.errors[k].A * area;
     auto found = of_load.find(P);
     if (found == of_load.end()) {
       found = of_load.emplace(P, std::pair(LoadedContact<Model>(p, P), std::vector<CurvePoint>{})).first;

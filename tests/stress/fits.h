@@ -52,7 +52,7 @@ class PrintedCost {
   double operator()(const std::vector<double>& p) const {
     double sum = 0;
     for (const std::size_t i : fit_.used) {
-      const Point& point = data_.points[i];
+      const ToughnessPoint& point = data_.converted[i];
       const double r = printed_log_toughness(fit_.model, p, point.psi()) - std::log(point.ratio);
       sum += r * r;
     }
@@ -153,8 +153,8 @@ inline std::string wrong_with_fit(const Dataset& data, const FitResult& fit, dou
   // Roundings of the printed law: tan psi towards pi/2 magnifies that of psi.
   double steepest = 0, size = 0;
   for (const std::size_t i : fit.used) {
-    steepest = std::max(steepest, std::tan(data.points[i].psi()));
-    size = std::max(size, std::abs(std::log(data.points[i].ratio)));
+    steepest = std::max(steepest, std::tan(data.converted[i].psi()));
+    size = std::max(size, std::abs(std::log(data.converted[i].ratio)));
   }
   const double count = static_cast<double>(n), of_one = 1e-15 * (1 + steepest + size),
                rounding = count * of_one * (2 * std::sqrt(lowest.cost / count) + of_one);

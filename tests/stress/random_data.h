@@ -72,13 +72,11 @@ inline RandomData random_data(Random& random, Kind kind, std::size_t n) {
     const double log_f = kind == Kind::right_angle ? uniform(random, 0, 5) : printed_log_toughness(model, here, psi);
     // in units of what there is to see, at small angles
     const double scatter = noise * (kind == Kind::small ? std::max(last * last, 1e-16) : 1);
-    Point point{};
-    point.line = i + 2;
-    point.mixity = mixity_from_angle(psi);
-    point.ratio = std::exp(std::clamp(log_f + scatter * normal(random), -300.0, 300.0));
-    data.points.push_back(point);
+    data.points.push_back({i + 2, 0, 0, 0, 0});
+    data.converted.push_back(
+        {mixity_from_angle(psi), std::exp(std::clamp(log_f + scatter * normal(random), -300.0, 300.0))});
   }
-  if (kind == Kind::outlier) data.points[random() % n].ratio = std::exp(1e6 * noise);
+  if (kind == Kind::outlier) data.converted[random() % n].ratio = std::exp(1e6 * noise);
   data.rows = n;
   result.what = std::string(kNames[static_cast<int>(kind)]) + ", model " + model;
   for (const double value : law) result.what += " " + shortest(value);

@@ -57,7 +57,7 @@ class AreaFigures {
       const Point& point = data_.points[i];
       const double T = point.T * units_.force, A = point.A * units_.area;
       series.points.emplace_back(T, A);
-      series.hover.push_back(point_hover(data_, point));
+      series.hover.push_back(point_hover(data_, i));
       if (!errors) continue;
       const double dT = errors->T[i] * units_.force, dA = errors->A[i] * units_.area;
       series.bars.push_back({T - dT, T + dT, A - dA, A + dA});

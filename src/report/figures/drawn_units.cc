@@ -30,7 +30,8 @@ std::string with_unit(double value, int digits, const std::string& unit) {
   return rounded(value, digits) + unit_text(unit);
 }
 
-std::string point_hover(const Dataset& data, const Point& point) {
+std::string point_hover(const Dataset& data, std::size_t i) {
+  const Point& point = data.points[i];
   const DisplayUnits& units = data.display;
   std::string text = "line " + std::to_string(point.line);
   if (!data.curves[point.curve].empty()) text += ", run " + data.curves[point.curve];
@@ -39,9 +40,9 @@ std::string point_hover(const Dataset& data, const Point& point) {
     text += "P = " + with_unit(point.P * units.force_scale, 5, units.force) +
             ", T = " + with_unit(point.T * units.force_scale, 5, units.force) +
             ", A = " + with_unit(point.A * units.area_scale, 5, units.area);
-  if (point.ratio > 0)
-    text +=
-        (data.has_loads ? ", ψ = " : "ψ = ") + rounded(point.psi(), 4) + " rad, Gc/GIc = " + rounded(point.ratio, 4);
+  if (const auto toughness = data.toughness(i))
+    text += (data.has_loads ? ", ψ = " : "ψ = ") + rounded(toughness->psi(), 4) +
+            " rad, Gc/GIc = " + rounded(toughness->ratio, 4);
   return text;
 }
 

@@ -28,7 +28,7 @@ struct DrawnUnits {
 };
 
 /// "line 5, run 2: P = 2 mN, T = 5.1 mN, A = 0.298 mm^2, psi = 0.31 rad, Gc/GIc = 1.2".
-std::string point_hover(const Dataset& data, const Point& point);
+std::string point_hover(const Dataset& data, std::size_t i);
 
 /// "0.31 mN", or without a unit "0.31".
 std::string with_unit(double value, int digits, const std::string& unit);

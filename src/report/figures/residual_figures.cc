@@ -31,9 +31,9 @@ std::string residuals_note(const ReportedData& reported) {
   return shown_note(shown, all);
 }
 
-/// Residuals of every fit over what `abscissa` says of a point.
+/// Residuals of every fit over what `abscissa` says of point i.
 Figure residuals_against(const ReportedData& reported, const std::string& name, const std::string& title,
-                         const std::string& label, const std::function<double(const Point&)>& abscissa) {
+                         const std::string& label, const std::function<double(std::size_t)>& abscissa) {
   const Dataset& data = reported.result.data;
   Figure figure{reported.stem + "_residuals_" + name,
                 title,
@@ -47,11 +47,10 @@ Figure residuals_against(const ReportedData& reported, const std::string& name, 
     std::vector<std::size_t> all(fit.residuals.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     for (const std::size_t i : shown_points(all, reported.result.fits.size())) {
-      const Point& point = data.points[fit.used[i]];
-      const double x = abscissa(point);
+      const double x = abscissa(fit.used[i]);
       series.points.emplace_back(x, fit.residuals[i]);
       series.hover.push_back("model " + fit.model + ", residual " + rounded(fit.residuals[i], 3) + ", " +
-                             point_hover(data, point));
+                             point_hover(data, fit.used[i]));
       first = std::min(first, x);
       last = std::max(last, x);
     }
@@ -84,8 +83,7 @@ Figure quantiles(const ReportedData& reported) {
     for (const std::size_t rank : shown_points(ranks, reported.result.fits.size())) {
       const double q = quantile(normal, (static_cast<double>(rank) + 0.5) / static_cast<double>(order.size()));
       series.points.emplace_back(q, fit.residuals[order[rank]] / *fit.rmse);
-      series.hover.push_back("model " + fit.model + ", " +
-                             point_hover(reported.result.data, reported.result.data.points[fit.used[order[rank]]]));
+      series.hover.push_back("model " + fit.model + ", " + point_hover(reported.result.data, fit.used[order[rank]]));
       most = std::max(most, std::abs(q));
     }
     figure.series.push_back(std::move(series));
@@ -106,16 +104,17 @@ std::vector<Figure> residual_figures(const ReportedData& reported) {
     return {};
   const DrawnUnits units(data);
   std::vector<Figure> figures;
-  const bool angles = std::all_of(data.points.begin(), data.points.end(), [](const Point& p) { return p.ratio > 0; });
+  bool angles = true;
+  for (std::size_t i = 0; angles && i < data.points.size(); ++i) angles = data.toughness(i).has_value();
   if (angles)
     figures.push_back(residuals_against(reported, "psi", "Residuals against phase angle", "ψ [rad]",
-                                        [](const Point& p) { return p.psi(); }));
+                                        [&](std::size_t i) { return data.toughness(i)->psi(); }));
   if (data.has_loads) {
     figures.push_back(residuals_against(reported, "T", "Residuals against tangential load", units.T(),
-                                        [&](const Point& p) { return p.T * units.force; }));
+                                        [&](std::size_t i) { return data.points[i].T * units.force; }));
     if (data.curves.size() > 1)
       figures.push_back(residuals_against(reported, "P", "Residuals against normal load", units.P(),
-                                          [&](const Point& p) { return p.P * units.force; }));
+                                          [&](std::size_t i) { return data.points[i].P * units.force; }));
   }
   if (Figure qq = quantiles(reported); !qq.series.empty()) figures.push_back(std::move(qq));
   return figures;

@@ -28,22 +28,20 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
   std::vector<std::size_t> all;
   double last_psi = 0, largest = 1, smallest = 1;
   for (std::size_t i = 0; i < data.points.size(); ++i)
-    if (data.points[i].ratio > 0) {
+    if (const auto toughness = data.toughness(i)) {
       all.push_back(i);
-      last_psi = std::max(last_psi, data.points[i].psi());
-      largest = std::max(largest, data.points[i].ratio);
-      smallest = std::min(smallest, data.points[i].ratio);
+      last_psi = std::max(last_psi, toughness->psi());
+      largest = std::max(largest, toughness->ratio);
+      smallest = std::min(smallest, toughness->ratio);
     }
   if (all.empty()) return {};
   bool errors = false;
-  for (const std::size_t i : all) errors |= data.points[i].sigma_ratio > 0;
+  for (const std::size_t i : all) errors |= data.errors_of(i).ratio > 0;
   for (const std::size_t i : shown_points(all)) {
-    const Point& point = data.points[i];
-    points.points.emplace_back(point.psi(), point.ratio);
-    points.hover.push_back(point_hover(data, point));
-    if (errors)
-      points.bars.push_back({point.psi(), point.psi(), std::max(point.ratio - point.sigma_ratio, 0.5 * smallest),
-                             point.ratio + point.sigma_ratio});
+    const double psi = data.toughness(i)->psi(), ratio = data.toughness(i)->ratio, error = data.errors_of(i).ratio;
+    points.points.emplace_back(psi, ratio);
+    points.hover.push_back(point_hover(data, i));
+    if (errors) points.bars.push_back({psi, psi, std::max(ratio - error, 0.5 * smallest), ratio + error});
   }
   const bool logarithmic = largest > 20;
   last_psi = std::min(1.05 * last_psi, 0.5 * pi<double>());

@@ -81,7 +81,7 @@ void run_ours(const UnitCase& at, const BestValue& best, ConvergenceTable& table
     count("mixity, area, without interval", fit_model(data, Model::info.key, value_only(area)), best);
     const FitResult toughness = fit_model(data, Model::info.key);
     std::vector<ToughnessPoint> points;
-    for (const std::size_t i : toughness.used) points.push_back({data.points[i].mixity, data.points[i].ratio});
+    for (const std::size_t i : toughness.used) points.push_back(*data.toughness(i));
     const double x = static_cast<double>(exact_minimum<Model>(points));
     count("mixity, toughness", toughness, {x, toughness.parameters.at(0).stderr_.value_or(0), {}});
   }

@@ -69,13 +69,11 @@ struct Case {
     data.path = data.name = "synthetic";
     data.curves = {""};
     for (std::size_t i = 0; i < kPoints; ++i) {
-      Point point{};
-      point.line = i + 2;
-      point.mixity = mixity_from_angle(1.54 * (static_cast<double>(i) + 0.5) / kPoints);
-      point.ratio = std::exp(Model::log_toughness({lambda}, point.mixity).value) * (1 + noise());
-      data.points.push_back(point);
-      points.push_back({point.mixity, point.ratio});
+      const auto mixity = mixity_from_angle(1.54 * (static_cast<double>(i) + 0.5) / kPoints);
+      data.points.push_back({i + 2, 0, 0, 0, 0});
+      points.push_back({mixity, std::exp(Model::log_toughness({lambda}, mixity).value) * (1 + noise())});
     }
+    data.converted = points;
     data.rows = kPoints;
     char text[80];
     std::snprintf(text, sizeof text, "%s, lambda %g, %s", std::string(Model::info.key).c_str(), lambda,
@@ -155,14 +153,14 @@ void print_case(const Case<Model>& at) {
   const auto print_array = [&](const char* name, auto value_of) {
     const char* comma = "";
     std::printf(R"(, "%s": [)", name);
-    for (const Point& point : at.data.points) {
+    for (const ToughnessPoint& point : at.points) {
       std::printf("%s%.17g", comma, value_of(point));
       comma = ", ";
     }
     std::printf("]");
   };
-  print_array("psi", [](const Point& point) { return point.psi(); });
-  print_array("f", [](const Point& point) { return point.ratio; });
+  print_array("psi", [](const ToughnessPoint& point) { return point.psi(); });
+  print_array("f", [](const ToughnessPoint& point) { return point.ratio; });
   std::printf("}\n");
 }
 

@@ -75,7 +75,7 @@ TEST(ResidualFigures, ShowTheResidualsOfTheFits) {
     ASSERT_EQ(series.points.size(), fit.residuals.size());
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       EXPECT_EQ(series.points[i].second, fit.residuals[i]);
-      EXPECT_EQ(series.points[i].first, reported.result.data.points[fit.used[i]].psi());
+      EXPECT_EQ(series.points[i].first, reported.result.data.toughness(fit.used[i])->psi());
     }
     const Series& qq = series_named(figure_named(drawn, "w_residuals_qq"), "model " + fit.model);
     EXPECT_TRUE(std::is_sorted(qq.points.begin(), qq.points.end()));
