@@ -64,7 +64,8 @@ FitJob job_for(const std::string& path) {
   job.per_curve |= FLAGS_per == "curve";
   for (const HeldParameter& held : job.options.hold) {
     if (!has_parameter(job.models, held.name))
-      throw UsageError("flag '--hold': no fitted model has a parameter '" + held.name + "'");
+      throw UsageError((is_set("hold") || !is_definition ? "flag '--hold': " : "flag '--models': ") +
+                       ("no fitted model has a parameter '" + held.name + "'"));
     const auto same = [&](const HeldParameter& other) { return other.name == held.name; };
     if (std::count_if(job.options.hold.begin(), job.options.hold.end(), same) > 1)
       throw UsageError("flag '--hold' names '" + held.name + "' twice");

@@ -29,17 +29,32 @@ constexpr std::array<Kind, kColumnCount> kKinds{{
     {ColumnId::include, "include", dimension::none, true},
 }};
 
+/// As trim, also of the no-break spaces that spreadsheets and web pages leave behind.
+std::string_view trim_name(std::string_view text) {
+  constexpr std::string_view kNoBreakSpace = "\xC2\xA0";
+  for (text = trim(text);; text = trim(text))
+    if (text.starts_with(kNoBreakSpace))
+      text.remove_prefix(kNoBreakSpace.size());
+    else if (text.ends_with(kNoBreakSpace))
+      text.remove_suffix(kNoBreakSpace.size());
+    else
+      return text;
+}
+
 }  // namespace
 
 Heading heading_at(const std::string& path, const CsvRow& header, std::size_t i) {
-  const std::string_view text = header[i];
+  const std::string_view text = trim_name(header[i]);
   const std::size_t open = text.find_first_of("[(");
   if (open == std::string_view::npos) return {std::string(text), {}};
-  const std::string name(trim(text.substr(0, open)));
+  if (const std::size_t end = text.find_first_of("])"); header.size() == 1 && end < text.size() - 1)
+    throw InputError(path, header.line(), header.column(i),
+                     "'" + printable(text, 60) + "' is one column; separate columns by commas, semicolons or tabs");
+  const std::string name(trim_name(text.substr(0, open)));
   if (text.back() != (text[open] == '[' ? ']' : ')') || text.size() <= open + 1)
     throw InputError(path, header.line(), header.column(i),
                      "the unit of column '" + name + "' is not closed: '" + std::string(header[i]) + "'");
-  return {name, std::string(trim(text.substr(open + 1, text.size() - open - 2)))};
+  return {name, std::string(trim_name(text.substr(open + 1, text.size() - open - 2)))};
 }
 
 Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_number, const std::string& path,

@@ -107,7 +107,8 @@ Metadata read_metadata(const std::string& path) {
     if (node.is_string())
       text = node.as_string()->get();
     else if (name == "poisson_ratio" && node.is_number())
-      text = shortest(node.value<double>().value_or(-1));
+      text =
+          shortest(node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get());
     else
       fail_at(path, node,
               name + " must be a string" +

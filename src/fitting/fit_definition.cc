@@ -21,7 +21,7 @@ class Reader {
       if (key == "data")
         job.data_path = beside(text(node, "data"));
       else if (key == "models")
-        job.models = texts(node, "models");
+        read_models(node, job);
       else if (key == "objective")
         job.options.objective = objective(node);
       else if (key == "scale")
@@ -81,11 +81,22 @@ class Reader {
     return *found;
   }
 
+  void read_models(const toml::node& node, FitJob& job) const {
+    for (const std::string& model : texts(node, "models")) {
+      if (std::find(job.models.begin(), job.models.end(), model) != job.models.end())
+        fail(node, "models names \"" + model + "\" twice");
+      job.models.push_back(model);
+    }
+  }
+
   void read_hold(const toml::node& node, FitJob& job) const {
+    std::vector<HeldParameter>& hold = job.options.hold;
     for (const std::string& entry : texts(node, "hold")) {
       const auto held = parse_held(entry);
       if (!held) fail(node, "hold: \"" + entry + "\" is neither a parameter nor PARAMETER=NUMBER");
-      job.options.hold.push_back(*held);
+      if (std::any_of(hold.begin(), hold.end(), [&](const HeldParameter& other) { return other.name == held->name; }))
+        fail(node, "hold names \"" + held->name + "\" twice");
+      hold.push_back(*held);
     }
   }
 

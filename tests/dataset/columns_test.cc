@@ -37,6 +37,12 @@ TEST(Columns, CarryUnitsInBracketsOrParentheses) {
   }
 }
 
+TEST(Columns, MayHaveNoBreakSpacesAroundTheirNames) {
+  const Columns columns = columns_of("\xC2\xA0P\xC2\xA0[mN],T\xC2\xA0 [\xC2\xA0mN],\xC2\xA0 A [mm^2] \xC2\xA0\n");
+  EXPECT_TRUE(columns.ignored().empty());
+  EXPECT_EQ(columns.find(ColumnId::T)->unit.text, "mN");
+}
+
 TEST(Columns, WithoutAUnitAreDimensionless) {
   const Columns columns = columns_of("P,T,a");
   EXPECT_EQ(columns.find(ColumnId::a)->unit.dimension, dimension::none);
