@@ -169,8 +169,8 @@ void PointReader::read(const CsvNumbers& rows, PointBatch& batch) const {
   toughness_ratios(batch.P.data(), batch.T.data(), batch.A.data(), batch.toughness_ratio.data(), n);
   for (std::size_t i = 0; i < n; ++i) {
     const double ratio = batch.toughness_ratio[i];
-    batch.usable[i] = (std::abs(batch.P[i]) <= kMostQuantity) & (batch.T[i] >= 0) & (batch.T[i] <= kMostQuantity) &
-                      in_range(batch.A[i]) & (in_range(ratio) | ((ratio < 0) & (use_ == PointUse::areas)));
+    batch.usable[i] = std::abs(batch.P[i]) <= kMostQuantity && batch.T[i] >= 0 && batch.T[i] <= kMostQuantity &&
+                      in_range(batch.A[i]) && (in_range(ratio) || (ratio < 0 && use_ == PointUse::areas));
   }
   const auto standard_errors = [&](ColumnId id, const PointBatch::Values<double>& of, double unit,
                                    PointBatch::Values<double>& errors) {
