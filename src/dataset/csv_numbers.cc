@@ -82,7 +82,8 @@ const char* NumberRows::row(const char* at, const char* end, std::size_t i) {
 
 std::size_t NumberRows::take(std::string_view& text, std::size_t line) {
   const char* at = text.data();
-  const char* const end = at + text.find_last_of(format_.line_end) + 1;  // npos + 1 is 0
+  const std::size_t whole = text.find_last_of(format_.line_end) + 1;  // npos + 1 is 0
+  const char* const end = at + whole;
   std::size_t taken = 0;
   do {
     std::size_t& i = rows_.size_;
