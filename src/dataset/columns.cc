@@ -43,18 +43,13 @@ std::string_view trim_name(std::string_view text) {
 
 }  // namespace
 
-Heading heading_at(const std::string& path, const CsvRow& header, std::size_t i) {
+Heading heading_at(const CsvRow& header, std::size_t i) {
   const std::string_view text = trim_name(header[i]);
   const std::size_t open = text.find_first_of("[(");
   if (open == std::string_view::npos) return {std::string(text), {}};
-  if (const std::size_t end = text.find_first_of("])"); header.size() == 1 && end < text.size() - 1)
-    throw InputError(path, header.line(), header.column(i),
-                     "'" + printable(text, 60) + "' is one column; separate columns by commas, semicolons or tabs");
   const std::string name(trim_name(text.substr(0, open)));
-  if (text.back() != (text[open] == '[' ? ']' : ')') || text.size() <= open + 1)
-    throw InputError(path, header.line(), header.column(i),
-                     "the unit of column '" + name + "' is not closed: '" + std::string(header[i]) + "'");
-  return {name, std::string(trim_name(text.substr(open + 1, text.size() - open - 2)))};
+  const bool closed = text.size() > open + 1 && text.back() == (text[open] == '[' ? ']' : ')');
+  return {name, std::string(trim_name(text.substr(open + 1, text.size() - open - (closed ? 2 : 1)))), closed};
 }
 
 Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_number, const std::string& path,
@@ -63,6 +58,10 @@ Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_numb
   const auto fail = [&](const std::string& message) {
     throw InputError(path, header.line(), header.column(i), message);
   };
+  const std::string_view text = header[i];
+  if (header.size() == 1 && text.find_first_of("])") < text.size() - 1)
+    fail("'" + printable(text, 60) + "' is one column; separate columns by commas, semicolons or tabs");
+  if (!heading.closed) fail("the unit of column '" + heading.name + "' is not closed: '" + std::string(text) + "'");
   const auto parsed = parse_unit(*heading.unit);
   const std::string kind = always_a_number ? "a plain number" : describe(wanted) + ", or no unit if dimensionless";
   if (!parsed) fail("'" + *heading.unit + "' of column '" + heading.name + "' is no unit; wanted " + kind);
@@ -99,13 +98,13 @@ Columns::Columns(const std::string& path, const CsvRow& header) : count_(header.
     const auto fail = [&](const std::string& message) {
       throw InputError(path, header.line(), header.column(i), message);
     };
-    const Heading heading = heading_at(path, header, i);
+    const Heading heading = heading_at(header, i);
     const std::string& name = heading.name;
     const Kind* kind = nullptr;
     for (const Kind& candidate : kKinds)
       if (candidate.name == heading.name) kind = &candidate;
     if (!kind) {
-      if (!name.empty()) ignored_.push_back(name);
+      if (!name.empty()) ignored_.push_back(heading.closed ? name : std::string(header[i]));
       continue;
     }
     const Unit unit = unit_of(heading, kind->dimension, kind->always_a_number, path, header, i);

@@ -55,8 +55,9 @@ std::string_view to_string(ColumnId id);
 struct Heading {
   std::string name;
   std::optional<std::string> unit;  // as written; null without brackets
+  bool closed = true;               // false of an opening bracket that is not closed at the heading's end
 };
-Heading heading_at(const std::string& path, const CsvRow& header, std::size_t i);
+Heading heading_at(const CsvRow& header, std::size_t i);
 
 /// The heading's unit, checked against what the quantity may have; none if it states none.
 Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_number, const std::string& path,

@@ -42,15 +42,17 @@ void CsvRow::split(std::string_view line, std::size_t number, char delimiter) {
 
 namespace {
 
-/// Comma, semicolon or tab, whichever the line has most of outside quotes.
+/// Comma, semicolon or tab, whichever the line has most of outside quotes and the brackets of units.
 char delimiter_of(std::string_view line) {
   constexpr std::string_view kCandidates = ",;\t";
   std::array<std::size_t, 3> counts{};
-  bool quoted = false;
+  bool quoted = false, bracketed = false;
   for (const char c : line) {
     if (c == '"') quoted = !quoted;
+    if (!quoted && (c == '[' || c == '(')) bracketed = true;
+    if (!quoted && (c == ']' || c == ')')) bracketed = false;
     const std::size_t which = kCandidates.find(c);
-    if (!quoted && which != std::string_view::npos) ++counts[which];
+    if (!quoted && !bracketed && which != std::string_view::npos) ++counts[which];
   }
   return kCandidates[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
 }
@@ -61,6 +63,10 @@ std::string_view take_line(std::string_view& text, char line_end) {
   text.remove_prefix(line.size());
   return line;
 }
+
+/// What follows it in the line would be lost with a comment.
+bool has_return_inside(std::string_view line) { return line.find('\r') < line.find_last_not_of("\r\n") + 1; }
+constexpr std::string_view kReturnInside = "has a carriage return inside the line";
 
 bool odd_quotes(std::string_view line) { return std::count(line.begin(), line.end(), '"') % 2 != 0; }
 
@@ -86,8 +92,7 @@ struct CsvParser {
 
   /// True of quotes, and of a carriage return inside the line.
   bool needs_library(std::string_view line) const {
-    return quote_open || line.find('"') != std::string_view::npos ||
-           line.find('\r') < line.find_last_not_of("\r\n") + 1;
+    return quote_open || line.find('"') != std::string_view::npos || has_return_inside(line);
   }
   void split(std::string_view line, std::size_t number) { row.split(line, number, delimiter); }
 
@@ -132,19 +137,23 @@ void read_rows(std::string_view text, std::size_t first_line, const CsvFormat& f
   const bool unquoted = text.find('"') == std::string_view::npos;
   const bool plain = unquoted && text.find('\r') == std::string_view::npos;
   const auto hand_over = [&] {
-    if (parser.stray_return) throw InputError(path, number, 1, "has a carriage return inside the line");
+    if (parser.stray_return) throw InputError(path, number, 1, std::string(kReturnInside));
     if (parser.completed == 0) return;
     parser.gather();
     if (!parser.row.blank()) use(parser.row);
   };
+  const char* const whole_lines = text.data() + (text.find_last_of(format.line_end) + 1);  // npos + 1 is 0
   bool fed = false;
   for (; !text.empty(); ++number) {
     if (numbers && unquoted) {
-      number += numbers->take(text, number);
+      number += numbers->take(text, whole_lines, number);
       if (text.empty()) break;
     }
     const std::string_view line = take_line(text, format.line_end);
-    if (format.comments && line.starts_with('#') && !parser.quote_open) continue;
+    if (format.comments && line.starts_with('#') && !parser.quote_open) {
+      if (!plain && has_return_inside(line)) throw InputError(path, number, 1, std::string(kReturnInside));
+      continue;
+    }
     fed = !plain && parser.needs_library(line);
     if (!fed) {
       parser.split(line, number);
@@ -192,7 +201,7 @@ bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format
   for (; !text.empty(); ++line) {
     std::string_view after = text;
     const std::string_view first = take_line(after, format.line_end);
-    const bool comment = format.comments && first.starts_with('#');
+    const bool comment = format.comments && first.starts_with('#') && !has_return_inside(first);
     if (!comment && first.find_first_not_of(" \t\r\n") != std::string_view::npos) {
       format.delimiter = delimiter_of(first);
       return true;

@@ -80,10 +80,8 @@ const char* NumberRows::row(const char* at, const char* end, std::size_t i) {
   return at;
 }
 
-std::size_t NumberRows::take(std::string_view& text, std::size_t line) {
+std::size_t NumberRows::take(std::string_view& text, const char* end, std::size_t line) {
   const char* at = text.data();
-  const std::size_t whole = text.find_last_of(format_.line_end) + 1;  // npos + 1 is 0
-  const char* const end = at + whole;
   std::size_t taken = 0;
   do {
     std::size_t& i = rows_.size_;

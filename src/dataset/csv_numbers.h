@@ -16,7 +16,8 @@ class NumberRows {
 
   /// Takes rows off the front of a text without quotes, up to one it does not understand, and hands them over. Returns
   /// how many. The first is on this line of the file.
-  std::size_t take(std::string_view& text, std::size_t line);
+  /// `end`: where the last whole line of the text ends.
+  std::size_t take(std::string_view& text, const char* end, std::size_t line);
 
  private:
   struct Field {

@@ -9,6 +9,7 @@
 #include "dataset/number_text.h"
 #include "dataset/pipeline.h"
 #include "dataset/point_reader.h"
+#include "dataset/printable.h"
 #include "dataset/side_by_side.h"
 
 namespace mixity {
@@ -165,7 +166,8 @@ class Loader {
   void finish() {
     if (!reader_) throw InputError(data_.path, 1, 1, "is empty: a header row is missing");
     if (data_.rows == 0) throw InputError(data_.path, 2, 1, "has a header but no data rows");
-    data_.curves = runs_.names();
+    // Names go into figures, pages and tables: what would break these is shown as '?'.
+    for (const std::string& name : runs_.names()) data_.curves.push_back(printable(name, std::string::npos));
     if (data_.has_loads) data_.curve_loads = runs_.loads();
   }
 

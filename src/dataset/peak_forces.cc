@@ -51,7 +51,7 @@ class Reader {
     const std::string& path = forces_.path;
     width_ = header.size();
     for (std::size_t i = 0; i < header.size(); ++i) {
-      const Heading heading = heading_at(path, header, i);
+      const Heading heading = heading_at(header, i);
       for (const Force q : {kLoad, kPeak, kMinimum}) {
         if (heading.name != kNames[q]) continue;
         if (columns_[q])

@@ -1,5 +1,6 @@
 #include "dataset/plot_import.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "dataset/csv.h"
 #include "dataset/input_error.h"
 #include "dataset/number_text.h"
+#include "dataset/printable.h"
 
 namespace mixity {
 namespace {
@@ -27,6 +29,12 @@ std::string number_field(const std::string& path, const CsvRow& row, std::size_t
   return std::string(text);
 }
 
+bool holds_a_number(const CsvRow& row) {
+  for (std::size_t i = 0; i < row.size(); ++i)
+    if (parse_number(row[i])) return true;
+  return false;
+}
+
 std::vector<Series> read_series(const std::string& path) {
   std::vector<Series> series;
   std::size_t rows = 0;
@@ -36,10 +44,14 @@ std::vector<Series> read_series(const std::string& path) {
         const std::string name(row[i]);
         if (name.empty() && i + 1 >= row.size()) break;
         series.push_back({name.empty() ? "data set " + std::to_string(i / 2 + 1) : name, {}});
+        const auto same = [&](const Series& other) { return other.name == series.back().name; };
+        if (std::any_of(series.begin(), series.end() - 1, same))
+          throw InputError(path, row.line(), row.column(i),
+                           "a second data set is named '" + printable(series.back().name, 60) + "'");
       }
       return;
     }
-    if (rows == 2 && !parse_number(row[0]) && !row[0].empty()) return;  // the labels X,Y
+    if (rows == 2 && !row[0].empty() && !holds_a_number(row)) return;  // the labels X,Y
     for (std::size_t i = 2 * series.size(); i < row.size(); ++i)
       if (!row[i].empty())
         throw InputError(path, row.line(), row.column(i), "a value stands beyond the last named data set");

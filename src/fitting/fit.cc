@@ -62,7 +62,8 @@ std::vector<double> toughness_weights(const Dataset& data, const FitOptions& opt
       }
       error = std::hypot(by_T * sigma_T, by_A * sigma_A);
     }
-    if (!(error > 0)) throw InputError(data.path, point.line, 0, "this point has no standard error (sigma_Gc is 0)");
+    if (!(error > 0))
+      throw InputError(data.path, point.line, 0, "this point has no standard error (sigma_Gc is 0 or empty)");
     weights.push_back(1 / (options.scale == Scale::log ? error : error * ratio));
   }
   return weights;

@@ -57,6 +57,7 @@ class Reader {
 
   std::string text(const toml::node& node, const std::string& key) const {
     if (!node.is_string()) fail(node, key + " must be a string");
+    if (node.as_string()->get().find('\0') != std::string::npos) fail(node, key + " holds a NUL character");
     return node.as_string()->get();
   }
 

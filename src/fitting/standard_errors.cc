@@ -106,7 +106,8 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
     errors.T.push_back(error(errors.source_T, stated_T, point.T, columns.T));
     errors.A.push_back(error(errors.source_A, stated_A, point.A, columns.A));
     if (!(errors.A.back() > 0))
-      throw InputError(data.path, point.line, 0, "this point has no standard error of its area (sigma_A is 0)");
+      throw InputError(data.path, point.line, 0,
+                       "this point has no standard error of its area (sigma_A is 0 or empty)");
   }
   return errors;
 }

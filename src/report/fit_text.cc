@@ -1,17 +1,15 @@
 #include "report/fit_text.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <sstream>
 
+#include "report/excluded_text.h"
 #include "report/fit_statistics_text.h"
 #include "report/rounding.h"
 
 namespace mixity {
 namespace {
-
-constexpr std::size_t kExcludedShown = 8;
 
 std::string shown_r2(const std::optional<double>& r2) { return r2 ? r2_text(*r2) : "undefined (the data do not vary)"; }
 
@@ -29,12 +27,7 @@ void write_data(std::ostringstream& out, const Dataset& data) {
   out << '\n';
   if (!data.metadata.source.empty()) out << "    # source       = " << data.metadata.source << '\n';
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
-  if (data.excluded.empty()) return;
-  out << "[[Excluded]]\n";
-  for (std::size_t i = 0; i < std::min(kExcludedShown, data.excluded.size()); ++i)
-    out << "    line " << data.excluded[i].line << ": " << data.excluded[i].reason << '\n';
-  if (data.excluded.size() > kExcludedShown)
-    out << "    and " << data.excluded.size() - kExcludedShown << " more (all of them with --format=json)\n";
+  write_excluded(out, data, "all of them with --format=json");
 }
 
 void write_parameter(std::ostringstream& out, const FittedParameter& parameter) {

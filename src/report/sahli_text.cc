@@ -5,6 +5,7 @@
 
 #include "dataset/csv.h"
 #include "dataset/number_text.h"
+#include "report/excluded_text.h"
 
 namespace mixity {
 namespace {
@@ -35,6 +36,7 @@ std::string sahli_text(const Dataset& data, const SahliResult& result, const std
   std::ostringstream out;
   out << "[[Data]]\n    " << data.name << "  (" << data.path << ")\n";
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
+  write_excluded(out, data, "mixity check lists them");
   out << "[[A = A0 - alpha T^2]]  P" << bracketed(units.force) << ", A0" << bracketed(units.area) << ", alpha"
       << bracketed(alpha_unit(units)) << '\n'
       << "    run             P         points  A0                      alpha                     predicted\n";
@@ -44,7 +46,7 @@ std::string sahli_text(const Dataset& data, const SahliResult& result, const std
         << with_error(run.A0, run.A0_stderr, units.area_scale) << ' ' << std::setw(25)
         << with_error(run.alpha, run.alpha_stderr, alpha_scale(units)) << ' '
         << (run.alpha_predicted ? rounded(*run.alpha_predicted * alpha_scale(units), 5) : "-") << '\n';
-  for (const std::string& name : result.skipped) out << "    " << name << ": all T are equal, no parabola\n";
+  for (const std::string& name : result.skipped) out << "    " << name << ": all T used are equal, no parabola\n";
   out << "[[Power law]]\n";
   write_power_law(out, "measured", result.power_law);
   write_power_law(out, "predicted", result.predicted_power_law);

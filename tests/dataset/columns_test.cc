@@ -55,6 +55,7 @@ TEST(Columns, ThatMeanNothingAreKeptByName) {
   const Columns columns = columns_of("P,time [ms],T,A,,Temp (C)");
   EXPECT_EQ(columns.ignored(), (std::vector<std::string>{"time", "Temp"}));
   EXPECT_EQ(columns.count(), 6);
+  EXPECT_EQ(columns_of("P,T,A,strain (%) max,b [c").ignored(), (std::vector<std::string>{"strain (%) max", "b [c"}));
 }
 
 TEST(Columns, OfConvertedPointsAreOneAngleAndOneToughness) {

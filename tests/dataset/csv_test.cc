@@ -85,6 +85,11 @@ TEST(Csv, TheFirstRowChoosesTheDelimiter) {
   EXPECT_EQ(rows_of("# x;y;z\na,b\n1,2\n")[1].fields, (Fields{"1", "2"}));  // a comment does not
 }
 
+TEST(Csv, WhatStandsInBracketsDoesNotChooseTheDelimiter) {
+  EXPECT_EQ(rows_of("P\tnote (who, when, where)\n1\tx\n")[1].fields, (Fields{"1", "x"}));
+  EXPECT_EQ(rows_of("P;T [a,b];A\n1;2;3\n")[1].fields, (Fields{"1", "2", "3"}));
+}
+
 TEST(Csv, EmptyFieldsAreFields) {
   EXPECT_EQ(rows_of("a,b,c\n,2,\n")[1].fields, (Fields{"", "2", ""}));
   EXPECT_EQ(rows_of("a\tb\tc\n\t2\t\n")[1].fields, (Fields{"", "2", ""}));
@@ -121,6 +126,8 @@ TEST(Csv, WhatIsNoCsvIsRefusedWithItsPlace) {
            {"a,b\n1,\"2\n3,4\n", ":2:1: a quote (\") is opened but not closed before the end of the file"},
            {"\"", ":1:1: a quote (\") is opened but not closed before the end of the file"},
            {"a,b\n1,2\r3,4\n", ":2:1: has a carriage return inside the line"},
+           {"a,b\n# c\r1,2\n3,4\n", ":2:1: has a carriage return inside the line"},  // not a row lost with a comment
+           {"# c\ra,b\r1,2\r\n", ":1:1: has a carriage return inside the line"},
            {"a,b\n1,2\r\"3,4\n5\",6\n", ":2:1: has a carriage return inside the line"},
            {std::string_view("\xFF\xFE"
                              "a\0,\0b\0",

@@ -142,6 +142,11 @@ TEST(Dataset, RunsAreThoseOfTheCurveColumnElseOnePerLoad) {
   EXPECT_EQ(by_load.points[2].curve, 0);
 }
 
+TEST(Dataset, WhatIsNoTextInTheNameOfARunIsAQuestionMark) {
+  const Dataset data = load_text("curve,P,T,A\nProb\xe4,1,0,20\nProb\xf6,1,0,20\nµ,5,1,25\n\"a\nb\",5,1,25\n");
+  EXPECT_EQ(data.curves, (std::vector<std::string>{"Prob?", "Prob?", "µ", "a?b"}));
+}
+
 TEST(Dataset, AMillionRowsAreRead) {
   std::string csv = "P,T,A\n";
   for (int i = 0; i < 1000000; ++i) csv += "1," + std::to_string(i) + "e-6,19.5\n";

@@ -132,7 +132,7 @@ TEST(StandardErrors, RefuseWhatIsNoErrorOfTheQuantity) {
 
 TEST(StandardErrors, RefuseAPointThatHasNoneInAColumnOfThem) {
   EXPECT_EQ(refusal("P,T,A,sigma_A\n1,0,19.6,0.1\n1,5,19.2,0\n", "", {}, {}),
-            "a.csv:3: this point has no standard error of its area (sigma_A is 0)");
+            "a.csv:3: this point has no standard error of its area (sigma_A is 0 or empty)");
 }
 
 }  // namespace
