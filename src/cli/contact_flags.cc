@@ -64,9 +64,12 @@ std::map<std::string, std::string> parameter_texts() {
   for (const std::string& item : split_list(FLAGS_parameters)) {
     const std::size_t equals = item.find('=');
     if (equals == std::string::npos) throw UsageError("flag '--parameters': '" + item + "' is not NAME=NUMBER");
-    given[item.substr(0, equals)] = item.substr(equals + 1);
+    const std::string name = item.substr(0, equals);
+    if (!given.emplace(name, item.substr(equals + 1)).second)
+      throw UsageError("flag '--parameters' names '" + name + "' twice");
   }
-  if (is_set("lambda")) given["lambda"] = FLAGS_lambda;
+  if (is_set("lambda") && !given.emplace("lambda", FLAGS_lambda).second)
+    throw UsageError("flags '--lambda' and '--parameters' both give lambda");
   return given;
 }
 

@@ -63,6 +63,8 @@ void add_statistics_flags(FitOptions& options) {
   if (is_set("loss")) options.loss = loss_from_flag();
   if (is_set("loss_scale"))
     options.loss_scale = number_from("loss_scale", FLAGS_loss_scale, 0, std::numeric_limits<double>::infinity());
+  if (options.loss_scale && options.loss == Loss::none)
+    throw UsageError("flag '--loss_scale' needs --loss=huber or cauchy");
   if (is_set("free")) options.free = free_from_flag();
   if (is_set("interval")) {
     if (FLAGS_interval != "profile" && FLAGS_interval != "none")
