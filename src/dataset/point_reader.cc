@@ -177,9 +177,10 @@ void PointReader::read(const CsvNumbers& rows, PointBatch& batch) const {
     errors.fill(0);
     const Column* column = columns_.find(id);
     if (!column) return;
-    scaled(id, column->unit.text == "%" ? 1 : unit, errors);
+    const bool relative = column->unit.text == "%";
+    scaled(id, relative ? 1 : unit, errors);
     for (std::size_t i = 0; i < n; ++i) {
-      if (column->unit.text == "%") errors[i] *= std::abs(of[i]);
+      if (relative) errors[i] *= std::abs(of[i]);
       batch.usable[i] &= errors[i] == 0 || in_range(errors[i]);
     }
   };
