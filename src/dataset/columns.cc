@@ -55,9 +55,7 @@ Heading heading_at(const CsvRow& header, std::size_t i) {
 Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_number, const std::string& path,
              const CsvRow& header, std::size_t i) {
   if (!heading.unit) return {};
-  const auto fail = [&](const std::string& message) {
-    throw InputError(path, header.line(), header.column(i), message);
-  };
+  const auto fail = [&](const std::string& message) { throw InputError(path, header.place(i), message); };
   const std::string_view text = header[i];
   if (header.size() == 1 && text.find_first_of("])") < text.size() - 1)
     fail("'" + printable(text, 60) + "' is one column; separate columns by commas, semicolons or tabs");
@@ -73,12 +71,11 @@ Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_numb
 
 void require_width(const std::string& path, const CsvRow& row, std::size_t count) {
   if (row.size() < count)
-    throw InputError(path, row.line(), row.column(row.size()),
+    throw InputError(path, row.place(row.size()),
                      "the row has " + std::to_string(row.size()) + " fields, the header " + std::to_string(count));
   for (std::size_t i = count; i < row.size(); ++i)
     if (!row[i].empty())
-      throw InputError(path, row.line(), row.column(i),
-                       "the row has more fields than the header's " + std::to_string(count));
+      throw InputError(path, row.place(i), "the row has more fields than the header's " + std::to_string(count));
 }
 
 bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value) {
@@ -86,7 +83,7 @@ bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::s
   if (text.empty()) return false;
   if (parse_number(text, value)) return true;
   const bool decimal_comma = text.find(',') != std::string_view::npos;
-  throw InputError(path, row.line(), row.column(i),
+  throw InputError(path, row.place(i),
                    "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number" +
                        (decimal_comma ? " (write a decimal point, not a comma)" : ""));
 }
@@ -95,9 +92,7 @@ std::string_view to_string(ColumnId id) { return kKinds[static_cast<std::size_t>
 
 Columns::Columns(const std::string& path, const CsvRow& header) : count_(header.size()) {
   for (std::size_t i = 0; i < header.size(); ++i) {
-    const auto fail = [&](const std::string& message) {
-      throw InputError(path, header.line(), header.column(i), message);
-    };
+    const auto fail = [&](const std::string& message) { throw InputError(path, header.place(i), message); };
     const Heading heading = heading_at(header, i);
     const std::string& name = heading.name;
     const Kind* kind = nullptr;
@@ -149,7 +144,7 @@ void Columns::require_consistent_units(const std::string& path, const CsvRow& he
     if (bare == (reference->unit.dimension == dimension::none)) return;
     const std::string other(to_string(reference->id));
     throw InputError(
-        path, header.line(), header.column(column->index),
+        path, header.place(column->index),
         "column '" + std::string(to_string(id)) + "' " +
             (bare ? "has no unit while " + other + " has one" : "has a unit while " + other + " has none") + "; " +
             rule);

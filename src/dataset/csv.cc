@@ -11,29 +11,38 @@
 
 namespace mixity {
 
-std::size_t CsvRow::column(std::size_t i) const {
-  std::size_t column = 1, field = 0;
+Place CsvRow::place(std::size_t i) const {
+  Place place{line_, 1};
+  std::size_t field = 0;
   bool quoted = false;
   for (const char c : raw_) {
     if (field == i) break;
     if (c == '"') quoted = !quoted;
-    if (c == delimiter_ && !quoted) ++field;
-    if ((c & 0xC0) != 0x80) ++column;  // count characters, not the later bytes of UTF-8
+    if (c == format_.delimiter && !quoted) ++field;
+    if (c == format_.line_end)
+      place = {place.line + 1, 1};
+    else if ((c & 0xC0) != 0x80)
+      ++place.column;  // count characters, not the later bytes of UTF-8
   }
-  return column;
+  return place;
 }
 
-void CsvRow::begin(std::string_view line, std::size_t number, char delimiter) {
+void CsvRow::begin(std::string_view line, std::size_t number, const CsvFormat& format) {
   line_ = number;
-  raw_ = line.substr(0, line.find_last_not_of("\r\n") + 1);
-  delimiter_ = delimiter;
+  format_ = format;
+  raw_ = {line.data(), 0};
+  add(line);
 }
 
-void CsvRow::split(std::string_view line, std::size_t number, char delimiter) {
-  begin(line, number, delimiter);
+void CsvRow::add(std::string_view line) {
+  raw_ = {raw_.data(), static_cast<std::size_t>(line.data() - raw_.data()) + line.find_last_not_of("\r\n") + 1};
+}
+
+void CsvRow::split(std::string_view line, std::size_t number, const CsvFormat& format) {
+  begin(line, number, format);
   fields_.clear();
   for (std::string_view rest = raw_;;) {
-    const std::size_t end = rest.find(delimiter);
+    const std::size_t end = rest.find(format.delimiter);
     fields_.push_back(trim(rest.substr(0, end)));  // as libcsv does
     if (end == std::string_view::npos) return;
     rest.remove_prefix(end + 1);
@@ -75,16 +84,16 @@ bool odd_quotes(std::string_view line) { return std::count(line.begin(), line.en
 /// Makes rows of lines. For quotes it owns libcsv's state, whose callbacks do not throw: libcsv is C.
 struct CsvParser {
   csv_parser state;
-  char delimiter;
+  CsvFormat format;
   CsvRow row;
   std::string text;               // the fields libcsv has found, one after the other
   std::vector<std::size_t> ends;  // where each ends in it
   int completed = 0;
   bool stray_return = false, quote_open = false;
 
-  explicit CsvParser(char separator) : delimiter(separator) {
+  explicit CsvParser(const CsvFormat& of_file) : format(of_file) {
     csv_init(&state, CSV_STRICT | CSV_STRICT_FINI);
-    csv_set_delim(&state, static_cast<unsigned char>(delimiter));
+    csv_set_delim(&state, static_cast<unsigned char>(format.delimiter));
   }
   ~CsvParser() { csv_free(&state); }
   CsvParser(const CsvParser&) = delete;
@@ -94,7 +103,7 @@ struct CsvParser {
   bool needs_library(std::string_view line) const {
     return quote_open || line.find('"') != std::string_view::npos || has_return_inside(line);
   }
-  void split(std::string_view line, std::size_t number) { row.split(line, number, delimiter); }
+  void split(std::string_view line, std::size_t number) { row.split(line, number, format); }
 
   static void on_field(void* field, std::size_t size, void* self) {
     CsvParser& parser = *static_cast<CsvParser*>(self);
@@ -106,8 +115,10 @@ struct CsvParser {
 
   /// Feeds one line with its line end; a quoted field may run over several, and the row then counts as the first.
   bool feed(std::string_view line, std::size_t number) {
-    if (!quote_open) {
-      row.begin(line, number, delimiter);
+    if (quote_open) {
+      row.add(line);
+    } else {
+      row.begin(line, number, format);
       text.clear();
       ends.clear();
       completed = 0;
@@ -131,7 +142,7 @@ struct CsvParser {
 
 void read_rows(std::string_view text, std::size_t first_line, const CsvFormat& format, const std::string& path,
                const UseRow& use, NumberRows* numbers) {
-  CsvParser parser(format.delimiter);
+  CsvParser parser(format);
   std::size_t number = first_line;
   // Of most files this can be said at once, which saves looking through each of their lines for what none has.
   const bool unquoted = text.find('"') == std::string_view::npos;

@@ -13,29 +13,38 @@
 #include <string_view>
 #include <vector>
 
+#include "dataset/input_error.h"
+
 namespace mixity {
+
+struct CsvFormat {
+  char delimiter = 0, line_end = '\n';
+  bool comments = true;  // a line that starts with '#' is none of the table's
+};
 
 class CsvRow {
  public:
-  std::size_t line() const { return line_; }  // 1-based
+  std::size_t line() const { return line_; }  // 1-based; the first of a row that quotes line ends
   std::size_t size() const { return fields_.size(); }
   /// Field i, unquoted, without blanks around it.
   std::string_view operator[](std::size_t i) const { return fields_[i]; }
   bool blank() const { return fields_.empty() || (fields_.size() == 1 && fields_[0].empty()); }
-  /// 1-based character column at which field i starts in the file.
-  std::size_t column(std::size_t i) const;
+  /// Where field i starts in the file; beyond the last field, the row's end.
+  Place place(std::size_t i) const;
 
  private:
   friend struct CsvParser;
   friend class CsvNumbers;
-  void begin(std::string_view line, std::size_t number, char delimiter);
+  void begin(std::string_view line, std::size_t number, const CsvFormat& format);
+  /// One more line of the same text, right behind the last.
+  void add(std::string_view line);
   /// A line without quotes, which may still have its end.
-  void split(std::string_view line, std::size_t number, char delimiter);
+  void split(std::string_view line, std::size_t number, const CsvFormat& format);
 
   std::vector<std::string_view> fields_;
-  std::string_view raw_;  // the line as it stands in the file
+  std::string_view raw_;  // the lines as they stand in the file
   std::size_t line_ = 0;
-  char delimiter_ = ',';
+  CsvFormat format_;
 };
 
 using UseRow = std::function<void(const CsvRow&)>;
@@ -65,16 +74,11 @@ class CsvNumbers {
   std::vector<std::array<double, kMost>> numbers_;
   std::vector<std::array<std::string_view, kMost>> texts_;
   std::array<const char*, kMost + 1> begins_;  // of each row in the file's text, and of what follows
-  char delimiter_ = ',';
+  CsvFormat format_;
   mutable CsvRow row_;
 };
 
 using UseNumbers = std::function<void(const CsvNumbers&)>;
-
-struct CsvFormat {
-  char delimiter = 0, line_end = '\n';
-  bool comments = true;  // a line that starts with '#' is none of the table's
-};
 
 /// Whole rows of a file. Its parts may be read on several threads at once.
 class CsvBlock {

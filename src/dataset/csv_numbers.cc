@@ -46,13 +46,13 @@ const char* read_number(const char* const begin, const char* end, double& value)
 
 const CsvRow& CsvNumbers::row(std::size_t i) const {
   const auto length = static_cast<std::size_t>(begins_[i + 1] - begins_[i]);
-  row_.split({begins_[i], length}, line(i), delimiter_);
+  row_.split({begins_[i], length}, line(i), format_);
   return row_;
 }
 
 NumberRows::NumberRows(const CsvWanted& wanted, const CsvFormat& format, const UseNumbers& use)
     : format_(format), use_(use), fields_(wanted.count) {
-  rows_.delimiter_ = format.delimiter;
+  rows_.format_ = format;
   rows_.numbers_.resize(wanted.numbers.size());
   rows_.texts_.resize(wanted.texts.size());
   for (std::size_t k = 0; k < wanted.numbers.size(); ++k) fields_[wanted.numbers[k]].number = rows_.numbers_[k].data();

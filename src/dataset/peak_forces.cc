@@ -54,8 +54,7 @@ class Reader {
       const Heading heading = heading_at(header, i);
       for (const Force q : {kLoad, kPeak, kMinimum}) {
         if (heading.name != kNames[q]) continue;
-        if (columns_[q])
-          throw InputError(path, header.line(), header.column(i), "column '" + heading.name + "' stands twice");
+        if (columns_[q]) throw InputError(path, header.place(i), "column '" + heading.name + "' stands twice");
         columns_[q] = i;
         units_[q] = unit_of(heading, dimension::force, false, path, header, i);
       }
@@ -66,7 +65,7 @@ class Reader {
     const bool bare = units_[kLoad].dimension == dimension::none;
     for (const Force q : {kPeak, kMinimum})
       if (columns_[q] && bare != (units_[q].dimension == dimension::none))
-        throw InputError(path, header.line(), header.column(*columns_[q]),
+        throw InputError(path, header.place(*columns_[q]),
                          "column '" + std::string(kNames[q]) + "' and P are either both dimensionless or neither is");
     if (bare) return;
     const auto modulus = forces_.metadata.plane_strain_modulus();

@@ -25,7 +25,7 @@ std::string number_field(const std::string& path, const CsvRow& row, std::size_t
   if (text.empty()) return {};
   const auto value = parse_number(text);
   if (!value || !std::isfinite(*value))
-    throw InputError(path, row.line(), row.column(i), "'" + std::string(text) + "' is not a finite number");
+    throw InputError(path, row.place(i), "'" + std::string(text) + "' is not a finite number");
   return std::string(text);
 }
 
@@ -46,20 +46,19 @@ std::vector<Series> read_series(const std::string& path) {
         series.push_back({name.empty() ? "data set " + std::to_string(i / 2 + 1) : name, {}});
         const auto same = [&](const Series& other) { return other.name == series.back().name; };
         if (std::any_of(series.begin(), series.end() - 1, same))
-          throw InputError(path, row.line(), row.column(i),
+          throw InputError(path, row.place(i),
                            "a second data set is named '" + printable(series.back().name, 60) + "'");
       }
       return;
     }
     if (rows == 2 && !row[0].empty() && !holds_a_number(row)) return;  // the labels X,Y
     for (std::size_t i = 2 * series.size(); i < row.size(); ++i)
-      if (!row[i].empty())
-        throw InputError(path, row.line(), row.column(i), "a value stands beyond the last named data set");
+      if (!row[i].empty()) throw InputError(path, row.place(i), "a value stands beyond the last named data set");
     for (std::size_t k = 0; k < series.size(); ++k) {
       const std::string x = number_field(path, row, 2 * k), y = number_field(path, row, 2 * k + 1);
       if (x.empty() && y.empty()) continue;
       if (x.empty() || y.empty())
-        throw InputError(path, row.line(), row.column(2 * k + (x.empty() ? 0 : 1)),
+        throw InputError(path, row.place(2 * k + (x.empty() ? 0 : 1)),
                          "data set '" + series[k].name + "' has one coordinate of a point without the other");
       series[k].points.emplace_back(x, y);
     }

@@ -96,7 +96,7 @@ std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
   if (const Column* include = columns_.find(ColumnId::include)) {
     const std::string_view text = row[include->index];
     if (text != "0" && text != "1")
-      throw InputError(data_.path, row.line(), row.column(include->index),
+      throw InputError(data_.path, row.place(include->index),
                        "column 'include': '" + printable(text, 60) + "' is neither 0 nor 1");
     if (text == "0") return "include = 0";
   }

@@ -57,7 +57,8 @@ std::pair<Rows, std::string> outcome(const Read& read) {
   Rows rows;
   const auto use = [&](const CsvRow& row) {
     add(rows, row);
-    rows.back().push_back("line " + std::to_string(row.line()) + " " + std::to_string(row.column(row.size())));
+    rows.back().push_back("line " + std::to_string(row.line()) + " to " + std::to_string(row.place(row.size()).line) +
+                          " " + std::to_string(row.place(row.size()).column));
   };
   std::string error;
   try {

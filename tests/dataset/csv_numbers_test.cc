@@ -27,7 +27,7 @@ std::string shown(const CsvRow& row) {
   double first = 0, last = 0;
   if (row.size() == 4 && parse_number(row[0], first) && parse_number(row[3], last))
     return shown(row.line(), first, row[2], last);
-  std::string text = std::to_string(row.line()) + " as it stands, " + std::to_string(row.column(row.size()));
+  std::string text = std::to_string(row.line()) + " as it stands, " + std::to_string(row.place(row.size()).column);
   for (std::size_t i = 0; i < row.size(); ++i) text += '|' + std::string(row[i]);
   return text;
 }

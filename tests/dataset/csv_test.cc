@@ -12,16 +12,19 @@ using Fields = std::vector<std::string>;
 struct Row {
   std::size_t line;
   Fields fields;
-  std::vector<std::size_t> columns;  // one more than fields: where the next field would start
+  std::vector<std::size_t> lines, columns;  // one more than fields: where the next field would start
 };
 
 std::vector<Row> rows_of(std::string_view text) {
   const TemporaryFolder folder;
   std::vector<Row> rows;
   read_csv(folder.write("a.csv", text), [&](const CsvRow& row) {
-    rows.push_back({row.line(), {}, {}});
+    rows.push_back({row.line(), {}, {}, {}});
     for (std::size_t i = 0; i < row.size(); ++i) rows.back().fields.emplace_back(row[i]);
-    for (std::size_t i = 0; i <= row.size(); ++i) rows.back().columns.push_back(row.column(i));
+    for (std::size_t i = 0; i <= row.size(); ++i) {
+      rows.back().lines.push_back(row.place(i).line);
+      rows.back().columns.push_back(row.place(i).column);
+    }
   });
   return rows;
 }
@@ -70,6 +73,16 @@ TEST(Csv, ColumnsCountCharactersNotBytes) {
 TEST(Csv, AMissingFieldIsPlacedJustBehindTheLastCharacter) {
   for (const std::string_view text : {"1,0", "1,0\n", "1,0\r\n", "1,0\n2,3\n"})
     EXPECT_EQ(rows_of(text).at(0).columns.at(2), 4) << text;
+}
+
+TEST(Csv, AFieldBehindAQuotedLineEndIsPlacedOnItsOwnLine) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const auto rows = rows_of("a,b,c" + end + "1,\"x" + end + "#" + end + end + "y\",22,3" + end);
+    ASSERT_EQ(rows.size(), 2);
+    EXPECT_EQ(rows[1].line, 2);
+    EXPECT_EQ(rows[1].lines, (std::vector<std::size_t>{2, 2, 5, 5, 5}));
+    EXPECT_EQ(rows[1].columns, (std::vector<std::size_t>{1, 3, 4, 7, 8}));
+  }
 }
 
 TEST(Csv, QuotedFieldsMayHoldDelimitersQuotesAndLineEnds) {

@@ -63,9 +63,11 @@ void check_rows(std::string_view text) {
       promise(row.line() > last_line, "lines count upwards");
       last_line = row.line();
       promise(row.size() > 0, "a row has a field");
-      for (std::size_t i = 0, last_column = 0; i < row.size(); ++i) {
-        promise(row.column(i) >= last_column && row.column(i) <= text.size() + 1, "a column lies in the line");
-        last_column = row.column(i);
+      std::pair<std::size_t, std::size_t> last_place{row.line(), 0};
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const auto [line, column] = row.place(i);
+        promise(std::pair(line, column) >= last_place && column <= text.size() + 1, "a field lies behind the last");
+        last_place = {line, column};
         const std::string field(trim(row[i]));
         if (field.find('\r') != std::string::npos) continue;  // where a line ends depends on the whole file
         std::size_t again = 0;
