@@ -18,7 +18,7 @@ int run_instability(const Arguments& arguments) {
   with_model(FLAGS_model, [](auto model) {
     using Model = decltype(model);
     const Parameters<Model> p = parameters_from_flags<Model>();
-    const double load = load_from("load", FLAGS_load, {}).dimensionless;
+    const double load = number_from("load", FLAGS_load, -1e150);
     const LoadedContact<Model> contact(p, load);
     if (!contact.obstacle().empty()) throw UsageError(std::string(contact.obstacle()));
     if (!contact.in_contact()) throw UsageError("flag '--load': no contact exists below the pull-off load -3 pi/2");
