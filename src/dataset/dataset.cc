@@ -191,7 +191,7 @@ Dataset load_dataset(const std::string& path, const Overrides& overrides, PointU
   Dataset data;
   const std::filesystem::path file(path);
   data.path = path;
-  data.name = file.stem().string();
+  data.name = printable(file.stem().string(), std::string::npos);
   const std::string metadata_path = std::filesystem::path(file).replace_extension(".toml").string();
   data.metadata = read_metadata(metadata_path);
   apply_overrides(overrides, data.metadata);

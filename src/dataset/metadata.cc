@@ -1,11 +1,14 @@
 #include "dataset/metadata.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
 #include "dataset/input_error.h"
 #include "dataset/number_text.h"
+#include "dataset/printable.h"
 #include "dataset/toml_file.h"
+#include "dataset/trim.h"
 #include "mechanics/contact.h"
 
 namespace mixity {
@@ -31,6 +34,13 @@ constexpr std::array kFields{
 constexpr std::array kProvenances{Provenance::measured, Provenance::digitised, Provenance::reconstructed};
 
 std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
+
+/// As it can be shown anywhere: line ends and tabs become blanks, other controls '?'.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return printable(trim(text), std::string::npos);
+}
 
 bool is_text(std::string_view name) { return name == "source" || name == "note" || name == "provenance"; }
 
@@ -67,8 +77,8 @@ std::optional<double> Metadata::plane_strain_modulus() const {
 }
 
 std::string set_field(Metadata& metadata, std::string_view name, std::string_view text) {
-  if (name == "source") return metadata.source = text, "";
-  if (name == "note") return metadata.note = text, "";
+  if (name == "source") return metadata.source = one_line(std::string(text)), "";
+  if (name == "note") return metadata.note = one_line(std::string(text)), "";
   if (name == "provenance") {
     for (const Provenance provenance : kProvenances)
       if (text == to_string(provenance)) return metadata.provenance = provenance, "";

@@ -7,6 +7,7 @@
 #include "dataset/columns.h"
 #include "dataset/csv.h"
 #include "dataset/input_error.h"
+#include "dataset/printable.h"
 #include "mechanics/contact.h"
 
 namespace mixity {
@@ -95,7 +96,7 @@ class Reader {
 PeakForces load_peak_forces(const std::string& path) {
   PeakForces forces;
   forces.path = path;
-  forces.name = std::filesystem::path(path).stem().string();
+  forces.name = printable(std::filesystem::path(path).stem().string(), std::string::npos);
   const std::string metadata_path = std::filesystem::path(path).replace_extension(".toml").string();
   forces.metadata = read_metadata(metadata_path);
   if (const std::string problem = modulus_problem(forces.metadata); !problem.empty())

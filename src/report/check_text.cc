@@ -5,6 +5,7 @@
 
 #include "dataset/check.h"
 #include "dataset/number_text.h"
+#include "dataset/printable.h"
 
 namespace mixity {
 namespace {
@@ -43,7 +44,7 @@ void write_curves(std::ostringstream& out, const Dataset& data) {
 
 std::string check_text(const Dataset& data) {
   std::ostringstream out;
-  out << "[[Data]]\n    " << data.name << "  (" << data.path << ")\n    "
+  out << "[[Data]]\n    " << data.name << "  (" << printable(data.path) << ")\n    "
       << (data.has_loads ? "raw points (P, T, A), " : "converted points (psi, Gc/GIc)")
       << (data.contact     ? "dimensional"
           : data.has_loads ? "dimensionless"

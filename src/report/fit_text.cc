@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "dataset/printable.h"
 #include "report/excluded_text.h"
 #include "report/fit_statistics_text.h"
 #include "report/rounding.h"
@@ -20,7 +21,7 @@ std::string capitals(std::string_view text) {
 }
 
 void write_data(std::ostringstream& out, const Dataset& data) {
-  out << "[[Data]]\n    " << data.name << "  (" << data.path
+  out << "[[Data]]\n    " << data.name << "  (" << printable(data.path)
       << ")\n    # provenance   = " << to_string(data.metadata.provenance) << "\n    # data rows    = " << data.rows
       << ", used " << data.points.size() << ", excluded " << data.excluded.size();
   if (data.has_loads) out << ", in " << data.curves.size() << " loading run" << (data.curves.size() == 1 ? "" : "s");

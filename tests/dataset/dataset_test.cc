@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dataset/load_text.h"
+#include "dataset/temporary_folder.h"
 
 namespace mixity {
 namespace {
@@ -145,6 +146,11 @@ TEST(Dataset, RunsAreThoseOfTheCurveColumnElseOnePerLoad) {
 TEST(Dataset, WhatIsNoTextInTheNameOfARunIsAQuestionMark) {
   const Dataset data = load_text("curve,P,T,A\nProb\xe4,1,0,20\nProb\xf6,1,0,20\nµ,5,1,25\n\"a\nb\",5,1,25\n");
   EXPECT_EQ(data.curves, (std::vector<std::string>{"Prob?", "Prob?", "µ", "a?b"}));
+}
+
+TEST(Dataset, WhatIsNoTextInTheNameOfAFileIsAQuestionMark) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(load_dataset(folder.write("Prob\xe4.csv", "P,T,A\n1,0,20\n")).name, "Prob?");
 }
 
 TEST(Dataset, AMillionRowsAreRead) {

@@ -67,6 +67,11 @@ TEST(Metadata, ByteOrderMarkAndCrLfAreRead) {
   EXPECT_EQ(metadata_of("\xEF\xBB\xBFradius = \"1 m\"\r\nsource = \"µ\"\r\n").radius, 1.0);
 }
 
+TEST(Metadata, SourceAndNoteAreOnePrintableLine) {
+  EXPECT_EQ(metadata_of("source = \"\"\"\nA,\tB\nC \"\"\"").source, "A, B C");
+  EXPECT_EQ(metadata_of("note = \"a\\u001b[31mb\\u0000c\"").note, "a?[31mb?c");
+}
+
 TEST(Metadata, WhatCannotBeUnderstoodIsRefusedWithItsPlace) {
   for (const auto& [toml, error] : std::vector<std::pair<std::string, std::string>>{
            {"radius = \"9.42\"", "1:10: radius is \"9.42\"; it must be a length such as mm, written \"9.42 mm\""},

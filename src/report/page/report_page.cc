@@ -4,6 +4,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "dataset/printable.h"
 #include "report/figures/svg.h"
 #include "report/fit_table.h"
 #include "report/page/style.h"
@@ -118,7 +119,7 @@ class Page {
       counts +=
           ", in " + std::to_string(data.curves.size()) + (data.curves.size() == 1 ? " loading run" : " loading runs");
     pugi::xml_node where = add(section, "p", counts + ". File: ", "soft");
-    add(where, "code", data.path);
+    add(where, "code", printable(data.path, std::string::npos));
     if (!data.metadata.source.empty()) add(section, "p", "Source: " + data.metadata.source, "soft");
     if (!data.metadata.note.empty()) add(section, "p", data.metadata.note, "soft");
   }
@@ -188,7 +189,7 @@ class Page {
 
   void add_reproduction(pugi::xml_node footer) const {
     add(footer, "h2", "To make this report again");
-    add(add(footer, "p"), "code", content_.settings.command);
+    add(add(footer, "p"), "code", printable(content_.settings.command, std::string::npos));
     pugi::xml_node list = add(footer, "dl");
     for (const auto& [name, version] : versions()) {
       add(list, "dt", name);
