@@ -201,10 +201,12 @@ class Killed : public testing::TestWithParam<const char*> {
   /// Without gnuplot, whose figures take most of the time and whose processes would live on.
   void SetUp() override {
     ::setenv("PATH", "/nowhere", 1);
+    ::setenv("TMPDIR", folder_.path().c_str(), 1);  // what a killed program leaves goes with the folder
     ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);  // which cannot be done to a program that is traced
   }
   void TearDown() override {
     ::setenv("PATH", path_.c_str(), 1);
+    ::unsetenv("TMPDIR");
     ::unsetenv("ASAN_OPTIONS");
   }
 

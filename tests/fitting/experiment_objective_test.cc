@@ -170,8 +170,9 @@ TYPED_TEST(ExperimentJacobian, CurveTendsToAreaWhereTIsExact) {
 
 TYPED_TEST(ExperimentJacobian, ToughnessResidualIsThatOfThePhaseAngles) {
   const Parameters<TypeParam> p = cases<TypeParam>()[0];
-  std::vector<ToughnessPoint> converted;
   const auto measured = points<TypeParam>(p);
+  std::vector<ToughnessPoint> converted;
+  converted.reserve(measured.size());
   for (const MeasuredPoint& q : measured) converted.push_back(*toughness_of_area(q.P, q.T, q.A));
   const ToughnessObjective<TypeParam> plain(converted, Scale::log, FreeChoice<TypeParam>({p, {}}, {}));
   const FreeChoice<TypeParam> choice({p, {}}, {});
