@@ -83,7 +83,9 @@ class Reader {
   }
 
   void read_models(const toml::node& node, FitJob& job) const {
-    for (const std::string& model : texts(node, "models")) {
+    const std::vector<std::string> models = texts(node, "models");
+    if (models.empty()) fail(node, "models names no model");
+    for (const std::string& model : models) {
       if (std::find(job.models.begin(), job.models.end(), model) != job.models.end())
         fail(node, "models names \"" + model + "\" twice");
       job.models.push_back(model);
