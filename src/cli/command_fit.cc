@@ -1,6 +1,7 @@
 // mixity fit: definitions and data sets in, fits out.
 #include <iostream>
 #include <set>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/exit_code.h"
@@ -17,14 +18,22 @@ namespace {
 
 void write_folder(const std::string& folder, const std::vector<JobResult>& results, const std::string& text) {
   std::set<std::string> taken;
+  std::vector<std::string> inputs, paths, contents;
+  const auto add = [&](const std::string& name, std::string content) {
+    paths.push_back(folder + "/" + name);
+    contents.push_back(std::move(content));
+  };
   for (const JobResult& result : results) {
-    const std::string stem = folder + "/" + file_stem(result, taken);
-    write_file(stem + "_residuals.csv", residuals_csv(result));
-    write_file(stem + "_curves.csv", curves_csv(result));
+    inputs.push_back(result.data.path);
+    const std::string stem = file_stem(result, taken);
+    add(stem + "_residuals.csv", residuals_csv(result));
+    add(stem + "_curves.csv", curves_csv(result));
   }
-  write_file(folder + "/fits.csv", fits_csv(results));
-  write_file(folder + "/fits.json", to_json(results));
-  write_file(folder + "/fits.txt", text);
+  add("fits.csv", fits_csv(results));
+  add("fits.json", to_json(results));
+  add("fits.txt", text);
+  spare_inputs(inputs, paths);
+  for (std::size_t i = 0; i < paths.size(); ++i) write_file(paths[i], contents[i]);
 }
 
 }  // namespace

@@ -21,10 +21,12 @@ int run_import(const Arguments& arguments) {
         (!load.unit.text.empty() && load.unit.dimension != dimension::force))
       throw UsageError("flag '--loads': all loads must be forces in one unit");
   const std::string text = import_plot(arguments[0], options);
-  if (FLAGS_out.empty())
+  if (FLAGS_out.empty()) {
     std::cout << text;
-  else
-    write_file(FLAGS_out, text);
+    return kFine;
+  }
+  spare_inputs(arguments, {FLAGS_out});
+  write_file(FLAGS_out, text);
   return kFine;
 }
 

@@ -91,4 +91,13 @@ void write_file(const std::string& path, const std::string& content) {
   check(reason);
 }
 
+void spare_inputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
+  for (const std::string& output : outputs)
+    for (const std::string& input : inputs) {
+      std::error_code not_there;
+      if (std::filesystem::equivalent(input, output, not_there))
+        throw OutputError(output + ": is an input and is not written over");
+    }
+}
+
 }  // namespace mixity

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mixity {
 
@@ -12,8 +13,8 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A name that is nothing but one, to the system, a shell and gnuplot: letters, digits, blanks and "._-+=,()" stay, and a
-/// letter, digit or '_' comes first; all else becomes '_'.
+/// A name that is nothing but one, to the system, a shell and gnuplot: letters, digits, blanks and "._-+=,()" stay, and
+/// a letter, digit or '_' comes first; all else becomes '_'.
 std::string plain_file_name(std::string_view name);
 
 /// Writes to a temporary name in the same folder, flushes to disk and renames: whoever looks sees the old file or the
@@ -21,5 +22,8 @@ std::string plain_file_name(std::string_view name);
 /// A link stays one; a pipe or device is written to.
 /// Throws OutputError; then nothing is left behind.
 void write_file(const std::string& path, const std::string& content);
+
+/// Throws OutputError if one of the files that are to be written is, by whatever name, one of those that were read.
+void spare_inputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
 }  // namespace mixity

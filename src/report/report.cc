@@ -14,6 +14,14 @@ WrittenReport write_report(const std::vector<JobResult>& results, const std::vec
   const auto advance = [&](double fraction) {
     if (settings.progress) settings.progress(fraction);
   };
+  std::vector<std::string> inputs, paths;
+  for (const ReportedData& one : data) {
+    inputs.push_back(one.result.data.path);
+    if (one.peaks) inputs.push_back(one.peaks->path);
+  }
+  for (const char* name : {"fits.csv", "residuals.csv", "curves.csv", "results.json", "summary.md", "report.html"})
+    paths.push_back(folder + "/" + name);
+  spare_inputs(inputs, paths);
   std::vector<Figure> figures;
   for (const ReportedData& one : data) {
     content.entries.push_back({&one, data_figures(one)});
@@ -23,14 +31,11 @@ WrittenReport write_report(const std::vector<JobResult>& results, const std::vec
   }
   content.drawn = draw_figures(figures, folder + "/figures");
   advance(0.9);
-  write_file(folder + "/fits.csv", fits_csv(results));
-  write_file(folder + "/residuals.csv", residuals_table(results));
-  write_file(folder + "/curves.csv", curves_table(results));
-  write_file(folder + "/results.json", report_json(content));
-  write_file(folder + "/summary.md", summary_markdown(content));
-  write_file(folder + "/report.html", report_page(content));
+  const std::vector<std::string> contents{fits_csv(results),    residuals_table(results),  curves_table(results),
+                                          report_json(content), summary_markdown(content), report_page(content)};
+  for (std::size_t i = 0; i < paths.size(); ++i) write_file(paths[i], contents[i]);
   advance(1);
-  return {folder + "/report.html", content.drawn.missing};
+  return {paths.back(), content.drawn.missing};
 }
 
 }  // namespace mixity

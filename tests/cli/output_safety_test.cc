@@ -167,6 +167,24 @@ TEST(OutputSafety, AFolderOrFileThatIsClosedToWritingEndsWithFourAndKeepsWhatItH
   refuses("fit");
 }
 
+TEST(OutputSafety, AFileThatWasReadIsNotWrittenOver) {
+  const TemporaryFolder folder;
+  const std::string here = folder.path();
+  const auto refuses = [&](const Words& words, const std::string& data) {
+    const Contents before = contents_of(here);
+    const ProgramResult result = run_program(words);
+    EXPECT_EQ(result.exit_code, 4) << words[0];
+    EXPECT_NE(result.complaint().find(data + ": is an input and is not written over"), std::string::npos) << result.err;
+    EXPECT_TRUE(contents_of(here) == before) << words[0];
+  };
+  const std::string data = "P,T,A\n1,0,20\n1,3,19\n1,5,17\n";
+  refuses({"fit", folder.write("fits.csv", data), "--out", here}, "fits.csv");
+  refuses({"report", folder.write("curves.csv", data), "--out", here}, "curves.csv");
+  const std::string plot = folder.write("plot.csv", "a,\nX,Y\n1,2\n");
+  std::filesystem::create_symlink(plot, folder.path("link.csv"));
+  refuses({"import", plot, "--x=T", "--y=A", "--loads=1", "--out", folder.path("link.csv")}, "link.csv");
+}
+
 TEST(OutputSafety, AFileWhereAFolderIsWantedStaysAsItIs) {
   const TemporaryFolder folder;
   const std::string file = folder.write("out", "mine");
