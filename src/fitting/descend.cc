@@ -70,6 +70,11 @@ void linearise(const LeastSquares& problem, const Vector& x, Linearised& at) {
   }
 }
 
+/// The first-order condition, or as close to it as rounding lets: `rounding` is that of |r|.
+bool is_stationary(const Linearised& at, double rounding) {
+  return at.stationarity <= 1e-8 || at.stationarity * at.r.norm() <= rounding || at.settled;
+}
+
 Vector clamped(const LeastSquares& problem, Vector x) {
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
@@ -84,13 +89,34 @@ Vector clamped(const LeastSquares& problem, Vector x) {
 void polish(const LeastSquares& problem, Vector& x, Linearised& at, double rounding) {
   const Eigen::Index p = x.size();
   Linearised below, above;
-  for (int iteration = 0; iteration < 12 && at.stationarity > 0; ++iteration) {
-    Eigen::MatrixXd H(p, p);
-    for (Eigen::Index k = 0; k < p; ++k) {
+  const auto take_step = [&](Eigen::MatrixXd H) {
+    for (Eigen::Index k = 0; k < p; ++k)
       if (at.gradient[k] == 0) {  // held by a bound, or already there
         H.col(k) = Vector::Unit(p, k);
-        continue;
+        H.row(k) = Vector::Unit(p, k).transpose();
       }
+    const Vector step = H.fullPivLu().solve(-at.gradient);
+    if (!step.allFinite()) return false;
+    const Vector next = clamped(problem, x + step);
+    Linearised& there = below;  // which has served
+    linearise(problem, next, there);
+    // At a bound J may vanish by symmetry, which makes any |r| stationary: a step to one has to pay.
+    bool to_bound = false;
+    for (Eigen::Index k = 0; k < p; ++k) {
+      const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
+      to_bound |= next[k] != x[k] && (next[k] <= parameter.lower || next[k] >= parameter.upper);
+    }
+    const double rise = at.r.norm() * 1e-12 + (to_bound ? 0 : rounding);
+    const bool better = there.finite && there.stationarity < at.stationarity && there.r.norm() <= at.r.norm() + rise;
+    if (!better) return false;
+    x = next;
+    std::swap(at, there);
+    return true;
+  };
+  for (int iteration = 0; iteration < 12 && at.stationarity > 0; ++iteration) {
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(p, p);
+    for (Eigen::Index k = 0; k < p; ++k) {
+      if (at.gradient[k] == 0) continue;
       const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
       // Close to an upper bound only the distance from it may matter, as that of lambda from 1 in model a.
       const double room = parameter.upper - x[k], size = room > 0 ? std::min(std::abs(x[k]), room) : std::abs(x[k]);
@@ -103,24 +129,9 @@ void polish(const LeastSquares& problem, Vector& x, Linearised& at, double round
       if (!below.finite || !above.finite) return;
       H.col(k) = (above.J.transpose() * above.r - below.J.transpose() * below.r) / (high[k] - low[k]);
     }
-    for (Eigen::Index k = 0; k < p; ++k)
-      if (at.gradient[k] == 0) H.row(k) = Vector::Unit(p, k).transpose();
-    const Vector step = H.fullPivLu().solve(-at.gradient);
-    if (!step.allFinite()) return;
-    const Vector next = clamped(problem, x + step);
-    Linearised& there = below;  // which has served
-    linearise(problem, next, there);
-    // At a bound J may vanish by symmetry, which makes any |r| stationary: a step to one has to pay.
-    bool to_bound = false;
-    for (Eigen::Index k = 0; k < p; ++k) {
-      const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
-      to_bound |= next[k] != x[k] && (next[k] <= parameter.lower || next[k] >= parameter.upper);
-    }
-    const double rise = at.r.norm() * 1e-12 + (to_bound ? 0 : rounding);
-    const bool better = there.finite && there.stationarity < at.stationarity && there.r.norm() <= at.r.norm() + rise;
-    if (!better) return;
-    x = next;
-    std::swap(at, there);
+    if (take_step(H)) continue;
+    // On a bound the distance to the minimum may be far less than that of the differences; the Jacobian knows none.
+    if (is_stationary(at, rounding) || !take_step(at.J.transpose() * at.J)) return;
   }
 }
 
@@ -162,10 +173,7 @@ std::optional<Minimum> descend(const LeastSquares& problem, const std::vector<do
   const double rounding = residual_rounding(problem);
   polish(problem, x, at, rounding);
   const double r = at.r.norm();
-  return Minimum{{x.begin(), x.end()},
-                 r * r,
-                 at.stationarity,
-                 at.stationarity <= 1e-8 || at.stationarity * r <= rounding || at.settled};
+  return Minimum{{x.begin(), x.end()}, r * r, at.stationarity, is_stationary(at, rounding)};
 }
 
 std::string_view solver_version() { return CERES_VERSION_STRING; }

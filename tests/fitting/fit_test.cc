@@ -64,6 +64,20 @@ TEST(Fit, SaysAtBoundWhenTheDataWantMoreThanTheRangeHolds) {
   EXPECT_FALSE(fit.parameters[0].stderr_);
 }
 
+/// One angle next to pi/2 knows 1 - lambda to a part of 1e8 of its scatter: the least squares lie 18 roundings of
+/// lambda below the bound 1, where f = 1 + (1 - lambda) tan^2 psi meets that point, as the others hardly feel lambda.
+TEST(Fit, TellsAMinimumAFewRoundingsFromABoundFromTheBound) {
+  std::vector<double> angles = angles_up_to(1.4, 7);
+  angles.push_back(1.5707);
+  const double excess = 2.2e-7, tan = std::tan(angles.back());
+  const Dataset data =
+      synthetic<Johnson>({1}, angles, [&](std::size_t i) { return i < 7 ? 1e-6 * scatter(i) : excess; });
+  const FitResult fit = fit_model(data, "a");
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  // to three roundings of lambda; the others move it by less than one
+  EXPECT_NEAR(1 - *fit.parameters[0].value, excess / (tan * tan), 3.4e-16);
+}
+
 TEST(Fit, SaysNotIdentifiableWithoutShear) {
   const Dataset data = synthetic<PapangeloCiavarella>({0.3}, std::vector<double>(10, 0.0),
                                                       [](std::size_t i) { return 0.01 * scatter(i); });
