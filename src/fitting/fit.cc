@@ -79,8 +79,7 @@ class Fitter {
     describe();
     if (!options_.free.empty()) prepared_.start = jkr_start<Model>(data_, options_, prepared_);
     problem_ = make_problem<Model>(data_, options_, prepared_);
-    if (problem_->parameters().size() > 1 && options_.objective != Objective::toughness && options_.near.empty())
-      guess();
+    if (!problem_->parameters().empty() && options_.objective != Objective::toughness && options_.near.empty()) guess();
     std::vector<double> x;
     if (problem_->parameters().empty()) {
       result_.status = FitStatus::ok;
@@ -128,24 +127,38 @@ class Fitter {
       }
   }
 
-  /// Starts from fits of toughness, which cost no search for an equilibrium: with two free parameters the basins of
-  /// areas and curves may be far narrower than the steps of a scan. Points beyond the fold are outliers there. A
-  /// thousand points, evenly chosen, are enough.
+  /// Starts from fits of toughness, which cost no search for an equilibrium: the basins of areas and curves may be far
+  /// narrower than the steps of a scan. Points beyond the fold, the last of their run, are outliers there: fits without
+  /// the last part of each run, too. A thousand points, evenly chosen, are enough.
   void guess() {
     constexpr std::size_t kEnough = 1000;
     const std::size_t every = prepared_.used.size() / kEnough + 1;
-    std::vector<std::size_t> points;
+    std::vector<std::vector<std::size_t>> runs(data_.curves.size());
     for (std::size_t i = 0; i < prepared_.used.size(); i += every)
-      if (data_.toughness(prepared_.used[i])) points.push_back(prepared_.used[i]);
+      if (const std::size_t used = prepared_.used[i]; data_.toughness(used))
+        runs[data_.points[used].curve].push_back(used);
+    for (auto& run : runs)
+      std::sort(run.begin(), run.end(),
+                [&](std::size_t one, std::size_t other) { return data_.points[one].T < data_.points[other].T; });
     FitOptions toughness = value_only(options_);
     toughness.objective = Objective::toughness;
     toughness.scale = Scale::log;
     toughness.weighted = false;
     toughness.loss_scale.reset();
-    for (const Loss loss : {Loss::none, Loss::cauchy}) {
-      toughness.loss = loss;
-      const FitResult fit = Fitter(data_, toughness, &points).run();
-      if (!fit.solution.empty()) guesses_.push_back(fit.solution);
+    std::size_t last_count = 0;
+    for (const double part : {1.0, 0.95, 0.9, 0.8, 0.65}) {
+      std::vector<std::size_t> points;
+      for (const auto& run : runs)
+        points.insert(points.end(), run.begin(),
+                      run.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(run.size())));
+      if (points.size() == last_count) continue;
+      last_count = points.size();
+      for (const Loss loss : {Loss::none, Loss::cauchy}) {
+        if (loss == Loss::cauchy && part < 1) continue;
+        toughness.loss = loss;
+        const FitResult fit = Fitter(data_, toughness, &points).run();
+        if (!fit.solution.empty()) guesses_.push_back(fit.solution);
+      }
     }
   }
 

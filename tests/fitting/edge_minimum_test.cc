@@ -115,5 +115,42 @@ TEST(FitOfAreas, OfTwoParametersFindsTheNarrowBasinOfTheTruth) {
   }
 }
 
+/// One run of points (T, A) with the same standard error.
+FitResult fit_of_run(const char* model, double P, double sigma_A, const std::vector<std::pair<double, double>>& run) {
+  Dataset data;
+  data.path = data.name = "run";
+  data.has_loads = true;
+  data.curves = {"run"};
+  data.curve_loads = {P};
+  for (const auto& [T, A] : run) {
+    data.points.push_back({data.points.size() + 2, 0, P, T, A});
+    data.errors.push_back({0, sigma_A, 0});
+  }
+  data.rows = run.size();
+  FitOptions options;
+  options.objective = Objective::area;
+  return fit_model(data, model, options);
+}
+
+/// Beyond lambda = 0.009 both loads lie beyond the fold and the cost is flat; the basin is narrower than the scan's
+/// step.
+TEST(FitOfAreas, FindsTheBasinBesideThePlateauBeyondTheFold) {
+  const FitResult fit = fit_of_run("c", 19.168, 0.09, {{244.424, 25.2821}, {232.902, 27.8726}});
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_NEAR(*fit.parameters[0].value, 0.00748, 0.00001);  // the cost as seen by mixity predict
+  EXPECT_LT(fit.sum_of_squares, 0.1);
+}
+
+/// The point at T = 20.16 lies beyond the fold, and all fits of toughness with it are led astray.
+TEST(FitOfAreas, OfTwoParametersIsNotLedAstrayByAPointBeyondTheFold) {
+  const FitResult fit = fit_of_run(
+      "bk", 8.116, 0.13,
+      {{8.12, 25.56}, {20.16, 16.56}, {0.48, 26.89}, {9.82, 24.85}, {14.7, 22.21}, {18.19, 17.93}, {2.91, 26.57}});
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  // made with r = 1.479 and eta = 2.257, some standard error away; another minimum has 53
+  EXPECT_LT(fit.sum_of_squares, 3);
+  EXPECT_NEAR(*fit.parameters[0].value, 1.479, 0.03);
+}
+
 }  // namespace
 }  // namespace mixity
