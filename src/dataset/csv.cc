@@ -11,8 +11,8 @@
 
 namespace mixity {
 
-Place CsvRow::place(std::size_t i) const {
-  Place place{line_, 1};
+FilePlace CsvRow::place(std::size_t i) const {
+  FilePlace place{line_, 1};
   std::size_t field = 0;
   bool quoted = false;
   for (const char c : raw_) {

@@ -30,7 +30,7 @@ class CsvRow {
   std::string_view operator[](std::size_t i) const { return fields_[i]; }
   bool blank() const { return fields_.empty() || (fields_.size() == 1 && fields_[0].empty()); }
   /// Where field i starts in the file; beyond the last field, the row's end.
-  Place place(std::size_t i) const;
+  FilePlace place(std::size_t i) const;
 
  private:
   friend struct CsvParser;

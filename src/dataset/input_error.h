@@ -10,7 +10,7 @@
 namespace mixity {
 
 /// 1-based line and column (characters) of a file.
-struct Place {
+struct FilePlace {
   std::size_t line = 1, column = 1;
 };
 
@@ -20,7 +20,7 @@ class InputError : public std::runtime_error {
  public:
   InputError(const std::string& file, std::size_t line, std::size_t column, const std::string& message)
       : std::runtime_error(printable(place(file, line, column) + message)) {}
-  InputError(const std::string& file, Place at, const std::string& message)
+  InputError(const std::string& file, FilePlace at, const std::string& message)
       : InputError(file, at.line, at.column, message) {}
   InputError(const std::string& file, const std::string& message) : InputError(file, 0, 0, message) {}
 

@@ -143,10 +143,11 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
 
   Scan scanned;
   if (near.empty())
-    scanned = scan(problem);
+    scanned = scan(problem, guesses);
   else
     scanned.minima = {{near}};
-  for (const auto& guess : guesses) scanned.minima.push_back({guess});
+  if (p > 1 || !near.empty())
+    for (const auto& guess : guesses) scanned.minima.push_back({guess});
   if (scanned.minima.empty())
     return end(FitStatus::not_converged, "the model is not finite at these points for any parameter value");
   // Within rounding, or within what the scatter allows, every value fits as well as the best.
