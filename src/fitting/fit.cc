@@ -154,7 +154,8 @@ class Fitter {
       if (points.size() == last_count) continue;
       last_count = points.size();
       for (const Loss loss : {Loss::none, Loss::cauchy}) {
-        if (loss == Loss::cauchy && part < 1) continue;
+        // of one parameter a robust loss, whose scan is the dearest of all, has nothing to add
+        if (loss == Loss::cauchy && (part < 1 || problem_->parameters().size() == 1)) continue;
         toughness.loss = loss;
         const FitResult fit = Fitter(data_, toughness, &points).run();
         if (!fit.solution.empty()) guesses_.push_back(fit.solution);
