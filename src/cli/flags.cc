@@ -125,7 +125,8 @@ Arguments parse_flags(const Command& command, const Arguments& words) {
       gflags::SetCommandLineOption(name.c_str(), "true");
       continue;
     }
-    if (equals == std::string::npos && i + 1 == words.size()) throw UsageError("flag '" + word + "' needs a value");
+    if (equals == std::string::npos && (i + 1 == words.size() || words[i + 1].starts_with("--")))
+      throw UsageError("flag '" + word + "' needs a value");
     const std::string value = equals == std::string::npos ? words[++i] : word.substr(equals + 1);
     // most often a variable of a script that is not set
     if (value.empty()) throw UsageError("flag '--" + name + "' needs a value");

@@ -43,6 +43,8 @@ std::vector<Series> read_series(const std::string& path) {
       for (std::size_t i = 0; i < row.size(); i += 2) {
         const std::string name(row[i]);
         if (name.empty() && i + 1 >= row.size()) break;
+        if (i + 1 < row.size() && parse_number(row[i]) && parse_number(row[i + 1]))
+          throw InputError(path, row.place(i), "the first row holds a point where the data sets' names are wanted");
         series.push_back({name.empty() ? "data set " + std::to_string(i / 2 + 1) : name, {}});
         const auto same = [&](const Series& other) { return other.name == series.back().name; };
         if (std::any_of(series.begin(), series.end() - 1, same))
