@@ -32,7 +32,7 @@ std::optional<Line> fit_line(const std::vector<double>& x, const std::vector<dou
   if (x.size() < 3) return line;
   for (std::size_t i = 0; i < x.size(); ++i) squares += std::pow(y[i] - line.intercept - line.slope * x[i], 2);
   const double variance = squares / (n - 2);
-  line.slope_stderr = std::sqrt(variance / sxx);
+  line.slope_stderr = std::sqrt(variance) / std::sqrt(sxx);  // sxx may be as small as doubles go
   line.intercept_stderr = std::sqrt(variance * (1 / n + mean_x * mean_x / sxx));
   return line;
 }

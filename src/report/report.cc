@@ -21,7 +21,6 @@ WrittenReport write_report(const std::vector<JobResult>& results, const std::vec
   }
   for (const char* name : {"fits.csv", "residuals.csv", "curves.csv", "results.json", "summary.md", "report.html"})
     paths.push_back(folder + "/" + name);
-  spare_inputs(inputs, paths);
   std::vector<Figure> figures;
   for (const ReportedData& one : data) {
     content.entries.push_back({&one, data_figures(one)});
@@ -29,6 +28,11 @@ WrittenReport write_report(const std::vector<JobResult>& results, const std::vec
       figures.insert(figures.end(), group.figures.begin(), group.figures.end());
     advance(0.3 * static_cast<double>(content.entries.size()) / static_cast<double>(data.size()));
   }
+  std::vector<std::string> outputs = paths;
+  for (const Figure& figure : figures)
+    for (const char* kind : {".svg", ".pdf", ".gp", ".dat"})
+      outputs.push_back(folder + "/figures/" + figure.name + kind);
+  spare_inputs(inputs, outputs);
   content.drawn = draw_figures(figures, folder + "/figures");
   advance(0.9);
   const std::vector<std::string> contents{fits_csv(results),    residuals_table(results),  curves_table(results),

@@ -180,6 +180,9 @@ TEST(OutputSafety, AFileThatWasReadIsNotWrittenOver) {
   const std::string data = "P,T,A\n1,0,20\n1,3,19\n1,5,17\n";
   refuses({"fit", folder.write("fits.csv", data), "--out", here}, "fits.csv");
   refuses({"report", folder.write("curves.csv", data), "--out", here}, "curves.csv");
+  std::filesystem::create_directory(folder.path("figures"));
+  refuses({"report", folder.write("d.csv", data), folder.write("figures/d_toughness.dat", data), "--out", here},
+          "d_toughness.dat");
   const std::string plot = folder.write("plot.csv", "a,\nX,Y\n1,2\n");
   std::filesystem::create_symlink(plot, folder.path("link.csv"));
   refuses({"import", plot, "--x=T", "--y=A", "--loads=1", "--out", folder.path("link.csv")}, "link.csv");

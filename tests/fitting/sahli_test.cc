@@ -55,6 +55,15 @@ TEST(Sahli, UsesOnlyTheShearItIsTold) {
   EXPECT_FALSE(fit_sahli(data, 1).runs[0].alpha_predicted);
 }
 
+/// T^4 is then as small as doubles go.
+TEST(Sahli, StandardErrorsOfTheSmallestShearAreFinite) {
+  Dataset data = runs(0.15, {5}, 1);
+  for (Point& point : data.points) point.T *= 1e-80;
+  const SahliResult result = fit_sahli(data, 1, "c", {0.15});
+  ASSERT_EQ(result.runs.size(), 1u);
+  EXPECT_TRUE(std::isfinite(*result.runs[0].alpha_stderr));
+}
+
 TEST(Sahli, RunsWithoutShearAreNamed) {
   Dataset data = runs(0.15, {3}, 0.5);
   data.points.resize(1);
