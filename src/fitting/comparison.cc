@@ -20,14 +20,16 @@ Information criteria(double sum_of_squares, std::size_t n, std::size_t parameter
   return result;
 }
 
-/// Sum of squared area errors at points of one run; adds those beyond the fold to `beyond`.
+/// Sum of squared area errors at points of one run; adds those beyond the fold to `beyond`. Null where the law defines
+/// no area.
 template <class Model>
-double squared_area_errors(const Dataset& data, const std::vector<std::size_t>& run, const Trial<Model>& trial,
-                           std::size_t& beyond) {
+std::optional<double> squared_area_errors(const Dataset& data, const std::vector<std::size_t>& run,
+                                          const Trial<Model>& trial, std::size_t& beyond) {
   TrialAreas<Model> areas(trial);
   double sum = 0;
   for (const std::size_t i : run) {
     const TrialArea area = areas.at(data.points[i].P, data.points[i].T);
+    if (area.place == TrialArea::Place::undefined) return std::nullopt;
     beyond += area.place == TrialArea::Place::beyond_fold;
     const double error = (area.value - data.points[i].A) * data.display.area_scale;
     sum += error * error;
@@ -61,14 +63,15 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
     if (!has_all_values(without) || without.status == FitStatus::not_converged) return std::nullopt;
     const std::size_t curve = data.points[run.front()].curve;
     LeftOut::Run left_out{data.curves[curve], data.curve_loads[curve], 0, run.size(), 0};
-    double squares = 0;
+    std::optional<double> squares;
     with_model(model, [&](auto chosen) {
       using Model = decltype(chosen);
       squares =
           squared_area_errors<Model>(data, run, fitted_trial<Model>(data, without, options), left_out.beyond_fold);
     });
-    left_out.rmse_area = std::sqrt(squares / static_cast<double>(run.size()));
-    result.rmse_area += squares;
+    if (!squares) return std::nullopt;
+    left_out.rmse_area = std::sqrt(*squares / static_cast<double>(run.size()));
+    result.rmse_area += *squares;
     result.beyond_fold += left_out.beyond_fold;
     predicted += run.size();
     result.runs.push_back(std::move(left_out));

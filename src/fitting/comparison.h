@@ -30,7 +30,8 @@ struct LeftOut {
   };
   std::vector<Run> runs;
 };
-/// Null without loads, with fewer than two runs or more than 200 (each takes a fit to all others), or if a fit without one of them yields no value.
+/// Null without loads, with fewer than two runs or more than 200 (each takes a fit to all others), or if a fit without
+/// one of them yields no value, or one for which the law defines no equilibrium.
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options);
 
 struct ComparedModel {

@@ -16,6 +16,7 @@ template <class Model>
 AreaGoodness predict_areas(const Dataset& data, const std::vector<std::size_t>& used, const Trial<Model>& trial) {
   TrialAreas<Model> predicted(trial);
   AreaGoodness area;
+  area.obstacle = LoadedContact<Model>(trial.parameters, 0).obstacle();
   std::vector<double> residuals, targets;
   for (const std::size_t i : used) {
     const Point& point = data.points[i];

@@ -81,6 +81,7 @@ struct AreaGoodness {
   std::size_t predicted = 0;
   std::size_t unpredicted = 0;               // points beyond the last equilibrium of the fitted model
   std::vector<std::optional<double>> areas;  // per used point, dimensionless; null where unpredicted
+  std::string_view obstacle{};               // why the law defines no area with these parameters; else empty
 };
 
 struct FitResult {

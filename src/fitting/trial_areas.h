@@ -9,9 +9,9 @@
 namespace mixity {
 
 /// As it would be measured, dimensionless: beyond the last equilibrium the area at the fold, below pull-off that of no
-/// contact.
+/// contact; 0 where the law defines no equilibrium with these parameters.
 struct TrialArea {
-  enum class Place { equilibrium, beyond_fold, below_pull_off } place;
+  enum class Place { equilibrium, beyond_fold, below_pull_off, undefined } place;
   double value;
 };
 
@@ -24,6 +24,7 @@ class TrialAreas {
   TrialArea at(double P, double T) {
     const double load = scale_.load(P);
     if (!contact_ || load != load_) contact_.emplace(parameters_, load_ = load);
+    if (!contact_->obstacle().empty()) return {TrialArea::Place::undefined, 0};
     if (!contact_->in_contact()) return {TrialArea::Place::below_pull_off, scale_.measured_area(0)};
     const Equilibrium equilibrium = contact_->at(scale_.shear(T));
     const bool exists = equilibrium.status == EquilibriumStatus::ok;

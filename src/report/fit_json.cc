@@ -28,7 +28,8 @@ Json area_json(const FitResult& fit, const Dataset& data) {
           {"rmse", any ? Json(area.rmse) : Json()},
           {"max_abs_residual", any ? Json(area.max_abs_residual) : Json()},
           {"unit", data.display.area},
-          {"unpredicted", area.unpredicted}};
+          {"unpredicted", area.unpredicted},
+          {"obstacle", area.obstacle.empty() ? Json() : Json(area.obstacle)}};
 }
 
 Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {

@@ -77,7 +77,9 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
           << rounded(fit.area->max_abs_residual, 3);
     else
       out << "no predicted A(T)";
-    if (fit.area->unpredicted > 0)
+    if (!fit.area->obstacle.empty())
+      out << ": " << fit.area->obstacle;
+    else if (fit.area->unpredicted > 0)
       out << "; " << fit.area->unpredicted << " point" << (fit.area->unpredicted == 1 ? "" : "s")
           << " beyond the last equilibrium";
     out << '\n';

@@ -121,6 +121,16 @@ TEST(LeaveOneLoadOut, IsRefittingWithoutEachRun) {
   }
 }
 
+/// Of toughness model bk can be fitted where the law defines no equilibrium: that predicts no area, not one of 0.
+TEST(LeaveOneLoadOut, SaysNothingWhereTheLawDefinesNoArea) {
+  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.0023}, {1, 5, 20}, 20, 0.95);
+  const FitResult fit = fit_model(data, "bk");
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_FALSE(fit.area->obstacle.empty());
+  EXPECT_EQ(fit.area->unpredicted, data.points.size());
+  EXPECT_FALSE(leave_one_load_out(data, fit, {}));
+}
+
 TEST(LeaveOneLoadOut, NeedsTwoRunsWithLoads) {
   const Dataset one = noisy(4, {3});
   EXPECT_FALSE(leave_one_load_out(one, fit_model(one, "c", area_options()), area_options()));
