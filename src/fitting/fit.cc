@@ -70,6 +70,23 @@ std::vector<double> toughness_weights(const Dataset& data, const FitOptions& opt
   return weights;
 }
 
+/// How many points differ from each other, counted up to `enough`: rows that repeat one know nothing of its error.
+std::size_t distinct_points(const Dataset& data, const std::vector<std::size_t>& used, std::size_t enough) {
+  std::vector<std::size_t> distinct;
+  const auto same = [&](std::size_t one, std::size_t other) {
+    const Point &p = data.points[one], &q = data.points[other];
+    if (data.has_loads) return p.P == q.P && p.T == q.T && p.A == q.A;
+    const ToughnessPoint &f = data.converted[one], &g = data.converted[other];
+    return f.mixity.sin == g.mixity.sin && f.mixity.cos == g.mixity.cos && f.ratio == g.ratio;
+  };
+  for (const std::size_t i : used) {
+    if (distinct.size() == enough) break;
+    if (std::none_of(distinct.begin(), distinct.end(), [&](std::size_t known) { return same(i, known); }))
+      distinct.push_back(i);
+  }
+  return distinct.size();
+}
+
 template <class Model>
 class Fitter {
  public:
@@ -80,9 +97,16 @@ class Fitter {
     describe();
     if (!options_.free.empty()) prepared_.start = jkr_start<Model>(data_, options_, prepared_);
     problem_ = make_problem<Model>(data_, options_, prepared_);
-    if (!problem_->parameters().empty() && options_.objective != Objective::toughness && options_.near.empty()) guess();
+    const std::size_t p = problem_->parameters().size();
+    if (const std::size_t distinct = distinct_points(data_, prepared_.used, p + 1); p > 0 && distinct <= p) {
+      result_.status = FitStatus::not_identifiable;
+      result_.message = too_few_points(distinct, prepared_.used.size(), p);
+      return result_;
+    }
+    if (p > 0 && options_.objective != Objective::toughness && options_.near.empty())
+      guesses_ = toughness_guesses(data_, Model::info.key, options_, prepared_.used, p);
     std::vector<double> x;
-    if (problem_->parameters().empty()) {
+    if (p == 0) {
       result_.status = FitStatus::ok;
       result_.message = "every parameter is held: nothing was fitted";
     } else {
@@ -126,42 +150,6 @@ class Fitter {
             {parameter.name, {}, {}, parameter.shown(parameter.lower), parameter.shown(parameter.upper)});
         result_.parameters.back().unit = parameter.unit;
       }
-  }
-
-  /// Starts from fits of toughness, which cost no search for an equilibrium: the basins of areas and curves may be far
-  /// narrower than the steps of a scan. Points beyond the fold, the last of their run, are outliers there: fits without
-  /// the last part of each run, too. A thousand points, evenly chosen, are enough.
-  void guess() {
-    constexpr std::size_t kEnough = 1000;
-    const std::size_t every = prepared_.used.size() / kEnough + 1;
-    std::vector<std::vector<std::size_t>> runs(data_.curves.size());
-    for (std::size_t i = 0; i < prepared_.used.size(); i += every)
-      if (const std::size_t used = prepared_.used[i]; data_.toughness(used))
-        runs[data_.points[used].curve].push_back(used);
-    for (auto& run : runs)
-      std::sort(run.begin(), run.end(),
-                [&](std::size_t one, std::size_t other) { return data_.points[one].T < data_.points[other].T; });
-    FitOptions toughness = value_only(options_);
-    toughness.objective = Objective::toughness;
-    toughness.scale = Scale::log;
-    toughness.weighted = false;
-    toughness.loss_scale.reset();
-    std::size_t last_count = 0;
-    for (const double part : {1.0, 0.95, 0.9, 0.8, 0.65}) {
-      std::vector<std::size_t> points;
-      for (const auto& run : runs)
-        points.insert(points.end(), run.begin(),
-                      run.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(run.size())));
-      if (points.size() == last_count) continue;
-      last_count = points.size();
-      for (const Loss loss : {Loss::none, Loss::cauchy}) {
-        // of one parameter a robust loss, whose scan is the dearest of all, has nothing to add
-        if (loss == Loss::cauchy && (part < 1 || problem_->parameters().size() == 1)) continue;
-        toughness.loss = loss;
-        const FitResult fit = Fitter(data_, toughness, &points).run();
-        if (!fit.solution.empty()) guesses_.push_back(fit.solution);
-      }
-    }
   }
 
   Verdict find_minimum() {

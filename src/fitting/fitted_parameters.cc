@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "dataset/input_error.h"
 #include "dataset/number_text.h"
 
 namespace mixity {
@@ -93,6 +95,8 @@ void tell_resampled(const LeastSquares& cost, const Verdict& verdict, const Data
   const std::vector<FreeParameter>& parameters = cost.parameters();
   const auto slope = [&](std::size_t j) { return parameters[j].shown_slope(verdict.best.x[j]); };
   if (options.bootstrap.replicates > 0) {
+    if (options.bootstrap.resample == Resample::curves && std::set(runs.begin(), runs.end()).size() < 2)
+      throw InputError(data.path, "a bootstrap of curves draws whole runs, of which this file has one");
     fit.bootstrap = bootstrap(cost, verdict.best.x, runs, options.bootstrap, options.confidence, options.progress);
     const std::vector<FittedParameter*> fitted = free_parameters(fit);
     for (std::size_t j = 0; j < fit.bootstrap->parameters.size(); ++j) {

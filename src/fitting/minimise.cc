@@ -120,6 +120,12 @@ std::string_view to_string(FitStatus status) {
   return "not_converged";
 }
 
+std::string too_few_points(std::size_t distinct, std::size_t points, std::size_t parameters) {
+  return std::to_string(distinct) + " usable point" + (distinct == 1 ? "" : "s") +
+         (distinct < points ? ", repeated in " + std::to_string(points) + " rows," : "") + " cannot determine " +
+         std::to_string(parameters) + " parameter" + (parameters == 1 ? "" : "s") + " and their errors";
+}
+
 double fit_tolerance(const LeastSquares& problem, double least) {
   const auto freedom = static_cast<double>(problem.residual_count() - problem.parameters().size());
   return kChiSquare95 * (problem.known_errors() ? 1 : least / freedom);
@@ -136,18 +142,15 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
       verdict.stderrs.assign(p, std::nullopt);
     return verdict;
   };
-  if (n <= p)
-    return end(FitStatus::not_identifiable, std::to_string(n) + " usable point" + (n == 1 ? "" : "s") +
-                                                " cannot determine " + std::to_string(p) + " parameter" +
-                                                (p == 1 ? "" : "s") + " and their errors");
+  if (n <= p) return end(FitStatus::not_identifiable, too_few_points(n, n, p));
 
   Scan scanned;
-  if (near.empty())
+  if (near.empty()) {
     scanned = scan(problem, guesses);
-  else
+  } else {
     scanned.minima = {{near}};
-  if (p > 1 || !near.empty())
     for (const auto& guess : guesses) scanned.minima.push_back({guess});
+  }
   if (scanned.minima.empty())
     return end(FitStatus::not_converged, "the model is not finite at these points for any parameter value");
   // Within rounding, or within what the scatter allows, every value fits as well as the best.
@@ -172,8 +175,10 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
       for (const Start& start : closer.minima)
         if (start.reachable < lowest(minima).sum_of_squares) descend_from(start.x);
     }
-  const bool any_scanned = near.empty() && std::any_of(problem.parameters().begin(), problem.parameters().end(),
-                                                       [](const FreeParameter& parameter) { return !parameter.start; });
+  // a scan that was nowhere finite knows of no value that would fit
+  const bool any_scanned =
+      std::isfinite(scanned.lowest) && std::any_of(problem.parameters().begin(), problem.parameters().end(),
+                                                   [](const FreeParameter& parameter) { return !parameter.start; });
   // Of the minima, not of the scan's places: a narrow basin between two of them goes far below both.
   double least = scanned.lowest;
   for (const Minimum& minimum : minima) least = std::min(least, minimum.sum_of_squares);

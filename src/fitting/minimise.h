@@ -30,6 +30,9 @@ struct Verdict {
   std::vector<double> correlations;            // [p x p] of the parameters that have a standard error; else empty
 };
 
+/// Why a fit of more parameters than different points, less one, has no result.
+std::string too_few_points(std::size_t distinct, std::size_t points, std::size_t parameters);
+
 /// How far above the least sum of squares a fit counts as no worse: chi^2 of one parameter at 95 %, in units of the
 /// known errors or of the scatter. Needs more residuals than parameters.
 double fit_tolerance(const LeastSquares& problem, double least);

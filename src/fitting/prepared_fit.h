@@ -50,18 +50,30 @@ bool describes(const Mixity<double>& mixity) {
   return std::isfinite(Model::log_toughness(p, mixity).value);
 }
 
+/// Why a point with loads has no predicted area.
+inline constexpr std::string_view kBelowPullOff =
+    "the load lies below the JKR pull-off load -3/2 pi R G_Ic, at which no model predicts an area";
+
 template <class Model>
 PreparedFit<Model> prepare(const Dataset& data, const FitOptions& options, const std::vector<std::size_t>* points) {
   PreparedFit<Model> prepared;
   static const std::string kInfinite =
       "model " + std::string(Model::info.key) + " has an infinite toughness at this psi";
+  const CorrectedScale scale(options.corrections);
+  const auto obstacle = [&](std::size_t i) -> std::string_view {
+    if (options.objective == Objective::toughness) {
+      const auto toughness = data.toughness(i);
+      return !toughness ? kNoPhaseAngle : describes<Model>(toughness->mixity) ? std::string_view() : kInfinite;
+    }
+    // a freed constant may bring it back
+    const bool contact = !options.free.empty() || above_pull_off(scale.load(data.points[i].P)) >= 0;
+    return contact ? std::string_view() : kBelowPullOff;
+  };
   const auto consider = [&](std::size_t i) {
-    const auto toughness =
-        options.objective == Objective::toughness ? data.toughness(i) : std::optional<ToughnessPoint>();
-    if (options.objective != Objective::toughness || (toughness && describes<Model>(toughness->mixity)))
+    if (const std::string_view reason = obstacle(i); reason.empty())
       prepared.used.push_back(i);
     else
-      prepared.excluded.push_back({data.points[i].line, toughness ? std::string_view(kInfinite) : kNoPhaseAngle});
+      prepared.excluded.push_back({data.points[i].line, reason});
   };
   if (points)
     for (const std::size_t i : *points) consider(i);

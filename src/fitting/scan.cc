@@ -128,26 +128,28 @@ bool bends_within(const LeastSquares& problem, const Axes& axes) {
 
 Scan scan(const LeastSquares& problem, const std::vector<std::vector<double>>& guesses) {
   const auto single = problem.parameters().size() == 1 ? problem.single_cost() : nullptr;
+  Scan result;
   if (single && single->exact_curvature() && !problem.parameters()[0].start) {
-    Scan result;
     const SingleScan found = scan_basins(*single, problem.parameters()[0]);
     result.lowest = found.lowest;
     result.highest = found.highest;
     for (const Basin& basin : found.basins) result.minima.push_back({{basin.start}});
-    for (const auto& guess : guesses) result.minima.push_back({guess});
-    return result;
+  } else {
+    const auto scanned = std::count_if(problem.parameters().begin(), problem.parameters().end(),
+                                       [](const FreeParameter& parameter) { return !parameter.start; });
+    Axes axes;
+    for (const FreeParameter& parameter : problem.parameters())
+      axes.push_back(scan_values(parameter, scanned == 1 ? problem.scan_density() : 16));
+    if (single) {  // a guess divides the basins around it
+      for (const auto& guess : guesses) axes[0].push_back(guess[0]);
+      std::sort(axes[0].begin(), axes[0].end());
+      axes[0].erase(std::unique(axes[0].begin(), axes[0].end()), axes[0].end());
+      return scan_grid(problem, axes);
+    }
+    result = scan_grid(problem, axes);
   }
-  const auto scanned = std::count_if(problem.parameters().begin(), problem.parameters().end(),
-                                     [](const FreeParameter& parameter) { return !parameter.start; });
-  Axes axes;
-  for (const FreeParameter& parameter : problem.parameters())
-    axes.push_back(scan_values(parameter, scanned == 1 ? problem.scan_density() : 16));
-  if (axes.size() == 1) {
-    for (const auto& guess : guesses) axes[0].push_back(guess[0]);
-    std::sort(axes[0].begin(), axes[0].end());
-    axes[0].erase(std::unique(axes[0].begin(), axes[0].end()), axes[0].end());
-  }
-  return scan_grid(problem, axes);
+  for (const auto& guess : guesses) result.minima.push_back({guess});
+  return result;
 }
 
 Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, double reach) {

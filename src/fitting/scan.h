@@ -20,7 +20,7 @@ struct Scan {
 };
 
 /// Over the whole range of the parameters without a start, the others at theirs. Where the cost is not finite there is
-/// no place. Of one parameter `guesses` are places, too.
+/// no place. `guesses` are places, too: of one parameter on its axis.
 Scan scan(const LeastSquares& problem, const std::vector<std::vector<double>>& guesses = {});
 
 /// Over a grid of each parameter by up to the part `reach` above and below x; empty if no bend of the cost lies there,

@@ -67,6 +67,15 @@ TEST(EdgeMinimum, IsNotClaimedWhereTheCostFallsOn) {
   EXPECT_FALSE(near(steps, {0.4}));
 }
 
+/// With a phase angle next to pi/2 a basin may lie that close to the bound of model a.
+TEST(EdgeMinimum, IsFoundRightBesideABound) {
+  const OneResidual dip(1,
+                        [](auto x) { return 2 + (1 - x[0]) - 0.1 * std::exp(-9 * std::abs((1 - x[0]) * 1e12 - 1)); });
+  const auto found = near(dip, {1});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(1 - found->minimum.x[0], 1e-12, 1e-15);  // a few of the doubles below 1, 1e-16 apart
+}
+
 template <class Model>
 FitResult fit_of_areas(unsigned seed, double* truth_cost = nullptr) {
   stress::Random random(seed);

@@ -8,6 +8,7 @@
 #include "dataset/input_error.h"
 #include "dataset/load_text.h"
 #include "fitting/fit.h"
+#include "fitting/prepared_fit.h"
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
@@ -80,6 +81,34 @@ TYPED_TEST(ExactRuns, GiveToughnessAndModulusBackWhenTheyAreFree) {
       ASSERT_EQ(fit.correlations.size(), 9u);
       for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(fit.correlations[4 * k], 1, 1e-14);
     }
+  }
+}
+
+/// A rate-dependent adhesive sticks at tensions that its stated toughness would not bear: half of it, here.
+TYPED_TEST(ExactRuns, GiveToughnessBackWhereTheStatedOneWouldHavePulledOff) {
+  const Dataset data = misdescribed(synthetic_runs<TypeParam>({0.15}, {-3.5, -1, 0.5, 2.5}, 6), 0.5, 1);
+  ASSERT_LT(above_pull_off(data.points[0].P), 0);
+  for (const Objective objective : {Objective::area, Objective::curve}) {
+    const FitResult fit = fit_model(data, TypeParam::info.key, with(objective, {kToughness}));
+    EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << fit.message;
+    ASSERT_TRUE(fit.parameters[0].value) << to_string(objective);
+    EXPECT_NEAR(*fit.parameters[0].value / 0.15, 1, 1e-9) << to_string(objective);  // as above
+    EXPECT_NEAR(*fit.parameters[1].value * 0.5, 1, 1e-9) << to_string(objective);
+  }
+}
+
+/// Held at a toughness that is too small, the model predicts nothing for these points: they are named, the rest fitted.
+TEST(PointsBelowPullOff, AreLeftOutOfAFitOfAreas) {
+  Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {1, 5}, 6);
+  const FitResult without = fit_model(data, "c", with(Objective::area));
+  data.points.push_back({14, 0, -5, 0.1, 3});
+  for (const Objective objective : {Objective::area, Objective::curve}) {
+    const FitResult fit = fit_model(data, "c", with(objective));
+    EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+    EXPECT_NEAR(*fit.parameters[0].value, *without.parameters[0].value, 1e-10) << to_string(objective);  // as above
+    ASSERT_EQ(fit.excluded.size(), 1u);
+    EXPECT_EQ(fit.excluded[0].line, 14u);
+    EXPECT_EQ(fit.excluded[0].reason, kBelowPullOff);
   }
 }
 

@@ -45,6 +45,26 @@ TEST(KnownErrors, OfAToughnessFileAreTakenAtTheirWord) {
   EXPECT_EQ(fit_model(file("50"), "c", {.weighted = true}).status, FitStatus::not_identifiable);
 }
 
+/// Rows that repeat each other are one observation: their scatter of 0 is no standard error.
+TEST(RepeatedRows, AreOnePoint) {
+  for (const std::size_t different : {1u, 2u, 3u}) {
+    Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5}, 4, 0.9);
+    data.points.erase(data.points.begin());  // T = 0, which says nothing of lambda
+    data.points.resize(different);
+    for (std::size_t i = 0; i < 6; ++i) data.points.push_back(data.points[i % different]);
+    for (const Objective objective : {Objective::toughness, Objective::area, Objective::curve})
+      for (const char* model : {"c", "bk"}) {
+        const FitResult fit = fit_model(data, model, {.objective = objective});
+        const bool enough = different > (model == std::string_view("c") ? 1 : 2);
+        EXPECT_EQ(fit.status != FitStatus::not_identifiable, enough) << to_string(objective) << model << different;
+        if (!enough) {
+          EXPECT_NE(fit.message.find("repeated in " + std::to_string(different + 6) + " rows"), std::string::npos)
+              << fit.message;
+        }
+      }
+  }
+}
+
 /// A number as a file of so many digits holds it.
 double rounded_to(double x, int digits) {
   char text[40];
