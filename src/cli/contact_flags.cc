@@ -7,7 +7,9 @@ namespace mixity::cli {
 
 OutputUnits output_units() {
   Metadata metadata;
-  apply_overrides(metadata_overrides(), metadata);
+  const Overrides overrides = metadata_overrides();
+  apply_overrides(overrides, metadata);
+  require_whole_modulus(metadata, {}, overrides);
   const auto modulus = metadata.plane_strain_modulus();
   const int given = metadata.radius.has_value() + modulus.has_value() + metadata.toughness.has_value();
   if (given == 0 && is_set("units")) throw UsageError("flag '--units' needs --radius, --modulus and --toughness");
@@ -64,7 +66,7 @@ std::map<std::string, std::string> parameter_texts() {
   for (const std::string& item : split_list(FLAGS_parameters)) {
     const std::size_t equals = item.find('=');
     if (equals == std::string::npos) throw UsageError("flag '--parameters': '" + item + "' is not NAME=NUMBER");
-    const std::string name = item.substr(0, equals);
+    const std::string name(trim(std::string_view(item).substr(0, equals)));
     if (!given.emplace(name, item.substr(equals + 1)).second)
       throw UsageError("flag '--parameters' names '" + name + "' twice");
   }

@@ -85,12 +85,12 @@ void check_duplicates(const Dataset& data, Lines& odd) {
 void check_loads(const Dataset& data, Lines& odd) {
   const auto curves = summarise_curves(data);
   const auto single = std::count_if(curves.begin(), curves.end(), [](const CurveSummary& c) { return c.points == 1; });
-  if (single > 3 && 2 * static_cast<std::size_t>(single) > curves.size()) {
+  const bool many_single = single > 3 && 2 * static_cast<std::size_t>(single) > curves.size();
+  if (many_single)
     odd.push_back(std::to_string(single) + " of " + std::to_string(curves.size()) +
                   " runs have one point; if P scatters within a run, name the runs in a column 'curve'");
-    return;
-  }
   for (const CurveSummary& curve : curves) {
+    if (many_single && curve.points == 1) continue;  // said once for all of them
     if (curve.points < 3)
       odd.push_back("run " + curve.name + " has only " + std::to_string(curve.points) + " usable point" +
                     (curve.points == 1 ? "" : "s"));
@@ -167,7 +167,11 @@ std::vector<std::string> find_oddities(const Dataset& data) {
     check_toughness(data, odd);
   }
   check_duplicates(data, odd);
-  for (const std::string& column : data.ignored_columns) odd.push_back("column '" + column + "' is not used");
+  odd.insert(odd.end(), data.notes.begin(), data.notes.end());
+  for (const std::string& column : data.ignored_columns)
+    if (std::none_of(data.notes.begin(), data.notes.end(),
+                     [&](const std::string& note) { return note.starts_with("column '" + column + "'"); }))
+      odd.push_back("column '" + column + "' is not used");
   if (data.metadata.provenance == Provenance::unstated) odd.push_back("the provenance of the data is not stated");
   return odd;
 }

@@ -1,5 +1,7 @@
 #include "dataset/columns.h"
 
+#include <cctype>
+
 #include "dataset/input_error.h"
 #include "dataset/printable.h"
 
@@ -28,6 +30,15 @@ constexpr std::array<Kind, kColumnCount> kKinds{{
     {ColumnId::curve, "curve", dimension::none, true},
     {ColumnId::include, "include", dimension::none, true},
 }};
+
+/// In lower case, letters and digits only.
+std::string bare_name(std::string_view name) {
+  std::string bare;
+  for (const char c : name)
+    if (const auto byte = static_cast<unsigned char>(c); std::isalnum(byte))
+      bare += static_cast<char>(std::tolower(byte));
+  return bare;
+}
 
 /// As trim, also of the no-break spaces that spreadsheets and web pages leave behind.
 std::string_view trim_name(std::string_view text) {
@@ -79,9 +90,10 @@ void require_width(const std::string& path, const CsvRow& row, std::size_t count
 }
 
 bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value) {
-  const std::string_view text = row[i];
+  if (parse_number(row[i], value)) return true;
+  const std::string_view text = trim_name(row[i]);
   if (text.empty()) return false;
-  if (parse_number(text, value)) return true;
+  if (text.size() < row[i].size() && parse_number(text, value)) return true;
   const bool decimal_comma = text.find(',') != std::string_view::npos;
   throw InputError(path, row.place(i),
                    "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number" +
@@ -109,6 +121,9 @@ Columns::Columns(const std::string& path, const CsvRow& header) : count_(header.
   }
   require_a_complete_set(path, header.line());
   require_consistent_units(path, header);
+  for (const std::string& name : ignored_)
+    for (const Kind& kind : kKinds)
+      if (!has(kind.id) && bare_name(name) == bare_name(kind.name)) misspelt_.emplace_back(name, kind.name);
 }
 
 void Columns::require_a_complete_set(const std::string& path, std::size_t line) const {

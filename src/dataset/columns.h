@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "dataset/csv.h"
@@ -35,6 +36,8 @@ class Columns {
   bool has(ColumnId id) const { return find(id) != nullptr; }
   std::size_t count() const { return count_; }                          // fields in the header
   const std::vector<std::string>& ignored() const { return ignored_; }  // names of columns that mean nothing to us
+  /// Of these the ones that differ from a quantity's name, which no column has, in case or signs only; with that name.
+  const std::vector<std::pair<std::string, std::string>>& misspelt() const { return misspelt_; }
   /// P, T and A (or a), rather than psi and Gc.
   bool holds_loads() const { return has(ColumnId::P); }
 
@@ -44,6 +47,7 @@ class Columns {
 
   std::array<std::optional<Column>, kColumnCount> columns_;
   std::vector<std::string> ignored_;
+  std::vector<std::pair<std::string, std::string>> misspelt_;
   std::size_t count_ = 0;
 };
 

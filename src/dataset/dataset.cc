@@ -1,7 +1,7 @@
 #include "dataset/dataset.h"
 
-#include <filesystem>
 #include <map>
+#include <utility>
 
 #include "dataset/csv.h"
 #include "dataset/input_error.h"
@@ -21,8 +21,9 @@ class Runs {
   /// The run that the row's column names; failing that, points of equal load form one.
   std::size_t of(const std::optional<std::string_view>& name, const Point& point, const Dataset& data) {
     const double load = data.has_loads ? point.P : 0;
-    if (!names_.empty() && (name ? *name == names_[last_] : load == last_load_)) return last_;
+    if (!names_.empty() && (name ? *name == names_[last_] : last_by_load_ && load == last_load_)) return last_;
     last_load_ = load;
+    last_by_load_ = !name;
     if (name) return last_ = index(std::string(*name), load);
     if (!data.has_loads) return last_ = index({}, load);
     const DisplayUnits& units = data.display;
@@ -47,6 +48,7 @@ class Runs {
   std::vector<double> loads_;
   std::size_t last_ = 0;
   double last_load_ = 0;
+  bool last_by_load_ = false;
 };
 
 template <class T>
@@ -110,8 +112,8 @@ struct Part {
 /// Reads a file into a data set.
 class Loader {
  public:
-  Loader(const std::string& metadata_path, PointUse use, Dataset& data)
-      : metadata_path_(metadata_path), use_(use), data_(data), file_(data.path) {}
+  Loader(std::string metadata_path, PointUse use, Dataset& data)
+      : metadata_path_(std::move(metadata_path)), use_(use), data_(data), file_(data.path) {}
 
   void read() {
     // What is small is read here: threads cost more than they save.
@@ -171,7 +173,7 @@ class Loader {
     if (data_.has_loads) data_.curve_loads = runs_.loads();
   }
 
-  const std::string& metadata_path_;
+  std::string metadata_path_;
   PointUse use_;
   Dataset& data_;
   CsvFile file_;
@@ -189,15 +191,12 @@ std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
 
 Dataset load_dataset(const std::string& path, const Overrides& overrides, PointUse use) {
   Dataset data;
-  const std::filesystem::path file(path);
   data.path = path;
-  data.name = printable(file.stem().string(), std::string::npos);
-  const std::string metadata_path = std::filesystem::path(file).replace_extension(".toml").string();
-  data.metadata = read_metadata(metadata_path);
+  data.name = data_name(path);
+  data.metadata = read_metadata(metadata_path(path));
   apply_overrides(overrides, data.metadata);
-  const std::string problem = modulus_problem(data.metadata);
-  if (!problem.empty()) throw InputError(metadata_path, problem);
-  Loader(metadata_path, use, data).read();
+  require_whole_modulus(data.metadata, metadata_path(path), overrides);
+  Loader(metadata_path(path), use, data).read();
   return data;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dataset/metadata.h"
+#include "dataset/printable.h"
 #include "mechanics/contact.h"
 #include "mechanics/measurement.h"
 
@@ -41,7 +42,7 @@ struct DisplayUnits {
 };
 
 struct Dataset {
-  std::string path, name;  // name: the file's without folder and ending
+  std::string path, name;  // as opened; the file's without folder and ending
   Metadata metadata;
   bool has_loads = false;                 // (P, T, A) rather than (psi, Gc)
   std::optional<Contact> contact;         // null if the data are dimensionless or (psi, f)
@@ -53,6 +54,7 @@ struct Dataset {
   std::vector<std::string> curves;  // names of the loading runs: the curve column, or one per load
   std::vector<double> curve_loads;  // dimensionless load of each run's first point; empty without loads
   std::vector<std::string> ignored_columns;
+  std::vector<std::string> notes;  // what was stated and is passed over, as sentences that every fit shows
   DisplayUnits display;
 
   /// What point i says of the toughness; null where its area does not exceed that of Hertz (PointUse::areas).
@@ -60,6 +62,7 @@ struct Dataset {
     if (!has_loads) return converted[i];
     return toughness_of_area(points[i].P, points[i].T, points[i].A);
   }
+  std::string shown_path() const { return printable(path, std::string::npos); }
   PointErrors errors_of(std::size_t i) const { return errors.empty() ? PointErrors{} : errors[i]; }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 
 #include "dataset/input_error.h"
@@ -51,6 +52,13 @@ const Field* find_field(std::string_view name) {
 }
 
 bool is_key(std::string_view name) { return is_text(name) || find_field(name); }
+
+std::filesystem::path without_ending(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  return ending.size() > 1 && std::isalpha(static_cast<unsigned char>(ending[1]))
+             ? std::filesystem::path(path).replace_extension()
+             : path;
+}
 
 std::string example(std::string_view name) { return std::string(find_field(name)->example); }
 
@@ -104,6 +112,12 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
   return "unknown key " + quoted(name) + " (known: " + known + ")";
 }
 
+std::string metadata_path(const std::string& csv_path) { return without_ending(csv_path).string() + ".toml"; }
+
+std::string data_name(const std::string& csv_path) {
+  return printable(without_ending(csv_path).filename().string(), std::string::npos);
+}
+
 Metadata read_metadata(const std::string& path) {
   Metadata metadata;
   std::error_code error;
@@ -112,6 +126,8 @@ Metadata read_metadata(const std::string& path) {
   if (error) throw InputError(path, "cannot be looked up: " + error.message());
   for (const auto& [key, node] : read_toml(path)) {
     const std::string name(key.str());
+    if (name == "data" || name == "models")
+      fail_at(path, key, "key \"" + name + "\" is one of a fit definition, which needs another name than its data");
     if (!is_key(name)) fail_at(path, key, set_field(metadata, name, ""));
     std::string text;
     if (node.is_string())
@@ -139,15 +155,17 @@ void apply_overrides(const Overrides& overrides, Metadata& metadata) {
   }
   if (modulus && !youngs_modulus) metadata.youngs_modulus.reset();
   if (youngs_modulus && !modulus) metadata.modulus.reset();
-  for (const auto& [name, text] : overrides)
-    if (name == "poisson_ratio" && !metadata.youngs_modulus)
-      throw InputError("--poisson_ratio", "has no effect without youngs_modulus");
 }
 
-std::string modulus_problem(const Metadata& metadata) {
-  if (metadata.modulus && metadata.youngs_modulus) return "states both modulus and youngs_modulus; state one";
-  if (metadata.youngs_modulus && !metadata.poisson_ratio) return "states youngs_modulus without poisson_ratio";
-  return {};
+void require_whole_modulus(const Metadata& metadata, const std::string& path, const Overrides& overrides) {
+  if (metadata.modulus && metadata.youngs_modulus)
+    throw InputError(path, "states both modulus and youngs_modulus; state one");
+  if (metadata.youngs_modulus.has_value() == metadata.poisson_ratio.has_value()) return;
+  const std::string_view given = metadata.youngs_modulus ? "youngs_modulus" : "poisson_ratio",
+                         missing = metadata.youngs_modulus ? "poisson_ratio" : "youngs_modulus";
+  for (const auto& [name, text] : overrides)
+    if (name == given) throw InputError("--" + name, "needs " + std::string(missing) + ", too");
+  if (!metadata.modulus) throw InputError(path, "states " + std::string(given) + " without " + std::string(missing));
 }
 
 }  // namespace mixity

@@ -40,6 +40,13 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 /// Sets one field from its text. Returns what is wrong with it, or an empty string.
 std::string set_field(Metadata& metadata, std::string_view name, std::string_view text);
 
+/// The file that states the metadata of a CSV: its path with the ending .toml. An ending begins with a letter: that of
+/// run_0.5 is none.
+std::string metadata_path(const std::string& csv_path);
+
+/// A CSV's name without folder and ending, fit to be shown.
+std::string data_name(const std::string& csv_path);
+
 /// Reads the TOML at `path`; a file that does not exist leaves everything unstated. Throws InputError with line
 /// and column for a syntax error, an unknown key or a value without a unit.
 Metadata read_metadata(const std::string& path);
@@ -47,7 +54,8 @@ Metadata read_metadata(const std::string& path);
 /// Applies overrides; one of modulus and youngs_modulus replaces the other. Throws InputError naming the flag.
 void apply_overrides(const Overrides& overrides, Metadata& metadata);
 
-/// What contradicts itself or is incomplete in the statements of the modulus; empty if nothing.
-std::string modulus_problem(const Metadata& metadata);
+/// Throws InputError if the statements of the modulus contradict each other or are incomplete: naming the flag, if one
+/// of the overrides is half of a pair, else the file at `path`.
+void require_whole_modulus(const Metadata& metadata, const std::string& path, const Overrides& overrides = {});
 
 }  // namespace mixity

@@ -2,12 +2,10 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "dataset/columns.h"
 #include "dataset/csv.h"
 #include "dataset/input_error.h"
-#include "dataset/printable.h"
 #include "mechanics/contact.h"
 
 namespace mixity {
@@ -96,12 +94,10 @@ class Reader {
 PeakForces load_peak_forces(const std::string& path) {
   PeakForces forces;
   forces.path = path;
-  forces.name = printable(std::filesystem::path(path).stem().string(), std::string::npos);
-  const std::string metadata_path = std::filesystem::path(path).replace_extension(".toml").string();
-  forces.metadata = read_metadata(metadata_path);
-  if (const std::string problem = modulus_problem(forces.metadata); !problem.empty())
-    throw InputError(metadata_path, problem);
-  Reader reader(forces, metadata_path);
+  forces.name = data_name(path);
+  forces.metadata = read_metadata(metadata_path(path));
+  require_whole_modulus(forces.metadata, metadata_path(path));
+  Reader reader(forces, metadata_path(path));
   read_csv(path, [&](const CsvRow& row) { reader.row(row); });
   if (!reader.has_header()) throw InputError(path, 1, 1, "is empty: a header row is missing");
   if (forces.rows.empty() && forces.excluded.empty()) throw InputError(path, 2, 1, "has a header but no data rows");

@@ -31,6 +31,7 @@ PointReader::PointReader(const std::string& metadata_path, PointUse use, const C
   data_.has_loads = columns_.holds_loads();
   data_.ignored_columns = columns_.ignored();
   require_constants(metadata_path);
+  add_notes();
   if (data_.contact) set_display();
   if (data_.has_loads && !columns_.has(ColumnId::include)) set_wanted();
 }
@@ -53,6 +54,27 @@ void PointReader::require_constants(const std::string& metadata_path) {
   force_unit_ = data_.contact->force_unit();
   length_unit_ = data_.contact->length_unit();
   if (!data_.contact->usable()) throw InputError(data_.path, "radius, modulus and toughness together are out of range");
+}
+
+void PointReader::add_notes() {
+  std::string constants;
+  const auto unused = [&](bool stated, std::string_view name) {
+    if (stated) constants += (constants.empty() ? "" : ", ") + std::string(name);
+  };
+  const Column* Gc = columns_.find(ColumnId::Gc);
+  if (data_.has_loads && !data_.contact) {
+    unused(data_.metadata.radius.has_value(), "radius");
+    unused(data_.metadata.plane_strain_modulus().has_value(), "modulus");
+    unused(data_.metadata.toughness.has_value(), "toughness");
+  } else if (Gc && Gc->unit.dimension == dimension::none) {
+    unused(data_.metadata.toughness.has_value(), "toughness");
+  }
+  if (!constants.empty())
+    data_.notes.push_back(std::string(Gc ? "Gc has" : "the columns have") + " no unit and " +
+                          (Gc ? "is taken for Gc/GIc" : "are taken as dimensionless") + ": " + constants +
+                          " (stated) not used");
+  for (const auto& [name, quantity] : columns_.misspelt())
+    data_.notes.push_back("column '" + name + "' is not used; it is read if it is called '" + quantity + "'");
 }
 
 void PointReader::set_display() {
@@ -84,11 +106,13 @@ void PointReader::set_wanted() {
 
 std::optional<std::string_view> PointReader::run_name(const CsvRow& row) const {
   const Column* column = columns_.find(ColumnId::curve);
-  return column ? std::optional(row[column->index]) : std::nullopt;
+  return column && !row[column->index].empty() ? std::optional(row[column->index]) : std::nullopt;
 }
 
 std::optional<std::string_view> PointReader::run_name(const CsvNumbers& rows, std::size_t i) const {
-  return columns_.has(ColumnId::curve) ? std::optional(rows.text(0, i)) : std::nullopt;
+  if (!columns_.has(ColumnId::curve)) return std::nullopt;
+  const std::string_view name = rows.text(0, i);
+  return name.empty() ? std::nullopt : std::optional(name);
 }
 
 std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
@@ -134,7 +158,7 @@ std::string_view PointReader::read_loads(const CsvRow& row, ReadPoint& read) con
   if (T < 0) return "T < 0";
   if (size <= 0) return by_area ? "A <= 0" : "a <= 0";
   Point& point = read.point;
-  point.P = P / force_unit_;
+  point.P = P / force_unit_ + 0.0;  // a load of -0 is one of 0
   point.T = T / force_unit_;
   const double area_unit = length_unit_ * length_unit_;
   point.A = by_area ? size / area_unit : area_from_radius(size / length_unit_);
@@ -159,6 +183,7 @@ void PointReader::read(const CsvNumbers& rows, PointBatch& batch) const {
   };
   const double area_unit = length_unit_ * length_unit_;
   scaled(ColumnId::P, force_unit_, batch.P);
+  for (std::size_t i = 0; i < n; ++i) batch.P[i] += 0.0;  // a load of -0 is one of 0
   scaled(ColumnId::T, force_unit_, batch.T);
   if (columns_.has(ColumnId::A)) {
     scaled(ColumnId::A, area_unit, batch.A);

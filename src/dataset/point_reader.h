@@ -50,6 +50,7 @@ class PointReader {
 
  private:
   void require_constants(const std::string& metadata_path);
+  void add_notes();
   void set_display();
   void set_wanted();
   // Each reads what its last argument takes, and says why there is none; empty if there is.

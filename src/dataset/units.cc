@@ -23,8 +23,6 @@ constexpr std::array kSymbols{
     Symbol{"°", kPi / 180, dimension::angle, false}, Symbol{"gf", 9.80665e-3, dimension::force, false},
     Symbol{"kgf", 9.80665, dimension::force, false}, Symbol{"dyn", 1e-5, dimension::force, false},
     Symbol{"erg", 1e-7, {1, 1, 0}, false},           Symbol{"bar", 1e5, dimension::stress, false},
-    Symbol{"%", 0.01, dimension::none, false},       Symbol{"1", 1, dimension::none, false},
-    Symbol{"-", 1, dimension::none, false},
 };
 
 struct Prefix {
@@ -88,7 +86,11 @@ std::optional<Unit> parse_unit(std::string_view text) {
   text = trim(text);
   Unit unit{1, {}, std::string(text)};
   if (text.empty()) return std::nullopt;
-  bool divide = false;
+  // of a plain number; beside others only as in "1/mm"
+  if (text == "1" || text == "-") return unit;
+  if (text == "%") return unit.factor = 0.01, unit;
+  bool divide = text.starts_with("1/");
+  if (divide) text = trim(text.substr(2));
   while (true) {
     std::size_t length = 0;
     const auto at_separator = [&] {

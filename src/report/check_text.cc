@@ -5,7 +5,6 @@
 
 #include "dataset/check.h"
 #include "dataset/number_text.h"
-#include "dataset/printable.h"
 
 namespace mixity {
 namespace {
@@ -44,7 +43,7 @@ void write_curves(std::ostringstream& out, const Dataset& data) {
 
 std::string check_text(const Dataset& data) {
   std::ostringstream out;
-  out << "[[Data]]\n    " << data.name << "  (" << printable(data.path) << ")\n    "
+  out << "[[Data]]\n    " << data.name << "  (" << data.shown_path() << ")\n    "
       << (data.has_loads ? "raw points (P, T, A), " : "converted points (psi, Gc/GIc)")
       << (data.contact     ? "dimensional"
           : data.has_loads ? "dimensionless"

@@ -75,6 +75,7 @@ Json dataset_json(const JobResult& result) {
           {"provenance", to_string(data.metadata.provenance)},
           {"notice", reconstructed ? Json(kReconstructedNotice) : Json()},
           {"source", data.metadata.source},
+          {"notes", data.notes},
           {"points", data.rows},
           {"used", data.points.size()},
           {"excluded", excluded_json(data.excluded)},

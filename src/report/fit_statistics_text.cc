@@ -9,15 +9,6 @@
 #include "report/rounding.h"
 
 namespace mixity {
-namespace {
-
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(width, text.size() + 1), ' ');
-  return text;
-}
-
-}  // namespace
-
 std::string interval_text(const FittedParameter& parameter) {
   if (!parameter.interval) return {};
   const ShownInterval& interval = *parameter.interval;
@@ -29,8 +20,11 @@ std::string interval_text(const FittedParameter& parameter) {
          end(interval.high, interval.high_status);
 }
 
-std::string errors_text(const FitResult& fit) {
+std::string errors_text(const FitResult& fit, const Dataset& data) {
   std::ostringstream out;
+  if (!fit.errors && !fit.known_errors && !data.errors.empty())
+    out << "    errors: every point has the same weight; the file's standard errors count with --weighted"
+        << (data.has_loads ? " or --objective=area or curve\n" : "\n");
   if (fit.errors) {
     out << "    errors: ";
     if (fit.errors->scatter)

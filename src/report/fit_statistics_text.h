@@ -12,7 +12,7 @@ std::string interval_text(const FittedParameter& parameter);
 /// Bootstrap intervals and what moves the fit most: a few lines, or nothing.
 std::string resampling_text(const FitResult& fit, const Dataset& data);
 /// Where the standard errors come from, correlations, the loss: a line each, or nothing.
-std::string errors_text(const FitResult& fit);
+std::string errors_text(const FitResult& fit, const Dataset& data);
 std::string comparison_text(const JobResult& result);
 std::string per_curve_text(const JobResult& result);
 

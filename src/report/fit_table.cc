@@ -161,6 +161,7 @@ std::vector<std::string> findings(const JobResult& result) {
   for (const FitResult& fit : result.fits)
     if (fit.status != FitStatus::ok)
       sentences.push_back("Model " + fit.model + ", " + status_text(fit) + ": " + fit.message + ".");
+  for (const std::string& note : result.data.notes) sentences.push_back("Note: " + note + ".");
   return sentences;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "dataset/printable.h"
 #include "report/excluded_text.h"
 #include "report/fit_statistics_text.h"
 #include "report/rounding.h"
@@ -21,13 +20,14 @@ std::string capitals(std::string_view text) {
 }
 
 void write_data(std::ostringstream& out, const Dataset& data) {
-  out << "[[Data]]\n    " << data.name << "  (" << printable(data.path)
+  out << "[[Data]]\n    " << data.name << "  (" << data.shown_path()
       << ")\n    # provenance   = " << to_string(data.metadata.provenance) << "\n    # data rows    = " << data.rows
       << ", used " << data.points.size() << ", excluded " << data.excluded.size();
   if (data.has_loads) out << ", in " << data.curves.size() << " loading run" << (data.curves.size() == 1 ? "" : "s");
   out << '\n';
   if (!data.metadata.source.empty()) out << "    # source       = " << data.metadata.source << '\n';
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
+  for (const std::string& note : data.notes) out << "    NOTE: " << note << '\n';
   write_excluded(out, data, "all of them with --format=json");
 }
 
@@ -68,7 +68,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
   if (fit.rmse)
     out << "    R^2 = " << shown_r2(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
         << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size() << " points\n";
-  out << errors_text(fit) << resampling_text(fit, data);
+  out << errors_text(fit, data) << resampling_text(fit, data);
   if (fit.area) {
     out << "    ";
     if (fit.area->predicted > 0)

@@ -23,6 +23,12 @@ inline std::string r2_text(double r2) {
   return rounded(r2, digits);
 }
 
+/// Filled up to a column's width, with at least one blank after it.
+inline std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(width, text.size() + 1), ' ');
+  return text;
+}
+
 /// "T [mN]", or "T" for a dimensionless quantity.
 inline std::string bracketed(const std::string& quantity, const std::string& unit) {
   return unit.empty() ? quantity : quantity + " [" + unit + "]";

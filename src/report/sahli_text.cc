@@ -5,7 +5,6 @@
 
 #include "dataset/csv.h"
 #include "dataset/number_text.h"
-#include "dataset/printable.h"
 #include "report/excluded_text.h"
 
 namespace mixity {
@@ -35,8 +34,9 @@ void write_power_law(std::ostringstream& out, std::string_view what, const std::
 std::string sahli_text(const Dataset& data, const SahliResult& result, const std::string& predicted_by) {
   const DisplayUnits& units = data.display;
   std::ostringstream out;
-  out << "[[Data]]\n    " << data.name << "  (" << printable(data.path) << ")\n";
+  out << "[[Data]]\n    " << data.name << "  (" << data.shown_path() << ")\n";
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
+  for (const std::string& note : data.notes) out << "    NOTE: " << note << '\n';
   write_excluded(out, data, "mixity check lists them");
   out << "[[A = A0 - alpha T^2]]  P" << bracketed(units.force) << ", A0" << bracketed(units.area) << ", alpha"
       << bracketed(alpha_unit(units)) << '\n'

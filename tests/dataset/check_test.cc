@@ -125,6 +125,14 @@ TEST(Check, ALoadThatVariesWithinARunIsNamed) {
             "run x: the load varies from 1 to 1.5 within the run\n");
 }
 
+TEST(Check, ManyRunsOfOnePointDoNotHideALoadThatVaries) {
+  std::string csv = "curve,P,T,A\n";
+  for (int i = 0; i < 8; ++i) csv += std::to_string(i) + ",1,1,19\n";
+  const std::string odd = joined(find_oddities(load_text(csv + "mixed,1,0,19\nmixed,9,1,30\n")));
+  EXPECT_NE(odd.find("8 of 9 runs have one point"), std::string::npos) << odd;
+  EXPECT_NE(odd.find("run mixed: the load varies from 1 to 9"), std::string::npos) << odd;
+}
+
 TEST(Check, ALoadBelowPullOffIsNamed) {
   // Pull-off is at -3 pi/2 = -4.712
   EXPECT_EQ(joined(oddities(two_runs() + "-5,0,9\n-5,1,8.9\n-5,2,8.8\n")),

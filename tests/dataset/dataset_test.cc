@@ -143,6 +143,50 @@ TEST(Dataset, RunsAreThoseOfTheCurveColumnElseOnePerLoad) {
   EXPECT_EQ(by_load.points[2].curve, 0);
 }
 
+/// As a spreadsheet with merged cells leaves them: they must not become one run of all loads.
+TEST(Dataset, RowsWithAnEmptyCurveAreThoseOfTheirLoad) {
+  const Dataset data = load_text("curve,P,T,A\nfirst,1,0,19\n,1,1,18.9\n,2,0,20\n,1,2,18.8\nfirst,1,3,18.7\n,2,1,19.9");
+  EXPECT_EQ(data.curves, (std::vector<std::string>{"first", "P=1", "P=2"}));
+  std::vector<std::size_t> runs;
+  for (const Point& point : data.points) runs.push_back(point.curve);
+  EXPECT_EQ(runs, (std::vector<std::size_t>{0, 1, 2, 1, 0, 2}));
+}
+
+TEST(Dataset, ALoadOfMinusZeroIsZero) {
+  const Dataset data = load_text("P,T,A\n-0,0,14\n0,1,13.9\n-0.0,2,13.8\n");
+  EXPECT_EQ(data.curves, std::vector<std::string>{"P=0"});
+  EXPECT_FALSE(std::signbit(data.points[0].P));
+}
+
+/// "run_0.5" has no ending: the number after its point is part of its name.
+TEST(Dataset, AnEndingBeginsWithALetter) {
+  for (const auto& [path, name, toml] : {std::tuple("d/run.csv", "run", "d/run.toml"),
+                                         {"d/run_0.5", "run_0.5", "d/run_0.5.toml"},
+                                         {"d/run_0.5.csv", "run_0.5", "d/run_0.5.toml"},
+                                         {"d.x/run", "run", "d.x/run.toml"},
+                                         {"run.5mN", "run.5mN", "run.5mN.toml"},
+                                         {"run.TXT", "run", "run.toml"}}) {
+    EXPECT_EQ(data_name(path), name);
+    EXPECT_EQ(metadata_path(path), toml);
+  }
+}
+
+TEST(Dataset, NotesWhatWasStatedAndIsPassedOver) {
+  const std::string constants = "radius = \"9.42 mm\"\nmodulus = \"2 MPa\"\ntoughness = \"27 mJ/m^2\"";
+  EXPECT_EQ(
+      load_text("P,T,A\n1,1,19", constants).notes,
+      std::vector<std::string>{
+          "the columns have no unit and are taken as dimensionless: radius, modulus, toughness (stated) not used"});
+  EXPECT_EQ(load_text("psi,Gc\n0.1,1", constants).notes,
+            std::vector<std::string>{"Gc has no unit and is taken for Gc/GIc: toughness (stated) not used"});
+  for (const char* fine : {"P [mN],T [mN],A [mm^2]\n1,1,19", "psi,Gc_over_GIc\n0.1,1", "psi,Gc [J/m^2]\n0.1,1"})
+    EXPECT_TRUE(load_text(fine, constants).notes.empty()) << fine;
+  const Dataset misspelt = load_text("P,T,A,Include,sigma A,a.u.,t\n1,1,19,0,1,2,3");
+  EXPECT_EQ(misspelt.notes,
+            (std::vector<std::string>{"column 'Include' is not used; it is read if it is called 'include'",
+                                      "column 'sigma A' is not used; it is read if it is called 'sigma_A'"}));
+}
+
 TEST(Dataset, WhatIsNoTextInTheNameOfARunIsAQuestionMark) {
   const Dataset data = load_text("curve,P,T,A\nProb\xe4,1,0,20\nProb\xf6,1,0,20\nµ,5,1,25\n\"a\nb\",5,1,25\n");
   EXPECT_EQ(data.curves, (std::vector<std::string>{"Prob?", "Prob?", "µ", "a?b"}));

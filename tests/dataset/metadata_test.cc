@@ -110,11 +110,24 @@ TEST(Metadata, ASyntaxErrorHasItsPlace) {
 }
 
 TEST(Metadata, TwoStatementsOfTheModulusAreRefused) {
-  EXPECT_EQ(modulus_problem(metadata_of("modulus = \"2 MPa\"\nyoungs_modulus = \"1.6 MPa\"\npoisson_ratio = 0.5")),
-            "states both modulus and youngs_modulus; state one");
-  EXPECT_EQ(modulus_problem(metadata_of("youngs_modulus = \"1.6 MPa\"")),
-            "states youngs_modulus without poisson_ratio");
-  EXPECT_EQ(modulus_problem(metadata_of("modulus = \"2 MPa\"")), "");
+  const auto problem = [](const std::string& toml, const Overrides& overrides = {}) -> std::string {
+    Metadata metadata = metadata_of(toml);
+    try {
+      apply_overrides(overrides, metadata);
+      require_whole_modulus(metadata, "a.toml", overrides);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::string E = "youngs_modulus = \"1.6 MPa\"", nu = "poisson_ratio = 0.5", modulus = "modulus = \"2 MPa\"";
+  EXPECT_EQ(problem(modulus + '\n' + E + '\n' + nu), "a.toml: states both modulus and youngs_modulus; state one");
+  EXPECT_EQ(problem(E), "a.toml: states youngs_modulus without poisson_ratio");
+  EXPECT_EQ(problem(nu), "a.toml: states poisson_ratio without youngs_modulus");
+  EXPECT_EQ(problem("", {{"youngs_modulus", "1.6 MPa"}}), "--youngs_modulus: needs poisson_ratio, too");
+  EXPECT_EQ(problem(modulus, {{"poisson_ratio", "0.5"}}), "--poisson_ratio: needs youngs_modulus, too");
+  for (const std::string& fine : {modulus, E + '\n' + nu, modulus + '\n' + nu}) EXPECT_EQ(problem(fine), "");
+  EXPECT_EQ(problem(E, {{"poisson_ratio", "0.5"}}), "");
 }
 
 TEST(Metadata, OverridesReplaceWhatTheFileStates) {

@@ -80,9 +80,17 @@ TEST(Units, APrefixIsNotTakenForAUnitNorAUnitForAPrefix) {
 
 TEST(Units, KeepTheTextAsWritten) { EXPECT_EQ(parse_unit("  mJ/m² ")->text, "mJ/m²"); }
 
+TEST(Units, OfAPlainNumberStandAlone) {
+  for (const char* text : {"1", "-", "%"}) EXPECT_EQ(parse_unit(text)->dimension, dimension::none) << text;
+  EXPECT_EQ(parse_unit("%")->factor, 0.01);
+  EXPECT_EQ(parse_unit("1/mm")->dimension, (Dimension{0, -1, 0}));
+  EXPECT_DOUBLE_EQ(parse_unit("1/mm")->factor, 1e3);  // 4 ulp: one rounding
+}
+
 TEST(Units, WhatIsNoUnitIsRefused) {
-  for (const char* text : {"",      " ",  "foo", "mn",   "N/", "/m",   "N//m", "mm^", "mm^x", "mm^0", "mm^2.5",
-                           "mm^99", "^2", "2",   "kdeg", "m%", "[mm]", "mm,",  "N*",  "µ",    "mmN",  "mm^^2"})
+  for (const char* text :
+       {"",     " ",  "foo",  "mn",  "N/", "/m", "N//m", "mm^",   "mm^x", "mm^0", "mm^2.5", "mm^99", "^2", "2",
+        "kdeg", "m%", "[mm]", "mm,", "N*", "µ",  "mmN",  "mm^^2", "1 mm", "mm 1", "- mm",   "mm %",  "1/", "1/1"})
     EXPECT_FALSE(parse_unit(text)) << text;
 }
 
@@ -105,7 +113,7 @@ TEST(Quantities, ABareNumberHasNoDimension) {
 
 TEST(Quantities, TheRestIsRefused) {
   for (const char* text : {"", "mm", "9,42 mm", "9.42 furlong", "nan mm", "inf mm", "1e400 mm", "- 3 mm", "--3 mm",
-                           "+-3 mm", "9.42 mm mm^", "1 2 mm", "0x10 mm", "1e308 GPa"})
+                           "+-3 mm", "9.42 mm mm^", "1 2 mm", "0x10 mm", "1e308 GPa", "9 1 mm", "9 - mm", "9 % mm"})
     EXPECT_FALSE(parse_quantity(text)) << text;
 }
 

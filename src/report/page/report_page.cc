@@ -119,7 +119,7 @@ class Page {
       counts +=
           ", in " + std::to_string(data.curves.size()) + (data.curves.size() == 1 ? " loading run" : " loading runs");
     pugi::xml_node where = add(section, "p", counts + ". File: ", "soft");
-    add(where, "code", printable(data.path, std::string::npos));
+    add(where, "code", data.shown_path());
     if (!data.metadata.source.empty()) add(section, "p", "Source: " + data.metadata.source, "soft");
     if (!data.metadata.note.empty()) add(section, "p", data.metadata.note, "soft");
   }
