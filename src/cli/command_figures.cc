@@ -15,7 +15,8 @@ int run_figures(const Arguments& arguments) {
   if (!FLAGS_paper || FLAGS_out.empty())
     throw UsageError("figures needs --paper and --out=DIR (see mixity help figures)");
   const DrawnFigures drawn = draw_figures(paper_figures(), FLAGS_out);
-  for (const std::string& file : drawn.files) std::cout << FLAGS_out << '/' << file << '\n';
+  write_files(drawn.files);
+  for (const OutputFile& file : drawn.files) std::cout << file.path << '\n';
   if (!drawn.missing.empty()) std::cerr << "mixity: " << drawn.missing << '\n';
   return kFine;
 }

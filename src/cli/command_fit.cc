@@ -18,10 +18,10 @@ namespace {
 
 void write_folder(const std::string& folder, const std::vector<JobResult>& results, const std::string& text) {
   std::set<std::string> taken;
-  std::vector<std::string> inputs, paths, contents;
+  std::vector<std::string> inputs;
+  std::vector<OutputFile> files;
   const auto add = [&](const std::string& name, std::string content) {
-    paths.push_back(folder + "/" + name);
-    contents.push_back(std::move(content));
+    files.push_back({folder + "/" + name, std::move(content)});
   };
   for (const JobResult& result : results) {
     inputs.push_back(result.data.path);
@@ -32,8 +32,7 @@ void write_folder(const std::string& folder, const std::vector<JobResult>& resul
   add("fits.csv", fits_csv(results));
   add("fits.json", to_json(results));
   add("fits.txt", text);
-  spare_inputs(inputs, paths);
-  for (std::size_t i = 0; i < paths.size(); ++i) write_file(paths[i], contents[i]);
+  write_files(files, inputs);
 }
 
 }  // namespace
@@ -50,6 +49,7 @@ int run_fit(const Arguments& arguments) {
     results.push_back(run(job_for(path), overrides));
     for (const FitResult& fit : results.back().fits) all_ok &= fit.status == FitStatus::ok;
   }
+  tell_names_apart(results);
   std::string text;
   for (const JobResult& result : results) text += (text.empty() ? "" : "\n") + to_text(result);
   if (!FLAGS_out.empty()) write_folder(FLAGS_out, results, text);

@@ -25,8 +25,7 @@ int run_import(const Arguments& arguments) {
     std::cout << text;
     return kFine;
   }
-  spare_inputs(arguments, {FLAGS_out});
-  write_file(FLAGS_out, text);
+  write_files({{FLAGS_out, text}}, arguments);
   return kFine;
 }
 

@@ -72,6 +72,7 @@ int run_map(const Arguments& arguments) {
   require_model("model", FLAGS_model);
   if (FLAGS_grid < 2 || FLAGS_grid > 10000) throw UsageError("flag '--grid' must lie between 2 and 10000");
   std::optional<double> tau0;
+  if (is_set("tau0") && FLAGS_boundaries) throw UsageError("flags '--tau0' and '--boundaries': give one of them");
   if (is_set("tau0")) tau0 = number_from("tau0", FLAGS_tau0, 1e-150);
   with_model(FLAGS_model, [&](auto model) {
     using Model = decltype(model);

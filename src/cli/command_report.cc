@@ -26,6 +26,7 @@ int run_report(const Arguments& arguments) {
     results.push_back(run_for_report(job_for(path), overrides, [&](double fraction) {
       advance(kFits * (static_cast<double>(results.size()) + fraction) / static_cast<double>(arguments.size()));
     }));
+  tell_names_apart(results);
   std::vector<ReportedData> data;
   data.reserve(results.size());
   std::set<std::string> taken;

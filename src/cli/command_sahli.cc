@@ -50,7 +50,7 @@ int run_sahli(const Arguments& arguments) {
   const std::vector<double> parameters = prediction_parameters(data, model, described);
   const SahliResult result = fit_sahli(data, upto, parameters.empty() ? "" : model, parameters);
   std::cout << (FLAGS_format == "csv" ? sahli_csv(data, result) : sahli_text(data, result, described));
-  return kFine;
+  return result.runs.empty() ? kFitNotOk : kFine;
 }
 
 }  // namespace mixity::cli

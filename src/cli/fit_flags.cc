@@ -1,10 +1,12 @@
 #include "cli/fit_flags.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "cli/flags.h"
 #include "cli/statistics_flags.h"
 #include "cli/usage_error.h"
+#include "dataset/printable.h"
 #include "report/output_file.h"
 
 namespace mixity::cli {
@@ -56,8 +58,10 @@ FitJob job_for(const std::string& path) {
   if (!is_definition || is_set("models")) job.models = models_from_flag();
   if (!is_definition || is_set("objective")) job.options.objective = objective_from_flag();
   if (!is_definition || is_set("scale")) job.options.scale = scale_from_flag();
+  if (is_set("scale") && job.options.objective != Objective::toughness)
+    throw UsageError("flag '--scale' needs --objective=toughness");
   if (!is_definition || is_set("hold")) job.options.hold = hold_from_flag();
-  add_statistics_flags(job.options);
+  add_statistics_flags(job);
   if (is_set("compare")) job.compare = FLAGS_compare;
   if (!FLAGS_per.empty() && FLAGS_per != "curve")
     throw UsageError("flag '--per' is '" + FLAGS_per + "'; it must be curve");
@@ -78,6 +82,20 @@ std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags
                {"models", "objective", "scale", "weighted", "sigma_T", "sigma_A", "loss", "loss_scale", "hold", "free",
                 "interval", "confidence", "bootstrap", "resample", "seed", "threads", "influence", "compare", "per"});
   return with_metadata_flags(std::move(flags));
+}
+
+void tell_names_apart(std::vector<JobResult>& results) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> full;
+  for (JobResult& result : results) {
+    const bool shared = std::any_of(results.begin(), results.end(), [&](const JobResult& other) {
+      return other.data.name == result.data.name &&
+             fs::absolute(other.data.path).lexically_normal() != fs::absolute(result.data.path).lexically_normal();
+    });
+    const std::string folder = fs::absolute(result.data.path).lexically_normal().parent_path().filename().string();
+    full.push_back(shared ? printable(folder, std::string::npos) + '/' + result.data.name : result.data.name);
+  }
+  for (std::size_t i = 0; i < results.size(); ++i) results[i].data.name = full[i];
 }
 
 std::string file_stem(const JobResult& result, std::set<std::string>& taken) {

@@ -16,6 +16,9 @@ FitJob job_for(const std::string& path);
 /// These flags and those that job_for reads, metadata included.
 std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags);
 
+/// Gives data sets of one name that are different files the names of their folders, too: "a/run", "b/run".
+void tell_names_apart(std::vector<JobResult>& results);
+
 /// File names from data set names, made distinct where two data sets share one.
 std::string file_stem(const JobResult& result, std::set<std::string>& taken);
 

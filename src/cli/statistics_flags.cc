@@ -34,26 +34,32 @@ Loss loss_from_flag() {
   throw UsageError("flag '--loss' is '" + FLAGS_loss + "'; it must be none, huber or cauchy");
 }
 
-/// Model parameters may be named, too: they are free anyway.
-std::vector<Correction> free_from_flag() {
+/// Parameters of the fitted models may be named, too: they are free unless they are held.
+std::vector<Correction> free_from_flag(const FitJob& job) {
   std::vector<Correction> corrections;
-  for (const std::string& name : split_list(FLAGS_free)) {
+  const std::vector<std::string> names = split_list(FLAGS_free);
+  if (names.empty()) throw UsageError("flag '--free' names nothing");
+  for (const std::string& name : names) {
+    if (std::count(names.begin(), names.end(), name) > 1) throw UsageError("flag '--free' names '" + name + "' twice");
     const auto found = std::find(kCorrectionNames.begin(), kCorrectionNames.end(), name);
     if (found == kCorrectionNames.end()) {
-      if (has_parameter(model_keys(), name)) continue;
+      if (has_parameter(model_keys(), name) && !has_parameter(job.models, name))
+        throw UsageError("flag '--free': no fitted model has a parameter '" + name + "'");
+      for (const HeldParameter& held : job.options.hold)
+        if (held.name == name) throw UsageError("parameter '" + name + "' is to be held and to be free");
+      if (has_parameter(job.models, name)) continue;
       throw UsageError("flag '--free': '" + name +
                        "' cannot be fitted (known: toughness, modulus, load_offset, area_offset, model parameters)");
     }
-    const auto correction = static_cast<Correction>(found - kCorrectionNames.begin());
-    if (std::find(corrections.begin(), corrections.end(), correction) == corrections.end())
-      corrections.push_back(correction);
+    corrections.push_back(static_cast<Correction>(found - kCorrectionNames.begin()));
   }
   return corrections;
 }
 
 }  // namespace
 
-void add_statistics_flags(FitOptions& options) {
+void add_statistics_flags(FitJob& job) {
+  FitOptions& options = job.options;
   if (is_set("weighted")) options.weighted = FLAGS_weighted;
   if (is_set("sigma_T")) options.sigma_T = error_from("sigma_T", FLAGS_sigma_T);
   if (is_set("sigma_A")) options.sigma_A = error_from("sigma_A", FLAGS_sigma_A);
@@ -65,7 +71,7 @@ void add_statistics_flags(FitOptions& options) {
     options.loss_scale = number_from("loss_scale", FLAGS_loss_scale, 0, std::numeric_limits<double>::infinity());
   if (options.loss_scale && options.loss == Loss::none)
     throw UsageError("flag '--loss_scale' needs --loss=huber or cauchy");
-  if (is_set("free")) options.free = free_from_flag();
+  if (is_set("free")) options.free = free_from_flag(job);
   if (is_set("interval")) {
     if (FLAGS_interval != "profile" && FLAGS_interval != "none")
       throw UsageError("flag '--interval' is '" + FLAGS_interval + "'; it must be profile or none");
@@ -80,8 +86,13 @@ void add_statistics_flags(FitOptions& options) {
   options.bootstrap = {static_cast<std::size_t>(FLAGS_bootstrap),
                        FLAGS_resample == "curves" ? Resample::curves : Resample::points,
                        static_cast<std::uint64_t>(FLAGS_seed), static_cast<unsigned>(FLAGS_threads)};
+  for (const char* flag : {"resample", "seed"})
+    if (is_set(flag) && options.bootstrap.replicates == 0)
+      throw UsageError("flag '--" + std::string(flag) + "' needs --bootstrap");
   options.influence = FLAGS_influence;
   if (options.bootstrap.replicates > 0 || options.influence) options.progress = progress_line("refitting");
+  if (is_set("confidence") && !options.intervals && options.bootstrap.replicates == 0)
+    throw UsageError("flag '--confidence' needs --interval=profile or --bootstrap");
   if (is_set("confidence")) options.confidence = number_from("confidence", FLAGS_confidence, 0, 1);
 }
 

@@ -116,6 +116,9 @@ class Reader {
       for (const auto& [name, value] : *entries.as_table()) {
         if (!value.is_table()) fail(value, std::string(name.str()) + " must be {value = ..., tolerance = ...}");
         const toml::table& table = *value.as_table();
+        for (const auto& [key, ignored] : table)
+          if (key != "value" && key != "tolerance")
+            fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: value, tolerance)");
         const double tolerance = number(table, "tolerance");
         if (tolerance < 0) fail(value, "the tolerance of " + std::string(name.str()) + " is negative");
         job.published[std::string(model.str())].push_back({std::string(name.str()), number(table, "value"), tolerance});
@@ -135,6 +138,8 @@ class Reader {
         fail(*table.get("hold"), "no fitted model has a parameter \"" + held.name + "\"");
     for (const auto& [model, published] : job.published) {
       if (!is_known(model)) fail(*table.get("published"), "unknown model \"" + model + "\"");
+      if (std::find(job.models.begin(), job.models.end(), model) == job.models.end())
+        fail(*table.get("published"), "model " + model + " has published numbers and is not fitted");
       for (const Published& number : published)
         if (number.name != "r2" && !has_parameter({model}, number.name))
           fail(*table.get("published"), "model " + model + " has no parameter \"" + number.name + "\"");

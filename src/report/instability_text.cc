@@ -1,10 +1,9 @@
 #include "report/instability_text.h"
 
-#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "dataset/number_text.h"
+#include "report/rounding.h"
 
 namespace mixity {
 
@@ -21,10 +20,10 @@ std::string to_text(const InstabilityReport& report) {
   for (const Fold& fold : report.folds) {
     std::string control(to_string(fold.control.kind));
     if (fold.control.kind == Control::Kind::stiffness) control += " " + rounded(fold.control.stiffness, 4);
-    out << "    " << std::left << std::setw(15) << control << std::setw(12)
-        << (fold.place.maximum ? "loading" : "reversal") << std::setw(14) << rounded(fold.T, 8) << std::setw(14)
-        << rounded(fold.u, 8) << std::setw(14) << rounded(fold.A, 8) << std::setw(12) << rounded(fold.psi, 7)
-        << std::setw(15) << to_string(fold.jumps_to) << rounded(fold.area_lost, 8) << '\n';
+    out << "    " << padded(control, 15) << padded(fold.place.maximum ? "loading" : "reversal", 12)
+        << padded(rounded(fold.T, 8), 14) << padded(rounded(fold.u, 8), 14) << padded(rounded(fold.A, 8), 14)
+        << padded(rounded(fold.psi, 7), 12) << padded(std::string(to_string(fold.jumps_to)), 15)
+        << rounded(fold.area_lost, 8) << '\n';
   }
   return out.str();
 }

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 
 #include "dataset/printable.h"
@@ -16,9 +17,11 @@
 namespace mixity {
 namespace {
 
-/// Removes what runs that were killed left of this file: PATH.tmpPID of processes that are no more.
+constexpr const char* kTemporary = ".mixity-tmp";  // then the process
+
+/// Removes what runs that were killed left of this file: PATH.mixity-tmpPID of processes that are no more.
 void remove_leftovers(const std::filesystem::path& path) {
-  const std::string beginning = path.filename().string() + ".tmp";
+  const std::string beginning = path.filename().string() + kTemporary;
   std::error_code error;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -47,6 +50,75 @@ int write_and_close(int file, const std::string& content, bool to_disk) {
   return reason;
 }
 
+/// A file that is written, but not yet at its place. Never put there, it leaves nothing behind.
+class StagedFile {
+ public:
+  explicit StagedFile(const OutputFile& file) : file_(file), target_(file.path) {
+    const std::string& path = file.path;
+    std::error_code unknown;
+    const auto kind = std::filesystem::status(path, unknown).type();
+    direct_ = kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::fifo;
+    if (direct_) return;
+    if (kind == std::filesystem::file_type::directory || path.ends_with('/')) check(EISDIR);
+    if (kind == std::filesystem::file_type::regular && ::access(path.c_str(), W_OK) != 0) check(errno);
+    if (std::filesystem::is_symlink(path, unknown)) target_ = std::filesystem::weakly_canonical(path, unknown).string();
+    if (target_.empty()) target_ = path;
+
+    const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
+    std::error_code error;
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
+    if (error) throw OutputError(folder.string() + ": cannot be created: " + error.message());
+
+    remove_leftovers(target_);
+    temporary_ = target_ + kTemporary + std::to_string(::getpid());
+    const int opened = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (opened < 0) {
+      const int reason = errno;
+      temporary_.clear();
+      check(reason);
+    }
+    if (const int reason = write_and_close(opened, file.content, true); reason != 0) {
+      discard();
+      check(reason);
+    }
+  }
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+  ~StagedFile() { discard(); }
+
+  void put_in_place() {
+    if (direct_) {
+      const int opened = ::open(file_.path.c_str(), O_WRONLY | O_CLOEXEC);
+      return check(opened < 0 ? errno : write_and_close(opened, file_.content, false));
+    }
+    check(::rename(temporary_.c_str(), target_.c_str()) != 0 ? errno : 0);
+    temporary_.clear();
+  }
+
+ private:
+  void check(int reason) const {
+    if (reason != 0) throw OutputError(file_.path + ": cannot be written: " + std::strerror(reason));
+  }
+  void discard() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    temporary_.clear();
+  }
+
+  const OutputFile& file_;
+  std::string target_, temporary_;
+  bool direct_ = false;  // a pipe or device
+};
+
+/// Throws OutputError if one of the files that are to be written is, by whatever name, one of those that were read.
+void spare_inputs(const std::vector<std::string>& inputs, const std::vector<OutputFile>& outputs) {
+  for (const OutputFile& output : outputs)
+    for (const std::string& input : inputs) {
+      std::error_code not_there;
+      if (std::filesystem::equivalent(input, output.path, not_there))
+        throw OutputError(output.path + ": is an input and is not written over");
+    }
+}
+
 }  // namespace
 
 std::string plain_file_name(std::string_view name) {
@@ -61,43 +133,13 @@ std::string plain_file_name(std::string_view name) {
   return result;
 }
 
-void write_file(const std::string& path, const std::string& content) {
-  const auto check = [&](int reason) {
-    if (reason != 0) throw OutputError(path + ": cannot be written: " + std::strerror(reason));
-  };
-  std::error_code unknown;
-  const auto kind = std::filesystem::status(path, unknown).type();
-  if (kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::fifo) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    return check(file < 0 ? errno : write_and_close(file, content, false));
-  }
-  if (kind == std::filesystem::file_type::regular && ::access(path.c_str(), W_OK) != 0) check(errno);
-  std::string target = path;
-  if (std::filesystem::is_symlink(path, unknown)) target = std::filesystem::weakly_canonical(path, unknown).string();
-  if (target.empty()) target = path;
-
-  const std::filesystem::path folder = std::filesystem::path(target).parent_path();
-  std::error_code error;
-  if (!folder.empty()) std::filesystem::create_directories(folder, error);
-  if (error) throw OutputError(folder.string() + ": cannot be created: " + error.message());
-
-  remove_leftovers(target);
-  const std::string temporary = target + ".tmp" + std::to_string(::getpid());
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0) check(errno);
-  int reason = write_and_close(file, content, true);
-  if (reason == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) reason = errno;
-  if (reason != 0) ::unlink(temporary.c_str());
-  check(reason);
+void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {
+  spare_inputs(inputs, files);
+  std::deque<StagedFile> staged;
+  for (const OutputFile& file : files) staged.emplace_back(file);
+  for (StagedFile& file : staged) file.put_in_place();
 }
 
-void spare_inputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
-  for (const std::string& output : outputs)
-    for (const std::string& input : inputs) {
-      std::error_code not_there;
-      if (std::filesystem::equivalent(input, output, not_there))
-        throw OutputError(output + ": is an input and is not written over");
-    }
-}
+void write_file(const std::string& path, const std::string& content) { write_files({{path, content}}); }
 
 }  // namespace mixity

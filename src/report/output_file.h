@@ -17,13 +17,16 @@ class OutputError : public std::runtime_error {
 /// a letter, digit or '_' comes first; all else becomes '_'.
 std::string plain_file_name(std::string_view name);
 
-/// Writes to a temporary name in the same folder, flushes to disk and renames: whoever looks sees the old file or the
-/// new one. Creates the folder if it is missing, and removes the temporary names of this file whose process was killed.
-/// A link stays one; a pipe or device is written to.
-/// Throws OutputError; then nothing is left behind.
-void write_file(const std::string& path, const std::string& content);
+struct OutputFile {
+  std::string path, content;
+};
 
-/// Throws OutputError if one of the files that are to be written is, by whatever name, one of those that were read.
-void spare_inputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
+/// Writes each to a temporary name in its folder and flushes it to disk; when all are there, renames them: whoever
+/// looks sees old files or new ones, and a run that cannot write one of its files leaves all old ones in place. Creates
+/// folders that are missing, and removes the temporary names of these files whose process was killed. A link stays one;
+/// a pipe or device is written to. Throws OutputError, with nothing left behind; so, too, if one of the files is, by
+/// whatever name, one of `inputs`.
+void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs = {});
+void write_file(const std::string& path, const std::string& content);
 
 }  // namespace mixity

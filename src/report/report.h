@@ -33,8 +33,8 @@ struct WrittenReport {
 };
 
 /// Writes report.html, summary.md, results.json, fits.csv, residuals.csv, curves.csv and figures/ into the folder, the
-/// page last. `data` refers to `results`, one each. Each file is there whole or not at all. Throws OutputError;
-/// before anything is written if a file of data would be written over.
+/// page last. `data` refers to `results`, one each. Throws OutputError with the files of the last report in place, also
+/// if a file of data would be written over.
 WrittenReport write_report(const std::vector<JobResult>& results, const std::vector<ReportedData>& data,
                            const std::string& folder, const ReportSettings& settings);
 

@@ -56,6 +56,20 @@ TEST(InstabilityCommand, PrintsEveryFoldAsJson) {
   EXPECT_GT(area(2), area(1));
 }
 
+TEST(InstabilityCommand, KeepsColumnsApartHoweverLongTheirNumbers) {
+  const ProgramResult result =
+      run_program({"instability", "--model=c", "--lambda=0.15", "--load=-4.7123889", "--stiffness=0.001234"});
+  std::size_t seen = 0;
+  for (const std::string& line : lines_of(result.out)) {
+    if (!line.starts_with("    stiffness")) continue;
+    ++seen;
+    std::istringstream words(line);
+    // the control is two words, and eight columns follow
+    EXPECT_EQ(std::distance(std::istream_iterator<std::string>(words), {}), 9) << line;
+  }
+  EXPECT_GT(seen, 0u) << result.out << result.err;
+}
+
 TEST(InstabilityCommand, SaysThatASmoothContactHasNone) {
   const Json report = json_of({"instability", "--model=b", "--lambda=0.15", "--load=30", "--format=json"});
   EXPECT_TRUE(report["folds"].is_array() && report["folds"].empty());

@@ -55,6 +55,21 @@ TEST(Report, OfTheSameDataTwiceKeepsBoth) {
   EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/as4_peek_mmb-2_toughness.svg")));
 }
 
+/// Tables of several data sets tell their rows by this name.
+TEST(Report, OfTwoDataSetsOfOneNameTellsThemApart) {
+  const TemporaryFolder folder;
+  for (const char* day : {"monday", "friday"}) {
+    std::filesystem::create_directory(folder.path(day));
+    folder.write(std::string(day) + "/run.csv", "P,T,A\n1,0,19.6\n1,1,19.5\n1,3,18.7\n1,5,17.5\n");
+  }
+  const std::string out = folder.path("out");
+  run_program({"fit", folder.path("monday/run.csv"), folder.path("friday/run.csv"), "--models=c", "--out", out});
+  const std::string fits = content_of(out + "/fits.csv");
+  for (const char* name : {"\nmonday/run,", "\nfriday/run,"}) EXPECT_NE(fits.find(name), std::string::npos) << fits;
+  for (const char* file : {"/monday_run_curves.csv", "/friday_run_curves.csv"})
+    EXPECT_TRUE(std::filesystem::exists(out + file)) << file;
+}
+
 TEST(Report, OfAFitThatDoesNotEndOkIsWrittenAndEndsWithOne) {
   const TemporaryFolder folder;
   const std::string data = folder.write("still.csv", "P,T,A\n1,0,10\n2,0,11\n3,0,12\n");

@@ -79,9 +79,13 @@ TEST(OutputFile, RemovesWhatAKilledProcessLeftOfItAndNothingElse) {
   const pid_t gone = ::fork();
   if (gone == 0) ::_exit(0);
   ASSERT_EQ(::waitpid(gone, nullptr, 0), gone);
-  folder.write("file.tmp" + std::to_string(gone), "half");
-  const std::vector<std::string> kept{"file.tmp" + std::to_string(::getppid()), "file.tmpx", "file.tmp", "file.tmp1x",
-                                      "other.tmp" + std::to_string(gone)};
+  folder.write("file.mixity-tmp" + std::to_string(gone), "half");
+  const std::vector<std::string> kept{"file.mixity-tmp" + std::to_string(::getppid()),
+                                      "file.mixity-tmpx",
+                                      "file.mixity-tmp",
+                                      "file.mixity-tmp1x",
+                                      "file.tmp" + std::to_string(gone),
+                                      "other.mixity-tmp" + std::to_string(gone)};
   for (const std::string& name : kept) folder.write(name, "not ours");
   write_file(folder.path("file"), "whole");
   EXPECT_EQ(files_in(folder.path()), kept.size() + 1);
@@ -95,6 +99,31 @@ TEST(OutputFile, LeavesTheOldFileWhereTheNewOneCannotBeWritten) {
   folder.write("taken/inside", "x");
   EXPECT_THROW(write_file(folder.path("taken"), "y"), OutputError);
   EXPECT_EQ(files_in(folder.path()), 1u);  // no temporary file remains
+}
+
+/// A run that cannot write one of its files must not leave a mixture of two runs.
+TEST(OutputFile, OfSeveralAllAreOldOrAllAreNew) {
+  const TemporaryFolder folder;
+  folder.write("one", "old");
+  std::filesystem::create_directory(folder.path("three"));
+  EXPECT_THROW(write_files({{folder.path("one"), "new"}, {folder.path("two"), "new"}, {folder.path("three"), "new"}}),
+               OutputError);
+  EXPECT_EQ(read_file(folder.path("one")), "old");
+  EXPECT_EQ(files_in(folder.path()), 2u);
+  std::filesystem::remove(folder.path("three"));
+  write_files({{folder.path("one"), "new"}, {folder.path("two"), "new"}, {folder.path("three"), "new"}});
+  for (const char* name : {"one", "two", "three"}) EXPECT_EQ(read_file(folder.path(name)), "new");
+}
+
+TEST(OutputFile, IsNeverOneOfTheInputs) {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("data", "1");
+  std::filesystem::create_symlink(input, folder.path("link"));
+  for (const char* name : {"data", "link", "./data"}) {
+    EXPECT_THROW(write_files({{folder.path("other"), "2"}, {folder.path(name), "2"}}, {input}), OutputError) << name;
+    EXPECT_EQ(read_file(input), "1");
+    EXPECT_EQ(files_in(folder.path()), 2u);
+  }
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include "dataset/csv.h"
 #include "dataset/side_by_side.h"
 #include "report/figures/svg.h"
-#include "report/output_file.h"
 
 namespace mixity {
 namespace {
@@ -85,9 +84,8 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
   for (const Figure& figure : figures) {
     for (const auto& [file, text] : {std::pair(figure.name + ".dat", figure_data(figure)),
                                      std::pair(figure.name + ".gp", figure_script(figure))}) {
-      write_file(folder + '/' + file, text);
       write_file(scratch.path() + '/' + file, text);
-      drawn.files.push_back(file);
+      drawn.files.push_back({folder + '/' + file, text});
     }
     scripts.push_back(figure.name + ".gp");
   }
@@ -119,9 +117,8 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
       continue;
     }
     drawn.svg[i] = readable_svg(svg, figure);
-    write_file(folder + '/' + figure.name + ".svg", drawn.svg[i]);
-    write_file(folder + '/' + figure.name + ".pdf", pdf);
-    for (const char* ending : {".svg", ".pdf"}) drawn.files.push_back(figure.name + ending);
+    drawn.files.push_back({folder + '/' + figure.name + ".svg", drawn.svg[i]});
+    drawn.files.push_back({folder + '/' + figure.name + ".pdf", pdf});
   }
   return drawn;
 }

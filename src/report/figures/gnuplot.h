@@ -5,17 +5,18 @@
 #include <vector>
 
 #include "report/figures/figure.h"
+#include "report/output_file.h"
 
 namespace mixity {
 
 struct DrawnFigures {
-  std::vector<std::string> files;  // names within the folder
-  std::vector<std::string> svg;    // each figure's SVG; an empty text where it could not be drawn
-  std::string missing;             // why there are figures without SVG and PDF; empty if there are none
+  std::vector<OutputFile> files;  // of the folder, to be written
+  std::vector<std::string> svg;   // each figure's SVG; an empty text where it could not be drawn
+  std::string missing;            // why there are figures without SVG and PDF; empty if there are none
 };
 
-/// Writes NAME.dat and NAME.gp of each figure, and with gnuplot installed NAME.svg and NAME.pdf. Each file is there
-/// whole or not at all. Throws OutputError if the folder cannot be written.
+/// FOLDER/NAME.dat and NAME.gp of each figure, and with gnuplot installed NAME.svg and NAME.pdf, whole or not at all.
+/// Nothing is written there yet. Throws OutputError if the system's folder for temporary files cannot be.
 DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string& folder);
 
 }  // namespace mixity

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <pugixml.hpp>
 #include <set>
 
@@ -28,60 +29,67 @@ Figure example(const std::string& name) {
       "Caption with < and &."};
 }
 
+/// What is to be written, by path.
+std::map<std::string, std::string> contents(const DrawnFigures& drawn) {
+  std::map<std::string, std::string> files;
+  for (const OutputFile& file : drawn.files) files[file.path] = file.content;
+  return files;
+}
+
+std::set<std::string> paths(const DrawnFigures& drawn) {
+  std::set<std::string> names;
+  for (const OutputFile& file : drawn.files) names.insert(file.path);
+  return names;
+}
+
 TEST(Gnuplot, DrawsSvgAndPdfBesideTheScript) {
-  const TemporaryFolder folder;
-  const DrawnFigures drawn = draw_figures({example("one"), example("two")}, folder.path());
+  const DrawnFigures drawn = draw_figures({example("one"), example("two")}, "f");
   EXPECT_EQ(drawn.missing, "");
-  EXPECT_EQ(
-      std::set(drawn.files.begin(), drawn.files.end()),
-      (std::set<std::string>{"one.dat", "one.gp", "one.svg", "one.pdf", "two.dat", "two.gp", "two.svg", "two.pdf"}));
+  EXPECT_EQ(paths(drawn), (std::set<std::string>{"f/one.dat", "f/one.gp", "f/one.svg", "f/one.pdf", "f/two.dat",
+                                                 "f/two.gp", "f/two.svg", "f/two.pdf"}));
+  EXPECT_FALSE(std::filesystem::exists("f"));  // writing them is for others
   ASSERT_EQ(drawn.svg.size(), 2u);
-  EXPECT_EQ(read_file(folder.path() + "/two.svg"), drawn.svg[1]);
+  EXPECT_EQ(contents(drawn)["f/two.svg"], drawn.svg[1]);
   EXPECT_NE(drawn.svg[0].find("T [mN]"), std::string::npos);
-  EXPECT_EQ(read_file(folder.path() + "/one.pdf").substr(0, 5), "%PDF-");
+  EXPECT_EQ(contents(drawn)["f/one.pdf"].substr(0, 5), "%PDF-");
 }
 
 TEST(Gnuplot, WithoutItDataAndScriptAreThereAndItSaysSo) {
-  const TemporaryFolder folder;
   const WithoutPrograms nothing;
-  const DrawnFigures drawn = draw_figures({example("one")}, folder.path());
+  const DrawnFigures drawn = draw_figures({example("one")}, "f");
   EXPECT_NE(drawn.missing.find("gnuplot"), std::string::npos);
   EXPECT_EQ(drawn.svg, std::vector<std::string>{""});
-  EXPECT_EQ(drawn.files, (std::vector<std::string>{"one.dat", "one.gp"}));
-  for (const std::string& file : drawn.files) EXPECT_TRUE(std::filesystem::exists(folder.path() + '/' + file)) << file;
-  EXPECT_FALSE(std::filesystem::exists(folder.path() + "/one.svg"));
+  EXPECT_EQ(paths(drawn), (std::set<std::string>{"f/one.dat", "f/one.gp"}));
 }
 
 TEST(Gnuplot, AFigureThatIsCutShortIsNotDelivered) {
-  const TemporaryFolder folder, programs;
+  const TemporaryFolder programs;
   // as on a full disk: a file is there, and nobody complained
   const std::string gnuplot = programs.write(
       "gnuplot", "#!/bin/sh\nfor s; do echo '<svg></svg>' > ${s%.gp}.svg; echo '%PDF-1.5' > ${s%.gp}.pdf; done\n");
   std::filesystem::permissions(gnuplot, std::filesystem::perms::owner_all);
   const WithoutPrograms others(programs.path());
-  const DrawnFigures drawn = draw_figures({example("one")}, folder.path());
+  const DrawnFigures drawn = draw_figures({example("one")}, "f");
   EXPECT_EQ(drawn.missing, "gnuplot failed at one");
-  for (const char* file : {"/one.svg", "/one.pdf"}) EXPECT_FALSE(std::filesystem::exists(folder.path() + file)) << file;
+  EXPECT_EQ(paths(drawn), (std::set<std::string>{"f/one.dat", "f/one.gp"}));
 }
 
 TEST(Gnuplot, AFigureThatCannotBeDrawnDoesNotTakeOthersAlong) {
-  const TemporaryFolder folder;
   Figure broken = example("broken");
   broken.series.clear();  // nothing to plot: an error of the script
-  const DrawnFigures drawn = draw_figures({example("one"), broken, example("two"), example("three")}, folder.path());
+  const DrawnFigures drawn = draw_figures({example("one"), broken, example("two"), example("three")}, "f");
   EXPECT_EQ(drawn.missing, "gnuplot failed at broken");
   EXPECT_EQ(drawn.svg.at(1), "");
   for (const std::size_t i : {0, 2, 3}) EXPECT_NE(drawn.svg.at(i), "") << i;
 }
 
 TEST(Gnuplot, DrawsWhatHasNoExtent) {
-  const TemporaryFolder folder;
   for (const bool logarithmic : {false, true}) {
     Figure figure = example("point");
     figure.x = {"x", 0.0, 0.0};
     figure.y = {"y", {}, {}, logarithmic};
     figure.series = {{"one point", Look::circles, "#000000", {{0, 5}}}};
-    EXPECT_EQ(draw_figures({figure}, folder.path()).missing, "");
+    EXPECT_EQ(draw_figures({figure}, "f").missing, "");
   }
 }
 
@@ -93,8 +101,7 @@ std::vector<std::string> hover_texts(const pugi::xml_document& svg) {
 }
 
 TEST(Svg, SaysAtEachPointWhatItIsAndAsAWholeWhatItShows) {
-  const TemporaryFolder folder;
-  const std::string text = draw_figures({example("one")}, folder.path()).svg.at(0);
+  const std::string text = draw_figures({example("one")}, "f").svg.at(0);
   pugi::xml_document svg;
   ASSERT_TRUE(svg.load_string(text.c_str()));
   EXPECT_EQ(hover_texts(svg), (std::vector<std::string>{"line 2", "line 3: T < 1 & ’A’", "line 4"}));
@@ -105,9 +112,8 @@ TEST(Svg, SaysAtEachPointWhatItIsAndAsAWholeWhatItShows) {
 }
 
 TEST(Svg, HasIdsOfItsOwnAndEveryReferenceFindsOne) {
-  const TemporaryFolder folder;
   pugi::xml_document svg;
-  ASSERT_TRUE(svg.load_string(draw_figures({example("one")}, folder.path()).svg.at(0).c_str()));
+  ASSERT_TRUE(svg.load_string(draw_figures({example("one")}, "f").svg.at(0).c_str()));
   std::set<std::string> ids;
   for (const pugi::xpath_node& node : svg.select_nodes("//*/@id")) {
     EXPECT_TRUE(std::string_view(node.attribute().value()).starts_with("one-"));
