@@ -85,17 +85,16 @@ std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags
 }
 
 void tell_names_apart(std::vector<JobResult>& results) {
-  namespace fs = std::filesystem;
-  std::vector<std::string> full;
-  for (JobResult& result : results) {
+  const auto place = [](const Dataset& data) { return std::filesystem::absolute(data.path).lexically_normal(); };
+  std::vector<std::string> names;
+  for (const JobResult& result : results) {
     const bool shared = std::any_of(results.begin(), results.end(), [&](const JobResult& other) {
-      return other.data.name == result.data.name &&
-             fs::absolute(other.data.path).lexically_normal() != fs::absolute(result.data.path).lexically_normal();
+      return other.data.name == result.data.name && place(other.data) != place(result.data);
     });
-    const std::string folder = fs::absolute(result.data.path).lexically_normal().parent_path().filename().string();
-    full.push_back(shared ? printable(folder, std::string::npos) + '/' + result.data.name : result.data.name);
+    const std::string folder = printable(place(result.data).parent_path().filename().string(), std::string::npos);
+    names.push_back((shared ? folder + '/' : "") + result.data.name);
   }
-  for (std::size_t i = 0; i < results.size(); ++i) results[i].data.name = full[i];
+  for (std::size_t i = 0; i < results.size(); ++i) results[i].data.name = names[i];
 }
 
 std::string file_stem(const JobResult& result, std::set<std::string>& taken) {
