@@ -30,8 +30,13 @@ class Projection {
       break;
     }
     nodes_.push_back(curve_.point(range.from));
+    int first = 1;
+    if (!(nodes_.front().dT > 0)) {
+      while (first < kNodes && !(curve_.point(at(range, first)).T > 1e-6 * T_most)) ++first;
+      add_corner(curve_.point(at(range, first)));
+    }
     const double A_step = 4 * nodes_.front().A / kNodes;
-    for (int i = 1; i <= kNodes; ++i) add(curve_.point(at(range, i)), 4 * T_most / kNodes, A_step, 6);
+    for (int i = first; i <= kNodes; ++i) add(curve_.point(at(range, i)), 4 * T_most / kNodes, A_step, 6);
   }
 
   /// T of the last point of the polyline: T_most, or less where the curve ends or doubles no longer resolve it.
@@ -152,6 +157,20 @@ class Projection {
 
   static double at(const PhiRange& range, int i) {
     return i == kNodes ? range.to : range.from + (range.to - range.from) * i / kNodes;
+  }
+
+  /// From a corner (bk with eta < 1) the curve falls along A before it turns along T, all within a step of phi: appends
+  /// nodes before q, the first that T tells from 0, each at about half of the next one's T, down to 1e-9 of it.
+  void add_corner(CurvePoint q) {
+    const double from = nodes_.front().phi;
+    std::vector<CurvePoint> down;
+    for (int i = 0; i < 30; ++i) {
+      const double power = (q.phi - from) * q.dT / q.T;  // T as a power of phi
+      const double phi = from + (q.phi - from) * std::pow(0.5, 1 / power);
+      if (!(power > 0 && phi > from && phi < q.phi)) break;
+      down.push_back(q = curve_.point(phi));
+    }
+    nodes_.insert(nodes_.end(), down.rbegin(), down.rend());
   }
 
   /// Appends q, and before it what keeps the steps of the polyline short where phi alone leaves them long.

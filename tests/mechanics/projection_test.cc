@@ -242,5 +242,25 @@ TEST(NearestPoint, OfAnUncoupledContactIsJkr) {
   EXPECT_NEAR(q.A, area_from_radius(jkr_radius(2.0)), 1e-14 * q.A);  // two ways to the same number
 }
 
+/// With eta < 1 the curve falls along A at T = 0 before it turns along T, all within one step of phi: the nearest place
+/// may lie beyond the corner.
+TEST(NearestPoint, IsSeenRoundACorner) {
+  for (const auto& [r, eta] : {std::pair(0.98846, 0.1268), {0.98685, 0.01}, {0.5, 0.1}, {0.7, 0.5}})
+    for (const double P : {-2.0, 14.0, 26.3}) {
+      const Scene<BenzeggaghKenane> scene({r, eta}, P);
+      const Projection<BenzeggaghKenane> projection(scene.curve, scene.T_most);
+      const double top = scene.samples.front().A;
+      for (const double T : {1e-3, 0.01, 0.08, 0.3, 1.0})
+        for (const double share : {0.97, 0.98, 0.99, 0.995, 1.0})
+          for (const double error : {2e-4, 2e-3, 0.02}) {
+            const Measured m{T, share * top, error * scene.T_scale, error * top};
+            const double found = m.distance(projection.nearest(m.T, m.A, m.sigma_T, m.sigma_A));
+            // the curve's T is known to some 1e-12 where it is steep in phi
+            EXPECT_LE(found, scene.brute_force(m) * (1 + 1e-9) + 1e-9)
+                << r << ' ' << eta << ' ' << P << " T " << T << " A " << share << " error " << error;
+          }
+    }
+}
+
 }  // namespace
 }  // namespace mixity
