@@ -113,8 +113,18 @@ double experiment_cost(const Experiment& experiment, const Parameters<Model>& p,
         PhiRange range = drawable_ranges(whole, 2 * T_most).front();
         range.to = phi_of_shear(whole, range, 2 * T_most);
         constexpr int kPlaces = 300;
-        for (int i = 0; i <= kPlaces; ++i)
-          found->second.second.push_back(whole.point(range.from + (range.to - range.from) * i / kPlaces));
+        std::vector<CurvePoint>& line = found->second.second;
+        for (int i = 0; i <= kPlaces; ++i) {
+          line.push_back(whole.point(range.from + (range.to - range.from) * i / kPlaces));
+          if (i < 2) continue;
+          // Where T turns is a place of its own: on either side of it a load is passed.
+          const auto last = line.end() - 1;
+          const double before = last[-1].T - last[-2].T, now = last->T - last[-1].T;
+          if (before * now >= 0) continue;
+          const auto turned = [&](double phi) { return before > 0 ? -whole.point(phi).T : whole.point(phi).T; };
+          const CurvePoint turn = whole.point(golden(turned, last[-2].phi, last->phi, 60).x[0]);
+          line.insert(turn.phi < last[-1].phi ? last - 1 : last, turn);
+        }
       }
     }
     const LoadedContact<Model>& contact = found->second.first;
@@ -130,9 +140,12 @@ double experiment_cost(const Experiment& experiment, const Parameters<Model>& p,
         const bool lowest = (i == 0 || from(line[i]) <= from(line[i - 1])) &&
                             (i + 1 == line.size() || from(line[i]) <= from(line[i + 1]));
         if (!lowest) continue;
-        const double low = line[i ? i - 1 : 0].phi, high = line[std::min(i + 1, line.size() - 1)].phi;
-        distance = std::min(
-            {distance, from(line[i]), golden([&](double phi) { return from(whole.point(phi)); }, low, high, 55).cost});
+        distance = std::min(distance, from(line[i]));
+        for (const std::size_t beside : {i ? i - 1 : 0, std::min(i + 1, line.size() - 1)})
+          distance = std::min(
+              distance, golden([&](double phi) { return from(whole.point(phi)); },
+                               std::min(line[i].phi, line[beside].phi), std::max(line[i].phi, line[beside].phi), 55)
+                            .cost);
       }
     }
     sum += distance * distance;
