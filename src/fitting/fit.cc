@@ -104,7 +104,7 @@ class Fitter {
       return result_;
     }
     if (p > 0 && options_.objective != Objective::toughness && options_.near.empty())
-      guesses_ = toughness_guesses(data_, Model::info.key, options_, prepared_.used, p);
+      guesses_ = toughness_guesses<Model>(data_, options_, prepared_.used, p);
     std::vector<double> x;
     if (p == 0) {
       result_.status = FitStatus::ok;

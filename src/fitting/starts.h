@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
-#include "fitting/minimise.h"
+#include "fitting/fit.h"
 #include "fitting/prepared_fit.h"
+#include "fitting/scan.h"
 
 namespace mixity {
 
@@ -32,9 +33,49 @@ std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, co
 
 /// Solutions of fits of toughness, which cost no search for an equilibrium: the basins of areas and curves may be far
 /// narrower than the steps of a scan. Points beyond the fold, the last of their run, are outliers there: fits without
-/// the last part of each run, too. `parameters`: how many are free.
-std::vector<std::vector<double>> toughness_guesses(const Dataset& data, std::string_view model,
-                                                   const FitOptions& options, const std::vector<std::size_t>& used,
-                                                   std::size_t parameters);
+/// the last part of each run, too, if only as many points as free parameters are left. `parameters`: how many are free.
+template <class Model>
+std::vector<std::vector<double>> toughness_guesses(const Dataset& data, const FitOptions& options,
+                                                   const std::vector<std::size_t>& used, std::size_t parameters) {
+  constexpr std::size_t kEnough = 1000;  // points, evenly chosen
+  const std::size_t every = used.size() / kEnough + 1;
+  std::vector<std::vector<std::size_t>> runs(data.curves.size());
+  for (std::size_t i = 0; i < used.size(); i += every)
+    if (data.toughness(used[i])) runs[data.points[used[i]].curve].push_back(used[i]);
+  for (auto& run : runs)
+    std::sort(run.begin(), run.end(),
+              [&](std::size_t one, std::size_t other) { return data.points[one].T < data.points[other].T; });
+  FitOptions toughness = value_only(options);
+  toughness.objective = Objective::toughness;
+  toughness.scale = Scale::log;
+  toughness.weighted = false;
+  toughness.loss = Loss::none;
+  toughness.loss_scale.reset();
+  std::vector<std::vector<double>> guesses;
+  std::size_t last_count = 0;
+  for (const double part : {1.0, 0.95, 0.9, 0.8, 0.65}) {
+    std::vector<std::size_t> points;
+    for (const auto& run : runs)
+      points.insert(points.end(), run.begin(),
+                    run.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(run.size())));
+    if (points.size() == last_count || points.size() < parameters) continue;
+    last_count = points.size();
+    PreparedFit<Model> prepared = prepare<Model>(data, toughness, &points);
+    if (!options.free.empty()) prepared.start = jkr_start<Model>(data, toughness, prepared);
+    const auto problem = make_problem<Model>(data, toughness, prepared);
+    std::optional<Minimum> lowest;
+    for (const Start& start : scan(*problem).minima)
+      if (auto found = descend(*problem, start.x); found && (!lowest || found->sum_of_squares < lowest->sum_of_squares))
+        lowest = std::move(found);
+    if (lowest) guesses.push_back(lowest->x);
+    // of one parameter a robust loss, whose scan is the dearest of all, has nothing to add
+    if (part < 1 || parameters == 1) continue;
+    FitOptions robust = toughness;
+    robust.loss = Loss::cauchy;
+    const FitResult fit = fit_model(data, Model::info.key, robust, &points);
+    if (!fit.solution.empty()) guesses.push_back(fit.solution);
+  }
+  return guesses;
+}
 
 }  // namespace mixity

@@ -161,5 +161,16 @@ TEST(FitOfAreas, OfTwoParametersIsNotLedAstrayByAPointBeyondTheFold) {
   EXPECT_NEAR(*fit.parameters[0].value, 1.479, 0.03);
 }
 
+/// The second lies beyond the fold. Without it as many points are left as parameters: no fit, but the start it takes to
+/// find a basin of a thousandth of r.
+TEST(FitOfAreas, OfTwoParametersFindsTheBasinOfThreePointsOfNoScatter) {
+  const FitResult fit = fit_of_run("bk", -3.9412461, 1.7e-4,
+                                   {{5.10903839, 8.73801163}, {5.67555436, 8.03187583}, {0.27142407, 11.45889011}});
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  // made with r = 1.657 and eta = 1.159; another minimum, at r = 2.95, has 48
+  EXPECT_LT(fit.sum_of_squares, 2);
+  EXPECT_NEAR(*fit.parameters[0].value, 1.657, 0.001);
+}
+
 }  // namespace
 }  // namespace mixity
