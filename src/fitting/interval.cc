@@ -146,9 +146,12 @@ std::string_view to_string(EndStatus status) {
 }
 
 double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors) {
-  if (known_errors) return quantile(boost::math::chi_squared(1), confidence);
+  using namespace boost::math;
+  // in double, to a few roundings: long double takes eight times as long, a sixth of a whole fit in the batch engine
+  using InDouble = policies::policy<policies::promote_double<false>>;
+  if (known_errors) return quantile(chi_squared_distribution<double, InDouble>(1), confidence);
   const auto freedom = static_cast<double>(n - p);
-  return sum_of_squares / freedom * quantile(boost::math::fisher_f(1, freedom), confidence);
+  return sum_of_squares / freedom * quantile(fisher_f_distribution<double, InDouble>(1, freedom), confidence);
 }
 
 Profile::Profile(const LeastSquares& problem, const Minimum& best, std::size_t k)
