@@ -25,10 +25,10 @@ bool same_place(const LeastSquares& problem, const Minimum& one, const Minimum& 
   return true;
 }
 
+bool lower(const Minimum& one, const Minimum& other) { return one.sum_of_squares < other.sum_of_squares; }
+
 const Minimum& lowest(const std::vector<Minimum>& minima) {
-  return *std::min_element(minima.begin(), minima.end(), [](const Minimum& one, const Minimum& other) {
-    return one.sum_of_squares < other.sum_of_squares;
-  });
+  return *std::min_element(minima.begin(), minima.end(), lower);
 }
 
 std::string value_text(const FreeParameter& parameter, double x) {
@@ -166,6 +166,17 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
       minima.push_back(*minimum);
   };
   for (const Start& start : scanned.minima) descend_from(start.x);
+  if (near.empty() && p > 1) {
+    // from one side of a fold's bend to the other
+    std::sort(minima.begin(), minima.end(), lower);
+    constexpr std::size_t kEnds = 5;
+    std::vector<Minimum> ends = minima;
+    if (ends.size() > kEnds) ends.resize(kEnds);
+    for (std::size_t i = 1; i < ends.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        for (const Start& start : scan_between(problem, ends[i].x, ends[j].x))
+          if (start.reachable < lowest(minima).sum_of_squares) descend_from(start.x);
+  }
   if (near.empty())
     for (double reach = 0.3; !minima.empty() && reach > (p > 1 ? 0.005 : 3e-4); reach *= 0.3) {
       Scan closer = scan_around(problem, lowest(minima).x, reach);
@@ -196,8 +207,7 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
     });
   }
   if (minima.empty()) return end(FitStatus::not_converged, "no start led to a minimum");
-  std::sort(minima.begin(), minima.end(),
-            [](const Minimum& one, const Minimum& other) { return one.sum_of_squares < other.sum_of_squares; });
+  std::sort(minima.begin(), minima.end(), lower);
   verdict.best = minima.front();
   verdict.others.assign(minima.begin() + 1, minima.end());
   const std::optional<EdgeMinimum> edge = verdict.best.stationary ? std::nullopt : edge_minimum(problem, verdict.best);

@@ -71,6 +71,10 @@ class Grid {
   const Axes& axes_;
 };
 
+/// How far below a place its basin may reach: the second difference to its neighbours. A parabola through the three
+/// reaches an eighth of that at most.
+double depth_below(double place, double one, double other) { return one + other - 2 * place; }
+
 /// Cost over the grid of the axes' values; a local minimum is no higher than its neighbours.
 Scan scan_grid(const LeastSquares& problem, const Axes& axes) {
   Scan result;
@@ -96,10 +100,10 @@ Scan scan_grid(const LeastSquares& problem, const Axes& axes) {
   }
   std::sort(found.begin(), found.end(), [&](std::size_t i, std::size_t j) { return costs[i] < costs[j]; });
   for (const std::size_t i : found) {
-    // A parabola through a place and its neighbours reaches an eighth of their second difference below it at most.
     double reachable = costs[i];
     grid.neighbours(i, [&](auto below, auto above) {
-      if (below || above) reachable -= costs[below ? *below : *above] + costs[above ? *above : *below] - 2 * costs[i];
+      if (below || above)
+        reachable -= depth_below(costs[i], costs[below ? *below : *above], costs[above ? *above : *below]);
     });
     result.minima.push_back({grid.place(i), reachable});
     const bool at_end = i == 0 || i + 1 == costs.size();
@@ -169,6 +173,32 @@ Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, doub
   }
   if (!bends_within(problem, axes)) return {};
   return scan_grid(problem, axes);
+}
+
+std::vector<Start> scan_between(const LeastSquares& problem, const std::vector<double>& one,
+                                const std::vector<double>& other) {
+  Axes corners;
+  for (std::size_t k = 0; k < one.size(); ++k) corners.push_back({one[k], other[k]});
+  if (!bends_within(problem, corners)) return {};
+  constexpr int kSteps = 32;
+  std::vector<Start> places;
+  std::vector<double> costs, residuals(problem.residual_count());
+  for (int i = 0; i <= kSteps; ++i) {
+    const double part = static_cast<double>(i) / kSteps;
+    std::vector<double> x;
+    for (std::size_t k = 0; k < one.size(); ++k)
+      x.push_back(one[k] > 0 && other[k] > 0 ? std::pow(one[k], 1 - part) * std::pow(other[k], part)
+                                             : (1 - part) * one[k] + part * other[k]);
+    costs.push_back(sum_of_squares(problem, x, residuals).value_or(kInfinity));
+    places.push_back({x});
+  }
+  std::vector<Start> minima;
+  for (std::size_t i = 1; i < kSteps; ++i) {
+    if (!(costs[i] <= costs[i - 1] && costs[i] < costs[i + 1])) continue;
+    places[i].reachable = costs[i] - depth_below(costs[i], costs[i - 1], costs[i + 1]);
+    minima.push_back(places[i]);
+  }
+  return minima;
 }
 
 }  // namespace mixity

@@ -27,4 +27,9 @@ Scan scan(const LeastSquares& problem, const std::vector<std::vector<double>>& g
 /// without which a basin is as wide as what surrounds it.
 Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, double reach);
 
+/// The minima along the line between two places, in the logarithms of what is positive; none if no bend of the cost
+/// lies between them.
+std::vector<Start> scan_between(const LeastSquares& problem, const std::vector<double>& one,
+                                const std::vector<double>& other);
+
 }  // namespace mixity

@@ -68,12 +68,22 @@ std::vector<std::vector<double>> toughness_guesses(const Dataset& data, const Fi
       if (auto found = descend(*problem, start.x); found && (!lowest || found->sum_of_squares < lowest->sum_of_squares))
         lowest = std::move(found);
     if (lowest) guesses.push_back(lowest->x);
-    // of one parameter a robust loss, whose scan is the dearest of all, has nothing to add
+    // of one parameter neither a robust loss, whose scan is the dearest of all, nor weights have anything to add
     if (part < 1 || parameters == 1) continue;
-    FitOptions robust = toughness;
-    robust.loss = Loss::cauchy;
-    const FitResult fit = fit_model(data, Model::info.key, robust, &points);
-    if (!fit.solution.empty()) guesses.push_back(fit.solution);
+    const auto guess = [&](const FitOptions& other) {
+      const FitResult fit = fit_model(data, Model::info.key, other, &points);
+      if (!fit.solution.empty()) guesses.push_back(fit.solution);
+    };
+    FitOptions other = toughness;
+    other.loss = Loss::cauchy;
+    guess(other);
+    // each point by its standard error, as areas and curves see it: at low shear its toughness is hardly known
+    if (!lowest || !options.free.empty() || options.corrections != Corrections{}) continue;
+    other.weighted = true;
+    other.near = lowest->x;
+    guess(other);
+    other.loss = Loss::none;
+    guess(other);
   }
   return guesses;
 }

@@ -172,5 +172,42 @@ TEST(FitOfAreas, OfTwoParametersFindsTheBasinOfThreePointsOfNoScatter) {
   EXPECT_NEAR(*fit.parameters[0].value, 1.657, 0.001);
 }
 
+/// All starts lead to minima on either side of a valley between two points' folds, whose bottom is a hundredth of r
+/// wide.
+TEST(FitOfAreas, OfTwoParametersFindsTheBasinBetweenTwoOthers) {
+  Dataset data;
+  data.path = data.name = "runs";
+  data.has_loads = true;
+  data.curves = {"1", "2", "3"};
+  data.curve_loads = {4.23662169, 23.03088237, 28.92842217};
+  const std::vector<std::pair<double, double>> measured{{9.8602234, 16.813814}, {4.7316556, 21.849568},
+                                                        {18.484521, 26.839598}, {13.245314, 33.596692},
+                                                        {20.901013, 29.041465}, {14.092164, 37.632529}};
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    data.points.push_back({i + 2, i / 2, data.curve_loads[i / 2], measured[i].first, measured[i].second});
+    data.errors.push_back({0, 0.0055 * measured[i].second, 0});
+  }
+  data.rows = measured.size();
+  FitOptions options;
+  options.objective = Objective::area;
+  const FitResult fit = fit_model(data, "bk", options);
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  // made with r = 0.6646 and eta = 0.5423; the others, at r = 0.62 and 0.70, have 24 and 87
+  EXPECT_LT(fit.sum_of_squares, 3);
+  EXPECT_NEAR(*fit.parameters[0].value, 0.6646, 0.01);
+}
+
+/// Low shear leaves the toughness of a point open: only where each counts by its standard error do fits of toughness
+/// lead to the basin.
+TEST(FitOfAreas, OfTwoParametersStartsFromWeightedToughness) {
+  stress::Random random(424242ul * 1000003 + 32);
+  stress::Experiment experiment;
+  for (int round = 0; round < 10; ++round)
+    for_each_model([&](auto model) { experiment = stress::random_experiment<decltype(model)>(random); });
+  const FitResult fit = fit_model(experiment.data, "bk", experiment.options);
+  EXPECT_TRUE(fit.has_values()) << fit.message;
+  EXPECT_LT(fit.sum_of_squares, 17.61);  // two other minima, far away, have 19.97 and 20.27
+}
+
 }  // namespace
 }  // namespace mixity
