@@ -169,7 +169,7 @@ TEST(OutputSafety, AFolderOrFileThatIsClosedToWritingEndsWithFourAndKeepsWhatItH
 
 TEST(OutputSafety, AFileThatWasReadIsNotWrittenOver) {
   const TemporaryFolder folder;
-  const std::string here = folder.path();
+  const std::string& here = folder.path();
   const auto refuses = [&](const Words& words, const std::string& data) {
     const Contents before = contents_of(here);
     const ProgramResult result = run_program(words);
