@@ -74,6 +74,8 @@ int run_curve(const Arguments& arguments) {
   require_model("model", FLAGS_model);
   if (is_set("load") == is_set("shear"))
     throw UsageError("curve needs either --load (A against T) or --shear (a against P)");
+  if (is_set("chord") && is_set("shear")) throw UsageError("flag '--chord' needs --load");
+  if (is_set("chord") && is_set("points")) throw UsageError("flags '--points' and '--chord': give one of them");
   with_model(FLAGS_model, [](auto model) {
     using Model = decltype(model);
     const Parameters<Model> p = parameters_from_flags<Model>();

@@ -31,7 +31,9 @@ Scale scale_from_flag() {
 
 std::vector<HeldParameter> hold_from_flag() {
   std::vector<HeldParameter> hold;
-  for (const std::string& item : split_list(FLAGS_hold)) {
+  const std::vector<std::string> items = split_list(FLAGS_hold);
+  if (items.empty() && is_set("hold")) throw UsageError("flag '--hold' names nothing");
+  for (const std::string& item : items) {
     const auto held = parse_held(item);
     if (!held) throw UsageError("flag '--hold': '" + item + "' is neither a parameter nor PARAMETER=NUMBER");
     hold.push_back(*held);

@@ -105,6 +105,7 @@ Arguments parse_flags(const Command& command, const Arguments& words) {
   for (const std::string& word : words) given_command += ' ' + shell_word(word);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
+    if (word.empty()) throw UsageError("an argument is empty");
     if (word == "--") {
       arguments.insert(arguments.end(), words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
       break;
@@ -170,11 +171,11 @@ void require_flags_only(const std::string& command, const Arguments& arguments) 
   if (!arguments.empty()) throw UsageError(command + " takes flags only, not '" + arguments[0] + "'");
 }
 
-double number_from(const std::string& flag, const std::string& text, double low) {
+double number_from(const std::string& flag, const std::string& text, double low, double high) {
   const auto value = parse_number(text);
-  if (!value || !(*value >= low && *value <= 1e150))
-    throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be a number from " + shortest(low) +
-                     " to 1e150");
+  if (!value || !(*value >= low && *value <= high))
+    throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be a number from " + shortest(low) + " to " +
+                     shortest(high));
   return *value;
 }
 

@@ -73,8 +73,8 @@ void require_model(const std::string& flag, const std::string& key);
 /// Throws UsageError if a command that takes no files was given some.
 void require_flags_only(const std::string& command, const Arguments& arguments);
 
-/// A number >= low from a flag's text; throws UsageError.
-double number_from(const std::string& flag, const std::string& text, double low);
+/// A number from low to high, both included, from a flag's text; throws UsageError.
+double number_from(const std::string& flag, const std::string& text, double low, double high = 1e150);
 
 /// Comma-separated, without blanks around the items; empty items are left out.
 std::vector<std::string> split_list(std::string_view text);

@@ -20,7 +20,7 @@ std::optional<StatedError> error_from(const std::string& flag, const std::string
   return quantity;
 }
 
-double number_from(const std::string& flag, const std::string& text, double above, double below) {
+double number_between(const std::string& flag, const std::string& text, double above, double below) {
   const auto value = parse_number(text);
   if (!value || !(*value > above && *value < below))
     throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be a number above " + shortest(above) +
@@ -61,6 +61,8 @@ std::vector<Correction> free_from_flag(const FitJob& job) {
 void add_statistics_flags(FitJob& job) {
   FitOptions& options = job.options;
   if (is_set("weighted")) options.weighted = FLAGS_weighted;
+  if (options.weighted && options.objective != Objective::toughness)
+    throw UsageError("flag '--weighted' needs --objective=toughness; area and curve weigh the points as they are");
   if (is_set("sigma_T")) options.sigma_T = error_from("sigma_T", FLAGS_sigma_T);
   if (is_set("sigma_A")) options.sigma_A = error_from("sigma_A", FLAGS_sigma_A);
   if ((options.sigma_T || options.sigma_A) && options.objective == Objective::toughness && !options.weighted)
@@ -68,7 +70,7 @@ void add_statistics_flags(FitJob& job) {
                      "' needs --objective=area or curve, or --weighted");
   if (is_set("loss")) options.loss = loss_from_flag();
   if (is_set("loss_scale"))
-    options.loss_scale = number_from("loss_scale", FLAGS_loss_scale, 0, std::numeric_limits<double>::infinity());
+    options.loss_scale = number_between("loss_scale", FLAGS_loss_scale, 0, std::numeric_limits<double>::infinity());
   if (options.loss_scale && options.loss == Loss::none)
     throw UsageError("flag '--loss_scale' needs --loss=huber or cauchy");
   if (is_set("free")) options.free = free_from_flag(job);
@@ -90,10 +92,12 @@ void add_statistics_flags(FitJob& job) {
     if (is_set(flag) && options.bootstrap.replicates == 0)
       throw UsageError("flag '--" + std::string(flag) + "' needs --bootstrap");
   options.influence = FLAGS_influence;
+  if (is_set("threads") && options.bootstrap.replicates == 0 && !options.influence)
+    throw UsageError("flag '--threads' needs --bootstrap or --influence");
   if (options.bootstrap.replicates > 0 || options.influence) options.progress = progress_line("refitting");
   if (is_set("confidence") && !options.intervals && options.bootstrap.replicates == 0)
     throw UsageError("flag '--confidence' needs --interval=profile or --bootstrap");
-  if (is_set("confidence")) options.confidence = number_from("confidence", FLAGS_confidence, 0, 1);
+  if (is_set("confidence")) options.confidence = number_between("confidence", FLAGS_confidence, 0, 1);
 }
 
 }  // namespace mixity::cli

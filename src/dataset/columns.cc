@@ -40,16 +40,20 @@ std::string bare_name(std::string_view name) {
   return bare;
 }
 
-/// As trim, also of the no-break spaces that spreadsheets and web pages leave behind.
+/// As trim, also of what spreadsheets and web pages leave behind: no-break and zero-width spaces, byte order marks.
 std::string_view trim_name(std::string_view text) {
-  constexpr std::string_view kNoBreakSpace = "\xC2\xA0";
-  for (text = trim(text);; text = trim(text))
-    if (text.starts_with(kNoBreakSpace))
-      text.remove_prefix(kNoBreakSpace.size());
-    else if (text.ends_with(kNoBreakSpace))
-      text.remove_suffix(kNoBreakSpace.size());
-    else
-      return text;
+  constexpr std::string_view kUnseen[] = {"\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x8B", "\xEF\xBB\xBF"};
+  for (bool more = true; more;) {
+    more = false;
+    text = trim(text);
+    for (const std::string_view unseen : kUnseen) {
+      const bool before = text.starts_with(unseen), behind = !before && text.ends_with(unseen);
+      if (before) text.remove_prefix(unseen.size());
+      if (behind) text.remove_suffix(unseen.size());
+      more |= before || behind;
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -59,8 +63,13 @@ Heading heading_at(const CsvRow& header, std::size_t i) {
   const std::size_t open = text.find_first_of("[(");
   if (open == std::string_view::npos) return {std::string(text), {}};
   const std::string name(trim_name(text.substr(0, open)));
-  const bool closed = text.size() > open + 1 && text.back() == (text[open] == '[' ? ']' : ')');
-  return {name, std::string(trim_name(text.substr(open + 1, text.size() - open - (closed ? 2 : 1)))), closed};
+  // "P (load) [mN]": the last bracket holds the unit
+  const std::size_t last = text.back() == ']' ? text.rfind('[') : text.back() == ')' ? text.rfind('(') : open;
+  const bool closed = text.find_first_of("])") != std::string_view::npos &&
+                      std::string_view("])").find(text.back()) != std::string_view::npos &&
+                      last != std::string_view::npos;
+  const std::size_t unit = (closed ? last : open) + 1;
+  return {name, std::string(trim_name(text.substr(unit, text.size() - unit - (closed ? 1 : 0)))), closed};
 }
 
 Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_number, const std::string& path,
@@ -70,7 +79,11 @@ Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_numb
   const std::string_view text = header[i];
   if (header.size() == 1 && text.find_first_of("])") < text.size() - 1)
     fail("'" + printable(text, 60) + "' is one column; separate columns by commas, semicolons or tabs");
-  if (!heading.closed) fail("the unit of column '" + heading.name + "' is not closed: '" + std::string(text) + "'");
+  if (!heading.closed) {
+    const bool goes_on = text.find(text[text.find_first_of("[(")] == '[' ? ']' : ')') != std::string_view::npos;
+    fail((goes_on ? "something follows the unit of column '" : "the unit of column '") + heading.name +
+         (goes_on ? "': '" : "' is not closed: '") + std::string(text) + "'");
+  }
   const auto parsed = parse_unit(*heading.unit);
   const std::string kind = always_a_number ? "a plain number" : describe(wanted) + ", or no unit if dimensionless";
   if (!parsed) fail("'" + *heading.unit + "' of column '" + heading.name + "' is no unit; wanted " + kind);
@@ -89,24 +102,34 @@ void require_width(const std::string& path, const CsvRow& row, std::size_t count
       throw InputError(path, row.place(i), "the row has more fields than the header's " + std::to_string(count));
 }
 
+bool holds_a_number(const CsvRow& row) {
+  for (std::size_t i = 0; i < row.size(); ++i)
+    if (parse_number(row[i])) return true;
+  return false;
+}
+
 bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value) {
   if (parse_number(row[i], value)) return true;
   const std::string_view text = trim_name(row[i]);
   if (text.empty()) return false;
   if (text.size() < row[i].size() && parse_number(text, value)) return true;
-  const bool decimal_comma = text.find(',') != std::string_view::npos;
   throw InputError(path, row.place(i),
-                   "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number" +
-                       (decimal_comma ? " (write a decimal point, not a comma)" : ""));
+                   "column '" + std::string(name) + "': " + "'" + printable(text, 60) + "' is not a number" +
+                       std::string(decimal_comma_hint(text)));
+}
+
+std::string_view decimal_comma_hint(std::string_view text) {
+  return text.find(',') != std::string_view::npos ? " (write a decimal point, not a comma)" : "";
 }
 
 std::string_view to_string(ColumnId id) { return kKinds[static_cast<std::size_t>(id)].name; }
 
-Columns::Columns(const std::string& path, const CsvRow& header) : count_(header.size()) {
+Columns::Columns(const std::string& path, const CsvRow& header) {
   for (std::size_t i = 0; i < header.size(); ++i) {
     const auto fail = [&](const std::string& message) { throw InputError(path, header.place(i), message); };
     const Heading heading = heading_at(header, i);
     const std::string& name = heading.name;
+    if (!header[i].empty()) count_ = i + 1;
     const Kind* kind = nullptr;
     for (const Kind& candidate : kKinds)
       if (candidate.name == heading.name) kind = &candidate;
@@ -119,18 +142,25 @@ Columns::Columns(const std::string& path, const CsvRow& header) : count_(header.
     if (slot) fail("column '" + name + "' stands twice");
     slot = Column{kind->id, i, unit};
   }
-  require_a_complete_set(path, header.line());
+  const auto number_or_empty = [&](std::size_t i) { return header[i].empty() || parse_number(header[i]); };
+  std::size_t numbers = 0;
+  while (numbers < header.size() && number_or_empty(numbers)) ++numbers;
+  if (numbers == header.size())
+    throw InputError(path, header.place(0),
+                     "the first row holds numbers where the columns' names are wanted, such as P, T, A (a line that "
+                     "starts with '#' is a comment)");
+  require_a_complete_set(path, header);
   require_consistent_units(path, header);
   for (const std::string& name : ignored_)
     for (const Kind& kind : kKinds)
       if (!has(kind.id) && bare_name(name) == bare_name(kind.name)) misspelt_.emplace_back(name, kind.name);
 }
 
-void Columns::require_a_complete_set(const std::string& path, std::size_t line) const {
+void Columns::require_a_complete_set(const std::string& path, const CsvRow& header) const {
   const bool loads = has(ColumnId::P) || has(ColumnId::T) || has(ColumnId::A) || has(ColumnId::a);
   const bool toughness =
       has(ColumnId::psi) || has(ColumnId::mode_ratio) || has(ColumnId::Gc) || has(ColumnId::Gc_over_GIc);
-  const auto fail = [&](const std::string& message) { throw InputError(path, line, 1, message); };
+  const auto fail = [&](const std::string& message) { throw InputError(path, header.line(), 1, message); };
   const auto exactly_one = [&](ColumnId one, ColumnId other) {
     const std::string names = "'" + std::string(to_string(one)) + "' or '" + std::string(to_string(other)) + "'";
     if (!has(one) && !has(other)) fail("column " + names + " is missing");
@@ -139,7 +169,7 @@ void Columns::require_a_complete_set(const std::string& path, std::size_t line) 
   if (!loads && !toughness)
     fail(std::string("the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or "
                      "Gc_over_GIc)") +
-         (count_ == 1 ? ", separated by commas, semicolons or tabs" : ""));
+         (header.size() == 1 ? ", separated by commas, semicolons or tabs" : ""));
   if (loads && toughness) fail("the header mixes loads (P, T, A) with toughness (psi, Gc); give one set");
   if (loads) {
     for (const ColumnId id : {ColumnId::P, ColumnId::T})

@@ -34,7 +34,7 @@ class Columns {
     return column ? &*column : nullptr;
   }
   bool has(ColumnId id) const { return find(id) != nullptr; }
-  std::size_t count() const { return count_; }                          // fields in the header
+  std::size_t count() const { return count_; }                          // fields in the header, to the last with a name
   const std::vector<std::string>& ignored() const { return ignored_; }  // names of columns that mean nothing to us
   /// Of these the ones that differ from a quantity's name, which no column has, in case or signs only; with that name.
   const std::vector<std::pair<std::string, std::string>>& misspelt() const { return misspelt_; }
@@ -42,7 +42,7 @@ class Columns {
   bool holds_loads() const { return has(ColumnId::P); }
 
  private:
-  void require_a_complete_set(const std::string& path, std::size_t line) const;
+  void require_a_complete_set(const std::string& path, const CsvRow& header) const;
   void require_consistent_units(const std::string& path, const CsvRow& header) const;
 
   std::array<std::optional<Column>, kColumnCount> columns_;
@@ -67,8 +67,13 @@ Heading heading_at(const CsvRow& header, std::size_t i);
 Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_number, const std::string& path,
              const CsvRow& header, std::size_t i);
 
+bool holds_a_number(const CsvRow& row);
+
 /// A row must have as many fields as the header; further ones must be empty.
 void require_width(const std::string& path, const CsvRow& row, std::size_t count);
+
+/// Behind what is said of a text that is no number.
+std::string_view decimal_comma_hint(std::string_view text);
 
 /// Reads the number in field i, as it stands; false if the field is empty. `name`: of the column.
 bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value);

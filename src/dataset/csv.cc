@@ -141,7 +141,7 @@ struct CsvParser {
 };
 
 void read_rows(std::string_view text, std::size_t first_line, const CsvFormat& format, const std::string& path,
-               const UseRow& use, NumberRows* numbers) {
+               const UseRow& use, const UseRow& use_comment, NumberRows* numbers) {
   CsvParser parser(format);
   std::size_t number = first_line;
   // Of most files this can be said at once, which saves looking through each of their lines for what none has.
@@ -163,6 +163,9 @@ void read_rows(std::string_view text, std::size_t first_line, const CsvFormat& f
     const std::string_view line = take_line(text, format.line_end);
     if (format.comments && line.starts_with('#') && !parser.quote_open) {
       if (!plain && has_return_inside(line)) throw InputError(path, number, 1, std::string(kReturnInside));
+      if (!use_comment) continue;
+      parser.split(line, number);
+      use_comment(parser.row);
       continue;
     }
     fed = !plain && parser.needs_library(line);
@@ -204,7 +207,9 @@ std::size_t end_of_first_row(std::string_view text, const CsvFormat& format) {
 
 void drop_mark(std::string_view& text, const std::string& path) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+  const auto nul = [&](std::size_t i) { return text[i] == '\0'; };
+  const bool every_other_nul = text.size() > 3 && nul(0) != nul(1) && nul(2) == nul(0) && nul(3) == nul(1);
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || every_other_nul)
     throw InputError(path, 1, 1, "is UTF-16; save it as UTF-8");
 }
 
@@ -213,7 +218,8 @@ bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format
     std::string_view after = text;
     const std::string_view first = take_line(after, format.line_end);
     const bool comment = format.comments && first.starts_with('#') && !has_return_inside(first);
-    if (!comment && first.find_first_not_of(" \t\r\n") != std::string_view::npos) {
+    const bool for_excel = trim(first).size() == 5 && first.starts_with("sep=");  // how it would be told the delimiter
+    if (!comment && !for_excel && first.find_first_not_of(" \t\r\n") != std::string_view::npos) {
       format.delimiter = delimiter_of(first);
       return true;
     }

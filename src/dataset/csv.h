@@ -83,11 +83,12 @@ using UseNumbers = std::function<void(const CsvNumbers&)>;
 /// Whole rows of a file. Its parts may be read on several threads at once.
 class CsvBlock {
  public:
-  /// Calls use(row) for each row that is not blank. The row is valid during the call only. Throws InputError for quotes
-  /// that do not match.
-  void rows(const UseRow& use) const;
+  /// Calls use(row) for each row that is not blank, and use_comment for what a line that starts with '#' would be as a
+  /// row. The row is valid during the call only. Throws InputError for quotes that do not match.
+  void rows(const UseRow& use, const UseRow& use_comment = {}) const;
   /// The same, but most rows come as numbers, and only those that cannot come one by one. All in the file's order.
-  void rows(const CsvWanted& wanted, const UseNumbers& use_numbers, const UseRow& use_row) const;
+  void rows(const CsvWanted& wanted, const UseNumbers& use_numbers, const UseRow& use_row,
+            const UseRow& use_comment = {}) const;
   std::size_t bytes() const { return text_.size(); }
   std::size_t lines() const { return lines_; }
 
@@ -123,8 +124,9 @@ class CsvFile {
 };
 
 /// Calls use(row) for each row that is not blank and does not start with '#'. UTF-8 with or without byte order
-/// mark; LF or CRLF; comma, semicolon or tab, whichever the first row has most of. The row is valid during the
-/// call only. Throws InputError for a file that cannot be read or whose quotes do not match.
+/// mark; LF or CRLF; comma, semicolon or tab, whichever the first row has most of; a line "sep=;" before that is no
+/// row. The row is valid during the call only. Throws InputError for a file that cannot be read or whose quotes do not
+/// match.
 void read_csv(const std::string& path, const UseRow& use);
 
 /// The same for text that is already there; `name` stands for the file in messages. Without comments, '#' starts a

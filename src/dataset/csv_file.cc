@@ -71,11 +71,14 @@ bool CsvFile::next(CsvBlock& block) {
   return true;
 }
 
-void CsvBlock::rows(const UseRow& use) const { read_rows(text_, first_line_, format_, path_, use); }
+void CsvBlock::rows(const UseRow& use, const UseRow& use_comment) const {
+  read_rows(text_, first_line_, format_, path_, use, use_comment);
+}
 
-void CsvBlock::rows(const CsvWanted& wanted, const UseNumbers& use_numbers, const UseRow& use_row) const {
+void CsvBlock::rows(const CsvWanted& wanted, const UseNumbers& use_numbers, const UseRow& use_row,
+                    const UseRow& use_comment) const {
   NumberRows numbers(wanted, format_, use_numbers);
-  read_rows(text_, first_line_, format_, path_, use_row, &numbers);
+  read_rows(text_, first_line_, format_, path_, use_row, use_comment, &numbers);
 }
 
 void read_csv(const std::string& path, const UseRow& use) {

@@ -59,7 +59,7 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
 /// A block of rows, and what they hold.
 struct Part {
   CsvBlock block;
-  std::size_t rows = 0;
+  std::size_t rows = 0, commented = 0, first_commented = 0;  // rows; those behind '#', and the line of the first
   std::vector<Point> points;
   std::vector<ToughnessPoint> converted;
   std::vector<PointErrors> errors;
@@ -68,7 +68,7 @@ struct Part {
   PointBatch batch;
 
   void clear() {
-    rows = 0;
+    rows = commented = 0;
     points.clear();
     points.reserve(block.lines());
     converted.clear();
@@ -88,6 +88,9 @@ struct Part {
     points.push_back(read.point);
     if (!data.has_loads) converted.push_back(read.converted);
     if (reader.has_errors()) errors.push_back(read.errors);
+  }
+  void comment(const PointReader& reader, const CsvRow& row) {
+    if (reader.resembles_data(row) && commented++ == 0) first_commented = row.line();
   }
   void numbers(const PointReader& reader, const Dataset& data, const CsvNumbers& numbers) {
     reader.read(numbers, batch);
@@ -141,10 +144,13 @@ class Loader {
       else
         reader_.emplace(metadata_path_, use_, row, data_);
     };
+    const auto comment = [&](const CsvRow& row) {
+      if (reader_) part.comment(*reader_, row);
+    };
     const CsvWanted* wanted = reader_ ? reader_->wanted() : nullptr;
-    if (!wanted) return part.block.rows(one);
+    if (!wanted) return part.block.rows(one, comment);
     part.block.rows(
-        *wanted, [&](const CsvNumbers& numbers) { part.numbers(*reader_, data_, numbers); }, one);
+        *wanted, [&](const CsvNumbers& numbers) { part.numbers(*reader_, data_, numbers); }, one, comment);
   }
 
   void take(const Part& part) {
@@ -155,6 +161,8 @@ class Loader {
     append(data_.errors, part.errors);
     append(data_.excluded, part.excluded);
     data_.rows += part.rows;
+    if (commented_ == 0) first_commented_ = part.first_commented;
+    commented_ += part.commented;
   }
 
   /// Room for as many points as the file may hold if it goes on as this part of it: to move them takes twice their
@@ -167,7 +175,13 @@ class Loader {
 
   void finish() {
     if (!reader_) throw InputError(data_.path, 1, 1, "is empty: a header row is missing");
-    if (data_.rows == 0) throw InputError(data_.path, 2, 1, "has a header but no data rows");
+    const std::string passed_over = std::to_string(commented_) +
+                                    (commented_ == 1 ? " row that begins" : " rows that begin") +
+                                    " with '#', the first in line " + std::to_string(first_commented_);
+    if (data_.rows == 0)
+      throw InputError(data_.path, 2, 1,
+                       "has a header but no data rows" + (commented_ > 0 ? ", only " + passed_over : ""));
+    if (commented_ > 0) data_.notes.push_back("passed over as comments: " + passed_over);
     // Names go into figures, pages and tables: what would break these is shown as '?'.
     for (const std::string& name : runs_.names()) data_.curves.push_back(printable(name, std::string::npos));
     if (data_.has_loads) data_.curve_loads = runs_.loads();
@@ -179,9 +193,24 @@ class Loader {
   CsvFile file_;
   std::optional<PointReader> reader_;  // made of the first row, before any thread
   Runs runs_;
+  std::size_t commented_ = 0, first_commented_ = 0;
 };
 
 }  // namespace
+
+FilePlace place_of(const Dataset& data, const Point& point, std::string_view column) {
+  FilePlace place{point.line, 0};
+  std::optional<std::size_t> index;
+  try {
+    read_csv(data.path, [&](const CsvRow& row) {
+      for (std::size_t i = 0; i < row.size() && !index; ++i)
+        if (heading_at(row, i).name == column) index = i;
+      if (row.line() == point.line && index) place = row.place(*index);
+    });
+  } catch (const InputError&) {
+  }
+  return place;
+}
 
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
   std::vector<std::vector<std::size_t>> runs(data.curves.size());

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dataset/input_error.h"
 #include "dataset/metadata.h"
 #include "dataset/printable.h"
 #include "mechanics/contact.h"
@@ -65,6 +66,9 @@ struct Dataset {
   std::string shown_path() const { return printable(path, std::string::npos); }
   PointErrors errors_of(std::size_t i) const { return errors.empty() ? PointErrors{} : errors[i]; }
 };
+
+/// Where a point's value of that column stands; the file is read again, and if that cannot be, the line alone is known.
+FilePlace place_of(const Dataset& data, const Point& point, std::string_view column);
 
 /// Indices into Dataset::points, by run.
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);

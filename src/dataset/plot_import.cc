@@ -25,14 +25,9 @@ std::string number_field(const std::string& path, const CsvRow& row, std::size_t
   if (text.empty()) return {};
   const auto value = parse_number(text);
   if (!value || !std::isfinite(*value))
-    throw InputError(path, row.place(i), "'" + std::string(text) + "' is not a finite number");
+    throw InputError(path, row.place(i),
+                     "'" + std::string(text) + "' is not a finite number" + std::string(decimal_comma_hint(text)));
   return std::string(text);
-}
-
-bool holds_a_number(const CsvRow& row) {
-  for (std::size_t i = 0; i < row.size(); ++i)
-    if (parse_number(row[i])) return true;
-  return false;
 }
 
 std::vector<Series> read_series(const std::string& path) {
@@ -87,6 +82,10 @@ std::string import_plot(const std::string& path, const PlotImport& options) {
   // The header must mean to us what it says: two axes, known, with fitting units.
   const std::string name = path + ": the header '" + text.substr(0, text.size() - 1) + "'";
   read_csv_text(text, name, true, [&](const CsvRow& header) {
+    for (std::size_t i = 0; i < header.size(); ++i)
+      if (const std::string axis = heading_at(header, i).name;
+          !with_loads && (axis == "T" || axis == "A" || axis == "a"))
+        throw InputError(path, "needs the normal load of each data set beside the axis " + axis + " (--loads=...)");
     const Columns columns(name, header);
     if (header.size() != (with_loads ? 4u : 3u) || !columns.ignored().empty() || columns.holds_loads() != with_loads)
       throw InputError(name, "does not name two axes of one kind: T and A (or a) with loads, or psi and Gc without");

@@ -115,6 +115,10 @@ std::optional<std::string_view> PointReader::run_name(const CsvNumbers& rows, st
   return name.empty() ? std::nullopt : std::optional(name);
 }
 
+bool PointReader::resembles_data(const CsvRow& comment) const {
+  return comment.size() >= columns_.count() && holds_a_number(comment);
+}
+
 std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
   require_width(data_.path, row, columns_.count());
   if (const Column* include = columns_.find(ColumnId::include)) {

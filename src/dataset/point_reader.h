@@ -35,6 +35,9 @@ class PointReader {
   /// that cannot be understood. Several threads may read rows at once.
   std::string_view read(const CsvRow& row, ReadPoint& point) const;
 
+  /// Of a line behind '#': whether it would be a row of the table, with numbers.
+  bool resembles_data(const CsvRow& comment) const;
+
   /// The fields that rows must bring to be read several at a time; null if this kind of file is read one by one.
   const CsvWanted* wanted() const { return wanted_ ? &*wanted_ : nullptr; }
   /// The same points as read() makes of each row, if it makes one.

@@ -46,6 +46,8 @@ template <class Model>
 std::vector<double> toughness_weights(const Dataset& data, const FitOptions& options,
                                       const PreparedFit<Model>& prepared, const Parameters<Model>& p) {
   std::vector<double> weights;
+  if (!data.has_loads && data.errors.empty())
+    throw InputError(data.path, "needs a column sigma_Gc to weigh its points by");
   for (const std::size_t i : prepared.used) {
     const Point& point = data.points[i];
     const double ratio = data.toughness(i)->ratio;
@@ -64,7 +66,8 @@ std::vector<double> toughness_weights(const Dataset& data, const FitOptions& opt
       error = std::hypot(by_T * sigma_T, by_A * sigma_A);
     }
     if (!(error > 0))
-      throw InputError(data.path, point.line, 0, "this point has no standard error (sigma_Gc is 0 or empty)");
+      throw InputError(data.path, place_of(data, point, "sigma_Gc"),
+                       "this point has no standard error (sigma_Gc is 0 or empty)");
     weights.push_back(1 / (options.scale == Scale::log ? error : error * ratio));
   }
   return weights;

@@ -95,6 +95,10 @@ PreparedFit<Model> prepare(const Dataset& data, const FitOptions& options, const
                                           " needs loads and areas (columns P, T, A); this file has psi and Gc"
                                     : "only a file with loads and areas (columns P, T, A) can free constants of the "
                                       "experiment");
+  if (!data.has_loads && (options.sigma_T || options.sigma_A))
+    throw InputError(data.path,
+                     "objective toughness needs loads and areas (columns P, T, A) for sigma_T and sigma_A; "
+                     "this file has psi and Gc");
   const bool corrected = !options.free.empty() || options.corrections != Corrections{};
   if (corrected && options.objective == Objective::toughness && (options.weighted || options.scale == Scale::linear))
     throw InputError(

@@ -47,7 +47,8 @@ Stated understand(const Dataset& data, const std::string& name, const std::optio
   const bool relative = stated->unit.text == "%";
   const bool fits = data.contact ? stated->unit.dimension == dimension : stated->unit.dimension == dimension::none;
   if (!relative && !fits)
-    throw InputError(data.path, name + " is '" + shortest(stated->value) + " " + stated->unit.text + "'; it must be " +
+    throw InputError(data.path, name + " is '" + shortest(stated->value) + (stated->unit.text.empty() ? "" : " ") +
+                                    stated->unit.text + "'; it must be " +
                                     (data.contact ? describe(dimension) : "a number without a unit") +
                                     ", or a percentage such as 1%");
   if (!(stated->value > 0)) throw InputError(data.path, name + " must be greater than 0");
@@ -106,7 +107,7 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
     errors.T.push_back(error(errors.source_T, stated_T, point.T, columns.T));
     errors.A.push_back(error(errors.source_A, stated_A, point.A, columns.A));
     if (!(errors.A.back() > 0))
-      throw InputError(data.path, point.line, 0,
+      throw InputError(data.path, place_of(data, point, "sigma_A"),
                        "this point has no standard error of its area (sigma_A is 0 or empty)");
   }
   return errors;

@@ -55,9 +55,23 @@ TEST(Dataset, UnitsMakeNoDifference) {
   for (const char* csv : {
            "P [N],T [N],A [m^2],sigma_T [N],sigma_A [m^2]\n1e-3,0,0.25e-6,1e-5,2e-9\n1e-3,5e-4,2.4e-7,2e-5,3e-9\n",
            "A (um²);sigma_A (um²);P (kN);T (nN);sigma_T (µN)\n250000;2000;1e-6;0;10\n240000;3000;1e-6;500000;20\n",
+           // as spreadsheets save it: the delimiter told, marks that are not seen, a remark in the heading, empty
+           // columns
+           "sep=;\r\n\xEF\xBB\xBF"
+           "P (normal) [mN];T\xE2\x80\x8B [mN];A [mm^2];sigma_T [mN];sigma_A [mm^2];;\r\n"
+           "1;0;0.25;0.01;0.002;;\r\n1;0.5;0.24;0.02;0.003;;\r\n",
            "T [mN],P [mN],sigma_A [%],A [cm^2],sigma_T [mN]\n0,1,0.8,0.0025,0.01\n0.5,1,1.25,0.0024,0.02\n",
        })
     expect_same_points(data, load_text(csv, kMergel));
+}
+
+TEST(Dataset, RowsBehindAHashAreCountedInANote) {
+  const std::string rows = "P,T,A\n1,0,19.6\n#N/A,1,19.5\n# measured on Monday, in the morning, by hand\n#1,2,19.4\n";
+  const Dataset data = load_text(rows);
+  EXPECT_EQ(data.rows, 1u);
+  EXPECT_EQ(data.notes,
+            std::vector<std::string>{"passed over as comments: 2 rows that begin with '#', the first in line 3"});
+  EXPECT_TRUE(load_text("# 1,2,3\nP,T,A\n1,0,19.6\n# a remark\n").notes.empty());
 }
 
 TEST(Dataset, ConstantsMayBeStatedInAnyUnit) {
