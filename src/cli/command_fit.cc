@@ -24,7 +24,7 @@ void write_folder(const std::string& folder, const std::vector<JobResult>& resul
     files.push_back({folder + "/" + name, std::move(content)});
   };
   for (const JobResult& result : results) {
-    inputs.push_back(result.data.path);
+    for (std::string& input : files_read(result.job)) inputs.push_back(std::move(input));
     const std::string stem = file_stem(result, taken);
     add(stem + "_residuals.csv", residuals_csv(result));
     add(stem + "_curves.csv", curves_csv(result));

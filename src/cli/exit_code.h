@@ -9,6 +9,7 @@ enum ExitCode : int {
   kBadUsage = 2,  // unknown command or flag, unusable value of a flag
   kBadInput = 3,  // a file cannot be read or understood
   kCannotWrite = 4,
+  kInternalError = 5,  // the program's own fault: none is known
 };
 
 }  // namespace mixity::cli

@@ -60,6 +60,8 @@ int main(int argc, char** argv) {
     code = fail(error.what(), kCannotWrite);
   } catch (const std::bad_alloc&) {
     code = fail("not enough memory", kBadInput);
+  } catch (const std::exception& error) {
+    code = fail(std::string("internal error, please report it: ") + error.what(), kInternalError);
   }
   return code;
 }

@@ -17,6 +17,7 @@ class Reader {
   FitJob read() {
     const toml::table table = read_toml(path_);
     FitJob job;
+    job.path = path_;
     for (const auto& [key, node] : table) {
       if (key == "data")
         job.data_path = beside(text(node, "data"));
@@ -152,6 +153,13 @@ class Reader {
 }  // namespace
 
 FitJob read_fit_definition(const std::string& path) { return Reader(path).read(); }
+
+std::vector<std::string> files_read(const FitJob& job) {
+  std::vector<std::string> files{job.data_path, metadata_path(job.data_path)};
+  if (!job.peaks_path.empty()) files.insert(files.end(), {job.peaks_path, metadata_path(job.peaks_path)});
+  if (!job.path.empty()) files.push_back(job.path);
+  return files;
+}
 
 std::vector<Agreement> compare(const FitResult& fit, const FitJob& job) {
   std::vector<Agreement> agreements;

@@ -18,6 +18,7 @@ struct Published {
 
 /// One model a job fits, with what it holds and what was published about it.
 struct FitJob {
+  std::string path;                 // of its definition; empty: made of flags
   std::string data_path;            // CSV, resolved against the definition's folder
   std::string peaks_path;           // CSV of peak forces, resolved likewise; empty: none
   std::vector<std::string> models;  // in the order to report
@@ -30,6 +31,9 @@ struct FitJob {
 
 /// Throws InputError with file, line and column for anything not understood.
 FitJob read_fit_definition(const std::string& path);
+
+/// Every file that the job is made from, which no result may be written over: some may not be there.
+std::vector<std::string> files_read(const FitJob& job);
 
 struct Agreement {
   Published published;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -71,12 +72,15 @@ class StagedFile {
 
     remove_leftovers(target_);
     temporary_ = target_ + kTemporary + std::to_string(::getpid());
-    const int opened = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    ::unlink(temporary_.c_str());
+    const int opened = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
     if (opened < 0) {
       const int reason = errno;
       temporary_.clear();
       check(reason);
     }
+    struct stat old {};
+    if (::stat(target_.c_str(), &old) == 0) ::fchmod(opened, old.st_mode & 0777);  // who might read it may still
     if (const int reason = write_and_close(opened, file.content, true); reason != 0) {
       discard();
       check(reason);
@@ -86,11 +90,14 @@ class StagedFile {
   StagedFile& operator=(const StagedFile&) = delete;
   ~StagedFile() { discard(); }
 
+  /// If it is a pipe or device; may take as long as its reader does.
+  void write_if_direct() const {
+    if (!direct_) return;
+    const int opened = ::open(file_.path.c_str(), O_WRONLY | O_CLOEXEC);
+    check(opened < 0 ? errno : write_and_close(opened, file_.content, false));
+  }
   void put_in_place() {
-    if (direct_) {
-      const int opened = ::open(file_.path.c_str(), O_WRONLY | O_CLOEXEC);
-      return check(opened < 0 ? errno : write_and_close(opened, file_.content, false));
-    }
+    if (direct_) return;
     check(::rename(temporary_.c_str(), target_.c_str()) != 0 ? errno : 0);
     temporary_.clear();
   }
@@ -107,6 +114,23 @@ class StagedFile {
   const OutputFile& file_;
   std::string target_, temporary_;
   bool direct_ = false;  // a pipe or device
+};
+
+/// While it lives, what asks the process to end has to wait: all files of a run take their place, or none.
+class Uninterrupted {
+ public:
+  Uninterrupted() {
+    sigset_t asked;
+    sigemptyset(&asked);
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT}) sigaddset(&asked, signal);
+    pthread_sigmask(SIG_BLOCK, &asked, &before_);
+  }
+  ~Uninterrupted() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+ private:
+  sigset_t before_{};
 };
 
 /// Throws OutputError if one of the files that are to be written is, by whatever name, one of those that were read.
@@ -137,6 +161,8 @@ void write_files(const std::vector<OutputFile>& files, const std::vector<std::st
   spare_inputs(inputs, files);
   std::deque<StagedFile> staged;
   for (const OutputFile& file : files) staged.emplace_back(file);
+  for (const StagedFile& file : staged) file.write_if_direct();
+  const Uninterrupted renaming;
   for (StagedFile& file : staged) file.put_in_place();
 }
 

@@ -22,10 +22,12 @@ struct OutputFile {
 };
 
 /// Writes each to a temporary name in its folder and flushes it to disk; when all are there, renames them: whoever
-/// looks sees old files or new ones, and a run that cannot write one of its files leaves all old ones in place. Creates
-/// folders that are missing, and removes the temporary names of these files whose process was killed. A link stays one;
-/// a pipe or device is written to. Throws OutputError, with nothing left behind; so, too, if one of the files is, by
-/// whatever name, one of `inputs`.
+/// looks sees old files or new ones, and a run that cannot write one of its files leaves all old ones in place. Pipes
+/// and devices come before the renames, which signals to end wait for: only a kill (SIGKILL, a power cut) between two
+/// renames leaves files of two runs side by side, each of them whole. A file keeps its permissions. Creates folders
+/// that are missing, and removes the temporary names of these files whose process was killed. A link stays one; a pipe
+/// or device is written to. Throws OutputError, with nothing left behind; so, too, if one of the files is, by whatever
+/// name, one of `inputs`.
 void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs = {});
 void write_file(const std::string& path, const std::string& content);
 

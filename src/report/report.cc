@@ -15,10 +15,8 @@ WrittenReport write_report(const std::vector<JobResult>& results, const std::vec
     if (settings.progress) settings.progress(fraction);
   };
   std::vector<std::string> inputs;
-  for (const ReportedData& one : data) {
-    inputs.push_back(one.result.data.path);
-    if (one.peaks) inputs.push_back(one.peaks->path);
-  }
+  for (const ReportedData& one : data)
+    for (std::string& input : files_read(one.result.job)) inputs.push_back(std::move(input));
   std::vector<Figure> figures;
   for (const ReportedData& one : data) {
     content.entries.push_back({&one, data_figures(one)});

@@ -1,5 +1,6 @@
 #include "report/summary_markdown.h"
 
+#include "dataset/printable.h"
 #include "report/fit_table.h"
 #include "report/versions.h"
 
@@ -56,7 +57,7 @@ std::string data_set(const ReportEntry& entry) {
 std::string summary_markdown(const ReportContent& content) {
   std::string text = "# Mode-mixity fits\n\n";
   for (const ReportEntry& entry : content.entries) text += data_set(entry);
-  text += "Made by\n\n    " + content.settings.command + "\n\nwith";
+  text += "Made by\n\n    " + printable(content.settings.command, std::string::npos) + "\n\nwith";
   std::string separator = " ";
   for (const auto& [name, version] : versions()) {
     text += separator + name + " " + version;

@@ -188,6 +188,31 @@ TEST(OutputSafety, AFileThatWasReadIsNotWrittenOver) {
   refuses({"import", plot, "--x=T", "--y=A", "--loads=1", "--out", folder.path("link.csv")}, "link.csv");
 }
 
+TEST(OutputSafety, NoFileThatADefinitionNamesIsWrittenOver) {
+  const TemporaryFolder folder;
+  const std::string &here = folder.path(),
+                    constants = "radius = \"9 mm\"\nmodulus = \"2 MPa\"\ntoughness = \"27 mJ/m^2\"\n";
+  folder.write("g.csv", "P,T,A\n1,0,20\n1,3,19\n1,5,17\n");
+  folder.write("g.toml", constants);
+  folder.write("g_residuals.csv", "P [mN],T_max [mN]\n1,2\n");
+  const std::string definition =
+      folder.write("fit.toml", "data = \"g.csv\"\nmodels = [\"c\"]\npeaks = \"g_residuals.csv\"\n");
+  const auto refuses = [&](const std::string& name) {
+    const ProgramResult result = run_program({"fit", definition, "--out", here});
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_NE(result.complaint().find(name + ": is an input and is not written over"), std::string::npos) << result.err;
+  };
+  refuses("g_residuals.csv");
+  folder.write("fit.toml", "data = \"g.csv\"\nmodels = [\"c\"]\n");
+  for (const std::string target : {"g.toml", "fit.toml"}) {
+    const std::string link = folder.path("fits.txt");
+    std::filesystem::remove(link);
+    std::filesystem::create_symlink(folder.path(target), link);
+    refuses("fits.txt");
+  }
+  EXPECT_EQ(content_of(folder.path("g.toml")), constants);
+}
+
 TEST(OutputSafety, AFileWhereAFolderIsWantedStaysAsItIs) {
   const TemporaryFolder folder;
   const std::string file = folder.write("out", "mine");
@@ -297,6 +322,31 @@ TEST_P(Killed, LeavesEachFileOldOrNewAndTheNextRunIsWhole) {
 
   ASSERT_EQ(run_program(words("0.95")).exit_code, 0);
   EXPECT_TRUE(contents_of(out_) == after) << "what killed runs left behind is still there";
+}
+
+TEST_P(Killed, WhoIsAskedToEndWhileFilesTakeTheirNamesLeavesOneRunOrTheOther) {
+  ASSERT_EQ(run_program(words("0.9")).exit_code, 0);
+  const Contents before = contents_of(out_);
+  ASSERT_EQ(run_program(words("0.95")).exit_code, 0);
+  const Contents after = contents_of(out_);
+  const long calls = run_to_call(start(words("0.95"), err_, be_traced), 1'000'000);
+  if (calls == 0) return;  // programs may not be traced here
+  int old_runs = 0, new_runs = 0;
+  for (long back = 4; back < static_cast<long>(2 * after.size() + 60); back += 3) {
+    put_back(before);
+    const pid_t child = start(words("0.95"), err_, be_traced);
+    run_to_call(child, calls - back);
+    ::ptrace(PTRACE_DETACH, child, nullptr, static_cast<long>(SIGTERM));
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    Contents left = contents_of(out_);
+    std::erase_if(left, [](const auto& file) { return is_temporary(file.first); });
+    old_runs += left == before;
+    new_runs += left == after;
+    EXPECT_TRUE(left == before || left == after) << "files of two runs, " << back << " calls before the end";
+  }
+  EXPECT_GT(old_runs, 0);
+  EXPECT_GT(new_runs, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(OutputSafety, Killed, testing::Values("fit", "report"),

@@ -40,6 +40,22 @@ TEST(OutputFile, ANameWithoutAFolderIsOneHere) {
   EXPECT_EQ(read_file(folder.path("new.csv")), "1,2\n");
 }
 
+TEST(OutputFile, ADeviceThatIsFullLeavesTheOthersAsTheyWere) {
+  const TemporaryFolder folder;
+  const std::string first = folder.write("first", "old");
+  EXPECT_THROW(write_files({{first, "new"}, {"/dev/full", "new"}}), OutputError);
+  EXPECT_EQ(read_file(first), "old");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+TEST(OutputFile, KeepsItsPermissions) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("private", "old");
+  std::filesystem::permissions(file, std::filesystem::perms(0600));
+  write_file(file, "new");
+  EXPECT_EQ(std::filesystem::status(file).permissions(), std::filesystem::perms(0600));
+}
+
 TEST(OutputFile, ALinkStaysALinkAndADeviceADevice) {
   const TemporaryFolder folder;
   const std::string target = folder.write("target", "old"), link = folder.path("link"), pipe = folder.path("pipe");
