@@ -41,6 +41,7 @@ std::optional<double> squared_area_errors(const Dataset& data, const std::vector
 
 std::optional<Information> information(const FitResult& fit) {
   if (!has_all_values(fit) || fit.residuals.empty() || !(fit.sum_of_squares > 0)) return std::nullopt;
+  if (fit.loss_scale > 0 && !fit.known_errors) return std::nullopt;
   return criteria(fit.sum_of_squares, fit.used.size(), fit.free_parameters, fit.known_errors);
 }
 
@@ -114,7 +115,10 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
   own.free.clear();
   if (!options.free.empty()) {
     const FitResult whole = fit_model(data, model, value_only(options));
-    if (!has_all_values(whole) || whole.status == FitStatus::not_converged) return result;
+    if (!has_all_values(whole) || whole.status == FitStatus::not_converged) {
+      result.untested = "the constants that are free were not found";
+      return result;
+    }
     with_model(model, [&](auto chosen) {
       own.corrections = fitted_trial<decltype(chosen)>(data, whole, options).corrections;
     });
@@ -137,9 +141,19 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
     }
     result.curves.push_back(std::move(one));
   }
-  if (result.fitted < 2 || n <= parameters) return result;
+  const auto untested = [&](const char* reason) {
+    result.untested = reason;
+    return result;
+  };
+  if (result.fitted < 2) return untested("fewer than two runs have a value of their own");
+  if (parameters == 0) return untested("every parameter is held");
+  if (n <= parameters) return untested("too few points");
+  if (options.loss != Loss::none && !known)
+    return untested("a robust loss in units of the scatter is another cost for each run");
   const FitResult pooled = fit_model(data, model, value_only(own), &tested);
-  if (!has_all_values(pooled) || !(separate > 0)) return result;
+  if (!has_all_values(pooled) || pooled.status == FitStatus::not_converged)
+    return untested("no one value for all runs was found");
+  if (!(separate > 0)) return untested("the runs have no scatter");
   const double freedom = static_cast<double>(parameters - pooled.free_parameters);
   const double rest = static_cast<double>(n - parameters), gain = std::max(pooled.sum_of_squares - separate, 0.0);
   PerCurve::Test test{known, 0, freedom, rest, 0, {}, {}};

@@ -10,7 +10,8 @@
 namespace mixity {
 
 /// Information criteria of one fit; K counts the fitted parameters and, where the size of the errors is not known,
-/// their variance. AICc needs n > K + 1.
+/// their variance. AICc needs n > K + 1. Null without values, of a perfect fit, and of a robust loss in units of the
+/// scatter: that of another fit is another cost.
 struct Information {
   double aic, bic;
   std::optional<double> aicc;
@@ -62,7 +63,8 @@ struct PerCurve {
     double statistic, freedom, residual_freedom, p_value;
     std::optional<double> aicc_pooled, aicc_separate;
   };
-  std::optional<Test> test;  // null with fewer than two such runs or without degrees of freedom
+  std::optional<Test> test;
+  std::string untested;  // why not; empty with a test
 };
 
 /// Needs a data set with runs (loads, or a curve column).

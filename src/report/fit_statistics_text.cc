@@ -154,7 +154,7 @@ std::string per_curve_text(const JobResult& result) {
       out << '\n';
     }
     if (!per_curve.test) {
-      out << "    no test of one value for all runs: too few runs or points\n";
+      out << "    no test of one value for all runs: " << per_curve.untested << '\n';
       continue;
     }
     const PerCurve::Test& test = *per_curve.test;

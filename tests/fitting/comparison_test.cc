@@ -49,6 +49,14 @@ TEST(Information, NeedsMorePointsThanParameters) {
   EXPECT_FALSE(information(finished(10, 1, 0, false)));  // exact data: ln 0
 }
 
+TEST(Information, IsNoneOfARobustLossInUnitsOfTheScatter) {
+  FitResult robust = finished(20, 1, 25, false);
+  robust.loss_scale = 0.1;
+  EXPECT_FALSE(information(robust));
+  robust.known_errors = true;  // the loss bends at the same place in each fit
+  EXPECT_TRUE(information(robust));
+}
+
 Dataset noisy(unsigned seed, const std::vector<double>& loads = {0.5, 3, 10, 30}) {
   SeededNoise noise(seed, 0.005);
   return synthetic_runs<PapangeloCiavarella>({0.15}, loads, 12, 0.85, noise);
@@ -219,6 +227,19 @@ TEST(PerCurve, HasNoTestOfASingleRun) {
   const PerCurve found = fit_per_curve(noisy(6, {3}), "c", area_options());
   ASSERT_EQ(found.curves.size(), 1u);
   EXPECT_FALSE(found.test);
+  EXPECT_EQ(found.untested, "fewer than two runs have a value of their own");
+}
+
+/// Each run's loss would bend at that run's scatter: their sums are of different costs.
+TEST(PerCurve, HasNoTestUnderARobustLossInUnitsOfTheScatter) {
+  FitOptions options{.objective = Objective::area, .loss = Loss::huber, .intervals = false};
+  const PerCurve unknown = fit_per_curve(runs_of(0.15, 0.2, 1), "c", options);
+  EXPECT_FALSE(unknown.test);
+  EXPECT_EQ(unknown.untested, "a robust loss in units of the scatter is another cost for each run");
+  options.sigma_A = *parse_quantity("0.5%");
+  const PerCurve known = fit_per_curve(runs_of(0.15, 0.2, 1), "c", options);
+  ASSERT_TRUE(known.test);
+  EXPECT_LT(known.test->p_value, 1e-3);
 }
 
 /// A freed constant belongs to the experiment: every run is fitted with the value that all of them together want.

@@ -94,6 +94,7 @@ TEST(FitStatisticsText, EachRunAndTheTestOfOneValue) {
   PerCurve untested = per_curve;
   untested.model = "a";
   untested.test.reset();
+  untested.untested = "too few points";
   result.fits.clear();
   result.per_curve = {per_curve, shared, untested};
   expect_golden(result, "per_curve.txt");
