@@ -88,6 +88,26 @@ class ExperimentObjective final : public ModelProblem<Model> {
     return count;
   }
 
+  std::vector<Bend> bends(std::span<const double> places) const override {
+    std::vector<Bend> found;
+    if constexpr (std::is_same_v<Residuals<Model>, AreaResiduals<Model>>)
+      for (std::size_t run = 0; run + 1 < runs_.size(); ++run) {
+        std::vector<double> shears;
+        for (std::size_t i = runs_[run]; i < runs_[run + 1]; ++i) shears.push_back(points_[i].T);
+        const auto ends = [&](double x) {
+          const Trial<Model> at = trial({&x, 1});
+          const CorrectedScale scale(at.corrections);
+          const LoadedContact<Model> contact(at.parameters, scale.load(points_[runs_[run]].P));
+          std::vector<double> loads;
+          if (contact.obstacle().empty() && contact.in_contact())
+            for (const StableBranch& branch : contact.branches()) loads.push_back(branch.T_bottom / scale.force);
+          return loads;
+        };
+        find_bends(ends, shears, std::span(order_).subspan(runs_[run], shears.size()), places, found);
+      }
+    return found;
+  }
+
  private:
   /// Calls use(residuals of a load, its points as corrected, their places among the residuals, the correction's scale)
   /// until it returns false. False then, and where a correction leaves no area.

@@ -113,9 +113,12 @@ class Fitter {
       result_.status = FitStatus::ok;
       result_.message = "every parameter is held: nothing was fitted";
     } else {
-      Verdict verdict = find_minimum();
+      Verdict verdict;
+      const FitResult described = result_;
       // An interval may come upon a lower place, from which to start again.
-      for (int again = 0;; ++again, verdict = find_minimum()) {
+      for (int again = 0;; ++again) {
+        result_ = described;
+        verdict = find_minimum();
         result_.status = verdict.status;
         result_.message = verdict.message;
         if (!result_.has_values() || verdict.best.x.empty()) return result_;
@@ -156,6 +159,7 @@ class Fitter {
   }
 
   Verdict find_minimum() {
+    robust_.reset();  // of the problem before
     Verdict verdict = minimise(*problem_, options_.near, guesses_);
     if (options_.objective == Objective::toughness && options_.weighted) {
       // The standard errors depend on the model: until they no longer change.

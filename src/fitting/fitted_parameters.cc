@@ -36,6 +36,15 @@ DrawnProfile profile_of(const LeastSquares& cost, const Verdict& verdict, std::s
   return drawn;
 }
 
+/// True if a point passes a fold between the ends of parameter j's interval.
+bool bends_within(const LeastSquares& cost, std::vector<double> x, std::size_t j, const Interval& interval) {
+  if (interval.low_status == EndStatus::open || interval.high_status == EndStatus::open) return false;
+  x[j] = interval.low;
+  const std::size_t below = cost.bends_passed(x);
+  x[j] = interval.high;
+  return cost.bends_passed(x) != below;
+}
+
 /// The parameters of a fit that are not held, in the order of the solver's.
 std::vector<FittedParameter*> free_parameters(FitResult& fit) {
   std::vector<FittedParameter*> free;
@@ -56,17 +65,13 @@ std::vector<double> tell_parameters(const LeastSquares& cost, const Verdict& ver
   const bool known = fit.known_errors = cost.known_errors();
   const std::size_t n = cost.residual_count(), p = cost.parameters().size();
   const double allowance = n > p ? cost_allowance(options.confidence, verdict.best.sum_of_squares, n, p, known) : 0;
+  const double variance = known ? 1 : n > p ? verdict.best.sum_of_squares / static_cast<double>(n - p) : 0;
   const bool judged = verdict.status != FitStatus::not_converged && n > p && allowance > 0;
-  // Errors from J'J are in units of the scatter; known errors have unit size.
-  const double unit = known && verdict.best.sum_of_squares > 0 && n > p
-                          ? std::sqrt(static_cast<double>(n - p) / verdict.best.sum_of_squares)
-                          : 1;
   const std::vector<FittedParameter*> fitted = free_parameters(fit);
   for (std::size_t j = 0; j < fitted.size(); ++j) {
     const FreeParameter& parameter = cost.parameters()[j];
     const double x = verdict.best.x[j];
-    std::optional<double> error;
-    if (verdict.stderrs[j]) error = *verdict.stderrs[j] * unit;
+    const std::optional<double> error = verdict.stderrs[j];
     fitted[j]->value = parameter.shown(x);
     fitted[j]->at_bound = verdict.at_bound[j];
     fitted[j]->stderr_.reset();
@@ -75,6 +80,13 @@ std::vector<double> tell_parameters(const LeastSquares& cost, const Verdict& ver
     if (!options.intervals || !judged) continue;
     const Interval interval = profile_interval(cost, verdict.best, j, options.confidence, allowance, error);
     fitted[j]->interval = shown(interval, parameter);
+    if (error && bends_within(cost, verdict.best.x, j, interval) &&
+        interval.high - interval.low > 8 * *error * std::sqrt(allowance / variance)) {
+      // four times as wide as a parabola of that error
+      fitted[j]->stderr_.reset();
+      if (fit.message.empty())
+        fit.message = "the cost of " + parameter.name + " bends within its interval: no standard error";
+    }
     if (!interval.deeper.empty()) {
       deeper = interval.deeper;
       fit.status = FitStatus::not_converged;

@@ -59,14 +59,30 @@ End find_end(Profile profile, const FreeParameter& parameter, double best, doubl
   const double bound = direction < 0 ? parameter.lower : parameter.upper;
   const bool scanned = !parameter.start;  // the range of a correction is only wide, not physical
   double inside = best, inside_excess = -1, step = first_step;
+  const auto look = [&](double x) {
+    const auto cost = profile(x);
+    if (cost && depth.is_below(*cost)) depth.see(profile.place(), *cost);
+    return cost;
+  };
   for (int i = 0; i < 200; ++i, step *= 1.6) {
     double next = best + direction * step;
     const bool last = direction < 0 ? next <= bound : next >= bound;
     if (last) next = bound;
     if (next == inside && !last) continue;  // a step below the resolution of doubles
-    const auto cost = profile(next);
-    if (!cost) return {inside, EndStatus::open};
-    if (depth.is_below(*cost)) depth.see(profile.place(), *cost);
+    auto cost = look(next);
+    // Where the cost ends: back towards what is inside, for a place beyond the limit before that.
+    const bool past_the_end = !cost;
+    for (int halving = 0; past_the_end && halving < 30 && !(cost && *cost > limit); ++halving) {
+      const double middle = 0.5 * (inside + next);
+      cost = look(middle);
+      if (cost && *cost <= limit) {
+        inside = middle;
+        inside_excess = *cost / limit - 1;
+      } else {
+        next = middle;
+      }
+    }
+    if (past_the_end && !(cost && *cost > limit)) return {inside, EndStatus::open};
     const double excess_here = *cost / limit - 1;
     if (excess_here > 0) {
       if (next == inside) return {inside, EndStatus::found};
@@ -87,12 +103,13 @@ End find_end(Profile profile, const FreeParameter& parameter, double best, doubl
   return {inside, EndStatus::open};
 }
 
-/// One side of a one-parameter interval: outwards until the cost exceeds the limit, then Newton's method on it, kept
-/// between what lies within and what does not.
+/// One side of a one-parameter interval: outwards until the cost exceeds the limit or ends, then Newton's method on it,
+/// kept between what lies within and what does not.
 End find_end(SingleCost& cost, const FreeParameter& parameter, double best, double limit, double direction,
              double first_step, Depth& depth) {
   const double bound = direction < 0 ? parameter.lower : parameter.upper;
   double inside = best, outside = best, step = first_step;
+  bool exceeded = false;  // by a finite cost
   CostValue here;
   for (int i = 0; outside == best; ++i, step *= 2) {
     if (i == 200) return {inside, EndStatus::open};  // steps below the resolution of doubles
@@ -106,29 +123,24 @@ End find_end(SingleCost& cost, const FreeParameter& parameter, double best, doub
       inside = next;
     } else {
       outside = next;
-      if (!here.finite && last) {
-        // infinite at the bound itself: the limit is crossed before it
-        here.value = 2 * limit;
-        here.slope = 0;
-      }
     }
+    exceeded |= here.finite && here.value > limit;
   }
+  const auto end = [&](double at) { return exceeded ? End{at, EndStatus::found} : End{inside, EndStatus::open}; };
   double x = outside;
   for (int i = 0; i < 80; ++i) {
-    double next = x - (here.value - limit) / here.slope;
+    double next = here.finite ? x - (here.value - limit) / here.slope : outside;
     const double low = std::min(inside, outside), high = std::max(inside, outside);
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     // Newton squares the error: what is left is 1e-14 of the distance, times the cost's curvature.
-    if (std::abs(next - x) <= 1e-8 * std::abs(next - best)) return {next, EndStatus::found};
+    if (std::abs(next - x) <= 1e-8 * std::abs(next - best)) return end(next);
     x = next;
     here = cost.at(x, {});
-    if (!here.finite) {
-      here.value = 2 * limit;
-      here.slope = 0;
-    }
-    (here.value > limit ? outside : inside) = x;
+    const bool within = here.finite && here.value <= limit;
+    (within ? inside : outside) = x;
+    exceeded |= here.finite && !within;
   }
-  return {x, EndStatus::found};
+  return end(x);
 }
 
 }  // namespace

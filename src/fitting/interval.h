@@ -28,7 +28,8 @@ double cost_allowance(double confidence, double sum_of_squares, std::size_t n, s
 
 /// Profile likelihood: the values of parameter k up to which the cost, minimised over the others, stays within
 /// `allowance` of the minimum. An end is `at_bound` where the cost is still within it at the parameter's bound, and
-/// `open` where a correction's range ends first or the cost stops being finite. Ends to 1e-10 of the distance.
+/// `open` where a correction's range ends first or the cost, still within it, stops being finite. Ends to 1e-8 of the
+/// distance, mostly far better.
 Interval profile_interval(const LeastSquares& problem, const Minimum& best, std::size_t k, double confidence,
                           double allowance, std::optional<double> standard_error);
 

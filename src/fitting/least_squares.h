@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "fitting/bends.h"
+
 namespace mixity {
 
 /// A free parameter as the solver sees it, with its closed range.
@@ -50,6 +52,8 @@ class LeastSquares {
   /// How many bends of the cost lie on one side of x. Between places where this differs, basins may be far narrower
   /// than the spacing of any scan.
   virtual std::size_t bends_passed(std::span<const double> /* x */) const { return 0; }
+  /// With one free parameter, where these bends are; `places`: rising values over its range.
+  virtual std::vector<Bend> bends(std::span<const double> /* places */) const { return {}; }
   /// The cost for the batch engine; only with one free parameter. The problem must outlive it.
   virtual std::unique_ptr<SingleCost> single_cost() const;
 };
@@ -71,7 +75,6 @@ class WrappedProblem : public LeastSquares {
   const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
   double data_norm() const override { return problem_.data_norm(); }
   bool known_errors() const override { return problem_.known_errors(); }
-  std::size_t bends_passed(std::span<const double> x) const override { return problem_.bends_passed(x); }
 
  protected:
   const LeastSquares& problem_;

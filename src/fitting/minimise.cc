@@ -8,6 +8,7 @@
 
 #include "dataset/number_text.h"
 #include "fitting/edge_minimum.h"
+#include "fitting/interval.h"
 #include "fitting/scan.h"
 #include "fitting/single_scan.h"
 
@@ -40,6 +41,22 @@ std::string place(const LeastSquares& problem, const std::vector<double>& x) {
   for (std::size_t k = 0; k < x.size(); ++k)
     text += (k ? ", " : "") + problem.parameters()[k].name + " = " + value_text(problem.parameters()[k], x[k]);
   return text;
+}
+
+/// True if the cost falls inwards from a bound that the minimum lies at.
+bool is_peak_at_bound(const LeastSquares& problem, const Minimum& minimum) {
+  for (std::size_t k = 0; k < minimum.x.size(); ++k) {
+    const FreeParameter& parameter = problem.parameters()[k];
+    const double x = minimum.x[k], inwards = x <= parameter.lower ? 1 : x >= parameter.upper ? -1 : 0;
+    if (inwards == 0) continue;
+    if (minimum.x.size() == 1) return !lowest_at_bound(*problem.single_cost(), parameter, x);
+    Profile profile(problem, minimum, k);
+    for (const double share : {1e-3, 1e-2})
+      if (const auto cost = profile(x + share * inwards * (parameter.upper - parameter.lower));
+          cost && *cost < minimum.sum_of_squares * (1 - 1e-9))  // what descents leave
+        return true;
+  }
+  return false;
 }
 
 /// Covariance of the parameters that no bound holds, from J'J scaled to unit diagonal. Returns the name of what is
@@ -83,7 +100,7 @@ std::string standard_errors(const LeastSquares& problem, Verdict& verdict) {
   }
   const Eigen::LLT<Eigen::MatrixXd> factors(scaled);
   if (factors.info() != Eigen::Success) return {};  // outliers bend the cost more than the rest
-  const double variance = verdict.best.sum_of_squares / static_cast<double>(n - p);
+  const double variance = problem.known_errors() ? 1 : verdict.best.sum_of_squares / static_cast<double>(n - p);
   const Eigen::MatrixXd inverse = factors.solve(Eigen::MatrixXd::Identity(m, m));
   for (Eigen::Index i = 0; i < m; ++i)
     verdict.stderrs[static_cast<std::size_t>(open[i])] = std::sqrt(variance * inverse(i, i)) / norms[i];
@@ -159,13 +176,29 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
     return sum_of_squares <= least + fit_tolerance(problem, least);
   };
   std::vector<Minimum> minima;
-  const auto descend_from = [&](const std::vector<double>& start) {
-    const auto minimum = descend(problem, start);
-    if (minimum && std::none_of(minima.begin(), minima.end(),
-                                [&](const Minimum& known) { return same_place(problem, known, *minimum); }))
-      minima.push_back(*minimum);
+  const auto keep = [&](const Minimum& minimum) {
+    const auto same = std::find_if(minima.begin(), minima.end(),
+                                   [&](const Minimum& known) { return same_place(problem, known, minimum); });
+    if (same == minima.end())
+      minima.push_back(minimum);
+    else if (lower(minimum, *same))
+      *same = minimum;
   };
-  for (const Start& start : scanned.minima) descend_from(start.x);
+  const auto descend_from = [&](const Start& start) {
+    const auto minimum = descend(problem, start.x);
+    if (minimum) keep(*minimum);
+    // A bend has no slope to descend by: the place itself may be the minimum.
+    if (!minimum || std::sqrt(minimum->sum_of_squares) > std::sqrt(start.cost) + rounding)
+      if (std::isfinite(start.cost)) keep({start.x, start.cost, 1, false});
+  };
+  // Not from basins that cannot come near the lowest known
+  const auto may_matter = [&](const Start& start) {
+    if (minima.empty() || scanned.line.empty()) return true;
+    const double least = lowest(minima).sum_of_squares;
+    return start.reachable < least + fit_tolerance(problem, least);
+  };
+  for (const Start& start : scanned.minima)
+    if (may_matter(start)) descend_from(start);
   if (near.empty() && p > 1) {
     // from one side of a fold's bend to the other
     std::sort(minima.begin(), minima.end(), lower);
@@ -175,16 +208,16 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
     for (std::size_t i = 1; i < ends.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         for (const Start& start : scan_between(problem, ends[i].x, ends[j].x))
-          if (start.reachable < lowest(minima).sum_of_squares) descend_from(start.x);
+          if (start.reachable < lowest(minima).sum_of_squares) descend_from(start);
   }
-  if (near.empty())
+  if (near.empty() && scanned.line.empty())
     for (double reach = 0.3; !minima.empty() && reach > (p > 1 ? 0.005 : 3e-4); reach *= 0.3) {
       Scan closer = scan_around(problem, lowest(minima).x, reach);
       if (closer.minima.empty()) break;
       constexpr std::size_t kStarts = 4;
       if (closer.minima.size() > kStarts) closer.minima.resize(kStarts);
       for (const Start& start : closer.minima)
-        if (start.reachable < lowest(minima).sum_of_squares) descend_from(start.x);
+        if (start.reachable < lowest(minima).sum_of_squares) descend_from(start);
     }
   // a scan that was nowhere finite knows of no value that would fit
   const bool any_scanned =
@@ -198,14 +231,9 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
     for (const FreeParameter& parameter : problem.parameters()) names += (names.empty() ? "" : ", ") + parameter.name;
     return end(FitStatus::not_identifiable, "the data do not constrain " + names + ": every value in the range fits");
   }
-  if (p == 1 && minima.size() > 1) {
-    const FreeParameter& parameter = problem.parameters()[0];
-    const auto cost = problem.single_cost();
-    std::erase_if(minima, [&](const Minimum& minimum) {
-      const double x = minimum.x[0];
-      return (x <= parameter.lower || x >= parameter.upper) && !lowest_at_bound(*cost, parameter, x);
-    });
-  }
+  // At a bound the slope may vanish by symmetry where the cost is highest.
+  if (minima.size() > 1)
+    std::erase_if(minima, [&](const Minimum& minimum) { return is_peak_at_bound(problem, minimum); });
   if (minima.empty()) return end(FitStatus::not_converged, "no start led to a minimum");
   std::sort(minima.begin(), minima.end(), lower);
   verdict.best = minima.front();
@@ -238,10 +266,16 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
   if (edge && edge->at_end)
     return end(FitStatus::at_bound,
                "beyond " + place(problem, verdict.best.x) + " the model is not defined at these loads");
-  if (!verdict.others.empty() && fits_as_well(verdict.others.front().sum_of_squares, verdict.best.sum_of_squares))
+  // Without a barrier that does not fit, the interval reaches from one to the other and tells of both.
+  const auto other = std::find_if(verdict.others.begin(), verdict.others.end(), [&](const Minimum& minimum) {
+    const double best = verdict.best.sum_of_squares;
+    return fits_as_well(minimum.sum_of_squares, best) &&
+           (p > 1 || !fits_as_well(barrier(scanned, minimum.x[0], verdict.best.x[0]), best));
+  });
+  if (other != verdict.others.end())
     return end(FitStatus::multimodal, std::string("another minimum fits as well within the ") +
                                           (problem.known_errors() ? "standard errors: " : "scatter: ") +
-                                          place(problem, verdict.others.front().x));
+                                          place(problem, other->x));
   if (edge)
     verdict.message =
         "the least squares lie on a bend of the cost, such as where a measured load is that of the fold: no standard "

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting/minimise.h"
 #include "fitting/single_scan.h"
 
 namespace mixity {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Between more bends than that no basin is looked for by itself: it would take minutes, and one point of so many moves
+/// the cost by little.
+constexpr std::size_t kMostBends = 400;
 
 /// Values of one parameter to scan: logarithmic, also away from a neutral value, and from a lower bound of zero
 /// logarithmic at first, then even.
@@ -75,19 +79,15 @@ class Grid {
 /// reaches an eighth of that at most.
 double depth_below(double place, double one, double other) { return one + other - 2 * place; }
 
-/// Cost over the grid of the axes' values; a local minimum is no higher than its neighbours.
-Scan scan_grid(const LeastSquares& problem, const Axes& axes) {
+/// The basins that costs over the grid of the axes' values show; a local minimum is no higher than its neighbours.
+Scan basins_of(const Axes& axes, const std::vector<double>& costs, bool about_bends) {
   Scan result;
   const Grid grid(axes);
-  const auto single = problem.parameters().size() == 1 ? problem.single_cost() : nullptr;
-  std::vector<double> costs(grid.size(), kInfinity), residuals(problem.residual_count());
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    const std::vector<double> x = grid.place(i);
-    const auto cost = single ? single->value(x[0]) : sum_of_squares(problem, x, residuals);
-    if (!cost) continue;
-    costs[i] = *cost;
-    result.lowest = std::min(result.lowest, costs[i]);
-    result.highest = std::max(result.highest, costs[i]);
+  const bool single = axes.size() == 1;
+  for (const double cost : costs) {
+    if (!std::isfinite(cost)) continue;
+    result.lowest = std::min(result.lowest, cost);
+    result.highest = std::max(result.highest, cost);
   }
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < costs.size(); ++i) {
@@ -105,12 +105,75 @@ Scan scan_grid(const LeastSquares& problem, const Axes& axes) {
       if (below || above)
         reachable -= depth_below(costs[i], costs[below ? *below : *above], costs[above ? *above : *below]);
     });
-    result.minima.push_back({grid.place(i), reachable});
+    result.minima.push_back({grid.place(i), reachable, costs[i]});
     const bool at_end = i == 0 || i + 1 == costs.size();
-    if (!single || costs.size() == 1 || !at_end) continue;
-    // Beside a bound, too: at it the slope may vanish by symmetry.
-    result.minima.push_back({{0.5 * (axes[0][i] + axes[0][i == 0 ? 1 : i - 1])}});
+    if (!single || !(at_end || about_bends)) continue;
+    // Beside it, too: at a bound the slope may vanish by symmetry, at a bend there is none.
+    grid.neighbours(i, [&](auto below, auto above) {
+      for (const auto& beside : {below, above})
+        if (beside) result.minima.push_back({{0.5 * (axes[0][i] + axes[0][*beside])}, reachable});
+    });
   }
+  return result;
+}
+
+Scan scan_grid(const LeastSquares& problem, const Axes& axes) {
+  const Grid grid(axes);
+  const auto single = axes.size() == 1 ? problem.single_cost() : nullptr;
+  std::vector<double> costs(grid.size(), kInfinity), residuals(problem.residual_count());
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const std::vector<double> x = grid.place(i);
+    costs[i] = (single ? single->value(x[0]) : sum_of_squares(problem, x, residuals)).value_or(kInfinity);
+  }
+  return basins_of(axes, costs, false);
+}
+
+/// Over an axis, the bends, and between these wherever a basin may come near the lowest cost.
+Scan scan_bends(const LeastSquares& problem, const std::vector<double>& axis, std::vector<Bend> bends) {
+  std::sort(bends.begin(), bends.end(), [](const Bend& one, const Bend& other) { return one.x < other.x; });
+  const auto cost_at = problem.single_cost();
+  std::vector<std::pair<double, double>> line;
+  const auto look = [&](double x) { line.emplace_back(x, cost_at->value(x).value_or(kInfinity)); };
+  for (const double x : axis) look(x);
+  // The next bend, or the end of the axis, on the side of a bend's root; and which bend that is.
+  const auto beside = [&](const Bend& bend) -> std::pair<double, std::optional<std::size_t>> {
+    const auto i = static_cast<std::size_t>(&bend - bends.data());
+    if (bend.root_below ? i == 0 : i + 1 == bends.size()) return {bend.root_below ? axis.front() : axis.back(), {}};
+    const std::size_t next = bend.root_below ? i - 1 : i + 1;
+    return {bends[next].x, next};
+  };
+  std::vector<double> at_bends, dips, residuals(problem.residual_count());
+  for (const Bend& bend : bends) {
+    at_bends.push_back(sum_of_squares(problem, {&bend.x, 1}, residuals).value_or(kInfinity));
+    line.emplace_back(bend.x, at_bends.back());
+    // What can be saved on the way to the next: at most what the points contribute that bend no further away than that.
+    const double width = std::abs(beside(bend).first - bend.x);
+    dips.push_back(0);
+    for (const Bend& other : bends)
+      if (other.root_below == bend.root_below && std::abs(other.x - bend.x) <= width)
+        dips.back() += residuals[other.point] * residuals[other.point];
+  }
+  double least = kInfinity;
+  for (const auto& [x, cost] : line) least = std::min(least, cost);
+  const double matters = least + fit_tolerance(problem, least);
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    const auto [other, at_other] = beside(bends[i]);
+    const double end = at_other ? std::min(at_bends[i], at_bends[*at_other]) : at_bends[i];
+    if (end - dips[i] > matters) continue;
+    for (const double x : dip_places(bends[i].x, other)) look(x);
+  }
+  std::sort(line.begin(), line.end());
+  line.erase(
+      std::unique(line.begin(), line.end(), [](const auto& one, const auto& two) { return one.first == two.first; }),
+      line.end());
+  Axes axes(1);
+  std::vector<double> costs;
+  for (const auto& [x, cost] : line) {
+    axes[0].push_back(x);
+    costs.push_back(cost);
+  }
+  Scan result = basins_of(axes, costs, true);
+  result.line = std::move(line);
   return result;
 }
 
@@ -144,16 +207,29 @@ Scan scan(const LeastSquares& problem, const std::vector<std::vector<double>>& g
     Axes axes;
     for (const FreeParameter& parameter : problem.parameters())
       axes.push_back(scan_values(parameter, scanned == 1 ? problem.scan_density() : 16));
-    if (single) {  // a guess divides the basins around it
+    if (!single) {
+      result = scan_grid(problem, axes);
+    } else {  // a guess divides the basins around it
       for (const auto& guess : guesses) axes[0].push_back(guess[0]);
       std::sort(axes[0].begin(), axes[0].end());
       axes[0].erase(std::unique(axes[0].begin(), axes[0].end()), axes[0].end());
-      return scan_grid(problem, axes);
+      // folds may be dear to find: those of model a take 20 us
+      const std::vector<double> coarse = scan_values(problem.parameters()[0], 16);
+      const std::vector<Bend> bends = coarse.size() > 1 ? problem.bends(coarse) : std::vector<Bend>{};
+      return bends.empty() || bends.size() > kMostBends ? scan_grid(problem, axes)
+                                                        : scan_bends(problem, axes[0], bends);
     }
-    result = scan_grid(problem, axes);
   }
   for (const auto& guess : guesses) result.minima.push_back({guess});
   return result;
+}
+
+double barrier(const Scan& scan, double one, double other) {
+  if (scan.line.empty()) return kInfinity;
+  double highest = 0;
+  for (const auto& [x, cost] : scan.line)
+    if (x > std::min(one, other) && x < std::max(one, other)) highest = std::max(highest, cost);
+  return highest;
 }
 
 Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, double reach) {

@@ -153,13 +153,59 @@ double experiment_cost(const Experiment& experiment, const Parameters<Model>& p,
   return sum;
 }
 
+/// Where to look for the lowest cost of a law of one parameter: between rising `places`, and as close as one likes
+/// below each value at which a point passes the last fold, where basins of areas may be as narrow.
+template <class Model>
+std::vector<double> with_folds_passed(const Dataset& data, std::vector<double> places) {
+  const std::vector<double> coarse = places;
+  for (const double P : data.curve_loads) {
+    const auto last_load = [&](double x) {
+      const LoadedContact<Model> contact({x}, P);
+      return contact.obstacle().empty() && contact.in_contact() ? contact.last_load() : 0.0;
+    };
+    std::vector<double> loads;
+    for (const double x : coarse) loads.push_back(last_load(x));
+    for (const Point& point : data.points)
+      for (std::size_t k = 1; k < coarse.size() && point.P == P; ++k) {
+        if ((point.T > loads[k - 1]) == (point.T > loads[k])) continue;
+        double low = coarse[k - 1], high = coarse[k];
+        for (int i = 0; i < 50; ++i) {
+          const double middle = 0.5 * (low + high);
+          ((point.T > last_load(middle)) == (point.T > loads[k]) ? high : low) = middle;
+        }
+        for (double share = 0.25; share > 1e-14; share *= 0.25) places.push_back(high * (1 - share));
+        places.push_back(high);
+      }
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
 /// What is wrong with the fit; `error` in standard errors.
 template <class Model>
 std::string wrong_with_experiment(const Experiment& experiment, const FitResult& fit, double& error) {
   error = 0;
   if (const std::string wrong = wrong_with_numbers(fit); !wrong.empty()) return wrong;
-  if (fit.status == FitStatus::not_converged || fit.status == FitStatus::not_identifiable) return "";
-  const bool freed = !experiment.options.free.empty();
+  if (fit.status == FitStatus::not_converged) return "";
+  const bool freed = !experiment.options.free.empty(), curve = experiment.options.objective == Objective::curve;
+  std::vector<double> places;
+  if (Model::parameters.size() == 1 && !freed) {
+    places = places_to(Model::parameters[0].upper, curve ? 12 : 60);
+    if (!curve) places = with_folds_passed<Model>(experiment.data, std::move(places));
+  }
+  if (fit.status == FitStatus::not_identifiable) {
+    if (places.empty() || experiment.data.points.size() < 2) return "";
+    double least = HUGE_VAL, most = 0;
+    for (const double x : places) {
+      const double cost = experiment_cost<Model>(experiment, {x}, 0);
+      least = std::min(least, cost);
+      if (cost < HUGE_VAL) most = std::max(most, cost);
+    }
+    // chi^2 of one parameter at 95 %, and a tenth for what either has not seen; a flat bottom is no value
+    return most > 1.1 * (least + 3.85) && fit.message.find("every value") != std::string::npos
+               ? "costs from " + shortest(least) + " to " + shortest(most) + " are called all the same"
+               : "";
+  }
   Parameters<Model> p{};
   for (std::size_t k = 0; k < p.size(); ++k) p[k] = *fit.parameters[k].value;
   const double factor = freed ? fit.solution.back() : 0, found = experiment_cost<Model>(experiment, p, factor);
@@ -177,8 +223,7 @@ std::string wrong_with_experiment(const Experiment& experiment, const FitResult&
   std::copy(experiment.truth.begin(), experiment.truth.end(), truth.begin());
   see(truth, 0);
   if (p.size() == 1 && !freed) {
-    const bool curve = experiment.options.objective == Objective::curve;
-    std::vector<double> places = places_to(Model::parameters[0].upper, curve ? 12 : 60), costs;
+    std::vector<double> costs;
     for (const double x : places) costs.push_back(see({x}, 0));
     const std::size_t best = static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin());
     golden([&](double x) { return see({x}, 0); }, places[best ? best - 1 : 0],
@@ -197,8 +242,14 @@ std::string wrong_with_experiment(const Experiment& experiment, const FitResult&
   }
   const double excess = found - lowest.cost;
   error = std::sqrt(std::max(excess, 0.0));
+  // Next to a fold passed, the last bits of the value may be worth more than that.
+  double last_bits = 0;
+  for (int bits = -8; bits <= 8 && !places.empty(); ++bits) {
+    const double x = std::clamp(p[0] * (1 + bits * 1.1e-16), Model::parameters[0].lower, Model::parameters[0].upper);
+    last_bits = std::max(last_bits, std::abs(experiment_cost<Model>(experiment, {x}, 0) - found));
+  }
   // A thousandth of a standard error, and what rounding does to distances of many.
-  if (excess <= 1e-6 + 1e-9 * found) return "";
+  if (excess <= 1e-6 + 1e-9 * found + last_bits) return "";
   std::string place;
   for (const double x : lowest.x) place += " " + shortest(x);
   return "the cost is " + shortest(lowest.cost) + " at" + place + ", " + shortest(found) + " at the value found, " +
