@@ -15,11 +15,12 @@ std::size_t passed(const std::vector<double>& ends, double shear) {
 }  // namespace
 
 void find_bends(const std::function<std::vector<double>(double)>& ends, std::span<const double> shears,
-                std::span<const std::size_t> points, std::span<const double> places, std::vector<Bend>& bends) {
+                std::span<const std::size_t> points, std::span<const double> places, std::size_t most,
+                std::vector<Bend>& bends) {
   std::vector<std::vector<double>> ends_at;
   for (const double x : places) ends_at.push_back(ends(x));
   for (std::size_t k = 0; k + 1 < places.size(); ++k)
-    for (std::size_t i = 0; i < shears.size(); ++i) {
+    for (std::size_t i = 0; i < shears.size() && bends.size() <= most; ++i) {
       const double shear = shears[i];
       const std::size_t before = passed(ends_at[k], shear), behind = passed(ends_at[k + 1], shear);
       if (before == behind) continue;

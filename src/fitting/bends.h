@@ -18,9 +18,10 @@ struct Bend {
 
 /// Appends the bends of one normal load. `ends`: tangential loads at which its branches end, at a value of the
 /// parameter; `shears` and `points`: loads of its points and their places; `places`: rising values, between two of
-/// which a point passes an end once at most.
+/// which a point passes an end once at most. Stops when there are more than `most`.
 void find_bends(const std::function<std::vector<double>(double)>& ends, std::span<const double> shears,
-                std::span<const std::size_t> points, std::span<const double> places, std::vector<Bend>& bends);
+                std::span<const std::size_t> points, std::span<const double> places, std::size_t most,
+                std::vector<Bend>& bends);
 
 /// Values between a bend, on the side of its root, and the next such that a parabola in the root shows where it dips
 /// below the bend, down to a millionth of the way.

@@ -88,10 +88,10 @@ class ExperimentObjective final : public ModelProblem<Model> {
     return count;
   }
 
-  std::vector<Bend> bends(std::span<const double> places) const override {
+  std::vector<Bend> bends(std::span<const double> places, std::size_t most) const override {
     std::vector<Bend> found;
     if constexpr (std::is_same_v<Residuals<Model>, AreaResiduals<Model>>)
-      for (std::size_t run = 0; run + 1 < runs_.size(); ++run) {
+      for (std::size_t run = 0; run + 1 < runs_.size() && found.size() <= most; ++run) {
         std::vector<double> shears;
         for (std::size_t i = runs_[run]; i < runs_[run + 1]; ++i) shears.push_back(points_[i].T);
         const auto ends = [&](double x) {
@@ -103,7 +103,7 @@ class ExperimentObjective final : public ModelProblem<Model> {
             for (const StableBranch& branch : contact.branches()) loads.push_back(branch.T_bottom / scale.force);
           return loads;
         };
-        find_bends(ends, shears, std::span(order_).subspan(runs_[run], shears.size()), places, found);
+        find_bends(ends, shears, std::span(order_).subspan(runs_[run], shears.size()), places, most, found);
       }
     return found;
   }

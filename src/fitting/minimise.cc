@@ -181,7 +181,8 @@ Verdict minimise(const LeastSquares& problem, const std::vector<double>& near,
                                    [&](const Minimum& known) { return same_place(problem, known, minimum); });
     if (same == minima.end())
       minima.push_back(minimum);
-    else if (lower(minimum, *same))
+    else if (minimum.stationary ? !same->stationary || lower(minimum, *same)
+                                : std::sqrt(minimum.sum_of_squares) + rounding < std::sqrt(same->sum_of_squares))
       *same = minimum;
   };
   const auto descend_from = [&](const Start& start) {

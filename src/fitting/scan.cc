@@ -215,7 +215,7 @@ Scan scan(const LeastSquares& problem, const std::vector<std::vector<double>>& g
       axes[0].erase(std::unique(axes[0].begin(), axes[0].end()), axes[0].end());
       // folds may be dear to find: those of model a take 20 us
       const std::vector<double> coarse = scan_values(problem.parameters()[0], 16);
-      const std::vector<Bend> bends = coarse.size() > 1 ? problem.bends(coarse) : std::vector<Bend>{};
+      const std::vector<Bend> bends = coarse.size() > 1 ? problem.bends(coarse, kMostBends) : std::vector<Bend>{};
       return bends.empty() || bends.size() > kMostBends ? scan_grid(problem, axes)
                                                         : scan_bends(problem, axes[0], bends);
     }

@@ -113,7 +113,11 @@ Json per_curve_json(const JobResult& result) {
               {"p_value", per_curve.test->p_value},
               {"aicc_pooled", number_or_null(per_curve.test->aicc_pooled)},
               {"aicc_separate", number_or_null(per_curve.test->aicc_separate)}};
-    list.push_back({{"model", per_curve.model}, {"curves", curves}, {"fitted", per_curve.fitted}, {"test", test}});
+    list.push_back({{"model", per_curve.model},
+                    {"curves", curves},
+                    {"fitted", per_curve.fitted},
+                    {"test", test},
+                    {"untested", per_curve.test ? Json() : Json(per_curve.untested)}});
   }
   return list;
 }

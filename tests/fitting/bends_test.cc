@@ -67,7 +67,8 @@ TEST(Bends, OfModelCAreWhereItsFoldSaysSo) {
   for (int i = -40; i <= 0; ++i) places.push_back(std::pow(2, i));
   std::vector<Bend> bends;
   const std::vector<std::size_t> points{3, 7, 1, 0};
-  find_bends([](double lambda) { return std::vector{std::sqrt(circle(3) / lambda)}; }, shears, points, places, bends);
+  find_bends([](double lambda) { return std::vector{std::sqrt(circle(3) / lambda)}; }, shears, points, places, 10,
+             bends);
   ASSERT_EQ(bends.size(), 4u);
   std::size_t i = 0;
   for (const double lambda : {0.9, 0.15, 0.0023, 1e-6}) {
@@ -95,7 +96,8 @@ TYPED_TEST(BendsOf, AreWhereAPointPassesAFold) {
   const auto problem = make_problem<TypeParam>(data, kArea, prepare<TypeParam>(data, kArea, nullptr));
   std::vector<double> places;
   for (int i = 0; i <= 64; ++i) places.push_back(range * i / 64);
-  std::vector<Bend> bends = problem->bends(places);
+  std::vector<Bend> bends = problem->bends(places, 1000);
+  EXPECT_EQ(problem->bends(places, 3).size(), 4u);
   ASSERT_GT(bends.size(), 5u);
   const auto passed = [&](double x) { return problem->bends_passed({&x, 1}); };
   for (const Bend& bend : bends) {

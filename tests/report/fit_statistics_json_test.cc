@@ -62,7 +62,7 @@ TEST(FitStatisticsJson, HasTheKeysOfItsSchema) {
     EXPECT_EQ(keys(entry), (Names{"aicc", "bic", "loo_beyond_fold", "loo_curves", "loo_rmse_area", "model", "weight"}));
   ASSERT_EQ(data["per_curve"].size(), 2);
   for (const Json& entry : data["per_curve"]) {
-    EXPECT_EQ(keys(entry), (Names{"curves", "fitted", "model", "test"}));
+    EXPECT_EQ(keys(entry), (Names{"curves", "fitted", "model", "test", "untested"}));
     EXPECT_EQ(entry["fitted"], 3);
     EXPECT_EQ(keys(entry["test"]),
               (Names{"aicc_pooled", "aicc_separate", "freedom", "kind", "p_value", "residual_freedom", "statistic"}));
@@ -95,8 +95,10 @@ TEST(FitStatisticsJson, WritesWhatIsMissingAsNull) {
     EXPECT_TRUE(compared[key].is_null()) << key;
   result.per_curve.resize(1);
   result.per_curve[0].curves.push_back({"all", 0, {}});
+  result.per_curve[0].untested = "too few points";
   const Json per_curve = per_curve_json(result)[0];
   EXPECT_TRUE(per_curve["test"].is_null());
+  EXPECT_EQ(per_curve["untested"], "too few points");
   EXPECT_TRUE(per_curve["curves"][0]["load"].is_null());  // (psi, Gc) data have none
 }
 
