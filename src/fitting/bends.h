@@ -16,12 +16,20 @@ struct Bend {
   std::size_t point;  // its place among the residuals
 };
 
-/// Appends the bends of one normal load. `ends`: tangential loads at which its branches end, at a value of the
-/// parameter; `shears` and `points`: loads of its points and their places; `places`: rising values, between two of
-/// which a point passes an end once at most. Stops when there are more than `most`.
-void find_bends(const std::function<std::vector<double>(double)>& ends, std::span<const double> shears,
-                std::span<const std::size_t> points, std::span<const double> places, std::size_t most,
-                std::vector<Bend>& bends);
+/// One normal load: where its branches end at a value of the parameter, and its points.
+struct LoadEnds {
+  std::function<std::vector<double>(double)> ends;  // tangential loads
+  std::vector<double> shears;                       // of the points
+  std::vector<std::size_t> points;                  // their places among the residuals
+};
+
+/// Whether to look between place k and the next, where these points pass an end.
+using WorthALook = std::function<bool(std::size_t k, const std::vector<std::size_t>& points)>;
+
+/// The bends between those of the rising places that are worth a look, in order; between two of them a point passes an
+/// end once at most. Stops when there are more than `most`.
+std::vector<Bend> find_bends(std::span<const LoadEnds> loads, std::span<const double> places, std::size_t most,
+                             const WorthALook& worth);
 
 /// Values between a bend, on the side of its root, and the next such that a parabola in the root shows where it dips
 /// below the bend, down to a millionth of the way.

@@ -88,24 +88,26 @@ class ExperimentObjective final : public ModelProblem<Model> {
     return count;
   }
 
-  std::vector<Bend> bends(std::span<const double> places, std::size_t most) const override {
-    std::vector<Bend> found;
+  std::vector<LoadEnds> load_ends() const override {
+    std::vector<LoadEnds> loads;
     if constexpr (std::is_same_v<Residuals<Model>, AreaResiduals<Model>>)
-      for (std::size_t run = 0; run + 1 < runs_.size() && found.size() <= most; ++run) {
-        std::vector<double> shears;
-        for (std::size_t i = runs_[run]; i < runs_[run + 1]; ++i) shears.push_back(points_[i].T);
-        const auto ends = [&](double x) {
+      for (std::size_t run = 0; run + 1 < runs_.size(); ++run) {
+        LoadEnds& load = loads.emplace_back();
+        for (std::size_t i = runs_[run]; i < runs_[run + 1]; ++i) {
+          load.shears.push_back(points_[i].T);
+          load.points.push_back(order_[i]);
+        }
+        load.ends = [this, P = points_[runs_[run]].P](double x) {
           const Trial<Model> at = trial({&x, 1});
           const CorrectedScale scale(at.corrections);
-          const LoadedContact<Model> contact(at.parameters, scale.load(points_[runs_[run]].P));
-          std::vector<double> loads;
+          const LoadedContact<Model> contact(at.parameters, scale.load(P));
+          std::vector<double> ends;
           if (contact.obstacle().empty() && contact.in_contact())
-            for (const StableBranch& branch : contact.branches()) loads.push_back(branch.T_bottom / scale.force);
-          return loads;
+            for (const StableBranch& branch : contact.branches()) ends.push_back(branch.T_bottom / scale.force);
+          return ends;
         };
-        find_bends(ends, shears, std::span(order_).subspan(runs_[run], shears.size()), places, most, found);
       }
-    return found;
+    return loads;
   }
 
  private:

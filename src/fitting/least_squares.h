@@ -52,9 +52,8 @@ class LeastSquares {
   /// How many bends of the cost lie on one side of x. Between places where this differs, basins may be far narrower
   /// than the spacing of any scan.
   virtual std::size_t bends_passed(std::span<const double> /* x */) const { return 0; }
-  /// With one free parameter, where these bends are, or more than `most` of them; `places`: rising values over its
-  /// range.
-  virtual std::vector<Bend> bends(std::span<const double> /* places */, std::size_t /* most */) const { return {}; }
+  /// With one free parameter, by which these bends are found; empty if there are none.
+  virtual std::vector<LoadEnds> load_ends() const { return {}; }
   /// The cost for the batch engine; only with one free parameter. The problem must outlive it.
   virtual std::unique_ptr<SingleCost> single_cost() const;
 };

@@ -26,9 +26,7 @@ class RobustProblem final : public WrappedProblem {
   /// The loss bends within a standard error: its basins may be narrower than the usual steps.
   std::size_t scan_density() const override { return 512; }
   std::size_t bends_passed(std::span<const double> x) const override { return problem_.bends_passed(x); }
-  std::vector<Bend> bends(std::span<const double> places, std::size_t most) const override {
-    return problem_.bends(places, most);
-  }
+  std::vector<LoadEnds> load_ends() const override { return problem_.load_ends(); }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     if (!problem_.evaluate(x, residuals, jacobian)) return false;

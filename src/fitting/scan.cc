@@ -128,39 +128,52 @@ Scan scan_grid(const LeastSquares& problem, const Axes& axes) {
   return basins_of(axes, costs, false);
 }
 
-/// Over an axis, the bends, and between these wherever a basin may come near the lowest cost.
-Scan scan_bends(const LeastSquares& problem, const std::vector<double>& axis, std::vector<Bend> bends) {
-  std::sort(bends.begin(), bends.end(), [](const Bend& one, const Bend& other) { return one.x < other.x; });
+/// A bound of the cost between two places, from the residuals there (none: not finite): an area only falls or only
+/// rises with the parameter, so that its residual is 0 in between, or least at one of the two; those `free` may be
+/// anything.
+double least_between(const std::vector<double>& one, const std::vector<double>& other,
+                     const std::vector<std::size_t>& free) {
+  if (one.empty() || other.empty()) return 0;
+  double least = 0;
+  for (std::size_t i = 0; i < one.size(); ++i)
+    if (one[i] * other[i] > 0 && std::find(free.begin(), free.end(), i) == free.end())
+      least += std::min(one[i] * one[i], other[i] * other[i]);
+  return least;
+}
+
+/// Over an axis, the bends, and between these wherever a basin may come near the lowest cost. Null if there are no
+/// bends, or too many.
+std::optional<Scan> scan_bends(const LeastSquares& problem, const std::vector<double>& axis) {
+  const std::vector<LoadEnds> loads = problem.load_ends();
+  const std::vector<double> coarse = scan_values(problem.parameters()[0], 16);
+  if (loads.empty() || coarse.size() < 2) return std::nullopt;
   const auto cost_at = problem.single_cost();
   std::vector<std::pair<double, double>> line;
   const auto look = [&](double x) { line.emplace_back(x, cost_at->value(x).value_or(kInfinity)); };
   for (const double x : axis) look(x);
-  // The next bend, or the end of the axis, on the side of a bend's root; and which bend that is.
-  const auto beside = [&](const Bend& bend) -> std::pair<double, std::optional<std::size_t>> {
-    const auto i = static_cast<std::size_t>(&bend - bends.data());
-    if (bend.root_below ? i == 0 : i + 1 == bends.size()) return {bend.root_below ? axis.front() : axis.back(), {}};
-    const std::size_t next = bend.root_below ? i - 1 : i + 1;
-    return {bends[next].x, next};
+  const auto limit = [&] {
+    double least = kInfinity;
+    for (const auto& [x, cost] : line) least = std::min(least, cost);
+    return least + fit_tolerance(problem, least);
   };
-  std::vector<double> at_bends, dips, residuals(problem.residual_count());
-  for (const Bend& bend : bends) {
-    at_bends.push_back(sum_of_squares(problem, {&bend.x, 1}, residuals).value_or(kInfinity));
-    line.emplace_back(bend.x, at_bends.back());
-    // What can be saved on the way to the next: at most what the points contribute that bend no further away than that.
-    const double width = std::abs(beside(bend).first - bend.x);
-    dips.push_back(0);
-    for (const Bend& other : bends)
-      if (other.root_below == bend.root_below && std::abs(other.x - bend.x) <= width)
-        dips.back() += residuals[other.point] * residuals[other.point];
-  }
-  double least = kInfinity;
-  for (const auto& [x, cost] : line) least = std::min(least, cost);
-  const double matters = least + fit_tolerance(problem, least);
-  for (std::size_t i = 0; i < bends.size(); ++i) {
-    const auto [other, at_other] = beside(bends[i]);
-    const double end = at_other ? std::min(at_bends[i], at_bends[*at_other]) : at_bends[i];
-    if (end - dips[i] > matters) continue;
-    for (const double x : dip_places(bends[i].x, other)) look(x);
+  double matters = limit();
+  const auto residuals_at = [&](double x) {
+    std::vector<double> residuals(problem.residual_count());
+    if (!problem.evaluate({&x, 1}, residuals, {})) residuals.clear();
+    return residuals;
+  };
+  const std::vector<Bend> bends =
+      find_bends(loads, coarse, kMostBends, [&](std::size_t k, const std::vector<std::size_t>& passing) {
+        return least_between(residuals_at(coarse[k]), residuals_at(coarse[k + 1]), passing) <= matters;
+      });
+  const bool about_bends = bends.size() <= kMostBends;
+  for (std::size_t i = 0; about_bends && i < bends.size(); ++i) look(bends[i].x);
+  matters = limit();
+  for (std::size_t i = 0; about_bends && i < bends.size(); ++i) {
+    const bool below = bends[i].root_below, last = below ? i == 0 : i + 1 == bends.size();
+    const double next = last ? (below ? axis.front() : axis.back()) : bends[below ? i - 1 : i + 1].x;
+    if (least_between(residuals_at(bends[i].x), residuals_at(next), {}) > matters) continue;
+    for (const double x : dip_places(bends[i].x, next)) look(x);
   }
   std::sort(line.begin(), line.end());
   line.erase(
@@ -172,8 +185,8 @@ Scan scan_bends(const LeastSquares& problem, const std::vector<double>& axis, st
     axes[0].push_back(x);
     costs.push_back(cost);
   }
-  Scan result = basins_of(axes, costs, true);
-  result.line = std::move(line);
+  Scan result = basins_of(axes, costs, about_bends);
+  if (about_bends) result.line = std::move(line);
   return result;
 }
 
@@ -213,11 +226,8 @@ Scan scan(const LeastSquares& problem, const std::vector<std::vector<double>>& g
       for (const auto& guess : guesses) axes[0].push_back(guess[0]);
       std::sort(axes[0].begin(), axes[0].end());
       axes[0].erase(std::unique(axes[0].begin(), axes[0].end()), axes[0].end());
-      // folds may be dear to find: those of model a take 20 us
-      const std::vector<double> coarse = scan_values(problem.parameters()[0], 16);
-      const std::vector<Bend> bends = coarse.size() > 1 ? problem.bends(coarse, kMostBends) : std::vector<Bend>{};
-      return bends.empty() || bends.size() > kMostBends ? scan_grid(problem, axes)
-                                                        : scan_bends(problem, axes[0], bends);
+      if (auto about_bends = scan_bends(problem, axes[0])) return *about_bends;
+      return scan_grid(problem, axes);
     }
   }
   for (const auto& guess : guesses) result.minima.push_back({guess});

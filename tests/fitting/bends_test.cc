@@ -65,10 +65,17 @@ TEST(Bends, OfModelCAreWhereItsFoldSaysSo) {
   std::vector<double> shears, places;
   for (const double lambda : {0.9, 0.15, 0.0023, 1e-6}) shears.push_back(std::sqrt(circle(3) / lambda));
   for (int i = -40; i <= 0; ++i) places.push_back(std::pow(2, i));
-  std::vector<Bend> bends;
   const std::vector<std::size_t> points{3, 7, 1, 0};
-  find_bends([](double lambda) { return std::vector{std::sqrt(circle(3) / lambda)}; }, shears, points, places, 10,
-             bends);
+  const std::vector<LoadEnds> load{
+      {[](double lambda) { return std::vector{std::sqrt(circle(3) / lambda)}; }, shears, points}};
+  const auto always = [](std::size_t, const std::vector<std::size_t>&) { return true; };
+  const std::vector<Bend> bends = find_bends(load, places, 10, always);
+  EXPECT_EQ(find_bends(load, places, 2, always).size(), 3u);
+  const auto large = [&](std::size_t k, const std::vector<std::size_t>& passing) {
+    EXPECT_GE(passing.size(), 1u);
+    return places[k] > 0.1;
+  };
+  EXPECT_EQ(find_bends(load, places, 10, large).size(), 2u);
   ASSERT_EQ(bends.size(), 4u);
   std::size_t i = 0;
   for (const double lambda : {0.9, 0.15, 0.0023, 1e-6}) {
@@ -96,8 +103,9 @@ TYPED_TEST(BendsOf, AreWhereAPointPassesAFold) {
   const auto problem = make_problem<TypeParam>(data, kArea, prepare<TypeParam>(data, kArea, nullptr));
   std::vector<double> places;
   for (int i = 0; i <= 64; ++i) places.push_back(range * i / 64);
-  std::vector<Bend> bends = problem->bends(places, 1000);
-  EXPECT_EQ(problem->bends(places, 3).size(), 4u);
+  const std::vector<Bend> bends =
+      find_bends(problem->load_ends(), places, 1000, [](std::size_t, const std::vector<std::size_t>&) { return true; });
+  EXPECT_TRUE(std::is_sorted(bends.begin(), bends.end(), [](auto& one, auto& other) { return one.x < other.x; }));
   ASSERT_GT(bends.size(), 5u);
   const auto passed = [&](double x) { return problem->bends_passed({&x, 1}); };
   for (const Bend& bend : bends) {
