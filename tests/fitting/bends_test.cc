@@ -117,7 +117,8 @@ TYPED_TEST(BendsOf, AreWhereAPointPassesAFold) {
 
 TEST(DipPlaces, ShowEachParabolaInTheRoot) {
   for (const auto& [bend, other] : {std::pair(0.2, 0.0), std::pair(0.5, 0.2), std::pair(0.7, 1.0)})
-    for (double dip = 1; dip > 1.1e-6; dip *= 0.83) {
+    for (int step = 0; step <= 73; ++step) {
+      const double dip = std::pow(0.83, step);  // to 1.2e-6
       double least = std::pow(1 - dip, 2);  // at the other end
       for (const double x : dip_places(bend, other))
         least = std::min(least, std::pow(std::sqrt((bend - x) / (bend - other)) - dip, 2));
