@@ -64,10 +64,10 @@ Heading heading_at(const CsvRow& header, std::size_t i) {
   if (open == std::string_view::npos) return {std::string(text), {}};
   const std::string name(trim_name(text.substr(0, open)));
   // "P (load) [mN]": the last bracket holds the unit
-  const std::size_t last = text.back() == ']' ? text.rfind('[') : text.back() == ')' ? text.rfind('(') : open;
-  const bool closed = text.find_first_of("])") != std::string_view::npos &&
-                      std::string_view("])").find(text.back()) != std::string_view::npos &&
-                      last != std::string_view::npos;
+  const std::size_t last = text.back() == ']'   ? text.rfind('[')
+                           : text.back() == ')' ? text.rfind('(')
+                                                : std::string_view::npos;
+  const bool closed = last != std::string_view::npos;
   const std::size_t unit = (closed ? last : open) + 1;
   return {name, std::string(trim_name(text.substr(unit, text.size() - unit - (closed ? 1 : 0)))), closed};
 }
