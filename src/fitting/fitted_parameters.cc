@@ -6,6 +6,7 @@
 
 #include "dataset/input_error.h"
 #include "dataset/number_text.h"
+#include "fitting/scan.h"
 
 namespace mixity {
 namespace {
@@ -37,12 +38,12 @@ DrawnProfile profile_of(const LeastSquares& cost, const Verdict& verdict, std::s
 }
 
 /// True if a point passes a fold between the ends of parameter j's interval.
-bool bends_within(const LeastSquares& cost, std::vector<double> x, std::size_t j, const Interval& interval) {
+bool bends_within(const LeastSquares& cost, const std::vector<double>& x, std::size_t j, const Interval& interval) {
   if (interval.low_status == EndStatus::open || interval.high_status == EndStatus::open) return false;
-  x[j] = interval.low;
-  const std::size_t below = cost.bends_passed(x);
-  x[j] = interval.high;
-  return cost.bends_passed(x) != below;
+  std::vector<double> low = x, high = x;
+  low[j] = interval.low;
+  high[j] = interval.high;
+  return bends_between(cost, low, high);
 }
 
 /// The parameters of a fit that are not held, in the order of the solver's.

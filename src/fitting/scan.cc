@@ -167,13 +167,24 @@ std::optional<Scan> scan_bends(const LeastSquares& problem, const std::vector<do
         return least_between(residuals_at(coarse[k]), residuals_at(coarse[k + 1]), passing) <= matters;
       });
   const bool about_bends = bends.size() <= kMostBends;
-  for (std::size_t i = 0; about_bends && i < bends.size(); ++i) look(bends[i].x);
-  matters = limit();
-  for (std::size_t i = 0; about_bends && i < bends.size(); ++i) {
-    const bool below = bends[i].root_below, last = below ? i == 0 : i + 1 == bends.size();
-    const double next = last ? (below ? axis.front() : axis.back()) : bends[below ? i - 1 : i + 1].x;
-    if (least_between(residuals_at(bends[i].x), residuals_at(next), {}) > matters) continue;
-    for (const double x : dip_places(bends[i].x, next)) look(x);
+  if (about_bends) {
+    for (const Bend& bend : bends) look(bend.x);
+    matters = limit();
+    double left = axis.front();
+    std::vector<double> at_left = residuals_at(left);
+    for (std::size_t i = 0; i <= bends.size(); ++i) {  // from each bend to the next, and from and to the ends
+      const double right = i < bends.size() ? bends[i].x : axis.back();
+      std::vector<double> at_right = residuals_at(right);
+      const bool from_left = i > 0 && !bends[i - 1].root_below, from_right = i < bends.size() && bends[i].root_below;
+      if ((from_left || from_right) && least_between(at_left, at_right, {}) <= matters) {
+        for (const double x : dip_places(left, right))
+          if (from_left) look(x);
+        for (const double x : dip_places(right, left))
+          if (from_right) look(x);
+      }
+      left = right;
+      at_left = std::move(at_right);
+    }
   }
   std::sort(line.begin(), line.end());
   line.erase(
@@ -188,20 +199,6 @@ std::optional<Scan> scan_bends(const LeastSquares& problem, const std::vector<do
   Scan result = basins_of(axes, costs, about_bends);
   if (about_bends) result.line = std::move(line);
   return result;
-}
-
-/// The number of bends passed grows or falls with each parameter, so that it is least at one corner of the grid and
-/// largest at another.
-bool bends_within(const LeastSquares& problem, const Axes& axes) {
-  std::optional<std::size_t> first;
-  for (std::size_t corner = 0; corner < std::size_t{1} << axes.size(); ++corner) {
-    std::vector<double> x;
-    for (std::size_t k = 0; k < axes.size(); ++k) x.push_back(corner >> k & 1 ? axes[k].back() : axes[k].front());
-    const std::size_t bends = problem.bends_passed(x);
-    if (first && bends != *first) return true;
-    first = bends;
-  }
-  return false;
 }
 
 }  // namespace
@@ -234,6 +231,19 @@ Scan scan(const LeastSquares& problem, const std::vector<std::vector<double>>& g
   return result;
 }
 
+/// The number of bends passed grows or falls with each parameter, so that it is least at one corner of the box and
+/// largest at another.
+bool bends_between(const LeastSquares& problem, const std::vector<double>& one, const std::vector<double>& other) {
+  const std::size_t first = problem.bends_passed(one);
+  for (std::size_t corner = 1; corner < std::size_t{1} << one.size(); ++corner) {
+    std::vector<double> x = one;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (corner >> k & 1) x[k] = other[k];
+    if (x != one && problem.bends_passed(x) != first) return true;
+  }
+  return false;
+}
+
 double barrier(const Scan& scan, double one, double other) {
   if (scan.line.empty()) return kInfinity;
   double highest = 0;
@@ -247,6 +257,7 @@ Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, doub
   const double places = std::pow(350, 1 / static_cast<double>(x.size()));
   const int half = x.size() > 1 ? std::max(static_cast<int>(0.5 * (places - 1)), 1) : 64;
   Axes axes;
+  std::vector<double> lowest, highest;
   for (std::size_t k = 0; k < x.size(); ++k) {
     const FreeParameter& parameter = problem.parameters()[k];
     std::vector<double> axis;
@@ -255,17 +266,17 @@ Scan scan_around(const LeastSquares& problem, const std::vector<double>& x, doub
       const double value = std::clamp(x[k] + reach * size * i / half, parameter.lower, parameter.upper);
       if (axis.empty() || value > axis.back()) axis.push_back(value);
     }
-    axes.push_back(axis);
+    lowest.push_back(axis.front());
+    highest.push_back(axis.back());
+    axes.push_back(std::move(axis));
   }
-  if (!bends_within(problem, axes)) return {};
+  if (!bends_between(problem, lowest, highest)) return {};
   return scan_grid(problem, axes);
 }
 
 std::vector<Start> scan_between(const LeastSquares& problem, const std::vector<double>& one,
                                 const std::vector<double>& other) {
-  Axes corners;
-  for (std::size_t k = 0; k < one.size(); ++k) corners.push_back({one[k], other[k]});
-  if (!bends_within(problem, corners)) return {};
+  if (!bends_between(problem, one, other)) return {};
   constexpr int kSteps = 32;
   std::vector<Start> places;
   std::vector<double> costs, residuals(problem.residual_count());

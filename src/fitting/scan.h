@@ -23,6 +23,9 @@ struct Scan {
   std::vector<std::pair<double, double>> line{};
 };
 
+/// True if a point passes a fold within the box that has these places as opposite corners.
+bool bends_between(const LeastSquares& problem, const std::vector<double>& one, const std::vector<double>& other);
+
 /// The highest cost between two values of the only parameter, as far as the scan's line tells; infinite without one.
 double barrier(const Scan& scan, double one, double other);
 
