@@ -33,7 +33,10 @@ void print_at_load(const Parameters<Model>& p, const OutputUnits& units) {
   if (is_set("chord"))
     points = sample_adaptive(curve, ranges, number_from("chord", FLAGS_chord, 1e-9));
   else
-    points = sample_uniform(curve, ranges, curve.uncoupled() ? 2 : point_count());
+    points = sample_uniform(curve, ranges, point_count());
+  if (curve.uncoupled()) points = {curve.point(0)};  // the area is the same at every T
+  for (const CurvePoint& q : points)
+    if (!(q.T < kFar)) throw UsageError("the curve runs to tangential loads beyond 1e150, where no T can be told");
 
   std::cout << "phi," << units.header("P", units.force) << ',' << units.header("T", units.force) << ','
             << units.header("y", units.force) << ',' << units.header("a", units.length) << ','

@@ -39,8 +39,6 @@ void write_folder(const std::string& folder, const std::vector<JobResult>& resul
 
 int run_fit(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("fit needs a data CSV or a fit definition (see mixity help fit)");
-  if (FLAGS_format != "text" && FLAGS_format != "json" && FLAGS_format != "csv")
-    throw UsageError("flag '--format' is '" + FLAGS_format + "'; it must be text, json or csv");
   const Overrides overrides = metadata_overrides();
 
   std::vector<JobResult> results;

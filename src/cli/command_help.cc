@@ -27,7 +27,8 @@ void explain_program() {
     std::cout << '\n';
   });
   std::cout << "\nmixity help COMMAND lists the flags of a command; mixity --version prints the version.\n\n"
-               "Exit codes: 0 fine, 1 a fit did not end ok, 2 bad usage, 3 bad input, 4 output cannot be written.\n";
+               "Exit codes: 0 fine, 1 a fit did not end ok, 2 bad usage, 3 bad input, 4 output cannot be written,\n"
+               "5 a fault of mixity itself.\n";
 }
 
 void explain(const Command& command) {
@@ -38,6 +39,7 @@ void explain(const Command& command) {
     gflags::CommandLineFlagInfo info;
     gflags::GetCommandLineFlagInfo(std::string(flag).c_str(), &info);
     std::cout << "  --" << flag << std::string(flag.size() < 15 ? 16 - flag.size() : 1, ' ') << info.description;
+    if (flag == "format") std::cout << ": " << formats_text(command);
     if (!info.default_value.empty()) std::cout << " (default " << info.default_value << ')';
     std::cout << '\n';
   }

@@ -13,8 +13,6 @@ namespace mixity::cli {
 int run_instability(const Arguments& arguments) {
   require_flags_only("instability", arguments);
   require_model("model", FLAGS_model);
-  if (FLAGS_format != "text" && FLAGS_format != "json")
-    throw UsageError("flag '--format' is '" + FLAGS_format + "'; it must be text or json");
   with_model(FLAGS_model, [](auto model) {
     using Model = decltype(model);
     const Parameters<Model> p = parameters_from_flags<Model>();

@@ -15,7 +15,7 @@ struct Range {
 };
 
 Range range_from(const std::string& flag, const std::string& text, double lowest, double highest) {
-  const std::vector<std::string> items = split_list(text);
+  const std::vector<std::string> items = split_list(flag, text);
   const auto low = items.size() == 2 ? parse_number(items[0]) : std::nullopt;
   const auto high = items.size() == 2 ? parse_number(items[1]) : std::nullopt;
   if (!low || !high || !(*low >= lowest && *low < *high && *high <= highest))

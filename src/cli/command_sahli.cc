@@ -38,8 +38,6 @@ std::vector<double> prediction_parameters(const Dataset& data, const std::string
 
 int run_sahli(const Arguments& arguments) {
   if (arguments.size() != 1) throw UsageError("sahli needs one data CSV (see mixity help sahli)");
-  if (FLAGS_format != "text" && FLAGS_format != "csv")
-    throw UsageError("flag '--format' is '" + FLAGS_format + "'; it must be text or csv");
   const double upto = number_from("upto", FLAGS_upto, 0, 1);
   if (!(upto > 0)) throw UsageError("flag '--upto' must be above 0");
   const std::string model = FLAGS_model.empty() ? "c" : FLAGS_model;

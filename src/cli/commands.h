@@ -28,6 +28,7 @@ struct Command {
   std::string_view usage;    // after the program's name
   std::string_view summary;  // one sentence
   std::vector<std::string_view> flags;
+  std::vector<std::string_view> formats{};  // that --format may name
 };
 
 std::span<const Command> commands();

@@ -15,7 +15,7 @@ OutputUnits output_units() {
   if (given == 0 && is_set("units")) throw UsageError("flag '--units' needs --radius, --modulus and --toughness");
   if (given == 0) return {};
   if (given < 3) throw UsageError("a dimensional prediction needs all of --radius, --modulus and --toughness");
-  const std::vector<std::string> names = split_list(FLAGS_units);
+  const std::vector<std::string> names = split_list("units", FLAGS_units);
   const auto force = names.size() == 2 ? parse_unit(names[0]) : std::nullopt;
   const auto length = names.size() == 2 ? parse_unit(names[1]) : std::nullopt;
   if (!force || !length || force->dimension != dimension::force || length->dimension != dimension::length)
@@ -63,7 +63,7 @@ Load load_from(const std::string& flag, const std::string& text, const OutputUni
 
 std::map<std::string, std::string> parameter_texts() {
   std::map<std::string, std::string> given;
-  for (const std::string& item : split_list(FLAGS_parameters)) {
+  for (const std::string& item : split_list("parameters", FLAGS_parameters)) {
     const std::size_t equals = item.find('=');
     if (equals == std::string::npos) throw UsageError("flag '--parameters': '" + item + "' is not NAME=NUMBER");
     const std::string name(trim(std::string_view(item).substr(0, equals)));

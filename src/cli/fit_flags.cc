@@ -13,8 +13,7 @@ namespace mixity::cli {
 namespace {
 
 std::vector<std::string> models_from_flag() {
-  std::vector<std::string> models = split_list(FLAGS_models);
-  if (models.empty()) throw UsageError("flag '--models' names no model");
+  std::vector<std::string> models = split_list("models", FLAGS_models);
   for (auto model = models.begin(); model != models.end(); ++model) {
     require_model("models", *model);
     if (std::find(models.begin(), model, *model) != model)
@@ -31,9 +30,7 @@ Scale scale_from_flag() {
 
 std::vector<HeldParameter> hold_from_flag() {
   std::vector<HeldParameter> hold;
-  const std::vector<std::string> items = split_list(FLAGS_hold);
-  if (items.empty() && is_set("hold")) throw UsageError("flag '--hold' names nothing");
-  for (const std::string& item : items) {
+  for (const std::string& item : split_list("hold", FLAGS_hold)) {
     const auto held = parse_held(item);
     if (!held) throw UsageError("flag '--hold': '" + item + "' is neither a parameter nor PARAMETER=NUMBER");
     hold.push_back(*held);

@@ -30,7 +30,7 @@ DEFINE_string(per, "", "curve: fit each loading run by itself, too, and test one
 DEFINE_string(confidence, "0.95", "confidence of intervals, above 0 and below 1");
 DEFINE_string(scale, "log", "toughness is compared as ln(Gc/GIc) (log) or as Gc/GIc (linear)");
 DEFINE_string(hold, "", "parameters to hold, comma-separated: NAME=VALUE, or NAME for the data set's own value");
-DEFINE_string(format, "text", "output format: text, json or csv");
+DEFINE_string(format, "text", "output format");
 DEFINE_string(out, "", "where to write: a folder (fit, figures), a file (import)");
 DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(lambda, "", "mode-mixity parameter lambda");
@@ -134,7 +134,18 @@ Arguments parse_flags(const Command& command, const Arguments& words) {
     if (gflags::SetCommandLineOption(name.c_str(), value.c_str()).empty())
       throw UsageError("flag '--" + name + "' cannot take the value '" + value + "'");
   }
+  const auto& formats = command.formats;
+  if (!formats.empty() && std::find(formats.begin(), formats.end(), FLAGS_format) == formats.end())
+    throw UsageError("flag '--format' is '" + FLAGS_format + "'; it must be " + formats_text(command));
   return arguments;
+}
+
+std::string formats_text(const Command& command) {
+  std::string text;
+  const std::size_t n = command.formats.size();
+  for (std::size_t i = 0; i < n; ++i)
+    text += (i == 0 ? "" : i + 1 == n ? " or " : ", ") + std::string(command.formats[i]);
+  return text;
 }
 
 bool is_set(std::string_view flag) {
@@ -179,13 +190,16 @@ double number_from(const std::string& flag, const std::string& text, double low,
   return *value;
 }
 
-std::vector<std::string> split_list(std::string_view text) {
+std::vector<std::string> split_list(const std::string& flag, std::string_view text) {
   std::vector<std::string> items;
-  while (!text.empty()) {
+  for (bool more = !text.empty(); more;) {
     const std::size_t comma = text.find(',');
     const std::string_view item = trim(text.substr(0, comma));
-    if (!item.empty()) items.emplace_back(item);
-    text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
+    if (item.empty())
+      throw UsageError("flag '--" + flag + "': entry " + std::to_string(items.size() + 1) + " is empty");
+    items.emplace_back(item);
+    more = comma != std::string_view::npos;
+    if (more) text.remove_prefix(comma + 1);
   }
   return items;
 }

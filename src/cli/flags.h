@@ -56,8 +56,11 @@ namespace mixity::cli {
 std::vector<std::string_view> with_metadata_flags(std::vector<std::string_view> flags);
 
 /// Sets gflags from "--name=value" or "--name value" and returns what is no flag; all after "--" is none. Throws
-/// UsageError for a flag that the command does not have or that lacks a value.
+/// UsageError for a flag that the command does not have or that lacks a value, and for a format it cannot write.
 Arguments parse_flags(const Command& command, const Arguments& words);
+
+/// What its --format may be: "text, json or csv".
+std::string formats_text(const Command& command);
 
 /// The command as it was given, to be pasted into a shell.
 const std::string& command_line();
@@ -76,7 +79,7 @@ void require_flags_only(const std::string& command, const Arguments& arguments);
 /// A number from low to high, both included, from a flag's text; throws UsageError.
 double number_from(const std::string& flag, const std::string& text, double low, double high = 1e150);
 
-/// Comma-separated, without blanks around the items; empty items are left out.
-std::vector<std::string> split_list(std::string_view text);
+/// Comma-separated, without blanks around the items. Throws UsageError for an empty item: those after it would move up.
+std::vector<std::string> split_list(const std::string& flag, std::string_view text);
 
 }  // namespace mixity::cli

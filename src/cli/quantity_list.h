@@ -13,7 +13,7 @@ namespace mixity::cli {
 /// Comma-separated quantities; the unit of the last applies to those without one. Throws UsageError naming the flag.
 inline std::vector<Quantity> quantity_list(const std::string& flag, const std::string& text) {
   std::vector<Quantity> list;
-  for (const std::string& item : split_list(text)) {
+  for (const std::string& item : split_list(flag, text)) {
     const auto quantity = parse_quantity(item);
     if (!quantity) throw UsageError("flag '--" + flag + "': '" + item + "' is not a number, or its unit is unknown");
     list.push_back(*quantity);

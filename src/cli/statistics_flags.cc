@@ -37,8 +37,7 @@ Loss loss_from_flag() {
 /// Parameters of the fitted models may be named, too: they are free unless they are held.
 std::vector<Correction> free_from_flag(const FitJob& job) {
   std::vector<Correction> corrections;
-  const std::vector<std::string> names = split_list(FLAGS_free);
-  if (names.empty()) throw UsageError("flag '--free' names nothing");
+  const std::vector<std::string> names = split_list("free", FLAGS_free);
   for (const std::string& name : names) {
     if (std::count(names.begin(), names.end(), name) > 1) throw UsageError("flag '--free' names '" + name + "' twice");
     const auto found = std::find(kCorrectionNames.begin(), kCorrectionNames.end(), name);

@@ -68,6 +68,18 @@ TEST(CurveCommand, PrintsEitherSoManyPointsOrAsFewAsTheChordAllows) {
   EXPECT_LT(rows("--chord=1e-3"), 60u);
 }
 
+TEST(CurveCommand, IsOnePointWhereShearDoesNotAct) {
+  for (const char* how : {"--points=7", "--chord=0.01"})
+    EXPECT_EQ(table_of({"curve", "--model=c", "--lambda=0", "--load=1", how}, kCurveHeader).size(), 1u);
+}
+
+TEST(CurveCommand, RefusesACurveThatLeavesTheNumbers) {
+  for (const char* lambda : {"--lambda=1e-300", "--lambda=1e-320"})
+    for (const char* how : {"--points=5", "--chord=0.01"})
+      expect_refused({"curve", "--model=c", lambda, "--load=1", how}, 2,
+                     "the curve runs to tangential loads beyond 1e150, where no T can be told");
+}
+
 TEST(CurveCommand, PrintsTheOtherViewAtConstantShear) {
   const Table table =
       table_of({"curve", "--model=c", "--lambda=0.15", "--shear=20", "--points=50"}, "P,T,y,a,A,stable");

@@ -13,7 +13,7 @@ namespace {
 TEST(CurveCommands, NeverPrintNanOrInfinity) {
   const Words loads{"-4.71238898038469", "-4.7", "-1", "-1e-300", "0", "1e-300", "1", "30.4", "1e8"};
   const Words models{"--model=a", "--model=b", "--model=c", "--model=bk"};
-  const Words lambdas{"--lambda=0", "--lambda=1e-300", "--lambda=1e-12", "--lambda=0.15", "--lambda=0.9999999999999999",
+  const Words lambdas{"--lambda=0", "--lambda=1e-120", "--lambda=1e-12", "--lambda=0.15", "--lambda=0.9999999999999999",
                       "--lambda=1"};
   const Words pairs{"--parameters=r=1.774,eta=2.284", "--parameters=r=2,eta=1", "--parameters=r=1e-3,eta=0.1"};
   const auto check = [](const Words& words) {

@@ -64,6 +64,8 @@ TEST(Program, BadUsageIsOneLineAndExitTwo) {
              "--toughness=1e300 J/m^2"},
             "--radius, --modulus and --toughness together are out of range"},
            {{"fit", "a.csv", "--format=xml"}, "flag '--format' is 'xml'; it must be text, json or csv"},
+           {{"sahli", "a.csv", "--format=json"}, "flag '--format' is 'json'; it must be text or csv"},
+           {{"instability", "--format=csv"}, "flag '--format' is 'csv'; it must be text or json"},
            {{"fit", "a.csv", "--radius=9.42"},
             "flag '--radius': radius is \"9.42\"; it must be a length such as mm, written \"9.42 mm\""},
            {{"check"}, "check needs a data CSV (see mixity help check)"},
@@ -83,6 +85,14 @@ TEST(Program, BadUsageIsOneLineAndExitTwo) {
             "a dimensional prediction needs all of --radius, --modulus and --toughness"},
        })
     expect_refused(words, 2, complaint);
+}
+
+TEST(Program, HelpOffersTheFormatsThatACommandHas) {
+  for (const auto& [command, formats] : std::vector<std::pair<std::string, std::string>>{
+           {"fit", "text, json or csv"}, {"sahli", "text or csv"}, {"instability", "text or json"}}) {
+    const std::string help = run_program({"help", command}).out;
+    EXPECT_NE(help.find("output format: " + formats + " (default text)"), std::string::npos) << help;
+  }
 }
 
 TEST(Program, AComplaintIsOneLineWhateverItQuotes) {
