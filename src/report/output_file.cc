@@ -12,6 +12,7 @@
 #include <cstring>
 #include <deque>
 #include <filesystem>
+#include <map>
 
 #include "dataset/printable.h"
 
@@ -36,6 +37,11 @@ void remove_leftovers(const std::filesystem::path& path) {
   }
 }
 
+/// A pipe or device, which is written to as it is.
+bool is_direct(std::filesystem::file_type kind) {
+  return kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::fifo;
+}
+
 /// Writes all of it and closes the file. 0, or the reason as errno has it.
 int write_and_close(int file, const std::string& content, bool to_disk) {
   int reason = 0;
@@ -51,20 +57,34 @@ int write_and_close(int file, const std::string& content, bool to_disk) {
   return reason;
 }
 
+[[noreturn]] void cannot_be_written(const std::string& path, int reason) {
+  throw OutputError(path + ": cannot be written: " + std::strerror(reason));
+}
+
+/// Where a path leads, also if nothing is there yet.
+std::filesystem::path end_of_links(const std::string& path) {
+  constexpr int kMost = 40;  // as the system's
+  std::filesystem::path end = path;
+  std::error_code none;
+  for (int i = 0; i < kMost; ++i) {
+    if (!std::filesystem::is_symlink(end, none)) return end;
+    end = end.parent_path() / std::filesystem::read_symlink(end, none);
+  }
+  cannot_be_written(path, ELOOP);
+}
+
 /// A file that is written, but not yet at its place. Never put there, it leaves nothing behind.
 class StagedFile {
  public:
-  explicit StagedFile(const OutputFile& file) : file_(file), target_(file.path) {
+  explicit StagedFile(const OutputFile& file) : file_(file) {
     const std::string& path = file.path;
     std::error_code unknown;
     const auto kind = std::filesystem::status(path, unknown).type();
-    direct_ = kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::fifo;
+    direct_ = is_direct(kind);
     if (direct_) return;
     if (kind == std::filesystem::file_type::directory || path.ends_with('/')) check(EISDIR);
     if (kind == std::filesystem::file_type::regular && ::access(path.c_str(), W_OK) != 0) check(errno);
-    if (std::filesystem::is_symlink(path, unknown)) target_ = std::filesystem::weakly_canonical(path, unknown).string();
-    if (target_.empty()) target_ = path;
-
+    target_ = end_of_links(path).string();
     const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
     std::error_code error;
     if (!folder.empty()) std::filesystem::create_directories(folder, error);
@@ -104,7 +124,7 @@ class StagedFile {
 
  private:
   void check(int reason) const {
-    if (reason != 0) throw OutputError(file_.path + ": cannot be written: " + std::strerror(reason));
+    if (reason != 0) cannot_be_written(file_.path, reason);
   }
   void discard() {
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
@@ -133,6 +153,18 @@ class Uninterrupted {
   sigset_t before_{};
 };
 
+/// Throws OutputError if two of the files would be one, as links can make them.
+void tell_apart(const std::vector<OutputFile>& files) {
+  std::map<std::filesystem::path, const OutputFile*> known;
+  for (const OutputFile& file : files) {
+    std::error_code unknown;
+    if (is_direct(std::filesystem::status(file.path, unknown).type())) continue;
+    const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(end_of_links(file.path)), unknown);
+    const auto [same, first] = known.emplace(place, &file);
+    if (!first) throw OutputError(file.path + ": leads to the same file as " + same->second->path);
+  }
+}
+
 /// Throws OutputError if one of the files that are to be written is, by whatever name, one of those that were read.
 void spare_inputs(const std::vector<std::string>& inputs, const std::vector<OutputFile>& outputs) {
   for (const OutputFile& output : outputs)
@@ -159,6 +191,7 @@ std::string plain_file_name(std::string_view name) {
 
 void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {
   spare_inputs(inputs, files);
+  tell_apart(files);
   std::deque<StagedFile> staged;
   for (const OutputFile& file : files) staged.emplace_back(file);
   for (const StagedFile& file : staged) file.write_if_direct();

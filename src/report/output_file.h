@@ -27,7 +27,7 @@ struct OutputFile {
 /// renames leaves files of two runs side by side, each of them whole. A file keeps its permissions. Creates folders
 /// that are missing, and removes the temporary names of these files whose process was killed. A link stays one; a pipe
 /// or device is written to. Throws OutputError, with nothing left behind; so, too, if one of the files is, by whatever
-/// name, one of `inputs`.
+/// name, one of `inputs`, or two of them are one.
 void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs = {});
 void write_file(const std::string& path, const std::string& content);
 

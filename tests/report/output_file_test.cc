@@ -75,6 +75,45 @@ TEST(OutputFile, ALinkStaysALinkAndADeviceADevice) {
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
+TEST(OutputFile, ALinkToWhatIsNotThereYetStaysOne) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path("out"));
+  const auto link = [&](const std::string& target, const std::string& name) {
+    std::filesystem::create_symlink(target, folder.path("out/" + name));
+    return folder.path("out/" + name);
+  };
+  write_files({{link("../new.csv", "relative.csv"), "1"},
+               {link(folder.path("other/new.csv"), "absolute.csv"), "2"},
+               {link("../third.csv", "one.csv"), "3"}});
+  EXPECT_EQ(read_file(folder.path("new.csv")), "1");
+  EXPECT_EQ(read_file(folder.path("other/new.csv")), "2");
+  EXPECT_EQ(read_file(folder.path("third.csv")), "3");
+  for (const char* name : {"relative.csv", "absolute.csv", "one.csv"})
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path(std::string("out/") + name))) << name;
+  const std::string circle = link("circle.csv", "circle.csv");
+  EXPECT_THROW(write_file(circle, "4"), OutputError);
+  EXPECT_TRUE(std::filesystem::is_symlink(circle));
+}
+
+TEST(OutputFile, TwoThatLeadToOneAreRefusedBeforeAnyIsWritten) {
+  const TemporaryFolder folder;
+  const std::string first = folder.write("first", "old"), target = folder.write("target", "old"),
+                    link = folder.path("link"), other = folder.path("other");
+  std::filesystem::create_symlink("target", link);
+  std::filesystem::create_symlink("link", other);
+  try {
+    write_files({{first, "new"}, {link, "new"}, {other, "newer"}});
+    FAIL();
+  } catch (const OutputError& error) {
+    EXPECT_EQ(error.what(), other + ": leads to the same file as " + link);
+  }
+  EXPECT_THROW(write_files({{target, "new"}, {link, "new"}}), OutputError);
+  EXPECT_THROW(write_files({{first, "new"}, {folder.path("./first"), "new"}}), OutputError);
+  EXPECT_EQ(read_file(first), "old");
+  EXPECT_EQ(read_file(target), "old");
+  EXPECT_NO_THROW(write_files({{"/dev/null", "new"}, {"/dev/null", "new"}}));
+}
+
 TEST(OutputFile, CreatesFoldersAndLeavesNoTemporaryName) {
   const TemporaryFolder folder;
   const std::string path = folder.path("a/b/file.csv");
