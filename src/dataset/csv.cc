@@ -218,7 +218,9 @@ bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format
     std::string_view after = text;
     const std::string_view first = take_line(after, format.line_end);
     const bool comment = format.comments && first.starts_with('#') && !has_return_inside(first);
-    const bool for_excel = trim(first).size() == 5 && first.starts_with("sep=");  // how it would be told the delimiter
+    // how Excel would be told the delimiter, which may be a tab
+    const std::string_view bare = first.substr(0, first.find_last_not_of("\r\n") + 1);
+    const bool for_excel = bare.starts_with("sep=") && bare.size() > 4 && trim(bare.substr(5)).empty();
     if (!comment && !for_excel && first.find_first_not_of(" \t\r\n") != std::string_view::npos) {
       format.delimiter = delimiter_of(first);
       return true;

@@ -99,19 +99,24 @@ class CsvBlock {
   CsvFormat format_;
 };
 
+/// What is held at once: a row, or a file that is not read by rows.
+inline constexpr std::size_t kMostText = std::size_t{1} << 28;
+
 /// A file cut between rows. No more of it is held than a block, or its longest row.
 class CsvFile {
  public:
   /// Throws InputError if the file cannot be opened.
   explicit CsvFile(const std::string& path, std::size_t block_bytes = std::size_t{1} << 17);
   /// Makes the block hold the next rows, the first of all by itself; false at the end. Throws InputError if the file
-  /// cannot be read or is UTF-16. A block used again spares the memory of a new one.
+  /// cannot be read, is UTF-16, or has a row of more than kMostText bytes. A block used again spares the memory of a
+  /// new one.
   bool next(CsvBlock& block);
   /// Of the file; null where that is not known beforehand (a pipe).
   std::optional<std::size_t> bytes() const;
 
  private:
   bool read(std::string& text, std::size_t bytes);
+  void require_a_row_within(const std::string& text) const;
   void begin(std::string& text);
 
   std::string path_;
@@ -123,11 +128,11 @@ class CsvFile {
   bool begun_ = false, at_end_ = false;
 };
 
-/// Calls use(row) for each row that is not blank and does not start with '#'. UTF-8 with or without byte order
-/// mark; LF or CRLF; comma, semicolon or tab, whichever the first row has most of; a line "sep=;" before that is no
-/// row. The row is valid during the call only. Throws InputError for a file that cannot be read or whose quotes do not
-/// match.
-void read_csv(const std::string& path, const UseRow& use);
+/// Calls use(row) for each row that is not blank and does not start with '#', and use_comment as CsvBlock::rows. UTF-8
+/// with or without byte order mark; LF or CRLF; comma, semicolon or tab, whichever the first row has most of; a line
+/// "sep=;" before that is no row. The row is valid during the call only. Throws InputError for a file that cannot be
+/// read or whose quotes do not match.
+void read_csv(const std::string& path, const UseRow& use, const UseRow& use_comment = {});
 
 /// The same for text that is already there; `name` stands for the file in messages. Without comments, '#' starts a
 /// field like any other character.
@@ -136,7 +141,7 @@ void read_csv_text(std::string_view text, const std::string& name, bool comments
 /// Text as a CSV field, quoted where it must be to be read back as one field.
 std::string csv_field(const std::string& text);
 
-/// Whole file as a string; throws InputError if it cannot be read.
+/// Whole file as a string; throws InputError if it cannot be read or holds more than kMostText bytes.
 std::string read_file(const std::string& path);
 
 }  // namespace mixity

@@ -32,11 +32,19 @@ bool CsvFile::read(std::string& text, std::size_t bytes) {
   return got > 0;
 }
 
+/// Nothing that is data comes near: a device without end, or what a crash left of a file.
+void CsvFile::require_a_row_within(const std::string& text) const {
+  if (text.size() > kMostText) throw InputError(path_, line_, 1, "a row of more than 256 MB, or a quote never closed");
+}
+
 /// What is known from the file's first bytes on.
 void CsvFile::begin(std::string& text) {
   begun_ = true;
   // A file without a single line feed is one of the old Macintosh: that takes reading to the first, or to the end.
-  while (text.find('\n') == std::string::npos && !at_end_) read(text, std::max(block_bytes_, text.size()));
+  while (text.find('\n') == std::string::npos && !at_end_) {
+    if (text.find('\r') == std::string::npos) require_a_row_within(text);
+    read(text, std::max(block_bytes_, text.size()));
+  }
   if (text.find('\n') == std::string::npos) format_.line_end = '\r';
   std::string_view rest = text;
   drop_mark(rest, path_);
@@ -50,7 +58,10 @@ bool CsvFile::next(CsvBlock& block) {
   if (text.size() < block_bytes_ && !at_end_) read(text, block_bytes_ - text.size());
   if (!begun_) begin(text);
   std::size_t end = end_of_rows(text, format_);
-  for (; end == 0 && !at_end_; end = end_of_rows(text, format_)) read(text, text.size());  // a row of many lines
+  for (; end == 0 && !at_end_; end = end_of_rows(text, format_)) {  // a row of many lines
+    require_a_row_within(text);
+    read(text, text.size());
+  }
   if (at_end_) end = text.size();
   if (end == 0) return false;
   block.first_line_ = line_;
@@ -81,9 +92,9 @@ void CsvBlock::rows(const CsvWanted& wanted, const UseNumbers& use_numbers, cons
   read_rows(text_, first_line_, format_, path_, use_row, use_comment, &numbers);
 }
 
-void read_csv(const std::string& path, const UseRow& use) {
+void read_csv(const std::string& path, const UseRow& use, const UseRow& use_comment) {
   CsvFile file(path);
-  for (CsvBlock block; file.next(block);) block.rows(use);
+  for (CsvBlock block; file.next(block);) block.rows(use, use_comment);
 }
 
 void read_csv_text(std::string_view text, const std::string& name, bool comments, const UseRow& use) {
@@ -100,7 +111,10 @@ std::string read_file(const std::string& path) {
   if (!file) throw InputError(path, std::string("cannot be opened: ") + std::strerror(errno));
   std::string text;
   std::array<char, 1 << 14> part;
-  while (const std::size_t got = std::fread(part.data(), 1, part.size(), file.get())) text.append(part.data(), got);
+  while (const std::size_t got = std::fread(part.data(), 1, part.size(), file.get())) {
+    text.append(part.data(), got);
+    if (text.size() > kMostText) throw InputError(path, "is larger than 256 MB");
+  }
   if (std::ferror(file.get())) throw InputError(path, std::string("cannot be read: ") + std::strerror(errno));
   return text;
 }

@@ -1,5 +1,6 @@
 #include "dataset/dataset.h"
 
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -21,34 +22,46 @@ class Runs {
   /// The run that the row's column names; failing that, points of equal load form one.
   std::size_t of(const std::optional<std::string_view>& name, const Point& point, const Dataset& data) {
     const double load = data.has_loads ? point.P : 0;
-    if (!names_.empty() && (name ? *name == names_[last_] : last_by_load_ && load == last_load_)) return last_;
+    if (!keys_.empty() && keys_[last_].given == name.has_value() &&
+        (name ? *name == keys_[last_].name : load == last_load_))
+      return last_;
     last_load_ = load;
-    last_by_load_ = !name;
-    if (name) return last_ = index(std::string(*name), load);
-    if (!data.has_loads) return last_ = index({}, load);
+    if (name) return last_ = index({std::string(*name), true}, load);
+    if (!data.has_loads) return last_ = index({{}, false}, load);
     const DisplayUnits& units = data.display;
-    return last_ = index("P=" + rounded(load * units.force_scale, 6) + (units.force.empty() ? "" : " " + units.force),
-                         load);
+    const std::string label =
+        "P=" + rounded(load * units.force_scale, 6) + (units.force.empty() ? "" : " " + units.force);
+    return last_ = index({label, false}, load);
   }
-  /// The number of a run, a new one if there is none of this name.
-  std::size_t index(const std::string& name, double load) {
-    const auto [found, is_new] = index_.try_emplace(name, names_.size());
+  /// A run may be given the name that another has by its load.
+  struct Key {
+    std::string name;
+    bool given;
+    auto operator<=>(const Key&) const = default;
+  };
+  /// The number of a run, a new one if there is none of this key.
+  std::size_t index(const Key& key, double load) {
+    const auto [found, is_new] = index_.try_emplace(key, keys_.size());
     if (is_new) {
-      names_.push_back(name);
+      keys_.push_back(key);
       loads_.push_back(load);
     }
     return found->second;
   }
-  const std::vector<std::string>& names() const { return names_; }
+  const std::vector<Key>& keys() const { return keys_; }
   const std::vector<double>& loads() const { return loads_; }  // of each run's first point
+  /// What readers see, no two the same.
+  std::string shown(std::size_t i) const {
+    const Key& key = keys_[i];
+    return key.name + (!key.given && index_.contains({key.name, true}) ? " (not named)" : "");
+  }
 
  private:
-  std::map<std::string, std::size_t> index_;
-  std::vector<std::string> names_;
+  std::map<Key, std::size_t> index_;
+  std::vector<Key> keys_;
   std::vector<double> loads_;
   std::size_t last_ = 0;
   double last_load_ = 0;
-  bool last_by_load_ = false;
 };
 
 template <class T>
@@ -154,8 +167,8 @@ class Loader {
   }
 
   void take(const Part& part) {
-    std::vector<std::size_t> run(part.runs.names().size());
-    for (std::size_t i = 0; i < run.size(); ++i) run[i] = runs_.index(part.runs.names()[i], part.runs.loads()[i]);
+    std::vector<std::size_t> run(part.runs.keys().size());
+    for (std::size_t i = 0; i < run.size(); ++i) run[i] = runs_.index(part.runs.keys()[i], part.runs.loads()[i]);
     for (const Point& point : part.points) data_.points.emplace_back(point).curve = run[point.curve];
     append(data_.converted, part.converted);
     append(data_.errors, part.errors);
@@ -183,7 +196,8 @@ class Loader {
                        "has a header but no data rows" + (commented_ > 0 ? ", only " + passed_over : ""));
     if (commented_ > 0) data_.notes.push_back("passed over as comments: " + passed_over);
     // Names go into figures, pages and tables: what would break these is shown as '?'.
-    for (const std::string& name : runs_.names()) data_.curves.push_back(printable(name, std::string::npos));
+    for (std::size_t i = 0; i < runs_.keys().size(); ++i)
+      data_.curves.push_back(printable(runs_.shown(i), std::string::npos));
     if (data_.has_loads) data_.curve_loads = runs_.loads();
   }
 
@@ -200,6 +214,8 @@ class Loader {
 
 FilePlace place_of(const Dataset& data, const Point& point, std::string_view column) {
   FilePlace place{point.line, 0};
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(data.path, none)) return place;  // a pipe is read once
   std::optional<std::size_t> index;
   try {
     read_csv(data.path, [&](const CsvRow& row) {

@@ -15,6 +15,7 @@ enum Force { kLoad, kPeak, kMinimum };
 constexpr std::array<std::string_view, 3> kNames{"P", "T_peak", "T_min"};
 constexpr std::array<std::string_view, 3> kNotFinite{"column 'P' is not finite", "column 'T_peak' is not finite",
                                                      "column 'T_min' is not finite"};
+constexpr std::array<std::string_view, 3> kNegative{"P is not above 0: no area of Hertz", "T_peak < 0", "T_min < 0"};
 
 class Reader {
  public:
@@ -33,7 +34,9 @@ class Reader {
       if (values[q] && !std::isfinite(*values[q])) return exclude(kNotFinite[q]);
     if (!values[kLoad]) return exclude("column 'P' is empty");
     if (!values[kPeak] && !values[kMinimum]) return exclude("neither T_peak nor T_min is given");
-    if (!(*values[kLoad] > 0)) return exclude("P is not above 0: no area of Hertz");
+    if (!(*values[kLoad] > 0)) return exclude(kNegative[kLoad]);
+    for (const Force q : {kPeak, kMinimum})
+      if (values[q] && *values[q] < 0) return exclude(kNegative[q]);
     PeakForce point{row.line(), *values[kLoad], {}, {}};
     const double area = hertz_area(*values[kLoad] * units_[kLoad].factor);
     if (values[kPeak]) point.peak = *values[kPeak] * units_[kPeak].factor / area / stress_;
@@ -41,6 +44,12 @@ class Reader {
     if (!std::isfinite(point.peak.value_or(0)) || !std::isfinite(point.minimum.value_or(0)))
       return exclude("the mean stress is out of range");
     forces_.rows.push_back(point);
+  }
+
+  /// A line that starts with '#' and might be a row.
+  void comment(const CsvRow& row) {
+    if (has_header() && row.size() >= width_ && holds_a_number(row))
+      forces_.excluded.push_back({row.line(), "passed over as a comment: it begins with '#'"});
   }
 
   bool has_header() const { return width_ > 0; }
@@ -98,7 +107,8 @@ PeakForces load_peak_forces(const std::string& path) {
   forces.metadata = read_metadata(metadata_path(path));
   require_whole_modulus(forces.metadata, metadata_path(path));
   Reader reader(forces, metadata_path(path));
-  read_csv(path, [&](const CsvRow& row) { reader.row(row); });
+  read_csv(
+      path, [&](const CsvRow& row) { reader.row(row); }, [&](const CsvRow& row) { reader.comment(row); });
   if (!reader.has_header()) throw InputError(path, 1, 1, "is empty: a header row is missing");
   if (forces.rows.empty() && forces.excluded.empty()) throw InputError(path, 2, 1, "has a header but no data rows");
   return forces;

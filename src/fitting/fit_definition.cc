@@ -20,7 +20,7 @@ class Reader {
     job.path = path_;
     for (const auto& [key, node] : table) {
       if (key == "data")
-        job.data_path = beside(text(node, "data"));
+        job.data_path = beside(node, "data");
       else if (key == "models")
         read_models(node, job);
       else if (key == "objective")
@@ -32,7 +32,7 @@ class Reader {
       else if (key == "source")
         job.source = text(node, "source");
       else if (key == "peaks")
-        job.peaks_path = beside(text(node, "peaks"));
+        job.peaks_path = beside(node, "peaks");
       else if (key == "published")
         read_published(node, job);
       else
@@ -51,9 +51,17 @@ class Reader {
     fail_at(path_, node, message);
   }
 
-  /// A path as written, against the definition's folder.
-  std::string beside(const std::string& path) const {
-    return (std::filesystem::path(path_).parent_path() / path).lexically_normal().string();
+  /// A path as written, against the definition's folder; shortened where that names the same file, which links may keep
+  /// it from.
+  std::string beside(const toml::node& node, const std::string& key) const {
+    const std::string path = text(node, key);
+    if (path.empty()) fail(node, key + " is empty");
+    const std::filesystem::path whole = std::filesystem::path(path_).parent_path() / path,
+                                brief = whole.lexically_normal();
+    std::error_code none;
+    const bool same = std::filesystem::exists(whole, none) ? std::filesystem::equivalent(whole, brief, none)
+                                                           : !std::filesystem::exists(brief, none);
+    return (same ? brief : whole).string();
   }
 
   std::string text(const toml::node& node, const std::string& key) const {

@@ -94,6 +94,21 @@ TEST(Program, AFitDefinitionComparesWithWhatWasPublished) {
   EXPECT_EQ(fit["published"]["r2"]["agrees"], true);
 }
 
+TEST(Program, ADefinitionBehindALinkNamesTheFileThatTheSystemFinds) {
+  const TemporaryFolder folder;
+  for (const char* name : {"shared/fits", "shared/data", "here/data"})
+    std::filesystem::create_directories(folder.path(name));
+  folder.write("shared/data/d.csv", "P,T,A\n1,0,19.6\n1,1,19.5\n");
+  folder.write("here/data/d.csv", "P,T,A\n1,0,9\n1,1,8.9\n1,2,8.7\n");
+  folder.write("shared/fits/x.toml", "data = \"../data/d.csv\"\nmodels = [\"c\"]\n");
+  std::filesystem::create_symlink("../shared/fits", folder.path("here/fits"));
+  const auto points = [&](const std::string& definition) {
+    return Json::parse(run_program({"fit", folder.path(definition), "--format=json"}).out)["datasets"][0]["points"];
+  };
+  EXPECT_EQ(points("here/fits/x.toml"), 2);
+  EXPECT_EQ(points("shared/fits/x.toml"), 2);
+}
+
 TEST(Program, ReconstructedDataAreCalledThatInEveryOutput) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.csv", kModelC);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -46,6 +48,9 @@ TEST(Csv, OneTableIsReadInEverySpelling) {
            " P , T \n 1 ,2.5 \n",
            "# comment, with a quote \"\nP,T\n# more\n1,2.5\n#",
            "\n\nP,T\n\n1,2.5\n  \n\n",
+           "sep=;\nP;T\n1;2.5\n",  // what tells Excel the delimiter
+           "sep=\t\r\nP\tT\r\n1\t2.5\r\n",
+           "sep=, \nP,T\n1,2.5\n",
        }) {
     const auto rows = rows_of(text);
     ASSERT_EQ(rows.size(), 2) << text;
@@ -155,6 +160,18 @@ TEST(Csv, FilesThatCannotBeReadAreNamed) {
   const auto error = [](const std::string& path) { return input_error([&] { read_csv(path, [](const CsvRow&) {}); }); };
   EXPECT_EQ(error(folder.path("none.csv")), folder.path("none.csv") + ": cannot be opened: No such file or directory");
   EXPECT_EQ(error(folder.path()), folder.path() + ": cannot be read: Is a directory");
+}
+
+/// A device that never ends, and what a crash leaves of a file that was given its size beforehand.
+TEST(Csv, WhatNeverEndsARowIsRefused) {
+  const auto error = [](const std::string& path) { return input_error([&] { read_csv(path, [](const CsvRow&) {}); }); };
+  const std::string refusal = "a row of more than 256 MB, or a quote never closed";
+  EXPECT_EQ(error("/dev/zero"), "/dev/zero:1:1: " + refusal);
+  EXPECT_EQ(input_error([] { read_file("/dev/zero"); }), "/dev/zero: is larger than 256 MB");
+  const TemporaryFolder folder;
+  const std::string path = folder.write("cut.csv", "P,T,A\n1,0,19.6\n");
+  std::filesystem::resize_file(path, std::uintmax_t{3} << 28);  // NULs, which take no room on the disk
+  EXPECT_EQ(error(path), path + ":3:1: " + refusal);
 }
 
 TEST(Csv, AWrittenFieldIsReadBackAsOne) {

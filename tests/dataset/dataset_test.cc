@@ -2,10 +2,13 @@
 #include "dataset/dataset.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "dataset/load_text.h"
@@ -164,6 +167,24 @@ TEST(Dataset, RowsWithAnEmptyCurveAreThoseOfTheirLoad) {
   std::vector<std::size_t> runs;
   for (const Point& point : data.points) runs.push_back(point.curve);
   EXPECT_EQ(runs, (std::vector<std::size_t>{0, 1, 2, 1, 0, 2}));
+}
+
+TEST(Dataset, ARunThatIsNamedAsOneWithoutANameIsIsAnother) {
+  const Dataset data = load_text("curve,P,T,A\nP=1,5,0,40\nP=1,5,4,39\n,1,0,19.6\n,1,4,19\nP=1,5,5,38\n");
+  EXPECT_EQ(data.curves, (std::vector<std::string>{"P=1", "P=1 (not named)"}));
+  EXPECT_EQ(data.curve_loads, (std::vector<double>{5, 1}));
+}
+
+TEST(Dataset, APipeIsReadOnce) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.path("pipe.csv");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(pipe) << "P,T,A,sigma_A\n1,0,19.6,0.1\n1,1,19.5,\n"; });
+  const Dataset data = load_dataset(pipe);
+  writer.join();
+  const FilePlace place = place_of(data, data.points[1], "sigma_A");  // without a writer, to open it would not return
+  EXPECT_EQ(place.line, 3u);
+  EXPECT_EQ(place.column, 0u);
 }
 
 TEST(Dataset, ALoadOfMinusZeroIsZero) {
