@@ -50,8 +50,13 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
   if (!data.has_loads || data.curves.size() < 2 || data.curves.size() > kMostRuns || !has_all_values(whole))
     return std::nullopt;
   const std::string& model = whole.model;
-  FitOptions quick = value_only(options);
-  quick.near = whole.solution;
+  const FitOptions anew = value_only(options);
+  FitOptions quick = anew;
+  // What bends at its minimum may have another elsewhere without a run.
+  if (std::all_of(whole.parameters.begin(), whole.parameters.end(), [](const FittedParameter& parameter) {
+        return parameter.held || parameter.at_bound || parameter.stderr_;
+      }))
+    quick.near = whole.solution;
   const auto runs = points_by_curve(data);
   LeftOut result{0, 0, {}};
   std::size_t predicted = 0;
@@ -60,7 +65,9 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < data.points.size(); ++i)
       if (data.points[i].curve != data.points[run.front()].curve) others.push_back(i);
-    const FitResult without = fit_model(data, model, quick, &others);
+    FitResult without = fit_model(data, model, quick, &others);
+    if (without.status == FitStatus::not_converged && !quick.near.empty())
+      without = fit_model(data, model, anew, &others);
     if (!has_all_values(without) || without.status == FitStatus::not_converged) return std::nullopt;
     const std::size_t curve = data.points[run.front()].curve;
     LeftOut::Run left_out{data.curves[curve], data.curve_loads[curve], 0, run.size(), 0};

@@ -105,26 +105,16 @@ void tell_resampled(const LeastSquares& cost, const Verdict& verdict, const Data
   if (verdict.status == FitStatus::not_converged) return;
   std::vector<std::size_t> runs;
   for (const std::size_t i : fit.used) runs.push_back(data.points[i].curve);
-  const std::vector<FreeParameter>& parameters = cost.parameters();
-  const auto slope = [&](std::size_t j) { return parameters[j].shown_slope(verdict.best.x[j]); };
   if (options.bootstrap.replicates > 0) {
     if (options.bootstrap.resample == Resample::curves && std::set(runs.begin(), runs.end()).size() < 2)
       throw InputError(data.path, "a bootstrap of curves draws whole runs, of which this file has one");
     fit.bootstrap = bootstrap(cost, verdict.best.x, runs, options.bootstrap, options.confidence, options.progress);
     const std::vector<FittedParameter*> fitted = free_parameters(fit);
-    for (std::size_t j = 0; j < fit.bootstrap->parameters.size(); ++j) {
-      const Bootstrapped& b = fit.bootstrap->parameters[j];
-      fitted[j]->bootstrap = {parameters[j].shown(b.low), parameters[j].shown(b.high), slope(j) * b.standard_deviation,
-                              slope(j) * b.bias};
-    }
+    for (std::size_t j = 0; j < fit.bootstrap->parameters.size(); ++j)
+      fitted[j]->bootstrap = fit.bootstrap->parameters[j];
   }
   if (!options.influence) return;
   fit.influence = influence(cost, verdict.best.x, runs, options.bootstrap.threads, options.progress);
-  const auto show = [&](std::vector<double>& change) {
-    for (std::size_t j = 0; j < change.size(); ++j) change[j] *= slope(j);
-  };
-  for (PointInfluence& point : fit.influence->points) show(point.change);
-  for (auto& change : fit.influence->runs) show(change);
   for (std::size_t run = 0; run < data.curves.size(); ++run)
     if (std::find(runs.begin(), runs.end(), run) != runs.end()) fit.run_names.push_back(data.curves[run]);
 }

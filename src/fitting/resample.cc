@@ -137,9 +137,10 @@ BootstrapResult bootstrap(const LeastSquares& problem, const std::vector<double>
   result.failed = options.replicates - replicates.size();
   if (2 * replicates.size() < options.replicates || replicates.size() < 2) return result;
   for (std::size_t k = 0; k < fitted.size(); ++k) {
+    const FreeParameter& parameter = problem.parameters()[k];
     std::vector<double> values;
     values.reserve(replicates.size());
-    for (const auto& x : replicates) values.push_back(x[k]);
+    for (const auto& x : replicates) values.push_back(parameter.shown(x[k]));
     std::sort(values.begin(), values.end());
     const auto n = static_cast<double>(values.size());
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
@@ -147,7 +148,7 @@ BootstrapResult bootstrap(const LeastSquares& problem, const std::vector<double>
     for (const double value : values) square += (value - mean) * (value - mean);
     result.parameters.push_back({quantile_of(values, 0.5 * (1 - confidence)),
                                  quantile_of(values, 0.5 * (1 + confidence)), std::sqrt(square / (n - 1)),
-                                 mean - fitted[k]});
+                                 mean - parameter.shown(fitted[k])});
   }
   return result;
 }
@@ -176,7 +177,10 @@ Influence influence(const LeastSquares& problem, const std::vector<double>& fitt
                    else
                      for (const std::size_t member : groups[i - n]) weights[member] = 0;
                    std::vector<double> change = refit(weights);
-                   for (std::size_t k = 0; k < change.size(); ++k) change[k] -= fitted[k];
+                   for (std::size_t k = 0; k < change.size(); ++k) {
+                     const FreeParameter& parameter = problem.parameters()[k];
+                     change[k] = parameter.shown(change[k]) - parameter.shown(fitted[k]);
+                   }
                    if (i >= n) {
                      result.runs[i - n] = std::move(change);
                      return;

@@ -1,4 +1,5 @@
-// How far the fitted parameters depend on the choice of points: bootstrap, jackknife, influence.
+// How far the fitted parameters depend on the choice of points: bootstrap, jackknife, influence. Parameters are those a
+// reader sees (FreeParameter::shown); weights are those of the fit, also where they depend on its parameters.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +25,7 @@ struct BootstrapOptions {
 };
 
 /// One parameter's bootstrap distribution: percentile interval, standard deviation, and bias of the estimate (mean of
-/// the replicates minus the fit), as the solver counts.
+/// the replicates minus the fit).
 struct Bootstrapped {
   double low, high, standard_deviation, bias;
 };

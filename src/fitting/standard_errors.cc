@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "dataset/input_error.h"
 #include "dataset/number_text.h"
@@ -11,14 +12,21 @@ namespace {
 
 /// Relative error common to T and A. The middle one of three neighbours in T lies off their chord by
 /// e = A - w A_before - (1-w) A_after, whose variance is s^2 times the sum below; the median over all of them is not
-/// moved by the few near an instability, where the curve itself bends.
-double relative_scatter(const Dataset& data) {
+/// moved by the few near an instability, where the curve itself bends. Null with fewer than three.
+std::optional<double> relative_scatter(const Dataset& data) {
   constexpr double kMedianOfChiSquare = 0.454936423119573;  // of one degree of freedom
-  constexpr double kAssumed = 0.01, kLeast = 1e-9;
+  constexpr double kLeast = 1e-9;
   std::vector<double> ratios;
   for (auto& run : points_by_curve(data)) {
-    std::stable_sort(run.begin(), run.end(),
-                     [&](std::size_t i, std::size_t j) { return data.points[i].T < data.points[j].T; });
+    // a row that repeats another says nothing of its error
+    const auto key = [&](std::size_t i) { return std::tuple(data.points[i].T, data.points[i].A, data.points[i].P); };
+    std::sort(run.begin(), run.end(),
+              [&](std::size_t i, std::size_t j) { return std::tuple(key(i), i) < std::tuple(key(j), j); });
+    run.erase(std::unique(run.begin(), run.end(), [&](std::size_t i, std::size_t j) { return key(i) == key(j); }),
+              run.end());
+    std::sort(run.begin(), run.end(), [&](std::size_t i, std::size_t j) {
+      return std::tuple(data.points[i].T, i) < std::tuple(data.points[j].T, j);
+    });
     for (std::size_t i = 1; i + 1 < run.size(); ++i) {
       const Point &low = data.points[run[i - 1]], &mid = data.points[run[i]], &high = data.points[run[i + 1]];
       if (!(high.T > low.T)) continue;
@@ -28,7 +36,7 @@ double relative_scatter(const Dataset& data) {
       ratios.push_back(e * e / (variance(mid) + w * w * variance(low) + (1 - w) * (1 - w) * variance(high)));
     }
   }
-  if (ratios.size() < 3) return kAssumed;
+  if (ratios.size() < 3) return std::nullopt;
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
   return std::max(std::sqrt(*middle / kMedianOfChiSquare), kLeast);
@@ -65,6 +73,8 @@ std::string_view to_string(ErrorSource source) {
       return "stated";
     case ErrorSource::exact:
       return "exact";
+    case ErrorSource::assumed:
+      return "assumed";
     case ErrorSource::scatter:
       break;
   }
@@ -87,7 +97,15 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
                     : has_T ? ErrorSource::columns
                     : has_A ? ErrorSource::exact
                             : ErrorSource::scatter;
-  if (errors.source_A == ErrorSource::scatter) errors.scatter = relative_scatter(data);
+  if (errors.source_A == ErrorSource::scatter) {
+    errors.scatter = relative_scatter(data);
+    if (!errors.scatter) {
+      constexpr double kAssumed = 0.01;
+      errors.scatter = kAssumed;
+      errors.source_A = ErrorSource::assumed;
+      if (errors.source_T == ErrorSource::scatter) errors.source_T = ErrorSource::assumed;
+    }
+  }
   const auto error = [&](ErrorSource source, const Stated& stated, double value, double column) {
     switch (source) {
       case ErrorSource::stated:
@@ -95,6 +113,7 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
       case ErrorSource::columns:
         return column;
       case ErrorSource::scatter:
+      case ErrorSource::assumed:
         return *errors.scatter * value;
       case ErrorSource::exact:
         break;

@@ -14,22 +14,23 @@ namespace mixity {
 /// the data are dimensionless).
 using StatedError = Quantity;
 
-enum class ErrorSource { columns, stated, scatter, exact };
+/// scatter: estimated from the points; assumed: 1 %, for want of enough points to estimate it.
+enum class ErrorSource { columns, stated, scatter, assumed, exact };
 std::string_view to_string(ErrorSource source);
 
 struct StandardErrors {
   std::vector<double> T, A;  // per point of the data set, dimensionless
   ErrorSource source_T = ErrorSource::scatter, source_A = ErrorSource::scatter;
-  std::optional<double> scatter;  // the relative error found, where one was estimated
+  std::optional<double> scatter;  // the relative error, where it was estimated or assumed
 
-  /// True if the size of the errors is known, and not only their proportions.
-  bool absolute() const { return source_A != ErrorSource::scatter && source_T != ErrorSource::scatter; }
+  /// True if the size of the errors is known, and not only their proportions. T has no such error unless A has.
+  bool absolute() const { return !scatter; }
 };
 
 /// Stated errors win over columns. Where only A has an error, T counts as exact. Where neither has, both get the same
-/// relative error, estimated from how far points lie from the line between their neighbours in the run. Throws
-/// InputError for a column that leaves a point without an error of its area, and for a stated error whose unit is none
-/// of the quantity's.
+/// relative error, estimated from how far points lie from the line between their neighbours in the run, rows that
+/// repeat one left out; or 1 % if fewer than three points have neighbours. Throws InputError for a column that leaves a
+/// point without an error of its area, and for a stated error whose unit is none of the quantity's.
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
                                const std::optional<StatedError>& sigma_A);
 

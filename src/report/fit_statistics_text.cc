@@ -20,6 +20,11 @@ std::string interval_text(const FittedParameter& parameter) {
          end(interval.high, interval.high_status);
 }
 
+std::string origin_of_scatter(const StandardErrors& errors) {
+  return errors.source_A == ErrorSource::assumed ? "assumed: too few neighbouring points to estimate them"
+                                                 : "estimated from the scatter of neighbouring points";
+}
+
 std::string errors_text(const FitResult& fit, const Dataset& data) {
   std::ostringstream out;
   if (!fit.errors && !fit.known_errors && !data.errors.empty())
@@ -29,8 +34,7 @@ std::string errors_text(const FitResult& fit, const Dataset& data) {
     out << "    errors: ";
     if (fit.errors->scatter)
       out << rounded(100 * *fit.errors->scatter, 2) << "% in A"
-          << (fit.errors->source_T == ErrorSource::scatter ? " and T" : "")
-          << ", estimated from the scatter of neighbouring points";
+          << (fit.errors->source_T == fit.errors->source_A ? " and T, " : ", ") << origin_of_scatter(*fit.errors);
     else
       out << "sigma_A " << (fit.errors->source_A == ErrorSource::columns ? "from the file" : "as stated")
           << ", sigma_T "

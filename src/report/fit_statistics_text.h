@@ -11,6 +11,8 @@ namespace mixity {
 std::string interval_text(const FittedParameter& parameter);
 /// Bootstrap intervals and what moves the fit most: a few lines, or nothing.
 std::string resampling_text(const FitResult& fit, const Dataset& data);
+/// Where relative errors that nobody stated come from: "estimated from ...".
+std::string origin_of_scatter(const StandardErrors& errors);
 /// Where the standard errors come from, correlations, the loss: a line each, or nothing.
 std::string errors_text(const FitResult& fit, const Dataset& data);
 std::string comparison_text(const JobResult& result);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "report/fit_statistics_text.h"
 #include "report/rounding.h"
 
 namespace mixity {
@@ -197,8 +198,8 @@ std::vector<std::string> assumptions(const JobResult& result) {
     list.emplace_back("Residuals are distances of the points from the curve in T and A, in standard errors.");
   for (const FitResult& fit : result.fits)
     if (fit.errors && fit.errors->scatter) {
-      list.push_back("Standard errors of " + rounded(100 * *fit.errors->scatter, 2) +
-                     " % were estimated from the scatter of neighbouring points.");
+      list.push_back("Standard errors of " + rounded(100 * *fit.errors->scatter, 2) + " % were " +
+                     origin_of_scatter(*fit.errors) + ".");
       break;
     }
   return list;

@@ -11,17 +11,18 @@
 namespace mixity {
 namespace {
 
-/// Straight line through the origin, y = x t: everything about it is known in closed form.
+/// Straight line through the origin, y = slope t: everything about it is known in closed form.
 class Line final : public LeastSquares {
  public:
-  Line(std::vector<double> t, std::vector<double> y) : t_(std::move(t)), y_(std::move(y)) {}
+  Line(std::vector<double> t, std::vector<double> y, const FreeParameter& slope = {"slope", -10, 10})
+      : t_(std::move(t)), y_(std::move(y)), parameters_{slope} {}
   std::size_t residual_count() const override { return t_.size(); }
   const std::vector<FreeParameter>& parameters() const override { return parameters_; }
   double data_norm() const override { return 1; }
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     for (std::size_t i = 0; i < t_.size(); ++i) {
-      residuals[i] = x[0] * t_[i] - y_[i];
-      if (!jacobian.empty()) jacobian[i] = t_[i];
+      residuals[i] = parameters_[0].shown(x[0]) * t_[i] - y_[i];
+      if (!jacobian.empty()) jacobian[i] = parameters_[0].shown_slope(x[0]) * t_[i];
     }
     return true;
   }
@@ -34,7 +35,7 @@ class Line final : public LeastSquares {
 
  private:
   std::vector<double> t_, y_;
-  std::vector<FreeParameter> parameters_{{"slope", -10, 10}};
+  std::vector<FreeParameter> parameters_;
 };
 
 Line noisy_line(std::size_t n) {
@@ -112,6 +113,27 @@ TEST(Influence, OfEachPointIsTheChangeWhenItIsLeftOut) {
     leverage += result.points[i].leverage;
   }
   EXPECT_NEAR(leverage, 1, 1e-13);  // one parameter
+}
+
+/// Three runs that disagree by far, so that a logarithm is not straight between their slopes.
+TEST(Resampling, IsOfWhatAReaderSeesHoweverTheSolverCounts) {
+  const std::vector<double> t{1, 1, 1, 1, 1, 1}, y{0.5, 0.52, 0.9, 0.9, 3, 3.1};
+  const std::vector<std::size_t> runs = runs_of(6, 2);
+  const FreeParameter logarithm{"slope", -10, 10, {}, 2, true};
+  const Line plain(t, y), by_logarithm(t, y, logarithm);
+  const double slope = plain.slope_without(6), x = std::log(slope / 2);
+  const BootstrapOptions draws{300, Resample::curves, 1, 1};
+  const Bootstrapped one = bootstrap(plain, {slope}, runs, draws, 0.9).parameters.at(0),
+                     other = bootstrap(by_logarithm, {x}, runs, draws, 0.9).parameters.at(0);
+  // to what a gradient of 1e-8 leaves
+  EXPECT_NEAR(one.low, other.low, 1e-8);
+  EXPECT_NEAR(one.high, other.high, 1e-8);
+  EXPECT_NEAR(one.standard_deviation, other.standard_deviation, 1e-8);
+  EXPECT_NEAR(one.bias, other.bias, 1e-8);
+  const Influence moved = influence(by_logarithm, {x}, runs, 1), expected = influence(plain, {slope}, runs, 1);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(moved.points[i].change.at(0), expected.points[i].change.at(0), 1e-8);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(moved.runs[i].at(0), expected.runs[i].at(0), 1e-8);
+  EXPECT_GT(std::abs(expected.runs[2].at(0)), 0.5 * slope);
 }
 
 }  // namespace

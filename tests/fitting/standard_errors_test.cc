@@ -70,7 +70,7 @@ TEST(StandardErrors, TakeTAsExactWhereOnlyAHasOne) {
 TEST(StandardErrors, OfTAloneLeaveTheSizeOfThoseOfAOpen) {
   const StandardErrors errors = standard_errors(load_text(kPlain), stated("0.1"), {});
   EXPECT_EQ(errors.source_T, ErrorSource::stated);
-  EXPECT_EQ(errors.source_A, ErrorSource::scatter);
+  EXPECT_EQ(errors.source_A, ErrorSource::assumed);  // three points have one neighbour between two
   EXPECT_FALSE(errors.absolute());
 }
 
@@ -108,9 +108,25 @@ TEST(StandardErrors, FromScatterAreNotMovedByTheOrderOfThePoints) {
   EXPECT_NEAR(*standard_errors(data, {}, {}).scatter, in_order, 1e-12 * in_order);  // the order of roundings
 }
 
+TEST(StandardErrors, FromScatterAreNotMovedByRowsThatRepeatOne) {
+  SeededNoise noise(11, 0.01);
+  Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5}, 20, 0.6, noise);
+  const double once = *standard_errors(data, {}, {}).scatter;
+  const std::vector<Point> points = data.points;
+  data.points.insert(data.points.end(), points.begin(), points.end());
+  EXPECT_EQ(*standard_errors(data, {}, {}).scatter, once);
+}
+
 /// Without three neighbours there is nothing to estimate from: one percent is assumed.
 TEST(StandardErrors, AreAssumedWhereTheDataCannotShowThem) {
-  EXPECT_EQ(*standard_errors(load_text("P,T,A\n1,0,19.6\n1,5,19.2\n2,0,21\n"), {}, {}).scatter, 0.01);
+  const Dataset data = load_text("P,T,A\n1,0,19.6\n1,5,19.2\n2,0,21\n");
+  const StandardErrors both = standard_errors(data, {}, {}), one = standard_errors(data, stated("0.1"), {});
+  EXPECT_EQ(*both.scatter, 0.01);
+  EXPECT_EQ(both.source_A, ErrorSource::assumed);
+  EXPECT_EQ(both.source_T, ErrorSource::assumed);
+  EXPECT_EQ(one.source_A, ErrorSource::assumed);
+  EXPECT_EQ(one.source_T, ErrorSource::stated);
+  EXPECT_FALSE(both.absolute() || one.absolute());
 }
 
 std::string refusal(const char* csv, const char* toml, std::optional<StatedError> T, std::optional<StatedError> A) {
