@@ -159,7 +159,9 @@ void tell_apart(const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files) {
     std::error_code unknown;
     if (is_direct(std::filesystem::status(file.path, unknown).type())) continue;
-    const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(end_of_links(file.path)), unknown);
+    const std::filesystem::path whole = std::filesystem::absolute(end_of_links(file.path), unknown);
+    const std::filesystem::path place = std::filesystem::weakly_canonical(whole, unknown);
+    if (unknown || place.empty()) continue;  // writing it will tell
     const auto [same, first] = known.emplace(place, &file);
     if (!first) throw OutputError(file.path + ": leads to the same file as " + same->second->path);
   }
