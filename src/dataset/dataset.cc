@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "dataset/csv.h"
@@ -37,7 +38,7 @@ class Runs {
   struct Key {
     std::string name;
     bool given;
-    auto operator<=>(const Key&) const = default;
+    bool operator<(const Key& other) const { return std::tie(name, given) < std::tie(other.name, other.given); }
   };
   /// The number of a run, a new one if there is none of this key.
   std::size_t index(const Key& key, double load) {
