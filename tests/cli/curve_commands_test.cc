@@ -13,7 +13,8 @@ namespace {
 TEST(CurveCommands, NeverPrintNanOrInfinity) {
   const Words loads{"-4.71238898038469", "-4.7", "-1", "-1e-300", "0", "1e-300", "1", "30.4", "1e8"};
   const Words models{"--model=a", "--model=b", "--model=c", "--model=bk"};
-  const Words lambdas{"--lambda=0", "--lambda=1e-120", "--lambda=1e-12", "--lambda=0.15", "--lambda=0.9999999999999999",
+  const Words lambdas{"--lambda=0",     "--lambda=1e-300", "--lambda=1e-120",
+                      "--lambda=1e-12", "--lambda=0.15",   "--lambda=0.9999999999999999",
                       "--lambda=1"};
   const Words pairs{"--parameters=r=1.774,eta=2.284", "--parameters=r=2,eta=1", "--parameters=r=1e-3,eta=0.1"};
   const auto check = [](const Words& words) {
@@ -29,9 +30,13 @@ TEST(CurveCommands, NeverPrintNanOrInfinity) {
   };
   for (const std::string& model : models)
     for (const std::string& parameter : model == "--model=bk" ? pairs : lambdas) {
+      // their folds lie beyond 1e150: refused (command_curve_test.cc)
+      const bool too_far = parameter == "--lambda=1e-300" && model != "--model=a";
       for (const std::string& load : loads) {
-        check({"curve", model, parameter, "--load=" + load, "--points=33"});
-        check({"curve", model, parameter, "--load=" + load, "--chord=1e-3"});
+        if (!too_far) {
+          check({"curve", model, parameter, "--load=" + load, "--points=33"});
+          check({"curve", model, parameter, "--load=" + load, "--chord=1e-3"});
+        }
         check({"instability", model, parameter, "--load=" + load, "--stiffness=1", "--format=json"});
       }
       for (const char* shear : {"--shear=0", "--shear=1e-300", "--shear=10", "--shear=1e150"})
