@@ -1,28 +1,12 @@
 #include "mechanics/vector_math.h"
 // after the declarations of the vector forms
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "mechanics/batch.h"
+#include "mechanics/cube_root.h"
 
 namespace mixity::batch_detail {
 namespace {
-
-/// Cube root of x, 1e-150 < x < 1e300, to 2 ulp, in operations that compilers vectorise (std::cbrt is a call). A third
-/// of the exponent's bits is within 5 %; two Halley steps and a Newton step cube, cube and square the error.
-inline double cube_root(double x) {
-  constexpr std::uint64_t kMagic = 0x4330000000000000;  // 2^52 as a double: holds an integer in its low bits
-  constexpr double kTwo52 = 4503599627370496.0;
-  const double high = std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) >> 32) | kMagic) - kTwo52;
-  const double third = high * (1.0 / 3) + (kTwo52 + 715094163.0);
-  double z = std::bit_cast<double>(std::bit_cast<std::uint64_t>(third) << 32);
-  for (int i = 0; i < 2; ++i) {
-    const double cube = z * z * z;
-    z *= (cube + 2 * x) / (2 * cube + x);
-  }
-  return z - (z * z * z - x) / (3 * z * z);
-}
 
 /// pi a^2 of 4/3 a^3 = load.
 inline double area_of(double load) {
@@ -125,10 +109,12 @@ void settle_lanes(double parameter, double P, const LanePart& part, std::span<co
 }
 
 namespace {
-using Settle = void (*)(double, double, const LanePart&, std::span<const double>, std::span<double>);
-
-[[gnu::used]] const auto instances =
-    lane_instances<Settle>([](auto model) -> Settle { return &settle_lanes<decltype(model)>; });
+[[gnu::used]] const auto settle_instances = each_model([](auto model) {
+  if constexpr (HasLanes<decltype(model)>)
+    return &settle_lanes<decltype(model)>;
+  else
+    return nullptr;
+});
 }  // namespace
 
 }  // namespace mixity::batch_detail

@@ -41,21 +41,48 @@ struct CurvePoint {
   double dy, dT, da, dA, du, dpsi, df;
 };
 
+inline constexpr double kLargest = std::numeric_limits<double>::max();
+inline constexpr double kFar = 1e150;  // stands for T = infinity
+
+/// g - 1 = tau^2/y^2 at psi = pi/2.
+template <class Model>
+double shear_limit(const Parameters<Model>& p) {
+  if constexpr (requires { Model::shear_limit(p); })
+    return Model::shear_limit(p);
+  else
+    return std::numeric_limits<double>::infinity();
+}
+
 /// Edge loads y_+ > y_- at which T -> infinity: g = g_inf, its limit at psi = pi/2, in y^2 g = 6 pi (y + P). Returns
 /// false if g is unbounded (every model but a with lambda < 1) or the load admits no such state.
 template <class Model>
 bool asymptotic_edge_loads(const Parameters<Model>& p, double P, double& upper, double& lower);
 
+/// tangential_load of a model without a closed form, tau > 0: Newton's method, then a bracket.
+template <class Model>
+double search_tangential_load(const Parameters<Model>& p, double y, double tau);
+
 /// T of the state (y, tau): inverts tau^2 = shear_term(p, y, T). y >= 0, tau >= 0, not both 0. Infinite where the
 /// model reaches no such tau. Relative error a few roundings.
 template <class Model>
-double tangential_load(const Parameters<Model>& p, double y, double tau);
+double tangential_load(const Parameters<Model>& p, double y, double tau) {
+  if (tau == 0) return 0;
+  if constexpr (requires { Model::tangential_load(p, y, tau); })
+    return Model::tangential_load(p, y, tau);
+  else
+    return search_tangential_load<Model>(p, y, tau);
+}
+
+/// The pieces of the curve in the order of falling y; none if shear does not act on the area.
+template <class Model>
+std::vector<CurvePiece> curve_pieces(const Parameters<Model>& p, double P);
 
 template <class Model>
 class EquilibriumCurve {
  public:
   /// Valid parameters and load only (the same as LoadedContact accepts, and in contact).
-  EquilibriumCurve(const Parameters<Model>& parameters, double P);
+  EquilibriumCurve(const Parameters<Model>& parameters, double P)
+      : p_(parameters), P_(P), pieces_(curve_pieces<Model>(parameters, P)) {}
 
   double load() const { return P_; }
   const Parameters<Model>& parameters() const { return p_; }
@@ -65,13 +92,21 @@ class EquilibriumCurve {
   const std::vector<CurvePiece>& pieces() const { return pieces_; }
 
   /// The place with y = 3 pi + offset.
-  CurvePosition position_at_offset(double offset) const;
+  CurvePosition position_at_offset(double offset) const {
+    return {3 * pi<double>() + offset, 0.5 * (1 + offset / S0_), 0.5 * (1 - offset / S0_)};
+  }
   /// Its logistic coordinate on a piece.
-  double coordinate(const CurvePiece& piece, const CurvePosition& at) const;
+  double coordinate(const CurvePiece& piece, const CurvePosition& at) const {
+    return std::log((at.sin2 - piece.sin2_top) / (at.cos2 - piece.cos2_end));
+  }
 
   /// Place on a piece from the logistic coordinate v: (y - y_end)/(y_top - y) = exp(-v), so that uniform steps in v
   /// resolve both ends.
-  CurvePosition position(const CurvePiece& piece, double v) const;
+  CurvePosition position(const CurvePiece& piece, double v) const {
+    const double above = piece.width / (1 + std::exp(v)), below = piece.width / (1 + std::exp(-v));
+    return {v > 0 ? piece.y_end + above : piece.y_top - below, piece.cos2_end + above / (2 * S0_),
+            piece.sin2_top + below / (2 * S0_)};
+  }
 
   double tau_squared(const CurvePosition& at) const { return 4 * S0_ * S0_ * at.sin2 * at.cos2; }
   /// y - 3 pi = S0 cos phi.
@@ -95,10 +130,9 @@ class EquilibriumCurve {
 
  private:
   Parameters<Model> p_;
-  double P_, S0_, y_jkr_, y_low_;  // y_low = 3 pi - S0, the unstable JKR state for P < 0
+  double P_, S0_ = circle_radius(P_), y_jkr_ = 3 * pi<double>() + S0_;
+  double y_low_ = -2 * (3 * pi<double>()) * P_ / y_jkr_;  // 3 pi - S0, the unstable JKR state for P < 0
   std::vector<CurvePiece> pieces_;
 };
 
 }  // namespace mixity
-
-#include "mechanics/curve_impl.h"

@@ -6,7 +6,9 @@
 // y^2 + T^2 = 8 pi a^3 f(psi) for every model, see mechanics/README.md.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -46,16 +48,27 @@ struct Equilibrium {
 /// Largest T for which the formulas are guaranteed not to overflow.
 inline constexpr double kLargestLoad = 1e150;
 
+/// Empty if these define a contact; otherwise why not: parameters out of range or outside the domain of the law, load
+/// not finite.
+template <class Model>
+std::string_view contact_obstacle(const Parameters<Model>& p, double P);
+
 /// A model with its parameters at one normal load P (dimensionless). Cheap to make: the folds of the curve are
 /// looked for only when a T lies beyond the part of the curve that is known to be free of them, and no further than
 /// that T needs.
 template <class Model>
 class LoadedContact {
  public:
-  LoadedContact(const Parameters<Model>& parameters, double P);
+  LoadedContact(const Parameters<Model>& parameters, double P)
+      : p_(parameters), P_(P), obstacle_(contact_obstacle<Model>(parameters, P)) {
+    if (!obstacle_.empty() || above_pull_off(P) < 0) return;
+    in_contact_ = true;
+    S0_ = circle_radius(P);
+    y_jkr_ = 3 * pi<double>() + S0_;
+    simple_top_ = Model::tau_grows_with_edge_load(p_);
+  }
 
-  /// Empty if the question makes sense; otherwise why not: parameters out of range or outside the domain of the
-  /// law, load not finite. at() then returns `invalid`.
+  /// contact_obstacle: where there is one, at() returns `invalid`.
   std::string_view obstacle() const { return obstacle_; }
 
   /// False below the JKR pull-off load, where no contact exists: at() then returns `no_equilibrium`.
@@ -64,7 +77,22 @@ class LoadedContact {
   /// Edge load of the contact that was loaded from T = 0 and has followed its stable branch, over jumps to a
   /// lower stable branch where there is one. 0 <= T <= kLargestLoad. Relative error of the area below 4e-15 away
   /// from folds; towards a fold T_f it grows as eps/sqrt(1 - T/T_f).
-  Equilibrium at(double T) const;
+  Equilibrium at(double T) const {
+    if (!obstacle_.empty() || !(T >= 0 && T <= kLargestLoad)) return {EquilibriumStatus::invalid};
+    if (!in_contact_) return {EquilibriumStatus::no_equilibrium};
+    if constexpr (requires { Model::shear_on_circle(p_, T); }) {
+      // Closed form: tau does not depend on y.
+      const double tau = Model::shear_on_circle(p_, T);
+      // One rounding of tau may put the fold itself beyond the circle.
+      if (tau > S0_ * (1 + std::numeric_limits<double>::epsilon())) return {EquilibriumStatus::no_equilibrium};
+      return {EquilibriumStatus::ok, 3 * pi<double>() + std::sqrt(std::max(S0_ - tau, 0.0) * (S0_ + tau))};
+    } else {
+      return follow(T);
+    }
+  }
+
+  /// The same where at() has no closed form and nothing to refuse.
+  Equilibrium follow(double T) const;
 
   /// Stable branches from T = 0 downwards, at least one. Only if in_contact().
   const std::vector<StableBranch>& branches() const;
@@ -92,5 +120,3 @@ class LoadedContact {
 };
 
 }  // namespace mixity
-
-#include "mechanics/equilibrium_impl.h"

@@ -56,7 +56,3 @@ template <class Model>
 std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control control);
 
 }  // namespace mixity
-
-#include "mechanics/fold_search_impl.h"
-// after the search that it uses
-#include "mechanics/folds_impl.h"

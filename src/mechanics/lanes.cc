@@ -10,7 +10,7 @@ template <class Model>
 MIXITY_LOOP void loop(double parameter, const double* __restrict first, const double* __restrict second, std::size_t n,
                       double* __restrict value, double* __restrict slope, double* __restrict curvature) {
   for (std::size_t i = 0; i < n; ++i) {
-    const LaneValue lane = Model::lane(parameter, {first[i], second[i]});
+    const LaneValue<double> lane = Model::lane(parameter, LanePoint<double>{first[i], second[i]});
     value[i] = Model::kLogSign * std::log(lane.argument);
     slope[i] = lane.slope;
     curvature[i] = lane.curvature;
@@ -33,10 +33,12 @@ void log_toughness_lanes(double parameter, const double* first, const double* se
 }
 
 namespace {
-using LaneLoop = void (*)(double, const double*, const double*, std::size_t, double*, double*, double*);
-
-[[gnu::used]] const auto instances =
-    lane_instances<LaneLoop>([](auto model) -> LaneLoop { return &log_toughness_lanes<decltype(model)>; });
+[[gnu::used]] const auto lane_instances = each_model([](auto model) {
+  if constexpr (HasLanes<decltype(model)>)
+    return &log_toughness_lanes<decltype(model)>;
+  else
+    return nullptr;
+});
 }  // namespace
 
 }  // namespace mixity

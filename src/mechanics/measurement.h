@@ -24,12 +24,13 @@ S toughness_ratio(const S& y, const S& T, const S& a) {
   return (y * y + T * T) / (S(8) * pi<S>() * a * a * a);
 }
 
-/// Dimensionless load P, shear T >= 0 and contact radius a > 0. The caller has checked edge_load(a, P) > 0:
-/// at y <= 0 the contact carries no adhesive edge load and the point has no phase angle.
+/// Dimensionless load P, shear T of either sign, as equilibrium depends on T^2, and contact radius a > 0. The caller
+/// has checked edge_load(a, P) > 0: at y <= 0 the contact carries no adhesive edge load and the point has no phase
+/// angle.
 template <class S>
 MeasuredToughness<S> measured_toughness(const S& P, const S& T, const S& a) {
   const S y = edge_load(a, P);
-  return {mixity_from_loads(y, T), toughness_ratio(y, T, a)};
+  return {mixity_from_loads(y, T < S(0) ? S(-T) : T), toughness_ratio(y, T, a)};
 }
 
 /// toughness_ratio of n points (P, T, A); -1 where y <= 0. Vectorised.

@@ -73,5 +73,3 @@ inline double model_a_closing_lambda(double P) { return 1 + 2 * P / (3 * pi<doub
 CuspPoint model_a_jump_boundary(double P);
 
 }  // namespace mixity
-
-#include "mechanics/regimes_impl.h"

@@ -43,6 +43,16 @@ bool with_model(std::string_view key, Visit&& visit) {
       Models{});
 }
 
+/// entry(model) for each model in turn, as a tuple. A source file that defines templates ends with
+///
+///     [[gnu::used]] const auto instances = each_model([](auto model) { return &do_it<decltype(model)>; });
+///
+/// where taking their addresses makes the instances, one for each model of the registry, that other files link with.
+template <class Entry>
+constexpr auto each_model(Entry entry) {
+  return std::apply([&](auto... model) { return std::make_tuple(entry(model)...); }, Models{});
+}
+
 template <class Model>
 constexpr std::size_t parameter_count = std::tuple_size_v<std::remove_cvref_t<decltype(Model::parameters)>>;
 

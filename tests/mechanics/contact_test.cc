@@ -58,7 +58,7 @@ TEST(Measurement, OfManyPointsAtOnceIsThatOfEach) {
   std::uniform_real_distribution<double> decades(-20, 20);
   for (int i = 0; i < 10007; ++i) {
     P.push_back((i % 3 - 1) * std::pow(10, decades(random)));
-    T.push_back(i % 5 == 0 ? 0 : std::pow(10, decades(random)));
+    T.push_back(i % 5 == 0 ? 0 : (i % 7 == 0 ? -1 : 1) * std::pow(10, decades(random)));
     A.push_back(std::pow(10, decades(random)));
   }
   std::vector<double> ratios(P.size());
@@ -68,6 +68,11 @@ TEST(Measurement, OfManyPointsAtOnceIsThatOfEach) {
     const auto one = toughness_of_area(P[i], T[i], A[i]);
     none += !one;
     ASSERT_EQ(ratios[i], one ? one->ratio : -1) << P[i] << ' ' << T[i] << ' ' << A[i];
+    if (const auto other = toughness_of_area(P[i], -T[i], A[i])) {
+      ASSERT_EQ(other->ratio, one->ratio);
+      ASSERT_EQ(other->mixity.cos, one->mixity.cos);
+      ASSERT_EQ(other->mixity.sin, one->mixity.sin);
+    }
   }
   EXPECT_GT(none, 1000);
 }
@@ -79,6 +84,16 @@ TEST(Mixity, KeepsFullAccuracyAtBothEnds) {
   EXPECT_EQ(mixity_from_angle(0.5 * pi<double>()).cos, 0);
   EXPECT_DOUBLE_EQ(mixity_from_mode_ratio(0.25).sin, 0.5);
   EXPECT_DOUBLE_EQ(phase_angle(mixity_from_loads(1.0, 1.0)), 0.25 * pi<double>());
+  EXPECT_DOUBLE_EQ(mixity_from_energies(3, 1).sin, 0.5);
+  EXPECT_DOUBLE_EQ(mixity_from_energies(1e-40, 1).cos, 1e-20);
+  EXPECT_DOUBLE_EQ(mixity_from_energies(1, 1e-40).sin, 1e-20);
+}
+
+TEST(Mixity, OfAnEnergyBelowZeroIsThatOfAPureMode) {
+  EXPECT_EQ(mixity_from_energies(-0.1, 0.3).cos, 0);
+  EXPECT_EQ(mixity_from_energies(-0.1, 0.3).sin, 1);
+  EXPECT_EQ(mixity_from_energies(0.3, -0.1).cos, 1);
+  EXPECT_EQ(mixity_from_energies(0.3, -0.1).sin, 0);
 }
 
 }  // namespace

@@ -8,8 +8,10 @@
 #include <string>
 
 #include "mechanics/fold_checks.h"
+#include "mechanics/fold_search.h"
 #include "mechanics/printed_equation.h"
 #include "mechanics/registry.h"
+#include "mechanics/roots.h"
 
 namespace mixity {
 namespace {
@@ -97,7 +99,6 @@ TEST(Folds, AreOneAtMostWhereTheModelSaysSo) {
 
 /// Newton's method in (y, T) against the sign change of the slope along the curve.
 TEST(Folds, AreTheSameByNewtonAndByTheSlope) {
-  using namespace folds_detail;
   std::mt19937_64 random(14);
   std::uniform_real_distribution<double> uniform(0, 1);
   int compared = 0;
@@ -112,7 +113,8 @@ TEST(Folds, AreTheSameByNewtonAndByTheSlope) {
     ++compared;
     const CurvePiece& piece = curve.pieces().front();
     const Driven<WatersGuduru> driven{curve, kLoad};
-    const double v = root_between([&](double at) { return driven.slope(curve.position(piece, at)); }, kFirst, kLast);
+    const auto slope = [&](double at) { return driven.slope(curve.position(piece, at)); };
+    const double v = root_between(slope, kFirstCoordinate, kLastCoordinate);
     const CurvePosition slow = curve.position(piece, v), fast = curve.position_at_offset(fold->v);
     const double T = curve.tangential_load(slow);
     // both to a few roundings, which the inverse of tau multiplies by some

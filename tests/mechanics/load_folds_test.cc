@@ -5,32 +5,23 @@
 #include <random>
 
 #include "mechanics/fold_checks.h"
+#include "mechanics/fold_search.h"
 #include "mechanics/registry.h"
 
 namespace mixity {
 namespace {
 
-using folds_detail::folds_by_angle;
-using folds_detail::folds_by_position;
 using truth::Digits50;
-
-template <class Search>
-std::vector<FoldPlace> collect(Search search) {
-  std::vector<FoldPlace> places;
-  search([&](const FoldPlace& place) {
-    places.push_back(place);
-    return true;
-  });
-  return places;
-}
 
 template <class Model>
 void expect_same_by_both(const Parameters<Model>& p, double P, int& folds) {
   const EquilibriumCurve<Model> curve(p, P);
   if (curve.uncoupled()) return;
-  const std::vector<FoldPlace> by_angle = collect([&](auto found) { folds_by_angle(curve, found); });
-  if (by_angle.empty()) return;  // below the resolution of doubles, or none
-  const std::vector<FoldPlace> by_position = collect([&](auto found) { folds_by_position(curve, kLoad, found); });
+  constexpr std::size_t kAll = 100;
+  FoundFolds angle{kAll}, position{kAll};
+  if (!folds_by_angle(curve, angle) || angle.places.empty()) return;  // below the resolution of doubles, or none
+  folds_by_position(curve, kLoad, position);
+  const std::vector<FoldPlace>&by_angle = angle.places, &by_position = position.places;
   const std::string where = describe<Model>(p, P, kLoad);
   ASSERT_EQ(by_angle.size(), by_position.size()) << where;
   for (std::size_t i = 0; i < by_angle.size(); ++i) {

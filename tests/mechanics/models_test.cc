@@ -39,7 +39,7 @@ TYPED_TEST(EveryModel, HasToughnessOneAtPureModeOne) {
   for (const auto& p : samples<TypeParam>()) EXPECT_EQ(TypeParam::log_toughness(p, Mixity<double>{1, 0}).value, 0);
 }
 
-TYPED_TEST(EveryModel, GradientAndHessianMatchAutodiff) {
+TYPED_TEST(EveryModel, GradientMatchesAutodiff) {
   constexpr int N = static_cast<int>(parameter_count<TypeParam>);
   using Jet = ceres::Jet<double, N>;
   for (const auto& p : samples<TypeParam>())
@@ -55,11 +55,6 @@ TYPED_TEST(EveryModel, GradientAndHessianMatchAutodiff) {
         // Autodiff takes ln B from B, which near B = 1 carries one rounding; the analytic form does not.
         const double scale = std::abs(jet.value.v[i]) + std::abs(plain.value) * 1e-3;
         EXPECT_NEAR(plain.gradient[i], jet.value.v[i], 200 * kEps * scale + kEps) << "psi " << psi << " p " << p[0];
-        for (int j = 0; j < N; ++j) {
-          const double second = jet.gradient[i].v[j];
-          EXPECT_NEAR(plain.hessian[i * N + j], second, 400 * kEps * (std::abs(second) + std::abs(plain.gradient[i])))
-              << "psi " << psi << " p " << p[0];
-        }
       }
     }
 }

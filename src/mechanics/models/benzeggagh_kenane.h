@@ -72,14 +72,12 @@ struct BenzeggaghKenane {
   template <class S>
   static Differentiated<S, 2> log_toughness(const std::array<S, 2>& p, const Mixity<S>& mixity) {
     using std::log, std::log1p;
-    if (!(mixity.sin > S(0))) return {S(0), {S(0), S(0)}, {S(0), S(0), S(0), S(0)}};
+    if (!(mixity.sin > S(0))) return {S(0), {S(0), S(0)}};
     const ModeRatio<S> mode(mixity);
     const Power<S> power(p, mode);
     const S q = (p[0] - S(1)) * power.value;
-    const S u = power.value / power.f, v = q * mode.log_B / power.f;
-    const S cross = u * mode.log_B / power.f;
     const S value = power.f < S(0.5) ? S(log(power.f)) : S(log1p(q));
-    return {value, {u, v}, {-u * u, cross, cross, v * mode.log_B / power.f}};
+    return {value, {power.value / power.f, q * mode.log_B / power.f}};
   }
 
   /// tau^2 = (y^2 + T^2)/f - y^2 = T^2 (1 - (f - 1) y^2/T^2)/f, with (f - 1) y^2/T^2 = k (1 - B), k = (r - 1)

@@ -15,20 +15,19 @@ struct Johnson {
   /// Infinite at psi = pi/2 for lambda < 1: not to be called there.
   template <class S>
   static Differentiated<S, 1> log_toughness(const std::array<S, 1>& p, const Mixity<S>& mixity) {
-    using std::log1p;
-    const S tan = mixity.sin / mixity.cos, q = tan * tan;
-    const S d = -q / (S(1) + (S(1) - p[0]) * q);
-    return {log1p((S(1) - p[0]) * q), {d}, {-d * d}};
+    return lane_log_toughness<Johnson>(p, mixity);
   }
 
   static constexpr int kLogSign = 1;
-  static LanePoint lane_point(const Mixity<double>& mixity) {
-    const double tan = mixity.sin / mixity.cos;
-    return {tan * tan, 0};
+  template <class S>
+  static LanePoint<S> lane_point(const Mixity<S>& mixity) {
+    const S tan = mixity.sin / mixity.cos;
+    return {tan * tan, S(0)};
   }
-  static LaneValue lane(double lambda, const LanePoint& point) {
-    const double argument = 1 + (1 - lambda) * point.first, slope = -point.first / argument;
-    return {argument, slope, -slope * slope};
+  template <class S>
+  static LaneValue<S> lane(const S& lambda, const LanePoint<S>& point) {
+    const S excess = (S(1) - lambda) * point.first, argument = S(1) + excess, slope = -point.first / argument;
+    return {argument, excess, slope, -slope * slope};
   }
 
   /// tau^2 = lambda T^2 y^2/(y^2 + m T^2), m = 1 - lambda. `mode_II` = m T^2/(y^2 + m T^2) lies in [0, 1].

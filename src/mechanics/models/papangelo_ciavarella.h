@@ -13,22 +13,19 @@ struct PapangeloCiavarella {
   /// Infinite only at psi = pi/2 with lambda = 0.
   template <class S>
   static Differentiated<S, 1> log_toughness(const std::array<S, 1>& p, const Mixity<S>& mixity) {
-    using std::log, std::log1p;
-    const S B = mixity.sin * mixity.sin;
-    const S inverse = mixity.cos * mixity.cos + p[0] * B;
-    const S lost = (S(1) - p[0]) * B;  // 1 - 1/f
-    const S value = lost < S(0.5) ? S(-log1p(-lost)) : S(-log(inverse));
-    const S d = -B / inverse;
-    return {value, {d}, {d * d}};
+    return lane_log_toughness<PapangeloCiavarella>(p, mixity);
   }
 
+  /// In B = sin^2 psi and 1 - B, of 1/f: a sum of positive terms.
   static constexpr int kLogSign = -1;
-  static LanePoint lane_point(const Mixity<double>& mixity) {
+  template <class S>
+  static LanePoint<S> lane_point(const Mixity<S>& mixity) {
     return {mixity.sin * mixity.sin, mixity.cos * mixity.cos};
   }
-  static LaneValue lane(double lambda, const LanePoint& point) {
-    const double argument = point.second + lambda * point.first, slope = -point.first / argument;
-    return {argument, slope, slope * slope};
+  template <class S>
+  static LaneValue<S> lane(const S& lambda, const LanePoint<S>& point) {
+    const S argument = point.second + lambda * point.first, slope = -point.first / argument;
+    return {argument, (lambda - S(1)) * point.first, slope, slope * slope};
   }
 
   /// tau = sqrt(lambda) T, whatever y: the equilibrium is a closed form.

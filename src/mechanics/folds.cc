@@ -1,9 +1,13 @@
-// What happens at the folds: the rest of folds.h. Included by it only.
-#pragma once
+#include "mechanics/folds.h"
+
+#include <algorithm>
+
+#include "mechanics/fold_search.h"
+#include "mechanics/roots.h"
 
 namespace mixity {
 
-inline std::string_view to_string(Control::Kind kind) {
+std::string_view to_string(Control::Kind kind) {
   switch (kind) {
     case Control::Kind::load:
       return "load";
@@ -15,7 +19,7 @@ inline std::string_view to_string(Control::Kind kind) {
   return "stiffness";
 }
 
-inline std::string_view to_string(Jump jump) {
+std::string_view to_string(Jump jump) {
   switch (jump) {
     case Jump::hertz:
       return "hertz";
@@ -29,7 +33,7 @@ inline std::string_view to_string(Jump jump) {
   return "off_contact";
 }
 
-namespace folds_detail {
+namespace {
 
 /// Part of a piece on which the contact is stable, in logistic coordinates.
 struct Stretch {
@@ -38,27 +42,26 @@ struct Stretch {
 };
 
 /// What lies between the folds and is stable. The top of the curve is; a second piece, from an asymptote, is not.
-inline std::vector<Stretch> stable_stretches(const std::vector<FoldPlace>& folds, std::size_t pieces) {
+std::vector<Stretch> stable_stretches(const std::vector<FoldPlace>& folds, std::size_t pieces) {
   std::vector<Stretch> stable;
   for (std::size_t i = 0; i < pieces; ++i) {
     bool is_stable = i == 0;
-    double from = kFirst;
+    double from = kFirstCoordinate;
     for (const FoldPlace& fold : folds) {
       if (fold.piece != i) continue;
       if (fold.maximum) stable.push_back({i, from, fold.coordinate});
       is_stable = !fold.maximum;
       from = fold.coordinate;
     }
-    if (is_stable) stable.push_back({i, from, kLast});
+    if (is_stable) stable.push_back({i, from, kLastCoordinate});
   }
   return stable;
 }
 
-}  // namespace folds_detail
+}  // namespace
 
 template <class Model>
 std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control control) {
-  using namespace folds_detail;
   const Driven<Model> driven{curve, control};
   const std::vector<FoldPlace> places = locate_folds(curve, control);
   const std::vector<Stretch> stable = stable_stretches(places, curve.pieces().size());
@@ -98,5 +101,9 @@ std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control contr
   }
   return folds;
 }
+
+namespace {
+[[gnu::used]] const auto fold_instances = each_model([](auto model) { return &find_folds<decltype(model)>; });
+}  // namespace
 
 }  // namespace mixity

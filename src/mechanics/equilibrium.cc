@@ -1,27 +1,17 @@
-// Definitions of LoadedContact. Included by equilibrium.h only.
-#pragma once
+#include "mechanics/equilibrium.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace mixity {
 
 template <class Model>
-LoadedContact<Model>::LoadedContact(const Parameters<Model>& parameters, double P) : p_(parameters), P_(P) {
-  for (std::size_t i = 0; i < p_.size(); ++i)
-    if (!(p_[i] >= Model::parameters[i].lower && p_[i] <= Model::parameters[i].upper)) {
-      obstacle_ = "a model parameter lies outside its range";
-      return;
-    }
-  if (!(std::abs(P) <= kLargestLoad)) {
-    obstacle_ = "the load is not a number below 1e150";
-    return;
-  }
-  obstacle_ = Model::equilibrium_domain(p_);
-  if (!obstacle_.empty() || above_pull_off(P) < 0) return;
-  in_contact_ = true;
-  S0_ = circle_radius(P);
-  y_jkr_ = 3 * pi<double>() + S0_;
-  simple_top_ = Model::tau_grows_with_edge_load(p_);
+std::string_view contact_obstacle(const Parameters<Model>& p, double P) {
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (!(p[i] >= Model::parameters[i].lower && p[i] <= Model::parameters[i].upper))
+      return "a model parameter lies outside its range";
+  if (!(std::abs(P) <= kLargestLoad)) return "the load is not a number below 1e150";
+  return Model::equilibrium_domain(p);
 }
 
 /// Largest root of R in [low, high], where R(low) <= 0 <= R(high): steps to the upper root of the quadratic that
@@ -62,40 +52,29 @@ Equilibrium LoadedContact<Model>::solve(double T, double low, double high, doubl
 }
 
 template <class Model>
-Equilibrium LoadedContact<Model>::at(double T) const {
-  if (!obstacle_.empty() || !(T >= 0 && T <= kLargestLoad)) return {EquilibriumStatus::invalid};
-  if (!in_contact_) return {EquilibriumStatus::no_equilibrium};
-  const double centre = 3 * pi<double>();
-  if constexpr (requires { Model::shear_on_circle(p_, T); }) {
-    // Closed form: tau does not depend on y.
-    const double tau = Model::shear_on_circle(p_, T);
-    // One rounding of tau may put the fold itself beyond the circle.
-    if (tau > S0_ * (1 + std::numeric_limits<double>::epsilon())) return {EquilibriumStatus::no_equilibrium};
-    return {EquilibriumStatus::ok, centre + std::sqrt(std::max(S0_ - tau, 0.0) * (S0_ + tau))};
-  } else {
-    if (simple_top_) {
-      // tau^2 is at most small_shear T^2, which makes this start a lower bound, close to the root. R rises with y
-      // above the centre, so R <= 0 there shows that the root above is the only one.
-      const double room = S0_ * S0_ - Model::small_shear(p_) * T * T;
-      const bool certain = room >= 0;
-      if (certain || circle_residual<Model, double>(p_, P_, centre, T).value <= 0)
-        return solve(T, centre, y_jkr_, certain ? centre + std::sqrt(room) : 0.5 * (centre + y_jkr_));
-    }
-    first_branch();
-    if (T > branches_.back().T_bottom && !all_branches_) find_branches(kAll);
-    for (const StableBranch& branch : branches_) {
-      if (T > branch.T_bottom) continue;
-      if (T < branch.T_top) return solve(branch.T_top, branch.y_bottom, branch.y_top, branch.y_top);
-      return solve(T, branch.y_bottom, branch.y_top, std::max(branch.y_bottom, 0.5 * branch.y_top));
-    }
-    return {EquilibriumStatus::no_equilibrium};
+Equilibrium LoadedContact<Model>::follow(double T) const {
+  if (simple_top_) {
+    // tau^2 is at most small_shear T^2, which makes this start a lower bound, close to the root. R rises with y
+    // above the centre, so R <= 0 there shows that the root above is the only one.
+    const double centre = 3 * pi<double>(), room = S0_ * S0_ - Model::small_shear(p_) * T * T;
+    const bool certain = room >= 0;
+    if (certain || circle_residual<Model, double>(p_, P_, centre, T).value <= 0)
+      return solve(T, centre, y_jkr_, certain ? centre + std::sqrt(room) : 0.5 * (centre + y_jkr_));
   }
+  first_branch();
+  if (T > branches_.back().T_bottom && !all_branches_) find_branches(kAll);
+  for (const StableBranch& branch : branches_) {
+    if (T > branch.T_bottom) continue;
+    if (T < branch.T_top) return solve(branch.T_top, branch.y_bottom, branch.y_top, branch.y_top);
+    return solve(T, branch.y_bottom, branch.y_top, std::max(branch.y_bottom, 0.5 * branch.y_top));
+  }
+  return {EquilibriumStatus::no_equilibrium};
 }
 
 template <class Model>
 const StableBranch& LoadedContact<Model>::first_branch() const {
   if (branches_.empty()) find_branches(1);  // finds one
-  return branches_.front();  // cppcheck-suppress containerOutOfBounds
+  return branches_.front();                 // cppcheck-suppress containerOutOfBounds
 }
 
 template <class Model>
@@ -134,5 +113,12 @@ void LoadedContact<Model>::find_branches(std::size_t folds) const {
       piece.end == CurveEnd::hertz ? tangential_load<Model>(p_, 0.0, std::sqrt(6 * pi<double>() * P_)) : kInfinity;
   branches_.push_back({branch.y_top, branch.T_top, piece.y_end, end, false});
 }
+
+namespace {
+[[gnu::used]] const auto equilibrium_instances = each_model([](auto model) {
+  using Contact = LoadedContact<decltype(model)>;
+  return std::tuple(&contact_obstacle<decltype(model)>, &Contact::follow, &Contact::branches, &Contact::first_branch);
+});
+}  // namespace
 
 }  // namespace mixity

@@ -1,21 +1,14 @@
-// Two forms of the equilibrium under load control that make its folds cheap to find. Included by fold_search_impl.h
-// only.
-#pragma once
-
+// Two forms of the equilibrium under load control that make its folds cheap to find.
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <tuple>
 
-namespace mixity::folds_detail {
+#include "mechanics/fold_search.h"
+#include "mechanics/roots.h"
 
-/// v = y - 3 pi and T of a fold under load control.
-struct LoadFold {
-  double v, T;
-};
+namespace mixity {
 
-/// Newton's method on R = R_y = 0 in v and T, of which R's derivatives in T follow from its homogeneity. Null if it
-/// leaves y > 0 (the curve may reach Hertz without a fold) or does not settle.
 template <class Model>
 std::optional<LoadFold> newton_fold(const Parameters<Model>& p, double P, double v, double T) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -35,6 +28,8 @@ std::optional<LoadFold> newton_fold(const Parameters<Model>& p, double P, double
   }
   return std::nullopt;
 }
+
+namespace load_folds_detail {
 
 /// The upper half of the curve, y > -2 P, by x = ln tan psi. tau^2 = y^2 (g - 1), where g depends on psi alone, makes
 /// the circle a quadratic in y, g y^2 = 6 pi (y + P), of which this is the larger root: a place costs one evaluation of
@@ -122,4 +117,29 @@ class CurveByAngle {
   double P_, S0_;
 };
 
-}  // namespace mixity::folds_detail
+}  // namespace load_folds_detail
+
+template <class Model>
+bool folds_by_angle(const EquilibriumCurve<Model>& curve, FoundFolds& found) {
+  using CurveByAngle = load_folds_detail::CurveByAngle<Model>;
+  const CurveByAngle by_angle(curve);
+  double x_last = std::numeric_limits<double>::quiet_NaN();
+  typename CurveByAngle::Place last{};
+  const auto at = [&](double x) -> const auto& {
+    if (x != x_last) last = by_angle.at(x_last = x);
+    return last;
+  };
+  const double from = by_angle.first();
+  if (!(at(from).slope > 0)) return false;
+  for_sign_changes([&](double x) { return at(x).slope; }, from, CurveByAngle::kLast, kShallow,
+                   [&](double x) { return CurveByAngle::step(x, at(x)); },
+                   [&](double x, bool maximum) { return found.add(by_angle.fold(curve, x, maximum)); });
+  return true;
+}
+
+namespace {
+[[gnu::used]] const auto load_instances =
+    each_model([](auto model) { return std::tuple(&newton_fold<decltype(model)>, &folds_by_angle<decltype(model)>); });
+}  // namespace
+
+}  // namespace mixity

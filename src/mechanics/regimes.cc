@@ -1,7 +1,8 @@
-// Definitions of regimes.h. Included by it only.
-#pragma once
+#include "mechanics/regimes.h"
 
 #include <algorithm>
+
+#include "mechanics/roots.h"
 
 namespace mixity {
 
@@ -23,12 +24,12 @@ RegimeReport classify(const Parameters<Model>& p, double P, std::optional<double
   const auto excess = [&](double T) { return T - *tau0 * area(T); };
   const double high = std::min({branch.T_bottom, *tau0 * area(0), kLargestLoad});
   if (!(excess(high) >= 0)) return report;
-  report.T_strength = folds_detail::root_between(excess, 0.0, high);
+  report.T_strength = root_between(excess, 0.0, high);
   report.regime = Regime::strength;
   return report;
 }
 
-inline CuspPoint model_a_jump_boundary(double P) {
+CuspPoint model_a_jump_boundary(double P) {
   constexpr double kLargestX = 0.5;
   if (P <= model_a_cusp(kLargestX).P) {
     const double lambda = model_a_closing_lambda(P);
@@ -36,9 +37,13 @@ inline CuspPoint model_a_jump_boundary(double P) {
   }
   // P is about 9 pi/(32 X) for small X
   const auto excess = [&](double X) { return model_a_cusp(X).P - P; };
-  CuspPoint cusp = model_a_cusp(folds_detail::root_between(excess, 0.25 / (1 + std::max(P, 0.0)), kLargestX));
+  CuspPoint cusp = model_a_cusp(root_between(excess, 0.25 / (1 + std::max(P, 0.0)), kLargestX));
   cusp.P = P;
   return cusp;
 }
+
+namespace {
+[[gnu::used]] const auto regime_instances = each_model([](auto model) { return &classify<decltype(model)>; });
+}  // namespace
 
 }  // namespace mixity

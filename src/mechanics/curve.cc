@@ -1,0 +1,146 @@
+#include "mechanics/curve.h"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cstdint>
+#include <tuple>
+
+namespace mixity {
+namespace {
+
+}  // namespace
+
+template <class Model>
+bool asymptotic_edge_loads(const Parameters<Model>& p, double P, double& upper, double& lower) {
+  const double excess = shear_limit<Model>(p);
+  if (std::isinf(excess)) return false;
+  const double g = 1 + excess, centre = 3 * pi<double>();
+  const double square = 2 * centre * (above_pull_off(P) + P * excess);  // centre^2 + 2 centre P g, which would cancel
+  if (square < 0) return false;
+  upper = (centre + std::sqrt(square)) / g;
+  lower = -2 * centre * P / (centre + std::sqrt(square));  // the product of the roots is -6 pi P/g
+  return true;
+}
+
+template <class Model>
+double search_tangential_load(const Parameters<Model>& p, double y, double tau) {
+  const double w = Model::small_shear(p);
+  const bool regular = w > 0 && std::isfinite(w);
+  double T = tau / (regular ? std::sqrt(w) : 1.0);
+  if (tau < 1e-140 * y) return regular ? T : 0.0;  // tau^2 would underflow
+  // tau bends little as a function of T: Newton on it ends in a few steps, or in rounding.
+  double before = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 12; ++i) {
+    const ShearTerm<double> term = Model::shear_term(p, y, T);
+    const double root = std::sqrt(term.value), step = (tau - root) * T * root / (term.value - 0.5 * y * term.d1);
+    T += step;
+    if (!(T > 0 && T < kFar)) break;
+    if (std::abs(step) <= 4e-16 * T || (std::abs(step) <= 1e-13 * T && std::abs(step) >= 0.5 * before)) return T;
+    before = std::abs(step);
+  }
+  // Where it does not: a bracket of ln T.
+  const double target = std::log(tau);
+  const auto error = [&](double x) {
+    return std::max(0.5 * std::log(Model::shear_term(p, y, std::exp(x)).value) - target, -kFar);
+  };
+  const double low = std::log(std::numeric_limits<double>::denorm_min()), high = 345;  // e^345 = kFar
+  if (error(low) > 0) return 0;  // bk with a small eta: T lies below all doubles
+  if (!(error(high) >= 0)) return std::numeric_limits<double>::infinity();
+  std::uintmax_t evaluations = 200;
+  const auto ends =
+      boost::math::tools::toms748_solve(error, low, high, boost::math::tools::eps_tolerance<double>(40), evaluations);
+  T = std::exp(0.5 * (ends.first + ends.second));
+  // The last digits in T itself: ln T of a large T has lost some.
+  for (int i = 0; i < 2; ++i) {
+    const ShearTerm<double> term = Model::shear_term(p, y, T);
+    const double root = std::sqrt(term.value);
+    T += T * ((tau - root) * root / (term.value - 0.5 * y * term.d1));  // in this order for a denormal T
+  }
+  return std::isfinite(T) && T > 0 ? T : std::numeric_limits<double>::infinity();
+}
+
+template <class Model>
+std::vector<CurvePiece> curve_pieces(const Parameters<Model>& p, double P) {
+  const double centre = 3 * pi<double>(), S0 = circle_radius(P), y_jkr = centre + S0;
+  const double y_low = -2 * centre * P / y_jkr;
+  if (!(Model::shear_term(p, 1.0, 1.0).value > 0)) return {};
+  const double across = 2 * S0;
+  const CurveEnd natural = P > 0 ? CurveEnd::hertz : CurveEnd::unstable_jkr;
+  double upper = 0, lower = 0;
+  if (!asymptotic_edge_loads<Model>(p, P, upper, lower)) {
+    if (P > 0) return {{y_jkr, 0, y_jkr, 0, -y_low / across, natural, false}};
+    return {{y_jkr, y_low, across, 0, 0, natural, false}};
+  }
+  // Where an asymptote lies close to an end of the circle their difference follows from that of y^2 = 6 pi (y + P) and
+  // y^2 g = 6 pi (y + P).
+  const double excess = shear_limit<Model>(p);
+  const bool near_top = upper > 0.5 * y_jkr, near_low = lower < 2 * y_low;
+  const double width = near_top ? excess * upper * upper / (S0 + upper - centre) : y_jkr - upper;
+  const CurvePiece first{y_jkr, upper, width, 0, (upper - y_low) / across, CurveEnd::asymptote, false};
+  if (P >= 0) return {first};
+  const double rest = near_low ? excess * lower * lower / (S0 + centre - lower) : lower - y_low;
+  return {first, {lower, y_low, rest, (y_jkr - lower) / across, 0, CurveEnd::unstable_jkr, true}};
+}
+
+template <class Model>
+CurvePoint EquilibriumCurve<Model>::point(double phi) const {
+  const double half = std::sin(0.5 * phi), other = phi < pi<double>() ? std::cos(0.5 * phi) : 0.0;
+  // y from the nearer end of the circle: y_jkr - y = 2 S0 sin^2(phi/2), y - y_low = 2 S0 cos^2(phi/2)
+  const double y = std::max(phi < 2 ? y_jkr_ - 2 * S0_ * half * half : y_low_ + 2 * S0_ * other * other, 0.0);
+  const double tau = 2 * S0_ * half * other;
+  // Where phi cannot tell the place from the asymptote, kFar stands for the infinite T.
+  const double T = uncoupled() ? 0 : std::min(mixity::tangential_load<Model>(p_, y, tau), kFar);
+  const double a = radius_from_edge_load(y, P_), sum = y + P_, square = y * y + T * T;
+
+  CurvePoint q{};
+  q.phi = phi;
+  q.y = y;
+  q.T = T;
+  q.a = a;
+  q.A = area_from_radius(a);
+  q.u = 0.75 * T / a;
+  q.psi = phase_angle(mixity_from_loads(y, T));
+  q.f = T > 0 ? square / (6 * pi<double>() * sum) : 1.0;
+
+  if (!(a > 0) ||
+      square == 0) {  // the contact has vanished (P = 0, phi = pi): T and u are 0, and no derivative is finite
+    q.u = q.dT = q.du = 0;
+    q.psi = 0.5 * pi<double>();
+    return q;
+  }
+  q.dy = -tau;
+  q.da = q.dy / (4 * a * a);
+  q.dA = 2 * pi<double>() * a * q.da;
+  if (uncoupled()) return q;
+  const double offset = S0_ < y ? S0_ * std::cos(phi) : y - 3 * pi<double>();
+  if (T > 1e-140 * y) {
+    // From tau^2(y, T) = tau^2: tau^2_T T' = 2 tau tau' - tau^2_y y', with tau' = y - 3 pi and T tau^2_T = 2 tau^2 -
+    // y tau^2_y, so T'/T = tau (2 (y - 3 pi) + tau^2_y)/(2 tau^2 - y tau^2_y).
+    const ShearTerm<double> term = Model::shear_term(p_, y, T);
+    const double rate = tau * (2 * offset + term.d1) / (2 * term.value - y * term.d1);
+    const double growth = std::isfinite(rate) ? rate : std::copysign(kFar, offset + 0.5 * term.d1);
+    q.dT = std::clamp(T * growth, -kLargest, kLargest);
+    q.du = std::clamp(0.75 * T * (growth - q.da / a) / a, -kLargest, kLargest);
+    q.dpsi = T / square * (y * growth - q.dy);
+    q.df = q.f * (2 * (y * q.dy + T * T * growth) / square - q.dy / sum);
+  } else {
+    // What is left of that at T = 0: sqrt(small_shear) T' = tau'. bk with eta = 1, r = 2 has an infinite slope there.
+    const double w = Model::small_shear(p_);
+    q.dT = w > 0 ? offset / std::sqrt(w) : std::copysign(kLargest, offset);
+    q.du = std::clamp(0.75 * q.dT / a, -kLargest, kLargest);
+    q.dpsi = std::clamp(q.dT / y, -kLargest, kLargest);
+    q.df = 0;
+  }
+  for (double* value : {&q.f, &q.dpsi, &q.df, &q.da, &q.dA}) *value = std::clamp(*value, -kLargest, kLargest);
+  return q;
+}
+
+namespace {
+[[gnu::used]] const auto curve_instances = each_model([](auto model) {
+  using Model = decltype(model);
+  return std::tuple(&asymptotic_edge_loads<Model>, &search_tangential_load<Model>, &curve_pieces<Model>,
+                    &EquilibriumCurve<Model>::point);
+});
+}  // namespace
+
+}  // namespace mixity

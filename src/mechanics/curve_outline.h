@@ -1,0 +1,190 @@
+// A coarse outline of an equilibrium curve in the plane of T and A, for the price of a few square and cube roots a
+// node. Along a ray T = t y the circle reads g(t) y^2 = 6 pi (y + P) with g = 1 + tau^2(1, t) whatever the load, so
+// that a table of g serves all loads, and each node lies on the curve without a search.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "mechanics/nearest_lanes.h"
+
+namespace mixity {
+
+/// A place in the plane of T and A.
+struct PlanePlace {
+  double T, A;
+};
+
+template <class Model>
+class RayTable {
+ public:
+  explicit RayTable(const nearest_detail::Law<Model>& law) : law_(law) {
+    const double start = kFirst * (law.bounded ? std::min(1.0, std::sqrt(law.excess)) : 1.0);
+    double t = 1;
+    while (slope(t) > start && t > 1e-140) t /= 4;
+    while (slope(4 * t) < start && t < 1e140) t *= 4;
+    const double most = law.bounded ? std::min(kSteepest, 0.9999 * std::sqrt(law.excess)) : kSteepest;
+    double ratio = 1.25;
+    for (double q = slope(t); nodes_.size() < kMost; q = slope(t)) {
+      nodes_.push_back({t, q});
+      if (!(q < most) || t > 1e140) break;
+      // neither tau/y nor T grows by too much from node to node
+      while (ratio > 1.01 && slope(t * ratio) > 1.3 * q) ratio = 1 + 0.5 * (ratio - 1);
+      t *= ratio;
+      ratio = std::min(1 + 1.5 * (ratio - 1), 2.0);
+    }
+    if (law.bounded)
+      for (; t < 1e12; t *= 4) nodes_.push_back({t, slope(t)});
+    while (first_ + 2 < static_cast<int>(nodes_.size()) && nodes_[static_cast<std::size_t>(first_)].q < 200 * start)
+      ++first_;
+  }
+
+  /// The curve of a load that starts from JKR and ends at `end`, as nodes 0 to last(), both ends among them.
+  void set_load(double P, PlanePlace end) {
+    P_ = P;
+    end_ = end;
+    const double bounded = above_pull_off(P) + P * law_.excess;
+    asymptote_ = law_.bounded && bounded >= 0;
+    along_rays_ = P >= 0 || asymptote_;
+    last_ = along_rays_ ? static_cast<int>(nodes_.size()) - first_ + (asymptote_ ? 0 : 1) : kArcs;
+    places_.clear();
+    for (int i = 0; i <= last_; ++i) places_.push_back(node(i));
+  }
+  const std::vector<PlanePlace>& places() const { return places_; }
+
+  /// The place between nodes: on the curve to rounding. 0 <= u <= last().
+  PlanePlace at(double u) const {
+    const int i = std::min(static_cast<int>(u), last_ - 1);
+    const double share = u - i;
+    if (!along_rays_) {
+      const double phi = pi<double>() * u / kArcs, y = centre() + circle_radius(P_) * std::cos(phi);
+      const double tau = circle_radius(P_) * std::sin(phi);
+      return place(tangential_load<Model>(law_.p, y, tau), y);
+    }
+    if (share == 0 && i == 0) return node(0);
+    if (share == 1 && i + 1 == last_) return node(last_);
+    double t;
+    if (i == 0)
+      t = ray_of(1) * std::exp(1 - 1 / share);  // from T = 0
+    else if (i + 1 == last_ && !asymptote_)
+      t = ray_of(i) * std::exp(1 / (1 - share) - 1);  // to T/y infinite
+    else
+      t = ray_of(i) * std::pow(ray_of(i + 1) / ray_of(i), share);
+    return on_ray({t, slope(t)}, true);
+  }
+  int last() const { return last_; }
+
+ private:
+  struct Node {
+    double t, q;  // T/y and tau/y
+  };
+  double centre() const { return 3 * pi<double>(); }
+  double ray_of(int i) const { return nodes_[static_cast<std::size_t>(first_ + i - 1)].t; }
+
+  PlanePlace node(int i) const {
+    if (i == 0) return {0, area_from_radius(jkr_radius(P_))};
+    if (along_rays_) {
+      if (i == last_ && !asymptote_) return P_ > 0 ? end_ : PlanePlace{0, 0};
+      return on_ray(nodes_[static_cast<std::size_t>(first_ + i - 1)], true);
+    }
+    const double S0 = circle_radius(P_);
+    if (i == kArcs) return place(0, -2 * centre() * P_ / (centre() + S0));
+    const double phi = pi<double>() * i / kArcs, y = centre() + S0 * std::cos(phi);
+    const double tau = S0 * std::sin(phi);
+    if constexpr (requires { Model::tangential_load(law_.p, y, tau); })
+      return place(Model::tangential_load(law_.p, y, tau), y);
+    const double t = ray(tau / y);
+    return on_ray({t, slope(t)}, 2 * i <= kArcs);
+  }
+
+  PlanePlace place(double T, double y) const { return {T, area_from_radius(radius_from_edge_load(y, P_))}; }
+
+  static constexpr double kFirst = 1e-4, kSteepest = 300;  // of tau/y
+  static constexpr std::size_t kMost = 400;
+
+  double slope(double t) const { return std::sqrt(std::max(Model::shear_term(law_.p, 1.0, t).value, 0.0)); }
+
+  /// T/y where tau/y = q, by interpolation of the logarithms.
+  double ray(double q) const {
+    auto above = std::lower_bound(nodes_.begin(), nodes_.end(), q, [](const Node& n, double x) { return n.q < x; });
+    if (above == nodes_.begin()) ++above;
+    if (above == nodes_.end()) --above;
+    const Node &a = above[-1], &b = above[0];
+    if (q < a.q && law_.small > 0 && std::isfinite(law_.small)) return q / std::sqrt(law_.small);
+    return a.t * std::pow(b.t / a.t, std::log(q / a.q) / std::log(b.q / a.q));
+  }
+
+  PlanePlace on_ray(const Node& node, bool upper) const {
+    const double g = 1 + node.q * node.q, square = 2 * centre() * (above_pull_off(P_) + P_ * node.q * node.q);
+    const double root = std::sqrt(std::max(square, 0.0));
+    const double y = upper ? (centre() + root) / g : -2 * centre() * P_ / (centre() + root);
+    const double a = cube_root(std::max(0.75 * y * y * g / (2 * centre()), 1e-140));
+    return {node.t * y, pi<double>() * a * a};
+  }
+
+  static constexpr int kArcs = 32;
+  nearest_detail::Law<Model> law_;
+  std::vector<Node> nodes_;
+  int first_ = 0;  // of the nodes, where tau/y begins to count at loads that are not close to pull-off
+  double P_ = 0;
+  PlanePlace end_{};
+  bool asymptote_ = false, along_rays_ = true;
+  int last_ = 0;
+  std::vector<PlanePlace> places_;
+};
+
+/// A segment of an outline that is nearer to a point than its neighbours, and its place nearest to it.
+struct Approach {
+  double distance;
+  PlanePlace place;
+  int segment;
+};
+
+/// The nearest `most` of those, in ascending order.
+inline void approaches(const std::vector<PlanePlace>& places, PlanePlace point, double per_T, double per_A,
+                       std::size_t most, std::vector<Approach>& found) {
+  found.clear();
+  Approach before{std::numeric_limits<double>::infinity(), {}, 0};
+  bool nearing = true;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const double x = (places[i].T - point.T) * per_T, z = (places[i].A - point.A) * per_A;
+    const double dx = (places[i + 1].T - places[i].T) * per_T, dz = (places[i + 1].A - places[i].A) * per_A;
+    const double square = dx * dx + dz * dz;
+    const double share = square > 0 ? std::clamp(-(x * dx + z * dz) / square, 0.0, 1.0) : 0.5;
+    const Approach here{
+        std::hypot(x + share * dx, z + share * dz),
+        {places[i].T + share * (places[i + 1].T - places[i].T), places[i].A + share * (places[i + 1].A - places[i].A)},
+        static_cast<int>(i)};
+    if (here.distance > before.distance && nearing) found.push_back(before);
+    nearing = here.distance <= before.distance;
+    before = here;
+  }
+  if (nearing) found.push_back(before);
+  std::sort(found.begin(), found.end(), [](const Approach& a, const Approach& b) { return a.distance < b.distance; });
+  if (found.size() > most) found.resize(most);
+}
+
+/// The least of distance(u), low < u < high, to the root of a rounding: golden section.
+template <class Distance>
+double golden_section(double low, double high, const Distance& distance) {
+  const double golden = 0.5 * (std::sqrt(5.0) - 1);
+  double one = high - golden * (high - low), other = low + golden * (high - low);
+  double at_one = distance(one), at_other = distance(other);
+  for (int i = 0; i < 50; ++i) {
+    if (at_one < at_other) {
+      high = other;
+      other = one;
+      at_other = at_one;
+      at_one = distance(one = high - golden * (high - low));
+    } else {
+      low = one;
+      one = other;
+      at_one = at_other;
+      at_other = distance(other = low + golden * (high - low));
+    }
+  }
+  return at_one < at_other ? one : other;
+}
+
+}  // namespace mixity

@@ -1,0 +1,92 @@
+#include "mechanics/fold_search.h"
+
+#include <limits>
+#include <tuple>
+
+#include "mechanics/roots.h"
+
+namespace mixity {
+namespace {
+
+constexpr double kStep = 0.25;  // of the logistic coordinate
+
+template <class Model>
+FoldPlace place_at_offset(const EquilibriumCurve<Model>& curve, double offset) {
+  const CurvePosition at = curve.position_at_offset(offset);
+  return {0, curve.coordinate(curve.pieces()[0], at), at, curve.tangential_load(at), true};
+}
+
+template <class Model>
+FoldPlace place_at_coordinate(const EquilibriumCurve<Model>& curve, std::size_t piece, double v, bool maximum) {
+  const CurvePosition at = curve.position(curve.pieces()[piece], v);
+  return {piece, v, at, curve.tangential_load(at), maximum};
+}
+
+/// The fold under load control of a model with one at most. R is convex in y and grows with T: the y with R <= 0 are an
+/// interval that shrinks as T rises, and folds where its ends meet. A second piece is the lower end alone.
+template <class Model>
+std::optional<FoldPlace> only_fold(const EquilibriumCurve<Model>& curve) {
+  if constexpr (!requires { Model::tangential_load(curve.parameters(), 1.0, 1.0); }) {
+    // T of each place costs a search of its own
+    const double T = circle_radius(curve.load()) / std::sqrt(Model::small_shear(curve.parameters()));
+    if (const auto fold = newton_fold<Model>(curve.parameters(), curve.load(), 0, T))
+      return place_at_offset(curve, fold->v);
+  }
+  const Driven<Model> driven{curve, {Control::Kind::load}};
+  const CurvePiece& piece = curve.pieces().front();
+  const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
+  if (slope(kLastCoordinate) > 0) return std::nullopt;
+  // R_y > 0 above the centre if tau grows with y: no fold there
+  const bool simple_top = Model::tau_grows_with_edge_load(curve.parameters()) && piece.y_end < 3 * pi<double>();
+  double low = simple_top ? std::max(curve.coordinate(piece, curve.position_at_offset(0)) - kStep, kFirstCoordinate)
+                          : kFirstCoordinate;
+  double high = low;
+  for (double step = kStep; high < kLastCoordinate && slope(high) > 0; step *= 2) {
+    low = high;
+    high = std::min(high + step, kLastCoordinate);
+  }
+  if (!(low < high)) return std::nullopt;
+  const double v = root_between(slope, low, high);
+  return place_at_coordinate(curve, 0, v, true);
+}
+
+}  // namespace
+
+template <class Model>
+void folds_by_position(const EquilibriumCurve<Model>& curve, Control control, FoundFolds& found) {
+  const Driven<Model> driven{curve, control};
+  bool more = true;
+  for (std::size_t i = 0; more && i < curve.pieces().size(); ++i) {
+    const CurvePiece& piece = curve.pieces()[i];
+    const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
+    for_sign_changes(
+        slope, kFirstCoordinate, kLastCoordinate, kShallow, [](double) { return kStep; },
+        [&](double v, bool maximum) { return more = found.add(place_at_coordinate(curve, i, v, maximum)); });
+  }
+}
+
+template <class Model>
+std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Control control, std::size_t at_most) {
+  if (curve.uncoupled()) return {};
+  const bool load = control.kind == Control::Kind::load;
+  if constexpr (requires { Model::fold_offset(curve.parameters(), 0.0, true); }) {
+    if (control.kind != Control::Kind::stiffness)
+      return {place_at_offset(curve, Model::fold_offset(curve.parameters(), curve.load(), !load))};
+  }
+  FoundFolds found{at_most};
+  if constexpr (requires { Model::one_fold_at_most(curve.parameters()); }) {
+    if (load && Model::one_fold_at_most(curve.parameters())) {
+      if (const auto fold = only_fold(curve)) found.add(*fold);
+      return found.places;
+    }
+  }
+  if (!load || !folds_by_angle(curve, found)) folds_by_position(curve, control, found);
+  return found.places;
+}
+
+namespace {
+[[gnu::used]] const auto search_instances = each_model(
+    [](auto model) { return std::tuple(&locate_folds<decltype(model)>, &folds_by_position<decltype(model)>); });
+}  // namespace
+
+}  // namespace mixity

@@ -1,0 +1,85 @@
+// Where the folds are: what locate_folds chooses from. For folds.h and its tests.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "mechanics/folds.h"
+
+namespace mixity {
+
+// Logistic coordinates between which folds are looked for: e^-42 = 6e-19 of the piece.
+inline constexpr double kFirstCoordinate = -20, kLastCoordinate = 42;
+
+/// A pair of folds shallower than this cannot be told from none: the contact does not jump by more than rounding.
+inline constexpr double kShallow = 2e-15;
+
+/// State of the curve at a position, and what drives it.
+template <class Model>
+struct Driven {
+  const EquilibriumCurve<Model>& curve;
+  Control control;
+
+  double radius(const CurvePosition& at) const { return radius_from_edge_load(at.y, curve.load()); }
+
+  /// Share of u in what drives the contact, w u + (1 - w) T: 0 load, 1 displacement, k/(1 + k) a spring. The rest,
+  /// 1 - w, is kept beside it for the sake of a stiff spring.
+  double share() const {
+    if (control.kind == Control::Kind::stiffness) return control.stiffness / (1 + control.stiffness);
+    return control.kind == Control::Kind::displacement ? 1 : 0;
+  }
+  double rest() const { return control.kind == Control::Kind::stiffness ? 1 / (1 + control.stiffness) : 1 - share(); }
+
+  /// w u + (1 - w) T, up to kFar.
+  double value(const CurvePosition& at) const {
+    const double T = std::min(curve.tangential_load(at), kFar);
+    return share() * std::min(0.75 * T / radius(at), kFar) + rest() * T;
+  }
+
+  /// > 0 where the value grows as y falls (stable), 0 at a fold. Relative to the size of its terms, so that what is
+  /// within a few eps of 0 is 0 as far as doubles can tell.
+  double slope(const CurvePosition& at) const {
+    // At the last digits before an asymptote T comes out infinite; tau^2 there is that of any large T.
+    const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), kFar);
+    const double d1 = Model::shear_term(curve.parameters(), at.y, T).d1;
+    const double twice = 2 * curve.offset(at), R_y = twice + d1, size = std::abs(twice) + std::abs(d1);
+    const double load = (3 * share() + 4 * radius(at) * rest()) * (at.y + curve.load());
+    const double all = size * load + share() * (2 * tau2 + std::abs(at.y * d1));
+    return all > 0 ? (R_y * load + share() * (2 * tau2 - at.y * d1)) / all : 0;
+  }
+};
+
+/// The folds of a curve as a search meets them: the first ones, at most so many, without those at the largest load,
+/// beyond which nothing is known but rounding.
+struct FoundFolds {
+  std::size_t at_most;
+  std::vector<FoldPlace> places{};
+
+  /// Whether to go on.
+  bool add(const FoldPlace& place) {
+    if (place.T < 0.1 * kFar) places.push_back(place);
+    return places.size() < at_most;
+  }
+};
+
+/// Searches under any control, along each piece of the curve; T of each place costs a search of its own.
+template <class Model>
+void folds_by_position(const EquilibriumCurve<Model>& curve, Control control, FoundFolds& found);
+
+/// The same under load control along the phase angle, from which y and T follow in closed form. False, without any, if
+/// the first fold lies at less shear than doubles resolve.
+template <class Model>
+bool folds_by_angle(const EquilibriumCurve<Model>& curve, FoundFolds& found);
+
+/// v = y - 3 pi and T of a fold under load control.
+struct LoadFold {
+  double v, T;
+};
+
+/// Newton's method on R = R_y = 0 in v and T, of which R's derivatives in T follow from its homogeneity. Null if it
+/// leaves y > 0 (the curve may reach Hertz without a fold) or does not settle.
+template <class Model>
+std::optional<LoadFold> newton_fold(const Parameters<Model>& p, double P, double v, double T);
+
+}  // namespace mixity

@@ -1,0 +1,308 @@
+// The nearest place of an equilibrium curve by Newton's method, many points at once: the loops of curve_distance.cc.
+// A lane is one point; loops have a constant length, so that a point gets the same bits whatever its neighbours.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/contact.h"
+#include "mechanics/cube_root.h"
+#include "mechanics/curve.h"
+#include "mechanics/lanes.h"
+#include "mechanics/shear_bend.h"
+#include "mechanics/vector_math.h"
+
+namespace mixity::nearest_detail {
+
+constexpr std::size_t kLanes = 16;
+constexpr double kPerPi = 0.3183098861837907;
+using Lane = std::array<double, kLanes>;
+
+struct Block {
+  Lane P, T_point, A_point, sigma_T, sigma_A;  // measured
+  Lane per_T, per_A;                           // 1/sigma_T, 1/sigma_A
+  Lane T, A;                                   // the place on the curve
+  Lane T_end, A_end;                           // where the curve ends: Hertz, or an asymptote (T_end infinite)
+  Lane settled, at_end;                        // 1 or 0
+};
+
+template <class Model>
+struct Result {
+  Lane r, dP, dT, dA, distance, sure;
+  Lane stationary;  // 1 where the way from the point is along the normal
+  std::array<Lane, parameter_count<Model>> parameters;
+};
+
+/// What a model's curves have in common whatever the load.
+template <class Model>
+struct Law {
+  Parameters<Model> p;
+  bool level;    // shear does not act on the area: A = A_JKR for every T
+  double small;  // tau^2/T^2 at T -> 0
+  double hertz;  // tau^2/T^2 at y = 0
+  bool bounded;  // T -> infinity at an edge load > 0, where tau^2/y^2 has reached `excess`
+  double excess;
+  ShearBend bend;
+  ShearReach reach;
+
+  explicit Law(const Parameters<Model>& parameters)
+      : p(parameters),
+        level(!(Model::shear_term(p, 1.0, 1.0).value > 0)),
+        small(Model::small_shear(p)),
+        hertz(Model::shear_term(p, 0.0, 1.0).value),
+        bounded(std::isfinite(shear_limit<Model>(p))),
+        excess(bounded ? shear_limit<Model>(p) : 0.0),
+        bend(shear_bend<Model>(p)),
+        reach(shear_reach<Model>(p)) {}
+};
+
+/// Equilibrium at (T, A) and its derivatives, in the plane of T/sigma_T and A/sigma_A.
+struct Local {
+  double a, y, y_A, y_AA;                // radius, edge load, dy/dA, d2y/dA2
+  double F, size, per_size;              // F, |grad F| and 1/|grad F|
+  double n_T, n_A, along, slope;         // unit normal; the way from the point along it and along the tangent
+  double F_y, TT, TA, AA;                // second derivatives in the plane
+  double x, z;                           // the way from the point
+  double F_T, value, d1, d2, inverse_T;  // in T, and tau^2
+};
+
+template <class Model>
+MIXITY_LOOP Local local_form(const Law<Model> law, const Block& b, std::size_t i) {
+  const double centre = 3 * pi<double>(), P = b.P[i], T = b.T[i], A = b.A[i];
+  Local q;
+  q.a = std::sqrt(A * kPerPi);
+  const double y = (4 / (3 * pi<double>())) * A * q.a - P;
+  q.y = y > 1e-100 ? y : 1e-100;
+  const ShearTerm<double> tau2 = Model::shear_term(law.p, q.y, T);
+  const bool flat = !(T > 1e-130 * q.y);  // T^2 counts for nothing
+  q.value = flat ? 0.0 : tau2.value;
+  q.d1 = flat ? 0.0 : tau2.d1;
+  q.d2 = flat ? 0.0 : tau2.d2;
+  q.inverse_T = 1 / (flat ? q.y : T);
+  const bool upper = q.y > 4;  // which form does not cancel, as in circle_residual
+  const double v = q.y - centre, square = 2 * centre * above_pull_off(P);
+  const double squared = v * v, expanded = q.y * (q.y - 2 * centre), rest = 2 * centre * P;
+  q.F = ((upper ? squared : expanded) + (upper ? -square : 0.0) + q.value) - (upper ? 0.0 : rest);
+  q.y_A = (2 / pi<double>()) * q.a;
+  q.y_AA = kPerPi * kPerPi / q.a;
+  q.F_y = 2 * v + q.d1;
+  q.F_T = (2 * q.value - q.y * q.d1) * q.inverse_T;  // tau^2 is homogeneous of degree 2
+  const double F_yT = (q.d1 - q.y * q.d2) * q.inverse_T;
+  const double F_TT_sheared = (2 * (q.value - q.y * q.d1) + q.y * q.y * q.d2) * q.inverse_T * q.inverse_T;
+  const double small = 2 * law.small, F_TT = flat ? small : F_TT_sheared;
+  const double sT = b.sigma_T[i], sA = b.sigma_A[i];
+  q.TT = F_TT * sT * sT;
+  q.TA = F_yT * q.y_A * sT * sA;
+  q.AA = ((2 + q.d2) * q.y_A * q.y_A + q.F_y * q.y_AA) * sA * sA;
+  const double g_T = q.F_T * sT, g_A = q.F_y * q.y_A * sA;
+  q.size = std::sqrt(g_T * g_T + g_A * g_A);
+  q.per_size = 1 / q.size;
+  q.n_T = g_T * q.per_size;
+  q.n_A = g_A * q.per_size;
+  q.x = (T - b.T_point[i]) * b.per_T[i];
+  q.z = (A - b.A_point[i]) * b.per_A[i];
+  q.along = q.x * q.n_T + q.z * q.n_A;
+  q.slope = q.x * q.n_A - q.z * q.n_T;
+  return q;
+}
+
+/// pi (3/4 load)^(2/3)
+MIXITY_LOOP double area_of_load(double load) {
+  const double a = cube_root(0.75 * (load > 1e-100 ? load : 1e-100));
+  return pi<double>() * a * a;
+}
+
+/// Where the curve of a load ends if not at T = 0: at Hertz, or an asymptote (T infinite). A = 0 where it does not.
+struct CurveBounds {
+  double y, T, A;
+};
+
+template <class Model>
+MIXITY_LOOP CurveBounds curve_bounds(const Law<Model> law, double P) {
+  const double centre = 3 * pi<double>(), infinite = std::numeric_limits<double>::infinity();
+  const double square = 2 * centre * (above_pull_off(P) + P * law.excess);
+  const bool asymptote = law.bounded & (square >= 0), hertz = !asymptote & (P > 0);
+  const double upper = (centre + std::sqrt(square >= 0 ? square : 0.0)) / (1 + law.excess);
+  const double y = asymptote ? upper : 0.0, A = area_of_load(y + P), ratio = 2 * centre * P / law.hertz;
+  const double T = std::sqrt(ratio > 0 ? ratio : 0.0);
+  return {y, hertz ? T : infinite, asymptote | hertz ? A : 0.0};
+}
+
+enum class Begin {
+  at_the_point,  // at a place of the curve found for it
+  nearby,        // at the places that the block holds
+  anywhere       // there, too, with as many steps as it takes; the curves' ends are known
+};
+
+/// Where the curve ends, and the nearest of four places on the circle at or beside the point: at its T, at its A, in
+/// its direction from the centre (which is exact on the curve and regular at the fold), and the end. T from tau as if
+/// in proportion, which is exact for c.
+template <Begin kBegin, class Model>
+MIXITY_LOOP void start(const Law<Model> law, Block& b) {
+  const double centre = 3 * pi<double>();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const double P = b.P[i], square = 2 * centre * above_pull_off(P), S0 = std::sqrt(square);
+    const CurveBounds end = curve_bounds(law, P);
+    const double y_end = end.y;
+    const bool hertz = end.T < infinite;
+    b.T_end[i] = end.T;
+    b.A_end[i] = end.A;
+    b.settled[i] = law.level ? 1.0 : 0.0;
+    b.at_end[i] = 0;
+    if constexpr (kBegin == Begin::nearby) continue;
+    const double T = b.T_point[i], A = b.A_point[i], sT = b.sigma_T[i], sA = b.sigma_A[i];
+    const double y_measured = (4 / (3 * pi<double>())) * A * std::sqrt(A * kPerPi) - P;
+    const double least = y_end + 1e-3 * (centre + S0 - y_end), y = y_measured > least ? y_measured : least;
+    const double v = y - centre, tau2 = Model::shear_term(law.p, y, T).value;
+    const bool sheared = tau2 > 0;
+    const double tau = std::sqrt(sheared ? tau2 : 0.0), per_tau = sheared ? T / tau : 0.0;
+    double T_best = T, A_best = A, best = infinite;
+    const auto consider = [&](bool valid, double T_new, double A_new) {
+      const double x = (T_new - T) / sT, z = (A_new - A) / sA, distance = x * x + z * z;
+      const bool better = valid & (distance < best);
+      best = better ? distance : best;
+      T_best = better ? T_new : T_best;
+      A_best = better ? A_new : A_best;
+    };
+    const double room = square - tau2, width = square - v * v;
+    const double radius = std::sqrt(v * v + tau2), scale = S0 / radius, y_radial = centre + v * scale;
+    consider(!(room < 0), T, area_of_load(centre + std::sqrt(room > 0 ? room : 0.0) + P));
+    consider(!law.level & (radius > 0) & (y_radial > y_end), T * scale, area_of_load(y_radial + P));
+    consider((width >= 0) & sheared & (y_measured > least), per_tau * std::sqrt(width > 0 ? width : 0.0), A);
+    consider(hertz, b.T_end[i], b.A_end[i]);
+    b.T[i] = T_best;
+    b.A[i] = A_best;
+  }
+}
+
+/// One step of each lane that is not settled: Newton on F = 0 and on the slope of the distance along the curve, that is
+/// on the Lagrangian of the least distance. Its curvature is kept positive, for minima are sought.
+template <class Model>
+MIXITY_LOOP void step(const Law<Model> law, Block& b) {
+  constexpr double kLeastCurvature = 0.1, kDone = 1e-8;
+  Lane T, A, settled, at_end;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const Local q = local_form<Model>(law, b, i);
+    const double t_T = q.n_A, t_A = -q.n_T, normal = -q.F * q.per_size, multiplier = -q.along * q.per_size;
+    const double h_T = q.TT * t_T + q.TA * t_A, h_A = q.TA * t_T + q.AA * t_A;
+    const double curvature = 1 + multiplier * (t_T * h_T + t_A * h_A), cross = multiplier * (q.n_T * h_T + q.n_A * h_A);
+    const double along_curve =
+        -(q.slope + cross * normal) / (curvature > kLeastCurvature ? curvature : kLeastCurvature);
+    double dT = (normal * q.n_T + along_curve * t_T) * b.sigma_T[i];
+    double dA = (normal * q.n_A + along_curve * t_A) * b.sigma_A[i];
+    const double T_old = b.T[i], A_old = b.A[i], end = b.A_end[i];
+    // What such a step leaves is of the order of its square.
+    const bool small = (std::abs(dT) <= kDone * (T_old + 1e-2 * q.y)) & (std::abs(dA) <= kDone * A_old) &
+                       (std::abs(dA) * q.y_A <= kDone * (q.y + 1e-6 * A_old * q.a));
+    const double most_T = T_old + q.y + (std::abs(q.x) + 1) * b.sigma_T[i], most_A = 0.5 * A_old;
+    const double size_T = std::abs(dT) * most_A, size_A = std::abs(dA) * most_T, most = most_T * most_A;
+    const double larger = size_A > size_T ? size_A : size_T, share = most / (larger > most ? larger : most);
+    const double A_new = A_old + share * dA, T_new = std::abs(T_old + share * dT);
+    const bool has_hertz = b.T_end[i] < std::numeric_limits<double>::infinity(),
+               beyond = A_new < (has_hertz ? end : end * (1 - 1e-11));
+    const bool stays = has_hertz & beyond & (A_old == end) & (T_old == b.T_end[i]);
+    const double T_end = b.T_end[i], A_inside = 0.5 * (end + A_old), A_back = has_hertz ? end : A_inside;
+    T[i] = has_hertz & beyond ? T_end : T_new;
+    A[i] = beyond ? A_back : A_new;
+    settled[i] = (small & !beyond) | stays ? 1.0 : 0.0;
+    at_end[i] = stays ? 1.0 : 0.0;
+  }
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const bool moves = !(b.settled[i] > 0);  // a settled lane keeps its bits while its neighbours move
+    b.T[i] = moves ? T[i] : b.T[i];
+    b.A[i] = moves ? A[i] : b.A[i];
+    b.at_end[i] = moves ? at_end[i] : b.at_end[i];
+    b.settled[i] = moves ? settled[i] : b.settled[i];
+  }
+}
+
+template <class Model>
+MIXITY_LOOP void settle(const Law<Model> law, Block& b, int steps) {
+  for (int k = 0; k < steps; ++k) {
+    double left = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) left += 1 - b.settled[i];
+    if (left == 0) break;
+    step<Model>(law, b);
+  }
+}
+
+/// d ln f/d parameters at fixed y and T; for laws with lanes without branches.
+template <class Model>
+MIXITY_LOOP Parameters<Model> log_toughness_slope(const Parameters<Model>& p, double y, double T) {
+  if constexpr (Model::info.key == "b") {
+    // -psi tan(k psi), k = 1 - lambda/2; where k psi may come near pi/2 from sin and cos of psi - k psi as in shear_term.
+    // At lambda = 2 it vanishes exactly: by that a fit knows that the bound is its minimum.
+    const bool steep = T > y, small = p[0] > 1;
+    const double near = std::atan(steep ? y / T : T / y), psi = steep ? 0.5 * pi<double>() - near : near;
+    const double share = small ? 1 - 0.5 * p[0] : 0.5 * p[0], tangent = std::tan(share * psi);
+    return {-psi * (small ? tangent : (T - y * tangent) / (y + T * tangent))};
+  } else if constexpr (HasLanes<Model>) {
+    return {Model::lane(p[0], Model::lane_point(mixity_from_loads(y, T))).slope};
+  } else {
+    return Model::log_toughness(p, mixity_from_loads(y, T)).gradient;
+  }
+}
+
+/// r and its derivatives in P, T and A at the place, and whether no other place of the curve is nearer.
+///
+/// That proof: let Q be the place, d its distance, n its unit normal, and q another place that is no further. Then
+/// |q - Q|^2 <= 2 d n.(q - Q), because the point is Q + d n (up to sign; at an end the offset also points away from the
+/// curve, which only helps). F(q) = F(Q) = 0 makes |grad F| |n.(q - Q)| <= L |q - Q|^2/2 with L the norm of the second
+/// derivatives on the way, so that q = Q wherever d L < |grad F|. L follows from bounds of tau^2's second derivatives
+/// over all (y, T), or, where the circle of radius 2 d about Q is small in y and T, from their moduli at Q.
+template <bool kDerivatives, class Model>
+MIXITY_LOOP void measure(const Law<Model> law, const Block& b, Result<Model>& out) {
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const Local q = local_form<Model>(law, b, i);
+    const double distance = std::sqrt(q.x * q.x + q.z * q.z);
+    const bool end = b.at_end[i] > 0, settled = b.settled[i] > 0;
+    const double signed_distance = q.along < 0 ? -distance : distance;
+    // Along the normal a rounding of the place does not show; F/|grad F| is what it is off the curve.
+    const double normal = q.along - q.F * q.per_size;
+    // not so where Newton's steps come to nothing at a corner (bk with eta < 1)
+    const bool stationary = std::abs(q.slope) <= 1e-4 * distance + 1e-6;
+    out.stationary[i] = stationary ? 1.0 : 0.0;
+    out.r[i] = settled & !end & stationary ? normal : signed_distance;
+    out.distance[i] = distance;
+    const double F_A = q.F_y * q.y_A, F_P = -(2 * q.y + q.d1);
+    out.dP[i] = -F_P * q.per_size;
+    out.dT[i] = -q.F_T * q.per_size;
+    out.dA[i] = -F_A * q.per_size;
+    if constexpr (kDerivatives) {
+      const Parameters<Model> log_f = log_toughness_slope<Model>(law.p, q.y, b.T[i]);
+      const double held = q.y * q.y + q.value;
+      for (std::size_t k = 0; k < log_f.size(); ++k) out.parameters[k][i] = held * log_f[k] * q.per_size;
+    }
+
+    const double sT = b.sigma_T[i], sA = b.sigma_A[i], T = b.T[i], d = distance;
+    const double step_T = 2 * d * sT, step_A = 2 * d * sA, step_y = 1.2 * step_A * q.y_A;
+    const double m1 = std::abs(q.d1), m2 = std::abs(q.d2), W = q.inverse_T;
+    const bool flat = !(T > 1e-130 * q.y);
+    const double reach_T = T + law.reach.T_part * q.y, reach_y = q.y + law.reach.y_part * T;
+    const double part_T = step_T * reach_y, part_y = step_y * reach_T;
+    const double way = law.reach.narrow * (part_T > part_y ? part_T : part_y) / (reach_T * reach_y);
+    const bool near = way <= 0.25;
+    const double growth = (1 + 8 * way) * (1 + 8 * way);
+    const double TT_sheared = (2 * (q.value + q.y * m1) + q.y * q.y * m2) * W * W, small = 3 * law.small;
+    const double TT_here = flat ? small : TT_sheared;
+    const double yT_here = (m1 + q.y * m2) * W, yy_here = m2 + m1 / (q.y + T);
+    const auto least = [&](double here, double bound) {
+      const double grown = growth * here;
+      return near & (grown < bound) ? grown : bound;
+    };
+    const double TT = least(TT_here, law.bend.TT), yT = least(yT_here, law.bend.yT),
+                 yy = 2 + least(yy_here, law.bend.yy);
+    // A changes by a quarter at most, y_A by 1.12 and y_AA by 1.16 of itself.
+    const double slope = std::abs(q.F_y) + yy * step_y + yT * step_T;
+    const double AA = (1.26 * yy * q.y_A * q.y_A + 1.16 * slope * q.y_AA) * sA * sA;
+    const double TA = 1.12 * yT * q.y_A * sT * sA, TT_plane = TT * sT * sT;
+    const double norm = (TT_plane > AA ? TT_plane : AA) + TA;
+    const bool alone = (step_A <= 0.25 * b.A[i]) & ((end ? 2 : 1.05) * d * norm < q.size);
+    out.sure[i] = law.level | (settled & (end | stationary) & alone) ? 1.0 : 0.0;
+  }
+}
+
+}  // namespace mixity::nearest_detail

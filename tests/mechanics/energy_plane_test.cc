@@ -1,0 +1,101 @@
+// The law in the plane of the two energies: nearest points against a dense walk along it, derivatives against
+// differences.
+#include "mechanics/energy_plane.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mechanics/model_types.h"
+
+namespace mixity {
+namespace {
+
+template <class Model>
+std::vector<Parameters<Model>> cases() {
+  if constexpr (parameter_count<Model> == 2)
+    return {{1.774, 2.284}, {0.7, 1.5}, {1.9, 1.2}};
+  else
+    return {{0.0023}, {0.15}, {0.8}};
+}
+
+struct Point {
+  double G_I, G_II;
+};
+
+/// Of the printed law: G_c = f(psi), G_I = G_c cos^2 psi.
+template <class Model>
+Point on_law(const Parameters<Model>& p, double psi) {
+  const Mixity<double> mixity = mixity_from_angle(psi);
+  const double Gc = std::exp(Model::log_toughness(p, mixity).value);
+  return {Gc * mixity.cos * mixity.cos, Gc * mixity.sin * mixity.sin};
+}
+
+template <class Model>
+class EnergyPlane : public ::testing::Test {};
+TYPED_TEST_SUITE(EnergyPlane, ModelTypes);
+
+TYPED_TEST(EnergyPlane, NearestPointIsThatOfADenseWalkAlongTheLaw) {
+  const double sigma_I = 0.03, sigma_II = 0.05;
+  for (const Parameters<TypeParam>& p : cases<TypeParam>()) {
+    const EnergyLaw<TypeParam> law(p);
+    for (const double psi : {0.4, 0.6, 0.9, 1.2})
+      for (const double off : {-0.08, 0.0, 0.05}) {
+        const Point q = on_law<TypeParam>(p, psi);
+        const Point measured{q.G_I + off, q.G_II + 0.7 * off};
+        double least = 1e300;
+        for (int i = 0; i <= 200000; ++i) {
+          const Point at = on_law<TypeParam>(p, 1.4 * i / 200000);
+          least = std::min(least, std::hypot((at.G_I - measured.G_I) / sigma_I, (at.G_II - measured.G_II) / sigma_II));
+        }
+        const double found = law.distance(measured.G_I, measured.G_II, sigma_I, sigma_II, 1).value;
+        // the walk's steps, of up to 1e-4 in energies of 10, leave their square over the distance in standard errors, or
+        // themselves where that is 0
+        EXPECT_NEAR(std::abs(found), least, off == 0 ? 4e-3 : 1e-5) << p[0] << ' ' << psi << ' ' << off;
+        // positive where the law's energies are the larger
+        if (off != 0) {
+          EXPECT_EQ(found > 0, off < 0) << p[0] << ' ' << psi;
+        }
+      }
+  }
+}
+
+TYPED_TEST(EnergyPlane, DerivativesMatchDifferences) {
+  for (const Parameters<TypeParam>& p : cases<TypeParam>())
+    for (const double psi : {0.3, 0.8, 1.2}) {
+      const Point q = on_law<TypeParam>(p, psi);
+      const auto r = [&](const Parameters<TypeParam>& at, double log_toughness) {
+        return EnergyLaw<TypeParam>(at).distance(q.G_I + 0.02, q.G_II - 0.03, 0.03, 0.05, 1.3 * std::exp(log_toughness));
+      };
+      const auto here = r(p, 0);
+      const double h = 1e-5;  // errors h^2 and eps/h of values up to some tens
+      EXPECT_NEAR(here.log_toughness, (r(p, h).value - r(p, -h).value) / (2 * h), 1e-7 * std::abs(here.log_toughness));
+      for (std::size_t k = 0; k < p.size(); ++k) {
+        Parameters<TypeParam> low = p, high = p;
+        low[k] -= h * p[k];
+        high[k] += h * p[k];
+        const double slope = (r(high, 0).value - r(low, 0).value) / (2 * h * p[k]);
+        EXPECT_NEAR(here.parameters[k], slope, 1e-7 * std::abs(slope) + 1e-8) << p[0] << ' ' << psi << ' ' << k;
+      }
+    }
+}
+
+/// Model c is the line G_I = 1 - lambda G_II, also where noise puts G_II below zero.
+TEST(EnergyPlane, OfModelCIsAStraightLineOnBothSidesOfModeI) {
+  const double lambda = 0.4, sigma_I = 0.1, sigma_II = 0.3;
+  const EnergyLaw<PapangeloCiavarella> law({lambda});
+  const double size = std::hypot(sigma_I, lambda * sigma_II);
+  for (const double G_II : {-0.05, 0.0, 0.02, 0.5, 1.5}) {
+    const double G_I = 0.9;
+    const auto r = law.distance(G_I, G_II, sigma_I, sigma_II, 1);
+    const double excess = 1 - lambda * G_II - G_I;
+    EXPECT_NEAR(r.value, excess / size, 1e-13) << G_II;  // roundings of numbers near 1 over an error of 0.1
+    // of excess/size: -G_II/size - excess lambda sigma_II^2/size^3
+    const double slope = -G_II / size - excess * lambda * sigma_II * sigma_II / (size * size * size);
+    EXPECT_NEAR(r.parameters[0], slope, 1e-11) << G_II;
+    EXPECT_NEAR(r.log_toughness, 1 / size, 1e-11) << G_II;
+  }
+}
+
+}  // namespace
+}  // namespace mixity
