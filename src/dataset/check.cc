@@ -35,11 +35,17 @@ void check_units(const Dataset& data, Lines& odd) {
 
 void check_usable(const Dataset& data, Lines& odd) {
   if (data.points.empty()) odd.push_back("no usable point is left");
-  std::size_t below_hertz = 0;
-  for (const Excluded& excluded : data.excluded) below_hertz += excluded.reason.starts_with("y <= 0");
-  if (2 * below_hertz > data.rows)
+  std::size_t below_hertz = 0, first = 0;
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+    if (!data.toughness(i) && ++below_hertz == 1) first = data.points[i].line;
+  if (below_hertz == 0) return;
+  if (2 * below_hertz <= data.rows)
+    odd.push_back("areas that do not exceed that of Hertz at their load (y <= 0): " + std::to_string(below_hertz) +
+                  " of " + std::to_string(data.rows) + ", first in line " + std::to_string(first) +
+                  "; objective toughness leaves such points out");
+  else
     odd.push_back("units: " + std::to_string(below_hertz) + " of " + std::to_string(data.rows) +
-                  " areas are below that of Hertz at their load; a unit of A, P, radius, modulus or toughness is "
+                  " areas do not exceed that of Hertz at their load; a unit of A, P, radius, modulus or toughness is "
                   "probably off by a power of ten");
 }
 
@@ -47,21 +53,32 @@ void check_order(const Dataset& data, Lines& odd) {
   struct Falls {
     const Point* before = nullptr;
     std::size_t count = 0, first_line = 0;
+    double least = 0, most = 0;
   };
   std::vector<Falls> runs(data.curves.size());
   for (const Point& point : data.points) {
     Falls& falls = runs[point.curve];
+    falls.least = std::min(falls.least, point.T);
+    falls.most = std::max(falls.most, point.T);
+    if (point.T < 0) continue;  // noise about zero neither rises nor falls
     if (falls.before && point.T < falls.before->T && ++falls.count == 1) falls.first_line = point.line;
     falls.before = &point;
   }
-  for (std::size_t curve = 0; curve < runs.size(); ++curve)
+  for (std::size_t curve = 0; curve < runs.size(); ++curve) {
+    const auto [least, most] = std::pair(runs[curve].least, runs[curve].most);
+    if (most > 0 && -least > 0.1 * most)
+      odd.push_back("run " + data.curves[curve] + ": T changes its sign, from " +
+                    rounded(least * data.display.force_scale, 4) + " to " +
+                    rounded(most * data.display.force_scale, 4) + "; are runs of both directions mixed?");
     if (runs[curve].count > 0)
       odd.push_back("run " + data.curves[curve] + ": T falls " + times(runs[curve].count) + ", first at line " +
                     std::to_string(runs[curve].first_line) + "; is unloading or a second run mixed in?");
+  }
 }
 
 void check_duplicates(const Dataset& data, Lines& odd) {
   const auto key = [&](std::size_t i) {
+    if (data.has_energies) return std::tuple(data.energies[i].G_I, data.energies[i].G_II, 0.0);
     if (!data.has_loads)
       return std::tuple(data.converted[i].mixity.cos, data.converted[i].mixity.sin, data.converted[i].ratio);
     const Point& point = data.points[i];
@@ -121,7 +138,7 @@ void check_toughness(const Dataset& data, Lines& odd) {
   for (const Excluded& excluded : data.excluded) too_wide += excluded.reason.starts_with("psi outside");
   if (too_wide > 0)
     odd.push_back("psi leaves 0..90 degrees " + times(too_wide) + "; is its unit rad where deg was meant?");
-  for (std::size_t i = 0; i < data.points.size(); ++i) {
+  for (std::size_t i = 0; i < data.points.size() && data.toughness_known; ++i) {
     const ToughnessPoint& point = data.converted[i];
     if (point.psi() < 0.05 && std::abs(std::log(point.ratio)) > 0.5)
       odd.push_back("line " + std::to_string(data.points[i].line) + ": Gc/GIc is " + rounded(point.ratio, 3) +
@@ -145,13 +162,12 @@ std::vector<CurveSummary> summarise_curves(const Dataset& data) {
     curve.T_max = std::max(curve.T_max, point.T);
     curve.A_min = std::min(curve.A_min, point.A);
     curve.A_max = std::max(curve.A_max, point.A);
-    if (point.T < curve.T_min) {
-      curve.T_min = point.T;
-      first[point.curve] = &point;
-    }
+    curve.T_min = std::min(curve.T_min, point.T);
+    if (point.shear() < first[point.curve]->shear()) first[point.curve] = &point;
   }
   for (std::size_t i = 0; i < curves.size(); ++i)
-    if (first[i] && above_pull_off(curves[i].P) >= 0 && first[i]->T <= 0.1 * curves[i].T_max)
+    if (first[i] && above_pull_off(curves[i].P) >= 0 &&
+        first[i]->shear() <= 0.1 * std::max(-curves[i].T_min, curves[i].T_max))
       curves[i].area_over_jkr = first[i]->A / area_from_radius(jkr_radius(first[i]->P));
   return curves;
 }

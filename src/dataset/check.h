@@ -13,9 +13,9 @@ namespace mixity {
 struct CurveSummary {
   std::string name;
   std::size_t points = 0;
-  double P = 0, T_min = 0, T_max = 0, A_min = 0, A_max = 0;
-  /// Area of the point with the smallest T over the JKR area at its load; null if T is not small there
-  /// (over a tenth of the run's largest) or the load lies below pull-off.
+  double P = 0, T_min = 0, T_max = 0, A_min = 0, A_max = 0;  // T as Point::T, which may be below zero
+  /// Area of the point with the smallest |T| over the JKR area at its load; null if T is not small there
+  /// (|T| over a tenth of the run's largest) or the load lies below pull-off.
   std::optional<double> area_over_jkr;
 };
 

@@ -1,6 +1,7 @@
 #include "dataset/columns.h"
 
 #include <cctype>
+#include <initializer_list>
 
 #include "dataset/input_error.h"
 #include "dataset/printable.h"
@@ -24,9 +25,13 @@ constexpr std::array<Kind, kColumnCount> kKinds{{
     {ColumnId::mode_ratio, "mode_ratio", dimension::none, true},
     {ColumnId::Gc, "Gc", dimension::energy_per_area, false},
     {ColumnId::Gc_over_GIc, "Gc_over_GIc", dimension::none, true},
+    {ColumnId::G_I, "G_I", dimension::energy_per_area, false},
+    {ColumnId::G_II, "G_II", dimension::energy_per_area, false},
     {ColumnId::sigma_T, "sigma_T", dimension::force, false},
     {ColumnId::sigma_A, "sigma_A", dimension::area, false},
     {ColumnId::sigma_Gc, "sigma_Gc", dimension::energy_per_area, false},
+    {ColumnId::sigma_GI, "sigma_GI", dimension::energy_per_area, false},
+    {ColumnId::sigma_GII, "sigma_GII", dimension::energy_per_area, false},
     {ColumnId::curve, "curve", dimension::none, true},
     {ColumnId::include, "include", dimension::none, true},
 }};
@@ -134,7 +139,7 @@ Columns::Columns(const std::string& path, const CsvRow& header) {
     for (const Kind& candidate : kKinds)
       if (candidate.name == heading.name) kind = &candidate;
     if (!kind) {
-      if (!name.empty()) ignored_.push_back(heading.closed ? name : std::string(header[i]));
+      if (!name.empty()) ignored_.push_back(printable(heading.closed ? name : header[i], std::string::npos));
       continue;
     }
     const Unit unit = unit_of(heading, kind->dimension, kind->always_a_number, path, header, i);
@@ -160,21 +165,32 @@ void Columns::require_a_complete_set(const std::string& path, const CsvRow& head
   const bool loads = has(ColumnId::P) || has(ColumnId::T) || has(ColumnId::A) || has(ColumnId::a);
   const bool toughness =
       has(ColumnId::psi) || has(ColumnId::mode_ratio) || has(ColumnId::Gc) || has(ColumnId::Gc_over_GIc);
+  const bool energies = has(ColumnId::G_I) || has(ColumnId::G_II);
   const auto fail = [&](const std::string& message) { throw InputError(path, header.line(), 1, message); };
   const auto exactly_one = [&](ColumnId one, ColumnId other) {
     const std::string names = "'" + std::string(to_string(one)) + "' or '" + std::string(to_string(other)) + "'";
     if (!has(one) && !has(other)) fail("column " + names + " is missing");
     if (has(one) && has(other)) fail("columns " + names + ": one of them, not both");
   };
-  if (!loads && !toughness)
-    fail(std::string("the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or "
-                     "Gc_over_GIc)") +
-         (header.size() == 1 ? ", separated by commas, semicolons or tabs" : ""));
-  if (loads && toughness) fail("the header mixes loads (P, T, A) with toughness (psi, Gc); give one set");
-  if (loads) {
-    for (const ColumnId id : {ColumnId::P, ColumnId::T})
+  const auto all_of = [&](std::initializer_list<ColumnId> ids) {
+    for (const ColumnId id : ids)
       if (!has(id)) fail("column '" + std::string(to_string(id)) + "' is missing");
+  };
+  if (!loads && !toughness && !energies)
+    fail(std::string("the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or "
+                     "Gc_over_GIc), or G_I and G_II") +
+         (header.size() == 1 ? ", separated by commas, semicolons or tabs" : ""));
+  if (loads + toughness + energies > 1) {
+    std::string sets = loads ? "loads (P, T, A)" : "";
+    if (toughness) sets += std::string(loads ? " with " : "") + "toughness (psi, Gc)";
+    if (energies) sets += " with energies (G_I, G_II)";
+    fail("the header mixes " + sets + "; give one set");
+  }
+  if (loads) {
+    all_of({ColumnId::P, ColumnId::T});
     exactly_one(ColumnId::A, ColumnId::a);
+  } else if (energies) {
+    all_of({ColumnId::G_I, ColumnId::G_II});
   } else {
     exactly_one(ColumnId::psi, ColumnId::mode_ratio);
     exactly_one(ColumnId::Gc, ColumnId::Gc_over_GIc);
@@ -196,10 +212,13 @@ void Columns::require_consistent_units(const std::string& path, const CsvRow& he
   };
   for (const ColumnId id : {ColumnId::T, ColumnId::A, ColumnId::a})
     require_like(id, find(ColumnId::P), "P, T and A are either all dimensionless or none is");
+  require_like(ColumnId::G_II, find(ColumnId::G_I), "G_I and G_II either both have a unit or neither has");
   const std::string sigma_rule = "a standard error has the kind of unit of its quantity, or %";
   require_like(ColumnId::sigma_T, find(ColumnId::T), sigma_rule);
   require_like(ColumnId::sigma_A, find(ColumnId::P), sigma_rule);
   require_like(ColumnId::sigma_Gc, find(has(ColumnId::Gc) ? ColumnId::Gc : ColumnId::Gc_over_GIc), sigma_rule);
+  require_like(ColumnId::sigma_GI, find(ColumnId::G_I), sigma_rule);
+  require_like(ColumnId::sigma_GII, find(ColumnId::G_II), sigma_rule);
 }
 
 }  // namespace mixity

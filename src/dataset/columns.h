@@ -14,8 +14,26 @@
 namespace mixity {
 
 /// Quantities a data CSV may hold. Names are those of the header, case included: A is an area, a a radius.
-enum class ColumnId { P, T, A, a, psi, mode_ratio, Gc, Gc_over_GIc, sigma_T, sigma_A, sigma_Gc, curve, include };
-inline constexpr std::size_t kColumnCount = 13;
+enum class ColumnId {
+  P,
+  T,
+  A,
+  a,
+  psi,
+  mode_ratio,
+  Gc,
+  Gc_over_GIc,
+  G_I,
+  G_II,
+  sigma_T,
+  sigma_A,
+  sigma_Gc,
+  sigma_GI,
+  sigma_GII,
+  curve,
+  include
+};
+inline constexpr std::size_t kColumnCount = 17;
 
 struct Column {
   ColumnId id;
@@ -38,8 +56,10 @@ class Columns {
   const std::vector<std::string>& ignored() const { return ignored_; }  // names of columns that mean nothing to us
   /// Of these the ones that differ from a quantity's name, which no column has, in case or signs only; with that name.
   const std::vector<std::pair<std::string, std::string>>& misspelt() const { return misspelt_; }
-  /// P, T and A (or a), rather than psi and Gc.
+  /// P, T and A (or a), rather than psi and Gc, or energies.
   bool holds_loads() const { return has(ColumnId::P); }
+  /// G_I and G_II.
+  bool holds_energies() const { return has(ColumnId::G_I); }
 
  private:
   void require_a_complete_set(const std::string& path, const CsvRow& header) const;

@@ -1,69 +1,21 @@
 #include "dataset/dataset.h"
 
 #include <filesystem>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "dataset/csv.h"
+#include "dataset/energies.h"
 #include "dataset/input_error.h"
 #include "dataset/large_pages.h"
-#include "dataset/number_text.h"
 #include "dataset/pipeline.h"
 #include "dataset/point_reader.h"
 #include "dataset/printable.h"
+#include "dataset/runs.h"
+#include "dataset/shear_sign.h"
 #include "dataset/side_by_side.h"
 
 namespace mixity {
 namespace {
-
-/// Loading runs by name, in the order in which the file comes to them. Rows of a run mostly follow each other.
-class Runs {
- public:
-  /// The run that the row's column names; failing that, points of equal load form one.
-  std::size_t of(const std::optional<std::string_view>& name, const Point& point, const Dataset& data) {
-    const double load = data.has_loads ? point.P : 0;
-    if (!keys_.empty() && keys_[last_].given == name.has_value() &&
-        (name ? *name == keys_[last_].name : load == last_load_))
-      return last_;
-    last_load_ = load;
-    if (name) return last_ = index({std::string(*name), true}, load);
-    if (!data.has_loads) return last_ = index({{}, false}, load);
-    const DisplayUnits& units = data.display;
-    const std::string label =
-        "P=" + rounded(load * units.force_scale, 6) + (units.force.empty() ? "" : " " + units.force);
-    return last_ = index({label, false}, load);
-  }
-  /// A run may be given the name that another has by its load.
-  struct Key {
-    std::string name;
-    bool given;
-    bool operator<(const Key& other) const { return std::tie(name, given) < std::tie(other.name, other.given); }
-  };
-  /// The number of a run, a new one if there is none of this key.
-  std::size_t index(const Key& key, double load) {
-    const auto [found, is_new] = index_.try_emplace(key, keys_.size());
-    if (is_new) {
-      keys_.push_back(key);
-      loads_.push_back(load);
-    }
-    return found->second;
-  }
-  const std::vector<Key>& keys() const { return keys_; }
-  const std::vector<double>& loads() const { return loads_; }  // of each run's first point
-  /// What readers see, no two the same.
-  std::string shown(std::size_t i) const {
-    const Key& key = keys_[i];
-    return key.name + (!key.given && index_.contains({key.name, true}) ? " (not named)" : "");
-  }
-
- private:
-  std::map<Key, std::size_t> index_;
-  std::vector<Key> keys_;
-  std::vector<double> loads_;
-  std::size_t last_ = 0;
-  double last_load_ = 0;
-};
 
 template <class T>
 void append(std::vector<T>& all, const std::vector<T>& more) {
@@ -77,8 +29,10 @@ struct Part {
   std::vector<Point> points;
   std::vector<ToughnessPoint> converted;
   std::vector<PointErrors> errors;
+  std::vector<PointEnergies> energies;
   std::vector<Excluded> excluded;
   Runs runs;
+  std::vector<ShearRange> shear;  // of each run
   PointBatch batch;
 
   void clear() {
@@ -87,6 +41,7 @@ struct Part {
     points.reserve(block.lines());
     converted.clear();
     errors.clear();
+    energies.clear();
     excluded.clear();
     runs = {};
   }
@@ -102,6 +57,7 @@ struct Part {
     points.push_back(read.point);
     if (!data.has_loads) converted.push_back(read.converted);
     if (reader.has_errors()) errors.push_back(read.errors);
+    if (data.has_energies) energies.push_back(read.energies);
   }
   void comment(const PointReader& reader, const CsvRow& row) {
     if (reader.resembles_data(row) && commented++ == 0) first_commented = row.line();
@@ -129,8 +85,8 @@ struct Part {
 /// Reads a file into a data set.
 class Loader {
  public:
-  Loader(std::string metadata_path, PointUse use, Dataset& data)
-      : metadata_path_(std::move(metadata_path)), use_(use), data_(data), file_(data.path) {}
+  Loader(std::string metadata_path, Dataset& data)
+      : metadata_path_(std::move(metadata_path)), data_(data), file_(data.path) {}
 
   void read() {
     // What is small is read here: threads cost more than they save.
@@ -156,23 +112,29 @@ class Loader {
       if (reader_)
         part.row(*reader_, data_, row);
       else
-        reader_.emplace(metadata_path_, use_, row, data_);
+        reader_.emplace(metadata_path_, row, data_);
     };
     const auto comment = [&](const CsvRow& row) {
       if (reader_) part.comment(*reader_, row);
     };
     const CsvWanted* wanted = reader_ ? reader_->wanted() : nullptr;
-    if (!wanted) return part.block.rows(one, comment);
-    part.block.rows(
-        *wanted, [&](const CsvNumbers& numbers) { part.numbers(*reader_, data_, numbers); }, one, comment);
+    if (wanted)
+      part.block.rows(
+          *wanted, [&](const CsvNumbers& numbers) { part.numbers(*reader_, data_, numbers); }, one, comment);
+    else
+      part.block.rows(one, comment);
+    part.shear = shear_ranges(part.points, part.runs.keys().size());
   }
 
   void take(const Part& part) {
     std::vector<std::size_t> run(part.runs.keys().size());
     for (std::size_t i = 0; i < run.size(); ++i) run[i] = runs_.index(part.runs.keys()[i], part.runs.loads()[i]);
+    shear_.resize(runs_.keys().size());
+    for (std::size_t i = 0; i < run.size(); ++i) shear_[run[i]].add(part.shear[i]);
     for (const Point& point : part.points) data_.points.emplace_back(point).curve = run[point.curve];
     append(data_.converted, part.converted);
     append(data_.errors, part.errors);
+    append(data_.energies, part.energies);
     append(data_.excluded, part.excluded);
     data_.rows += part.rows;
     if (commented_ == 0) first_commented_ = part.first_commented;
@@ -196,18 +158,21 @@ class Loader {
       throw InputError(data_.path, 2, 1,
                        "has a header but no data rows" + (commented_ > 0 ? ", only " + passed_over : ""));
     if (commented_ > 0) data_.notes.push_back("passed over as comments: " + passed_over);
+    if (data_.has_energies) finish_energies(metadata_path_, data_);
     // Names go into figures, pages and tables: what would break these is shown as '?'.
     for (std::size_t i = 0; i < runs_.keys().size(); ++i)
       data_.curves.push_back(printable(runs_.shown(i), std::string::npos));
-    if (data_.has_loads) data_.curve_loads = runs_.loads();
+    if (!data_.has_loads) return;
+    data_.curve_loads = runs_.loads();
+    finish_shear(shear_, data_);
   }
 
   std::string metadata_path_;
-  PointUse use_;
   Dataset& data_;
   CsvFile file_;
   std::optional<PointReader> reader_;  // made of the first row, before any thread
   Runs runs_;
+  std::vector<ShearRange> shear_;  // of each run
   std::size_t commented_ = 0, first_commented_ = 0;
 };
 
@@ -235,14 +200,14 @@ std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
   return runs;
 }
 
-Dataset load_dataset(const std::string& path, const Overrides& overrides, PointUse use) {
+Dataset load_dataset(const std::string& path, const Overrides& overrides) {
   Dataset data;
   data.path = path;
   data.name = data_name(path);
   data.metadata = read_metadata(metadata_path(path));
   apply_overrides(overrides, data.metadata);
   require_whole_modulus(data.metadata, metadata_path(path), overrides);
-  Loader(metadata_path(path), use, data).read();
+  Loader(metadata_path(path), data).read();
   return data;
 }
 

@@ -1,6 +1,7 @@
 // A data set ready to fit: points with phase angle and toughness ratio, made from a CSV and its metadata.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -15,11 +16,15 @@
 
 namespace mixity {
 
-/// One usable point. P, T, A are dimensionless and zero where the data set has no loads.
+/// One usable point. P, T, A are dimensionless and zero where the data set has no loads. T is as it was read but for
+/// runs that were turned round: below zero it is noise about zero.
 struct Point {
   std::size_t line;   // in the CSV
   std::size_t curve;  // index into Dataset::curves
   double P, T, A;
+
+  /// The tangential load that the contact knows of: equilibrium depends on T^2.
+  double shear() const { return std::abs(T); }
 };
 
 /// Standard errors in the units of T, A and the toughness ratio; 0 where not given.
@@ -27,9 +32,18 @@ struct PointErrors {
   double T, A, ratio;
 };
 
+/// Energies of the two modes and their standard errors (0 where not given), in units of G_Ic. One below zero is noise
+/// about zero; the sum is positive.
+struct PointEnergies {
+  double G_I, G_II, sigma_GI, sigma_GII;
+};
+
 /// Why a point with loads has no toughness.
 inline constexpr std::string_view kNoPhaseAngle =
     "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists";
+
+/// Why a point whose numbers made dimensionless no double can hold well has none.
+inline constexpr std::string_view kOutOfRangeRatio = "the toughness ratio is out of range";
 
 struct Excluded {
   std::size_t line;
@@ -38,27 +52,30 @@ struct Excluded {
 
 /// How the file's own units relate to the dimensionless ones: value in file = dimensionless * scale.
 struct DisplayUnits {
-  std::string force, area;  // as written in the header; empty if dimensionless
-  double force_scale = 1, area_scale = 1;
+  std::string force, area, energy;  // as written in the header; empty if dimensionless
+  double force_scale = 1, area_scale = 1, energy_scale = 1;
 };
 
 struct Dataset {
   std::string path, name;  // as opened; the file's without folder and ending
   Metadata metadata;
   bool has_loads = false;                 // (P, T, A) rather than (psi, Gc)
+  bool has_energies = false;              // (G_I, G_II) rather than (psi, Gc)
+  bool toughness_known = true;            // false: energies in a unit without G_Ic; the largest G_I is 1
   std::optional<Contact> contact;         // null if the data are dimensionless or (psi, f)
   std::size_t rows = 0;                   // data rows in the file: points + excluded
   std::vector<Point> points;              // usable, in file order
   std::vector<ToughnessPoint> converted;  // of each point, if the data set has no loads
   std::vector<PointErrors> errors;        // of each point, if the file states any
+  std::vector<PointEnergies> energies;    // of each point, if the file holds energies
   std::vector<Excluded> excluded;
   std::vector<std::string> curves;  // names of the loading runs: the curve column, or one per load
   std::vector<double> curve_loads;  // dimensionless load of each run's first point; empty without loads
   std::vector<std::string> ignored_columns;
-  std::vector<std::string> notes;  // what was stated and is passed over, as sentences that every fit shows
+  std::vector<std::string> notes;  // what is passed over or not taken as it stands, as sentences that every fit shows
   DisplayUnits display;
 
-  /// What point i says of the toughness; null where its area does not exceed that of Hertz (PointUse::areas).
+  /// What point i says of the toughness; null where its area does not exceed that of Hertz (kNoPhaseAngle).
   std::optional<ToughnessPoint> toughness(std::size_t i) const {
     if (!has_loads) return converted[i];
     return toughness_of_area(points[i].P, points[i].T, points[i].A);
@@ -73,13 +90,10 @@ FilePlace place_of(const Dataset& data, const Point& point, std::string_view col
 /// Indices into Dataset::points, by run.
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
 
-/// What a file's points are read for. A point whose area does not exceed that of Hertz (y <= 0) has no phase angle and
-/// is excluded where a toughness is asked for; its area says as much as any other.
-enum class PointUse { toughness, areas };
-
 /// Reads PATH.csv and PATH.toml beside it. Throws InputError, with file, line and column, for anything in them that
 /// cannot be understood, and for a constant that this kind of data needs and neither the TOML nor an override states.
-/// Points that are understood but cannot be used are listed in `excluded`.
-Dataset load_dataset(const std::string& path, const Overrides& overrides = {}, PointUse use = PointUse::toughness);
+/// Energies can do without G_Ic as long as one G_I is positive: whoever needs it asks for toughness_known. Points that
+/// are understood but cannot be used are listed in `excluded`.
+Dataset load_dataset(const std::string& path, const Overrides& overrides = {});
 
 }  // namespace mixity

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "dataset/energies.h"
 #include "dataset/input_error.h"
 #include "mechanics/measurement.h"
 
@@ -26,13 +27,15 @@ std::string_view said_of(ColumnId id, Complaint complaint) {
 
 }  // namespace
 
-PointReader::PointReader(const std::string& metadata_path, PointUse use, const CsvRow& header, Dataset& data)
-    : data_(data), use_(use), columns_(data.path, header) {
+PointReader::PointReader(const std::string& metadata_path, const CsvRow& header, Dataset& data)
+    : data_(data), columns_(data.path, header) {
   data_.has_loads = columns_.holds_loads();
+  data_.has_energies = columns_.holds_energies();
   data_.ignored_columns = columns_.ignored();
   require_constants(metadata_path);
   add_notes();
   if (data_.contact) set_display();
+  if (!data_.has_loads) set_energy_display();
   if (data_.has_loads && !columns_.has(ColumnId::include)) set_wanted();
 }
 
@@ -43,8 +46,10 @@ void PointReader::require_constants(const std::string& metadata_path) {
                                      " or by a flag (--" + key + "=...)");
   };
   if (!data_.has_loads) {
-    const Column* Gc = columns_.find(ColumnId::Gc);
-    if (Gc && Gc->unit.dimension != dimension::none) ratio_unit_ = demand(data_.metadata.toughness, "toughness");
+    const Column* Gc = toughness_column();
+    if (!Gc || Gc->unit.dimension == dimension::none) return;
+    data_.toughness_known = data_.metadata.toughness || !data_.has_energies;
+    if (data_.toughness_known) ratio_unit_ = demand(data_.metadata.toughness, "toughness");
     return;
   }
   if (columns_.find(ColumnId::P)->unit.dimension == dimension::none) return;
@@ -61,7 +66,7 @@ void PointReader::add_notes() {
   const auto unused = [&](bool stated, std::string_view name) {
     if (stated) constants += (constants.empty() ? "" : ", ") + std::string(name);
   };
-  const Column* Gc = columns_.find(ColumnId::Gc);
+  const Column* Gc = toughness_column();
   if (data_.has_loads && !data_.contact) {
     unused(data_.metadata.radius.has_value(), "radius");
     unused(data_.metadata.plane_strain_modulus().has_value(), "modulus");
@@ -69,10 +74,10 @@ void PointReader::add_notes() {
   } else if (Gc && Gc->unit.dimension == dimension::none) {
     unused(data_.metadata.toughness.has_value(), "toughness");
   }
-  if (!constants.empty())
-    data_.notes.push_back(std::string(Gc ? "Gc has" : "the columns have") + " no unit and " +
-                          (Gc ? "is taken for Gc/GIc" : "are taken as dimensionless") + ": " + constants +
-                          " (stated) not used");
+  const std::string taken = data_.has_loads      ? "the columns have no unit and are taken as dimensionless"
+                            : data_.has_energies ? "G_I and G_II have no unit and are taken for G_I/GIc and G_II/GIc"
+                                                 : "Gc has no unit and is taken for Gc/GIc";
+  if (!constants.empty()) data_.notes.push_back(taken + ": " + constants + " (stated) not used");
   for (const auto& [name, quantity] : columns_.misspelt())
     data_.notes.push_back("column '" + name + "' is not used; it is read if it is called '" + quantity + "'");
 }
@@ -92,6 +97,16 @@ void PointReader::set_display() {
   }
   if (!in_range(display.force_scale) || !in_range(display.area_scale))
     throw InputError(data_.path, "the units of its columns are out of range beside radius, modulus and toughness");
+}
+
+void PointReader::set_energy_display() {
+  const Column* Gc = toughness_column();
+  if (!Gc || Gc->unit.dimension == dimension::none) return;
+  data_.display.energy = Gc->unit.text;
+  data_.display.energy_scale = ratio_unit_ / Gc->unit.factor;
+  if (!in_range(data_.display.energy_scale))
+    throw InputError(data_.path,
+                     "the unit of " + std::string(to_string(Gc->id)) + " is out of range beside the toughness");
 }
 
 void PointReader::set_wanted() {
@@ -130,7 +145,9 @@ std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
   }
   point = {};
   point.point.line = row.line();
-  return data_.has_loads ? read_loads(row, point) : read_toughness(row, point);
+  return data_.has_loads      ? read_loads(row, point)
+         : data_.has_energies ? read_energies(row, point)
+                              : read_toughness(row, point);
 }
 
 /// In SI or as it stands.
@@ -159,21 +176,16 @@ std::string_view PointReader::read_loads(const CsvRow& row, ReadPoint& read) con
   if (const auto unusable = number(row, ColumnId::P, P); !unusable.empty()) return unusable;
   if (const auto unusable = number(row, ColumnId::T, T); !unusable.empty()) return unusable;
   if (const auto unusable = number(row, by_area ? ColumnId::A : ColumnId::a, size); !unusable.empty()) return unusable;
-  if (T < 0) return "T < 0";
   if (size <= 0) return by_area ? "A <= 0" : "a <= 0";
   Point& point = read.point;
   point.P = P / force_unit_ + 0.0;  // a load of -0 is one of 0
   point.T = T / force_unit_;
   const double area_unit = length_unit_ * length_unit_;
   point.A = by_area ? size / area_unit : area_from_radius(size / length_unit_);
-  if (!(std::abs(point.P) <= kMostQuantity) || !(point.T <= kMostQuantity) || !in_range(point.A))
+  if (!(std::abs(point.P) <= kMostQuantity) || !(point.shear() <= kMostQuantity) || !in_range(point.A))
     return "P, T or A is out of range";
   const double a = radius_from_area(point.A), y = edge_load(a, point.P);
-  if (y > 0) {
-    if (!in_range(toughness_ratio(y, point.T, a))) return "the toughness ratio is out of range";
-  } else if (use_ == PointUse::toughness) {
-    return kNoPhaseAngle;
-  }
+  if (y > 0 && !in_range(toughness_ratio(y, point.T, a))) return kOutOfRangeRatio;
   const auto unusable = standard_error(row, ColumnId::sigma_T, point.T, force_unit_, read.errors.T);
   return unusable.empty() ? standard_error(row, ColumnId::sigma_A, point.A, area_unit, read.errors.A) : unusable;
 }
@@ -198,8 +210,8 @@ void PointReader::read(const CsvNumbers& rows, PointBatch& batch) const {
   toughness_ratios(batch.P.data(), batch.T.data(), batch.A.data(), batch.toughness_ratio.data(), n);
   for (std::size_t i = 0; i < n; ++i) {
     const double ratio = batch.toughness_ratio[i];
-    batch.usable[i] = std::abs(batch.P[i]) <= kMostQuantity && batch.T[i] >= 0 && batch.T[i] <= kMostQuantity &&
-                      in_range(batch.A[i]) && (in_range(ratio) || (ratio < 0 && use_ == PointUse::areas));
+    batch.usable[i] = std::abs(batch.P[i]) <= kMostQuantity && std::abs(batch.T[i]) <= kMostQuantity &&
+                      in_range(batch.A[i]) && (in_range(ratio) || ratio < 0);
   }
   const auto standard_errors = [&](ColumnId id, const PointBatch::Values<double>& of, double unit,
                                    PointBatch::Values<double>& errors) {
@@ -232,8 +244,26 @@ std::string_view PointReader::read_toughness(const CsvRow& row, ReadPoint& read)
   if (const auto unusable = number(row, toughness, Gc); !unusable.empty()) return unusable;
   if (Gc <= 0) return "Gc <= 0";
   point.ratio = Gc / ratio_unit_;
-  if (!in_range(point.ratio)) return "the toughness ratio is out of range";
+  if (!in_range(point.ratio)) return kOutOfRangeRatio;
   return standard_error(row, ColumnId::sigma_Gc, point.ratio, ratio_unit_, read.errors.ratio);
+}
+
+std::string_view PointReader::read_energies(const CsvRow& row, ReadPoint& read) const {
+  double G_I = 0, G_II = 0;
+  if (const auto unusable = number(row, ColumnId::G_I, G_I); !unusable.empty()) return unusable;
+  if (const auto unusable = number(row, ColumnId::G_II, G_II); !unusable.empty()) return unusable;
+  PointEnergies& energies = read.energies;
+  energies.G_I = G_I / ratio_unit_;
+  energies.G_II = G_II / ratio_unit_;
+  if (!(std::abs(energies.G_I) <= kMostQuantity)) return said_of(ColumnId::G_I, kOutOfRange);
+  if (!(std::abs(energies.G_II) <= kMostQuantity)) return said_of(ColumnId::G_II, kOutOfRange);
+  if (const auto unusable = convert(energies, read.converted); !unusable.empty()) return unusable;
+  if (const auto unusable = standard_error(row, ColumnId::sigma_GI, energies.G_I, ratio_unit_, energies.sigma_GI);
+      !unusable.empty())
+    return unusable;
+  const auto unusable = standard_error(row, ColumnId::sigma_GII, energies.G_II, ratio_unit_, energies.sigma_GII);
+  read.errors.ratio = error_of_sum(energies);
+  return unusable;
 }
 
 }  // namespace mixity

@@ -15,6 +15,7 @@ struct ReadPoint {
   Point point;
   ToughnessPoint converted;
   PointErrors errors;
+  PointEnergies energies;
 };
 
 /// Points of rows that come several at a time, by quantity. What is not usable is still to be read one by one.
@@ -29,7 +30,7 @@ class PointReader {
  public:
   /// Understands the header and fills in what it says of the data set: loads or toughness, scales, ignored columns.
   /// Throws InputError for a header that cannot be used, and for a constant that is needed and not stated.
-  PointReader(const std::string& metadata_path, PointUse use, const CsvRow& header, Dataset& data);
+  PointReader(const std::string& metadata_path, const CsvRow& header, Dataset& data);
 
   /// Reads a row into a point whose run is left open. Empty, or why the row cannot be used. Throws InputError for a row
   /// that cannot be understood. Several threads may read rows at once.
@@ -45,7 +46,8 @@ class PointReader {
 
   /// Whether the file has a column of standard errors.
   bool has_errors() const {
-    return columns_.has(ColumnId::sigma_T) || columns_.has(ColumnId::sigma_A) || columns_.has(ColumnId::sigma_Gc);
+    return columns_.has(ColumnId::sigma_T) || columns_.has(ColumnId::sigma_A) || columns_.has(ColumnId::sigma_Gc) ||
+           columns_.has(ColumnId::sigma_GI) || columns_.has(ColumnId::sigma_GII);
   }
   /// What the header's column names the row's run; null without such a column.
   std::optional<std::string_view> run_name(const CsvRow& row) const;
@@ -55,15 +57,20 @@ class PointReader {
   void require_constants(const std::string& metadata_path);
   void add_notes();
   void set_display();
+  void set_energy_display();
   void set_wanted();
   // Each reads what its last argument takes, and says why there is none; empty if there is.
   std::string_view number(const CsvRow& row, ColumnId id, double& value) const;
   std::string_view standard_error(const CsvRow& row, ColumnId id, double of, double unit, double& error) const;
   std::string_view read_loads(const CsvRow& row, ReadPoint& point) const;
   std::string_view read_toughness(const CsvRow& row, ReadPoint& point) const;
+  std::string_view read_energies(const CsvRow& row, ReadPoint& point) const;
+  /// The column that says in which unit toughness is given; null without one.
+  const Column* toughness_column() const {
+    return columns_.find(columns_.holds_energies() ? ColumnId::G_I : ColumnId::Gc);
+  }
 
   Dataset& data_;  // for the constants; changed by the constructor only
-  PointUse use_;
   Columns columns_;
   std::optional<CsvWanted> wanted_;
   std::array<std::size_t, kColumnCount> place_{};             // of a column among the wanted numbers

@@ -10,8 +10,11 @@
 
 namespace mixity {
 
-/// Processors of the machine; 1 where that is not known.
-inline std::size_t processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+/// Processors of the machine; 1 where that is not known. Asked once: the system opens a file to answer.
+inline std::size_t processors() {
+  static const std::size_t count = std::max(1u, std::thread::hardware_concurrency());
+  return count;
+}
 
 /// Calls run() on so many threads, this one among them, and waits for all. Where the system gives fewer, some calls
 /// come one after the other: run() shares the work out itself, and finds none left then.

@@ -70,7 +70,7 @@ TEST(Check, AreasThatAreTooLargeByAPowerOfTenAreAQuestionOfUnits) {
   }
 }
 
-// Below Hertz every point is excluded (y <= 0), so that no usable point is left to ask about.
+// Below Hertz no point has a phase angle.
 TEST(Check, AreasThatAreTooSmallByAPowerOfTenAreAQuestionOfUnits) {
   for (const double factor : {0.1, 0.01, 1e-3, 1e-6}) {
     const Lines odd = oddities(two_runs(1, factor));
@@ -86,8 +86,17 @@ TEST(Check, LoadsThatAreOffByAThousandAreNoticed) {
 }
 
 TEST(Check, ADataSetWithoutAUsablePointIsOdd) {
-  EXPECT_FALSE(oddities("P,T,A\n1,nan,20\n1,-1,20\n").empty());
+  EXPECT_FALSE(oddities("P,T,A\n1,nan,20\n1,1,-20\n").empty());
   EXPECT_FALSE(oddities("psi,Gc\nnan,1\n0.1,-1\n").empty());
+}
+
+TEST(Check, AreasThatDoNotExceedThoseOfHertzAreCounted) {
+  // Hertz has 2.5933 at P = 1
+  EXPECT_EQ(joined(oddities(two_runs() + "1,4,2.59\n1,5,2.6\n")),
+            "areas that do not exceed that of Hertz at their load (y <= 0): 1 of 10, first in line 10; objective "
+            "toughness leaves such points out\n");
+  EXPECT_TRUE(any_mentions(oddities("P,T,A\n1,0,2.5\n1,1,2.4\n1,2,2.7\n"),
+                           "units: 2 of 3 areas do not exceed that of Hertz at their load; a unit of A"));
 }
 
 TEST(Check, FallingShearIsReportedWithItsFirstLine) {

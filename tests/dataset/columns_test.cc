@@ -56,6 +56,8 @@ TEST(Columns, ThatMeanNothingAreKeptByName) {
   EXPECT_EQ(columns.ignored(), (std::vector<std::string>{"time", "Temp"}));
   EXPECT_EQ(columns.count(), 6);
   EXPECT_EQ(columns_of("P,T,A,strain (%) max,b [c").ignored(), (std::vector<std::string>{"strain (%) max", "b [c"}));
+  // such names go into notes
+  EXPECT_EQ(columns_of("P,T,A,te\x1bmp,Wei\xdf").ignored(), (std::vector<std::string>{"te?mp", "Wei?"}));
 }
 
 TEST(Columns, OfConvertedPointsAreOneAngleAndOneToughness) {
@@ -84,10 +86,10 @@ TEST(Columns, AHeaderThatCannotBeUsedIsRefusedWithItsPlace) {
   for (const auto& [header, error] : std::vector<std::pair<std::string, std::string>>{
            {"x,y",
             "1:1: the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc "
-            "(or Gc_over_GIc)"},
+            "(or Gc_over_GIc), or G_I and G_II"},
            {"p,t,area",
             "1:1: the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and "
-            "Gc (or Gc_over_GIc)"},
+            "Gc (or Gc_over_GIc), or G_I and G_II"},
            {"T,A", "1:1: column 'P' is missing"},
            {"P,A", "1:1: column 'T' is missing"},
            {"P,T", "1:1: column 'A' or 'a' is missing"},

@@ -37,7 +37,7 @@ TEST(Dataset, PointsThatCannotBeUsedAreListedWithTheirReason) {
       "1,0,19,1,\n"
       "1,1,19,0,\n"         // 3
       "1,text,19,0,\n"      // 4: nobody looks
-      "1,-1,19,1,\n"        // 5
+      "1,-1,19,1,\n"        // 5: noise about zero
       "1,1,2.59,1,\n"       // 6: Hertz has 2.5933
       "1,1,0,1,\n"          // 7
       "1,nan,19,1,\n"       // 8
@@ -50,26 +50,26 @@ TEST(Dataset, PointsThatCannotBeUsedAreListedWithTheirReason) {
       "1,1e200,19,1,\n"     // 15
       "1,2,18,1,0.2\n");
   EXPECT_EQ(excluded_lines(data),
-            "3 include = 0\n4 include = 0\n5 T < 0\n"
-            "6 y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists\n"
-            "7 A <= 0\n8 T is not finite\n9 P is not finite\n10 A is not finite\n11 T is empty\n12 A is empty\n"
+            "3 include = 0\n4 include = 0\n7 A <= 0\n8 T is not finite\n9 P is not finite\n10 A is not finite\n11 T is "
+            "empty\n12 A is empty\n"
             "13 A is not finite\n14 sigma_A < 0\n15 P, T or A is out of range\n");
-  ASSERT_EQ(data.points.size(), 2);
-  EXPECT_EQ(data.points[1].line, 16);
+  ASSERT_EQ(data.points.size(), 4);
+  EXPECT_EQ(data.points[1].line, 5);
+  EXPECT_EQ(data.points[1].T, -1);
+  EXPECT_EQ(data.points[2].line, 6);
+  EXPECT_EQ(data.points[3].line, 16);
   EXPECT_EQ(data.errors_of(0).A, 0);
-  EXPECT_EQ(data.errors_of(1).A, 0.2);
+  EXPECT_EQ(data.errors_of(3).A, 0.2);
   EXPECT_EQ(data.rows, data.points.size() + data.excluded.size());
 }
 
 TEST(Dataset, PointsBeyondTheRangeOfNumbersAreListed) {
-  EXPECT_EQ(excluded_lines(load_text("P,T,a,sigma_T [%]\n1,1,1e200,\n1,1,1e-200,\n1,1e5,2.5,1e306\n1,1,2.5,1\n", "", {},
-                                     PointUse::areas)),
+  EXPECT_EQ(excluded_lines(load_text("P,T,a,sigma_T [%]\n1,1,1e200,\n1,1,1e-200,\n1,1e5,2.5,1e306\n1,1,2.5,1\n")),
             "2 P, T or A is out of range\n3 P, T or A is out of range\n4 sigma_T is out of range\n");
   // whose fourth powers are no doubles
-  EXPECT_EQ(
-      excluded_lines(load_text("P,T,A\n1,2e75,19\n-2e75,1,19\n1,1,2e75\n1,1,5e-76\n1,1,19\n", "", {}, PointUse::areas)),
-      "2 P, T or A is out of range\n3 P, T or A is out of range\n4 P, T or A is out of range\n"
-      "5 P, T or A is out of range\n");
+  EXPECT_EQ(excluded_lines(load_text("P,T,A\n1,2e75,19\n-2e75,1,19\n1,1,2e75\n1,1,5e-76\n1,1,19\n1,-2e75,19\n")),
+            "2 P, T or A is out of range\n3 P, T or A is out of range\n4 P, T or A is out of range\n"
+            "5 P, T or A is out of range\n7 P, T or A is out of range\n");
   EXPECT_EQ(excluded_lines(load_text("psi,Gc [N/m]\n1,1e300\n1,1\n", "toughness = \"1e-20 J/m^2\"")),
             "2 the toughness ratio is out of range\n");
 }
@@ -82,8 +82,8 @@ TEST(Dataset, ConstantsThatTogetherLeaveTheRangeOfNumbersAreRefused) {
             "a.toml:1:10: radius is \"1e308 GPa\"; it must be a number with a unit, such as \"9.42 mm\"");
 }
 
-TEST(Dataset, AnAreaBelowHertzCountsWhereAreasAreAskedFor) {
-  const Dataset data = load_text("P,T,A\n1,1,19\n1,2,2.59\n1,3,0\n", "", {}, PointUse::areas);
+TEST(Dataset, AnAreaBelowHertzIsReadAndHasNoToughness) {
+  const Dataset data = load_text("P,T,A\n1,1,19\n1,2,2.59\n1,3,0\n");
   EXPECT_EQ(excluded_lines(data), "4 A <= 0\n");
   ASSERT_EQ(data.points.size(), 2);
   EXPECT_EQ(data.points[1].A, 2.59);

@@ -48,6 +48,23 @@ TEST(LargeFile, PointsOfEqualLoadAreARunWhereverTheyStand) {
   for (std::size_t i = 0; i < kRows; ++i) ASSERT_EQ(data.points[i].curve, i / 7 % 3);
 }
 
+TEST(LargeFile, ARunIsTurnedRoundByAllOfItsPoints) {
+  std::string text = "curve,P,T,A\n";
+  // at first the shear of the second run is about zero, that of the third above it
+  for (std::size_t i = 0; i < kRows; ++i) {
+    const bool late = i >= kRows / 2;
+    const int sign = i % 3 == 0 ? 1 : i % 3 == 1 ? (late ? -100 : (i / 3 % 2 ? 1 : -1)) : (late ? -1 : 1);
+    text += "run " + std::to_string(i % 3) + ",3," + std::to_string(sign) + "e-3,20\n";
+  }
+  const Dataset data = load_text(text);
+  ASSERT_EQ(data.points.size(), kRows);
+  ASSERT_EQ(data.notes.size(), 2);
+  EXPECT_EQ(data.notes[0], "a run is sheared the other way and turned round (T -> -T): run 1");
+  EXPECT_EQ(data.notes[1], "15000 of 60000 points have T < 0, used as they are: equilibrium depends on T^2");
+  for (std::size_t i = 1; i < kRows; i += 3)
+    ASSERT_EQ(data.points[i].T, i >= kRows / 2 ? 0.1 : i / 3 % 2 ? -1e-3 : 1e-3);
+}
+
 TEST(LargeFile, TheFirstErrorInTheFileIsTheOneThatIsTold) {
   const std::string good = "3,0.5,20\n";
   std::string text = "P,T,A\n";

@@ -8,11 +8,10 @@
 
 namespace mixity {
 
-inline Dataset load_text(const std::string& csv, const std::string& toml = "", const Overrides& overrides = {},
-                         PointUse use = PointUse::toughness) {
+inline Dataset load_text(const std::string& csv, const std::string& toml = "", const Overrides& overrides = {}) {
   const TemporaryFolder folder;
   folder.write("a.toml", toml);
-  return load_dataset(folder.write("a.csv", csv), overrides, use);
+  return load_dataset(folder.write("a.csv", csv), overrides);
 }
 
 /// The error with the folder left out: "a.csv:2:3: ...".

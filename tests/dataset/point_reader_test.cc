@@ -15,7 +15,9 @@ constexpr std::size_t kRows = 3000;
 std::string measured_rows(const std::string& header, const std::vector<std::string>& odd, const std::string& behind) {
   std::string text = header;
   for (std::size_t i = 0; i < kRows; ++i) {
-    const double T = 0.01 * static_cast<double>(i % 977), size = 2.2 + 0.0007 * static_cast<double>(i % 1009);
+    // the last run is sheared the other way, the others about zero
+    const double shear = 0.01 * static_cast<double>(i % 977), T = i < 2000 ? shear - 0.05 : 0.05 - shear,
+                 size = 2.2 + 0.0007 * static_cast<double>(i % 1009);
     std::string row = std::to_string(0.1 * static_cast<double>(i % 3 + 1)) + ',' + std::to_string(T) + ',' +
                       std::to_string(size) + ",0.5," + std::to_string(0.001 * static_cast<double>(i % 7)) + ",run " +
                       std::to_string(i / 1000);
@@ -25,6 +27,12 @@ std::string measured_rows(const std::string& header, const std::vector<std::stri
   return text;
 }
 
+std::size_t points_below_zero(const Dataset& data) {
+  std::size_t below = 0;
+  for (const Point& point : data.points) below += point.T < 0;
+  return below;
+}
+
 TEST(PointReader, RowsReadSeveralAtATimeAreThoseReadOneByOne) {
   const std::vector<std::string> odd{"1,-1,3,0,0,x",    "1,1,0,0,0,x",     "1,1,-3,0,0,x",      "1,1,1,0,0,x",
                                      "1,,3,0,0,x",      "1,nan,3,0,0,x",   "1,1e200,3,0,0,x",   "-1e90,1,3,0,0,x",
@@ -32,30 +40,35 @@ TEST(PointReader, RowsReadSeveralAtATimeAreThoseReadOneByOne) {
                                      "1,1,3,,,x",       "1,1,3,0,1e400,x", "1,1,3,1e-90,0,x",   "1,1e70,3,0,0,x",
                                      "1e400,1,3,0,0,x", "+1,1,3,0,0,x",    "-2.5,1e-80,3,0,0,x"};
   const std::string constants = "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n";
+  std::size_t below = 0, turned = 0;
   for (const std::string header :
        {"P,T,a,sigma_T,sigma_A,curve", "P [mN],T [mN],a [mm],sigma_T [%],sigma_A [mm^2],curve",
-        "P [mN],T [uN],A [mm^2],sigma_T [mN],sigma_A [%],curve", "P,T,A,x,y,z"})
-    for (const PointUse use : {PointUse::toughness, PointUse::areas}) {
-      const Dataset several = load_text(measured_rows(header + "\n", odd, "\n"), constants, {}, use),
-                    single = load_text(measured_rows(header + ",include\n", odd, ",1\n"), constants, {}, use);
-      EXPECT_EQ(several.rows, kRows);
-      ASSERT_EQ(several.points.size(), single.points.size()) << header;
-      EXPECT_GT(several.points.size(), kRows / 2);
-      ASSERT_EQ(several.errors.size(), single.errors.size());
-      for (std::size_t i = 0; i < several.points.size(); ++i) {
-        const Point &p = several.points[i], &q = single.points[i];
-        ASSERT_EQ(std::tuple(p.line, p.curve, p.P, p.T, p.A), std::tuple(q.line, q.curve, q.P, q.T, q.A)) << header;
-        const PointErrors e = several.errors_of(i), f = single.errors_of(i);
-        ASSERT_EQ(std::tuple(e.T, e.A, e.ratio), std::tuple(f.T, f.A, f.ratio)) << header << p.line;
-      }
-      EXPECT_GT(several.excluded.size(), kRows / 100);
-      ASSERT_EQ(several.excluded.size(), single.excluded.size());
-      for (std::size_t i = 0; i < several.excluded.size(); ++i) {
-        EXPECT_EQ(several.excluded[i].line, single.excluded[i].line);
-        EXPECT_EQ(several.excluded[i].reason, single.excluded[i].reason);
-      }
-      EXPECT_EQ(several.curves, single.curves);
+        "P [mN],T [uN],A [mm^2],sigma_T [mN],sigma_A [%],curve", "P,T,A,x,y,z"}) {
+    const Dataset several = load_text(measured_rows(header + "\n", odd, "\n"), constants),
+                  single = load_text(measured_rows(header + ",include\n", odd, ",1\n"), constants);
+    EXPECT_EQ(several.rows, kRows);
+    ASSERT_EQ(several.points.size(), single.points.size()) << header;
+    EXPECT_GT(several.points.size(), kRows / 2);
+    ASSERT_EQ(several.errors.size(), single.errors.size());
+    for (std::size_t i = 0; i < several.points.size(); ++i) {
+      const Point &p = several.points[i], &q = single.points[i];
+      ASSERT_EQ(std::tuple(p.line, p.curve, p.P, p.T, p.A), std::tuple(q.line, q.curve, q.P, q.T, q.A)) << header;
+      const PointErrors e = several.errors_of(i), f = single.errors_of(i);
+      ASSERT_EQ(std::tuple(e.T, e.A, e.ratio), std::tuple(f.T, f.A, f.ratio)) << header << p.line;
     }
+    EXPECT_GT(several.excluded.size(), kRows / 100);
+    ASSERT_EQ(several.excluded.size(), single.excluded.size());
+    for (std::size_t i = 0; i < several.excluded.size(); ++i) {
+      EXPECT_EQ(several.excluded[i].line, single.excluded[i].line);
+      EXPECT_EQ(several.excluded[i].reason, single.excluded[i].reason);
+    }
+    EXPECT_EQ(several.curves, single.curves);
+    EXPECT_EQ(several.notes, single.notes);
+    below += points_below_zero(several);
+    for (const std::string& note : several.notes) turned += note.find("turned round") != std::string::npos;
+  }
+  EXPECT_GT(below, 0);
+  EXPECT_GT(turned, 0);
 }
 
 }  // namespace

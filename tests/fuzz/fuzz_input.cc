@@ -17,7 +17,7 @@
 #include "dataset/plot_import.h"
 #include "dataset/temporary_folder.h"
 #include "dataset/units.h"
-#include "fitting/fit_definition.h"
+#include "jobs/fit_definition.h"
 #include "promise.h"
 
 namespace mixity::fuzz {
@@ -125,7 +125,7 @@ void check_numbers(const std::string& path) {
   }
 }
 
-void check_data(const Dataset& data, PointUse use) {
+void check_data(const Dataset& data) {
   check_metadata(data.metadata);
   promise(data.points.size() + data.excluded.size() == data.rows && data.rows > 0, "each row is used or excluded");
   for (std::size_t i = 0; i < data.points.size(); ++i) {
@@ -134,26 +134,33 @@ void check_data(const Dataset& data, PointUse use) {
     for (const double value : {point.P, point.T, point.A, errors.T, errors.A, errors.ratio})
       promise(std::isfinite(value), "an accepted point is finite");
     const auto toughness = data.toughness(i);
-    promise(toughness || use == PointUse::areas, "a point read for its toughness has one");
+    promise(toughness || data.has_loads, "a point of a toughness has one");
     if (toughness) {
       for (const double value : {toughness->ratio, toughness->mixity.cos, toughness->mixity.sin})
         promise(std::isfinite(value), "what is known of the toughness is finite");
       promise(toughness->psi() >= 0 && toughness->psi() < 1.5708, "psi lies in 0..90 degrees");
     }
     promise(point.curve < data.curves.size(), "a point belongs to a run");
-    if (data.has_loads) promise(point.T >= 0 && point.A > 0, "T is not negative and A positive");
+    if (data.has_loads) promise(point.A > 0, "an area is positive");
   }
-  for (const double scale : {data.display.force_scale, data.display.area_scale})
+  promise(data.energies.size() == (data.has_energies ? data.points.size() : 0),
+          "energies are of each point or of none");
+  for (const PointEnergies& point : data.energies) {
+    for (const double value : {point.G_I, point.G_II, point.sigma_GI, point.sigma_GII})
+      promise(std::isfinite(value), "an accepted energy is finite");
+    promise(point.G_I + point.G_II > 0 && point.sigma_GI >= 0 && point.sigma_GII >= 0, "a toughness is positive");
+  }
+  for (const double scale : {data.display.force_scale, data.display.area_scale, data.display.energy_scale})
     promise(std::isfinite(scale) && scale > 0, "a scale is finite and positive");
   for (const std::string& line : find_oddities(data)) promise(!line.empty(), "an oddity is a sentence");
+  for (const std::string& note : data.notes) promise(is_one_printable_line(note), "a note is one printable line", note);
 }
 
 void check_dataset(std::string_view text) {
   static const Scratch table("a.csv"), metadata("a.toml");
   const auto [toml, csv] = cut(text, "\n---\n");
   const std::string &path = table.hold(csv), &beside = metadata.hold(toml);
-  for (const PointUse use : {PointUse::toughness, PointUse::areas})
-    accepts({path + ":", beside + ":"}, [&] { check_data(load_dataset(path, {}, use), use); });
+  accepts({path + ":", beside + ":"}, [&] { check_data(load_dataset(path)); });
   accepts({path + ":"}, [&] { check_numbers(path); });
 }
 

@@ -1,0 +1,75 @@
+#include "dataset/energies.h"
+
+#include <algorithm>
+
+#include "dataset/input_error.h"
+#include "dataset/number_text.h"
+#include "mechanics/contact.h"
+#include "mechanics/model.h"
+
+namespace mixity {
+namespace {
+
+bool zero_or_in_range(double error) { return error == 0 || in_range(error); }
+
+/// False if the numbers have left their range.
+bool divide(double unit, PointEnergies& energies, ToughnessPoint& converted) {
+  energies = {energies.G_I / unit, energies.G_II / unit, energies.sigma_GI / unit, energies.sigma_GII / unit};
+  return std::abs(energies.G_I) <= kMostQuantity && std::abs(energies.G_II) <= kMostQuantity &&
+         zero_or_in_range(energies.sigma_GI) && zero_or_in_range(energies.sigma_GII) &&
+         convert(energies, converted).empty();
+}
+
+void take_largest_as_unit(const std::string& metadata_path, Dataset& data) {
+  double largest = 0;
+  for (const PointEnergies& energies : data.energies) largest = std::max(largest, energies.G_I);
+  if (!in_range(largest) || !in_range(largest * data.display.energy_scale))
+    throw InputError(data.path, "needs toughness to be made dimensionless, as no G_I lies above 0: state it in " +
+                                    metadata_path + " or by a flag (--toughness=...)");
+  data.display.energy_scale *= largest;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    PointEnergies energies = data.energies[i];
+    ToughnessPoint converted = data.converted[i];
+    if (!divide(largest, energies, converted)) {
+      data.excluded.push_back({data.points[i].line, kOutOfRangeRatio});
+      continue;
+    }
+    data.points[kept] = data.points[i];
+    data.energies[kept] = energies;
+    data.converted[kept] = converted;
+    if (!data.errors.empty()) data.errors[kept].ratio = error_of_sum(energies);
+    ++kept;
+  }
+  data.points.resize(kept);
+  data.energies.resize(kept);
+  data.converted.resize(kept);
+  if (!data.errors.empty()) data.errors.resize(kept);
+  std::sort(data.excluded.begin(), data.excluded.end(),
+            [](const Excluded& one, const Excluded& other) { return one.line < other.line; });
+  data.notes.push_back("toughness is not stated: fit it with --free=toughness; until then the largest G_I, " +
+                       rounded(data.display.energy_scale, 4) + " " + data.display.energy + ", stands for it");
+}
+
+}  // namespace
+
+std::string_view convert(const PointEnergies& energies, ToughnessPoint& point) {
+  const double sum = energies.G_I + energies.G_II;
+  if (!(sum > 0)) return "G_I + G_II <= 0";
+  if (!in_range(sum)) return kOutOfRangeRatio;
+  point = {mixity_from_energies(energies.G_I, energies.G_II), sum};
+  return {};
+}
+
+void finish_energies(const std::string& metadata_path, Dataset& data) {
+  if (!data.toughness_known && !data.points.empty()) take_largest_as_unit(metadata_path, data);
+  const auto below = static_cast<std::size_t>(
+      std::count_if(data.energies.begin(), data.energies.end(),
+                    [](const PointEnergies& energies) { return energies.G_I < 0 || energies.G_II < 0; }));
+  if (below > 0)
+    data.notes.push_back(std::to_string(below) + " of " + std::to_string(data.points.size()) +
+                         (below == 1 ? " points has" : " points have") +
+                         " G_I or G_II < 0, noise about zero: used as pure mode II or I of toughness G_I + G_II");
+}
+
+}  // namespace mixity

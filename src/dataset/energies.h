@@ -1,0 +1,23 @@
+// Energies of the two modes as points of a toughness: Gc = G_I + G_II at sin^2 psi = G_II/Gc.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "dataset/dataset.h"
+
+namespace mixity {
+
+/// Empty, or why these energies are no point; `point` is then left as it was.
+std::string_view convert(const PointEnergies& energies, ToughnessPoint& point);
+
+/// Standard error of G_I + G_II, of errors that know nothing of each other; 0 where neither is given.
+inline double error_of_sum(const PointEnergies& energies) { return std::hypot(energies.sigma_GI, energies.sigma_GII); }
+
+/// What can be said once all rows are read. Where G_Ic is not known the largest G_I becomes 1; points that leave the
+/// range of numbers by it are excluded. Notes this, and how many energies lie below zero. Throws InputError where no
+/// G_I is positive. `metadata_path`: where the toughness might have been stated.
+void finish_energies(const std::string& metadata_path, Dataset& data);
+
+}  // namespace mixity

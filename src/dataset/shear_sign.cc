@@ -1,0 +1,53 @@
+#include "dataset/shear_sign.h"
+
+#include <string>
+
+#include "dataset/printable.h"
+
+namespace mixity {
+namespace {
+
+/// Returns how many points of the runs that were turned lie below zero then.
+std::size_t turn_negative_runs(const std::vector<ShearRange>& ranges, Dataset& data) {
+  constexpr std::size_t kNamed = 4, kLongest = 40;  // runs, characters
+  std::size_t count = 0, below = 0;
+  std::string names;
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    if (ranges[i].is_negative() && ++count <= kNamed)
+      names += (names.empty() ? "" : ", ") + printable(data.curves[i], kLongest);
+  if (count == 0) return 0;
+  for (Point& point : data.points) {
+    if (!ranges[point.curve].is_negative()) continue;
+    point.T = 0 - point.T;  // 0 stays 0 and does not become -0
+    below += point.T < 0;
+  }
+  if (count > kNamed) names += " and " + std::to_string(count - kNamed) + " more";
+  data.notes.push_back((count == 1 ? "a run is" : std::to_string(count) + " runs are") +
+                       " sheared the other way and turned round (T -> -T): " + names);
+  return below;
+}
+
+}  // namespace
+
+std::vector<ShearRange> shear_ranges(const std::vector<Point>& points, std::size_t runs) {
+  std::vector<ShearRange> ranges(runs);
+  // Points of a run mostly follow each other: what is known of them stays in registers.
+  for (auto point = points.begin(); point != points.end();) {
+    const std::size_t run = point->curve;
+    ShearRange stretch;
+    for (; point != points.end() && point->curve == run; ++point) stretch.add(point->T);
+    ranges[run].add(stretch);
+  }
+  return ranges;
+}
+
+void finish_shear(const std::vector<ShearRange>& ranges, Dataset& data) {
+  std::size_t below = turn_negative_runs(ranges, data);
+  for (const ShearRange& range : ranges) below += range.is_negative() ? 0 : range.below;
+  if (below == 0) return;
+  data.notes.push_back(std::to_string(below) + " of " + std::to_string(data.points.size()) +
+                       (below == 1 ? " points has T < 0, used as it is" : " points have T < 0, used as they are") +
+                       ": equilibrium depends on T^2");
+}
+
+}  // namespace mixity
