@@ -1,0 +1,74 @@
+#include "solver/covariance.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace mixity {
+
+Covariance covariance(const Problem& problem, const Minimum& best, const std::vector<bool>& at_bound,
+                      const SolverOptions& options) {
+  const std::size_t n = problem.residual_count(), p = problem.parameters().size();
+  Covariance result{std::vector<std::optional<double>>(p), {}, {}};
+  std::vector<double> residuals(n), jacobian(n * p);
+  if (!problem.evaluate(best.x, residuals, jacobian)) return result;
+  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> J(
+      jacobian.data(), static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(p));
+  std::vector<Eigen::Index> open;
+  for (std::size_t k = 0; k < p; ++k)
+    if (!at_bound[k]) open.push_back(static_cast<Eigen::Index>(k));
+  if (open.empty()) return result;
+  const auto m = static_cast<Eigen::Index>(open.size());
+  const auto name = [&](Eigen::Index i) { return problem.parameters()[static_cast<std::size_t>(open[i])].name; };
+  const auto unconstrained = [&](auto&& concerned, const char* how) {
+    for (Eigen::Index i = 0; i < m; ++i)
+      if (concerned(i)) result.unconstrained += (result.unconstrained.empty() ? "" : " and ") + name(i);
+    result.unconstrained += how;
+    result.standard_errors.assign(p, std::nullopt);
+    return result;
+  };
+  Eigen::VectorXd norms(m);
+  for (Eigen::Index i = 0; i < m; ++i) norms[i] = J.col(open[i]).norm();
+  if (!(norms.array() > 0).all()) return unconstrained([&](Eigen::Index i) { return !(norms[i] > 0); }, "");
+  Eigen::MatrixXd scaled(J.rows(), m);
+  for (Eigen::Index i = 0; i < m; ++i) scaled.col(i) = J.col(open[i]) / norms[i];
+  // The triangle of J itself: J'J would lose half of the digits of parameters that hardly differ.
+  const Eigen::MatrixXd R = Eigen::HouseholderQR<Eigen::MatrixXd>(scaled)
+                                .matrixQR()
+                                .topRows(std::min(J.rows(), m))
+                                .triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(R, Eigen::ComputeFullV);
+  const bool tall = J.rows() >= m;
+  if (!tall || !(svd.singularValues()[m - 1] > options.independent)) {
+    const Eigen::VectorXd weak = svd.matrixV().col(m - 1);  // the direction that no residual feels
+    return unconstrained([&](Eigen::Index i) { return std::abs(weak[i]) > 0.1; }, " independently");
+  }
+  if (n <= p) return result;
+  Eigen::MatrixXd inverse;
+  if (const std::vector<double> bend = problem.curvatures(best.x); bend.empty()) {
+    const Eigen::MatrixXd root = R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(m, m));
+    inverse = root * root.transpose();
+  } else {
+    const Eigen::Map<const Eigen::VectorXd> c(bend.data(), static_cast<Eigen::Index>(n));
+    const Eigen::LLT<Eigen::MatrixXd> factors(scaled.transpose() * c.asDiagonal() * scaled);
+    if (factors.info() != Eigen::Success) return result;  // outliers bend the cost more than the rest
+    inverse = factors.solve(Eigen::MatrixXd::Identity(m, m));
+  }
+  const double variance = problem.known_errors() ? 1 : best.sum_of_squares / static_cast<double>(n - p);
+  for (Eigen::Index i = 0; i < m; ++i)
+    result.standard_errors[static_cast<std::size_t>(open[i])] = std::sqrt(variance * inverse(i, i)) / norms[i];
+  // The range of a parameter with a start is only wide: what is not known to a part of it is not known.
+  const auto unknown = [&](Eigen::Index i) {
+    const auto k = static_cast<std::size_t>(open[i]);
+    const FreeParameter& parameter = problem.parameters()[k];
+    return parameter.start && *result.standard_errors[k] > options.known_part * parameter.width();
+  };
+  for (Eigen::Index i = 0; i < m; ++i)
+    if (unknown(i)) return unconstrained(unknown, "");
+  if (m == static_cast<Eigen::Index>(p) && p > 1)
+    for (Eigen::Index i = 0; i < m; ++i)
+      for (Eigen::Index j = 0; j < m; ++j)
+        result.correlations.push_back(inverse(i, j) / std::sqrt(inverse(i, i) * inverse(j, j)));
+  return result;
+}
+
+}  // namespace mixity

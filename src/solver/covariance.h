@@ -1,0 +1,25 @@
+// Standard errors of the fitted parameters from the curvature of the cost at its minimum.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/results.h"
+#include "solver/options.h"
+#include "solver/problem.h"
+
+namespace mixity {
+
+struct Covariance {
+  std::vector<std::optional<double>> standard_errors;  // null at a bound, or where the curvature gives none
+  std::vector<double> correlations;                    // [p x p]; empty unless each of several parameters has an error
+  std::string unconstrained;                           // names of what the data do not constrain; else empty
+};
+
+/// Of the parameters that are not `at_bound`. (J'J)^-1, scaled to a unit diagonal, times the variance: 1 where the
+/// errors are known, else that of the scatter; under a robust loss with its curvature.
+Covariance covariance(const Problem& problem, const Minimum& best, const std::vector<bool>& at_bound,
+                      const SolverOptions& options = {});
+
+}  // namespace mixity

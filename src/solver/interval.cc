@@ -1,0 +1,184 @@
+#include "solver/interval.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+
+namespace mixity {
+namespace {
+
+/// A bound this part of the distance from the minimum away is reached.
+constexpr double kAtBound = 1e-15;
+
+struct End {
+  double x;
+  EndStatus status;
+};
+
+/// What one side of an interval is looked for with.
+struct EndSearch {
+  double least, allowance;  // the cost at the minimum, and what it may rise by
+  double deep;              // a cost below this is lower than the minimum by more than rounding
+  std::vector<double> deeper{};
+
+  EndSearch(double least_cost, double allowed, double rounding, double part)
+      : least(least_cost),
+        allowance(allowed),
+        deep(std::pow(std::max(std::sqrt(least_cost) - rounding, 0.0), 2) - part * allowed) {}
+  /// What is left of the allowance, as a root: linear in x for a parabola, which makes Newton's step exact.
+  double left(double cost) const { return std::sqrt(allowance) - std::sqrt(std::max(cost - least, 0.0)); }
+};
+
+/// Outwards from the minimum in Newton's steps on left(), kept between what lies within and what does not.
+End find_end(Profile& profile, const FreeParameter& parameter, double best, double direction, double first_step,
+             EndSearch& search, const SolverOptions& options) {
+  const double bound = direction < 0 ? parameter.lower : parameter.upper;
+  const bool physical = !parameter.start;  // else the range is only wide
+  double inside = best, outside = bound, x = best + direction * first_step;
+  bool bracketed = false, exceeded = false;  // a value was beyond the allowance, or not finite; the former
+  for (int i = 0; i < options.most_iterations; ++i) {
+    if ((x - bound) * direction >= 0) x = bound;
+    const auto here = profile(x);
+    if (here && here->cost < search.deep) {
+      search.deep = here->cost;
+      search.deeper = profile.point();
+    }
+    const bool within = here && here->cost <= search.least + search.allowance;
+    if (within && x == bound) return {x, physical ? EndStatus::at_bound : EndStatus::open};
+    (within ? inside : outside) = x;
+    bracketed |= !within;
+    exceeded |= here && !within;
+    const double rise = here ? std::sqrt(std::max(here->cost - search.least, 0.0)) : 0;
+    const double slope = rise > 0 ? 0.5 * here->slope / rise : 0;  // of that root
+    double next = x + search.left(here ? here->cost : 0) / slope;
+    const double farthest = bracketed ? outside : best + 4 * (x - best);
+    if (slope * direction > 0 && (next - inside) * direction > 0 && (farthest - next) * direction > 0) {
+      // Newton squares the error
+      if (std::abs(next - x) <= options.interval_step * std::abs(next - best)) return {next, EndStatus::found};
+    } else {
+      next = bracketed ? 0.5 * (inside + outside) : farthest;
+    }
+    // The cost jumps at the bound alone, where another parameter would have to be infinite.
+    if (exceeded && outside == bound && std::abs(inside - bound) <= kAtBound * std::abs(best - bound))
+      return {bound, physical ? EndStatus::at_bound : EndStatus::open};
+    if (bracketed && std::abs(outside - inside) <= 4e-16 * std::abs(outside))
+      return {inside, exceeded ? EndStatus::found : EndStatus::open};
+    x = next;
+  }
+  return {inside, EndStatus::open};  // it lies where halves of any number still jump over it
+}
+
+}  // namespace
+
+std::string_view to_string(EndStatus status) {
+  switch (status) {
+    case EndStatus::found:
+      return "found";
+    case EndStatus::at_bound:
+      return "at_bound";
+    case EndStatus::open:
+      break;
+  }
+  return "open";
+}
+
+double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors) {
+  using namespace boost::math;
+  // in double, to a few roundings: long double takes eight times as long, a sixth of a whole fit
+  using InDouble = policies::policy<policies::promote_double<false>>;
+  if (known_errors) return quantile(chi_squared_distribution<double, InDouble>(1), confidence);
+  const auto freedom = static_cast<double>(n - p);
+  return sum_of_squares / freedom * quantile(fisher_f_distribution<double, InDouble>(1, freedom), confidence);
+}
+
+Profile::Profile(const Problem& problem, const Minimum& best, std::size_t k, double decrease,
+                 const SolverOptions& options)
+    : k_(k), decrease_(decrease), kernel_(problem, options), x_(best.x), best_{best.x, {}} {
+  if (x_.size() > 1) best_.cost = kernel_.at(x_);
+  last_ = best_;
+}
+
+/// To first order the others move along with parameter k, by -H_oo^-1 H_ok.
+std::optional<Kernel::Held> Profile::descend_from(const Anchor& anchor, double value) {
+  const auto k = static_cast<Eigen::Index>(k_);
+  std::vector<double> x = anchor.x;
+  std::vector<Eigen::Index> others;
+  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(x.size()); ++i)
+    if (i != k && anchor.cost.finite && anchor.cost.slope_size[i] > 0) others.push_back(i);
+  const Eigen::VectorXd shift = Eigen::MatrixXd(anchor.cost.hessian(others, others))
+                                    .ldlt()
+                                    .solve(anchor.cost.hessian(others, k) * (anchor.x[k_] - value));
+  x[k_] = value;
+  if (shift.allFinite())
+    for (std::size_t i = 0; i < others.size(); ++i)
+      x[static_cast<std::size_t>(others[i])] += shift[static_cast<Eigen::Index>(i)];
+  if (auto minimum = kernel_.descend_held(x, k_, decrease_)) return minimum;
+  x = anchor.x;
+  x[k_] = value;
+  return kernel_.descend_held(x, k_, decrease_);
+}
+
+std::optional<Profile::Value> Profile::operator()(double value) {
+  if (x_.size() == 1) {
+    x_[0] = value;
+    const CostValue& cost = kernel_.at(x_);
+    return cost.finite ? std::optional(Value{cost.value, 2 * cost.gradient[0]}) : std::nullopt;
+  }
+  // from the nearer of the two minima known; where that leads to none, from the other
+  const bool last_is_near = std::abs(value - last_.x[k_]) < std::abs(value - best_.x[k_]);
+  auto minimum = descend_from(last_is_near ? last_ : best_, value);
+  Anchor here;
+  if (minimum) here = {minimum->x, kernel_.last()};
+  if (!minimum || !minimum->settled) {
+    const auto other = descend_from(last_is_near ? best_ : last_, value);
+    if (other && (!minimum || other->cost < minimum->cost)) {
+      minimum = other;
+      here = {other->x, kernel_.last()};
+    }
+  }
+  if (!minimum) return std::nullopt;
+  last_ = std::move(here);
+  x_ = last_.x;
+  return Value{minimum->cost, minimum->slope};
+}
+
+Interval profile_interval(const Problem& problem, const Minimum& best, std::size_t k, double confidence,
+                          double allowance, std::optional<double> standard_error, const SolverOptions& options) {
+  const FreeParameter& parameter = problem.parameters()[k];
+  const double x = best.x[k];
+  EndSearch search(best.sum_of_squares, allowance, residual_rounding(problem), options.deeper);
+  // Where the end lies if the cost is a parabola. Without a standard error (at a bound) the first step is tiny: the
+  // steps grow fast.
+  const auto n = static_cast<double>(problem.residual_count()), p = static_cast<double>(problem.parameters().size());
+  const double variance = problem.known_errors() ? 1 : best.sum_of_squares / (n - p);
+  const double least = std::max(parameter.least_size(), 1e-9 * std::abs(x));
+  const double step = standard_error ? *standard_error * std::sqrt(allowance / variance) : least;
+  const auto end = [&](double bound, double direction) {
+    if (x == bound) return End{x, EndStatus::at_bound};
+    Profile profile(problem, best, k, options.profile_decrease * allowance, options);
+    return find_end(profile, parameter, x, direction, step, search, options);
+  };
+  const End low = end(parameter.lower, -1), high = end(parameter.upper, 1);
+  return {confidence, low.x, high.x, low.status, high.status, search.deeper};
+}
+
+DrawnProfile draw_profile(const Problem& problem, const Minimum& best, std::size_t k, double low, double high,
+                          std::size_t count, double allowance, double variance, const SolverOptions& options) {
+  DrawnProfile drawn{{{best.x[k], 0.0}}, allowance / variance};
+  // From the best outwards, since each minimum over the others starts from the one before.
+  const std::size_t half = count / 2;
+  for (const double end : {low, high}) {
+    Profile profile(problem, best, k, options.profile_decrease * allowance, options);
+    for (std::size_t i = 1; i <= half; ++i) {
+      const double x = best.x[k] + (end - best.x[k]) * static_cast<double>(i) / static_cast<double>(half);
+      if (x == best.x[k]) continue;
+      if (const auto here = profile(x)) drawn.points.emplace_back(x, (here->cost - best.sum_of_squares) / variance);
+    }
+  }
+  std::sort(drawn.points.begin(), drawn.points.end());
+  return drawn;
+}
+
+}  // namespace mixity

@@ -1,0 +1,64 @@
+// Profile likelihood intervals of a fitted parameter, each end with its own validity.
+#pragma once
+
+#include <vector>
+
+#include "solver/kernel.h"
+#include "solver/results.h"
+
+namespace mixity {
+
+/// Ends as the solver counts (FreeParameter::shown makes them a reader's).
+struct Interval {
+  double confidence;
+  double low, high;  // meaningless where open
+  EndStatus low_status, high_status;
+  /// All parameters where the cost turned out lower than at the minimum, which then is none; else empty.
+  std::vector<double> deeper{};
+};
+
+/// How much the cost may rise above its minimum before a value of one parameter is rejected: chi^2(1) where the
+/// standard errors are known, else F(1, n - p) times the variance that the scatter shows. 0 < confidence < 1, n > p.
+double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors);
+
+/// The cost profiled along parameter k: minimised over the others, from the best known values of those.
+class Profile {
+ public:
+  struct Value {
+    double cost, slope;  // slope in parameter k: the others move none of it where they are at their best
+  };
+
+  /// `decrease`: how far above the others' minimum the cost may be where first order is enough to tell it.
+  Profile(const Problem& problem, const Minimum& best, std::size_t k, double decrease,
+          const SolverOptions& options = {});
+  /// Null if no finite cost was found.
+  std::optional<Value> operator()(double value);
+  /// All parameters at the minimum last found.
+  const std::vector<double>& point() const { return x_; }
+
+ private:
+  /// A minimum over the others, and the cost there with its derivatives.
+  struct Anchor {
+    std::vector<double> x;
+    CostValue cost;
+  };
+  std::optional<Kernel::Held> descend_from(const Anchor& anchor, double value);
+
+  std::size_t k_;
+  double decrease_;
+  Kernel kernel_;
+  std::vector<double> x_;
+  Anchor best_, last_;
+};
+
+/// The values of parameter k up to which the cost, minimised over the others, stays within `allowance` of the minimum.
+/// An end is `at_bound` where the cost is still within it at the parameter's bound, and `open` where a merely wide range
+/// ends first or the cost, still within it, stops being finite. Ends to 1e-9 of the distance, mostly far better.
+Interval profile_interval(const Problem& problem, const Minimum& best, std::size_t k, double confidence,
+                          double allowance, std::optional<double> standard_error, const SolverOptions& options = {});
+
+/// About `count` points from low to high, best among them; those without a finite cost are left out.
+DrawnProfile draw_profile(const Problem& problem, const Minimum& best, std::size_t k, double low, double high,
+                          std::size_t count, double allowance, double variance, const SolverOptions& options = {});
+
+}  // namespace mixity

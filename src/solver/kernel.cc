@@ -1,0 +1,216 @@
+#include "solver/kernel.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace mixity {
+namespace {
+
+/// Of any problem, through its residuals and Jacobian.
+class GeneralCost final : public Cost {
+ public:
+  explicit GeneralCost(const Problem& problem)
+      : problem_(problem),
+        residuals_(problem.residual_count()),
+        jacobian_(problem.residual_count() * problem.parameters().size()) {}
+
+  void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) override {
+    const auto p = static_cast<Eigen::Index>(x.size());
+    cost.value = 0;
+    cost.gradient.setZero(p);
+    cost.hessian.setZero(p, p);
+    cost.finite = problem_.evaluate_again(x, residuals_, jacobian_, memory_);
+    if (!cost.finite) return;
+    for (std::size_t i = 0; i < residuals_.size(); ++i) {
+      const double w = weights.empty() ? 1 : weights[i], r = residuals_[i];
+      const double* const row = jacobian_.data() + i * x.size();
+      cost.value += w * r * r;
+      for (Eigen::Index k = 0; k < p; ++k) {
+        cost.gradient[k] += w * r * row[k];
+        for (Eigen::Index l = 0; l <= k; ++l) cost.hessian(k, l) += w * row[k] * row[l];
+      }
+    }
+    for (Eigen::Index k = 0; k < p; ++k)
+      for (Eigen::Index l = 0; l < k; ++l) cost.hessian(l, k) = cost.hessian(k, l);
+    cost.slope_size = cost.hessian.diagonal().cwiseSqrt();
+    cost.finite = std::isfinite(cost.value) && cost.gradient.allFinite() && cost.hessian.allFinite();
+  }
+
+ private:
+  const Problem& problem_;
+  std::vector<double> residuals_, jacobian_, memory_;
+};
+
+}  // namespace
+
+std::unique_ptr<Cost> Problem::cost() const { return std::make_unique<GeneralCost>(*this); }
+
+Kernel::Kernel(const Problem& problem, const SolverOptions& options)
+    : problem_(problem), options_(options), cost_(problem.cost()), rounding_(residual_rounding(problem)) {}
+
+const CostValue& Kernel::at(std::span<const double> x) {
+  cost_->at(x, {}, here_);
+  return here_;
+}
+
+std::optional<Minimum> Kernel::descend(std::span<const double> start, std::span<const double> weights,
+                                       std::optional<std::size_t> held) {
+  std::vector<double> x(start.begin(), start.end());
+  for (std::size_t k = 0; k < x.size(); ++k)
+    x[k] = std::clamp(x[k], problem_.parameters()[k].lower, problem_.parameters()[k].upper);
+  cost_->at(x, weights, here_);
+  if (!here_.finite) return std::nullopt;
+  first_ = here_.value;
+  if (x.size() == 1 && !held)
+    return newton(x[0], problem_.parameters()[0].lower, problem_.parameters()[0].upper, false, weights);
+  return gauss_newton(std::move(x), weights, held);
+}
+
+std::optional<Minimum> Kernel::descend_within(double low, double x, double high) {
+  cost_->at({&x, 1}, {}, here_);
+  if (!here_.finite) return std::nullopt;
+  first_ = here_.value;
+  return newton(x, low, high, true, {});
+}
+
+/// On the gradient, between bounds and what its sign excludes. A bound is tried where Newton's step leads there, and is
+/// the minimum if the cost falls towards it.
+Minimum Kernel::newton(double x, double low, double high, bool known, std::span<const double> weights) {
+  double last_x = x, last_slope = 0;
+  bool low_known = known, high_known = known;
+  const auto relative = [&] {
+    const double scale = here_.slope_size[0] * std::sqrt(here_.value);
+    return scale > 0 ? std::abs(here_.gradient[0]) / scale : 0.0;
+  };
+  const auto end = [&](bool converged) {
+    const double size = relative();
+    return Minimum{{x}, here_.value, size, converged || size <= options_.stationary};
+  };
+  for (int i = 0; i < options_.most_iterations; ++i) {
+    const double slope = here_.gradient[0], curvature = here_.hessian(0, 0);
+    if (relative() <= options_.kernel_stationary) return end(true);
+    if ((slope > 0 && x <= low) || (slope < 0 && x >= high)) return {{x}, here_.value, 0, true};
+    (slope > 0 ? high : low) = x;
+    (slope > 0 ? high_known : low_known) = true;
+    double next = curvature > 0 ? x - slope / curvature : slope > 0 ? low : high;
+    const double move = next - x;
+    if (cost_->exact_curvature() && curvature > 0 && next > low && next < high &&
+        std::abs(move) <= 1e-9 * std::abs(x)) {
+      // Newton with the exact curvature squares the error: this step is the last, and the parabola gives the cost
+      // there.
+      here_.value = std::max(here_.value + move * (2 * slope + curvature * move), 0.0);
+      return {{next}, here_.value, 0, true};
+    }
+    // The secant of the slopes has the curvature that Gauss-Newton leaves out.
+    if (!cost_->exact_curvature() && i > 0 && slope != last_slope) {
+      const double secant = x - slope * (x - last_x) / (slope - last_slope);
+      if (std::abs(secant - x) < 0.1 * std::abs(x - last_x)) next = secant;
+    }
+    // Before the bracket, one end of which is x, sends it elsewhere: no step is left.
+    if (std::abs(next - x) <= 2e-16 * std::abs(x)) return end(true);
+    const bool bounded = std::isfinite(low) && std::isfinite(high);
+    if (next <= low)
+      next = !low_known ? low : low > 0 && high > 16 * low ? std::sqrt(low * high) : 0.5 * (low + high);
+    else if (next >= high)
+      next = !high_known ? high : 0.5 * (low + high);
+    if (!std::isfinite(next)) return end(false);
+    if (std::abs(next - x) <= 2e-16 * std::abs(x) || (bounded && high - low <= 2e-16 * high)) return end(true);
+    cost_->at({&next, 1}, weights, there_);
+    // Up from a slope that falls: a minimum is between.
+    if (there_.finite && std::sqrt(there_.value) > std::sqrt(here_.value) + rounding_) {
+      (next > x ? high : low) = next;
+      (next > x ? high_known : low_known) = true;
+      continue;
+    }
+    last_x = x;
+    last_slope = slope;
+    x = next;
+    std::swap(here_, there_);
+    if (!here_.finite) break;
+  }
+  return here_.finite ? end(false) : Minimum{{x}, std::numeric_limits<double>::infinity(), 1, false};
+}
+
+double Kernel::stationarity(const std::vector<double>& x, std::optional<std::size_t> held) {
+  open_.clear();
+  double largest = 0;
+  const double r = std::sqrt(here_.value);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    const double g = here_.gradient[i], scale = here_.slope_size[i] * r;
+    const FreeParameter& parameter = problem_.parameters()[k];
+    if (k == held || (x[k] <= parameter.lower && g > 0) || (x[k] >= parameter.upper && g < 0)) continue;
+    if (!(here_.slope_size[i] > 0)) continue;  // no residual feels it
+    open_.push_back(i);
+    if (scale > 0) largest = std::max(largest, std::abs(g) / scale);
+  }
+  return largest;
+}
+
+double Kernel::find_step(double damping) {
+  const auto m = static_cast<Eigen::Index>(open_.size());
+  // scaled to a unit diagonal, which makes the damping and the factors free of the parameters' units
+  Eigen::MatrixXd H(m, m);
+  Eigen::VectorXd g(m);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    g[k] = here_.gradient[open_[k]] / here_.slope_size[open_[k]];
+    for (Eigen::Index l = 0; l < m; ++l)
+      H(k, l) = here_.hessian(open_[k], open_[l]) / (here_.slope_size[open_[k]] * here_.slope_size[open_[l]]);
+    H(k, k) += damping;
+  }
+  step_ = H.ldlt().solve(-g);
+  const double gain = -g.dot(step_);
+  for (Eigen::Index k = 0; k < m; ++k) step_[k] /= here_.slope_size[open_[k]];
+  return gain;
+}
+
+Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weights,
+                             std::optional<std::size_t> held) {
+  double damping = 0, size = stationarity(x, held);
+  std::vector<double> next = x;
+  for (int i = 0; i < options_.most_iterations && size > options_.kernel_stationary_of_several; ++i) {
+    const double gain = find_step(damping);
+    if (damping == 0 && gain <= enough_) return {x, here_.value, size, true};
+    next = x;
+    for (Eigen::Index k = 0; k < step_.size(); ++k) {
+      const auto at = static_cast<std::size_t>(open_[k]);
+      const FreeParameter& parameter = problem_.parameters()[at];
+      next[at] = std::clamp(x[at] + step_[k], parameter.lower, parameter.upper);
+    }
+    if (next == x && damping == 0) return {x, here_.value, size, true};  // lost in the rounding of x
+    const bool usable = step_.allFinite();
+    if (usable) cost_->at(next, weights, there_);
+    const double roundings = 1e-14 * here_.value;  // of a sum of squares, about
+    if (!usable || !there_.finite || !(there_.value <= here_.value + roundings)) {
+      damping = std::max(10 * damping, 1e-4);
+      if (damping > 1e16) break;
+      continue;
+    }
+    std::swap(here_, there_);
+    std::swap(x, next);
+    damping = damping > 1e-6 ? 0.1 * damping : 0;
+    const double before = size;
+    size = stationarity(x, held);
+    // no step gains where rounding is all that is left
+    if (size < options_.stationary && size > 0.5 * before) break;
+  }
+  return {x, here_.value, size, size <= options_.stationary};
+}
+
+std::optional<Kernel::Held> Kernel::descend_held(std::span<const double> start, std::size_t held, double decrease) {
+  enough_ = decrease;
+  const auto minimum = descend(start, {}, held);
+  enough_ = 0;
+  if (!minimum) return std::nullopt;
+  Held result{minimum->x, here_.value, 2 * here_.gradient[static_cast<Eigen::Index>(held)], minimum->stationary};
+  if (!minimum->stationary || open_.empty()) return result;
+  const double gain = find_step(0);
+  if (!(gain >= 0 && gain <= decrease)) return result;
+  result.cost -= gain;
+  for (Eigen::Index k = 0; k < step_.size(); ++k)
+    result.slope += 2 * here_.hessian(static_cast<Eigen::Index>(held), open_[k]) * step_[k];
+  return result;
+}
+
+}  // namespace mixity

@@ -1,0 +1,174 @@
+#include "solver/resample.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <atomic>
+#include <boost/random/taus88.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
+#include <cmath>
+#include <cstdint>
+#include <future>
+#include <numeric>
+#include <random>
+#include <thread>
+
+#include "solver/kernel.h"
+
+namespace mixity {
+namespace {
+
+/// Refits from one start; one for each thread.
+class Refitter {
+ public:
+  Refitter(const Problem& problem, const std::vector<double>& start) : kernel_(problem), start_(start) {}
+  /// Empty if no minimum was found.
+  std::vector<double> operator()(std::span<const double> weights) {
+    const auto points =
+        static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
+    if (points <= start_.size()) return {};
+    const auto minimum = kernel_.descend(start_, weights);
+    return minimum && minimum->stationary ? minimum->x : std::vector<double>{};
+  }
+
+ private:
+  Kernel kernel_;
+  const std::vector<double>& start_;
+};
+
+/// Calls body(i, refitter, weights) for i < n on several threads, each with its own refitter and weights.
+template <class Body>
+void for_each_refit(const Problem& problem, const std::vector<double>& fitted, std::size_t n, unsigned threads,
+                    const Progress& progress, Body body) {
+  const std::size_t most = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+  constexpr std::size_t kShare = 16;  // taken at a time
+  std::atomic<std::size_t> taken = 0, done = 0;
+  const auto work = [&] {
+    Refitter refit(problem, fitted);
+    std::vector<double> weights(problem.residual_count());
+    for (std::size_t first; (first = taken.fetch_add(kShare)) < n;) {
+      const std::size_t last = std::min(first + kShare, n);
+      for (std::size_t i = first; i < last; ++i) body(i, refit, weights);
+      done += last - first;
+      if (progress) progress(static_cast<double>(done) / static_cast<double>(n));
+    }
+  };
+  // Where the system gives fewer threads some calls come later, and find no shares left.
+  std::vector<std::future<void>> others;
+  for (std::size_t i = 1; i < std::min(most, (n + kShare - 1) / kShare); ++i)
+    others.push_back(std::async(std::ref(work)));
+  work();
+  for (auto& other : others) other.get();
+}
+
+std::vector<std::vector<std::size_t>> members(const std::vector<std::size_t>& runs) {
+  std::vector<std::vector<std::size_t>> list;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i] >= list.size()) list.resize(runs[i] + 1);
+    list[runs[i]].push_back(i);
+  }
+  std::erase_if(list, [](const auto& run) { return run.empty(); });
+  return list;
+}
+
+std::uint32_t low_word(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
+std::uint32_t high_word(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }
+
+/// Linear interpolation between order statistics (the usual type 7).
+double quantile_of(const std::vector<double>& sorted, double q) {
+  const double rank = q * static_cast<double>(sorted.size() - 1), below = std::floor(rank);
+  const auto i = static_cast<std::size_t>(below);
+  return i + 1 < sorted.size() ? sorted[i] + (rank - below) * (sorted[i + 1] - sorted[i]) : sorted[i];
+}
+
+}  // namespace
+
+BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fitted,
+                          const std::vector<std::size_t>& runs, const BootstrapOptions& options, double confidence,
+                          const Progress& progress) {
+  const auto groups = members(runs);
+  std::vector<std::vector<double>> replicates(options.replicates);
+  const auto draw = [&](std::size_t replicate, std::vector<double>& weights) {
+    // Three words of state, so that seeding one stream for each replicate costs little.
+    const auto words = {low_word(options.seed), high_word(options.seed), low_word(replicate), high_word(replicate)};
+    std::seed_seq seed(words);
+    boost::random::taus88 random(seed);
+    std::fill(weights.begin(), weights.end(), 0.0);
+    const auto pick = [&](std::size_t n) {
+      return boost::random::uniform_int_distribution<std::uint32_t>(0, low_word(n - 1))(random);
+    };
+    for (const auto& group : groups) {
+      if (options.resample == Resample::points)
+        for (std::size_t i = 0; i < group.size(); ++i) weights[group[pick(group.size())]] += 1;
+      else
+        for (const std::size_t i : groups[pick(groups.size())]) weights[i] += 1;
+    }
+  };
+  for_each_refit(problem, fitted, options.replicates, options.threads, progress,
+                 [&](std::size_t i, Refitter& refit, std::vector<double>& weights) {
+                   draw(i, weights);
+                   replicates[i] = refit(weights);
+                 });
+
+  BootstrapResult result{options.replicates, options.seed, options.resample == Resample::curves, 0, {}};
+  std::erase_if(replicates, [](const auto& x) { return x.empty(); });
+  result.failed = options.replicates - replicates.size();
+  if (2 * replicates.size() < options.replicates || replicates.size() < 2) return result;
+  for (std::size_t k = 0; k < fitted.size(); ++k) {
+    const FreeParameter& parameter = problem.parameters()[k];
+    std::vector<double> values;
+    values.reserve(replicates.size());
+    for (const auto& x : replicates) values.push_back(parameter.shown(x[k]));
+    std::sort(values.begin(), values.end());
+    const auto n = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+    double square = 0;
+    for (const double value : values) square += (value - mean) * (value - mean);
+    result.parameters.push_back({quantile_of(values, 0.5 * (1 - confidence)),
+                                 quantile_of(values, 0.5 * (1 + confidence)), std::sqrt(square / (n - 1)),
+                                 mean - parameter.shown(fitted[k])});
+  }
+  return result;
+}
+
+Influence influence(const Problem& problem, const std::vector<double>& fitted,
+                    const std::vector<std::size_t>& runs, unsigned threads, const Progress& progress) {
+  const std::size_t n = problem.residual_count(), p = fitted.size();
+  Influence result;
+  std::vector<double> residuals(n), jacobian(n * p);
+  if (n <= p || p == 0 || !problem.evaluate(fitted, residuals, jacobian)) return result;
+  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> J(
+      jacobian.data(), static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(p));
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(J);
+  const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(J.rows(), J.cols());
+  double squares = 0;
+  for (const double r : residuals) squares += r * r;
+  const double variance = squares / static_cast<double>(n - p);
+  const auto groups = members(runs);
+  result.points.resize(n);
+  result.runs.resize(groups.size());
+  for_each_refit(problem, fitted, n + groups.size(), threads, progress,
+                 [&](std::size_t i, Refitter& refit, std::vector<double>& weights) {
+                   std::fill(weights.begin(), weights.end(), 1.0);
+                   if (i < n)
+                     weights[i] = 0;
+                   else
+                     for (const std::size_t member : groups[i - n]) weights[member] = 0;
+                   std::vector<double> change = refit(weights);
+                   for (std::size_t k = 0; k < change.size(); ++k) {
+                     const FreeParameter& parameter = problem.parameters()[k];
+                     change[k] = parameter.shown(change[k]) - parameter.shown(fitted[k]);
+                   }
+                   if (i >= n) {
+                     result.runs[i - n] = std::move(change);
+                     return;
+                   }
+                   const double h = Q.row(static_cast<Eigen::Index>(i)).squaredNorm(), rest = std::max(1 - h, 1e-12);
+                   const double r = residuals[i];
+                   const double cook =
+                       variance > 0 ? r * r * h / (static_cast<double>(p) * variance * rest * rest) : 0.0;
+                   result.points[i] = {h, cook, std::move(change)};
+                 });
+  return result;
+}
+
+}  // namespace mixity

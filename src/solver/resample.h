@@ -1,0 +1,23 @@
+// How far the fitted parameters depend on the choice of points: bootstrap, jackknife, influence. Parameters are those a
+// reader sees (FreeParameter::shown); weights are those of the fit, also where they depend on its parameters.
+#pragma once
+
+#include <vector>
+
+#include "solver/options.h"
+#include "solver/problem.h"
+#include "solver/results.h"
+
+namespace mixity {
+
+/// Refits of resampled points, each from the fit itself. `runs[i]` is the run of point i. Every replicate has a random
+/// stream of its own, so that the result does not depend on the number of threads.
+BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fitted,
+                          const std::vector<std::size_t>& runs, const BootstrapOptions& options, double confidence,
+                          const Progress& progress = {});
+
+/// What single points and runs do to the fit: jackknife, leverage, Cook's distance.
+Influence influence(const Problem& problem, const std::vector<double>& fitted,
+                    const std::vector<std::size_t>& runs, unsigned threads, const Progress& progress = {});
+
+}  // namespace mixity

@@ -1,0 +1,72 @@
+// What the solver finds, as plain numbers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mixity {
+
+enum class FitStatus { ok, at_bound, not_identifiable, multimodal, not_converged };
+std::string_view to_string(FitStatus status);
+
+/// Where a descent ended.
+struct Minimum {
+  std::vector<double> x;
+  double sum_of_squares;
+  double stationarity;  // the part of |r| along the columns of J of the parameters that are free to move; 0 is exact
+  bool stationary;      // within SolverOptions::stationary, or within rounding of the data
+};
+
+/// A minimum, judged.
+struct Verdict {
+  FitStatus status;
+  std::string message;                                 // one sentence; empty if ok
+  Minimum best;                                        // meaningless if not_identifiable
+  std::vector<bool> at_bound;                          // per parameter
+  std::vector<std::optional<double>> standard_errors;  // null at a bound, if not identifiable, or without scatter
+  std::vector<Minimum> others;                         // further local minima, best first
+  std::vector<double> correlations;  // [p x p] of the parameters that have a standard error; else empty
+};
+
+/// Of one end of an interval.
+enum class EndStatus { found, at_bound, open };
+std::string_view to_string(EndStatus status);
+
+/// The profile for drawing: how far the cost lies above its minimum, in units of the errors' variance (known, or as the
+/// scatter shows it), so that it is ((x - best)/standard error)^2 for a parabola.
+struct DrawnProfile {
+  std::vector<std::pair<double, double>> points;  // x as the solver counts, rise; x rising
+  double level = 0;                               // the rise at an interval's end: allowance/variance
+};
+
+/// One parameter's bootstrap distribution: percentile interval, standard deviation, and bias of the estimate (mean of
+/// the replicates minus the fit).
+struct Bootstrapped {
+  double low, high, standard_deviation, bias;
+};
+
+struct BootstrapResult {
+  std::size_t replicates = 0;
+  std::uint64_t seed = 0;
+  bool of_runs = false;  // whole runs were drawn, not points
+  std::size_t failed = 0;                // replicates without a minimum, left out
+  std::vector<Bootstrapped> parameters;  // empty if fewer than half of the replicates have one
+};
+
+/// How much one point, or one whole run, moves the fit.
+struct PointInfluence {
+  double leverage;             // diagonal of J (J'J)^-1 J', 0..1
+  double cooks_distance;       // r^2 h/(p s^2 (1 - h)^2)
+  std::vector<double> change;  // of each parameter when the point is left out and the rest refitted; empty if that
+                               // fit fails
+};
+struct Influence {
+  std::vector<PointInfluence> points;
+  std::vector<std::vector<double>> runs;  // change of each parameter when the run is left out; empty: that fit fails
+};
+}  // namespace mixity

@@ -1,0 +1,104 @@
+// Robust losses: large residuals count less. The problem with cost sum rho(r^2) is again one of least squares, in the
+// residuals sign(r) sqrt(rho(r^2)), so that scan, solver and verdict need not know.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "solver/options.h"
+#include "solver/problem.h"
+
+namespace mixity {
+
+class RobustProblem final : public WrappedProblem {
+ public:
+  /// `scale` > 0 in units of the residuals of `problem`, which must outlive this.
+  RobustProblem(const Problem& problem, Loss loss, double scale)
+      : WrappedProblem(problem), loss_(loss), scale_(scale) {}
+
+  /// The loss bends within a standard error: its basins may be narrower than the usual steps.
+  std::size_t scan_density(std::size_t searched) const override { return searched == 1 ? 512 : 16; }
+
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    if (!problem_.evaluate(x, residuals, jacobian)) return false;
+    bend(residuals, jacobian);
+    return true;
+  }
+  bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
+                      std::vector<double>& memory) const override {
+    if (!problem_.evaluate_again(x, residuals, jacobian, memory)) return false;
+    bend(residuals, jacobian);
+    return true;
+  }
+  bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override {
+    if (!problem_.evaluate_roughly(x, residuals)) return false;
+    bend(residuals, {});
+    return true;
+  }
+
+  /// d^2(rho/2)/dr^2 over the square of the residual's own slope; 0 for Huber's outliers, negative for Cauchy's.
+  std::vector<double> curvatures(std::span<const double> x) const override {
+    std::vector<double> values(residual_count(), 1.0);
+    if (!problem_.evaluate(x, values, {})) return {};
+    for (double& value : values) {
+      const double square = std::pow(value / scale_, 2);
+      if (loss_ == Loss::huber)
+        value = square > 1 ? 0 : 1;
+      else
+        value = square > 0 ? (1 - square) * std::log1p(square) / square : 1;
+    }
+    return values;
+  }
+
+ private:
+  void bend(std::span<double> residuals, std::span<double> jacobian) const {
+    const std::size_t p = parameters().size();
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+      const double r = residuals[i], size = std::abs(r) / scale_;
+      const bool outlier = loss_ == Loss::cauchy || size > 1;
+      if (!outlier || r == 0) continue;
+      const double rho = loss_ == Loss::huber ? 2 * size - 1 : std::log1p(size * size);
+      const double slope = loss_ == Loss::huber ? 1 / size : 1 / (1 + size * size);  // d rho/d(size^2)
+      residuals[i] = std::copysign(scale_ * std::sqrt(rho), r);
+      const double factor = slope * size / std::sqrt(rho);
+      if (!jacobian.empty())
+        for (std::size_t k = 0; k < p; ++k) jacobian[i * p + k] *= factor;
+    }
+  }
+
+  Loss loss_;
+  double scale_;
+};
+
+/// Standard error of residuals whose size is not known beforehand: 1.4826 times the median of their sizes.
+inline double spread(const Problem& problem, const std::vector<double>& x) {
+  std::vector<double> residuals(problem.residual_count());
+  if (residuals.empty() || !problem.evaluate(x, residuals, {})) return 0;
+  for (double& r : residuals) r = std::abs(r);
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
+  return 1.4826 * *middle;
+}
+
+/// Where the only parameter leaves the least spread: outliers may hide every minimum of the squares.
+inline std::vector<double> value_of_least_spread(const Problem& problem) {
+  if (problem.parameters().size() != 1) return {};
+  const FreeParameter& parameter = problem.parameters()[0];
+  const double width = parameter.upper - parameter.lower;
+  std::vector<double> best;
+  double least = std::numeric_limits<double>::infinity();
+  constexpr int kValues = 100;
+  for (int i = 1; i < kValues; ++i)
+    for (const double share : {i / double{kValues}, std::pow(10.0, -8.0 * i / kValues)}) {
+      const std::vector<double> x{parameter.lower + share * width};
+      const double here = spread(problem, x);
+      if (!(here > 0 && here < least)) continue;
+      least = here;
+      best = x;
+    }
+  return best;
+}
+
+}  // namespace mixity

@@ -1,0 +1,89 @@
+// The search of basins against brute force: no value of the range may cost less than the minimum that it leads to.
+#include "solver/basins.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "fitting/toughness.h"
+#include "mechanics/registry.h"
+#include "solver/verdict.h"
+
+namespace mixity {
+namespace {
+
+/// Points of which each follows one of two lambdas, up to the last digits before pi/2, with noise of any size.
+template <class Model>
+ToughnessObjective<Model> mixture(unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform;
+  std::normal_distribution<double> normal;
+  const double upper = Model::parameters[0].upper, noise = std::pow(10, -4 * uniform(random));
+  const double lambdas[] = {upper * std::pow(10, -6 * uniform(random)), upper * uniform(random)};
+  std::vector<ToughnessPoint> points;
+  for (int i = 0; i < 12; ++i) {
+    const double close = std::pow(10, -7 * uniform(random));  // to pi/2
+    const auto mixity = mixity_from_angle(i % 2 ? 0.5 * pi<double>() * uniform(random) : 0.5 * pi<double>() - close);
+    const double lambda = lambdas[uniform(random) < 0.5];
+    points.push_back({mixity, std::exp(Model::log_toughness({lambda}, mixity).value + noise * normal(random))});
+  }
+  return ToughnessObjective<Model>(std::move(points), Scale::log, FreeChoice<Model>({{0.15}, {}}, {}));
+}
+
+SolverOptions with_kernel() {
+  SolverOptions options;
+  options.engine = Engine::kernel;
+  return options;
+}
+
+/// The same problem with the curvature of Gauss and Newton, which a grid is searched with.
+class WithoutCurvature final : public WrappedProblem {
+ public:
+  using WrappedProblem::WrappedProblem;
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    return problem_.evaluate(x, residuals, jacobian);
+  }
+};
+
+template <class Model>
+class BasinsOf : public ::testing::Test {};
+using OneParameterModels = ::testing::Types<Johnson, WatersGuduru, PapangeloCiavarella>;
+TYPED_TEST_SUITE(BasinsOf, OneParameterModels);
+
+TYPED_TEST(BasinsOf, LeadToTheLowestCostOfTheRange) {
+  int found = 0;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    const auto problem = mixture<TypeParam>(seed);
+    const Verdict fit = solve(problem, {}, with_kernel());
+    if (fit.status == FitStatus::not_identifiable) continue;
+    ASSERT_FALSE(fit.best.x.empty()) << fit.message;
+    ++found;
+    const double upper = problem.parameters()[0].upper;
+    std::vector<double> residuals(problem.residual_count());
+    for (int i = 0; i <= 1000; ++i)
+      for (const double x : {upper * i / 1000, upper * std::pow(10, -14.0 * i / 1000)})
+        if (const auto here = sum_of_squares(problem, {&x, 1}, residuals)) {
+          // a slope of 1e-14 of its terms leaves the cost at its least but for rounding
+          ASSERT_GE(*here, fit.best.sum_of_squares * (1 - 1e-9) - 1e-24) << "seed " << seed << " at " << x;
+        }
+  }
+  EXPECT_GT(found, 250);
+}
+
+/// Costs whose curvature is Gauss-Newton's are looked at in fixed values, with the same result.
+TYPED_TEST(BasinsOf, AreThoseOfAGridWithoutExactCurvature) {
+  int compared = 0;
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    const auto problem = mixture<TypeParam>(seed);
+    const Verdict fast = solve(problem, {}, with_kernel()), slow = solve(WithoutCurvature(problem), {}, with_kernel());
+    if (fast.status != FitStatus::ok || slow.status != FitStatus::ok) continue;
+    ++compared;
+    EXPECT_NEAR(slow.best.x[0], fast.best.x[0], 1e-7 * fast.best.x[0])
+        << seed;  // the secant ends at sqrt(eps) of the cost
+  }
+  EXPECT_GT(compared, 25);
+}
+
+}  // namespace
+}  // namespace mixity

@@ -1,0 +1,66 @@
+// Priors are residuals: of a line, normal equations with 1/error^2 on their diagonal.
+#include "solver/prior.h"
+
+#include <gtest/gtest.h>
+
+#include "solver/interval.h"
+#include "solver/line.h"
+#include "solver/verdict.h"
+
+namespace mixity {
+namespace {
+
+/// (X'X + P) b = X'y + P mean, of level and slope.
+struct Posterior {
+  double level, slope, level_error, slope_error;
+  Posterior(double level_weight, double level_mean, double slope_weight, double slope_mean) {
+    const double a = Line::kN + level_weight, b = Line::kSumT, d = Line::kSumTT + slope_weight;
+    const double u = Line::kSumY + level_weight * level_mean, v = Line::kSumTY + slope_weight * slope_mean;
+    const double determinant = a * d - b * b;
+    level = (d * u - b * v) / determinant;
+    slope = (a * v - b * u) / determinant;
+    level_error = std::sqrt(d / determinant);
+    slope_error = std::sqrt(a / determinant);
+  }
+};
+
+constexpr double kRounding = 1e-12;  // of a linear problem with a condition of 5
+
+TEST(Prior, OnALineGivesThePosteriorInClosedForm) {
+  const auto line = Line::problem(unbounded("level", 0), unbounded("slope", 0));
+  struct Case {
+    std::vector<Prior> priors;
+    Posterior expected;
+  };
+  for (const Case& each :
+       {Case{{}, {0, 0, 0, 0}}, Case{{{1, 0.3, 0.1}}, {0, 0, 100, 0.3}}, Case{{{0, 2, 0.5}}, {4, 2, 0, 0}},
+        Case{{{1, 0.3, 0.1}, {0, 2, 0.5}}, {4, 2, 100, 0.3}}, Case{{{1, 0.3, 1e-4}}, {0, 0, 1e8, 0.3}}}) {
+    const ProblemWithPriors problem(line, each.priors);
+    for (const Engine engine : {Engine::ceres, Engine::kernel}) {
+      const Verdict verdict = solve(problem, {.near = {0, 0}}, {.engine = engine});
+      ASSERT_EQ(verdict.status, FitStatus::ok) << verdict.message;
+      EXPECT_NEAR(verdict.best.x[0], each.expected.level, kRounding);
+      EXPECT_NEAR(verdict.best.x[1], each.expected.slope, kRounding);
+      EXPECT_NEAR(verdict.standard_errors[0].value(), each.expected.level_error, kRounding);
+      EXPECT_NEAR(verdict.standard_errors[1].value(), each.expected.slope_error, kRounding);
+      const Interval interval = profile_interval(problem, verdict.best, 0, 0.95, 3.84, verdict.standard_errors[0]);
+      EXPECT_NEAR(interval.high - verdict.best.x[0], each.expected.level_error * std::sqrt(3.84), 1e-9);  // an end's
+    }
+  }
+}
+
+TEST(Prior, MakesKnownWhatTheDataDoNotConstrain) {
+  const auto sum = problem_of<2>(3, {unbounded("a", 0), unbounded("b", 0)}, {1, true},
+                                 [](const auto* b, std::size_t i) { return b[0] + b[1] - static_cast<double>(i); });
+  EXPECT_EQ(solve(sum, {.near = {0, 0}}).status, FitStatus::not_identifiable);
+  const ProblemWithPriors problem(sum, {{0, 0.25, 2}});
+  const Verdict verdict = solve(problem, {.near = {0, 0}});
+  ASSERT_EQ(verdict.status, FitStatus::ok) << verdict.message;
+  EXPECT_NEAR(verdict.best.x[0], 0.25, kRounding);
+  EXPECT_NEAR(verdict.best.x[1], 0.75, kRounding);
+  EXPECT_NEAR(verdict.standard_errors[0].value(), 2, kRounding);
+  EXPECT_NEAR(verdict.standard_errors[1].value(), std::sqrt(4 + 1.0 / 3), kRounding);
+}
+
+}  // namespace
+}  // namespace mixity
