@@ -1,13 +1,14 @@
 #include "fitting/comparison.h"
 
 #include <algorithm>
+#include <atomic>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
 
-#include "fitting/fitted_trial.h"
-#include "fitting/trial_areas.h"
+#include "dataset/side_by_side.h"
+#include "fitting/predicted_area.h"
 
 namespace mixity {
 namespace {
@@ -24,13 +25,13 @@ Information criteria(double sum_of_squares, std::size_t n, std::size_t parameter
 /// no area.
 template <class Model>
 std::optional<double> squared_area_errors(const Dataset& data, const std::vector<std::size_t>& run,
-                                          const Trial<Model>& trial, std::size_t& beyond) {
-  TrialAreas<Model> areas(trial);
+                                          const Candidate<Model>& candidate, std::size_t& beyond) {
+  PredictedAreas<Model> areas(candidate);
   double sum = 0;
   for (const std::size_t i : run) {
-    const TrialArea area = areas.at(data.points[i].P, data.points[i].T);
-    if (area.place == TrialArea::Place::undefined) return std::nullopt;
-    beyond += area.place == TrialArea::Place::beyond_fold;
+    const PredictedArea area = areas.at(data.points[i].P, data.points[i].T);
+    if (area.state == PredictedArea::State::undefined) return std::nullopt;
+    beyond += area.state == PredictedArea::State::beyond_fold;
     const double error = (area.value - data.points[i].A) * data.display.area_scale;
     sum += error * error;
   }
@@ -49,40 +50,42 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
   constexpr std::size_t kMostRuns = 200;
   if (!data.has_loads || data.curves.size() < 2 || data.curves.size() > kMostRuns || !has_all_values(whole))
     return std::nullopt;
-  const std::string& model = whole.model;
-  const FitOptions anew = value_only(options);
-  FitOptions quick = anew;
-  // What bends at its minimum may have another elsewhere without a run.
-  if (std::all_of(whole.parameters.begin(), whole.parameters.end(), [](const FittedParameter& parameter) {
-        return parameter.held || parameter.at_bound || parameter.stderr_;
-      }))
-    quick.near = whole.solution;
-  const auto runs = points_by_curve(data);
+  std::vector<std::vector<std::size_t>> runs = points_by_curve(data);
+  std::erase_if(runs, [](const auto& run) { return run.empty(); });
+  std::vector<std::optional<LeftOut::Run>> left_out(runs.size());
+  std::vector<double> squares(runs.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t r; (r = next++) < runs.size();) {
+      if (options.progress) options.progress(static_cast<double>(r) / static_cast<double>(runs.size()));
+      const std::size_t curve = data.points[runs[r].front()].curve;
+      std::vector<std::size_t> others;
+      for (std::size_t i = 0; i < data.points.size(); ++i)
+        if (data.points[i].curve != curve) others.push_back(i);
+      const FitResult without = refit_model(data, whole, options, others);
+      if (!has_all_values(without) || without.status == FitStatus::not_converged) continue;
+      LeftOut::Run run{data.curves[curve], data.curve_loads[curve], 0, runs[r].size(), 0};
+      std::optional<double> sum;
+      with_model(whole.model, [&](auto chosen) {
+        using Model = decltype(chosen);
+        sum =
+            squared_area_errors<Model>(data, runs[r], fitted_candidate<Model>(data, without, options), run.beyond_fold);
+      });
+      if (!sum) continue;
+      squares[r] = *sum;
+      run.rmse_area = std::sqrt(*sum / static_cast<double>(run.points));
+      left_out[r] = std::move(run);
+    }
+  };
+  side_by_side(std::min(processors(), runs.size()), work);
   LeftOut result{0, 0, {}};
   std::size_t predicted = 0;
-  for (const auto& run : runs) {
-    if (run.empty()) continue;
-    std::vector<std::size_t> others;
-    for (std::size_t i = 0; i < data.points.size(); ++i)
-      if (data.points[i].curve != data.points[run.front()].curve) others.push_back(i);
-    FitResult without = fit_model(data, model, quick, &others);
-    if (without.status == FitStatus::not_converged && !quick.near.empty())
-      without = fit_model(data, model, anew, &others);
-    if (!has_all_values(without) || without.status == FitStatus::not_converged) return std::nullopt;
-    const std::size_t curve = data.points[run.front()].curve;
-    LeftOut::Run left_out{data.curves[curve], data.curve_loads[curve], 0, run.size(), 0};
-    std::optional<double> squares;
-    with_model(model, [&](auto chosen) {
-      using Model = decltype(chosen);
-      squares =
-          squared_area_errors<Model>(data, run, fitted_trial<Model>(data, without, options), left_out.beyond_fold);
-    });
-    if (!squares) return std::nullopt;
-    left_out.rmse_area = std::sqrt(*squares / static_cast<double>(run.size()));
-    result.rmse_area += *squares;
-    result.beyond_fold += left_out.beyond_fold;
-    predicted += run.size();
-    result.runs.push_back(std::move(left_out));
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (!left_out[r]) return std::nullopt;
+    result.rmse_area += squares[r];
+    result.beyond_fold += left_out[r]->beyond_fold;
+    predicted += runs[r].size();
+    result.runs.push_back(std::move(*left_out[r]));
   }
   if (predicted == 0) return std::nullopt;
   result.rmse_area = std::sqrt(result.rmse_area / static_cast<double>(predicted));
@@ -95,8 +98,12 @@ std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector
   std::size_t most = 0;
   for (const FitResult& one : fits) most = std::max(most, one.used.size());
   double lowest = std::numeric_limits<double>::infinity();
+  const auto models = static_cast<double>(fits.size());
+  FitOptions of_one = options;
   for (const FitResult& one : fits) {
-    ComparedModel entry{one.model, {}, {}, {}, leave_one_load_out(data, one, options)};
+    const auto before = static_cast<double>(compared.size());
+    of_one.progress = stretch(options.progress, before / models, (before + 1) / models);
+    ComparedModel entry{one.model, {}, {}, {}, leave_one_load_out(data, one, of_one)};
     const auto criteria_of_fit = one.used.size() == most ? information(one) : std::nullopt;
     if (criteria_of_fit) {
       entry.aicc = criteria_of_fit->aicc;
@@ -127,7 +134,7 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
       return result;
     }
     with_model(model, [&](auto chosen) {
-      own.corrections = fitted_trial<decltype(chosen)>(data, whole, options).corrections;
+      own.constants = fitted_candidate<decltype(chosen)>(data, whole, options).constants;
     });
   }
   const auto runs = points_by_curve(data);
@@ -137,6 +144,7 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
   bool known = false;
   for (std::size_t c = 0; c < runs.size(); ++c) {
     if (runs[c].empty()) continue;
+    if (options.progress) options.progress(static_cast<double>(c) / static_cast<double>(runs.size()));
     CurveFit one{data.curves[c], data.has_loads ? data.curve_loads[c] : 0.0, fit_model(data, model, own, &runs[c])};
     if (has_all_values(one.fit) && one.fit.status != FitStatus::not_converged) {
       ++result.fitted;

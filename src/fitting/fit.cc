@@ -1,44 +1,17 @@
 #include "fitting/fit.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "fitting/fitted_parameters.h"
-#include "fitting/goodness.h"
-#include "fitting/prepared_fit.h"
-#include "fitting/robust_scale.h"
-#include "fitting/starts.h"
-#include "fitting/trial_areas.h"
+#include "fitting/predicted_area.h"
+#include "fitting/prepare.h"
+#include "fitting/standard_errors.h"
+#include "solver/robust.h"
+#include "solver/verdict.h"
 
 namespace mixity {
 namespace {
-
-template <class Model>
-AreaGoodness predict_areas(const Dataset& data, const std::vector<std::size_t>& used, const Trial<Model>& trial) {
-  TrialAreas<Model> predicted(trial);
-  AreaGoodness area;
-  area.obstacle = LoadedContact<Model>(trial.parameters, 0).obstacle();
-  std::vector<double> residuals, targets;
-  for (const std::size_t i : used) {
-    const Point& point = data.points[i];
-    const TrialArea at_point = predicted.at(point.P, point.T);
-    if (at_point.place != TrialArea::Place::equilibrium) {
-      ++area.unpredicted;
-      area.areas.emplace_back();
-      continue;
-    }
-    const double A = at_point.value;
-    area.areas.emplace_back(A);
-    residuals.push_back((A - point.A) * data.display.area_scale);
-    targets.push_back(point.A * data.display.area_scale);
-  }
-  area.predicted = targets.size();
-  if (targets.empty()) return area;
-  const Goodness fit = goodness(residuals, targets);
-  area.r2 = fit.r2;
-  area.rmse = fit.rmse;
-  area.max_abs_residual = fit.max_abs_residual;
-  return area;
-}
 
 /// 1/standard error of ln f (or f) minus the model's at the point's psi: through f and psi at once, from sigma_A and
 /// sigma_T, or from the file's sigma_Gc.
@@ -47,28 +20,31 @@ std::vector<double> toughness_weights(const Dataset& data, const FitOptions& opt
                                       const PreparedFit<Model>& prepared, const Parameters<Model>& p) {
   std::vector<double> weights;
   if (!data.has_loads && data.errors.empty())
-    throw InputError(data.path, "needs a column sigma_Gc to weigh its points by");
+    throw InputError(data.path, "needs a column " +
+                                    std::string(data.has_energies ? "sigma_GI or sigma_GII" : "sigma_Gc") +
+                                    " to weigh its points by");
   for (const std::size_t i : prepared.used) {
     const Point& point = data.points[i];
     const double ratio = data.toughness(i)->ratio;
     double error = data.errors_of(i).ratio / ratio;
     if (data.has_loads) {
       const double sigma_T = prepared.errors->T[i], sigma_A = prepared.errors->A[i];
-      const auto r = ToughnessResiduals<Model>(p, point.P, 0)({point.P, point.T, point.A, sigma_T, sigma_A});
+      const auto r = toughness_residual<Model>(p, {point.P, point.shear(), point.A, sigma_T, sigma_A});
       double by_T = r->T, by_A = r->A;  // of ln f_model - ln f
-      if (options.scale == Scale::linear) {
+      if (scale_of(options) == Scale::linear) {
         // d(f_model - f) = f_model d(ln f_model - ln f) + (f_model - f) d(ln f), here over f
         const double a = radius_from_area(point.A), y = edge_load(a, point.P), y_A = 2 * a / pi<double>();
         const double square = y * y + point.T * point.T, growth = std::expm1(r->value);
-        by_T = (1 + growth) * by_T + growth * 2 * point.T / square;
+        by_T = (1 + growth) * by_T + growth * 2 * point.shear() / square;
         by_A = (1 + growth) * by_A + growth * y_A * (2 * y / square - 1 / (y + point.P));
       }
       error = std::hypot(by_T * sigma_T, by_A * sigma_A);
     }
     if (!(error > 0))
-      throw InputError(data.path, place_of(data, point, "sigma_Gc"),
-                       "this point has no standard error (sigma_Gc is 0 or empty)");
-    weights.push_back(1 / (options.scale == Scale::log ? error : error * ratio));
+      throw InputError(data.path, place_of(data, point, data.has_energies ? "sigma_GI" : "sigma_Gc"),
+                       data.has_energies ? "this point has no standard error (sigma_GI and sigma_GII are 0 or empty)"
+                                         : "this point has no standard error (sigma_Gc is 0 or empty)");
+    weights.push_back(1 / (scale_of(options) == Scale::log ? error : error * ratio));
   }
   return weights;
 }
@@ -78,7 +54,7 @@ std::size_t distinct_points(const Dataset& data, const std::vector<std::size_t>&
   std::vector<std::size_t> distinct;
   const auto same = [&](std::size_t one, std::size_t other) {
     const Point &p = data.points[one], &q = data.points[other];
-    if (data.has_loads) return p.P == q.P && p.T == q.T && p.A == q.A;
+    if (data.has_loads) return p.P == q.P && p.shear() == q.shear() && p.A == q.A;
     const ToughnessPoint &f = data.converted[one], &g = data.converted[other];
     return f.mixity.sin == g.mixity.sin && f.mixity.cos == g.mixity.cos && f.ratio == g.ratio;
   };
@@ -90,24 +66,40 @@ std::size_t distinct_points(const Dataset& data, const std::vector<std::size_t>&
   return distinct.size();
 }
 
+/// shown: a fit of its own, by Ceres. values: one of many, by the kernel, without what is only shown.
+enum class Purpose { shown, values };
+
 template <class Model>
 class Fitter {
  public:
-  Fitter(const Dataset& data, const FitOptions& options, const std::vector<std::size_t>* points)
-      : data_(data), options_(options), prepared_(prepare<Model>(data, options, points)) {}
+  /// `near`: where the minimum is looked for; null: anywhere.
+  Fitter(const Dataset& data, const FitOptions& options, Purpose purpose, const std::vector<std::size_t>* points,
+         const std::vector<FittedParameter>* near)
+      : data_(data),
+        options_(options),
+        purpose_(purpose),
+        prepared_(prepare<Model>(data, options, options.objective.value_or(default_objective(data)), points)),
+        points_(points) {
+    if (!options_.free.empty() && !near && data.has_loads)
+      prepared_.start = jkr_start<Model>(data_, options_, prepared_);
+    problem_ = make_problem<Model>(data_, options_, prepared_);
+    describe();
+    if (near) starting_.near = solver_values(*problem_, *near);
+    if (purpose_ == Purpose::values) solver_.engine = Engine::kernel;
+  }
 
   FitResult run() {
-    describe();
-    if (!options_.free.empty()) prepared_.start = jkr_start<Model>(data_, options_, prepared_);
-    problem_ = make_problem<Model>(data_, options_, prepared_);
     const std::size_t p = problem_->parameters().size();
     if (const std::size_t distinct = distinct_points(data_, prepared_.used, p + 1); p > 0 && distinct <= p) {
       result_.status = FitStatus::not_identifiable;
       result_.message = too_few_points(distinct, prepared_.used.size(), p);
       return result_;
     }
-    if (p > 0 && options_.objective != Objective::toughness && options_.near.empty())
-      guesses_ = toughness_guesses<Model>(data_, options_, prepared_.used, p);
+    if (prepared_.objective == Objective::curve && data_.has_loads && starting_.near.empty()) fit_as_the_paper();
+    // how the time is shared, roughly: up to the minimum, and up to what is resampled
+    const double found = options_.profile_points > 0 ? 0.1 : 0.4,
+                 fitted = options_.bootstrap.replicates > 0 || options_.influence ? 0.1 : 1;
+    tell(0.25 * found * fitted);
     std::vector<double> x;
     if (p == 0) {
       result_.status = FitStatus::ok;
@@ -115,7 +107,7 @@ class Fitter {
     } else {
       Verdict verdict;
       const FitResult described = result_;
-      // An interval may come upon a lower place, from which to start again.
+      // An interval may come upon a lower cost, from which to start again.
       for (int again = 0;; ++again) {
         result_ = described;
         verdict = find_minimum();
@@ -123,23 +115,29 @@ class Fitter {
         result_.message = verdict.message;
         if (!result_.has_values() || verdict.best.x.empty()) return result_;
         x = verdict.best.x;
-        const std::vector<double> deeper = tell_parameters(cost(), verdict, options_, result_);
+        const std::vector<double> deeper =
+            tell_parameters(cost(), verdict, options_, stretch(options_.progress, found * fitted, fitted), result_);
         if (deeper.empty() || again == kMostRestarts) break;
-        guesses_.push_back(deeper);
+        starting_.guesses.push_back(deeper);
       }
-      tell_resampled(cost(), verdict, data_, options_, result_);
+      tell(fitted);
+      tell_resampled(cost(), verdict, data_, options_, stretch(options_.progress, fitted, 1), result_);
     }
     judge(x);
     return result_;
   }
 
  private:
+  void tell(double fraction) const {
+    if (options_.progress) options_.progress(fraction);
+  }
+
   void describe() {
     result_.model = Model::info.key;
     result_.model_name = Model::info.name;
     result_.formula = Model::info.formula;
-    result_.objective = options_.objective;
-    result_.scale = options_.scale;
+    result_.objective = prepared_.objective;
+    result_.scale = scale_of(options_);
     result_.used = prepared_.used;
     result_.excluded = prepared_.excluded;
     result_.errors = prepared_.errors;
@@ -149,8 +147,7 @@ class Fitter {
       result_.parameters[k].held = prepared_.held[k];
       if (prepared_.held[k]) result_.parameters[k].value = prepared_.base[k];
     }
-    const FreeChoice<Model> choice = free_choice(data_, options_, prepared_);
-    for (const FreeParameter& parameter : choice.parameters())
+    for (const FreeParameter& parameter : problem_->parameters())
       if (parameter.start) {
         result_.parameters.push_back(
             {parameter.name, {}, {}, parameter.shown(parameter.lower), parameter.shown(parameter.upper)});
@@ -158,18 +155,30 @@ class Fitter {
       }
   }
 
+  /// The paper's fit stands beside the result, and is a start for it.
+  void fit_as_the_paper() {
+    FitOptions options = value_only({});
+    options.objective = Objective::toughness;
+    options.hold = options_.hold;
+    options.constants = options_.constants;
+    const FitResult fit = Fitter(data_, options, Purpose::values, points_, nullptr).run();
+    result_.paper = {fit.status, fit.parameters, fit.r2, fit.used.size()};
+    if (const std::vector<double> x = solver_values(*problem_, fit.parameters); !x.empty())
+      starting_.guesses.push_back(x);
+  }
+
   Verdict find_minimum() {
     robust_.reset();  // of the problem before
-    Verdict verdict = minimise(*problem_, options_.near, guesses_);
-    if (options_.objective == Objective::toughness && options_.weighted) {
+    Verdict verdict = solve(*problem_, starting_, solver_);
+    if (prepared_.objective == Objective::toughness && options_.weighted) {
       // The standard errors depend on the model: until they no longer change.
       double change = 0;
       for (int i = 0; i < 50; ++i) {
         const std::vector<double> before = verdict.best.x;
-        const Parameters<Model> at = before.empty() ? prepared_.base : problem_->trial(before).parameters;
+        const Parameters<Model> at = before.empty() ? prepared_.base : problem_->candidate(before).parameters;
         problem_ =
             make_problem<Model>(data_, options_, prepared_, toughness_weights<Model>(data_, options_, prepared_, at));
-        verdict = minimise(*problem_, options_.near, guesses_);
+        verdict = solve(*problem_, starting_, solver_);
         if (verdict.best.x.empty()) break;
         if (before.empty()) continue;
         change = 0;
@@ -187,19 +196,19 @@ class Fitter {
     const double scale = options_.loss_scale.value_or(usual_scale(options_.loss));
     const bool known = problem_->known_errors();
     std::vector<double> x = verdict.best.x;
-    if (x.empty() && !known) x = place_of_least_spread(*problem_);
+    if (x.empty() && !known) x = value_of_least_spread(*problem_);
     for (int i = 0; i < (known ? 1 : 3) && (known || !x.empty()); ++i) {
       const double unit = known ? 1.0 : spread(*problem_, x);
       if (!(unit > 0)) return verdict;  // no residuals to speak of
       result_.loss_scale = scale * unit;
       robust_.emplace(*problem_, options_.loss, result_.loss_scale);
-      verdict = minimise(*robust_, options_.near, guesses_);
+      verdict = solve(*robust_, starting_, solver_);
       x = verdict.best.x;
     }
     return verdict;
   }
 
-  const LeastSquares& cost() const {
+  const Problem& cost() const {
     if (robust_) return *robust_;
     return *problem_;
   }
@@ -217,35 +226,59 @@ class Fitter {
     result_.r2 = fit.r2;
     result_.rmse = fit.rmse;
     result_.max_abs_residual = fit.max_abs_residual;
-    if (data_.has_loads) result_.area = predict_areas<Model>(data_, result_.used, problem_->trial(x));
+    if (data_.has_loads && purpose_ == Purpose::shown)
+      result_.area = area_goodness<Model>(data_, result_.used, problem_->candidate(x));
   }
 
   static constexpr int kMostRestarts = 3;
   const Dataset& data_;
   const FitOptions& options_;
+  Purpose purpose_;
   PreparedFit<Model> prepared_;
-  std::vector<std::vector<double>> guesses_;  // of the free parameters, beside those of the scan
+  const std::vector<std::size_t>* points_;
+  StartingPoints starting_;
+  SolverOptions solver_;
   std::unique_ptr<ModelProblem<Model>> problem_;
   std::optional<RobustProblem> robust_;
   FitResult result_;
 };
 
+FitResult fit(const Dataset& data, std::string_view model, const FitOptions& options, Purpose purpose,
+              const std::vector<std::size_t>* points, const std::vector<FittedParameter>* near) {
+  FitResult result;
+  const bool known = with_model(model, [&](auto chosen) {
+    result = Fitter<decltype(chosen)>(data, options, purpose, points, near).run();
+  });
+  if (!known) throw std::invalid_argument("there is no model '" + std::string(model) + "'");
+  return result;
+}
+
 }  // namespace
 
-FitOptions value_only(FitOptions options) {
-  options.intervals = false;
-  options.bootstrap = {};
-  options.influence = false;
-  options.profile_points = 0;
-  options.progress = {};
-  return options;
+Objective default_objective(const Dataset& data) {
+  const bool errors_of_energies = std::any_of(data.energies.begin(), data.energies.end(), [](const PointEnergies& e) {
+    return e.sigma_GI > 0 && e.sigma_GII > 0;
+  });
+  return data.has_loads || errors_of_energies ? Objective::curve : Objective::toughness;
 }
 
 FitResult fit_model(const Dataset& data, std::string_view model, const FitOptions& options,
                     const std::vector<std::size_t>* points) {
-  FitResult result;
-  with_model(model, [&](auto chosen) { result = Fitter<decltype(chosen)>(data, options, points).run(); });
-  return result;
+  return fit(data, model, options, Purpose::shown, points, nullptr);
+}
+
+FitResult refit_model(const Dataset& data, const FitResult& whole, const FitOptions& options,
+                      const std::vector<std::size_t>& points) {
+  const FitOptions values = value_only(options);
+  // What bends at its minimum may have another elsewhere without a run.
+  const bool smooth = std::all_of(whole.parameters.begin(), whole.parameters.end(), [](const FittedParameter& one) {
+    return one.value && (one.held || one.at_bound || one.stderr_);
+  });
+  if (smooth) {
+    FitResult near = fit(data, whole.model, values, Purpose::values, &points, &whole.parameters);
+    if (near.status != FitStatus::not_converged) return near;
+  }
+  return fit(data, whole.model, values, Purpose::values, &points, nullptr);
 }
 
 }  // namespace mixity

@@ -6,7 +6,8 @@
 
 #include "dataset/input_error.h"
 #include "dataset/number_text.h"
-#include "fitting/scan.h"
+#include "solver/interval.h"
+#include "solver/resample.h"
 
 namespace mixity {
 namespace {
@@ -19,7 +20,7 @@ ShownInterval shown(const Interval& interval, const FreeParameter& parameter) {
 }
 
 /// To twice the interval's distance on each side; all of a bounded range where another minimum fits as well.
-DrawnProfile profile_of(const LeastSquares& cost, const Verdict& verdict, std::size_t j, const Interval& interval,
+DrawnProfile profile_of(const Problem& cost, const Verdict& verdict, std::size_t j, const Interval& interval,
                         double allowance, std::size_t points) {
   const FreeParameter& parameter = cost.parameters()[j];
   const double x = verdict.best.x[j], n = static_cast<double>(cost.residual_count()),
@@ -37,15 +38,6 @@ DrawnProfile profile_of(const LeastSquares& cost, const Verdict& verdict, std::s
   return drawn;
 }
 
-/// True if a point passes a fold between the ends of parameter j's interval.
-bool bends_within(const LeastSquares& cost, const std::vector<double>& x, std::size_t j, const Interval& interval) {
-  if (interval.low_status == EndStatus::open || interval.high_status == EndStatus::open) return false;
-  std::vector<double> low = x, high = x;
-  low[j] = interval.low;
-  high[j] = interval.high;
-  return bends_between(cost, low, high);
-}
-
 /// The parameters of a fit that are not held, in the order of the solver's.
 std::vector<FittedParameter*> free_parameters(FitResult& fit) {
   std::vector<FittedParameter*> free;
@@ -56,23 +48,25 @@ std::vector<FittedParameter*> free_parameters(FitResult& fit) {
 
 }  // namespace
 
-std::vector<double> tell_parameters(const LeastSquares& cost, const Verdict& verdict, const FitOptions& options,
-                                    FitResult& fit) {
+std::vector<double> tell_parameters(const Problem& cost, const Verdict& verdict, const FitOptions& options,
+                                    const Progress& progress, FitResult& fit) {
   std::vector<double> deeper;
   fit.free_parameters = cost.parameters().size();
-  fit.solution = verdict.best.x;
   fit.sum_of_squares = verdict.best.sum_of_squares;
   fit.correlations = verdict.correlations;
   const bool known = fit.known_errors = cost.known_errors();
   const std::size_t n = cost.residual_count(), p = cost.parameters().size();
   const double allowance = n > p ? cost_allowance(options.confidence, verdict.best.sum_of_squares, n, p, known) : 0;
-  const double variance = known ? 1 : n > p ? verdict.best.sum_of_squares / static_cast<double>(n - p) : 0;
   const bool judged = verdict.status != FitStatus::not_converged && n > p && allowance > 0;
   const std::vector<FittedParameter*> fitted = free_parameters(fit);
+  const auto tell = [&](double done) {
+    if (progress) progress(done / static_cast<double>(fitted.size()));
+  };
   for (std::size_t j = 0; j < fitted.size(); ++j) {
+    tell(static_cast<double>(j));
     const FreeParameter& parameter = cost.parameters()[j];
     const double x = verdict.best.x[j];
-    const std::optional<double> error = verdict.stderrs[j];
+    const std::optional<double> error = verdict.standard_errors[j];
     fitted[j]->value = parameter.shown(x);
     fitted[j]->at_bound = verdict.at_bound[j];
     fitted[j]->stderr_.reset();
@@ -81,40 +75,36 @@ std::vector<double> tell_parameters(const LeastSquares& cost, const Verdict& ver
     if (!options.intervals || !judged) continue;
     const Interval interval = profile_interval(cost, verdict.best, j, options.confidence, allowance, error);
     fitted[j]->interval = shown(interval, parameter);
-    if (error && bends_within(cost, verdict.best.x, j, interval) &&
-        interval.high - interval.low > 8 * *error * std::sqrt(allowance / variance)) {
-      // four times as wide as a parabola of that error
-      fitted[j]->stderr_.reset();
-      if (fit.message.empty())
-        fit.message = "the cost of " + parameter.name + " bends within its interval: no standard error";
-    }
     if (!interval.deeper.empty()) {
       deeper = interval.deeper;
       fit.status = FitStatus::not_converged;
       fit.message = "the cost is lower at " + parameter.name + " = " + rounded(parameter.shown(deeper[j]), 4) +
                     " than at the minimum found";
     }
+    tell(static_cast<double>(j) + 0.2);
     if (options.profile_points > 0)
       fitted[j]->profile = profile_of(cost, verdict, j, interval, allowance, options.profile_points);
   }
   return deeper;
 }
 
-void tell_resampled(const LeastSquares& cost, const Verdict& verdict, const Dataset& data, const FitOptions& options,
-                    FitResult& fit) {
+void tell_resampled(const Problem& cost, const Verdict& verdict, const Dataset& data, const FitOptions& options,
+                    const Progress& progress, FitResult& fit) {
   if (verdict.status == FitStatus::not_converged) return;
   std::vector<std::size_t> runs;
   for (const std::size_t i : fit.used) runs.push_back(data.points[i].curve);
   if (options.bootstrap.replicates > 0) {
     if (options.bootstrap.resample == Resample::curves && std::set(runs.begin(), runs.end()).size() < 2)
       throw InputError(data.path, "a bootstrap of curves draws whole runs, of which this file has one");
-    fit.bootstrap = bootstrap(cost, verdict.best.x, runs, options.bootstrap, options.confidence, options.progress);
+    fit.bootstrap = bootstrap(cost, verdict.best.x, runs, options.bootstrap, options.confidence,
+                              stretch(progress, 0, options.influence ? 0.5 : 1));
     const std::vector<FittedParameter*> fitted = free_parameters(fit);
     for (std::size_t j = 0; j < fit.bootstrap->parameters.size(); ++j)
       fitted[j]->bootstrap = fit.bootstrap->parameters[j];
   }
   if (!options.influence) return;
-  fit.influence = influence(cost, verdict.best.x, runs, options.bootstrap.threads, options.progress);
+  fit.influence = influence(cost, verdict.best.x, runs, options.bootstrap.threads,
+                            stretch(progress, options.bootstrap.replicates > 0 ? 0.5 : 0, 1));
   for (std::size_t run = 0; run < data.curves.size(); ++run)
     if (std::find(runs.begin(), runs.end(), run) != runs.end()) fit.run_names.push_back(data.curves[run]);
 }

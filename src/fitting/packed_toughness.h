@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <span>
 
-#include "fitting/single_cost.h"
 #include "mechanics/lanes.h"
+#include "solver/problem.h"
 
 namespace mixity {
 
@@ -16,7 +16,7 @@ template <class Model>
 class ToughnessLanes {
  public:
   void add(const Mixity<double>& mixity) {
-    const LanePoint point = Model::lane_point(mixity);
+    const LanePoint<double> point = Model::lane_point(mixity);
     first_.push_back(point.first);
     second_.push_back(point.second);
   }
@@ -43,7 +43,7 @@ class ToughnessLanes {
 };
 
 template <class Model>
-class PackedToughness final : public SingleCost {
+class PackedToughness final : public Cost {
  public:
   /// `targets`: weights times ln f of the points; `weights`: 1/standard error, as ToughnessObjective has them. All
   /// three must outlive this.
@@ -52,28 +52,27 @@ class PackedToughness final : public SingleCost {
       : lanes_(lanes), targets_(targets), weights_(weights) {}
 
   bool exact_curvature() const override { return true; }
-  CostValue at(double x, std::span<const double> weights) override {
+  void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) override {
     // Four sums of each kind, which compilers keep in vector registers; the order is fixed, so is the result.
     double value[4]{}, slope[4]{}, square[4]{}, bend[4]{};
-    lanes_.log_toughness(x, [&](std::size_t begin, std::size_t n, const double* f, const double* f1, const double* f2) {
-      for (std::size_t j = 0; j < n; ++j) {
-        const std::size_t i = begin + j, k = j % 4;
-        const double w = weights.empty() ? 1 : weights[i];
-        const double r = weights_[i] * f[j] - targets_[i], d = weights_[i] * f1[j];
-        value[k] += w * r * r;
-        slope[k] += w * r * d;
-        square[k] += w * d * d;
-        bend[k] += w * r * weights_[i] * f2[j];
-      }
-    });
+    lanes_.log_toughness(
+        x[0], [&](std::size_t begin, std::size_t n, const double* f, const double* f1, const double* f2) {
+          for (std::size_t j = 0; j < n; ++j) {
+            const std::size_t i = begin + j, k = j % 4;
+            const double w = weights.empty() ? 1 : weights[i];
+            const double r = weights_[i] * f[j] - targets_[i], d = weights_[i] * f1[j];
+            value[k] += w * r * r;
+            slope[k] += w * r * d;
+            square[k] += w * d * d;
+            bend[k] += w * r * weights_[i] * f2[j];
+          }
+        });
     const auto sum = [](const double* s) { return (s[0] + s[1]) + (s[2] + s[3]); };
-    CostValue cost;
     cost.value = sum(value);
-    cost.slope = 2 * sum(slope);
-    cost.curvature = 2 * (sum(square) + sum(bend));
-    cost.slope_size = std::sqrt(sum(square));
-    cost.finite = std::isfinite(cost.value) && std::isfinite(cost.slope) && std::isfinite(cost.curvature);
-    return cost;
+    cost.gradient.setConstant(1, sum(slope));
+    cost.hessian.setConstant(1, 1, sum(square) + sum(bend));
+    cost.slope_size.setConstant(1, std::sqrt(sum(square)));
+    cost.finite = std::isfinite(cost.value) && std::isfinite(cost.gradient[0]) && std::isfinite(cost.hessian(0, 0));
   }
 
  private:

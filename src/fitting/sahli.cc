@@ -68,10 +68,10 @@ SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model, 
   for (std::size_t c = 0; c < data.curves.size(); ++c) {
     double largest = 0;
     for (const Point& point : data.points)
-      if (point.curve == c) largest = std::max(largest, point.T);
+      if (point.curve == c) largest = std::max(largest, point.shear());
     std::vector<double> squares, areas;
     for (const Point& point : data.points)
-      if (point.curve == c && point.T <= upto * largest) {
+      if (point.curve == c && point.shear() <= upto * largest) {
         squares.push_back(point.T * point.T);
         areas.push_back(point.A);
       }

@@ -19,18 +19,21 @@ std::optional<double> relative_scatter(const Dataset& data) {
   std::vector<double> ratios;
   for (auto& run : points_by_curve(data)) {
     // a row that repeats another says nothing of its error
-    const auto key = [&](std::size_t i) { return std::tuple(data.points[i].T, data.points[i].A, data.points[i].P); };
+    const auto key = [&](std::size_t i) {
+      return std::tuple(data.points[i].shear(), data.points[i].A, data.points[i].P);
+    };
     std::sort(run.begin(), run.end(),
               [&](std::size_t i, std::size_t j) { return std::tuple(key(i), i) < std::tuple(key(j), j); });
     run.erase(std::unique(run.begin(), run.end(), [&](std::size_t i, std::size_t j) { return key(i) == key(j); }),
               run.end());
     std::sort(run.begin(), run.end(), [&](std::size_t i, std::size_t j) {
-      return std::tuple(data.points[i].T, i) < std::tuple(data.points[j].T, j);
+      return std::tuple(data.points[i].shear(), i) < std::tuple(data.points[j].shear(), j);
     });
     for (std::size_t i = 1; i + 1 < run.size(); ++i) {
       const Point &low = data.points[run[i - 1]], &mid = data.points[run[i]], &high = data.points[run[i + 1]];
-      if (!(high.T > low.T)) continue;
-      const double w = (high.T - mid.T) / (high.T - low.T), slope = (high.A - low.A) / (high.T - low.T);
+      const double width = high.shear() - low.shear();
+      if (!(width > 0)) continue;
+      const double w = (high.shear() - mid.shear()) / width, slope = (high.A - low.A) / width;
       const double e = mid.A - w * low.A - (1 - w) * high.A;
       const auto variance = [&](const Point& q) { return q.A * q.A + slope * slope * q.T * q.T; };
       ratios.push_back(e * e / (variance(mid) + w * w * variance(low) + (1 - w) * (1 - w) * variance(high)));
@@ -46,7 +49,7 @@ std::optional<double> relative_scatter(const Dataset& data) {
 struct Stated {
   double value = 0;
   bool relative = false;
-  double of(double x) const { return relative ? value * x : value; }
+  double of(double x) const { return relative ? value * std::abs(x) : value; }
 };
 
 Stated understand(const Dataset& data, const std::string& name, const std::optional<StatedError>& stated,
@@ -61,6 +64,23 @@ Stated understand(const Dataset& data, const std::string& name, const std::optio
                                     ", or a percentage such as 1%");
   if (!(stated->value > 0)) throw InputError(data.path, name + " must be greater than 0");
   return {relative ? stated->si() : stated->si() / unit, relative};
+}
+
+double largest(const Dataset& data, double Point::*quantity) {
+  double most = 0;
+  for (const Point& point : data.points) most = std::max(most, std::abs(point.*quantity));
+  return most > 0 ? most : 1;
+}
+
+/// Returns how many there were.
+std::size_t raise_zeros(std::vector<double>& errors, double of) {
+  std::size_t raised = 0;
+  for (double& error : errors)
+    if (!(error > 0)) {
+      error = kLeastError * of;
+      ++raised;
+    }
+  return raised;
 }
 
 }  // namespace
@@ -82,7 +102,7 @@ std::string_view to_string(ErrorSource source) {
 }
 
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
-                               const std::optional<StatedError>& sigma_A) {
+                               const std::optional<StatedError>& sigma_A, bool both_axes) {
   const auto any = [&](auto member) {
     return std::any_of(data.errors.begin(), data.errors.end(), [&](const PointErrors& e) { return e.*member > 0; });
   };
@@ -114,7 +134,7 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
         return column;
       case ErrorSource::scatter:
       case ErrorSource::assumed:
-        return *errors.scatter * value;
+        return *errors.scatter * std::abs(value);
       case ErrorSource::exact:
         break;
     }
@@ -123,11 +143,18 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     const Point& point = data.points[i];
     const PointErrors columns = data.errors_of(i);
-    errors.T.push_back(error(errors.source_T, stated_T, point.T, columns.T));
+    errors.T.push_back(error(errors.source_T, stated_T, point.shear(), columns.T));
     errors.A.push_back(error(errors.source_A, stated_A, point.A, columns.A));
-    if (!(errors.A.back() > 0))
+    if (!both_axes && !(errors.A.back() > 0))
       throw InputError(data.path, place_of(data, point, "sigma_A"),
                        "this point has no standard error of its area (sigma_A is 0 or empty)");
+  }
+  if (both_axes) {
+    const std::size_t zeros_T = raise_zeros(errors.T, largest(data, &Point::T)),
+                      zeros_A = raise_zeros(errors.A, largest(data, &Point::A));
+    // a share of a T of 0 is nobody's statement
+    if (errors.source_T == ErrorSource::columns || errors.source_T == ErrorSource::exact) errors.raised_T = zeros_T;
+    if (errors.source_A == ErrorSource::columns) errors.raised_A = zeros_A;
   }
   return errors;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "dataset/dataset.h"
@@ -22,16 +22,20 @@ struct StandardErrors {
   std::vector<double> T, A;  // per point of the data set, dimensionless
   ErrorSource source_T = ErrorSource::scatter, source_A = ErrorSource::scatter;
   std::optional<double> scatter;  // the relative error, where it was estimated or assumed
+  // Points for whose error of 0 kLeastError of the largest value stands, which the distance from a curve needs.
+  std::size_t raised_T = 0, raised_A = 0;
 
   /// True if the size of the errors is known, and not only their proportions. T has no such error unless A has.
   bool absolute() const { return !scatter; }
 };
+inline constexpr double kLeastError = 1e-4;
 
 /// Stated errors win over columns. Where only A has an error, T counts as exact. Where neither has, both get the same
 /// relative error, estimated from how far points lie from the line between their neighbours in the run, rows that
-/// repeat one left out; or 1 % if fewer than three points have neighbours. Throws InputError for a column that leaves a
-/// point without an error of its area, and for a stated error whose unit is none of the quantity's.
+/// repeat one left out; or 1 % if fewer than three points have neighbours. `both_axes`: errors of 0 are raised to
+/// kLeastError of the largest value, since a distance in both axes needs both; otherwise a point without an error of its
+/// area is an InputError, as is a stated error whose unit is none of the quantity's.
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
-                               const std::optional<StatedError>& sigma_A);
+                               const std::optional<StatedError>& sigma_A, bool both_axes = false);
 
 }  // namespace mixity

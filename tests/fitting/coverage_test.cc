@@ -15,7 +15,7 @@ constexpr unsigned kSeeds = 16;  // slow under sanitizers
 constexpr unsigned kSeeds = 80;
 #endif
 
-/// Model c at lambda = 0.15, three runs well before their folds; noise in A, and for objective curve in T, too.
+/// Model c at lambda = 0.15, three runs well before their folds; noise in A and in T.
 Dataset noisy(unsigned seed, double size_A, double size_T) {
   SeededNoise noise_A(seed, size_A), noise_T(seed + 1000000, size_T);
   Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20}, 10, 0.8, noise_A);
@@ -46,15 +46,16 @@ void expect_share(unsigned count, double share) {
   EXPECT_NEAR(count, expected, 4 * std::sqrt(expected * (1 - share)));
 }
 
-TEST(Coverage, OfAreaWithKnownErrors) {
-  const Count found = count({.objective = Objective::area, .sigma_A = *parse_quantity("1%")}, 0.01, 0);
+/// T exact: its error of 0 is raised to 1e-4 of the largest T, far below what A knows.
+TEST(Coverage, OfCurveWithAnExactShear) {
+  const Count found = count({.objective = Objective::curve, .sigma_A = *parse_quantity("1%")}, 0.01, 0);
   expect_share(found.interval, 0.95);
   expect_share(found.one_error, 0.683);
 }
 
-TEST(Coverage, OfAreaAtAnotherConfidence) {
+TEST(Coverage, OfCurveAtAnotherConfidence) {
   const Count found =
-      count({.objective = Objective::area, .sigma_A = *parse_quantity("1%"), .confidence = 0.6}, 0.01, 0);
+      count({.objective = Objective::curve, .sigma_A = *parse_quantity("1%"), .confidence = 0.6}, 0.01, 0);
   expect_share(found.interval, 0.6);
 }
 
@@ -75,15 +76,18 @@ TEST(Coverage, OfCurveWithErrorsFromTheScatter) {
 
 /// Weighted, the toughness objective counts each point's error through f and psi at once.
 TEST(Coverage, OfWeightedToughness) {
-  const Count found =
-      count({.weighted = true, .sigma_T = *parse_quantity("1%"), .sigma_A = *parse_quantity("0.5%")}, 0.005, 0.01);
+  const Count found = count({.objective = Objective::toughness,
+                             .weighted = true,
+                             .sigma_T = *parse_quantity("1%"),
+                             .sigma_A = *parse_quantity("0.5%")},
+                            0.005, 0.01);
   expect_share(found.interval, 0.95);
   expect_share(found.one_error, 0.683);
 }
 
 /// Errors stated half as large as they are: the interval is half as wide, and holds the truth too rarely.
 TEST(Coverage, OfErrorsThatAreUnderstatedIsTooLow) {
-  const Count found = count({.objective = Objective::area, .sigma_A = *parse_quantity("0.5%")}, 0.01, 0);
+  const Count found = count({.objective = Objective::curve, .sigma_A = *parse_quantity("0.5%")}, 0.01, 0);
   expect_share(found.interval, 0.673);  // within 0.98 standard errors of a Gaussian
 }
 

@@ -3,20 +3,20 @@
 
 #include <cmath>
 #include <cstdio>
-#include <type_traits>
+#include <stdexcept>
 
 #include "dataset/input_error.h"
 #include "dataset/load_text.h"
 #include "fitting/fit.h"
-#include "fitting/prepared_fit.h"
+#include "fitting/prepare.h"
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
 namespace {
 
-const std::vector<Objective> kObjectives{Objective::toughness, Objective::area, Objective::curve};
+const std::vector<Objective> kObjectives{Objective::toughness, Objective::curve};
 
-FitOptions with(Objective objective, std::vector<Correction> free = {}) {
+FitOptions with(Objective objective, std::vector<Constant> free = {}) {
   return {.objective = objective,
           .free = std::move(free),
           .sigma_T = *parse_quantity("1%"),
@@ -69,18 +69,16 @@ TYPED_TEST(ExactRuns, GiveToughnessAndModulusBackWhenTheyAreFree) {
   for (const double lambda : {0.0023, 0.15, 0.9}) {
     // constants stated 10 % too large and 20 % too small
     const Dataset data = misdescribed(synthetic_runs<TypeParam>({lambda}, {-1, 0.5, 30}, 6), 1.1, 0.8);
-    for (const Objective objective : {Objective::area, Objective::curve}) {
-      const FitResult fit = fit_model(data, TypeParam::info.key, with(objective, {kToughness, kModulus}));
-      EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << lambda << fit.message;
-      ASSERT_EQ(fit.parameters.size(), 3u);
-      ASSERT_TRUE(fit.parameters[0].value) << lambda;
-      // as above, times the condition of three correlated parameters
-      EXPECT_NEAR(*fit.parameters[0].value / lambda, 1, 1e-9) << to_string(objective) << lambda;
-      EXPECT_NEAR(*fit.parameters[1].value * 1.1, 1, 1e-9) << to_string(objective) << lambda;
-      EXPECT_NEAR(*fit.parameters[2].value * 0.8, 1, 1e-9) << to_string(objective) << lambda;
-      ASSERT_EQ(fit.correlations.size(), 9u);
-      for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(fit.correlations[4 * k], 1, 1e-14);
-    }
+    const FitResult fit = fit_model(data, TypeParam::info.key, with(Objective::curve, {kToughness, kModulus}));
+    EXPECT_EQ(fit.status, FitStatus::ok) << lambda << fit.message;
+    ASSERT_EQ(fit.parameters.size(), 3u);
+    ASSERT_TRUE(fit.parameters[0].value) << lambda;
+    // as above, times the condition of three correlated parameters
+    EXPECT_NEAR(*fit.parameters[0].value / lambda, 1, 1e-9) << lambda;
+    EXPECT_NEAR(*fit.parameters[1].value * 1.1, 1, 1e-9) << lambda;
+    EXPECT_NEAR(*fit.parameters[2].value * 0.8, 1, 1e-9) << lambda;
+    ASSERT_EQ(fit.correlations.size(), 9u);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(fit.correlations[4 * k], 1, 1e-14);
   }
 }
 
@@ -88,41 +86,35 @@ TYPED_TEST(ExactRuns, GiveToughnessAndModulusBackWhenTheyAreFree) {
 TYPED_TEST(ExactRuns, GiveToughnessBackWhereTheStatedOneWouldHavePulledOff) {
   const Dataset data = misdescribed(synthetic_runs<TypeParam>({0.15}, {-3.5, -1, 0.5, 2.5}, 6), 0.5, 1);
   ASSERT_LT(above_pull_off(data.points[0].P), 0);
-  for (const Objective objective : {Objective::area, Objective::curve}) {
-    const FitResult fit = fit_model(data, TypeParam::info.key, with(objective, {kToughness}));
-    EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << fit.message;
-    ASSERT_TRUE(fit.parameters[0].value) << to_string(objective);
-    EXPECT_NEAR(*fit.parameters[0].value / 0.15, 1, 1e-9) << to_string(objective);  // as above
-    EXPECT_NEAR(*fit.parameters[1].value * 0.5, 1, 1e-9) << to_string(objective);
-  }
+  const FitResult fit = fit_model(data, TypeParam::info.key, with(Objective::curve, {kToughness}));
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  ASSERT_TRUE(fit.parameters[0].value);
+  EXPECT_NEAR(*fit.parameters[0].value / 0.15, 1, 1e-9);  // as above
+  EXPECT_NEAR(*fit.parameters[1].value * 0.5, 1, 1e-9);
 }
 
 /// Held at a toughness that is too small, the model predicts nothing for these points: they are named, the rest fitted.
-TEST(PointsBelowPullOff, AreLeftOutOfAFitOfAreas) {
+TEST(PointsBelowPullOff, AreLeftOutOfAFitOfCurves) {
   Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {1, 5}, 6);
-  const FitResult without = fit_model(data, "c", with(Objective::area));
+  const FitResult without = fit_model(data, "c", with(Objective::curve));
   data.points.push_back({14, 0, -5, 0.1, 3});
-  for (const Objective objective : {Objective::area, Objective::curve}) {
-    const FitResult fit = fit_model(data, "c", with(objective));
-    EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
-    EXPECT_NEAR(*fit.parameters[0].value, *without.parameters[0].value, 1e-10) << to_string(objective);  // as above
-    ASSERT_EQ(fit.excluded.size(), 1u);
-    EXPECT_EQ(fit.excluded[0].line, 14u);
-    EXPECT_EQ(fit.excluded[0].reason, kBelowPullOff);
-  }
+  const FitResult fit = fit_model(data, "c", with(Objective::curve));
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_NEAR(*fit.parameters[0].value, *without.parameters[0].value, 1e-10);  // as above
+  ASSERT_EQ(fit.excluded.size(), 1u);
+  EXPECT_EQ(fit.excluded[0].line, 14u);
+  EXPECT_EQ(fit.excluded[0].reason, kBelowPullOff);
 }
 
 /// Offsets, too: loads read 0.3 too small and areas 0.4 too large.
 TYPED_TEST(ExactRuns, GiveOffsetsBackWhenTheyAreFree) {
   Dataset data = synthetic_runs<TypeParam>({0.15}, {1, 5, 30}, 8);
   for (Point& p : data.points) p = {p.line, p.curve, p.P - 0.3, p.T, p.A + 0.4};
-  for (const Objective objective : {Objective::area, Objective::curve}) {
-    const FitResult fit = fit_model(data, TypeParam::info.key, with(objective, {kLoadOffset, kAreaOffset}));
-    EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << fit.message;
-    EXPECT_NEAR(*fit.parameters[0].value, 0.15, 1e-10) << to_string(objective);  // as above
-    EXPECT_NEAR(*fit.parameters[1].value, 0.3, 1e-9) << to_string(objective);
-    EXPECT_NEAR(*fit.parameters[2].value, -0.4, 1e-9) << to_string(objective);
-  }
+  const FitResult fit = fit_model(data, TypeParam::info.key, with(Objective::curve, {kLoadOffset, kAreaOffset}));
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_NEAR(*fit.parameters[0].value, 0.15, 1e-10);  // as above
+  EXPECT_NEAR(*fit.parameters[1].value, 0.3, 1e-9);
+  EXPECT_NEAR(*fit.parameters[2].value, -0.4, 1e-9);
 }
 
 /// Under one load without adhesion-free points every constant scales A(T) alike: freeing all of them at once leaves a
@@ -131,7 +123,7 @@ TEST(ExactRuns, OfOneLoadDoNotIdentifyEveryConstantAtOnce) {
   SeededNoise noise(3, 0.003);
   const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.0}, 20, 0.8, noise);
   // P = 0, model c: A(T) = A0 g(lambda (T/G)^2), A0 ~ (G/E)^(2/3), so that lambda and toughness act as one with E free
-  const FitResult fit = fit_model(data, "c", with(Objective::area, {kToughness, kModulus}));
+  const FitResult fit = fit_model(data, "c", with(Objective::curve, {kToughness, kModulus}));
   EXPECT_EQ(fit.status, FitStatus::not_identifiable);
   EXPECT_NE(fit.message.find("lambda and toughness and modulus independently"), std::string::npos) << fit.message;
   for (const FittedParameter& parameter : fit.parameters) EXPECT_FALSE(parameter.value);
@@ -203,23 +195,57 @@ TEST(Freed, AConstantIsFoundWithTheModelHeld) {
 /// With a constant free, toughness is fitted in ln f without weights; anything else is refused, not silently dropped.
 TEST(Freed, AConstantRefusesAnotherScaleOrWeightsOfToughness) {
   const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20});
-  const std::vector<Correction> free{kToughness};
-  EXPECT_EQ(fit_model(data, "c", {.free = free}).status, FitStatus::ok);
-  EXPECT_THROW(fit_model(data, "c", {.scale = Scale::linear, .free = free}), InputError);
-  EXPECT_THROW(fit_model(data, "c", {.weighted = true, .free = free}), InputError);
+  FitOptions options = with(Objective::toughness, {kToughness});
+  EXPECT_EQ(fit_model(data, "c", options).status, FitStatus::ok);
+  options.scale = Scale::linear;
+  EXPECT_THROW(fit_model(data, "c", options), InputError);
+  options.scale = Scale::log;
+  options.weighted = true;
+  EXPECT_THROW(fit_model(data, "c", options), InputError);
 }
 
-/// 1 % of noise in A, T known to 0.01 %: the curve is the area objective, and converges as that does.
-TEST(Freed, CurveIsAreaWhereTIsNearlyExact) {
+/// What is of the other objective is refused under curve, also where that is so by default.
+TEST(Curve, RefusesTheScaleAndTheWeightsOfToughness) {
+  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20});
+  EXPECT_EQ(fit_model(data, "c").objective, Objective::curve);
+  EXPECT_THROW(fit_model(data, "c", {.scale = Scale::linear}), InputError);
+  EXPECT_THROW(fit_model(data, "c", {.weighted = true}), InputError);
+  const Dataset angles = load_text("psi [deg],Gc_over_GIc\n0,1\n20,1.11\n40,1.4\n60,2.3\n");
+  EXPECT_EQ(fit_model(angles, "c").objective, Objective::toughness);
+  EXPECT_THROW(fit_model(angles, "c", {.objective = Objective::curve}), InputError);
+}
+
+/// The paper's fit of the same points stands beside every fit of curves, whatever is free in that.
+TEST(Curve, HasThePapersFitBesideIt) {
   SeededNoise noise(6, 0.01);
   const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20}, 20, 0.9, noise);
-  FitOptions options = with(Objective::area);
-  options.sigma_T = *parse_quantity("0.01%");
-  const FitResult area = fit_model(data, "c", options);
-  options.objective = Objective::curve;
-  const FitResult curve = fit_model(data, "c", options);
-  EXPECT_EQ(curve.status, FitStatus::ok) << curve.message;
-  EXPECT_NEAR(*curve.parameters[0].value, *area.parameters[0].value, 0.1 * *area.parameters[0].stderr_);
+  const FitResult paper = fit_model(data, "c", {.objective = Objective::toughness});
+  EXPECT_FALSE(paper.paper);
+  for (const std::vector<Constant>& free : {std::vector<Constant>{}, std::vector<Constant>{kToughness}}) {
+    const FitResult fit = fit_model(data, "c", with(Objective::curve, free));
+    ASSERT_TRUE(fit.paper);
+    EXPECT_EQ(fit.paper->status, FitStatus::ok);
+    ASSERT_EQ(fit.paper->parameters.size(), 1u);
+    // the kernel's minimum and Ceres', both to roundings of the gradient
+    EXPECT_NEAR(*fit.paper->parameters[0].value, *paper.parameters[0].value, 1e-12);
+    EXPECT_NEAR(*fit.paper->r2, *paper.r2, 1e-12);
+    EXPECT_EQ(fit.paper->points, data.points.size());
+  }
+}
+
+TEST(Fit, OfAnUnknownModelIsAnError) {
+  EXPECT_THROW(fit_model(synthetic_runs<PapangeloCiavarella>({0.15}, {5}), "d"), std::invalid_argument);
+}
+
+/// The last loads are those of the folds, to the last digit, where A at given T has a slope without bound.
+TEST(ExactRuns, ThatEndAtTheFoldAreExactUnderCurve) {
+  for (const double lambda : {0.2673491, 0.0695609, 0.9920213, 1.885382e-4}) {
+    const Dataset data = synthetic_runs<PapangeloCiavarella>({lambda}, {-2, 3.8811}, 3, 1.0);
+    const FitResult fit = fit_model(data, "c", with(Objective::curve));
+    EXPECT_EQ(fit.status, FitStatus::ok) << lambda << ": " << fit.message;
+    ASSERT_TRUE(fit.parameters[0].value);
+    EXPECT_NEAR(*fit.parameters[0].value / lambda, 1, 1e-10);  // as above: the fold's T is exact to some eps
+  }
 }
 
 }  // namespace

@@ -151,5 +151,27 @@ TEST(StandardErrors, RefuseAPointThatHasNoneInAColumnOfThem) {
             "a.csv:3: this point has no standard error of its area (sigma_A is 0 or empty)");
 }
 
+/// A distance in both axes needs both errors: of what is stated as 0, or as exact, 1e-4 of the largest value, counted.
+TEST(StandardErrors, OfZeroAreRaisedForBothAxesAndCounted) {
+  const Dataset data = load_text("P,T,A,sigma_T,sigma_A\n1,0,19.6,0,0.1\n1,5,19.2,0.2,0\n1,10,18,0,0.3\n");
+  const StandardErrors errors = standard_errors(data, {}, {}, true);
+  EXPECT_EQ(errors.T, (std::vector<double>{kLeastError * 10, 0.2, kLeastError * 10}));
+  EXPECT_EQ(errors.A, (std::vector<double>{0.1, kLeastError * 19.6, 0.3}));
+  EXPECT_EQ(errors.raised_T, 2u);
+  EXPECT_EQ(errors.raised_A, 1u);
+  const StandardErrors exact = standard_errors(load_text(kPlain), {}, stated("1%"), true);
+  EXPECT_EQ(exact.T, (std::vector<double>(3, kLeastError * 10)));
+  EXPECT_EQ(exact.raised_T, 3u);
+  EXPECT_EQ(exact.raised_A, 0u);
+}
+
+/// The share of a T of 0 is 0: nobody stated that, and nothing is counted.
+TEST(StandardErrors, ThatAreAShareOfAShearOfZeroAreRaisedInSilence) {
+  const StandardErrors errors = standard_errors(load_text(kPlain), stated("2%"), stated("1%"), true);
+  EXPECT_DOUBLE_EQ(errors.T[0], kLeastError * 10);
+  EXPECT_DOUBLE_EQ(errors.T[1], 0.1);
+  EXPECT_EQ(errors.raised_T, 0u);
+}
+
 }  // namespace
 }  // namespace mixity

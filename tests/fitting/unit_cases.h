@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <functional>
 #include <limits>
 
 #include "dataset/load_text.h"
 #include "fitting/synthetic_runs.h"
+#include "mechanics/curve_distance.h"
 
 namespace mixity {
 
@@ -23,18 +25,20 @@ inline constexpr std::array<AreaUnit, 7> kAreaUnits{
 struct UnitCase {
   std::string name, model;
   std::vector<std::array<double, 3>> rows;  // P [N], T [N], A [m^2]
-  double sigma_A;                           // [m^2]: 1 % of the mean area
+  double sigma_T, sigma_A;                  // [N], [m^2]: 1 % of the mean
 
   static constexpr const char* kConstants = "radius = '9.42 mm'\nmodulus = '2.133 MPa'\ntoughness = '27 mJ/m^2'\n";
 
   UnitCase(std::string title, std::string key, const Dataset& data) : name(std::move(title)), model(std::move(key)) {
     const Contact contact{9.42e-3, 2.133e6, 27e-3};
-    double sum = 0;
+    double sum_T = 0, sum_A = 0;
     for (const Point& point : data.points) {
       rows.push_back({point.P * contact.force_unit(), point.T * contact.force_unit(), point.A * contact.area_unit()});
-      sum += rows.back()[2];
+      sum_T += rows.back()[1];
+      sum_A += rows.back()[2];
     }
-    sigma_A = 0.01 * sum / static_cast<double>(rows.size());
+    sigma_T = 0.01 * sum_T / static_cast<double>(rows.size());
+    sigma_A = 0.01 * sum_A / static_cast<double>(rows.size());
   }
 
   /// As a user's file would hold them, all digits given.
@@ -45,13 +49,17 @@ struct UnitCase {
       std::snprintf(line, sizeof line, "%.17g,%.17g,%.17g\n", P, T, A / unit.square_metres);
       text += line;
     }
-    return load_text(text, kConstants, {}, PointUse::areas);
+    return load_text(text, kConstants);
   }
 
   /// "2.5e-09 m^2", in the unit.
-  std::string sigma_in(const AreaUnit& unit) const {
+  std::string sigma_A_in(const AreaUnit& unit) const { return quantity(sigma_A / unit.square_metres, unit.name); }
+  std::string sigma_T_text() const { return quantity(sigma_T, "N"); }
+
+ private:
+  static std::string quantity(double value, const char* unit) {
     char text[60];
-    std::snprintf(text, sizeof text, "%.17g %s", sigma_A / unit.square_metres, unit.name);
+    std::snprintf(text, sizeof text, "%.17g %s", value, unit);
     return text;
   }
 };
@@ -92,144 +100,110 @@ inline std::vector<UnitCase> unit_cases(const std::string& mergel) {
   return cases;
 }
 
-/// A place at which the derivative of something is taken is a number with derivatives or without.
-inline double plain(double x) { return x; }
-inline double plain(long double x) { return static_cast<double>(x); }
-template <class Jet>
-double plain(const Jet& x) {
-  return x.a;
-}
-inline double with_slope(double value, double, double) { return value; }
-inline long double with_slope(double value, double, long double) { return value; }
-template <class Jet>
-Jet with_slope(double value, double slope, const Jet& x) {
-  return Jet(value, slope * x.v);
-}
+/// A cost to be judged: residuals of one parameter, null where they are not defined.
+using Residuals = std::function<std::optional<std::vector<double>>(double x)>;
 
-/// A of the model at the measured T minus the measured A, in some unit. Beyond the last equilibrium the area at the
-/// fold stands for the model's.
+/// Distances from the equilibrium curves, as dimensionless data with these standard errors have them. The nearest place
+/// of the whole curve comes from mechanics/curve_distance.h, which tests of its own judge in 50 digits.
 template <class Model>
-class AreaDifferences {
- public:
-  double lower = Model::parameters[0].lower, upper = Model::parameters[0].upper;
-  mutable long sweeps = 0;
-
-  /// `unit`: the residual of a dimensionless difference of 1.
-  AreaDifferences(const Dataset& data, double unit) : points_(data.points), unit_(unit) {}
-  std::size_t size() const { return points_.size(); }
-
-  template <class S>
-  bool operator()(const S* x, S* residuals) const {
-    ++sweeps;
-    const double lambda = plain(*x);
-    std::optional<LoadedContact<Model>> contact;
-    double P = 0;
-    S fold(0);
-    bool fold_known = false;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Point& point = points_[i];
-      if (!contact || point.P != P) {
-        P = point.P;
-        contact.emplace(Parameters<Model>{lambda}, P);
-        if (!contact->obstacle().empty() || !contact->in_contact()) return false;
-        fold_known = false;
-      }
-      const Equilibrium at = contact->at(point.T);
-      if (at.status == EquilibriumStatus::invalid) return false;
-      S y;
-      if (at.status == EquilibriumStatus::ok) {
-        // One step of Newton's method carries the derivative, and what digits S has beyond a double's.
-        const auto R = circle_residual<Model, S>({*x}, S(P), S(at.y), S(point.T));
-        y = S(at.y) - R.value / R.d1;
-      } else {
-        if (!fold_known) fold = fold_at(*x, P, contact->branches().back().y_bottom);
-        fold_known = true;
-        y = fold;
-      }
-      const S a = S(cube_root(S(0.75) * (y + S(P))));
-      residuals[i] = S(unit_) * (S(pi<double>()) * a * a - S(point.A));
-    }
-    return true;
+Residuals curve_residuals(const Dataset& data, double sigma_T, double sigma_A) {
+  std::vector<double> P, T, A;
+  for (const Point& point : data.points) {
+    P.push_back(point.P);
+    T.push_back(point.T);
+    A.push_back(point.A);
   }
+  const std::size_t n = P.size();
+  const std::vector<double> errors_T(n, sigma_T), errors_A(n, sigma_A);
+  return [=](double x) -> std::optional<std::vector<double>> {
+    std::vector<double> r(n);
+    CurveDistances out{r, {}, {}, {}, {}};
+    if (!curve_distances<Model>({x}, {P, T, A, errors_T, errors_A}, Search::global, false, out)) return std::nullopt;
+    return r;
+  };
+}
 
- private:
-  template <class S>
-  static S cube_root(const S& x) {
-    using std::cbrt;
-    return cbrt(x);
+/// ln f of the model minus that of the points, each with its weight.
+template <class Model>
+Residuals toughness_residuals(const Dataset& data, const std::vector<double>& weights) {
+  std::vector<ToughnessPoint> points;
+  for (const Point& point : data.points) points.push_back(toughness_of_area(point.P, point.T, point.A).value());
+  return [=](double x) -> std::optional<std::vector<double>> {
+    std::vector<double> r;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      r.push_back(weights[i] * (Model::log_toughness({x}, points[i].mixity).value - std::log(points[i].ratio)));
+    return r;
+  };
+}
+
+/// 1/standard error of these residuals at lambda = x, by central differences in what was measured.
+template <class Model>
+std::vector<double> toughness_weights(const Dataset& data, double sigma_T, double sigma_A, double x) {
+  const auto residual = [&](double P, double T, double A) {
+    const ToughnessPoint point = toughness_of_area(P, std::abs(T), A).value();
+    return Model::log_toughness({x}, point.mixity).value - std::log(point.ratio);
+  };
+  std::vector<double> weights;
+  for (const auto& [line, curve, P, T, A] : data.points) {
+    const double h = 1e-6 * A, k = 1e-6 * std::max(T, 1.0);
+    const double by_A = (residual(P, T, A + h) - residual(P, T, A - h)) / (2 * h),
+                 by_T = (residual(P, T + k, A) - residual(P, T - k, A)) / (2 * k);
+    weights.push_back(1 / std::hypot(by_A * sigma_A, by_T * sigma_T));
   }
-  template <class S>
-  static S fold_at(const S& x, double P, double y) {
-    const double lambda = plain(x), h = 1e-6 * std::max(lambda, 1e-3);
-    const double low = std::max(lambda - h, Model::parameters[0].lower),
-                 high = std::min(lambda + h, Model::parameters[0].upper);
-    const auto edge = [&](double at) { return LoadedContact<Model>({at}, P).branches().back().y_bottom; };
-    return with_slope(y, (edge(high) - edge(low)) / (high - low), x);
-  }
+  return weights;
+}
 
-  std::vector<Point> points_;
-  double unit_;
-};
-
-/// The least sum of squares in the whole range: a dense scan, and golden sections in long double.
+/// Where the sum of squares is least in the whole range.
 struct BestValue {
   double x, standard_error;
-  int minima;  // within 10 %
+  int minima;
 };
 
-template <class Model>
-BestValue best_value(const Dataset& data, int places) {
-  const AreaDifferences<Model> problem(data, 1);
-  using Long = long double;
-  const auto cost = [&]<class S>(const S& x) {
-    std::vector<S> r(problem.size());
-    if (!problem(&x, r.data())) return std::numeric_limits<S>::infinity();
-    S sum = 0;
-    for (const S& value : r) sum += value * value;
+/// A dense scan of lower..upper, with golden sections where it is low. `known`: the residuals are in units of known
+/// standard errors.
+inline BestValue best_value(const Residuals& residuals, double lower, double upper, int values, bool known) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto cost = [&](double x) {
+    const auto r = residuals(x);
+    if (!r) return kInfinity;
+    double sum = 0;
+    for (const double value : *r) sum += value * value;
     return sum;
   };
-  std::vector<double> x{problem.lower};
-  for (int i = 0; i < places / 2; ++i) x.push_back(0.02 * problem.upper * std::pow(10.0, -8 + 16.0 * i / places));
-  for (int i = 1; i <= places / 2; ++i) x.push_back(problem.upper * (0.02 + 1.96 * i / places));
+  std::vector<double> x{lower};
+  for (int i = 0; i < values / 2; ++i) x.push_back(0.02 * upper * std::pow(10.0, -8 + 16.0 * i / values));
+  for (int i = 1; i <= values / 2; ++i) x.push_back(upper * (0.02 + 1.96 * i / values));
+  std::vector<double> costs;
+  for (const double at : x) costs.push_back(cost(at));
+  const double lowest = *std::min_element(costs.begin(), costs.end());
   BestValue best{};
-  Long least = std::numeric_limits<Long>::infinity();
-  // Each point that passes the fold bends the cost: once more, finer, around the best of the whole range.
-  for (int round = 0; round < 2; ++round) {
-    std::vector<double> costs;
-    for (const double at : x) costs.push_back(cost(at));
-    const double lowest = *std::min_element(costs.begin(), costs.end());
-    best.minima = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      // < on one side only, so that a plateau counts once
-      if ((i > 0 && costs[i] >= costs[i - 1]) || (i + 1 < x.size() && costs[i] > costs[i + 1])) continue;
-      ++best.minima;
-      if (costs[i] > 1.1 * lowest) continue;
-      Long low = x[i > 0 ? i - 1 : 0], high = x[std::min(i + 1, x.size() - 1)];
-      const Long ratio = 0.618033988749894848L;
-      for (int k = 0; k < 60; ++k) {
-        const Long one = high - ratio * (high - low), other = low + ratio * (high - low);
-        const bool left = cost(one) < cost(other);
-        (left ? high : low) = left ? other : one;
-      }
-      for (const Long at : {(low + high) / 2, Long(x[i])})
-        if (const Long here = cost(at); here < least) {
-          least = here;
-          best.x = static_cast<double>(at);
-        }
+  double least = kInfinity;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    // < on one side only, so that a plateau counts once
+    if ((i > 0 && costs[i] >= costs[i - 1]) || (i + 1 < x.size() && costs[i] > costs[i + 1])) continue;
+    ++best.minima;
+    if (costs[i] > 1.1 * lowest) continue;
+    double low = x[i > 0 ? i - 1 : 0], high = x[std::min(i + 1, x.size() - 1)];
+    for (int k = 0; k < 60; ++k) {
+      constexpr double kGolden = 0.6180339887498949;
+      const double one = high - kGolden * (high - low), other = low + kGolden * (high - low);
+      const bool left = cost(one) < cost(other);
+      (left ? high : low) = left ? other : one;
     }
-    if (!(best.x > 0)) break;
-    x.clear();
-    for (int i = 0; i <= places; ++i) x.push_back(std::min(best.x * (0.9 + 0.2 * i / places), problem.upper));
+    for (const double at : {0.5 * (low + high), x[i]})
+      if (const double here = cost(at); here < least) {
+        least = here;
+        best.x = at;
+      }
   }
-  // from the curvature of the sum of squares, half of which is J'J
-  const double h = 1e-4 * std::max(best.x, 1e-3 * problem.upper);
-  const double middle = std::clamp(best.x, problem.lower + h, problem.upper - h);
-  std::vector<double> low(problem.size()), high(problem.size());
-  const double below = middle - h, above = middle + h;
+  // from J'J, by central differences
+  const double h = 1e-4 * std::max(best.x, 1e-3 * upper), middle = std::clamp(best.x, lower + h, upper - h);
+  const auto below = residuals(middle - h), above = residuals(middle + h);
   double square = 0;
-  if (problem(&below, low.data()) && problem(&above, high.data()))
-    for (std::size_t i = 0; i < low.size(); ++i) square += std::pow((high[i] - low[i]) / (2 * h), 2);
-  best.standard_error = std::sqrt(static_cast<double>(least) / static_cast<double>(problem.size() - 1) / square);
+  if (below && above)
+    for (std::size_t i = 0; i < below->size(); ++i) square += std::pow(((*above)[i] - (*below)[i]) / (2 * h), 2);
+  const double variance = known || !below ? 1 : least / static_cast<double>(below->size() - 1);
+  best.standard_error = std::sqrt(variance / square);
   return best;
 }
 

@@ -1,0 +1,58 @@
+// Constants of the experiment, and how a change of them rescales what was measured.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+namespace mixity {
+
+/// Constants of the experiment that may be fitted beside a model's parameters. Toughness and modulus count as logarithms
+/// of factors on the data set's own values; offsets, dimensionless, are added to the measured load and area.
+enum Constant : std::size_t { kToughness, kModulus, kLoadOffset, kAreaOffset };
+inline constexpr std::array<std::string_view, 4> kConstantNames{"toughness", "modulus", "load_offset", "area_offset"};
+using Constants = std::array<double, 4>;
+
+inline bool is_factor(Constant c) { return c == kToughness || c == kModulus; }
+
+/// Measured values in the dimensionless units of the contact with these constants: forces by 1/G, areas by (E/G)^(2/3).
+struct ConstantsScale {
+  double force, area, load_offset, area_offset;
+
+  explicit ConstantsScale(const Constants& c)
+      : force(std::exp(-c[kToughness])),
+        area(std::exp(2.0 / 3 * (c[kModulus] - c[kToughness]))),
+        load_offset(c[kLoadOffset]),
+        area_offset(c[kAreaOffset]) {}
+
+  double load(double P) const { return (P + load_offset) * force; }
+  double shear(double T) const { return T * force; }
+  double true_area(double A) const { return (A + area_offset) * area; }
+  /// What would be measured of a contact of this true area.
+  double measured_area(double A) const { return A / area - area_offset; }
+};
+
+/// Derivative of a residual in a constant, from those in the load, shear and area as scaled, times these, and in the
+/// logarithms of the standard errors: the chain rule through ConstantsScale.
+struct ResidualSlopes {
+  double by_P, by_T, by_A;                  // in P, T and A
+  double log_sigma_T = 0, log_sigma_A = 0;  // in the logarithms of their errors
+
+  double in(Constant constant, double P, double T, double A, const ConstantsScale& scale) const {
+    const double by_force = -(by_P * P + by_T * T + log_sigma_T), by_area = 2.0 / 3 * (by_A * A + log_sigma_A);
+    switch (constant) {
+      case kToughness:
+        return by_force - by_area;
+      case kModulus:
+        return by_area;
+      case kLoadOffset:
+        return by_P * scale.force;
+      case kAreaOffset:
+        break;
+    }
+    return by_A * scale.area;
+  }
+};
+
+}  // namespace mixity

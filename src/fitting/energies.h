@@ -1,0 +1,121 @@
+// Objective `curve` of measured energies (G_I, G_II): signed distances from the law in their plane, in standard errors;
+// with G_Ic free, of each series its own.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "dataset/dataset.h"
+#include "fitting/objective.h"
+#include "fitting/standard_errors.h"
+#include "mechanics/energy_plane.h"
+
+namespace mixity {
+
+/// Energies in units of the data set's G_Ic, and the series of each point, 0, 1, ...
+struct EnergyPoint {
+  PointEnergies energies;  // standard errors > 0
+  std::size_t series;
+};
+
+/// The energies of the points used, errors of 0 raised to kLeastError of the largest energy; 1 without any error.
+inline std::vector<EnergyPoint> energy_points(const Dataset& data, const std::vector<std::size_t>& used) {
+  double largest = 0;
+  for (const PointEnergies& e : data.energies) largest = std::max({largest, e.G_I, e.G_II});
+  const double least = data.errors.empty() ? 1 : kLeastError * largest;
+  std::vector<EnergyPoint> points;
+  std::vector<std::size_t> series;  // those that occur, in order
+  for (const std::size_t i : used) {
+    const std::size_t curve = data.points[i].curve;
+    if (std::find(series.begin(), series.end(), curve) == series.end()) series.push_back(curve);
+    PointEnergies e = data.energies[i];
+    for (double* error : {&e.sigma_GI, &e.sigma_GII})
+      if (!(*error > 0)) *error = least;
+    points.push_back({e, static_cast<std::size_t>(std::find(series.begin(), series.end(), curve) - series.begin())});
+  }
+  return points;
+}
+
+/// G_Ic of each series, as ln of a factor on the data set's own: it starts at Gc of the point with the least mode II.
+inline std::vector<FreeParameter> series_toughness(const Dataset& data, const std::vector<EnergyPoint>& points,
+                                                   const std::vector<std::size_t>& used) {
+  std::vector<FreeParameter> list;
+  std::vector<double> least;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const EnergyPoint& point = points[i];
+    const double sum = point.energies.G_I + point.energies.G_II, ratio = point.energies.G_II / sum;
+    if (point.series == list.size()) {
+      list.push_back({"toughness", -std::log(1e3), std::log(1e3), 0.0, data.display.energy_scale, true,
+                      data.display.energy});
+      const std::string& name = data.curves[data.points[used[i]].curve];
+      if (!name.empty()) list.back().name += "(" + name + ")";
+      least.push_back(std::numeric_limits<double>::infinity());
+    }
+    if (ratio < least[point.series]) {
+      least[point.series] = ratio;
+      list[point.series].start = std::log(sum);
+    }
+  }
+  if (list.size() == 1) list[0].name = "toughness";
+  return list;
+}
+
+template <class Model>
+class EnergyObjective final : public ModelProblem<Model> {
+ public:
+  /// `toughness`: of each series, ln of a factor on G_Ic; empty: G_Ic is as stated.
+  EnergyObjective(std::vector<EnergyPoint> points, FreeChoice<Model> choice,
+                  const std::vector<FreeParameter>& toughness)
+      : points_(std::move(points)), choice_(std::move(choice)), parameters_(choice_.parameters()) {
+    parameters_.insert(parameters_.end(), toughness.begin(), toughness.end());
+    for (const EnergyPoint& point : points_) {
+      targets_.push_back(point.energies.G_I / point.energies.sigma_GI);
+      weights_.push_back(1 / point.energies.sigma_GI);
+    }
+  }
+
+  std::size_t residual_count() const override { return points_.size(); }
+  const std::vector<FreeParameter>& parameters() const override { return parameters_; }
+  /// G_I: what the reported R^2 compares with.
+  const std::vector<double>& targets() const override { return targets_; }
+  const std::vector<double>& weights() const override { return weights_; }
+  Candidate<Model> candidate(std::span<const double> x) const override {
+    return choice_.candidate(x.first(choice_.size()));
+  }
+  double data_norm() const override {
+    double square = 0;
+    for (const EnergyPoint& point : points_)
+      square += std::pow(point.energies.G_I / point.energies.sigma_GI, 2) +
+                std::pow(point.energies.G_II / point.energies.sigma_GII, 2);
+    return std::sqrt(square);
+  }
+
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    const EnergyLaw<Model> law(candidate(x).parameters);
+    const std::size_t width = parameters_.size(), model = choice_.size();
+    bool finite = true;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const PointEnergies& e = points_[i].energies;
+      const std::size_t toughness = model + points_[i].series;
+      const double G_Ic = width > model ? std::exp(x[toughness]) : 1;
+      const EnergyDistance<Model> r = law.distance(e.G_I, e.G_II, e.sigma_GI, e.sigma_GII, G_Ic);
+      residuals[i] = r.value;
+      finite &= std::isfinite(r.value);
+      if (jacobian.empty()) continue;
+      const std::span<double> row = jacobian.subspan(i * width, width);
+      std::fill(row.begin(), row.end(), 0.0);
+      for (std::size_t k = 0; k < model; ++k) row[k] = r.parameters[choice_.model()[k]];
+      if (width > model) row[toughness] = r.log_toughness;
+      for (const double value : row) finite &= std::isfinite(value);
+    }
+    return finite;
+  }
+
+ private:
+  std::vector<EnergyPoint> points_;
+  FreeChoice<Model> choice_;
+  std::vector<FreeParameter> parameters_;
+  std::vector<double> targets_, weights_;
+};
+
+}  // namespace mixity

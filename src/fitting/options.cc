@@ -1,0 +1,53 @@
+#include "fitting/options.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/registry.h"
+
+namespace mixity {
+
+std::optional<HeldParameter> parse_held(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  HeldParameter held{std::string(trim(text.substr(0, equals))), {}};
+  if (held.name.empty()) return std::nullopt;
+  if (equals == std::string_view::npos) return held;
+  held.value = parse_number(text.substr(equals + 1));
+  if (!held.value || !std::isfinite(*held.value)) return std::nullopt;
+  return held;
+}
+
+std::vector<std::string> model_keys() {
+  std::vector<std::string> keys;
+  for_each_model([&](auto model) { keys.emplace_back(decltype(model)::info.key); });
+  return keys;
+}
+
+bool has_parameter(const std::vector<std::string>& models, std::string_view name) {
+  bool found = false;
+  for (const std::string& key : models)
+    with_model(key, [&](auto model) {
+      const auto& parameters = decltype(model)::parameters;
+      found |= std::any_of(parameters.begin(), parameters.end(), [&](const auto& info) { return info.name == name; });
+    });
+  return found;
+}
+
+std::string_view to_string(Objective objective) { return objective == Objective::toughness ? "toughness" : "curve"; }
+
+std::optional<Objective> parse_objective(std::string_view text) {
+  for (const Objective objective : {Objective::toughness, Objective::curve})
+    if (text == to_string(objective)) return objective;
+  return std::nullopt;
+}
+
+FitOptions value_only(FitOptions options) {
+  options.intervals = false;
+  options.bootstrap = {};
+  options.influence = false;
+  options.profile_points = 0;
+  options.progress = {};
+  return options;
+}
+
+}  // namespace mixity

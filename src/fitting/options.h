@@ -1,0 +1,67 @@
+// What a fit can be asked for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fitting/constants.h"
+#include "fitting/standard_errors.h"
+#include "solver/options.h"
+
+namespace mixity {
+
+/// toughness: ln(Gc/GIc) against psi, the paper's. curve: orthogonal distance from the equilibrium curve in the plane of
+/// T and A, or from the law in the plane of the two energies.
+enum class Objective { toughness, curve };
+std::string_view to_string(Objective objective);
+std::optional<Objective> parse_objective(std::string_view text);
+/// What is said where the objective of earlier versions is asked for.
+inline constexpr std::string_view kNoAreaObjective =
+    "the objective area took T as exact and covered 57 to 97 % of a nominal 95 %: use curve";
+
+/// Of objective toughness: ln(Gc/GIc) or Gc/GIc.
+enum class Scale { log, linear };
+constexpr std::string_view to_string(Scale scale) { return scale == Scale::log ? "log" : "linear"; }
+
+/// A parameter held during the fit: at `value`, or without one at what the data set's metadata say of it
+/// (r = toughness_II/toughness).
+struct HeldParameter {
+  std::string name;
+  std::optional<double> value;
+};
+/// "r" or "lambda=0.3". Null if the text is neither.
+std::optional<HeldParameter> parse_held(std::string_view text);
+
+struct FitOptions {
+  std::optional<Objective> objective{};  // null: curve where the data allow it, see default_objective
+  std::optional<Scale> scale{};          // of toughness; null: log
+  bool weighted = false;                 // toughness: by each point's standard error, which curve always uses
+  std::vector<HeldParameter> hold{};     // names a model does not have are ignored for that model
+  std::vector<Constant> free{};          // constants of the experiment that are fitted, too
+  Constants constants{};                 // of those that are not
+  std::optional<StatedError> sigma_T{}, sigma_A{};
+  Loss loss = Loss::none;
+  std::optional<double> loss_scale{};  // in standard errors; null: the loss's usual one
+  bool intervals = true;
+  double confidence = 0.95;
+  BootstrapOptions bootstrap{};    // with replicates = 0: none
+  bool influence = false;          // of each point and run: jackknife, leverage, Cook's distance
+  std::size_t profile_points = 0;  // of each free parameter's drawn profile; 0: none
+  Progress progress{};  // of the one call that these options are given to; may fall back when a fit starts again
+};
+
+/// The scale that toughness is fitted in.
+constexpr Scale scale_of(const FitOptions& options) { return options.scale.value_or(Scale::log); }
+
+/// For refits whose value alone is wanted: no intervals, bootstrap or influence.
+FitOptions value_only(FitOptions options);
+
+/// Keys of all models: {"a", "b", "c", "bk"}.
+std::vector<std::string> model_keys();
+
+/// True if one of these models has a parameter of this name.
+bool has_parameter(const std::vector<std::string>& models, std::string_view name);
+
+}  // namespace mixity

@@ -1,0 +1,112 @@
+#include "jobs/job.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+
+#include "dataset/side_by_side.h"
+
+namespace mixity {
+
+std::vector<std::string> files_read(const FitJob& job) {
+  std::vector<std::string> files{job.data_path, metadata_path(job.data_path)};
+  if (!job.peaks_path.empty()) files.insert(files.end(), {job.peaks_path, metadata_path(job.peaks_path)});
+  if (!job.path.empty()) files.push_back(job.path);
+  return files;
+}
+
+std::vector<Agreement> compare(const FitResult& fit, const FitJob& job) {
+  std::vector<Agreement> agreements;
+  const auto published = job.published.find(fit.model);
+  if (published == job.published.end()) return agreements;
+  for (const Published& number : published->second) {
+    std::optional<double> found;
+    if (number.name == "r2") found = fit.r2;
+    for (const FittedParameter& parameter : fit.parameters)
+      if (parameter.name == number.name) found = parameter.value;
+    agreements.push_back({number, found && std::abs(*found - number.value) <= number.tolerance});
+  }
+  return agreements;
+}
+
+namespace {
+
+/// How far a job is, put together from parts that run side by side and may start again.
+class Meter {
+ public:
+  Meter(const Progress& progress, std::vector<double> costs)
+      : progress_(progress), costs_(std::move(costs)), done_(costs_.size()) {
+    for (const double cost : costs_) whole_ += cost;
+  }
+
+  /// Null if nobody is told.
+  Progress part(std::size_t i) {
+    if (!progress_) return {};
+    return [this, i](double fraction) {
+      const std::lock_guard lock(mutex_);
+      done_[i] = std::max(done_[i], fraction);
+      progress_(std::inner_product(done_.begin(), done_.end(), costs_.begin(), 0.0) / whole_);
+    };
+  }
+
+ private:
+  const Progress& progress_;
+  std::vector<double> costs_, done_;
+  double whole_ = 0;
+  std::mutex mutex_;
+};
+
+/// What the parts of a job cost, in refits: each model's fit, the comparison, each model's fits of single runs.
+std::vector<double> costs(const FitJob& job, const Dataset& data) {
+  const auto models = static_cast<double>(job.models.size()), runs = static_cast<double>(data.curves.size());
+  constexpr double kFit = 10;  // the search for the minimum and the intervals
+  const FitOptions& options = job.options;
+  const double drawn = static_cast<double>(options.profile_points * (1 + options.free.size()));
+  const double resampled = static_cast<double>(options.bootstrap.replicates) +
+                           (options.influence ? static_cast<double>(data.points.size()) + runs : 0);
+  std::vector<double> list(job.models.size(), kFit + drawn + resampled);
+  list.push_back(job.compare ? models * runs : 0);
+  list.resize(list.size() + (job.per_curve ? job.models.size() : 0), kFit);
+  return list;
+}
+
+}  // namespace
+
+JobResult run(const FitJob& job, const Overrides& overrides, const Progress& progress) {
+  JobResult result{job, load_dataset(job.data_path, overrides), {}, {}, {}};
+  const std::size_t models = job.models.size();
+  Meter meter(progress, costs(job, result.data));
+  // calls body(options), which tell of this part of the job.
+  const auto part = [&](std::size_t i, const auto& body) {
+    FitOptions options = job.options;
+    options.progress = meter.part(i);
+    body(options);
+    if (options.progress) options.progress(1);
+  };
+  const auto for_each_of_the_models = [&](const auto& body) {
+    std::atomic<std::size_t> next = 0;
+    side_by_side(std::min(models, processors()), [&] {
+      for (std::size_t i; (i = next++) < models;) body(i);
+    });
+  };
+  result.fits.resize(models);
+  for_each_of_the_models([&](std::size_t i) {
+    part(i, [&](const FitOptions& options) { result.fits[i] = fit_model(result.data, job.models[i], options); });
+  });
+  part(models, [&](const FitOptions& options) {
+    if (job.compare && models > 1) result.comparison = compare_models(result.data, result.fits, options);
+  });
+  if (job.per_curve) {
+    result.per_curve.resize(models);
+    for_each_of_the_models([&](std::size_t i) {
+      part(models + 1 + i, [&](const FitOptions& options) {
+        result.per_curve[i] = fit_per_curve(result.data, job.models[i], options);
+      });
+    });
+  }
+  return result;
+}
+
+}  // namespace mixity

@@ -1,0 +1,60 @@
+// A job: one data set, the models to fit to it and how, and what was published about them; and running it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fitting/comparison.h"
+#include "fitting/fit.h"
+
+namespace mixity {
+
+/// A published number of one model: a parameter, or "r2" (in the fitted space).
+struct Published {
+  std::string name;
+  double value, tolerance;  // agreement means |found - value| <= tolerance, what the printed digits allow
+};
+
+struct FitJob {
+  std::string path;                 // of its definition; empty: made of flags
+  std::string data_path;            // CSV, resolved against the definition's folder
+  std::string peaks_path;           // CSV of peak forces, resolved likewise; empty: none
+  std::vector<std::string> models;  // in the order to report
+  FitOptions options;
+  bool compare = true;     // the models with each other: information criteria, error on loads left out
+  bool per_curve = false;  // each loading run by itself, too
+  std::map<std::string, std::vector<Published>> published;  // by model key
+  std::string source;                                       // of the published numbers
+};
+
+/// Every file that the job is made from, which no result may be written over: some may not be there.
+std::vector<std::string> files_read(const FitJob& job);
+
+struct Agreement {
+  Published published;
+  bool agrees;
+};
+
+/// Compares a fit with the published numbers of its model; a value that was not found does not agree.
+std::vector<Agreement> compare(const FitResult& fit, const FitJob& job);
+
+/// What a whole job yields.
+struct JobResult {
+  FitJob job;
+  Dataset data;
+  std::vector<FitResult> fits;
+  std::vector<ComparedModel> comparison;  // empty with one model
+  std::vector<PerCurve> per_curve;        // per model, if asked for
+};
+
+/// What the job's fits are made with.
+inline Objective objective_of(const JobResult& result) {
+  return result.job.options.objective.value_or(default_objective(result.data));
+}
+
+/// Fits models side by side, on as many threads as the machine has. Tells `progress`, from any of them, how much is
+/// done. Throws what load_dataset and fit_model throw.
+JobResult run(const FitJob& job, const Overrides& overrides = {}, const Progress& progress = {});
+
+}  // namespace mixity

@@ -1,0 +1,110 @@
+// Objective curve on loads and areas: its residuals against what they are called, its Jacobian against differences.
+#include "fitting/curve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fitting/problem_checks.h"
+#include "mechanics/model_types.h"
+
+namespace mixity {
+namespace {
+
+template <class Model>
+class CurveOf : public ::testing::Test {};
+TYPED_TEST_SUITE(CurveOf, ModelTypes);
+
+/// A residual of size 1 to 10 is good to some 1e-13 (nearest points to 1e-15 over errors of 2 %), which h makes 1e-9 of
+/// it for lambda = 0.0023; h^4 = 1e-14 of a fifth derivative that reaches 1e4 near the fold.
+TYPED_TEST(CurveOf, JacobianMatchesDifferences) {
+  for (const Parameters<TypeParam>& p : typical_cases<TypeParam>())
+    for (const Constants& c : kSomeConstants)
+      expect_jacobian(CurveObjective<TypeParam>(points_off<TypeParam>(p), everything_free<TypeParam>()),
+                      solver_point<TypeParam>(p, c), 1e-8, std::to_string(p[0]));
+}
+
+/// Where T is nearly exact the distance is A's; for small errors of T it differs by (sigma_T dA/dT/sigma_A)^2.
+TYPED_TEST(CurveOf, DistanceTendsToThatInAWhereTIsExact) {
+  for (const Parameters<TypeParam>& p : typical_cases<TypeParam>())
+    for (const double sigma_T : {1e-2, 3e-3, 1e-6}) {
+      const auto measured = points_off<TypeParam>(p, sigma_T, 0.6);
+      const auto r = residuals_of(CurveObjective<TypeParam>(measured, everything_free<TypeParam>()),
+                                  solver_point<TypeParam>(p, {}));
+      // |dA/dT| is below A/T_scale there, so that the errors' ratio is below sigma_T/0.02, and its square halves into
+      // the secant of a small angle; residuals reach 3. Areas are good to 4e-15, of which 50 are a standard error.
+      const double off = 3 * 0.5 * std::pow(sigma_T / 0.02, 2) + 1e-12;
+      for (std::size_t i = 0; i < r.size(); ++i) {
+        const MeasuredPoint& q = measured[i];
+        const double y = LoadedContact<TypeParam>(p, q.P).at(q.T).y;
+        const double in_A = (area_from_radius(radius_from_edge_load(y, q.P)) - q.A) / q.sigma_A;
+        EXPECT_NEAR(r[i], in_A, off) << sigma_T << ' ' << i;
+      }
+    }
+}
+
+/// Constants that put misread data right: the same contact in other units has the same residuals.
+TYPED_TEST(CurveOf, ConstantsUndoWhatWrongOnesDo) {
+  const Parameters<TypeParam> p = typical_cases<TypeParam>()[1];
+  const auto right = points_off<TypeParam>(p);
+  const CurveObjective<TypeParam> one(right, everything_free<TypeParam>()),
+      other(misread(right, kWrongConstants), everything_free<TypeParam>());
+  const auto r = residuals_of(one, solver_point<TypeParam>(p, {})),
+             s = residuals_of(other, solver_point<TypeParam>(p, kWrongConstants));
+  for (std::size_t i = 0; i < r.size(); ++i) EXPECT_NEAR(r[i], s[i], 1e-11);  // roundings over errors of 2 %
+}
+
+/// Points are looked at by load, and in blocks on several threads: residuals and rows stay in the order of the points.
+TYPED_TEST(CurveOf, ResidualsStandInTheOrderOfThePoints) {
+  const Parameters<TypeParam> p = typical_cases<TypeParam>()[1];
+  const auto few = points_off<TypeParam>(p);
+  std::vector<MeasuredPoint> many;
+  while (many.size() < 40000) many.push_back(few[many.size() * 7 % few.size()]);
+  const auto choice = everything_free<TypeParam>();
+  const CurveObjective<TypeParam> one(few, choice), other(many, choice);
+  const std::vector<double> x = solver_point<TypeParam>(p, kSomeConstants[1]);
+  std::vector<double> r(few.size()), J(few.size() * x.size()), s(many.size()), K(many.size() * x.size());
+  ASSERT_TRUE(one.evaluate(x, r, J));
+  ASSERT_TRUE(other.evaluate(x, s, K));
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    const std::size_t same = i * 7 % few.size();
+    ASSERT_EQ(s[i], r[same]) << i;
+    for (std::size_t k = 0; k < x.size(); ++k) ASSERT_EQ(K[i * x.size() + k], J[same * x.size() + k]) << i << ' ' << k;
+  }
+}
+
+/// Equilibrium depends on T^2: readings below zero are noise about zero, and as far from the curve as those above.
+TYPED_TEST(CurveOf, DistanceOfANegativeShearIsThatOfAPositiveOne) {
+  const Parameters<TypeParam> p = typical_cases<TypeParam>()[1];
+  const auto right = points_off<TypeParam>(p);
+  auto mirrored = right;
+  for (MeasuredPoint& q : mirrored) q.T = -q.T;
+  const std::vector<double> x = solver_point<TypeParam>(p, {});
+  const auto r = residuals_of(CurveObjective<TypeParam>(right, everything_free<TypeParam>()), x),
+             s = residuals_of(CurveObjective<TypeParam>(mirrored, everything_free<TypeParam>()), x);
+  EXPECT_EQ(r, s);
+}
+
+/// With eta < 1 the curve leaves JKR straight down: a point above that has its nearest place at this corner, where the
+/// curve's normal says nothing of the distance.
+TEST(CurveObjective, AboveTheCornerOfASmallExponentTheDistanceCounts) {
+  for (const double eta : {0.1, 0.36, 0.45}) {
+    const double P = 17, A = area_from_radius(jkr_radius(P));
+    for (const double T : {0.0, 0.01}) {
+      const CurveObjective<BenzeggaghKenane> problem({{P, T, A + 0.6, 1, 1}}, FreeChoice<BenzeggaghKenane>({}, {}));
+      EXPECT_NEAR(residuals_of(problem, {0.68, eta})[0], -std::hypot(T, 0.6), 1e-9) << eta << ' ' << T;
+    }
+  }
+}
+
+/// Below pull-off no curve exists: no residual, and nothing thrown.
+TEST(CurveObjective, IsNotFiniteWhereALoadHasNoCurve) {
+  const CurveObjective<PapangeloCiavarella> problem({{-5, 1, 20, 1, 1}, {1, 1, 20, 1, 1}},
+                                                    FreeChoice<PapangeloCiavarella>({}, {}));
+  std::vector<double> residuals(2);
+  const double lambda = 0.3;
+  EXPECT_FALSE(problem.evaluate({&lambda, 1}, residuals, {}));
+}
+
+}  // namespace
+}  // namespace mixity

@@ -1,0 +1,119 @@
+// The distance from the law in the plane of two measured energies, through the whole fit.
+#include "fitting/energies.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "dataset/input_error.h"
+#include "dataset/load_text.h"
+#include "dataset/number_text.h"
+#include "fitting/fit.h"
+#include "mechanics/model_types.h"
+
+namespace mixity {
+namespace {
+
+/// Pearson's (1901) data with York's (1966) weights, w = 1/sigma^2: G_I against G_II.
+Dataset pearson_and_york() {
+  const double x[] = {0, .9, 1.8, 2.6, 3.3, 4.4, 5.2, 6.1, 6.5, 7.4};
+  const double w_x[] = {1000, 1000, 500, 800, 200, 80, 60, 20, 1.8, 1};
+  const double y[] = {5.9, 5.4, 4.4, 4.6, 3.5, 3.7, 2.8, 2.8, 2.4, 1.5};
+  const double w_y[] = {1, 1.8, 4, 8, 20, 20, 70, 70, 100, 500};
+  std::string text = "G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2]\n";
+  for (int i = 0; i < 10; ++i)
+    text += std::to_string(y[i]) + ',' + std::to_string(x[i]) + ',' + shortest(1 / std::sqrt(w_y[i])) + ',' +
+            shortest(1 / std::sqrt(w_x[i])) + '\n';
+  return load_text(text);
+}
+
+/// Model c is the line G_I = G_Ic - lambda G_II. Values in 40-digit arithmetic: intercept, minus slope, chi^2, York's
+/// (2004) standard errors, profiles of the slope. They are good to the 1e-9 that a file's digits and the ends allow.
+TEST(Energies, OfPearsonAndYorkRunThroughTheWholeFit) {
+  const Dataset data = pearson_and_york();
+  const FitResult fit = fit_model(data, "c", {.free = {kToughness}});
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_EQ(fit.objective, Objective::curve);
+  EXPECT_TRUE(fit.known_errors);
+  ASSERT_EQ(fit.parameters.size(), 2u);
+  const FittedParameter &lambda = fit.parameters[0], &toughness = fit.parameters[1];
+  EXPECT_NEAR(*lambda.value, 0.480533407446201987, 1e-9 * 0.48);
+  EXPECT_NEAR(*toughness.value, 5.47991022403286536, 1e-9 * 5.48);
+  EXPECT_EQ(toughness.unit, "J/m^2");
+  EXPECT_NEAR(fit.sum_of_squares, 11.8663531940614453, 1e-9 * 11.9);
+  EXPECT_NEAR(*lambda.stderr_, 0.0579850090007744364, 1e-9);
+  EXPECT_NEAR(*toughness.stderr_, 0.294970735493108564, 1e-9);
+  ASSERT_TRUE(lambda.interval && lambda.interval->low && lambda.interval->high);
+  EXPECT_NEAR(*lambda.interval->low, 0.376302196730043, 1e-9 * 0.376);
+  EXPECT_NEAR(*lambda.interval->high, 0.601441332467526, 1e-9 * 0.601);
+  // chi^2 + 1
+  const FitResult one = fit_model(data, "c", {.free = {kToughness}, .confidence = 0.682689492137085897});
+  EXPECT_NEAR(*one.parameters[0].interval->low, 0.425165940287338, 1e-9 * 0.425);
+  EXPECT_NEAR(*one.parameters[0].interval->high, 0.540235934533822, 1e-9 * 0.540);
+}
+
+template <class Model>
+std::string exact(const Parameters<Model>& p, double toughness, const std::string& series) {
+  std::string text;
+  for (int i = 0; i < 8; ++i) {
+    const Mixity<double> mixity = mixity_from_angle(0.19 * i);
+    const double Gc = toughness * std::exp(Model::log_toughness(p, mixity).value);
+    text += shortest(Gc * mixity.cos * mixity.cos) + ',' + shortest(Gc * mixity.sin * mixity.sin) + ",1%,1%," + series;
+    text += '\n';
+  }
+  std::size_t at;
+  while ((at = text.find("1%")) != std::string::npos) text.replace(at, 2, "0.01");
+  return text;
+}
+
+template <class Model>
+class EnergiesOf : public ::testing::Test {};
+TYPED_TEST_SUITE(EnergiesOf, ModelTypes);
+
+/// Two interfaces of one lambda and toughnesses of their own.
+TYPED_TEST(EnergiesOf, SeveralSeriesGiveOneLawAndAToughnessOfEach) {
+  const Parameters<TypeParam> p = [] {
+    if constexpr (parameter_count<TypeParam> == 2)
+      return Parameters<TypeParam>{1.774, 2.284};
+    else
+      return Parameters<TypeParam>{0.35};
+  }();
+  const Dataset data = load_text("G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n" +
+                                 exact<TypeParam>(p, 2, "dry") + exact<TypeParam>(p, 5, "wet"));
+  const FitResult fit = fit_model(data, TypeParam::info.key, {.free = {kToughness}});
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  ASSERT_EQ(fit.parameters.size(), p.size() + 2);
+  // data of 16 digits, times the condition of the fit
+  for (std::size_t k = 0; k < p.size(); ++k) EXPECT_NEAR(*fit.parameters[k].value, p[k], 1e-9);
+  EXPECT_EQ(fit.parameters[p.size()].name, "toughness(dry)");
+  EXPECT_NEAR(*fit.parameters[p.size()].value, 2, 1e-9);
+  EXPECT_EQ(fit.parameters[p.size() + 1].name, "toughness(wet)");
+  EXPECT_NEAR(*fit.parameters[p.size() + 1].value, 5, 1e-9);
+}
+
+TEST(Energies, WithAStatedToughnessFitLambdaAlone) {
+  const std::string text = "G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n" +
+                           exact<PapangeloCiavarella>({0.35}, 2, "");
+  const FitResult fit = fit_model(load_text(text, "toughness = \"2 J/m^2\""), "c");
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  ASSERT_EQ(fit.parameters.size(), 1u);
+  EXPECT_NEAR(*fit.parameters[0].value, 0.35, 1e-12);  // data of 16 digits
+}
+
+TEST(Energies, WithoutAToughnessAskForIt) {
+  const Dataset data = pearson_and_york();
+  try {
+    fit_model(data, "c");
+    ADD_FAILURE() << "was fitted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("--free=toughness"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Energies, RefuseConstantsThatOnlyLoadsHave) {
+  EXPECT_THROW(fit_model(pearson_and_york(), "c", {.free = {kToughness, kModulus}}), InputError);
+}
+
+}  // namespace
+}  // namespace mixity

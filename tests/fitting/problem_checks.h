@@ -1,0 +1,93 @@
+// What the tests of every objective of loads share: points off the curve, with all constants of the experiment free,
+// and a Jacobian against differences.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "fitting/objective.h"
+#include "fitting/synthetic_runs.h"
+
+namespace mixity {
+
+template <class Model>
+std::vector<Parameters<Model>> typical_cases() {
+  if constexpr (parameter_count<Model> == 2)
+    return {{1.774, 2.284}, {0.7, 1.5}};
+  else
+    return {{0.0023}, {0.15}, {0.8}};
+}
+
+/// Points off the curve by some percent, at T from none to close before the fold.
+template <class Model>
+std::vector<MeasuredPoint> points_off(const Parameters<Model>& p, double sigma_T = 0.02, double upto = 0.93) {
+  std::vector<MeasuredPoint> list;
+  SeededNoise noise(1, 0.02);
+  const Dataset data = synthetic_runs<Model>(p, {-1, 0.5, 20}, 6, upto, [&] { return 0.03 + noise(); });
+  for (const Point& q : data.points)
+    list.push_back({q.P, q.T, q.A, sigma_T * shear_to_lose_area<Model>(p, q.P), 0.02 * q.A});
+  return list;
+}
+
+/// All parameters of the model and all constants.
+template <class Model>
+FreeChoice<Model> everything_free() {
+  FreeChoice<Model> choice({}, {});
+  for (const Constant c : {kToughness, kModulus, kLoadOffset, kAreaOffset})
+    choice.add(c, {std::string(kConstantNames[c]), -1, 1, 0.0});
+  return choice;
+}
+
+template <class Model>
+std::vector<double> solver_point(const Parameters<Model>& p, const Constants& constants) {
+  std::vector<double> x(p.begin(), p.end());
+  x.insert(x.end(), constants.begin(), constants.end());
+  return x;
+}
+
+inline const std::vector<Constants> kSomeConstants{{0, 0, 0, 0}, {0.02, -0.03, 0.05, -0.01}};
+inline constexpr Constants kWrongConstants{0.1, -0.2, 0.3, -0.05};
+
+/// The same contact, read with constants that `c` puts right.
+inline std::vector<MeasuredPoint> misread(std::vector<MeasuredPoint> points, const Constants& c) {
+  const ConstantsScale scale(c);
+  for (MeasuredPoint& q : points)
+    q = {q.P / scale.force - c[kLoadOffset], q.T / scale.force, scale.measured_area(q.A), q.sigma_T / scale.force,
+         q.sigma_A / scale.area};
+  return points;
+}
+
+inline std::vector<double> residuals_of(const Problem& problem, const std::vector<double>& x) {
+  std::vector<double> residuals(problem.residual_count());
+  EXPECT_TRUE(problem.evaluate(x, residuals, {}));
+  return residuals;
+}
+
+/// Every entry against (8 (r(h) - r(-h)) - (r(2h) - r(-2h)))/12h. `tolerance` is relative to the largest of its column.
+inline void expect_jacobian(const Problem& problem, const std::vector<double>& x, double tolerance,
+                            const std::string& where) {
+  const std::size_t n = problem.residual_count(), p = x.size();
+  std::vector<double> residuals(n), jacobian(n * p);
+  ASSERT_TRUE(problem.evaluate(x, residuals, jacobian)) << where;
+  for (std::size_t k = 0; k < p; ++k) {
+    const double h = 3e-4 * (x[k] != 0 ? std::abs(x[k]) : 1);
+    const auto moved = [&](double by) {
+      std::vector<double> y = x;
+      y[k] += by;
+      return residuals_of(problem, y);
+    };
+    const auto a = moved(-2 * h), b = moved(-h), c = moved(h), d = moved(2 * h);
+    double largest = 0;
+    for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(jacobian[i * p + k]));
+    EXPECT_GT(largest, 0) << where << ' ' << k;
+    for (std::size_t i = 0; i < n; ++i)
+      EXPECT_NEAR(jacobian[i * p + k], (8 * (c[i] - b[i]) - (d[i] - a[i])) / (12 * h), tolerance * largest)
+          << where << " point " << i << " parameter " << k;
+  }
+}
+
+}  // namespace mixity

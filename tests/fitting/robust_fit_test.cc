@@ -1,0 +1,67 @@
+// What robust losses do to a fit of the model.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fitting/fit.h"
+#include "fitting/synthetic_runs.h"
+
+namespace mixity {
+namespace {
+
+Dataset scattered(unsigned seed) {
+  SeededNoise noise(seed, 0.01);
+  return synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20}, 30, 0.85, noise);
+}
+
+FitOptions curve_with(Loss loss, std::optional<double> scale = {}) {
+  return {.objective = Objective::curve,
+          .sigma_T = *parse_quantity("0.1%"),
+          .sigma_A = *parse_quantity("1%"),
+          .loss = loss,
+          .loss_scale = scale,
+          .intervals = false};
+}
+
+TEST(RobustFit, OfALargeScaleIsNoLossAtAll) {
+  const Dataset data = scattered(1);
+  const FitResult plain = fit_model(data, "c", curve_with(Loss::none));
+  ASSERT_EQ(plain.status, FitStatus::ok);
+  const double huber = *fit_model(data, "c", curve_with(Loss::huber, 1e6)).parameters[0].value;
+  EXPECT_NEAR(huber, *plain.parameters[0].value, 1e-12);  // the same residuals to the bit
+  const double cauchy = *fit_model(data, "c", curve_with(Loss::cauchy, 1e6)).parameters[0].value;
+  EXPECT_NEAR(cauchy, *plain.parameters[0].value, 1e-9);  // r^2/s^2 = 1e-11 is left
+}
+
+TEST(RobustFit, OutliersMoveAFitLessThanLeastSquares) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const Dataset clean = scattered(seed);
+    Dataset spoilt = clean;
+    for (std::size_t i = 0; i < 10; ++i) {
+      const Point& p = clean.points[9 * i + 4];
+      spoilt.points[9 * i + 4] = {p.line, p.curve, p.P, p.T, 1.3 * p.A};
+    }
+    const auto moved = [&](Loss loss) {
+      return std::abs(*fit_model(spoilt, "c", curve_with(loss)).parameters[0].value -
+                      *fit_model(clean, "c", curve_with(loss)).parameters[0].value);
+    };
+    // Ten of ninety points are off by thirty standard errors; Huber's influence is cut at 1.345, Cauchy's falls to 0.2.
+    const double plain = moved(Loss::none), huber = moved(Loss::huber), cauchy = moved(Loss::cauchy);
+    EXPECT_LT(huber, 0.2 * plain) << seed;
+    EXPECT_LT(cauchy, 0.5 * huber) << seed;
+  }
+}
+
+/// Errors of unknown size: the loss bends at so many of the residuals' own spread.
+TEST(RobustFit, ScaleFollowsTheSpreadWhereErrorsAreNotKnown) {
+  const Dataset data = scattered(3);
+  const FitOptions options{.objective = Objective::toughness, .loss = Loss::huber, .intervals = false};
+  const FitResult fit = fit_model(data, "c", options);
+  ASSERT_EQ(fit.status, FitStatus::ok);
+  // ln f scatters by more than A does; its median and RMS agree to some ten percent for Gaussian noise without tails
+  EXPECT_NEAR(fit.loss_scale / 1.345, *fit.rmse, 0.5 * *fit.rmse);
+  EXPECT_EQ(fit_model(data, "c", curve_with(Loss::huber)).loss_scale, 1.345);
+}
+
+}  // namespace
+}  // namespace mixity
