@@ -7,6 +7,7 @@
 #include "cli/exit_code.h"
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
+#include "cli/progress.h"
 #include "cli/usage_error.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"
@@ -43,10 +44,14 @@ int run_fit(const Arguments& arguments) {
 
   std::vector<JobResult> results;
   bool all_ok = true;
+  const Progress progress = progress_line("fit");
+  const auto files = static_cast<double>(arguments.size());
   for (const std::string& path : arguments) {
-    results.push_back(run(job_for(path), overrides));
+    const auto before = static_cast<double>(results.size());
+    results.push_back(run(job_for(path), overrides, stretch(progress, before / files, (before + 1) / files)));
     for (const FitResult& fit : results.back().fits) all_ok &= fit.status == FitStatus::ok;
   }
+  if (progress) progress(1);
   tell_names_apart(results);
   std::string text;
   for (const JobResult& result : results) text += (text.empty() ? "" : "\n") + to_text(result);

@@ -18,21 +18,19 @@ int run_report(const Arguments& arguments) {
   const Progress progress = progress_line("report");
   // Fits take the longer part of what takes long.
   constexpr double kFits = 0.7;
-  const auto advance = [&](double fraction) {
-    if (progress) progress(fraction);
-  };
+  const double share = kFits / static_cast<double>(arguments.size());
   std::vector<JobResult> results;
-  for (const std::string& path : arguments)
-    results.push_back(run_for_report(job_for(path), overrides, [&](double fraction) {
-      advance(kFits * (static_cast<double>(results.size()) + fraction) / static_cast<double>(arguments.size()));
-    }));
+  for (const std::string& path : arguments) {
+    const auto before = static_cast<double>(results.size());
+    results.push_back(
+        run_for_report(job_for(path), overrides, stretch(progress, share * before, share * (before + 1))));
+  }
   tell_names_apart(results);
   std::vector<ReportedData> data;
   data.reserve(results.size());
   std::set<std::string> taken;
   for (const JobResult& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
-  const WrittenReport written = write_report(
-      results, data, FLAGS_out, {command_line(), [&](double fraction) { advance(kFits + (1 - kFits) * fraction); }});
+  const WrittenReport written = write_report(results, data, FLAGS_out, {command_line(), stretch(progress, kFits, 1)});
   if (!written.missing.empty()) std::cerr << "mixity: " << written.missing << '\n';
   std::cout << written.page << '\n';
   for (const JobResult& result : results)

@@ -42,8 +42,10 @@ int run_sahli(const Arguments& arguments) {
   if (!(upto > 0)) throw UsageError("flag '--upto' must be above 0");
   const std::string model = FLAGS_model.empty() ? "c" : FLAGS_model;
   require_model("model", model);
-  const Dataset data = load_dataset(arguments[0], metadata_overrides(), PointUse::areas);
-  if (!data.has_loads) throw InputError(data.path, "holds (psi, Gc) points; A = A0 - alpha T^2 needs P, T and A");
+  const Dataset data = load_dataset(arguments[0], metadata_overrides());
+  if (!data.has_loads)
+    throw InputError(data.path, "holds " + std::string(data.has_energies ? "(G_I, G_II)" : "(psi, Gc)") +
+                                    " points; A = A0 - alpha T^2 needs P, T and A");
   std::string described;
   const std::vector<double> parameters = prediction_parameters(data, model, described);
   const SahliResult result = fit_sahli(data, upto, parameters.empty() ? "" : model, parameters);

@@ -7,6 +7,7 @@
 #include "cli/statistics_flags.h"
 #include "cli/usage_error.h"
 #include "dataset/printable.h"
+#include "jobs/fit_definition.h"
 #include "report/output_file.h"
 
 namespace mixity::cli {
@@ -39,9 +40,9 @@ std::vector<HeldParameter> hold_from_flag() {
 }
 
 Objective objective_from_flag() {
+  if (FLAGS_objective == "area") throw UsageError("flag '--objective': " + std::string(kNoAreaObjective));
   const auto objective = parse_objective(FLAGS_objective);
-  if (!objective)
-    throw UsageError("flag '--objective' is '" + FLAGS_objective + "'; it must be toughness, area or curve");
+  if (!objective) throw UsageError("flag '--objective' is '" + FLAGS_objective + "'; it must be toughness or curve");
   return *objective;
 }
 
@@ -55,9 +56,9 @@ FitJob job_for(const std::string& path) {
   else
     job.data_path = path;
   if (!is_definition || is_set("models")) job.models = models_from_flag();
-  if (!is_definition || is_set("objective")) job.options.objective = objective_from_flag();
-  if (!is_definition || is_set("scale")) job.options.scale = scale_from_flag();
-  if (is_set("scale") && job.options.objective != Objective::toughness)
+  if (is_set("objective")) job.options.objective = objective_from_flag();
+  if (is_set("scale")) job.options.scale = scale_from_flag();
+  if (is_set("scale") && job.options.objective == Objective::curve)
     throw UsageError("flag '--scale' needs --objective=toughness");
   if (!is_definition || is_set("hold")) job.options.hold = hold_from_flag();
   add_statistics_flags(job);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fitting/fit_definition.h"
+#include "jobs/job.h"
 
 namespace mixity::cli {
 

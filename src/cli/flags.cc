@@ -10,9 +10,9 @@
 
 DEFINE_string(models, "a,b,c", "models to fit, comma-separated (mixity help lists them)");
 DEFINE_string(
-    objective, "toughness",
-    "what is fitted: toughness (Gc/GIc against psi), area (A at given T) or curve (distance from the curve in "
-    "T and A)");
+    objective, "",
+    "what is fitted: curve (distance from the curve in T and A; the default where there are loads) or toughness "
+    "(Gc/GIc against psi, as the paper does)");
 DEFINE_bool(weighted, false, "objective toughness: weight each point by its standard error");
 DEFINE_string(sigma_T, "", "standard error of T for all points: \"0.5%\", or \"0.2 mN\"");
 DEFINE_string(sigma_A, "", "standard error of A for all points: \"1%\", or \"0.002 mm^2\"");

@@ -3,52 +3,75 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <memory>
 #include <mutex>
+#include <system_error>
+#include <thread>
 
 namespace mixity::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
 
-struct Line {
-  explicit Line(std::string text) : what(std::move(text)) {}
+/// Draws by a clock of its own, so that a step that takes long does not look like a halt.
+class Line {
+ public:
+  explicit Line(std::string what) : what_(std::move(what)) {}
   ~Line() {
-    if (shown) std::fprintf(stderr, "\r\033[K");
+    thread_.request_stop();
+    if (thread_.joinable()) thread_.join();
+    if (shown_) std::fprintf(stderr, "\r\033[K");
   }
 
-  void update(double fraction) {
-    const std::lock_guard lock(mutex);
-    const auto now = Clock::now();
-    using std::chrono::milliseconds;
-    if (fraction >= 1) {  // what comes next is not the bar's
-      if (shown) std::fprintf(stderr, "\r\033[K");
-      shown = false;
-    } else {
-      if (now - start < milliseconds(1000) || (shown && now - last < milliseconds(200))) return;
-      constexpr std::size_t kWidth = 30;
-      const auto full = static_cast<std::size_t>(kWidth * fraction);
-      std::fprintf(stderr, "\r\033[K%s [%s%s] %3.0f%%", what.c_str(), std::string(full, '=').c_str(),
-                   std::string(kWidth - full, ' ').c_str(), 100 * fraction);
-      shown = true;
-      last = now;
-    }
+  void reach(double fraction) {
+    const std::lock_guard lock(mutex_);
+    fraction_ = fraction;
+    if (fraction < 1 || !shown_) return;
+    std::fprintf(stderr, "\r\033[K");  // what comes next is not the bar's
+    shown_ = false;
+  }
+
+ private:
+  void run(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    const auto wait = [&](milliseconds time) {
+      wake_.wait_for(lock, stop, time, [] { return false; });
+      return !stop.stop_requested();
+    };
+    for (bool on = wait(milliseconds(1000)); on; on = wait(milliseconds(200)))
+      if (fraction_ < 1) draw();
+  }
+
+  void draw() {
+    constexpr std::size_t kWidth = 30;
+    const auto full = static_cast<std::size_t>(kWidth * fraction_);
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - start_).count();
+    std::fprintf(stderr, "\r\033[K%s [%s%s] %3.0f%%, %lld s", what_.c_str(), std::string(full, '=').c_str(),
+                 std::string(kWidth - full, ' ').c_str(), 100 * fraction_, static_cast<long long>(seconds));
     std::fflush(stderr);
+    shown_ = true;
   }
 
-  std::string what;
-  std::mutex mutex;
-  Clock::time_point start = Clock::now(), last;
-  bool shown = false;
+  std::string what_;
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  Clock::time_point start_ = Clock::now();
+  double fraction_ = 0;
+  bool shown_ = false;
+  std::jthread thread_{[this](const std::stop_token& stop) { run(stop); }};
 };
 
 }  // namespace
 
-Progress progress_line(const std::string& what) {
+Progress progress_line(const std::string& what) try {
   if (!isatty(STDERR_FILENO)) return {};
   const auto line = std::make_shared<Line>(what);
-  return [line](double fraction) { line->update(fraction); };
+  return [line](double fraction) { line->reach(fraction); };
+} catch (const std::system_error&) {  // no thread to be had: the work goes on without a line
+  return {};
 }
 
 }  // namespace mixity::cli

@@ -1,7 +1,7 @@
 // A line on standard error that says how far a long computation is.
 #pragma once
 
-#include "fitting/resample.h"
+#include "solver/options.h"
 
 namespace mixity::cli {
 

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "cli/flags.h"
-#include "cli/progress.h"
 #include "cli/usage_error.h"
 #include "dataset/number_text.h"
 
@@ -35,13 +34,13 @@ Loss loss_from_flag() {
 }
 
 /// Parameters of the fitted models may be named, too: they are free unless they are held.
-std::vector<Correction> free_from_flag(const FitJob& job) {
-  std::vector<Correction> corrections;
+std::vector<Constant> free_from_flag(const FitJob& job) {
+  std::vector<Constant> constants;
   const std::vector<std::string> names = split_list("free", FLAGS_free);
   for (const std::string& name : names) {
     if (std::count(names.begin(), names.end(), name) > 1) throw UsageError("flag '--free' names '" + name + "' twice");
-    const auto found = std::find(kCorrectionNames.begin(), kCorrectionNames.end(), name);
-    if (found == kCorrectionNames.end()) {
+    const auto found = std::find(kConstantNames.begin(), kConstantNames.end(), name);
+    if (found == kConstantNames.end()) {
       if (has_parameter(model_keys(), name) && !has_parameter(job.models, name))
         throw UsageError("flag '--free': no fitted model has a parameter '" + name + "'");
       for (const HeldParameter& held : job.options.hold)
@@ -50,9 +49,9 @@ std::vector<Correction> free_from_flag(const FitJob& job) {
       throw UsageError("flag '--free': '" + name +
                        "' cannot be fitted (known: toughness, modulus, load_offset, area_offset, model parameters)");
     }
-    corrections.push_back(static_cast<Correction>(found - kCorrectionNames.begin()));
+    constants.push_back(static_cast<Constant>(found - kConstantNames.begin()));
   }
-  return corrections;
+  return constants;
 }
 
 }  // namespace
@@ -60,13 +59,13 @@ std::vector<Correction> free_from_flag(const FitJob& job) {
 void add_statistics_flags(FitJob& job) {
   FitOptions& options = job.options;
   if (is_set("weighted")) options.weighted = FLAGS_weighted;
-  if (options.weighted && options.objective != Objective::toughness)
-    throw UsageError("flag '--weighted' needs --objective=toughness; area and curve weigh the points as they are");
+  if (options.weighted && options.objective == Objective::curve)
+    throw UsageError("flag '--weighted' needs --objective=toughness; curve weighs the points anyway");
   if (is_set("sigma_T")) options.sigma_T = error_from("sigma_T", FLAGS_sigma_T);
   if (is_set("sigma_A")) options.sigma_A = error_from("sigma_A", FLAGS_sigma_A);
   if ((options.sigma_T || options.sigma_A) && options.objective == Objective::toughness && !options.weighted)
     throw UsageError("flag '--sigma_" + std::string(options.sigma_A ? "A" : "T") +
-                     "' needs --objective=area or curve, or --weighted");
+                     "' needs --objective=curve, or --weighted");
   if (is_set("loss")) options.loss = loss_from_flag();
   if (is_set("loss_scale"))
     options.loss_scale = number_between("loss_scale", FLAGS_loss_scale, 0, std::numeric_limits<double>::infinity());
@@ -93,7 +92,6 @@ void add_statistics_flags(FitJob& job) {
   options.influence = FLAGS_influence;
   if (is_set("threads") && options.bootstrap.replicates == 0 && !options.influence)
     throw UsageError("flag '--threads' needs --bootstrap or --influence");
-  if (options.bootstrap.replicates > 0 || options.influence) options.progress = progress_line("refitting");
   if (is_set("confidence") && !options.intervals && options.bootstrap.replicates == 0)
     throw UsageError("flag '--confidence' needs --interval=profile or --bootstrap");
   if (is_set("confidence")) options.confidence = number_between("confidence", FLAGS_confidence, 0, 1);

@@ -1,7 +1,7 @@
 // Flags that say how the errors of a fit are treated.
 #pragma once
 
-#include "fitting/fit_definition.h"
+#include "jobs/job.h"
 
 namespace mixity::cli {
 

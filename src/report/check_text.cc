@@ -44,7 +44,9 @@ void write_curves(std::ostringstream& out, const Dataset& data) {
 std::string check_text(const Dataset& data) {
   std::ostringstream out;
   out << "[[Data]]\n    " << data.name << "  (" << data.shown_path() << ")\n    "
-      << (data.has_loads ? "raw points (P, T, A), " : "converted points (psi, Gc/GIc)")
+      << (data.has_loads      ? "raw points (P, T, A), "
+          : data.has_energies ? "energies (G_I, G_II)"
+                              : "converted points (psi, Gc/GIc)")
       << (data.contact     ? "dimensional"
           : data.has_loads ? "dimensionless"
                            : "")

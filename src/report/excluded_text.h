@@ -4,20 +4,28 @@
 #include <algorithm>
 #include <ostream>
 #include <string_view>
+#include <vector>
 
 #include "dataset/dataset.h"
 
 namespace mixity {
 
+inline constexpr std::size_t kShownExcluded = 8;
+
+/// The first of a list, each a line that begins so. `elsewhere`: what tells of all.
+inline void write_first(std::ostream& out, const std::vector<Excluded>& list, std::string_view beginning,
+                        std::string_view elsewhere) {
+  for (std::size_t i = 0; i < std::min(kShownExcluded, list.size()); ++i)
+    out << "    " << beginning << "line " << list[i].line << ": " << list[i].reason << '\n';
+  if (list.size() > kShownExcluded)
+    out << "    and " << list.size() - kShownExcluded << " more (" << elsewhere << ")\n";
+}
+
 /// The first lines left out, each with its reason; nothing if there are none. `elsewhere`: what tells of all.
 inline void write_excluded(std::ostream& out, const Dataset& data, std::string_view elsewhere) {
-  constexpr std::size_t kShown = 8;
   if (data.excluded.empty()) return;
   out << "[[Excluded]]\n";
-  for (std::size_t i = 0; i < std::min(kShown, data.excluded.size()); ++i)
-    out << "    line " << data.excluded[i].line << ": " << data.excluded[i].reason << '\n';
-  if (data.excluded.size() > kShown)
-    out << "    and " << data.excluded.size() - kShown << " more (" << elsewhere << ")\n";
+  write_first(out, data.excluded, "", elsewhere);
 }
 
 }  // namespace mixity

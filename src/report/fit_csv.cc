@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "dataset/csv.h"
-#include "fitting/fitted_trial.h"
+#include "fitting/predicted_area.h"
 #include "mechanics/prediction.h"
 #include "report/figures/model_curves.h"
 #include "report/rounding.h"
@@ -39,14 +39,14 @@ void write_area_curve(std::ostringstream& out, const JobResult& result, const Fi
                       const Frame& frame) {
   const DisplayUnits& units = result.data.display;
   const double measured_load = result.data.curve_loads[curve];
-  const Trial<Model> trial = fitted_trial<Model>(result.data, fit, result.job.options);
-  const CorrectedScale scale(trial.corrections);
+  const Candidate<Model> candidate = fitted_candidate<Model>(result.data, fit, result.job.options);
+  const ConstantsScale scale(candidate.constants);
   const double P = scale.load(measured_load);
-  const LoadedContact<Model> contact(trial.parameters, P);
+  const LoadedContact<Model> contact(candidate.parameters, P);
   if (!contact.in_contact()) return;
   double measured = 0;
   for (const Point& point : result.data.points)
-    if (point.curve == curve) measured = std::max(measured, scale.shear(point.T));
+    if (point.curve == curve) measured = std::max(measured, scale.shear(point.shear()));
   double end = contact.branches().front().T_bottom;
   if (std::isinf(end)) end = 1.2 * measured;
   for (std::size_t i = 0; i < kCurvePoints; ++i) {
@@ -110,7 +110,8 @@ void write_curves(std::ostringstream& out, const JobResult& result, const Frame&
 std::string fits_csv(const std::vector<JobResult>& results) {
   std::ostringstream out;
   out << "dataset,provenance,model,objective,scale,status,parameter,value,stderr,lower,upper,at_bound,r2,rmse,"
-         "max_abs_residual,area_r2,area_rmse,area_unit,area_unpredicted,notice,unit,low,high,low_status,high_status\n";
+         "max_abs_residual,area_r2,area_rmse,area_unit,area_unpredicted,notice,unit,low,high,low_status,high_status,"
+         "paper_value,paper_status,paper_r2\n";
   for (const JobResult& result : results)
     for (const FitResult& fit : result.fits)
       for (const FittedParameter& parameter : fit.parameters) {
@@ -127,9 +128,12 @@ std::string fits_csv(const std::vector<JobResult>& results) {
             << ',' << csv_field(notice(result.data)) << ',' << parameter.unit << ',';
         if (parameter.interval)
           out << number(parameter.interval->low) << ',' << number(parameter.interval->high) << ','
-              << to_string(parameter.interval->low_status) << ',' << to_string(parameter.interval->high_status) << '\n';
+              << to_string(parameter.interval->low_status) << ',' << to_string(parameter.interval->high_status);
         else
-          out << ",,,\n";
+          out << ",,,";
+        out << ',' << number(fit.paper ? fit.paper->value_of(parameter.name) : std::nullopt) << ','
+            << (fit.paper ? to_string(fit.paper->status) : "") << ','
+            << number(fit.paper ? fit.paper->r2 : std::nullopt) << '\n';
       }
   return out.str();
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/fit_definition.h"
+#include "jobs/job.h"
 
 namespace mixity {
 

@@ -32,6 +32,17 @@ Json area_json(const FitResult& fit, const Dataset& data) {
           {"obstacle", area.obstacle.empty() ? Json() : Json(area.obstacle)}};
 }
 
+Json paper_json(const FitResult& fit) {
+  if (!fit.paper) return {};
+  Json parameters = Json::object();
+  for (const FittedParameter& parameter : fit.paper->parameters)
+    parameters[parameter.name] = number_or_null(parameter.value);
+  return {{"status", to_string(fit.paper->status)},
+          {"parameters", parameters},
+          {"r2", number_or_null(fit.paper->r2)},
+          {"points", fit.paper->points}};
+}
+
 Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
   Json published = Json::object();
   for (const Agreement& agreement : compare(fit, job))
@@ -54,6 +65,7 @@ Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
           {"correlations", correlations_json(fit)},
           {"influence", influence_json(fit, data)},
           {"area", area_json(fit, data)},
+          {"paper", paper_json(fit)},
           {"published", published}};
 }
 

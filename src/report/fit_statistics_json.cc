@@ -15,15 +15,17 @@ Json errors_json(const FitResult& fit) {
   if (!fit.errors) return {};
   return {{"sigma_T", to_string(fit.errors->source_T)},
           {"sigma_A", to_string(fit.errors->source_A)},
-          {"relative_scatter", number_or_null(fit.errors->scatter)}};
+          {"relative_scatter", number_or_null(fit.errors->scatter)},
+          {"raised_T", fit.errors->raised_T},
+          {"raised_A", fit.errors->raised_A}};
 }
 
 Json bootstrap_json(const FittedParameter& parameter, const FitResult& fit) {
   if (!fit.bootstrap || !parameter.bootstrap) return {};
-  return {{"replicates", fit.bootstrap->options.replicates},
+  return {{"replicates", fit.bootstrap->replicates},
           {"failed", fit.bootstrap->failed},
-          {"resampled", fit.bootstrap->options.resample == Resample::points ? "points" : "curves"},
-          {"seed", fit.bootstrap->options.seed},
+          {"resampled", !fit.bootstrap->of_runs ? "points" : "curves"},
+          {"seed", fit.bootstrap->seed},
           {"low", parameter.bootstrap->low},
           {"high", parameter.bootstrap->high},
           {"standard_deviation", parameter.bootstrap->standard_deviation},

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "fitting/fit_definition.h"
+#include "jobs/job.h"
 
 namespace mixity {
 

@@ -9,6 +9,15 @@
 #include "report/rounding.h"
 
 namespace mixity {
+
+std::string shown_r2(const std::optional<double>& r2) { return r2 ? r2_text(*r2) : "undefined (the data do not vary)"; }
+
+std::string in_words(FitStatus status) {
+  std::string text(to_string(status));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
 std::string interval_text(const FittedParameter& parameter) {
   if (!parameter.interval) return {};
   const ShownInterval& interval = *parameter.interval;
@@ -25,11 +34,35 @@ std::string origin_of_scatter(const StandardErrors& errors) {
                                                  : "estimated from the scatter of neighbouring points";
 }
 
+std::vector<std::string> raised_errors(const StandardErrors& errors) {
+  std::vector<std::string> texts;
+  const auto tell = [&](std::size_t raised, const char* quantity) {
+    if (raised > 0)
+      texts.push_back(rounded(100 * kLeastError, 2) + "% of the largest " + quantity + " stands for " +
+                      std::to_string(raised) + " error" + (raised == 1 ? "" : "s") + " of 0");
+  };
+  tell(errors.raised_T, "T");
+  tell(errors.raised_A, "A");
+  return texts;
+}
+
+std::string paper_text(const FitResult& fit) {
+  if (!fit.paper) return {};
+  std::string text = "    the paper's fit (ln(Gc/GIc) against psi, unweighted):", separator = " ";
+  for (const FittedParameter& parameter : fit.paper->parameters) {
+    text += separator + parameter.name + (parameter.value ? " = " + rounded(*parameter.value, 5) : " not determined");
+    separator = ", ";
+  }
+  if (fit.paper->status != FitStatus::ok) text += " (" + in_words(fit.paper->status) + ")";
+  if (fit.paper->status == FitStatus::not_identifiable) return text + "\n";
+  return text + ", R^2 = " + shown_r2(fit.paper->r2) + ", " + std::to_string(fit.paper->points) + " points\n";
+}
+
 std::string errors_text(const FitResult& fit, const Dataset& data) {
   std::ostringstream out;
   if (!fit.errors && !fit.known_errors && !data.errors.empty())
     out << "    errors: every point has the same weight; the file's standard errors count with --weighted"
-        << (data.has_loads ? " or --objective=area or curve\n" : "\n");
+        << (data.has_loads ? " or --objective=curve\n" : "\n");
   if (fit.errors) {
     out << "    errors: ";
     if (fit.errors->scatter)
@@ -38,12 +71,10 @@ std::string errors_text(const FitResult& fit, const Dataset& data) {
     else
       out << "sigma_A " << (fit.errors->source_A == ErrorSource::columns ? "from the file" : "as stated")
           << ", sigma_T "
-          << (fit.errors->source_T == ErrorSource::exact     ? "0 (none given)"
+          << (fit.errors->source_T == ErrorSource::exact     ? "0 (none given; if T has errors, state --sigma_T)"
               : fit.errors->source_T == ErrorSource::columns ? "from the file"
                                                              : "as stated");
-    // what A is off by because T is, steep towards a fold, is not counted: intervals come out too narrow then
-    if (fit.objective == Objective::area && fit.errors->source_T != ErrorSource::exact)
-      out << "; objective area takes T as exact, curve does not";
+    for (const std::string& raised : raised_errors(*fit.errors)) out << "; " << raised;
     out << '\n';
     if (fit.errors->absolute() && fit.rmse && fit.used.size() > fit.free_parameters && fit.loss_scale == 0) {
       const double freedom = static_cast<double>(fit.used.size() - fit.free_parameters);
@@ -68,8 +99,8 @@ std::string errors_text(const FitResult& fit, const Dataset& data) {
 std::string resampling_text(const FitResult& fit, const Dataset& data) {
   std::ostringstream out;
   if (fit.bootstrap) {
-    out << "    bootstrap of " << fit.bootstrap->options.replicates
-        << (fit.bootstrap->options.resample == Resample::points ? " resampled point sets" : " resampled sets of runs");
+    out << "    bootstrap of " << fit.bootstrap->replicates
+        << (!fit.bootstrap->of_runs ? " resampled point sets" : " resampled sets of runs");
     if (fit.bootstrap->failed > 0) out << " (" << fit.bootstrap->failed << " without a minimum, left out)";
     out << (fit.bootstrap->parameters.empty() ? ": too few of them fit\n" : "\n");
     for (const FittedParameter& parameter : fit.parameters)

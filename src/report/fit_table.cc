@@ -8,12 +8,6 @@
 namespace mixity {
 namespace {
 
-std::string status_text(const FitResult& fit) {
-  std::string text(to_string(fit.status));
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
-}
-
 std::string parameter_text(const FittedParameter& parameter) {
   std::string text = parameter.name + " = ";
   if (!parameter.value) return text + "not determined";
@@ -40,6 +34,17 @@ const ComparedModel* compared(const JobResult& result, const std::string& model)
   return nullptr;
 }
 
+/// The paper's fit has no standard error: five digits.
+std::vector<std::string> paper_lines(const PaperFit& paper) {
+  std::vector<std::string> lines;
+  for (const FittedParameter& parameter : paper.parameters)
+    lines.push_back(parameter.name + " = " + (parameter.value ? rounded(*parameter.value, 5) : "not determined"));
+  if (paper.r2) lines.push_back("R² = " + r2_text(*paper.r2));
+  if (paper.status != FitStatus::ok && paper.status != FitStatus::not_identifiable)
+    lines.push_back(in_words(paper.status));
+  return lines;
+}
+
 /// "1", "0.0318" or, for what no longer counts, "< 0.0001".
 std::string weight_text(double weight) { return weight < 1e-4 ? "< 0.0001" : rounded(weight, 3); }
 
@@ -52,31 +57,33 @@ FitTable fit_table(const JobResult& result) {
   for (const FitResult& fit : result.fits)
     for (const FittedParameter& parameter : fit.parameters)
       if (parameter.interval) percent = " (" + rounded(100 * parameter.interval->confidence, 4) + " % interval)";
-  FitTable table{{"Model", "Parameters" + percent, "Status", "R² in the fitted space", "R² of A(T)",
-                  "RMS error of A(T)", "AICc weight", "RMS error on left-out loads", "Published"},
-                 {"Model", "Parameters" + percent, "Status", "R² fit", "R² A(T)", "RMS A(T)", "AICc weight",
-                  "RMS left out", "Published"},
-                 {}};
+  FitTable table{
+      {"Model", "Parameters" + percent, "Status", "R² in the fitted space", "The paper's fit: ln(Gc/GIc) against psi",
+       "R² of A(T)", "RMS error of A(T)", "AICc weight", "RMS error on left-out loads", "Published"},
+      {"Model", "Parameters" + percent, "Status", "R² fit", "Paper's fit", "R² A(T)", "RMS A(T)", "AICc weight",
+       "RMS left out", "Published"},
+      {}};
   for (const FitResult& fit : result.fits) {
     std::vector<Cell> row(table.headings.size());
     row[0].lines = {fit.model, fit.model_name};
     for (const FittedParameter& parameter : fit.parameters) row[1].lines.push_back(parameter_text(parameter));
-    row[2] = {{status_text(fit)}, fit.status != FitStatus::ok};
+    row[2] = {{in_words(fit.status)}, fit.status != FitStatus::ok};
     if (fit.r2) row[3].lines = {r2_text(*fit.r2)};
+    if (fit.paper) row[4].lines = paper_lines(*fit.paper);
     if (fit.area && fit.area->predicted > 0) {
-      if (fit.area->r2) row[4].lines = {r2_text(*fit.area->r2)};
-      row[5].lines = {rounded(fit.area->rmse, 3) + unit};
+      if (fit.area->r2) row[5].lines = {r2_text(*fit.area->r2)};
+      row[6].lines = {rounded(fit.area->rmse, 3) + unit};
       if (fit.area->unpredicted > 0)
-        row[5].lines.push_back("without " + std::to_string(fit.area->unpredicted) + " past the fold");
+        row[6].lines.push_back("without " + std::to_string(fit.area->unpredicted) + " past the fold");
     }
     if (const ComparedModel* entry = compared(result, fit.model)) {
-      if (entry->weight) row[6].lines = {weight_text(*entry->weight)};
-      if (entry->left_out) row[7].lines = {rounded(entry->left_out->rmse_area, 3) + unit};
+      if (entry->weight) row[7].lines = {weight_text(*entry->weight)};
+      if (entry->left_out) row[8].lines = {rounded(entry->left_out->rmse_area, 3) + unit};
     }
     for (const Agreement& agreement : compare(fit, result.job)) {
-      row[8].lines.push_back(agreement.published.name + " = " + shortest(agreement.published.value) +
+      row[9].lines.push_back(agreement.published.name + " = " + shortest(agreement.published.value) +
                              (agreement.agrees ? " agrees" : " DOES NOT AGREE"));
-      row[8].alert |= !agreement.agrees;
+      row[9].alert |= !agreement.agrees;
     }
     table.rows.push_back(std::move(row));
   }
@@ -161,7 +168,7 @@ std::vector<std::string> findings(const JobResult& result) {
   }
   for (const FitResult& fit : result.fits)
     if (fit.status != FitStatus::ok)
-      sentences.push_back("Model " + fit.model + ", " + status_text(fit) + ": " + fit.message + ".");
+      sentences.push_back("Model " + fit.model + ", " + in_words(fit.status) + ": " + fit.message + ".");
   for (const std::string& note : result.data.notes) sentences.push_back("Note: " + note + ".");
   return sentences;
 }
@@ -169,6 +176,7 @@ std::vector<std::string> findings(const JobResult& result) {
 std::vector<std::string> assumptions(const JobResult& result) {
   const Dataset& data = result.data;
   const FitOptions& options = result.job.options;
+  const Objective objective = objective_of(result);
   std::vector<std::string> list;
   if (data.has_loads)
     list.emplace_back(
@@ -183,40 +191,48 @@ std::vector<std::string> assumptions(const JobResult& result) {
                    (options.free.empty() ? "." : ", but for what was freed."));
   else if (data.has_loads)
     list.emplace_back("The file is dimensionless: P and T over R G_Ic, A times (xi/R)^2.");
-  if (options.objective == Objective::toughness) {
+  if (objective == Objective::toughness) {
     list.push_back(std::string("Residuals are differences of ") +
-                   (options.scale == Scale::log ? "ln(Gc/GIc)" : "Gc/GIc") + " at the point's phase angle, " +
+                   (scale_of(options) == Scale::log ? "ln(Gc/GIc)" : "Gc/GIc") + " at the point's phase angle, " +
                    (options.weighted ? "weighted by each point's standard error." : "all with the same weight."));
     if (data.has_loads)
       list.emplace_back(
           "Gc/GIc and psi are computed from the same area, so that their errors are correlated; R² in "
           "this space is close to 1 for almost any model.");
   }
-  if (options.objective == Objective::area)
-    list.emplace_back("Residuals are differences of A at the measured T, which counts as exact.");
-  if (options.objective == Objective::curve)
+  if (objective == Objective::curve)
     list.emplace_back("Residuals are distances of the points from the curve in T and A, in standard errors.");
-  for (const FitResult& fit : result.fits)
-    if (fit.errors && fit.errors->scatter) {
-      list.push_back("Standard errors of " + rounded(100 * *fit.errors->scatter, 2) + " % were " +
-                     origin_of_scatter(*fit.errors) + ".");
-      break;
-    }
+  const auto with_paper = std::find_if(result.fits.begin(), result.fits.end(), [](const auto& f) { return f.paper; });
+  if (with_paper != result.fits.end())
+    list.emplace_back(
+        "The paper's fit, every point with the same weight, stands beside it: Gc/GIc and psi are computed from the "
+        "same area, so that its "
+        "R² is close to 1 for almost any model.");
+  const auto with_errors = std::find_if(result.fits.begin(), result.fits.end(), [](const auto& f) { return f.errors; });
+  if (with_errors != result.fits.end()) {
+    const StandardErrors& errors = *with_errors->errors;
+    if (errors.scatter)
+      list.push_back("Standard errors of " + rounded(100 * *errors.scatter, 2) + " % were " +
+                     origin_of_scatter(errors) + ".");
+    for (const std::string& raised : raised_errors(errors))
+      list.push_back("A distance needs errors in both axes: " + raised + ".");
+  }
   return list;
 }
 
 std::vector<std::pair<std::string, std::string>> fit_settings(const JobResult& result) {
   const FitOptions& options = result.job.options;
-  std::vector<std::pair<std::string, std::string>> settings{{"objective", std::string(to_string(options.objective))}};
-  if (options.objective == Objective::toughness) settings.emplace_back("scale", to_string(options.scale));
-  settings.emplace_back("weighted", options.weighted || options.objective != Objective::toughness ? "yes" : "no");
+  const Objective objective = objective_of(result);
+  std::vector<std::pair<std::string, std::string>> settings{{"objective", std::string(to_string(objective))}};
+  if (objective == Objective::toughness) settings.emplace_back("scale", to_string(scale_of(options)));
+  settings.emplace_back("weighted", options.weighted || objective != Objective::toughness ? "yes" : "no");
   std::string names;
   for (const HeldParameter& held : options.hold)
     names += (names.empty() ? "" : ", ") + held.name + (held.value ? " = " + shortest(*held.value) : "");
   if (!names.empty()) settings.emplace_back("held", names);
   names.clear();
-  for (const Correction correction : options.free)
-    names += (names.empty() ? "" : ", ") + std::string(kCorrectionNames[correction]);
+  for (const Constant constant : options.free)
+    names += (names.empty() ? "" : ", ") + std::string(kConstantNames[constant]);
   if (!names.empty()) settings.emplace_back("freed constants", names);
   if (options.loss != Loss::none) settings.emplace_back("loss", to_string(options.loss));
   settings.emplace_back(

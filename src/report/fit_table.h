@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/fit_definition.h"
+#include "jobs/job.h"
 
 namespace mixity {
 

@@ -11,7 +11,7 @@
 namespace mixity {
 namespace {
 
-std::string shown_r2(const std::optional<double>& r2) { return r2 ? r2_text(*r2) : "undefined (the data do not vary)"; }
+constexpr std::string_view kAllOfThem = "all of them with --format=json";
 
 std::string capitals(std::string_view text) {
   std::string result(text);
@@ -28,7 +28,7 @@ void write_data(std::ostringstream& out, const Dataset& data) {
   if (!data.metadata.source.empty()) out << "    # source       = " << data.metadata.source << '\n';
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
   for (const std::string& note : data.notes) out << "    NOTE: " << note << '\n';
-  write_excluded(out, data, "all of them with --format=json");
+  write_excluded(out, data, kAllOfThem);
 }
 
 void write_parameter(std::ostringstream& out, const FittedParameter& parameter) {
@@ -54,7 +54,6 @@ void write_parameter(std::ostringstream& out, const FittedParameter& parameter) 
 }
 
 std::string fitted_space(const FitResult& fit) {
-  if (fit.objective == Objective::area) return "A/sigma_A against T";
   if (fit.objective == Objective::curve) return "distance from the curve, in standard errors";
   return std::string(fit.scale == Scale::log ? "ln(Gc/GIc)" : "Gc/GIc") + " against psi";
 }
@@ -65,6 +64,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
   if (!fit.message.empty()) out << ": " << fit.message;
   out << '\n';
   for (const FittedParameter& parameter : fit.parameters) write_parameter(out, parameter);
+  out << paper_text(fit);
   if (fit.rmse)
     out << "    R^2 = " << shown_r2(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
         << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size() << " points\n";
@@ -84,8 +84,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
           << " beyond the last equilibrium";
     out << '\n';
   }
-  for (const Excluded& excluded : fit.excluded)
-    out << "    without line " << excluded.line << ": " << excluded.reason << '\n';
+  write_first(out, fit.excluded, "without ", kAllOfThem);
   for (const Agreement& agreement : compare(fit, job))
     out << "    published " << agreement.published.name << " = " << shortest(agreement.published.value) << " +- "
         << shortest(agreement.published.tolerance) << ": " << (agreement.agrees ? "agrees" : "*** DOES NOT AGREE ***")

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fitting/fit_definition.h"
+#include "jobs/job.h"
 
 namespace mixity {
 

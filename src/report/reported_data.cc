@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fitting/fitted_trial.h"
+#include "fitting/predicted_area.h"
 
 namespace mixity {
 namespace {
@@ -14,16 +14,16 @@ constexpr double kParabolaUpTo = 0.5;  // of a run's largest T
 
 JobResult run_for_report(FitJob job, const Overrides& overrides, const Progress& progress) {
   job.options.profile_points = kProfilePoints;
-  const auto advance = [&](double fraction) {
-    if (progress) progress(fraction);
-  };
-  JobResult result = run(job, overrides, [&](double fraction) { advance(0.7 * fraction); });
+  constexpr double kAll = 0.9;  // of the time goes into the fits of all runs together
+  JobResult result = run(job, overrides, stretch(progress, 0, kAll));
+  const double share = (1 - kAll) / static_cast<double>(job.models.size());
   if (result.per_curve.empty() && result.data.has_loads && result.data.curves.size() > 1)
     for (const std::string& model : job.models) {
+      const double before = kAll + share * static_cast<double>(result.per_curve.size());
+      job.options.progress = stretch(progress, before, before + share);
       result.per_curve.push_back(fit_per_curve(result.data, model, job.options));
-      advance(0.7 + 0.3 * static_cast<double>(result.per_curve.size()) / static_cast<double>(job.models.size()));
     }
-  advance(1);
+  if (progress) progress(1);
   return result;
 }
 
@@ -35,7 +35,7 @@ ReportedData reported_data(const JobResult& result, const std::string& stem) {
     if (known != result.fits.end()) {
       data.sahli_model = known->model;
       with_model(known->model, [&](auto model) {
-        const auto p = fitted_trial<decltype(model)>(result.data, *known, result.job.options).parameters;
+        const auto p = fitted_candidate<decltype(model)>(result.data, *known, result.job.options).parameters;
         values.assign(p.begin(), p.end());
       });
     }

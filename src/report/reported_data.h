@@ -5,7 +5,7 @@
 #include <string>
 
 #include "dataset/peak_forces.h"
-#include "fitting/fit_definition.h"
+#include "jobs/job.h"
 #include "fitting/sahli.h"
 
 namespace mixity {

@@ -2,7 +2,7 @@
 
 #include <boost/version.hpp>
 
-#include "fitting/minimise.h"
+#include "solver/descent.h"
 
 namespace mixity {
 

@@ -11,10 +11,39 @@ namespace {
 
 TEST(Program, CheckSaysWhatItUnderstood) {
   const TemporaryFolder folder;
-  const ProgramResult result = run_program({"check", folder.write("a.csv", "P,T,A\n1,0,19.6\n1,1,19.5\n1,-1,19\n")});
+  const ProgramResult result =
+      run_program({"check", folder.write("a.csv", "P,T,A\n1,0,19.6\n1,1,19.5\n1,-0.1,19\n1,,19\n")});
   EXPECT_EQ(result.exit_code, 0);
-  for (const char* words : {"dimensionless", "3 rows, 2 usable, 1 excluded", "line 4: T < 0", "provenance"})
+  for (const char* words : {"dimensionless", "4 rows, 3 usable, 1 excluded", "line 5: T is empty",
+                            "1 of 3 points has T < 0, used as it is", "provenance"})
     EXPECT_NE(result.out.find(words), std::string::npos) << words << "\n" << result.out;
+}
+
+TEST(Program, EnergiesAreCheckedWithoutAToughnessAndFittedWithOne) {
+  const TemporaryFolder folder;
+  const std::string data = folder.write("a.csv",
+                                        "G_I [J/m^2],G_II [J/m^2]\n250,-3\n200,60\n150,140\n100,300\n"
+                                        "-2,800\n-5,1\n"),
+                    other = folder.write("b.csv",
+                                         "mode_ratio,Gc [J/m^2]\n0,247\n0.23076923076923077,260\n"
+                                         "0.48275862068965519,290\n0.75,400\n1,798\n");
+  const ProgramResult check = run_program({"check", data});
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  for (const char* words :
+       {"energies (G_I, G_II)", "6 rows, 5 usable, 1 excluded", "line 7: G_I + G_II <= 0",
+        "toughness is not stated: fit it with --free=toughness; until then the largest G_I, 250 J/m^2, stands for it",
+        "2 of 5 points have G_I or G_II < 0"})
+    EXPECT_NE(check.out.find(words), std::string::npos) << words << "\n" << check.out;
+  const auto values = [](const std::string& path) {
+    return fields_of(
+        lines_of(run_program({"fit", path, "--models=c", "--toughness=247 J/m^2", "--format=csv"}).out)[1]);
+  };
+  const auto one = values(data), same = values(other);
+  ASSERT_GT(one.size(), 8);
+  EXPECT_EQ(one[6], "lambda");
+  // the files hold 17 digits of what is converted, and the minimum is found to some 1e-10
+  EXPECT_NEAR(std::stod(one[7]), std::stod(same[7]), 1e-8 * std::stod(same[7]));
+  EXPECT_NEAR(std::stod(one[8]), std::stod(same[8]), 1e-6 * std::stod(same[8]));
 }
 
 TEST(Program, AnImportCanBeFitted) {

@@ -54,7 +54,7 @@ TEST(Program, JsonHasTheKeysOfItsSchema) {
   const TemporaryFolder folder;
   const std::string path = folder.write(
       "a.csv",
-      "P,T,A,include\n1,0,19.6,1\n1,5,19.2,1\n1,7,18.9,0\n1,10,18,1\n1,-1,18,1\n5,0,23.9,1\n5,8,23,1\n5,12,22,1\n");
+      "P,T,A,include\n1,0,19.6,1\n1,5,19.2,1\n1,7,18.9,0\n1,10,18,1\n1,,18,1\n5,0,23.9,1\n5,8,23,1\n5,12,22,1\n");
   const ProgramResult result = run_program({"fit", path, "--models=a,b,c", "--format=json"});
   const Json document = Json::parse(result.out);
   EXPECT_TRUE(document["schema"].is_string());
@@ -64,19 +64,48 @@ TEST(Program, JsonHasTheKeysOfItsSchema) {
   EXPECT_EQ(data["provenance"], "unstated");
   EXPECT_EQ(data["points"], 8);
   EXPECT_EQ(data["used"], 6);
-  EXPECT_EQ(data["excluded"], Json::parse(R"([{"line": 4, "reason": "include = 0"}, {"line": 6, "reason": "T < 0"}])"));
+  EXPECT_EQ(data["excluded"],
+            Json::parse(R"([{"line": 4, "reason": "include = 0"}, {"line": 6, "reason": "T is empty"}])"));
   ASSERT_EQ(data["fits"].size(), 3);
   for (const Json& fit : data["fits"]) {
     for (const char* key : {"model", "objective", "status", "message", "parameters", "r2", "rmse", "max_abs_residual",
-                            "area", "published"})
+                            "area", "paper", "published"})
       EXPECT_TRUE(fit.contains(key)) << key;
     for (const char* key : {"value", "stderr", "lower", "upper", "at_bound"})
       EXPECT_TRUE(fit["parameters"]["lambda"].contains(key)) << key;
     for (const char* key : {"r2", "rmse", "unpredicted"}) EXPECT_TRUE(fit["area"].contains(key)) << key;
-    EXPECT_EQ(fit["objective"], "toughness");
+    EXPECT_EQ(fit["objective"], "curve");
   }
   EXPECT_EQ(data["fits"][1]["model"], "b");
   EXPECT_EQ(data["fits"][1]["parameters"]["lambda"]["upper"], 2);
+}
+
+TEST(Program, PointsWithoutAPhaseAngleAreLeftOutOfToughnessAndKeptForAreas) {
+  const TemporaryFolder folder;
+  // Hertz has 2.5933 at P = 1
+  const std::string path = folder.write(
+      "a.csv", "P,T,A\n1,-0.01,19.6\n1,5,19.2\n1,7,18.9\n1,10,18\n1,25,2.59\n5,0,23.9\n5,8,23\n5,12,22\n5,,9\n");
+  for (const auto& [objective, used] : {std::pair{"toughness", 7}, {"curve", 8}}) {
+    const Words words{"fit", path, "--models=a,c", std::string("--objective=") + objective};
+    Words json = words;
+    json.push_back("--format=json");
+    const Json data = Json::parse(run_program(json).out)["datasets"][0];
+    EXPECT_EQ(data["points"], 9);
+    EXPECT_EQ(data["used"], 8);
+    EXPECT_EQ(data["excluded"], Json::parse(R"([{"line": 10, "reason": "T is empty"}])"));
+    EXPECT_EQ(data["notes"][0], "1 of 8 points has T < 0, used as it is: equilibrium depends on T^2");
+    for (const Json& fit : data["fits"]) {
+      EXPECT_EQ(fit["used"], used) << objective;
+      EXPECT_EQ(fit["excluded"].size(), 8 - used);
+      for (const Json& point : fit["excluded"]) EXPECT_EQ(point["line"], 6);
+    }
+    const std::string text = run_program(words).out;
+    EXPECT_NE(text.find("# data rows    = 9, used 8, excluded 1, in 2 loading runs"), std::string::npos) << text;
+    EXPECT_EQ(text.find("    without line 6: y <= 0: the area does not exceed that of Hertz") != std::string::npos,
+              used == 7)
+        << text;
+    EXPECT_NE(text.find(", " + std::to_string(used) + " points\n"), std::string::npos) << text;
+  }
 }
 
 TEST(Program, AFitDefinitionComparesWithWhatWasPublished) {

@@ -95,6 +95,32 @@ TEST(Report, DrawsPeakForcesThatTheDefinitionNames) {
   EXPECT_EQ(refused.complaint(), "mixity: " + folder.path("peaks.csv") + ":2:3: column 'T_peak': 'x' is not a number");
 }
 
+TEST(Report, HasItsAnglesAndAreasWhereAPointHasNoPhaseAngle) {
+  const TemporaryFolder folder;
+  const std::string data = folder.write(
+      "run.csv", "P,T,A\n1,-0.01,19.6\n1,5,19.2\n1,7,18.9\n1,10,18\n1,25,2.59\n5,0,23.9\n5,8,23\n5,12,22\n");
+  run_program({"report", data, "--models=a,c", "--objective=toughness", "--out", folder.path("out")});
+  for (const char* figure : {"toughness", "residuals_psi", "residuals_T", "area_models"})
+    EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/run_" + std::string(figure) + ".dat"))) << figure;
+  const std::string page = content_of(folder.path("out/report.html"));
+  for (const char* words : {"8 data rows, 8 used, 0 excluded", "line 6, models a, c: y &lt;= 0"})
+    EXPECT_NE(page.find(words), std::string::npos) << words;
+}
+
+TEST(Report, OfEnergiesShowsTheirToughness) {
+  const TemporaryFolder folder;
+  const std::string data =
+      folder.write("mmb.csv",
+                   "G_I [N/mm],G_II [N/mm],sigma_GI [%],sigma_GII [%]\n0.25,-0.01,5,5\n0.2,0.06,5,5\n"
+                   "0.15,0.14,5,5\n0.1,0.3,5,5\n");
+  const ProgramResult result =
+      run_program({"report", data, "--models=c", "--toughness=0.25 N/mm", "--out", folder.path("out")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/mmb_toughness.dat")));
+  const std::string page = content_of(folder.path("out/report.html"));
+  EXPECT_NE(page.find("the data are (G_I, G_II): they have no loads and areas"), std::string::npos);
+}
+
 TEST(Report, WithoutGnuplotLeavesTablesScriptsAndALineOnWhatIsMissing) {
   const TemporaryFolder folder;
   const WithoutPrograms nothing;

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "jobs/fit_definition.h"
 #include "report/reported_data.h"
 
 namespace mixity {
@@ -20,7 +21,9 @@ inline JobResult example(FitStatus status) {
   result.data.points.resize(40);
   result.data.curves = {"P=1", "P=3"};
   result.data.display.area = "mm^2";
-  result.data.excluded = {{7, "T < 0"}, {9, "include = 0"}};
+  result.data.excluded = {{7, "T is empty"}, {9, "include = 0"}};
+
+  result.job.options.objective = Objective::toughness;
 
   FitResult fit;
   fit.model = "c";

@@ -20,14 +20,14 @@ std::vector<std::string> keys(const Json& object) {
 
 using Names = std::vector<std::string>;
 
-/// What `mixity fit --objective=area --free=toughness --per=curve --models=a,c` computes.
+/// What `mixity fit --objective=curve --free=toughness --per=curve --models=a,c` computes.
 JobResult whole_job() {
   JobResult result;
   SeededNoise noise(1, 0.005);
   result.data = synthetic_runs<PapangeloCiavarella>({0.2}, {1, 5, 20}, 10, 0.8, noise);
-  result.data.display = {"mN", "mm^2", 0.25, 0.01};
+  result.data.display = {"mN", "mm^2", "", 0.25, 0.01};
   result.job.models = {"a", "c"};
-  result.job.options.objective = Objective::area;
+  result.job.options.objective = Objective::curve;
   result.job.options.free = {kToughness};
   for (const std::string& model : result.job.models) {
     result.fits.push_back(fit_model(result.data, model, result.job.options));
@@ -41,9 +41,13 @@ TEST(FitStatisticsJson, HasTheKeysOfItsSchema) {
   const Json data = Json::parse(to_json({whole_job()}))["datasets"][0];
   ASSERT_EQ(data["fits"].size(), 2);
   for (const Json& fit : data["fits"]) {
-    EXPECT_EQ(keys(fit["errors"]), (Names{"relative_scatter", "sigma_A", "sigma_T"}));
+    EXPECT_EQ(keys(fit["errors"]), (Names{"raised_A", "raised_T", "relative_scatter", "sigma_A", "sigma_T"}));
     EXPECT_EQ(fit["errors"]["sigma_A"], "scatter");
     EXPECT_TRUE(fit["errors"]["relative_scatter"].is_number());
+    EXPECT_EQ(fit["errors"]["raised_A"], 0);
+    EXPECT_EQ(keys(fit["paper"]), (Names{"parameters", "points", "r2", "status"}));
+    EXPECT_EQ(keys(fit["paper"]["parameters"]), Names{"lambda"});  // the paper frees no constants
+    EXPECT_EQ(fit["paper"]["points"], 30);
     EXPECT_TRUE(fit["loss_scale"].is_null());
     ASSERT_EQ(fit["correlations"].size(), 1);
     EXPECT_EQ(fit["correlations"][0]["parameters"], Json({"lambda", "toughness"}));

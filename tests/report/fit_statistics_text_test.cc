@@ -24,7 +24,7 @@ JobResult example() {
   result.data.rows = 40;
   result.data.points.resize(40);
   result.data.curves = {"P=1", "P=3", "P=9"};
-  result.data.display = {"mN", "mm^2", 0.25, 0.01};
+  result.data.display = {"mN", "mm^2", "", 0.25, 0.01};
 
   FitResult fit;
   fit.model = "c";
@@ -49,6 +49,28 @@ JobResult example() {
 }
 
 TEST(FitStatisticsText, IntervalsAndKnownErrors) { expect_golden(example(), "known_errors.txt"); }
+
+TEST(FitStatisticsText, ThePapersFitAndErrorsThatWereRaised) {
+  JobResult result = example();
+  FitResult& fit = result.fits[0];
+  fit.errors->source_T = ErrorSource::exact;
+  fit.errors->raised_T = 40;
+  fit.errors->raised_A = 1;
+  fit.paper = PaperFit{FitStatus::ok, {{"lambda", 0.00230604, {}, 0, 1}}, 0.99990826, 39};
+  expect_golden(result, "paper_and_raised_errors.txt");
+}
+
+TEST(FitStatisticsText, ThePapersFitSaysHowItEnded) {
+  FitResult fit;
+  EXPECT_EQ(paper_text(fit), "");
+  fit.paper = PaperFit{FitStatus::at_bound, {{"r", 2, {}, 0, 9, false, true}, {"eta", 0.01, {}, 0.01, 9}}, 0.5, 7};
+  EXPECT_EQ(paper_text(fit),
+            "    the paper's fit (ln(Gc/GIc) against psi, unweighted): r = 2, eta = 0.01 (at bound), R^2 = 0.5, 7 "
+            "points\n");
+  fit.paper = PaperFit{FitStatus::not_identifiable, {{"lambda", {}, {}, 0, 1}}, {}, 1};
+  EXPECT_EQ(paper_text(fit),
+            "    the paper's fit (ln(Gc/GIc) against psi, unweighted): lambda not determined (not identifiable)\n");
+}
 
 TEST(FitStatisticsText, EstimatedErrorsWithARobustLossAndOneEndedIntervals) {
   JobResult result = example();

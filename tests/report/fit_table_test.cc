@@ -26,6 +26,19 @@ TEST(FitTable, RoundsToTheErrorOfEachNumber) {
   EXPECT_EQ(cell(table, 1, "AICc weight"), "< 0.0001");
 }
 
+TEST(FitTable, ShowsThePapersFitBesideThatOfTheCurve) {
+  JobResult result = example(FitStatus::ok);
+  const std::string heading = "The paper's fit: ln(Gc/GIc) against psi";
+  EXPECT_EQ(cell(fit_table(result), 0, heading), "no such column");
+  result.fits[0].objective = Objective::curve;
+  result.fits[0].paper = PaperFit{FitStatus::ok, {{"lambda", 0.0023060412, {}, 0, 1}}, 0.99990826, 40};
+  EXPECT_EQ(cell(fit_table(result), 0, heading), "lambda = 0.002306; R² = 0.9999083");
+  result.fits[0].paper = PaperFit{FitStatus::at_bound, {{"lambda", 0.0, {}, 0, 1, true}}, {}, 40};
+  EXPECT_EQ(cell(fit_table(result), 0, heading), "lambda = 0; at bound");
+  result.fits[0].paper = PaperFit{FitStatus::not_identifiable, {{"lambda", {}, {}, 0, 1}}, {}, 1};
+  EXPECT_EQ(cell(fit_table(result), 0, heading), "lambda = not determined");
+}
+
 TEST(FitTable, HasNoColumnThatSaysNothing) {
   const FitTable table = fit_table(shipped("waters_guduru2010"));
   EXPECT_EQ(table.headings, (std::vector<std::string>{"Model", "Parameters (95 % interval)", "Status",
@@ -88,6 +101,21 @@ TEST(Assumptions, NameTheConstantsAndTheObjective) {
   EXPECT_TRUE(holds("R = 9.42 mm, E* = 2.133 MPa (plane strain) and G_Ic = 27 mJ/m² are exact."));
   EXPECT_TRUE(holds("ln(Gc/GIc)"));
   EXPECT_FALSE(holds("dimensionless"));
+  EXPECT_FALSE(holds("paper"));
+}
+
+TEST(Assumptions, OfTheCurveNameThePapersFitAndErrorsThatWereRaised) {
+  JobResult result = example(FitStatus::ok);
+  result.job.options.objective = Objective::curve;
+  result.fits[0].paper = PaperFit{};
+  result.fits[0].errors = StandardErrors{{}, {}, ErrorSource::exact, ErrorSource::columns, {}, 40, 0};
+  std::string all;
+  for (const std::string& sentence : assumptions(result)) all += sentence + "\n";
+  for (const char* part :
+       {"distances of the points from the curve", "The paper's fit, every point with the same weight, stands beside it",
+        "0.01% of the largest T stands for 40 errors of 0"})
+    EXPECT_NE(all.find(part), std::string::npos) << all;
+  EXPECT_EQ(all.find("largest A"), std::string::npos);
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 // JSON and CSV of a real fit: names, numbers and what must never appear.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "dataset/csv.h"
 #include "dataset/temporary_folder.h"
+#include "jobs/fit_definition.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"
 
@@ -24,8 +26,8 @@ TEST(FitJson, HoldsWhatTheContractNames) {
   for (const char* key : {"path", "provenance", "points", "used", "excluded", "fits"})
     EXPECT_TRUE(data.contains(key)) << key;
   const auto& fit = data.at("fits").at(0);
-  for (const char* key :
-       {"model", "objective", "status", "message", "parameters", "r2", "rmse", "max_abs_residual", "area", "published"})
+  for (const char* key : {"model", "objective", "status", "message", "parameters", "r2", "rmse", "max_abs_residual",
+                          "area", "paper", "published"})
     EXPECT_TRUE(fit.contains(key)) << key;
   const auto& lambda = fit.at("parameters").at("lambda");
   for (const char* key : {"value", "stderr", "lower", "upper", "at_bound"}) EXPECT_TRUE(lambda.contains(key)) << key;
@@ -101,12 +103,34 @@ TEST(FitCsv, APointWithoutAPhaseAngleKeepsItsResidual) {
   FitJob job;
   job.data_path = folder.write("a.csv", "P,T,A\n100,0,74.4\n100,20,73\n100,40,67.4\n100,46,55\n");
   job.models = {"c"};
-  job.options.objective = Objective::area;
+  job.options.objective = Objective::curve;
   const auto rows = read_table(residuals_csv(run(job)));
   ASSERT_EQ(rows.size(), 5u);
   EXPECT_NE(rows[3][4], "");
   EXPECT_EQ(rows[4][4] + rows[4][5], "");
   EXPECT_TRUE(std::isfinite(std::stod(rows[4][6])));
+}
+
+/// The paper's fit beside the distance from the curve is the fit that the paper's objective makes.
+TEST(FitCsv, HoldsThePapersFitBesideThatOfTheCurve) {
+  FitJob job = read_fit_definition(MIXITY_ROOT "/fits/mergel2018.toml");
+  job.options.objective = Objective::curve;
+  job.compare = false;
+  const auto rows = read_table(fits_csv({run(job)})), of_toughness = read_table(fits_csv({mergel()}));
+  const auto column = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin());
+  };
+  ASSERT_EQ(rows.size(), 4u);
+  ASSERT_LT(column("paper_value"), rows[0].size());
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    // 1e-7: beside the curve the kernel makes it, by itself Ceres; both end where the gradient is 1e-8 of its terms
+    const double value = std::stod(of_toughness[i][column("value")]);
+    EXPECT_NEAR(std::stod(rows[i][column("paper_value")]), value, 1e-7 * value);
+    EXPECT_NEAR(std::stod(rows[i][column("paper_r2")]), std::stod(of_toughness[i][column("r2")]), 1e-12);
+    EXPECT_EQ(rows[i][column("paper_status")], "ok");
+    EXPECT_NE(rows[i][column("value")], of_toughness[i][column("value")]);
+    for (const char* name : {"paper_value", "paper_status", "paper_r2"}) EXPECT_EQ(of_toughness[i][column(name)], "");
+  }
 }
 
 /// Predicted curves are read back by the program's own reader and fulfil the model they were drawn from.

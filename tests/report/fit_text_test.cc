@@ -27,5 +27,14 @@ TEST(FitText, ReconstructedWithManyExclusionsAndAHeldParameter) {
   expect_golden(result, "reconstructed.txt");
 }
 
+TEST(FitText, ListsTheFirstOfThePointsThatAModelLeavesOut) {
+  JobResult result = example(FitStatus::ok);
+  for (std::size_t line = 30; line < 50; ++line) result.fits[0].excluded.push_back({line, kNoPhaseAngle});
+  const std::string text = to_text(result);
+  EXPECT_NE(text.find("    without line 37: y <= 0"), std::string::npos) << text;
+  EXPECT_EQ(text.find("    without line 38"), std::string::npos) << text;
+  EXPECT_NE(text.find("    and 12 more (all of them with --format=json)\n"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace mixity

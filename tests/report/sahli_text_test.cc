@@ -9,8 +9,7 @@ namespace {
 
 TEST(SahliText, NamesTheRowsLeftOutAndTheRunsWithoutAParabola) {
   const Dataset data =
-      load_text("curve,P,T,A\nx,1,0,18\nx,1,1,nan\nx,1,2,17.8\nx,1,3,-1\nx,1,4,17\ny,1,2,18\ny,1,2,18.1\n", "", {},
-                PointUse::areas);
+      load_text("curve,P,T,A\nx,1,0,18\nx,1,1,nan\nx,1,2,17.8\nx,1,3,-1\nx,1,4,17\ny,1,2,18\ny,1,2,18.1\n");
   const std::string text = sahli_text(data, fit_sahli(data, 1, "", {}), "");
   EXPECT_NE(text.find("[[Excluded]]\n    line 3: A is not finite\n    line 5: A <= 0\n[[A = A0 - alpha T^2]]"),
             std::string::npos)
@@ -19,9 +18,8 @@ TEST(SahliText, NamesTheRowsLeftOutAndTheRunsWithoutAParabola) {
 }
 
 TEST(SahliText, AsCsvIsInTheUnitsOfTheFile) {
-  const Dataset data =
-      load_text("P [mN],T [mN],A [mm^2]\n1,0,0.25\n1,0.2,0.248\n1,0.4,0.242\n",
-                "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n", {}, PointUse::areas);
+  const Dataset data = load_text("P [mN],T [mN],A [mm^2]\n1,0,0.25\n1,0.2,0.248\n1,0.4,0.242\n",
+                                 "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n");
   const std::string csv = sahli_csv(data, fit_sahli(data, 1, "", {}));
   EXPECT_TRUE(
       csv.starts_with("provenance,curve,P [mN],points,A0 [mm^2],A0_stderr [mm^2],alpha [mm^2/mN^2],"

@@ -23,6 +23,14 @@ TEST(SummaryMarkdown, OfEachStatus) {
     expect_golden_text(summary(example(status)), "summary_" + std::string(to_string(status)) + ".md");
 }
 
+/// By the distance from the curve, which is what data with loads get.
+TEST(SummaryMarkdown, OfTheCurveHoldsThePapersFit) {
+  FitJob job = read_fit_definition(MIXITY_ROOT "/fits/mergel2018.toml");
+  job.options.objective.reset();
+  job.published.clear();
+  expect_golden_text(summary(run(job)), "summary_mergel2018_curve.md");
+}
+
 TEST(SummaryMarkdown, OfAShippedDataSet) {
   expect_golden_text(summary(shipped("mergel2018")), "summary_mergel2018.md");
 }

@@ -55,7 +55,7 @@ class AreaFigures {
     const auto& errors = reported_.result.fits.front().errors;
     for (const std::size_t i : shown_points(points_[run], runs_.size())) {
       const Point& point = data_.points[i];
-      const double T = point.T * units_.force, A = point.A * units_.area;
+      const double T = point.shear() * units_.force, A = point.A * units_.area;
       series.points.emplace_back(T, A);
       series.hover.push_back(point_hover(data_, i));
       if (!errors) continue;

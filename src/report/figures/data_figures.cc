@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "fitting/fitted_trial.h"
+#include "fitting/predicted_area.h"
 
 namespace mixity {
 namespace {
@@ -42,7 +42,8 @@ DataFigures data_figures(const ReportedData& reported) {
   const Dataset& data = result.data;
   const bool any_value = std::any_of(result.fits.begin(), result.fits.end(), has_all_values);
   const std::string no_value = "no fit has a value";
-  const std::string no_loads = "the data are (psi, Gc): they have no loads and areas";
+  const std::string no_loads =
+      "the data are " + std::string(data.has_energies ? "(G_I, G_II)" : "(psi, Gc)") + ": they have no loads and areas";
   const auto group = [&](const std::string& title) { figures.groups.push_back({title, {}}); };
   // Adds what was drawn, or why nothing was.
   const auto add = [&](std::vector<Figure> drawn, const std::string& what, const std::string& why) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fitting/fitted_trial.h"
+#include "fitting/predicted_area.h"
 #include "mechanics/constant_shear.h"
 #include "mechanics/sampling.h"
 #include "report/figures/drawn_units.h"
@@ -17,8 +17,8 @@ constexpr std::size_t kRadiusPoints = 400;
 /// From the model's numbers to those of the reader's axes.
 class Shown {
  public:
-  Shown(const Dataset& data, const Corrections& corrections) : units_(data), scale_(corrections) {}
-  const CorrectedScale& scale() const { return scale_; }
+  Shown(const Dataset& data, const Constants& constants) : units_(data), scale_(constants) {}
+  const ConstantsScale& scale() const { return scale_; }
   double P(double value) const { return (value / scale_.force - scale_.load_offset) * units_.force; }
   double T(double value) const { return value / scale_.force * units_.force; }
   double A(double value) const { return scale_.measured_area(value) * units_.area; }
@@ -27,17 +27,17 @@ class Shown {
 
  private:
   DrawnUnits units_;
-  CorrectedScale scale_;
+  ConstantsScale scale_;
 };
 
 template <class Model>
 DrawnCurve curve_of(const JobResult& result, const FitResult& fit, double load, double T_most) {
-  const Trial<Model> trial = fitted_trial<Model>(result.data, fit, result.job.options);
-  const Shown shown(result.data, trial.corrections);
+  const Candidate<Model> candidate = fitted_candidate<Model>(result.data, fit, result.job.options);
+  const Shown shown(result.data, candidate.constants);
   const double P = shown.scale().load(load), most = shown.scale().shear(T_most);
-  const LoadedContact<Model> contact(trial.parameters, P);
+  const LoadedContact<Model> contact(candidate.parameters, P);
   if (!contact.obstacle().empty() || !contact.in_contact()) return {};
-  const EquilibriumCurve<Model> curve(trial.parameters, P);
+  const EquilibriumCurve<Model> curve(candidate.parameters, P);
   DrawnCurve drawn;
   if (curve.uncoupled()) {
     const double a = jkr_radius(P);
@@ -57,17 +57,17 @@ DrawnCurve curve_of(const JobResult& result, const FitResult& fit, double load, 
 
 template <class Model>
 DrawnRadii radii_of(const JobResult& result, const FitResult& fit, double T, double P_most) {
-  const Trial<Model> trial = fitted_trial<Model>(result.data, fit, result.job.options);
-  const Shown shown(result.data, trial.corrections);
+  const Candidate<Model> candidate = fitted_candidate<Model>(result.data, fit, result.job.options);
+  const Shown shown(result.data, candidate.constants);
   DrawnRadii drawn;
-  const std::string_view obstacle = Model::equilibrium_domain(trial.parameters);
+  const std::string_view obstacle = Model::equilibrium_domain(candidate.parameters);
   if (!obstacle.empty()) return drawn;
   const double shear = shown.scale().shear(T), load = shown.scale().load(P_most);
   // Far enough that the load passes P_most: y of JKR there, which shear only lowers
   const double largest = 1.05 * (3 * pi<double>() + circle_radius(std::max(load, 0.0)));
   for (std::size_t i = 1; i <= kRadiusPoints; ++i) {
     const double part = static_cast<double>(i) / kRadiusPoints;
-    const ConstantShearPoint q = constant_shear_point<Model>(trial.parameters, shear, largest * part * part);
+    const ConstantShearPoint q = constant_shear_point<Model>(candidate.parameters, shear, largest * part * part);
     if (!std::isfinite(q.P) || q.P > load) continue;
     const bool stable = q.dP_dy > 0;
     // the two parts share the point where they meet
@@ -96,7 +96,7 @@ std::vector<std::pair<double, double>> drawn_toughness(const Dataset& data, cons
   std::vector<std::pair<double, double>> points;
   with_model(fit.model, [&](auto chosen) {
     using Model = decltype(chosen);
-    const Parameters<Model> p = fitted_trial<Model>(data, fit, {}).parameters;
+    const Parameters<Model> p = fitted_candidate<Model>(data, fit, {}).parameters;
     for (std::size_t i = 0; i <= steps; ++i) {
       const double psi = last_psi * static_cast<double>(i) / static_cast<double>(steps);
       const double f = std::exp(Model::log_toughness(p, mixity_from_angle(psi)).value);
@@ -115,7 +115,7 @@ std::vector<const FitResult*> fits_with_values(const JobResult& result) {
 
 double largest_shear(const Dataset& data) {
   double largest = 0;
-  for (const Point& point : data.points) largest = std::max(largest, point.T);
+  for (const Point& point : data.points) largest = std::max(largest, point.shear());
   return largest;
 }
 

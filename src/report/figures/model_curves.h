@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "fitting/fit_definition.h"
+#include "jobs/job.h"
 #include "mechanics/folds.h"
 
 namespace mixity {

@@ -13,7 +13,6 @@ namespace {
 
 std::string residual_label(const FitResult& fit) {
   if (fit.known_errors || fit.objective == Objective::curve) return "residual [standard errors]";
-  if (fit.objective == Objective::area) return "residual in A";
   return fit.scale == Scale::log ? "residual in ln(G_c/G_{Ic})" : "residual in G_c/G_{Ic}";
 }
 
@@ -105,13 +104,14 @@ std::vector<Figure> residual_figures(const ReportedData& reported) {
   const DrawnUnits units(data);
   std::vector<Figure> figures;
   bool angles = true;
-  for (std::size_t i = 0; angles && i < data.points.size(); ++i) angles = data.toughness(i).has_value();
+  for (const FitResult& fit : reported.result.fits)
+    for (std::size_t k = 0; angles && k < fit.residuals.size(); ++k) angles = data.toughness(fit.used[k]).has_value();
   if (angles)
     figures.push_back(residuals_against(reported, "psi", "Residuals against phase angle", "ψ [rad]",
                                         [&](std::size_t i) { return data.toughness(i)->psi(); }));
   if (data.has_loads) {
     figures.push_back(residuals_against(reported, "T", "Residuals against tangential load", units.T(),
-                                        [&](std::size_t i) { return data.points[i].T * units.force; }));
+                                        [&](std::size_t i) { return data.points[i].shear() * units.force; }));
     if (data.curves.size() > 1)
       figures.push_back(residuals_against(reported, "P", "Residuals against normal load", units.P(),
                                           [&](std::size_t i) { return data.points[i].P * units.force; }));
