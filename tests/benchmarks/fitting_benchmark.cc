@@ -1,9 +1,13 @@
-// What a fit costs, side by side in one run: the fit that is shown (Ceres, verdict, profile interval), the same through
-// the batch engine, and one bootstrap replicate. Times per fit of the 200 points of data/mergel2018.csv.
+// What a fit under the objective toughness costs, side by side in one run: the fit that is shown (Ceres, verdict,
+// profile interval), the same by the kernel, and one bootstrap replicate. Times per fit of the 200 points of
+// data/mergel2018.csv.
 #include <benchmark/benchmark.h>
 
 #include "fitting/fit.h"
-#include "fitting/single_fit.h"
+#include "fitting/toughness.h"
+#include "solver/interval.h"
+#include "solver/resample.h"
+#include "solver/verdict.h"
 
 namespace mixity {
 namespace {
@@ -23,8 +27,13 @@ ToughnessObjective<Model> objective() {
 template <class Model>
 void Sweep(benchmark::State& state) {
   const auto problem = objective<Model>();
-  const auto cost = problem.single_cost();
-  for (auto _ : state) benchmark::DoNotOptimize(cost->at(0.0123, {}));
+  const auto cost = problem.cost();
+  const double x = 0.0123;
+  CostValue value;
+  for (auto _ : state) {
+    cost->at({&x, 1}, {}, value);
+    benchmark::DoNotOptimize(value.value);
+  }
 }
 BENCHMARK_TEMPLATE(Sweep, PapangeloCiavarella);
 BENCHMARK_TEMPLATE(Sweep, WatersGuduru);
@@ -32,35 +41,42 @@ BENCHMARK_TEMPLATE(Sweep, Johnson);
 
 template <class Model>
 void ShownFit(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(fit_model(mergel(), Model::info.key));
+  const FitOptions options{.objective = Objective::toughness};
+  for (auto _ : state) benchmark::DoNotOptimize(fit_model(mergel(), Model::info.key, options));
 }
 BENCHMARK_TEMPLATE(ShownFit, PapangeloCiavarella);
 BENCHMARK_TEMPLATE(ShownFit, WatersGuduru);
 
+SolverOptions with_kernel() {
+  SolverOptions options;
+  options.engine = Engine::kernel;
+  return options;
+}
+
 template <class Model>
-void BatchFit(benchmark::State& state) {
+void KernelFit(benchmark::State& state) {
   const auto problem = objective<Model>();
-  const FreeParameter& parameter = problem.parameters()[0];
+  const SolverOptions options = with_kernel();
   for (auto _ : state) {
-    const auto cost = problem.single_cost();
-    const SingleFit fit = solve_single(*cost, problem);
-    const double allowance = cost_allowance(0.95, fit.sum_of_squares, problem.residual_count(), 1, false);
-    benchmark::DoNotOptimize(profile_interval(*cost, parameter, fit.x, fit.sum_of_squares, 0.95, allowance));
+    const Verdict verdict = solve(problem, {}, options);
+    const double allowance = cost_allowance(0.95, verdict.best.sum_of_squares, problem.residual_count(), 1, false);
+    benchmark::DoNotOptimize(
+        profile_interval(problem, verdict.best, 0, 0.95, allowance, verdict.standard_errors[0], options));
   }
 }
-BENCHMARK_TEMPLATE(BatchFit, PapangeloCiavarella);
-BENCHMARK_TEMPLATE(BatchFit, WatersGuduru);
+BENCHMARK_TEMPLATE(KernelFit, PapangeloCiavarella);
+BENCHMARK_TEMPLATE(KernelFit, WatersGuduru);
 
 template <class Model>
 void Bootstrap(benchmark::State& state) {
   const auto problem = objective<Model>();
-  const SingleFit fit = solve_single(*problem.single_cost(), problem);
+  const std::vector<double> fitted = solve(problem, {}, with_kernel()).best.x;
   std::vector<std::size_t> runs;
   for (const Point& point : mergel().points) runs.push_back(point.curve);
   constexpr std::size_t kReplicates = 1000;
   const auto threads = static_cast<unsigned>(state.range(0));
   for (auto _ : state)
-    benchmark::DoNotOptimize(bootstrap(problem, {fit.x}, runs, {kReplicates, Resample::points, 1, threads}, 0.95));
+    benchmark::DoNotOptimize(bootstrap(problem, fitted, runs, {kReplicates, Resample::points, 1, threads}, 0.95));
   state.counters["time/replicate"] = benchmark::Counter(static_cast<double>(state.iterations() * kReplicates),
                                                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "mechanics/batch.h"
+#include "mechanics/curve_distance.h"
 #include "mechanics/sampling.h"
 
 namespace mixity {
@@ -34,8 +35,8 @@ std::vector<double> loads() {
   return T;
 }
 
-void per_point(benchmark::State& state) {
-  state.counters["time/point"] = benchmark::Counter(static_cast<double>(state.iterations() * kPoints),
+void per_point(benchmark::State& state, std::size_t points = kPoints) {
+  state.counters["time/point"] = benchmark::Counter(static_cast<double>(state.iterations() * points),
                                                     benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
@@ -103,6 +104,48 @@ BENCHMARK_TEMPLATE(BrentOnPrintedEquation, PapangeloCiavarella);
 BENCHMARK_TEMPLATE(BrentOnPrintedEquation, Johnson);
 BENCHMARK_TEMPLATE(BrentOnPrintedEquation, WatersGuduru);
 
+/// ln f with its slope at angles up to 1.5, point by point and in lanes: what a step of a fit to (psi, f) data costs.
+struct LawPoints {
+  static constexpr std::size_t kCount = 512;
+  std::vector<Mixity<double>> mixities;
+  LawPoints() {
+    for (std::size_t i = 0; i < kCount; ++i)
+      mixities.push_back(mixity_from_angle(1.5 * static_cast<double>(i) / kCount));
+  }
+};
+
+template <class Model>
+void LogToughness(benchmark::State& state) {
+  const LawPoints points;
+  for (auto _ : state)
+    for (const auto& mixity : points.mixities) benchmark::DoNotOptimize(Model::log_toughness(typical<Model>(), mixity));
+  per_point(state, LawPoints::kCount);
+}
+BENCHMARK_TEMPLATE(LogToughness, PapangeloCiavarella);
+BENCHMARK_TEMPLATE(LogToughness, Johnson);
+BENCHMARK_TEMPLATE(LogToughness, WatersGuduru);
+BENCHMARK_TEMPLATE(LogToughness, BenzeggaghKenane);
+
+template <class Model>
+void LogToughnessLanes(benchmark::State& state) {
+  const LawPoints points;
+  std::vector<double> first, second, value(LawPoints::kCount), slope(value), curvature(value);
+  for (const auto& mixity : points.mixities) {
+    const auto point = Model::lane_point(mixity);
+    first.push_back(point.first);
+    second.push_back(point.second);
+  }
+  for (auto _ : state) {
+    log_toughness_lanes<Model>(typical<Model>()[0], first.data(), second.data(), first.size(), value.data(),
+                               slope.data(), curvature.data());
+    benchmark::ClobberMemory();
+  }
+  per_point(state, LawPoints::kCount);
+}
+BENCHMARK_TEMPLATE(LogToughnessLanes, PapangeloCiavarella);
+BENCHMARK_TEMPLATE(LogToughnessLanes, Johnson);
+BENCHMARK_TEMPLATE(LogToughnessLanes, WatersGuduru);
+
 template <class Model>
 void CurvePoints(benchmark::State& state) {
   const EquilibriumCurve<Model> curve(typical<Model>(), kLoad);
@@ -122,6 +165,59 @@ void Folds(benchmark::State& state) {
 BENCHMARK_TEMPLATE(Folds, PapangeloCiavarella);
 BENCHMARK_TEMPLATE(Folds, Johnson);
 BENCHMARK_TEMPLATE(Folds, WatersGuduru);
+
+/// Measured points of eight loads, each with a load of its own, up to 0.95 of the jump, with errors of 1 %.
+template <class Model>
+struct MeasuredPoints {
+  std::vector<double> P, T, A, sigma_T, sigma_A;
+
+  MeasuredPoints() {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> uniform(0, 0.95);
+    std::normal_distribution<double> normal;
+    constexpr double kLoads[] = {30.4, 15.0, 11.5, 6.2, 3.7, 2.0, -0.23, -1.79};
+    for (std::size_t i = 0; i < kPoints; ++i) {
+      const double load = kLoads[i % 8] * (1 + 0.01 * normal(random));
+      const LoadedContact<Model> contact(typical<Model>(), load);
+      const double end = std::min(contact.first_branch().T_bottom, 100.0), t = uniform(random) * end;
+      P.push_back(load);
+      sigma_T.push_back(0.01 * end);
+      sigma_A.push_back(0.01 * area_from_radius(jkr_radius(load)));
+      T.push_back(std::abs(t + sigma_T.back() * normal(random)));
+      A.push_back(area_from_radius(radius_from_edge_load(contact.at(t).y, load)) + sigma_A.back() * normal(random));
+    }
+  }
+  PlanePoints points() const { return {P, T, A, sigma_T, sigma_A}; }
+};
+
+/// Distances and all their derivatives.
+template <class Model, Search search>
+void Distances(benchmark::State& state) {
+  const MeasuredPoints<Model> measured;
+  std::vector<double> r(kPoints), dP(kPoints), dT(kPoints), dA(kPoints), parameters(kPoints * parameter_count<Model>);
+  CurveDistances out{r, dP, dT, dA, parameters};
+  for (auto _ : state)
+    benchmark::DoNotOptimize(curve_distances<Model>(typical<Model>(), measured.points(), search, true, out));
+  per_point(state);
+}
+BENCHMARK_TEMPLATE(Distances, PapangeloCiavarella, Search::local);
+BENCHMARK_TEMPLATE(Distances, PapangeloCiavarella, Search::global);
+BENCHMARK_TEMPLATE(Distances, Johnson, Search::local);
+BENCHMARK_TEMPLATE(Distances, Johnson, Search::global);
+BENCHMARK_TEMPLATE(Distances, WatersGuduru, Search::local);
+BENCHMARK_TEMPLATE(Distances, WatersGuduru, Search::global);
+BENCHMARK_TEMPLATE(Distances, BenzeggaghKenane, Search::local);
+BENCHMARK_TEMPLATE(Distances, BenzeggaghKenane, Search::global);
+
+/// What LoadedContact pays once for each load that comes near a fold.
+template <class Model>
+void LoadFolds(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(LoadedContact<Model>(typical<Model>(), kLoad).branches().size());
+}
+BENCHMARK_TEMPLATE(LoadFolds, PapangeloCiavarella);
+BENCHMARK_TEMPLATE(LoadFolds, Johnson);
+BENCHMARK_TEMPLATE(LoadFolds, WatersGuduru);
+BENCHMARK_TEMPLATE(LoadFolds, BenzeggaghKenane);
 
 }  // namespace
 }  // namespace mixity

@@ -11,7 +11,7 @@ from peers.tables import ROUNDING
 STYLES = {"mixity": ("#000000", 7), "mixity anew": ("#000000", 6), "mixity arrays": ("#000000", 9),
           "Newton": ("#D55E00", 4), "bracketed Newton": ("#CC79A7", 5), "Brent": ("#009E73", 8),
           "TOMS 748": ("#0072B2", 10), "bisection": ("#56B4E9", 2), "linear table": ("#E69F00", 1),
-          "cubic table": ("#999999", 3), "mixity batch": ("#000000", 7), "mixity whole fit": ("#000000", 6)}
+          "cubic table": ("#999999", 3), "mixity kernel": ("#000000", 7), "mixity whole fit": ("#000000", 6)}
 # Fits have a colour for each library and a shape for its derivatives.
 LIBRARIES = {"Ceres": "#D55E00", "TinySolver": "#E69F00", "MINPACK": "#0072B2", "GSL": "#009E73",
              "SciPy": "#56B4E9", "lmfit": "#CC79A7"}

@@ -7,11 +7,11 @@ import math
 
 from peers.markdown import markdown, show_time
 
-TABLES = ("predict", "curve", "fit")  # what convergence prints is for readers already
+TABLES = ("predict", "drawing", "fit", "curve")  # what convergence prints is for readers already
 ROUNDING = 1.1e-16  # half the distance of doubles: a smaller error is luck
 NUMBERS = ("tolerance", "error", "evaluations", "median_ns", "spread_ns")
 CLAIMS_RIGHT = ("ok", "converged", "at_bound")
-GOOD = collections.defaultdict(lambda: 1e-9, curve=1e-3)  # what answers must reach to be compared with
+GOOD = collections.defaultdict(lambda: 1e-9, drawing=1e-3)  # what answers must reach to be compared with
 HEADER = ["method", "tolerance", "error", "median", "spread", "ratio", "evaluations", "digits/evaluation", ""]
 
 
@@ -57,7 +57,7 @@ def cells(row, fastest):
 
 def tables(cases):
     for case, rows in cases.items():
-        header = [*HEADER[:6], "points", "digits/point", ""] if rows[0]["task"] == "curve" else HEADER
+        header = [*HEADER[:6], "points", "digits/point", ""] if rows[0]["task"] == "drawing" else HEADER
         yield f"\n{case}\n\n" + markdown(header, [cells(row, reference(rows)) for row in rows])
 
 
@@ -125,10 +125,10 @@ def show(task, text, summary_only):
     cases = read(text)
     if not summary_only:
         print("\n".join(tables(cases)))
-    targets = (1e-2, 1e-3, 1e-4) if task == "curve" else (1e-9, 1e-12)
+    targets = (1e-2, 1e-3, 1e-4) if task == "drawing" else (1e-9, 1e-12)
     print("\n".join(summary(cases, target) for target in targets), flush=True)
     if task == "predict":
         print(ratios(cases, targets[-1]), flush=True)
     if task == "fit":
-        print(mean_ratios(cases, 1e-8, ("mixity batch", "mixity whole fit")), flush=True)
+        print(mean_ratios(cases, 1e-8, ("mixity kernel", "mixity whole fit")), flush=True)
     return cases

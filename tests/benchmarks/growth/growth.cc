@@ -162,9 +162,7 @@ void reading(const Folder& folder) {
 
 Prepare fit_task(const Folder& folder, const std::string& model, const FitOptions& options, std::size_t runs = 10) {
   return [&folder, model, options, runs](std::size_t n) {
-    const PointUse use = options.objective == Objective::toughness ? PointUse::toughness : PointUse::areas;
-    return Task(
-        [data = load_dataset(folder.file(n, runs), {}, use), model, options] { fit_model(data, model, options); });
+    return Task([data = load_dataset(folder.file(n, runs)), model, options] { fit_model(data, model, options); });
   };
 }
 
@@ -177,13 +175,11 @@ FitOptions with_objective(Objective objective) {
 void points(const Folder& folder) {
   std::vector<std::pair<std::string, Prepare>> tasks;
   for (const std::string model : {"a", "b", "c"})
-    tasks.emplace_back("toughness, model " + model, fit_task(folder, model, {}));
+    tasks.emplace_back("toughness, model " + model, fit_task(folder, model, with_objective(Objective::toughness)));
   tasks.emplace_back(
       "check", [&](std::size_t n) { return Task([data = load_dataset(folder.file(n))] { find_oddities(data); }); });
   table("points fitted", powers(100, 10000000), tasks);
   tasks.clear();
-  for (const std::string model : {"b", "c"})
-    tasks.emplace_back("area, model " + model, fit_task(folder, model, with_objective(Objective::area)));
   for (const std::string model : {"b", "c"})
     tasks.emplace_back("curve, model " + model, fit_task(folder, model, with_objective(Objective::curve)));
   table("points fitted", powers(100, 1000000), tasks);
@@ -198,16 +194,15 @@ void loads(const Folder& folder) {
   table("loads", powers(1, 10000),
         {{"reading",
           [&folder, n](std::size_t runs) { return Task([path = folder.file(n, runs)] { load_dataset(path); }); }},
-         {"toughness, model b", fit("b", {})},
-         {"area, model b", fit("b", with_objective(Objective::area))},
-         {"area, model c", fit("c", with_objective(Objective::area))},
+         {"toughness, model b", fit("b", with_objective(Objective::toughness))},
+         {"curve, model b", fit("b", with_objective(Objective::curve))},
          {"curve, model c", fit("c", with_objective(Objective::curve))}});
 }
 
 Dataset mergel() { return load_dataset(MIXITY_ROOT "/data/mergel2018.csv"); }
 
 FitOptions with_bootstrap(std::size_t replicates, unsigned threads) {
-  FitOptions options;
+  FitOptions options = with_objective(Objective::toughness);
   options.intervals = false;
   options.bootstrap.replicates = replicates;
   options.bootstrap.threads = threads;

@@ -1,10 +1,11 @@
-// How often a solver is wrong and says that it converged: area data in seven units, from eleven starts. Each solver is
-// run with the tolerances it comes with, and with 1e-15 everywhere. Right: within 1e-6 of the global minimum, or within
-// 1e-3 standard errors. A value out of lambda's range tells its reader that it is wrong. With --serve solvers
-// of another process take part (convergence_server.h).
+// How often a solver is wrong and says that it converged, from eleven starts: distances from the curves in seven units,
+// and the paper's cost. Each solver is run with the tolerances it comes with, and with 1e-15 everywhere. Right: within
+// 1e-6 of the global minimum, or within 1e-3 standard errors. A value out of lambda's range tells its reader that it is
+// wrong. With --serve solvers of another process take part (convergence_server.h).
 #include <glog/logging.h>
 
 #include "benchmarks/precision/convergence_server.h"
+#include "benchmarks/precision/curve_problem.h"
 #include "benchmarks/precision/log_toughness.h"
 #include "benchmarks/precision/peers.h"
 #include "fitting/fit.h"
@@ -16,41 +17,21 @@ namespace {
 constexpr std::array<double, 11> kStarts{0.001, 0.01, 0.05, 0.1,  0.2,  0.35,
                                          0.5,   0.65, 0.8,  0.95, 0.999};  // of the range
 
-/// The derivatives of one implicit step are exact, so that "analytic" and "automatic" differ in name only.
+/// Of one data set, in every unit: distances as an experimenter has them who multiplies by the area's standard error.
 template <class Model>
-class AreaProblem : public AreaDifferences<Model> {
- public:
-  using AreaDifferences<Model>::AreaDifferences;
-  bool evaluate(double x, double* residuals, double* slopes) const {
-    if (!slopes) return (*this)(&x, residuals);
-    using Jet = ceres::Jet<double, 1>;
-    const Jet at(x, 0);
-    std::vector<Jet> r(this->size());
-    if (!(*this)(&at, r.data())) return false;
-    for (std::size_t i = 0; i < r.size(); ++i) {
-      residuals[i] = r[i].a;
-      slopes[i] = r[i].v[0];
-    }
-    return true;
-  }
-};
-
-/// Of one data set, in every unit.
-template <class Model>
-std::vector<AreaProblem<Model>> problems(const Dataset& data) {
-  std::vector<AreaProblem<Model>> list;
+std::vector<CurveProblem<Model>> problems(const UnitCase& at, const Dataset& data, double sigma_T, double sigma_A) {
+  std::vector<CurveProblem<Model>> list;
   list.reserve(kAreaUnits.size());
-  for (const AreaUnit& unit : kAreaUnits) list.emplace_back(data, data.contact->area_unit() / unit.square_metres);
+  for (const AreaUnit& unit : kAreaUnits) list.emplace_back(data, sigma_T, sigma_A, at.sigma_A / unit.square_metres);
   return list;
 }
 
-template <class Model>
-void run_peers(const UnitCase& at, const std::vector<AreaProblem<Model>>& units, const BestValue& best,
-               ConvergenceTable& table) {
-  for (const auto& peer : peers<AreaProblem<Model>>())
+template <class Problem>
+void run_peers(const UnitCase& at, const std::vector<Problem>& units, const BestValue& best, ConvergenceTable& table) {
+  for (const auto& peer : peers<Problem>())
     for (const bool tight : {false, true})
       for (std::size_t k = 0; k < units.size(); ++k) {
-        const AreaProblem<Model>& problem = units[k];
+        const Problem& problem = units[k];
         for (const double start : kStarts) {
           const Tolerances tolerances = tight ? Tolerances{1e-15, 1e-15, 1e-15, 0} : peer.usual;
           const Answer answer = peer.solve(problem, start * problem.upper, tolerances);
@@ -61,42 +42,60 @@ void run_peers(const UnitCase& at, const std::vector<AreaProblem<Model>>& units,
       }
 }
 
+struct Tables {
+  ConvergenceTable curve{"Distances from the curves, in seven units", true};
+  ConvergenceTable toughness{"ln f, which has no unit", false};
+};
+
 /// As a user has it: a file in these units, and a status. It takes no start.
 template <class Model>
-void run_ours(const UnitCase& at, const BestValue& best, ConvergenceTable& table) {
+void run_ours(const UnitCase& at, const BestValue& of_curve, const BestValue& of_toughness, Tables& tables) {
   for (std::size_t k = 0; k < kAreaUnits.size(); ++k) {
     const AreaUnit& unit = kAreaUnits[k];
     const Dataset data = at.in(unit);
-    const auto count = [&](const char* name, const FitResult& fit, const BestValue& truth) {
+    const auto count = [&](const char* name, const FitOptions& options, const BestValue& best,
+                           ConvergenceTable& table) {
+      const FitResult fit = fit_model(data, Model::info.key, options);
       const double x = fit.has_values() ? fit.parameters[0].value.value_or(std::nan("")) : std::nan("");
-      const bool right = is_right(x, truth);
+      const bool right = is_right(x, best);
       table.count(name, at.name, k, right, fit.status == FitStatus::ok);
       if (!right || fit.status != FitStatus::ok)
         std::fprintf(stderr, "%s, %s in %s: %s, lambda %.10g, best %.10g +/- %.2g. %s\n", name, at.name.c_str(),
-                     unit.name, std::string(to_string(fit.status)).c_str(), x, truth.x, truth.standard_error,
+                     unit.name, std::string(to_string(fit.status)).c_str(), x, best.x, best.standard_error,
                      fit.message.c_str());
     };
-    const FitOptions area{.objective = Objective::area, .sigma_A = parse_quantity(at.sigma_in(unit))};
-    count("mixity, area", fit_model(data, Model::info.key, area), best);
-    count("mixity, area, without interval", fit_model(data, Model::info.key, value_only(area)), best);
-    const FitResult toughness = fit_model(data, Model::info.key);
-    std::vector<ToughnessPoint> points;
-    for (const std::size_t i : toughness.used) points.push_back(*data.toughness(i));
-    const double x = static_cast<double>(exact_minimum<Model>(points));
-    count("mixity, toughness", toughness, {x, toughness.parameters.at(0).stderr_.value_or(0), {}});
+    const FitOptions curve{.objective = Objective::curve,
+                           .sigma_T = parse_quantity(at.sigma_T_text()),
+                           .sigma_A = parse_quantity(at.sigma_A_in(unit))};
+    count("mixity", curve, of_curve, tables.curve);
+    count("mixity, without interval", value_only(curve), of_curve, tables.curve);
+    count("mixity", {.objective = Objective::toughness}, of_toughness, tables.toughness);
   }
 }
 
 template <class Model>
-void run(const UnitCase& at, ConvergenceTable& table, ConvergenceServer& server) {
+void run(const UnitCase& at, Tables& tables, ConvergenceServer& server) {
+  constexpr ParameterInfo lambda = Model::parameters[0];
   const Dataset data = at.in({"m^2", 1});
-  const BestValue best = best_value<Model>(data, 8000);
-  std::fprintf(stderr, "%s: best %.10g +/- %.2g, %d minima within 10 %%\n", at.name.c_str(), best.x,
-               best.standard_error, best.minima);
-  run_ours<Model>(at, best, table);
-  const auto units = problems<Model>(data);
-  run_peers<Model>(at, units, best, table);
-  server.add(at.name, best, units);
+  const double sigma_T = at.sigma_T / data.contact->force_unit(), sigma_A = at.sigma_A / data.contact->area_unit();
+  const BestValue of_curve =
+      best_value(curve_residuals<Model>(data, sigma_T, sigma_A), lambda.lower, lambda.upper, 4000, true);
+  // a point whose area does not exceed that of Hertz has no toughness, and the fit passes it over
+  std::vector<ToughnessPoint> points;
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+    if (const auto point = data.toughness(i)) points.push_back(*point);
+  const FitResult fit = fit_model(data, Model::info.key, {.objective = Objective::toughness});
+  const BestValue of_toughness{static_cast<double>(exact_minimum<Model>(points)), fit.parameters[0].stderr_.value_or(0),
+                               1};
+  std::fprintf(stderr, "%s: best %.10g +/- %.2g, %d minima; of ln f %.10g\n", at.name.c_str(), of_curve.x,
+               of_curve.standard_error, of_curve.minima, of_toughness.x);
+  run_ours<Model>(at, of_curve, of_toughness, tables);
+  const auto in_units = problems<Model>(at, data, sigma_T, sigma_A);
+  run_peers(at, in_units, of_curve, tables.curve);
+  server.add(at.name, of_curve, in_units, tables.curve);
+  const std::vector<LogToughness<Model>> of_ln_f{LogToughness<Model>(points)};
+  run_peers(at, of_ln_f, of_toughness, tables.toughness);
+  server.add(at.name, of_toughness, of_ln_f, tables.toughness);
 }
 
 }  // namespace
@@ -110,17 +109,18 @@ int main(int count, char** arguments) try {
     std::fprintf(stderr, "usage: precision_convergence [--serve]\n");
     return 2;
   }
-  precision::ConvergenceTable table;
+  precision::Tables tables;
   precision::ConvergenceServer server;
   const std::vector<UnitCase> cases = unit_cases(MIXITY_ROOT "/data/mergel2018.csv");
   for (const UnitCase& at : cases)
     with_model(at.model, [&](auto model) {
-      if constexpr (parameter_count<decltype(model)> == 1) precision::run<decltype(model)>(at, table, server);
+      if constexpr (parameter_count<decltype(model)> == 1) precision::run<decltype(model)>(at, tables, server);
     });
-  if (serves && !server.serve(precision::kStarts, table)) return 1;
-  table.print();
-  std::printf("\n%zu data sets x %zu units x %zu starts; mixity takes no start.\n", cases.size(), kAreaUnits.size(),
-              precision::kStarts.size());
+  if (serves && !server.serve(precision::kStarts)) return 1;
+  tables.curve.print();
+  tables.toughness.print();
+  std::printf("\n%zu data sets x %zu units x %zu starts (ln f of others: one unit); mixity takes no start.\n",
+              cases.size(), kAreaUnits.size(), precision::kStarts.size());
 } catch (const std::exception& error) {
   std::fprintf(stderr, "precision_convergence: %s\n", error.what());
   return 1;

@@ -12,9 +12,9 @@
 #include "benchmarks/precision/log_toughness.h"
 #include "benchmarks/precision/peers.h"
 #include "benchmarks/precision/precision.h"
-#include "fitting/interval.h"
-#include "fitting/single_fit.h"
 #include "fitting/synthetic_runs.h"
+#include "solver/interval.h"
+#include "solver/verdict.h"
 
 namespace mixity::precision {
 namespace {
@@ -23,21 +23,17 @@ constexpr std::size_t kPoints = 200;
 constexpr double kConfidence = 0.95;
 
 /// Counts the sweeps of another cost.
-class CountedCost final : public SingleCost {
+class CountedCost final : public Cost {
  public:
-  CountedCost(std::unique_ptr<SingleCost> cost, long& sweeps) : cost_(std::move(cost)), sweeps_(sweeps) {}
+  CountedCost(std::unique_ptr<Cost> cost, long& sweeps) : cost_(std::move(cost)), sweeps_(sweeps) {}
   bool exact_curvature() const override { return cost_->exact_curvature(); }
-  CostValue at(double x, std::span<const double> weights) override {
+  void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) override {
     ++sweeps_;
-    return cost_->at(x, weights);
-  }
-  std::optional<double> value(double x) override {
-    ++sweeps_;
-    return cost_->value(x);
+    cost_->at(x, weights, cost);
   }
 
  private:
-  std::unique_ptr<SingleCost> cost_;
+  std::unique_ptr<Cost> cost_;
   long& sweeps_;
 };
 
@@ -49,10 +45,14 @@ class CountedProblem final : public WrappedProblem {
     ++sweeps;
     return problem_.evaluate(x, r, J);
   }
-  std::unique_ptr<SingleCost> single_cost() const override {
-    return std::make_unique<CountedCost>(problem_.single_cost(), sweeps);
-  }
+  std::unique_ptr<Cost> cost() const override { return std::make_unique<CountedCost>(problem_.cost(), sweeps); }
 };
+
+SolverOptions with_kernel() {
+  SolverOptions options;
+  options.engine = Engine::kernel;
+  return options;
+}
 
 /// One set of points in every form that a solver takes, and the true lambda.
 template <class Model>
@@ -99,13 +99,13 @@ struct Case {
 };
 
 /// The whole fit in parts, so that sweeps can be counted: minimum, verdict and the interval's ends.
-double sweeps_of_whole_fit(const LeastSquares& objective) {
+double sweeps_of_whole_fit(const Problem& objective) {
   const CountedProblem problem(objective);
-  const Verdict verdict = minimise(problem);
+  const Verdict verdict = solve(problem);
   if (!verdict.best.x.empty()) {
     const double least = verdict.best.sum_of_squares;
     profile_interval(problem, verdict.best, 0, kConfidence, cost_allowance(kConfidence, least, kPoints, 1, false),
-                     verdict.stderrs[0]);
+                     verdict.standard_errors[0]);
   }
   return static_cast<double>(problem.sweeps);
 }
@@ -113,10 +113,11 @@ double sweeps_of_whole_fit(const LeastSquares& objective) {
 template <class Model>
 void add_rows(const Case<Model>& at, std::vector<Row>& rows) {
   const CountedProblem counted(*at.objective);
-  const SingleFit batch = solve_single(*counted.single_cost(), counted);
-  rows.push_back({"fit", at.name, "mixity batch", 0, at.error(batch.x), static_cast<double>(counted.sweeps),
-                  std::string(to_string(batch.status)),
-                  [&at] { solve_single(*at.objective->single_cost(), *at.objective); }});
+  const Verdict verdict = solve(counted, {}, with_kernel());
+  rows.push_back({"fit", at.name, "mixity kernel", 0,
+                  at.error(verdict.best.x.empty() ? std::nan("") : verdict.best.x[0]),
+                  static_cast<double>(counted.sweeps), std::string(to_string(verdict.status)),
+                  [&at] { solve(*at.objective, {}, with_kernel()); }});
   const FitResult whole = fit_model(at.data, Model::info.key);
   const double value = whole.has_values() ? *whole.parameters[0].value : std::nan("");
   rows.push_back({"fit", at.name, "mixity whole fit", 0, at.error(value), sweeps_of_whole_fit(*at.objective),

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "fitting/toughness_objective.h"
+#include "fitting/toughness.h"
 #include "many_digits.h"
 
 namespace mixity::precision {
@@ -14,18 +14,18 @@ namespace mixity::precision {
 using Exact = truth::Digits50;
 
 /// What the logarithm is taken of, from what can be computed once for each point.
-template <class S>
-S log_argument(const Johnson&, const S& lambda, const LanePoint& point) {
+template <class S, class Point>
+S log_argument(const Johnson&, const S& lambda, const Point& point) {
   return S(1) + (S(1) - lambda) * point.first;
 }
-template <class S>
-S log_argument(const WatersGuduru&, const S& lambda, const LanePoint& point) {
+template <class S, class Point>
+S log_argument(const WatersGuduru&, const S& lambda, const Point& point) {
   using std::tan;
   const S t = tan((S(1) - 0.5 * lambda) * point.first);
   return S(1) + t * t;
 }
-template <class S>
-S log_argument(const PapangeloCiavarella&, const S& lambda, const LanePoint& point) {
+template <class S, class Point>
+S log_argument(const PapangeloCiavarella&, const S& lambda, const Point& point) {
   return point.second + lambda * point.first;
 }
 
@@ -58,7 +58,7 @@ class LogToughness {
   bool evaluate(double x, double* residuals, double* slopes) const {
     ++sweeps;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const LaneValue at = Model::lane(x, points_[i]);
+      const auto at = Model::lane(x, points_[i]);
       if (!(at.argument > 0)) return false;
       residuals[i] = Model::kLogSign * std::log(at.argument) - targets_[i];
       if (slopes) slopes[i] = at.slope;
@@ -67,11 +67,11 @@ class LogToughness {
   }
 
  private:
-  std::vector<LanePoint> points_;
+  std::vector<decltype(Model::lane_point(Mixity<double>{}))> points_;
   std::vector<double> targets_;
 };
 
-/// Cost in 50 digits with half its slope and curvature.
+/// Cost in 50 digits with half its slope.
 template <class Model>
 struct ExactCost {
   std::vector<Mixity<Exact>> mixities;
@@ -84,16 +84,15 @@ struct ExactCost {
     }
   }
   struct Value {
-    Exact cost, slope, curvature;
+    Exact cost, slope;
   };
   Value operator()(const Exact& x) const {
-    Value sum{0, 0, 0};
+    Value sum{0, 0};
     for (std::size_t i = 0; i < targets.size(); ++i) {
       const auto at = Model::template log_toughness<Exact>({x}, mixities[i]);
       const Exact r = at.value - targets[i];
       sum.cost += r * r;
       sum.slope += r * at.gradient[0];
-      sum.curvature += at.gradient[0] * at.gradient[0] + r * at.hessian[0];
     }
     return sum;
   }
@@ -122,8 +121,8 @@ Exact exact_minimum(const std::vector<ToughnessPoint>& points) {
     for (int k = 0; k < 20; ++k) (slope(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
     Exact x = 0.5 * (low + high);
     for (int k = 0; k < 8; ++k) {
-      const auto at = exact(x);
-      x -= at.slope / at.curvature;
+      const Exact h = x * Exact(1e-20);
+      x -= exact(x).slope * 2 * h / (exact(x + h).slope - exact(x - h).slope);
     }
     const Exact width = x * Exact(1e-30);
     if (!(exact(x - width).slope < 0 && exact(x + width).slope > 0))

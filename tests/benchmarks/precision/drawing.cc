@@ -106,7 +106,7 @@ class Drawing {
   template <class Draw>
   void add(std::vector<Row>& rows, const char* method, double tolerance, const Draw& draw) const {
     const Polyline line = draw();
-    rows.push_back({.task = "curve",
+    rows.push_back({.task = "drawing",
                     .case_name = name_,
                     .method = method,
                     .tolerance = tolerance,
