@@ -17,6 +17,8 @@ struct SolverOptions {
 
   // ---- Descent ----
   int most_iterations = 200;
+  /// Of several parameters from one start of many: what has not arrived by then, above a minimum that is known, is let go.
+  int most_iterations_of_a_start = 30;
   /// Of the descent that a result is shown of: curved valleys (NIST's Bennett5, MGH17) take more than a thousand.
   int most_iterations_shown = 5000;
   /// Where Ceres stops, relative. Close enough for the Newton steps on the gradient that follow.

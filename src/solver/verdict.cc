@@ -46,6 +46,11 @@ class Minima {
                                 : std::sqrt(minimum.sum_of_squares) + rounding_ < std::sqrt(same->sum_of_squares))
       *same = minimum;
   }
+  /// Whether a minimum of no higher cost is known.
+  bool has_below(double cost) const {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const Minimum& minimum) { return minimum.stationary && minimum.sum_of_squares <= cost; });
+  }
   /// Whether a minimum is known in the basin of this start.
   bool has_one_of(const Start& start) const {
     return !start.low.empty() && std::any_of(list.begin(), list.end(), [&](const Minimum& minimum) {
@@ -258,7 +263,9 @@ Verdict solve(const Problem& problem, const StartingPoints& starting, const Solv
 
   Minima minima(problem, options);
   double least = std::numeric_limits<double>::infinity();
-  Kernel kernel(problem, options);
+  SolverOptions exploring = options;
+  if (p > 1) exploring.most_iterations = options.most_iterations_of_a_start;
+  Kernel kernel(problem, exploring);
   std::vector<double> residuals(n);
   for (const Start& start : list) {
     if (minima.has_one_of(start)) continue;
@@ -269,12 +276,13 @@ Verdict solve(const Problem& problem, const StartingPoints& starting, const Solv
     else if (const auto cost = sum_of_squares(problem, start.x, residuals))  // finite, where the slope is not
       least = std::min(least, *cost);
     // the only start of several parameters is worth both engines: one may end in a valley, or where nothing is felt
-    if (!minimum || !minimum->stationary || (list.size() == 1 && p > 1 && options.engine == Engine::ceres))
+    const bool lost = !minimum || (!minimum->stationary && !minima.has_below(minimum->sum_of_squares));
+    if (lost || (list.size() == 1 && p > 1 && options.engine == Engine::ceres))
       if (const auto other = descend(problem, start.x, options)) {
         minima.keep(*other);
         if (minimum && other->stationary && !lower(*minimum, *other)) continue;
       }
-    if (minimum) minima.keep(*minimum);
+    if (minimum && (minimum->stationary || lost)) minima.keep(*minimum);
   }
   minima.drop_peaks();
   std::sort(minima.list.begin(), minima.list.end(), lower);
