@@ -6,9 +6,6 @@
 #include <tuple>
 
 namespace mixity {
-namespace {
-
-}  // namespace
 
 template <class Model>
 bool asymptotic_edge_loads(const Parameters<Model>& p, double P, double& upper, double& lower) {

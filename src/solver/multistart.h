@@ -23,7 +23,7 @@ struct Starts {
 };
 
 /// Grids over the parameters without a start (one or two), the others at theirs. A single one whose curvature is exact
-/// (cost.h) is divided where value, slope and curvature disagree on what lies between. Empty where the cost is nowhere
+/// (problem.h) is divided where value, slope and curvature disagree on what lies between. Empty where the cost is nowhere
 /// finite.
 Starts find_starts(const Problem& problem, const SolverOptions& options = {});
 
