@@ -27,9 +27,11 @@ struct Point {
   double shear() const { return std::abs(T); }
 };
 
-/// Standard errors in the units of T, A and the toughness ratio; 0 where not given.
+/// Standard errors in the units of T, A and the toughness ratio. One of T or A that the file does not state is below
+/// zero (kNotStated), which is not one that it states as 0; one of the ratio is 0 then.
+inline constexpr double kNotStated = -1;
 struct PointErrors {
-  double T, A, ratio;
+  double T = kNotStated, A = kNotStated, ratio = 0;
 };
 
 /// Energies of the two modes and their standard errors (0 where not given), in units of G_Ic. One below zero is noise

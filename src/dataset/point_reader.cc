@@ -158,10 +158,9 @@ std::string_view PointReader::number(const CsvRow& row, ColumnId id, double& val
   return std::isfinite(value) ? std::string_view() : said_of(id, kNotFinite);
 }
 
-/// In the units of what it is the error `of`; 0 where the column or the field is missing.
+/// In the units of what it is the error `of`; left as it is where the column or the field is missing.
 std::string_view PointReader::standard_error(const CsvRow& row, ColumnId id, double of, double unit,
                                              double& error) const {
-  error = 0;
   const Column* column = columns_.find(id);
   if (!column || row[column->index].empty()) return {};
   if (const auto unusable = number(row, id, error); !unusable.empty()) return unusable;
@@ -215,7 +214,7 @@ void PointReader::read(const CsvNumbers& rows, PointBatch& batch) const {
   }
   const auto standard_errors = [&](ColumnId id, const PointBatch::Values<double>& of, double unit,
                                    PointBatch::Values<double>& errors) {
-    errors.fill(0);
+    errors.fill(kNotStated);
     const Column* column = columns_.find(id);
     if (!column) return;
     const bool relative = column->unit.text == "%";

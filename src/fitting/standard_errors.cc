@@ -62,7 +62,8 @@ Stated understand(const Dataset& data, const std::string& name, const std::optio
                                     stated->unit.text + "'; it must be " +
                                     (data.contact ? describe(dimension) : "a number without a unit") +
                                     ", or a percentage such as 1%");
-  if (!(stated->value > 0)) throw InputError(data.path, name + " must be greater than 0");
+  if (name == "sigma_A" ? !(stated->value > 0) : !(stated->value >= 0))
+    throw InputError(data.path, name + (name == "sigma_A" ? " must be greater than 0" : " must not be below 0"));
   return {relative ? stated->si() : stated->si() / unit, relative};
 }
 
@@ -103,28 +104,25 @@ std::string_view to_string(ErrorSource source) {
 
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
                                const std::optional<StatedError>& sigma_A, bool both_axes) {
-  const auto any = [&](auto member) {
-    return std::any_of(data.errors.begin(), data.errors.end(), [&](const PointErrors& e) { return e.*member > 0; });
-  };
+  const auto any = [&](auto says) { return std::any_of(data.errors.begin(), data.errors.end(), says); };
   const Stated stated_T =
       understand(data, "sigma_T", sigma_T, dimension::force, data.contact ? data.contact->force_unit() : 1);
   const Stated stated_A =
       understand(data, "sigma_A", sigma_A, dimension::area, data.contact ? data.contact->area_unit() : 1);
+  const bool has_A = sigma_A || any([](const PointErrors& e) { return e.A > 0; });
+  const bool has_T = sigma_T || any([](const PointErrors& e) { return e.T >= 0; });
   StandardErrors errors;
-  const bool has_A = sigma_A || any(&PointErrors::A), has_T = sigma_T || any(&PointErrors::T);
   errors.source_A = sigma_A ? ErrorSource::stated : has_A ? ErrorSource::columns : ErrorSource::scatter;
-  errors.source_T = sigma_T ? ErrorSource::stated
-                    : has_T ? ErrorSource::columns
-                    : has_A ? ErrorSource::exact
-                            : ErrorSource::scatter;
-  if (errors.source_A == ErrorSource::scatter) {
+  errors.source_T = sigma_T               ? ErrorSource::stated
+                    : has_T               ? ErrorSource::columns
+                    : has_A && !both_axes ? ErrorSource::exact
+                                          : ErrorSource::scatter;
+  if (!has_A || errors.source_T == ErrorSource::scatter) {
+    constexpr double kAssumed = 0.01;
     errors.scatter = relative_scatter(data);
-    if (!errors.scatter) {
-      constexpr double kAssumed = 0.01;
-      errors.scatter = kAssumed;
-      errors.source_A = ErrorSource::assumed;
-      if (errors.source_T == ErrorSource::scatter) errors.source_T = ErrorSource::assumed;
-    }
+    for (ErrorSource* source : {&errors.source_A, &errors.source_T})
+      if (!errors.scatter && *source == ErrorSource::scatter) *source = ErrorSource::assumed;
+    if (!errors.scatter) errors.scatter = kAssumed;
   }
   const auto error = [&](ErrorSource source, const Stated& stated, double value, double column) {
     switch (source) {
@@ -145,15 +143,19 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
     const PointErrors columns = data.errors_of(i);
     errors.T.push_back(error(errors.source_T, stated_T, point.shear(), columns.T));
     errors.A.push_back(error(errors.source_A, stated_A, point.A, columns.A));
-    if (!both_axes && !(errors.A.back() > 0))
+    if (errors.A.back() < 0 || (!both_axes && errors.A.back() == 0))
       throw InputError(data.path, place_of(data, point, "sigma_A"),
-                       "this point has no standard error of its area (sigma_A is 0 or empty)");
+                       std::string("this point has no standard error of its area (sigma_A is ") +
+                           (both_axes ? "empty)" : "0 or empty)"));
+    if (errors.T.back() < 0)
+      throw InputError(data.path, place_of(data, point, "sigma_T"),
+                       "this point has no standard error of its shear load (sigma_T is empty; 0 says that T is exact)");
   }
   if (both_axes) {
     const std::size_t zeros_T = raise_zeros(errors.T, largest(data, &Point::T)),
                       zeros_A = raise_zeros(errors.A, largest(data, &Point::A));
     // a share of a T of 0 is nobody's statement
-    if (errors.source_T == ErrorSource::columns || errors.source_T == ErrorSource::exact) errors.raised_T = zeros_T;
+    if (errors.source_T == ErrorSource::columns || (sigma_T && stated_T.value == 0)) errors.raised_T = zeros_T;
     if (errors.source_A == ErrorSource::columns) errors.raised_A = zeros_A;
   }
   return errors;

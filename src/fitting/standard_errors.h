@@ -25,16 +25,18 @@ struct StandardErrors {
   // Points for whose error of 0 kLeastError of the largest value stands, which the distance from a curve needs.
   std::size_t raised_T = 0, raised_A = 0;
 
-  /// True if the size of the errors is known, and not only their proportions. T has no such error unless A has.
-  bool absolute() const { return !scatter; }
+  /// True if the size of the errors is known, and not only their proportions: that of A's is stated.
+  bool absolute() const { return source_A == ErrorSource::columns || source_A == ErrorSource::stated; }
 };
 inline constexpr double kLeastError = 1e-4;
 
-/// Stated errors win over columns. Where only A has an error, T counts as exact. Where neither has, both get the same
-/// relative error, estimated from how far points lie from the line between their neighbours in the run, rows that
-/// repeat one left out; or 1 % if fewer than three points have neighbours. `both_axes`: errors of 0 are raised to
-/// kLeastError of the largest value, since a distance in both axes needs both; otherwise a point without an error of its
-/// area is an InputError, as is a stated error whose unit is none of the quantity's.
+/// Stated errors win over columns. Where neither T nor A has one, both get the same relative error, estimated from how
+/// far points lie from the line between their neighbours in the run, rows that repeat one left out; or 1 % if fewer
+/// than three points have neighbours. Where only A has one, T gets that estimate if `both_axes` (the part of the
+/// scatter that is A's makes it too large rather than too small) and counts as exact otherwise. `both_axes`: errors
+/// stated as 0 are raised to kLeastError of the largest value, since a distance in both axes needs both. An InputError:
+/// a point whose field in a column of errors is empty, or without `both_axes` 0 for A; a stated error whose unit is
+/// none of the quantity's.
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
                                const std::optional<StatedError>& sigma_A, bool both_axes = false);
 

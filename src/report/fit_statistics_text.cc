@@ -30,8 +30,9 @@ std::string interval_text(const FittedParameter& parameter) {
 }
 
 std::string origin_of_scatter(const StandardErrors& errors) {
-  return errors.source_A == ErrorSource::assumed ? "assumed: too few neighbouring points to estimate them"
-                                                 : "estimated from the scatter of neighbouring points";
+  const bool assumed = errors.source_A == ErrorSource::assumed || errors.source_T == ErrorSource::assumed;
+  return assumed ? "assumed: too few neighbouring points to estimate them"
+                 : "estimated from the scatter of neighbouring points";
 }
 
 std::vector<std::string> raised_errors(const StandardErrors& errors) {
@@ -65,15 +66,19 @@ std::string errors_text(const FitResult& fit, const Dataset& data) {
         << (data.has_loads ? " or --objective=curve\n" : "\n");
   if (fit.errors) {
     out << "    errors: ";
-    if (fit.errors->scatter)
-      out << rounded(100 * *fit.errors->scatter, 2) << "% in A"
-          << (fit.errors->source_T == fit.errors->source_A ? " and T, " : ", ") << origin_of_scatter(*fit.errors);
+    const auto source = [&](ErrorSource of) {
+      return of == ErrorSource::exact     ? "0 (none given; if T has errors, state --sigma_T)"
+             : of == ErrorSource::columns ? "from the file"
+                                          : "as stated";
+    };
+    const std::string scatter = fit.errors->scatter ? rounded(100 * *fit.errors->scatter, 2) + "% in " : std::string();
+    if (fit.errors->absolute())
+      out << "sigma_A " << source(fit.errors->source_A) << ", "
+          << (fit.errors->scatter ? scatter + "T (none given), " + origin_of_scatter(*fit.errors)
+                                  : std::string("sigma_T ") + source(fit.errors->source_T));
     else
-      out << "sigma_A " << (fit.errors->source_A == ErrorSource::columns ? "from the file" : "as stated")
-          << ", sigma_T "
-          << (fit.errors->source_T == ErrorSource::exact     ? "0 (none given; if T has errors, state --sigma_T)"
-              : fit.errors->source_T == ErrorSource::columns ? "from the file"
-                                                             : "as stated");
+      out << scatter << (fit.errors->source_T == fit.errors->source_A ? "A and T, " : "A, ")
+          << origin_of_scatter(*fit.errors);
     for (const std::string& raised : raised_errors(*fit.errors)) out << "; " << raised;
     out << '\n';
     if (fit.errors->absolute() && fit.rmse && fit.used.size() > fit.free_parameters && fit.loss_scale == 0) {

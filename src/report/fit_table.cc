@@ -212,7 +212,8 @@ std::vector<std::string> assumptions(const JobResult& result) {
   if (with_errors != result.fits.end()) {
     const StandardErrors& errors = *with_errors->errors;
     if (errors.scatter)
-      list.push_back("Standard errors of " + rounded(100 * *errors.scatter, 2) + " % were " +
+      list.push_back("Standard errors of " + rounded(100 * *errors.scatter, 2) + " %" +
+                     (errors.absolute() ? " in T, for which none are stated, were " : " were ") +
                      origin_of_scatter(errors) + ".");
     for (const std::string& raised : raised_errors(errors))
       list.push_back("A distance needs errors in both axes: " + raised + ".");

@@ -96,10 +96,12 @@ TEST(FitStatistics, StatedErrorsAreKnownErrors) {
     more.insert(more.begin(), base.begin(), base.end());
     return fit_of(more)["fits"][0];
   };
-  const Json of_A = with({"--sigma_A=1%"}), one = with({"--sigma_A=1%", "--sigma_T=0.05"}),
-             two = with({"--sigma_A=2%", "--sigma_T=0.1"});
-  EXPECT_EQ(of_A["errors"]["sigma_T"], "exact");
+  const Json of_A = with({"--sigma_A=1%", "--sigma_T=0"}), alone = with({"--sigma_A=1%"}),
+             one = with({"--sigma_A=1%", "--sigma_T=0.05"}), two = with({"--sigma_A=2%", "--sigma_T=0.1"});
+  EXPECT_EQ(of_A["errors"]["sigma_T"], "stated");
   EXPECT_EQ(of_A["errors"]["raised_T"], 18);  // every point's: a distance needs an error of T, too
+  EXPECT_EQ(alone["errors"]["sigma_T"], "scatter");
+  EXPECT_EQ(alone["errors"]["sigma_A"], "stated");
   EXPECT_EQ(one["errors"]["sigma_A"], "stated");
   EXPECT_EQ(one["errors"]["sigma_T"], "stated");
   EXPECT_EQ(one["errors"]["raised_T"], 0);
@@ -189,7 +191,8 @@ TEST(FitStatistics, BadFlagsAreOneLineAndExitTwo) {
   refused("--objective=area", "flag '--objective': " + std::string(kGone));
   refused("--sigma_A=-1%", "flag '--sigma_A' is '-1%'; it must be a percentage or a quantity above 0");
   refused("--sigma_A=much", "flag '--sigma_A' is 'much'; it must be a percentage or a quantity above 0");
-  refused("--sigma_T=0", "flag '--sigma_T' is '0'; it must be a percentage or a quantity above 0");
+  refused("--sigma_A=0", "flag '--sigma_A' is '0'; it must be a percentage or a quantity above 0");
+  refused("--sigma_T=-1", "flag '--sigma_T' is '-1'; it must be a percentage or a quantity of 0 or more");
   refused("--loss=l1", "flag '--loss' is 'l1'; it must be none, huber or cauchy");
   refused("--loss_scale=0", "flag '--loss_scale' is '0'; it must be a number above 0");
   refused("--free=radius",
@@ -206,9 +209,11 @@ TEST(FitStatistics, WhatTheFileCannotGiveIsOneLineAndExitThree) {
   const TemporaryFolder folder;
   const std::string angles = folder.write("angles.csv", "psi [deg],Gc_over_GIc\n0,1\n20,1.1\n40,1.4\n60,2.3\n");
   const std::string loads = folder.write("loads.csv", runs());
-  expect_refused({"fit", angles, "--objective=curve"}, 3,
-                 angles + ": objective curve needs loads and areas (columns P, T, A), or energies (G_I, G_II); this file has "
-                          "psi and Gc");
+  expect_refused(
+      {"fit", angles, "--objective=curve"}, 3,
+      angles +
+          ": objective curve needs loads and areas (columns P, T, A), or energies (G_I, G_II); this file has "
+          "psi and Gc");
   expect_refused({"fit", angles, "--free=toughness"}, 3,
                  angles + ": only a file with loads and areas (columns P, T, A) can free constants of the experiment");
   for (const char* flag : {"--scale=linear", "--scale=log"})

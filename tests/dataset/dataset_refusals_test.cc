@@ -58,7 +58,7 @@ TEST(Dataset, PointsThatCannotBeUsedAreListedWithTheirReason) {
   EXPECT_EQ(data.points[1].T, -1);
   EXPECT_EQ(data.points[2].line, 6);
   EXPECT_EQ(data.points[3].line, 16);
-  EXPECT_EQ(data.errors_of(0).A, 0);
+  EXPECT_EQ(data.errors_of(0).A, kNotStated);
   EXPECT_EQ(data.errors_of(3).A, 0.2);
   EXPECT_EQ(data.rows, data.points.size() + data.excluded.size());
 }

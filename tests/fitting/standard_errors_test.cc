@@ -60,11 +60,26 @@ TEST(StandardErrors, WithAUnitAreMadeDimensionlessAsTheDataAre) {
   EXPECT_NEAR(one.A[1], other.A[1], 1e-15);
 }
 
-TEST(StandardErrors, TakeTAsExactWhereOnlyAHasOne) {
+TEST(StandardErrors, TakeTAsExactWhereOnlyAHasOneAndOneAxisCounts) {
   const StandardErrors errors = standard_errors(load_text(kPlain), {}, stated("1%"));
   EXPECT_EQ(errors.source_T, ErrorSource::exact);
   EXPECT_EQ(errors.T, (std::vector<double>{0, 0, 0}));
   EXPECT_TRUE(errors.absolute());
+}
+
+/// An exact T that nobody stated made lambda ten of its errors wrong.
+TEST(StandardErrors, EstimateThatOfTFromTheScatterForBothAxesWhereOnlyAHasOne) {
+  SeededNoise noise(7, 0.01);
+  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5}, 20, 0.6, noise);
+  const StandardErrors errors = standard_errors(data, {}, stated("1%"), true);
+  EXPECT_EQ(errors.source_A, ErrorSource::stated);
+  EXPECT_EQ(errors.source_T, ErrorSource::scatter);
+  EXPECT_TRUE(errors.absolute());
+  ASSERT_TRUE(errors.scatter);
+  EXPECT_EQ(*errors.scatter, *standard_errors(data, {}, {}).scatter);
+  EXPECT_DOUBLE_EQ(errors.T[7], *errors.scatter * data.points[7].T);
+  EXPECT_DOUBLE_EQ(errors.A[7], 0.01 * data.points[7].A);
+  EXPECT_EQ(standard_errors(load_text(kPlain), {}, stated("1%"), true).source_T, ErrorSource::assumed);
 }
 
 TEST(StandardErrors, OfTAloneLeaveTheSizeOfThoseOfAOpen) {
@@ -129,9 +144,10 @@ TEST(StandardErrors, AreAssumedWhereTheDataCannotShowThem) {
   EXPECT_FALSE(both.absolute() || one.absolute());
 }
 
-std::string refusal(const char* csv, const char* toml, std::optional<StatedError> T, std::optional<StatedError> A) {
+std::string refusal(const char* csv, const char* toml, std::optional<StatedError> T, std::optional<StatedError> A,
+                    bool both_axes = false) {
   const Dataset data = load_text(csv, toml);
-  const std::string text = input_error([&] { standard_errors(data, T, A); });
+  const std::string text = input_error([&] { standard_errors(data, T, A, both_axes); });
   return text.substr(text.find("a.csv"));
 }
 
@@ -143,7 +159,7 @@ TEST(StandardErrors, RefuseWhatIsNoErrorOfTheQuantity) {
   EXPECT_EQ(refusal(kPlain, "", {}, stated("0.1 mm^2")),
             "a.csv: sigma_A is '0.1 mm^2'; it must be a number without a unit, or a percentage such as 1%");
   EXPECT_EQ(refusal(kPlain, "", {}, stated("0")), "a.csv: sigma_A must be greater than 0");
-  EXPECT_EQ(refusal(kPlain, "", stated("-1%"), stated("1")), "a.csv: sigma_T must be greater than 0");
+  EXPECT_EQ(refusal(kPlain, "", stated("-1%"), stated("1")), "a.csv: sigma_T must not be below 0");
 }
 
 TEST(StandardErrors, RefuseAPointThatHasNoneInAColumnOfThem) {
@@ -151,7 +167,15 @@ TEST(StandardErrors, RefuseAPointThatHasNoneInAColumnOfThem) {
             "a.csv:3: this point has no standard error of its area (sigma_A is 0 or empty)");
 }
 
-/// A distance in both axes needs both errors: of what is stated as 0, or as exact, 1e-4 of the largest value, counted.
+/// 1e-4 of the largest value, as for one stated as 0, would give the point almost all the weight.
+TEST(StandardErrors, RefuseAnEmptyFieldAmongThemInBothAxes) {
+  EXPECT_EQ(refusal("P,T,A,sigma_A\n1,0,19.6,0.1\n1,5,19.2,\n", "", {}, {}, true),
+            "a.csv:3: this point has no standard error of its area (sigma_A is empty)");
+  EXPECT_EQ(refusal("P,T,A,sigma_T\n1,0,19.6,0\n1,5,19.2,\n", "", {}, stated("1%"), true),
+            "a.csv:3: this point has no standard error of its shear load (sigma_T is empty; 0 says that T is exact)");
+}
+
+/// A distance in both axes needs both errors: of what is stated as 0 1e-4 of the largest value, counted.
 TEST(StandardErrors, OfZeroAreRaisedForBothAxesAndCounted) {
   const Dataset data = load_text("P,T,A,sigma_T,sigma_A\n1,0,19.6,0,0.1\n1,5,19.2,0.2,0\n1,10,18,0,0.3\n");
   const StandardErrors errors = standard_errors(data, {}, {}, true);
@@ -159,7 +183,7 @@ TEST(StandardErrors, OfZeroAreRaisedForBothAxesAndCounted) {
   EXPECT_EQ(errors.A, (std::vector<double>{0.1, kLeastError * 19.6, 0.3}));
   EXPECT_EQ(errors.raised_T, 2u);
   EXPECT_EQ(errors.raised_A, 1u);
-  const StandardErrors exact = standard_errors(load_text(kPlain), {}, stated("1%"), true);
+  const StandardErrors exact = standard_errors(load_text(kPlain), stated("0"), stated("1%"), true);
   EXPECT_EQ(exact.T, (std::vector<double>(3, kLeastError * 10)));
   EXPECT_EQ(exact.raised_T, 3u);
   EXPECT_EQ(exact.raised_A, 0u);
