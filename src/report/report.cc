@@ -24,7 +24,7 @@ WrittenReport write_report(const std::vector<JobResult>& results, const std::vec
       figures.insert(figures.end(), group.figures.begin(), group.figures.end());
     advance(0.3 * static_cast<double>(content.entries.size()) / static_cast<double>(data.size()));
   }
-  content.drawn = draw_figures(figures, folder + "/figures");
+  content.drawn = draw_figures(figures, folder + "/figures", stretch(settings.progress, 0.3, 0.9));
   advance(0.9);
   std::vector<OutputFile> files = content.drawn.files;
   files.push_back({folder + "/fits.csv", fits_csv(results)});

@@ -1,6 +1,7 @@
 // What the solver can be asked for, and its tolerances by name.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -17,7 +18,8 @@ struct SolverOptions {
 
   // ---- Descent ----
   int most_iterations = 200;
-  /// Of several parameters from one start of many: what has not arrived by then, above a minimum that is known, is let go.
+  /// Of several parameters from one start of many: what has not arrived by then, above a minimum that is known, is let
+  /// go.
   int most_iterations_of_a_start = 30;
   /// Of the descent that a result is shown of: curved valleys (NIST's Bennett5, MGH17) take more than a thousand.
   int most_iterations_shown = 5000;
@@ -68,7 +70,7 @@ using Progress = std::function<void(double)>;
 /// For a step that is this stretch of the whole. Null if the whole is not told.
 inline Progress stretch(const Progress& whole, double from, double to) {
   if (!whole) return {};
-  return [whole, from, to](double fraction) { whole(from + (to - from) * fraction); };
+  return [whole, from, to](double fraction) { whole(fraction < 1 ? std::min(from + (to - from) * fraction, to) : to); };
 }
 
 enum class Resample { points, curves };

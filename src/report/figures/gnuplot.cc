@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
+#include <functional>
+#include <thread>
 
 #include "dataset/csv.h"
 #include "dataset/side_by_side.h"
@@ -34,21 +37,27 @@ std::optional<pid_t> start_gnuplot(const std::vector<std::string>& scripts, cons
   return failure == 0 ? std::optional(child) : std::nullopt;
 }
 
-void wait_for(pid_t child) {
+/// `meanwhile`, if there is one, is called now and then.
+void wait_for(pid_t child, const std::function<void()>& meanwhile) {
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  for (pid_t ended = 0; ended == 0 || (ended < 0 && errno == EINTR);) {
+    ended = waitpid(child, &status, meanwhile ? WNOHANG : 0);
+    if (ended != 0) continue;
+    meanwhile();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
 }
 
 /// As many programs as the machine has processors. False if gnuplot is not installed.
-bool run_gnuplot(const std::vector<std::string>& scripts, const std::string& folder) {
+bool run_gnuplot(const std::vector<std::string>& scripts, const std::string& folder,
+                 const std::function<void()>& meanwhile = {}) {
   const std::size_t programs = std::min(processors(), std::max<std::size_t>(scripts.size(), 1));
   std::vector<std::vector<std::string>> shares(programs);
   for (std::size_t i = 0; i < scripts.size(); ++i) shares[i % programs].push_back(scripts[i]);
   std::vector<pid_t> children;
   for (const auto& share : shares)
     if (const auto child = start_gnuplot(share, folder)) children.push_back(*child);
-  for (const pid_t child : children) wait_for(child);
+  for (const pid_t child : children) wait_for(child, meanwhile);
   return children.size() == shares.size();
 }
 
@@ -77,7 +86,7 @@ class ScratchFolder {
 
 }  // namespace
 
-DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string& folder) {
+DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string& folder, const Progress& progress) {
   const ScratchFolder scratch;
   DrawnFigures drawn;
   std::vector<std::string> scripts;
@@ -99,7 +108,13 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
     const bool is_whole = std::string_view(text).substr(0, text.find_last_not_of("\r\n") + 1).ends_with(end);
     return is_whole ? text : std::string();
   };
-  if (!run_gnuplot(scripts, scratch.path())) {
+  const auto count = [&] {
+    const auto begun = std::count_if(figures.begin(), figures.end(), [&](const Figure& figure) {
+      return std::filesystem::exists(scratch.path() + '/' + figure.name + ".svg");
+    });
+    progress(static_cast<double>(begun) / static_cast<double>(figures.size()));
+  };
+  if (!run_gnuplot(scripts, scratch.path(), progress ? count : std::function<void()>())) {
     drawn.missing = "gnuplot is not installed: no SVG and PDF; the scripts draw them (gnuplot NAME.gp)";
     return drawn;
   }

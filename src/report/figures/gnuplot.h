@@ -6,6 +6,7 @@
 
 #include "report/figures/figure.h"
 #include "report/output_file.h"
+#include "solver/options.h"
 
 namespace mixity {
 
@@ -16,7 +17,8 @@ struct DrawnFigures {
 };
 
 /// FOLDER/NAME.dat and NAME.gp of each figure, and with gnuplot installed NAME.svg and NAME.pdf, whole or not at all.
-/// Nothing is written there yet. Throws OutputError if the system's folder for temporary files cannot be.
-DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string& folder);
+/// Nothing is written there yet. Tells `progress` how many of them gnuplot has begun. Throws OutputError if the
+/// system's folder for temporary files cannot be.
+DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string& folder, const Progress& progress = {});
 
 }  // namespace mixity

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <pugixml.hpp>
@@ -52,6 +54,14 @@ TEST(Gnuplot, DrawsSvgAndPdfBesideTheScript) {
   EXPECT_EQ(contents(drawn)["f/two.svg"], drawn.svg[1]);
   EXPECT_NE(drawn.svg[0].find("T [mN]"), std::string::npos);
   EXPECT_EQ(contents(drawn)["f/one.pdf"].substr(0, 5), "%PDF-");
+}
+
+TEST(Gnuplot, TellsHowManyFiguresItHasBegun) {
+  std::vector<double> told;
+  draw_figures({example("one"), example("two"), example("three")}, "f", [&](double share) { told.push_back(share); });
+  ASSERT_FALSE(told.empty());
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  for (const double share : told) EXPECT_EQ(std::round(3 * share), 3 * share);
 }
 
 TEST(Gnuplot, WithoutItDataAndScriptAreThereAndItSaysSo) {
