@@ -8,8 +8,8 @@
 
 namespace mixity {
 
-/// Constants of the experiment that may be fitted beside a model's parameters. Toughness and modulus count as logarithms
-/// of factors on the data set's own values; offsets, dimensionless, are added to the measured load and area.
+/// Constants of the experiment that may be fitted beside a model's parameters. Toughness and modulus count as
+/// logarithms of factors on the data set's own values; offsets, dimensionless, are added to the measured load and area.
 enum Constant : std::size_t { kToughness, kModulus, kLoadOffset, kAreaOffset };
 inline constexpr std::array<std::string_view, 4> kConstantNames{"toughness", "modulus", "load_offset", "area_offset"};
 using Constants = std::array<double, 4>;

@@ -66,8 +66,8 @@ class CurveObjective final : public ModelProblem<Model> {
   }
 
  private:
-  static constexpr std::size_t kSample = 32;  // points that tell one basin from another
-  static constexpr std::size_t kBlock = 512;          // points whose arrays stay in the processor's cache
+  static constexpr std::size_t kSample = 32;             // points that tell one basin from another
+  static constexpr std::size_t kBlock = 512;             // points whose arrays stay in the processor's cache
   static constexpr std::size_t kPointsOfAThread = 1024;  // fewer take less time than starting it
 
   /// Arrays of a block: the points as scaled, and their distances with derivatives.
@@ -111,8 +111,7 @@ class CurveObjective final : public ModelProblem<Model> {
       sigma_A[i] = scale.area * point.sigma_A;
       if (!(A[i] > 0)) return false;
     }
-    CurveDistances out{array(5), array(6), array(7), array(8),
-                       {workspace.values.data() + 9 * workspace.size, n * p}};
+    CurveDistances out{array(5), array(6), array(7), array(8), {workspace.values.data() + 9 * workspace.size, n * p}};
     if (!places.empty()) {
       out.place_T = places.subspan(begin, n);
       out.place_A = places.subspan(points_.size() + begin, n);

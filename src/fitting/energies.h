@@ -45,8 +45,8 @@ inline std::vector<FreeParameter> series_toughness(const Dataset& data, const st
     const EnergyPoint& point = points[i];
     const double sum = point.energies.G_I + point.energies.G_II, ratio = point.energies.G_II / sum;
     if (point.series == list.size()) {
-      list.push_back({"toughness", -std::log(1e3), std::log(1e3), 0.0, data.display.energy_scale, true,
-                      data.display.energy});
+      list.push_back(
+          {"toughness", -std::log(1e3), std::log(1e3), 0.0, data.display.energy_scale, true, data.display.energy});
       const std::string& name = data.curves[data.points[used[i]].curve];
       if (!name.empty()) list.back().name += "(" + name + ")";
       least.push_back(std::numeric_limits<double>::infinity());

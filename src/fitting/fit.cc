@@ -246,9 +246,8 @@ class Fitter {
 FitResult fit(const Dataset& data, std::string_view model, const FitOptions& options, Purpose purpose,
               const std::vector<std::size_t>* points, const std::vector<FittedParameter>* near) {
   FitResult result;
-  const bool known = with_model(model, [&](auto chosen) {
-    result = Fitter<decltype(chosen)>(data, options, purpose, points, near).run();
-  });
+  const bool known = with_model(
+      model, [&](auto chosen) { result = Fitter<decltype(chosen)>(data, options, purpose, points, near).run(); });
   if (!known) throw std::invalid_argument("there is no model '" + std::string(model) + "'");
   return result;
 }
@@ -256,9 +255,8 @@ FitResult fit(const Dataset& data, std::string_view model, const FitOptions& opt
 }  // namespace
 
 Objective default_objective(const Dataset& data) {
-  const bool errors_of_energies = std::any_of(data.energies.begin(), data.energies.end(), [](const PointEnergies& e) {
-    return e.sigma_GI > 0 && e.sigma_GII > 0;
-  });
+  const bool errors_of_energies = std::any_of(data.energies.begin(), data.energies.end(),
+                                              [](const PointEnergies& e) { return e.sigma_GI > 0 && e.sigma_GII > 0; });
   return data.has_loads || errors_of_energies ? Objective::curve : Objective::toughness;
 }
 

@@ -59,11 +59,11 @@ std::vector<double> tell_parameters(const Problem& cost, const Verdict& verdict,
   const double allowance = n > p ? cost_allowance(options.confidence, verdict.best.sum_of_squares, n, p, known) : 0;
   const bool judged = verdict.status != FitStatus::not_converged && n > p && allowance > 0;
   const std::vector<FittedParameter*> fitted = free_parameters(fit);
-  const auto tell = [&](double done) {
-    if (progress) progress(done / static_cast<double>(fitted.size()));
-  };
+  std::vector<Interval> intervals;
+  if (options.intervals && judged)
+    intervals = profile_intervals(cost, verdict.best, options.confidence, allowance, verdict.standard_errors,
+                                  stretch(progress, 0, options.profile_points > 0 ? 0.2 : 1));
   for (std::size_t j = 0; j < fitted.size(); ++j) {
-    tell(static_cast<double>(j));
     const FreeParameter& parameter = cost.parameters()[j];
     const double x = verdict.best.x[j];
     const std::optional<double> error = verdict.standard_errors[j];
@@ -72,8 +72,8 @@ std::vector<double> tell_parameters(const Problem& cost, const Verdict& verdict,
     fitted[j]->stderr_.reset();
     fitted[j]->interval.reset();
     if (error) fitted[j]->stderr_ = *error * parameter.shown_slope(x);
-    if (!options.intervals || !judged) continue;
-    const Interval interval = profile_interval(cost, verdict.best, j, options.confidence, allowance, error);
+    if (intervals.empty()) continue;
+    const Interval& interval = intervals[j];
     fitted[j]->interval = shown(interval, parameter);
     if (!interval.deeper.empty()) {
       deeper = interval.deeper;
@@ -81,9 +81,9 @@ std::vector<double> tell_parameters(const Problem& cost, const Verdict& verdict,
       fit.message = "the cost is lower at " + parameter.name + " = " + rounded(parameter.shown(deeper[j]), 4) +
                     " than at the minimum found";
     }
-    tell(static_cast<double>(j) + 0.2);
-    if (options.profile_points > 0)
-      fitted[j]->profile = profile_of(cost, verdict, j, interval, allowance, options.profile_points);
+    if (options.profile_points == 0) continue;
+    if (progress) progress(0.2 + 0.8 * static_cast<double>(j) / static_cast<double>(fitted.size()));
+    fitted[j]->profile = profile_of(cost, verdict, j, interval, allowance, options.profile_points);
   }
   return deeper;
 }

@@ -44,7 +44,8 @@ class ModelProblem : public Problem {
   bool known_errors_ = false;
 };
 
-/// What a reader sees of constant `c` in the solver's number x: SI for toughness and modulus, the file's unit for offsets.
+/// What a reader sees of constant `c` in the solver's number x: SI for toughness and modulus, the file's unit for
+/// offsets.
 inline double constant_scale(const Dataset& data, Constant c) {
   switch (c) {
     case kToughness:

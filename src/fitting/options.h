@@ -12,8 +12,8 @@
 
 namespace mixity {
 
-/// toughness: ln(Gc/GIc) against psi, the paper's. curve: orthogonal distance from the equilibrium curve in the plane of
-/// T and A, or from the law in the plane of the two energies.
+/// toughness: ln(Gc/GIc) against psi, the paper's. curve: orthogonal distance from the equilibrium curve in the plane
+/// of T and A, or from the law in the plane of the two energies.
 enum class Objective { toughness, curve };
 std::string_view to_string(Objective objective);
 std::optional<Objective> parse_objective(std::string_view text);

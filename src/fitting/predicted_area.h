@@ -10,8 +10,8 @@
 
 namespace mixity {
 
-/// A finished fit, all of whose parameters have values, as what it tried out. `options`: those of the fit, for constants
-/// that were not free.
+/// A finished fit, all of whose parameters have values, as what it tried out. `options`: those of the fit, for
+/// constants that were not free.
 template <class Model>
 Candidate<Model> fitted_candidate(const Dataset& data, const FitResult& fit, const FitOptions& options) {
   Candidate<Model> candidate{{}, options.constants};
@@ -72,7 +72,8 @@ class PredictedAreas {
 
 /// Of a whole fit, at the points it used.
 template <class Model>
-AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& used, const Candidate<Model>& candidate) {
+AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& used,
+                           const Candidate<Model>& candidate) {
   PredictedAreas<Model> predicted(candidate);
   AreaGoodness area;
   area.obstacle = LoadedContact<Model>(candidate.parameters, 0).obstacle();

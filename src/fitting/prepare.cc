@@ -34,7 +34,8 @@ void require_what_is_asked(const Dataset& data, const FitOptions& options, Objec
   const std::string columns = data.has_energies ? "G_I and G_II" : "psi and Gc";
   const bool curve = objective == Objective::curve, energies = curve && data.has_energies;
   if (curve && !data.has_loads && !energies)
-    refuse("objective curve needs loads and areas (columns P, T, A), or energies (G_I, G_II); this file has " + columns);
+    refuse("objective curve needs loads and areas (columns P, T, A), or energies (G_I, G_II); this file has " +
+           columns);
   if (!data.has_loads && (options.sigma_T || options.sigma_A))
     refuse("sigma_T and sigma_A are errors of loads and areas (columns P, T, A); this file has " + columns);
   if (energies && std::any_of(options.free.begin(), options.free.end(), [](Constant c) { return c != kToughness; }))
@@ -46,8 +47,9 @@ void require_what_is_asked(const Dataset& data, const FitOptions& options, Objec
     refuse("needs toughness (G_Ic): state it in " + metadata_path(data.path) +
            " or by a flag (--toughness=...), or fit it with --objective=curve --free=toughness");
   if (corrected && !curve && (options.weighted || scale_of(options) == Scale::linear))
-    refuse("with constants of the experiment free, objective toughness is fitted in ln(Gc/GIc) without weights; "
-           "objective curve weighs the points");
+    refuse(
+        "with constants of the experiment free, objective toughness is fitted in ln(Gc/GIc) without weights; "
+        "objective curve weighs the points");
   if (curve && (options.weighted || options.scale))
     refuse(std::string(options.weighted ? "weighted" : "scale") +
            " needs the objective toughness (--objective=toughness): curve, the default for loads and areas, " +

@@ -112,7 +112,7 @@ FreeChoice<Model> free_choice(const Dataset& data, const FitOptions& options, co
   }
   const double factor = std::log(1000.0);
   for (const Constant constant : options.free) {
-    const double reach = is_factor(constant)         ? factor
+    const double reach = is_factor(constant)       ? factor
                          : constant == kLoadOffset ? 10 * largest_load
                                                    : 0.9 * smallest_area;
     FreeParameter parameter{std::string(kConstantNames[constant]), -reach, reach, 0.0};
@@ -152,8 +152,8 @@ std::unique_ptr<ModelProblem<Model>> make_problem(const Dataset& data, const Fit
     std::vector<ToughnessPoint> points;
     points.reserve(prepared.used.size());
     for (const std::size_t i : prepared.used) points.push_back(*data.toughness(i));
-    problem = std::make_unique<ToughnessObjective<Model>>(std::move(points), scale_of(options), choice,
-                                                           std::move(weights));
+    problem =
+        std::make_unique<ToughnessObjective<Model>>(std::move(points), scale_of(options), choice, std::move(weights));
   }
   // a file of psi and Gc can only be weighted by its sigma_Gc
   const bool energies_without = data.has_energies && data.errors.empty();

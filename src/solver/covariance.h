@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "solver/results.h"
 #include "solver/options.h"
 #include "solver/problem.h"
+#include "solver/results.h"
 
 namespace mixity {
 

@@ -15,6 +15,18 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// For one descent: each evaluation has the memory of the last.
+class Remembering final : public WrappedProblem {
+ public:
+  using WrappedProblem::WrappedProblem;
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    return problem_.evaluate_again(x, residuals, jacobian, memory_);
+  }
+
+ private:
+  mutable std::vector<double> memory_;
+};
+
 /// The residuals times `scale`: Ceres damps its steps as if J'J were at least 1e-6, which is all of the
 /// size of a step where psi is small.
 class CeresAdapter final : public ceres::CostFunction {
@@ -247,7 +259,7 @@ std::optional<Minimum> descend_with_kernel(const Problem& problem, const std::ve
 
 std::optional<Minimum> descend(const Problem& problem, const std::vector<double>& start, const SolverOptions& options) {
   if (options.engine == Engine::kernel) return descend_with_kernel(problem, start, options);
-  return descend_with_ceres(problem, start, options);
+  return descend_with_ceres(Remembering(problem), start, options);
 }
 
 std::string_view solver_version() { return CERES_VERSION_STRING; }

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/results.h"
 #include "solver/options.h"
 #include "solver/problem.h"
+#include "solver/results.h"
 
 namespace mixity {
 

@@ -93,10 +93,14 @@ double cost_allowance(double confidence, double sum_of_squares, std::size_t n, s
   return sum_of_squares / freedom * quantile(fisher_f_distribution<double, InDouble>(1, freedom), confidence);
 }
 
-Profile::Profile(const Problem& problem, const Minimum& best, std::size_t k, double decrease,
-                 const SolverOptions& options)
-    : k_(k), decrease_(decrease), kernel_(problem, options), x_(best.x), best_{best.x, {}} {
+Profile::Profile(const Problem& problem, const Minimum& best, double decrease, const SolverOptions& options)
+    : decrease_(decrease), kernel_(problem, options), x_(best.x), best_{best.x, {}} {
   if (x_.size() > 1) best_.cost = kernel_.at(x_);
+}
+
+void Profile::begin(std::size_t k) {
+  k_ = k;
+  x_ = best_.x;
   last_ = best_;
 }
 
@@ -144,8 +148,10 @@ std::optional<Profile::Value> Profile::operator()(double value) {
   return Value{minimum->cost, minimum->slope};
 }
 
-Interval profile_interval(const Problem& problem, const Minimum& best, std::size_t k, double confidence,
-                          double allowance, std::optional<double> standard_error, const SolverOptions& options) {
+namespace {
+
+Interval interval_along(Profile& profile, const Problem& problem, const Minimum& best, std::size_t k, double confidence,
+                        double allowance, std::optional<double> standard_error, const SolverOptions& options) {
   const FreeParameter& parameter = problem.parameters()[k];
   const double x = best.x[k];
   EndSearch search(best.sum_of_squares, allowance, residual_rounding(problem), options.deeper);
@@ -157,11 +163,31 @@ Interval profile_interval(const Problem& problem, const Minimum& best, std::size
   const double step = standard_error ? *standard_error * std::sqrt(allowance / variance) : least;
   const auto end = [&](double bound, double direction) {
     if (x == bound) return End{x, EndStatus::at_bound};
-    Profile profile(problem, best, k, options.profile_decrease * allowance, options);
+    profile.begin(k);
     return find_end(profile, parameter, x, direction, step, search, options);
   };
   const End low = end(parameter.lower, -1), high = end(parameter.upper, 1);
   return {confidence, low.x, high.x, low.status, high.status, search.deeper};
+}
+
+}  // namespace
+
+Interval profile_interval(const Problem& problem, const Minimum& best, std::size_t k, double confidence,
+                          double allowance, std::optional<double> standard_error, const SolverOptions& options) {
+  Profile profile(problem, best, options.profile_decrease * allowance, options);
+  return interval_along(profile, problem, best, k, confidence, allowance, standard_error, options);
+}
+
+std::vector<Interval> profile_intervals(const Problem& problem, const Minimum& best, double confidence,
+                                        double allowance, const std::vector<std::optional<double>>& standard_errors,
+                                        const Progress& progress, const SolverOptions& options) {
+  Profile profile(problem, best, options.profile_decrease * allowance, options);
+  std::vector<Interval> intervals;
+  for (std::size_t k = 0; k < best.x.size(); ++k) {
+    if (progress) progress(static_cast<double>(k) / static_cast<double>(best.x.size()));
+    intervals.push_back(interval_along(profile, problem, best, k, confidence, allowance, standard_errors[k], options));
+  }
+  return intervals;
 }
 
 DrawnProfile draw_profile(const Problem& problem, const Minimum& best, std::size_t k, double low, double high,
@@ -169,8 +195,9 @@ DrawnProfile draw_profile(const Problem& problem, const Minimum& best, std::size
   DrawnProfile drawn{{{best.x[k], 0.0}}, allowance / variance};
   // From the best outwards, since each minimum over the others starts from the one before.
   const std::size_t half = count / 2;
+  Profile profile(problem, best, options.profile_decrease * allowance, options);
   for (const double end : {low, high}) {
-    Profile profile(problem, best, k, options.profile_decrease * allowance, options);
+    profile.begin(k);
     for (std::size_t i = 1; i <= half; ++i) {
       const double x = best.x[k] + (end - best.x[k]) * static_cast<double>(i) / static_cast<double>(half);
       if (x == best.x[k]) continue;

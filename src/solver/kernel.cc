@@ -64,14 +64,16 @@ std::optional<Minimum> Kernel::descend(std::span<const double> start, std::span<
   first_ = here_.value;
   if (x.size() == 1 && !held)
     return newton(x[0], problem_.parameters()[0].lower, problem_.parameters()[0].upper, false, weights);
-  return gauss_newton(std::move(x), weights, held);
+  return gauss_newton(std::move(x), weights, held, nullptr);
 }
 
-std::optional<Minimum> Kernel::descend_within(double low, double x, double high) {
-  cost_->at({&x, 1}, {}, here_);
+std::optional<Minimum> Kernel::explore(const Start& start) {
+  if (start.low.empty() || (start.x.size() == 1 && !start.in_bracket)) return descend(start.x);
+  cost_->at(start.x, {}, here_);
   if (!here_.finite) return std::nullopt;
   first_ = here_.value;
-  return newton(x, low, high, true, {});
+  if (start.in_bracket) return newton(start.x[0], start.low[0], start.high[0], true, {});
+  return gauss_newton(start.x, {}, {}, &start);
 }
 
 /// On the gradient, between bounds and what its sign excludes. A bound is tried where Newton's step leads there, and is
@@ -165,12 +167,27 @@ double Kernel::find_step(double damping) {
   return gain;
 }
 
-Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weights,
-                             std::optional<std::size_t> held) {
+bool Kernel::too_long(const std::vector<double>& x, const Start& reach) const {
+  for (Eigen::Index k = 0; k < step_.size(); ++k) {
+    const auto at = static_cast<std::size_t>(open_[k]);
+    const double below = reach.x[at] - reach.low[at], above = reach.high[at] - reach.x[at], step = step_[k];
+    const double growth = std::max(1.0, std::abs(x[at]) / std::max(std::abs(reach.x[at]), above));
+    // where the box ends at a bound the bound itself is in reach
+    if ((step < 0 && below > 0 && -step > growth * below) || (step > 0 && above > 0 && step > growth * above))
+      return true;
+  }
+  return false;
+}
+
+Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weights, std::optional<std::size_t> held,
+                             const Start* reach) {
+  constexpr double kFirstDamping = 1e-4, kMostDamping = 1e16;
   double damping = 0, size = stationarity(x, held);
   std::vector<double> next = x;
   for (int i = 0; i < options_.most_iterations && size > options_.kernel_stationary_of_several; ++i) {
-    const double gain = find_step(damping);
+    double gain = find_step(damping);
+    for (; reach && too_long(x, *reach) && damping < 1; gain = find_step(damping))
+      damping = std::max(10 * damping, kFirstDamping);
     if (damping == 0 && gain <= enough_) return {x, here_.value, size, true};
     next = x;
     for (Eigen::Index k = 0; k < step_.size(); ++k) {
@@ -183,8 +200,8 @@ Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weig
     if (usable) cost_->at(next, weights, there_);
     const double roundings = 1e-14 * here_.value;  // of a sum of squares, about
     if (!usable || !there_.finite || !(there_.value <= here_.value + roundings)) {
-      damping = std::max(10 * damping, 1e-4);
-      if (damping > 1e16) break;
+      damping = std::max(10 * damping, kFirstDamping);
+      if (damping > kMostDamping) break;
       continue;
     }
     std::swap(here_, there_);

@@ -8,11 +8,18 @@
 #include <span>
 #include <vector>
 
-#include "solver/results.h"
 #include "solver/options.h"
 #include "solver/problem.h"
+#include "solver/results.h"
 
 namespace mixity {
+
+/// A value to descend from, and the box of a grid that its basin fills as far as a search can tell: a minimum known
+/// inside is that basin's. Without a box (empty) nothing is known of it.
+struct Start {
+  std::vector<double> x, low{}, high{};
+  bool in_bracket = false;  // of one parameter: at both ends of the box the cost falls inwards
+};
 
 /// One for each thread: it owns its scratch arrays. The problem must outlive it.
 class Kernel {
@@ -24,8 +31,9 @@ class Kernel {
   std::optional<Minimum> descend(std::span<const double> start, std::span<const double> weights = {},
                                  std::optional<std::size_t> held = {});
 
-  /// The same for the only parameter from x, and not beyond low and high, where the cost falls inwards.
-  std::optional<Minimum> descend_within(double low, double x, double high);
+  /// The same from what a search found: of one parameter in a bracket not beyond its ends; of several in steps that are
+  /// no longer than the box, which grows as the parameter does.
+  std::optional<Minimum> explore(const Start& start);
 
   /// The same with parameter number `held` at its start, to where the next step would lower the cost by `decrease` at
   /// most: the cost and its slope in that parameter are those behind that step, to first order.
@@ -47,7 +55,11 @@ class Kernel {
  private:
   /// Not beyond low and high: `known` to be beyond a minimum, or bounds.
   Minimum newton(double x, double low, double high, bool known, std::span<const double> weights);
-  Minimum gauss_newton(std::vector<double> x, std::span<const double> weights, std::optional<std::size_t> held);
+  /// `reach`: null, or what limits the steps.
+  Minimum gauss_newton(std::vector<double> x, std::span<const double> weights, std::optional<std::size_t> held,
+                       const Start* reach);
+  /// Whether the step from x is longer than the box.
+  bool too_long(const std::vector<double>& x, const Start& reach) const;
   /// The damped step of the open parameters, and half of what it lowers the cost by.
   double find_step(double damping);
   /// Which parameters may move from x, and how far from zero their gradient is.
@@ -57,7 +69,7 @@ class Kernel {
   SolverOptions options_;
   std::unique_ptr<Cost> cost_;
   CostValue here_, there_;
-  double first_ = 0, rounding_;  // that of |r|
+  double first_ = 0, rounding_;     // that of |r|
   std::vector<Eigen::Index> open_;  // parameters that may move
   Eigen::VectorXd step_;            // of these
   double enough_ = 0;               // a decrease of the cost that is not worth a step

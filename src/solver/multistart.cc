@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "solver/basins.h"
-#include "solver/kernel.h"
 
 namespace mixity {
 namespace {

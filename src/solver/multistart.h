@@ -3,17 +3,11 @@
 
 #include <vector>
 
+#include "solver/kernel.h"
 #include "solver/options.h"
 #include "solver/problem.h"
 
 namespace mixity {
-
-/// A value to descend from, and the box of the grid that its basin fills as far as the search can tell: a minimum known
-/// inside is that basin's. Without a box (empty) nothing is known of it.
-struct Start {
-  std::vector<double> x, low{}, high{};
-  bool in_bracket = false;  // of one parameter: at both ends of the box the cost falls inwards
-};
 
 struct Starts {
   std::vector<Start> list;  // best first
@@ -23,8 +17,8 @@ struct Starts {
 };
 
 /// Grids over the parameters without a start (one or two), the others at theirs. A single one whose curvature is exact
-/// (problem.h) is divided where value, slope and curvature disagree on what lies between. Empty where the cost is nowhere
-/// finite.
+/// (problem.h) is divided where value, slope and curvature disagree on what lies between. Empty where the cost is
+/// nowhere finite.
 Starts find_starts(const Problem& problem, const SolverOptions& options = {});
 
 /// False if the cost is lower just inside this bound of the only parameter. A slope of zero does not show it where the

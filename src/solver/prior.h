@@ -9,7 +9,7 @@
 namespace mixity {
 
 struct Prior {
-  std::size_t parameter;  // its number
+  std::size_t parameter;        // its number
   double mean, standard_error;  // as the solver counts, > 0
 };
 

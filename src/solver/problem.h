@@ -64,14 +64,14 @@ class Problem {
   /// Fills residuals [n] and, unless it is empty, the Jacobian [n x p, row-major]. False if a value is not finite.
   /// Several threads may call it at once.
   virtual bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const = 0;
-  /// The same, faster where a problem keeps in `memory` what served at the last parameters, if these are near. The result
-  /// is that of evaluate() to rounding. `memory` is empty at first, and nobody else's.
+  /// The same, faster where a problem keeps in `memory` what served at the last parameters, if these are near. The
+  /// result is that of evaluate() to rounding. `memory` is empty at first, and nobody else's.
   virtual bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                               std::vector<double>& /* memory */) const {
     return evaluate(x, residuals, jacobian);
   }
-  /// For the search of starts: residuals that cost less and are right to a factor of two or so. Those of some points may
-  /// be left out (0), always the same.
+  /// For the search of starts: residuals that cost less and are right to a factor of two or so. Those of some points
+  /// may be left out (0), always the same.
   virtual bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
     return evaluate(x, residuals, {});
   }

@@ -130,8 +130,8 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
   return result;
 }
 
-Influence influence(const Problem& problem, const std::vector<double>& fitted,
-                    const std::vector<std::size_t>& runs, unsigned threads, const Progress& progress) {
+Influence influence(const Problem& problem, const std::vector<double>& fitted, const std::vector<std::size_t>& runs,
+                    unsigned threads, const Progress& progress) {
   const std::size_t n = problem.residual_count(), p = fitted.size();
   Influence result;
   std::vector<double> residuals(n), jacobian(n * p);

@@ -17,7 +17,7 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
                           const Progress& progress = {});
 
 /// What single points and runs do to the fit: jackknife, leverage, Cook's distance.
-Influence influence(const Problem& problem, const std::vector<double>& fitted,
-                    const std::vector<std::size_t>& runs, unsigned threads, const Progress& progress = {});
+Influence influence(const Problem& problem, const std::vector<double>& fitted, const std::vector<std::size_t>& runs,
+                    unsigned threads, const Progress& progress = {});
 
 }  // namespace mixity

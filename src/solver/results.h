@@ -53,7 +53,7 @@ struct Bootstrapped {
 struct BootstrapResult {
   std::size_t replicates = 0;
   std::uint64_t seed = 0;
-  bool of_runs = false;  // whole runs were drawn, not points
+  bool of_runs = false;                  // whole runs were drawn, not points
   std::size_t failed = 0;                // replicates without a minimum, left out
   std::vector<Bootstrapped> parameters;  // empty if fewer than half of the replicates have one
 };

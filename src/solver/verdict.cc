@@ -39,7 +39,8 @@ class Minima {
       : problem_(problem), options_(options), rounding_(residual_rounding(problem)) {}
 
   void keep(const Minimum& minimum) {
-    const auto same = std::find_if(list.begin(), list.end(), [&](const Minimum& known) { return are_one(known, minimum); });
+    const auto same =
+        std::find_if(list.begin(), list.end(), [&](const Minimum& known) { return are_one(known, minimum); });
     if (same == list.end())
       list.push_back(minimum);
     else if (minimum.stationary ? !same->stationary || lower(minimum, *same)
@@ -81,7 +82,8 @@ class Minima {
       const double x = minimum.x[k], inwards = x <= parameter.lower ? 1 : x >= parameter.upper ? -1 : 0;
       if (inwards == 0) continue;
       if (minimum.x.size() == 1) return !lowest_at_bound(problem_, x);
-      Profile profile(problem_, minimum, k, 1e-3 * options_.lower_cost * minimum.sum_of_squares, options_);
+      Profile profile(problem_, minimum, 1e-3 * options_.lower_cost * minimum.sum_of_squares, options_);
+      profile.begin(k);
       for (const double share : {1e-3, 1e-2})
         if (const auto there = profile(x + share * inwards * parameter.width());
             there && there->cost < minimum.sum_of_squares * (1 - options_.lower_cost))
@@ -168,8 +170,8 @@ Finding stopped_on_a_slope(const Judgement& judgement) {
       const std::string where = "beyond " + values_text(judgement.problem, best.x) + " the model is not defined here";
       return {{best.x.size() == 1 ? FitStatus::at_bound : FitStatus::not_converged, where}};
     }
-  return {{FitStatus::not_converged, "the solver stopped where the gradient is not zero (relative size " +
-                                         digits(best.stationarity, 2) + ")"}};
+  return {{FitStatus::not_converged,
+           "the solver stopped where the gradient is not zero (relative size " + digits(best.stationarity, 2) + ")"}};
 }
 
 Finding above_a_start(const Judgement& judgement) {
@@ -206,8 +208,8 @@ Finding another_fits_as_well(const Judgement& judgement) {
 }
 
 /// In this order: the first that has something to say decides.
-constexpr Finding (*kTests[])(const Judgement&) = {every_value_fits,   nothing_found, unconstrained,
-                                                   stopped_on_a_slope, above_a_start, at_a_bound,
+constexpr Finding (*kTests[])(const Judgement&) = {every_value_fits,    nothing_found, unconstrained,
+                                                   stopped_on_a_slope,  above_a_start, at_a_bound,
                                                    another_fits_as_well};
 
 }  // namespace
@@ -264,13 +266,15 @@ Verdict solve(const Problem& problem, const StartingPoints& starting, const Solv
   Minima minima(problem, options);
   double least = std::numeric_limits<double>::infinity();
   SolverOptions exploring = options;
-  if (p > 1) exploring.most_iterations = options.most_iterations_of_a_start;
+  if (p > 1) {
+    exploring.most_iterations = options.most_iterations_of_a_start;
+    exploring.kernel_stationary_of_several = options.stationary;
+  }
   Kernel kernel(problem, exploring);
   std::vector<double> residuals(n);
   for (const Start& start : list) {
     if (minima.has_one_of(start)) continue;
-    std::optional<Minimum> minimum =
-        start.in_bracket ? kernel.descend_within(start.low[0], start.x[0], start.high[0]) : kernel.descend(start.x);
+    std::optional<Minimum> minimum = kernel.explore(start);
     if (minimum)
       least = std::min(least, kernel.first_cost());
     else if (const auto cost = sum_of_squares(problem, start.x, residuals))  // finite, where the slope is not
@@ -296,12 +300,16 @@ Verdict solve(const Problem& problem, const StartingPoints& starting, const Solv
     verdict.others.assign(minima.list.begin() + 1, minima.list.end());
     least = std::min(least, verdict.best.sum_of_squares);
     for (std::size_t k = 0; k < p; ++k)
-      verdict.at_bound[k] = verdict.best.x[k] <= problem.parameters()[k].lower ||
-                            verdict.best.x[k] >= problem.parameters()[k].upper;
+      verdict.at_bound[k] =
+          verdict.best.x[k] <= problem.parameters()[k].lower || verdict.best.x[k] >= problem.parameters()[k].upper;
   }
   const bool found = !minima.list.empty();
-  const Judgement judgement{problem, options, starts, verdict,
-                            found ? covariance(problem, verdict.best, verdict.at_bound, options) : Covariance{}, least};
+  const Judgement judgement{problem,
+                            options,
+                            starts,
+                            verdict,
+                            found ? covariance(problem, verdict.best, verdict.at_bound, options) : Covariance{},
+                            least};
   for (const auto test : kTests)
     if (const Finding finding = test(judgement)) return end(finding->first, finding->second);
   return verdict;
