@@ -15,9 +15,9 @@ namespace mixity {
 template <class Model>
 class CurveObjective final : public ModelProblem<Model> {
  public:
-  /// Standard errors > 0.
+  /// Standard errors > 0. The targets, which the reported R^2 compares with, are the areas.
   CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice<Model> choice)
-      : choice_(std::move(choice)), order_(points.size()) {
+      : Base(std::move(choice)), order_(points.size()) {
     // by load: what looks for the nearest point of a whole curve then does so for all points of that curve together
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::stable_sort(order_.begin(), order_.end(),
@@ -34,15 +34,9 @@ class CurveObjective final : public ModelProblem<Model> {
     sample_ = std::make_unique<CurveObjective>(sample, choice_);
   }
 
-  std::size_t residual_count() const override { return points_.size(); }
-  const std::vector<FreeParameter>& parameters() const override { return choice_.parameters(); }
-  /// Areas: what the reported R^2 compares with.
-  const std::vector<double>& targets() const override { return targets_; }
-  const std::vector<double>& weights() const override { return weights_; }
-  Candidate<Model> candidate(std::span<const double> x) const override { return choice_.candidate(x); }
   /// T is data, too.
   double data_norm() const override {
-    double square = std::pow(ModelProblem<Model>::data_norm(), 2);
+    double square = std::pow(Base::data_norm(), 2);
     for (const MeasuredPoint& point : points_) square += std::pow(point.T / point.sigma_T, 2);
     return std::sqrt(square);
   }
@@ -66,6 +60,8 @@ class CurveObjective final : public ModelProblem<Model> {
   }
 
  private:
+  using Base = ModelProblem<Model>;
+  using Base::choice_, Base::targets_, Base::weights_;
   static constexpr std::size_t kSample = 32;             // points that tell one basin from another
   static constexpr std::size_t kBlock = 512;             // points whose arrays stay in the processor's cache
   static constexpr std::size_t kPointsOfAThread = 1024;  // fewer take less time than starting it
@@ -80,7 +76,7 @@ class CurveObjective final : public ModelProblem<Model> {
 
   bool all_blocks(std::span<const double> x, Search search, std::span<double> residuals, std::span<double> jacobian,
                   std::span<double> places) const {
-    const Candidate<Model> at = candidate(x);
+    const Candidate<Model> at = this->candidate(x);
     const std::size_t n = points_.size(), blocks = (n + kBlock - 1) / kBlock;
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> defined = true;
@@ -131,10 +127,8 @@ class CurveObjective final : public ModelProblem<Model> {
     return true;
   }
 
-  std::vector<MeasuredPoint> points_;  // by load
-  FreeChoice<Model> choice_;
-  std::vector<std::size_t> order_;  // of each in points_: its place among the residuals
-  std::vector<double> targets_, weights_;
+  std::vector<MeasuredPoint> points_;       // by load
+  std::vector<std::size_t> order_;          // of each in points_: its place among the residuals
   std::unique_ptr<CurveObjective> sample_;  // of some of many points, evenly over the loads
 };
 

@@ -63,10 +63,11 @@ inline std::vector<FreeParameter> series_toughness(const Dataset& data, const st
 template <class Model>
 class EnergyObjective final : public ModelProblem<Model> {
  public:
-  /// `toughness`: of each series, ln of a factor on G_Ic; empty: G_Ic is as stated.
+  /// `toughness`: of each series, ln of a factor on G_Ic; empty: G_Ic is as stated. The targets, which the reported R^2
+  /// compares with, are the energies of mode I.
   EnergyObjective(std::vector<EnergyPoint> points, FreeChoice<Model> choice,
                   const std::vector<FreeParameter>& toughness)
-      : points_(std::move(points)), choice_(std::move(choice)), parameters_(choice_.parameters()) {
+      : Base(std::move(choice)), points_(std::move(points)), parameters_(choice_.parameters()) {
     parameters_.insert(parameters_.end(), toughness.begin(), toughness.end());
     for (const EnergyPoint& point : points_) {
       targets_.push_back(point.energies.G_I / point.energies.sigma_GI);
@@ -74,14 +75,7 @@ class EnergyObjective final : public ModelProblem<Model> {
     }
   }
 
-  std::size_t residual_count() const override { return points_.size(); }
   const std::vector<FreeParameter>& parameters() const override { return parameters_; }
-  /// G_I: what the reported R^2 compares with.
-  const std::vector<double>& targets() const override { return targets_; }
-  const std::vector<double>& weights() const override { return weights_; }
-  Candidate<Model> candidate(std::span<const double> x) const override {
-    return choice_.candidate(x.first(choice_.size()));
-  }
   double data_norm() const override {
     double square = 0;
     for (const EnergyPoint& point : points_)
@@ -91,7 +85,7 @@ class EnergyObjective final : public ModelProblem<Model> {
   }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
-    const EnergyLaw<Model> law(candidate(x).parameters);
+    const EnergyLaw<Model> law(this->candidate(x).parameters);
     const std::size_t width = parameters_.size(), model = choice_.size();
     bool finite = true;
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -112,10 +106,10 @@ class EnergyObjective final : public ModelProblem<Model> {
   }
 
  private:
+  using Base = ModelProblem<Model>;
+  using Base::choice_, Base::targets_, Base::weights_;
   std::vector<EnergyPoint> points_;
-  FreeChoice<Model> choice_;
   std::vector<FreeParameter> parameters_;
-  std::vector<double> targets_, weights_;
 };
 
 }  // namespace mixity

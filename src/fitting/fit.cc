@@ -6,48 +6,12 @@
 #include "fitting/fitted_parameters.h"
 #include "fitting/predicted_area.h"
 #include "fitting/prepare.h"
-#include "fitting/standard_errors.h"
+#include "fitting/toughness_weights.h"
 #include "solver/robust.h"
 #include "solver/verdict.h"
 
 namespace mixity {
 namespace {
-
-/// 1/standard error of ln f (or f) minus the model's at the point's psi: through f and psi at once, from sigma_A and
-/// sigma_T, or from the file's sigma_Gc.
-template <class Model>
-std::vector<double> toughness_weights(const Dataset& data, const FitOptions& options,
-                                      const PreparedFit<Model>& prepared, const Parameters<Model>& p) {
-  std::vector<double> weights;
-  if (!data.has_loads && data.errors.empty())
-    throw InputError(data.path, "needs a column " +
-                                    std::string(data.has_energies ? "sigma_GI or sigma_GII" : "sigma_Gc") +
-                                    " to weigh its points by");
-  for (const std::size_t i : prepared.used) {
-    const Point& point = data.points[i];
-    const double ratio = data.toughness(i)->ratio;
-    double error = data.errors_of(i).ratio / ratio;
-    if (data.has_loads) {
-      const double sigma_T = prepared.errors->T[i], sigma_A = prepared.errors->A[i];
-      const auto r = toughness_residual<Model>(p, {point.P, point.shear(), point.A, sigma_T, sigma_A});
-      double by_T = r->T, by_A = r->A;  // of ln f_model - ln f
-      if (scale_of(options) == Scale::linear) {
-        // d(f_model - f) = f_model d(ln f_model - ln f) + (f_model - f) d(ln f), here over f
-        const double a = radius_from_area(point.A), y = edge_load(a, point.P), y_A = 2 * a / pi<double>();
-        const double square = y * y + point.T * point.T, growth = std::expm1(r->value);
-        by_T = (1 + growth) * by_T + growth * 2 * point.shear() / square;
-        by_A = (1 + growth) * by_A + growth * y_A * (2 * y / square - 1 / (y + point.P));
-      }
-      error = std::hypot(by_T * sigma_T, by_A * sigma_A);
-    }
-    if (!(error > 0))
-      throw InputError(data.path, place_of(data, point, data.has_energies ? "sigma_GI" : "sigma_Gc"),
-                       data.has_energies ? "this point has no standard error (sigma_GI and sigma_GII are 0 or empty)"
-                                         : "this point has no standard error (sigma_Gc is 0 or empty)");
-    weights.push_back(1 / (scale_of(options) == Scale::log ? error : error * ratio));
-  }
-  return weights;
-}
 
 /// How many points differ from each other, counted up to `enough`: rows that repeat one know nothing of its error.
 std::size_t distinct_points(const Dataset& data, const std::vector<std::size_t>& used, std::size_t enough) {
@@ -176,8 +140,9 @@ class Fitter {
       for (int i = 0; i < 50; ++i) {
         const std::vector<double> before = verdict.best.x;
         const Parameters<Model> at = before.empty() ? prepared_.base : problem_->candidate(before).parameters;
-        problem_ =
-            make_problem<Model>(data_, options_, prepared_, toughness_weights<Model>(data_, options_, prepared_, at));
+        problem_ = make_problem<Model>(
+            data_, options_, prepared_,
+            toughness_weights<Model>(data_, scale_of(options_), prepared_.used, prepared_.errors, at));
         verdict = solve(*problem_, starting_, solver_);
         if (verdict.best.x.empty()) break;
         if (before.empty()) continue;

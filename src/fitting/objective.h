@@ -23,27 +23,6 @@ struct MeasuredPoint {
   double P, T, A, sigma_T, sigma_A;
 };
 
-template <class Model>
-class ModelProblem : public Problem {
- public:
-  virtual Candidate<Model> candidate(std::span<const double> x) const = 0;
-  /// What the residuals are differences from, in the fitted space: data times weight.
-  virtual const std::vector<double>& targets() const = 0;
-  /// 1/standard error of each, or 1.
-  virtual const std::vector<double>& weights() const = 0;
-  bool known_errors() const final { return known_errors_; }
-  void set_known_errors(bool known) { known_errors_ = known; }
-
-  double data_norm() const override {
-    double sum = 0;
-    for (const double target : targets()) sum += target * target;
-    return std::sqrt(sum);
-  }
-
- private:
-  bool known_errors_ = false;
-};
-
 /// What a reader sees of constant `c` in the solver's number x: SI for toughness and modulus, the file's unit for
 /// offsets.
 inline double constant_scale(const Dataset& data, Constant c) {
@@ -106,6 +85,35 @@ class FreeChoice {
   std::vector<std::size_t> model_;
   std::vector<Constant> constants_;
   std::vector<FreeParameter> parameters_;
+};
+
+/// What the objectives share. A residual is its model's value minus the target, each times weight.
+template <class Model>
+class ModelProblem : public Problem {
+ public:
+  explicit ModelProblem(FreeChoice<Model> choice) : choice_(std::move(choice)) {}
+  std::size_t residual_count() const override { return targets_.size(); }
+  const std::vector<FreeParameter>& parameters() const override { return choice_.parameters(); }
+  Candidate<Model> candidate(std::span<const double> x) const { return choice_.candidate(x); }
+  /// What the residuals are differences from, in the fitted space: data times weight.
+  const std::vector<double>& targets() const { return targets_; }
+  /// 1/standard error of each, or 1.
+  const std::vector<double>& weights() const { return weights_; }
+  bool known_errors() const final { return known_errors_; }
+  void set_known_errors(bool known) { known_errors_ = known; }
+
+  double data_norm() const override {
+    double sum = 0;
+    for (const double target : targets_) sum += target * target;
+    return std::sqrt(sum);
+  }
+
+ protected:
+  FreeChoice<Model> choice_;
+  std::vector<double> targets_, weights_;
+
+ private:
+  bool known_errors_ = false;
 };
 
 }  // namespace mixity

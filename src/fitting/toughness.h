@@ -46,7 +46,8 @@ class ToughnessObjective final : public ModelProblem<Model> {
   /// `weights`: 1/standard error of each point's target, or empty: 1.
   ToughnessObjective(std::vector<ToughnessPoint> points, Scale scale, FreeChoice<Model> choice,
                      std::vector<double> weights = {})
-      : points_(std::move(points)), scale_(scale), choice_(std::move(choice)), weights_(std::move(weights)) {
+      : Base(std::move(choice)), points_(std::move(points)), scale_(scale) {
+    weights_ = std::move(weights);
     weights_.resize(points_.size(), 1.0);
     targets_.reserve(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i)
@@ -57,21 +58,16 @@ class ToughnessObjective final : public ModelProblem<Model> {
     }
   }
 
-  std::size_t residual_count() const override { return points_.size(); }
-  const std::vector<FreeParameter>& parameters() const override { return choice_.parameters(); }
-  const std::vector<double>& targets() const override { return targets_; }
-  const std::vector<double>& weights() const override { return weights_; }
-  Candidate<Model> candidate(std::span<const double> x) const override { return choice_.candidate(x); }
   /// ln f inherits the rounding of f, an eps however small ln f is.
   double data_norm() const override {
-    double square = std::pow(ModelProblem<Model>::data_norm(), 2);
+    double square = std::pow(Base::data_norm(), 2);
     if (scale_ == Scale::log)
       for (const double weight : weights_) square += weight * weight;
     return std::sqrt(square);
   }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
-    const Parameters<Model> p = candidate(x).parameters;
+    const Parameters<Model> p = this->candidate(x).parameters;
     const std::vector<std::size_t>& free = choice_.model();
     bool finite = true;
     if constexpr (HasLanes<Model>) {
@@ -110,7 +106,7 @@ class ToughnessObjective final : public ModelProblem<Model> {
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override {
     if (HasLanes<Model> && scale_ == Scale::log) return evaluate(x, residuals, {});
     constexpr std::size_t kSample = 32;
-    const Parameters<Model> p = candidate(x).parameters;
+    const Parameters<Model> p = this->candidate(x).parameters;
     std::fill(residuals.begin(), residuals.end(), 0.0);
     for (std::size_t i = 0; i < points_.size(); i += std::max<std::size_t>(points_.size() / kSample, 1)) {
       const double log_f = Model::log_toughness(p, points_[i].mixity).value;
@@ -129,10 +125,10 @@ class ToughnessObjective final : public ModelProblem<Model> {
   }
 
  private:
+  using Base = ModelProblem<Model>;
+  using Base::choice_, Base::targets_, Base::weights_;
   std::vector<ToughnessPoint> points_;
   Scale scale_;
-  FreeChoice<Model> choice_;
-  std::vector<double> weights_, targets_;
   ToughnessLanes<Model> lanes_;
 };
 
@@ -141,22 +137,18 @@ template <class Model>
 class ToughnessOfLoads final : public ModelProblem<Model> {
  public:
   ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice<Model> choice)
-      : points_(std::move(points)), choice_(std::move(choice)), weights_(points_.size(), 1.0) {
+      : Base(std::move(choice)), points_(std::move(points)) {
+    weights_.assign(points_.size(), 1.0);
     for (const MeasuredPoint& point : points_)
       targets_.push_back(std::log(toughness_of_area(point.P, std::abs(point.T), point.A)->ratio));
   }
 
-  std::size_t residual_count() const override { return points_.size(); }
-  const std::vector<FreeParameter>& parameters() const override { return choice_.parameters(); }
-  const std::vector<double>& targets() const override { return targets_; }
-  const std::vector<double>& weights() const override { return weights_; }
-  Candidate<Model> candidate(std::span<const double> x) const override { return choice_.candidate(x); }
   double data_norm() const override {
-    return std::hypot(ModelProblem<Model>::data_norm(), std::sqrt(static_cast<double>(points_.size())));
+    return std::hypot(Base::data_norm(), std::sqrt(static_cast<double>(points_.size())));
   }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
-    const Candidate<Model> at = candidate(x);
+    const Candidate<Model> at = this->candidate(x);
     const ConstantsScale scale(at.constants);
     bool finite = true;
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -175,9 +167,9 @@ class ToughnessOfLoads final : public ModelProblem<Model> {
   }
 
  private:
+  using Base = ModelProblem<Model>;
+  using Base::choice_, Base::targets_, Base::weights_;
   std::vector<MeasuredPoint> points_;
-  FreeChoice<Model> choice_;
-  std::vector<double> weights_, targets_;
 };
 
 }  // namespace mixity

@@ -6,7 +6,7 @@
 #include "mechanics/curve_distance.h"
 #include "mechanics/curve_outline.h"
 #include "mechanics/equilibrium.h"
-#include "mechanics/nearest_lanes.h"
+#include "mechanics/nearest_proof.h"
 
 namespace mixity {
 namespace {
@@ -234,7 +234,8 @@ class Distances {
     for (std::size_t lane = 0; lane < count; ++lane) {
       // From where it has been, or a search ended, Newton's method moves by roundings.
       const bool there = block_.at_end[lane] > 0 || result_.stationary[lane] > 0;
-      const bool better = block_.settled[lane] > 0 && there && result_.distance[lane] <= found[lane] * (1 + 1e-9) + 1e-9;
+      const bool better =
+          block_.settled[lane] > 0 && there && result_.distance[lane] <= found[lane] * (1 + 1e-9) + 1e-9;
       if (!write(better ? block_ : unmoved, better ? result_ : unmoved_, lane, left_[from + lane].index)) return false;
     }
     return true;
@@ -313,12 +314,7 @@ bool curve_distances(const Parameters<Model>& p, const PlanePoints& points, Sear
 }
 
 namespace {
-template <class Model>
-using Distance = bool (*)(const Parameters<Model>&, const PlanePoints&, Search, bool, CurveDistances&);
-
-[[gnu::used]] const auto instances = std::apply(
-    [](auto... model) { return std::tuple<Distance<decltype(model)>...>{&curve_distances<decltype(model)>...}; },
-    Models{});
+[[gnu::used]] const auto instances = each_model([](auto model) { return &curve_distances<decltype(model)>; });
 }  // namespace
 
 }  // namespace mixity

@@ -25,8 +25,8 @@ enum class Search { rough, local, global };
 /// curve, those of the distance from it. `parameters` holds those in the model's parameters, point after point.
 /// d r/d ln sigma_T is -r (dT sigma_T)^2, and so for A.
 ///
-/// `place_T` and `place_A`, unless empty, hold places to start from, as near a point's own as those of parameters nearby
-/// are (A = 0: none), and the nearest places afterwards.
+/// `place_T` and `place_A`, unless empty, hold places to start from, as near a point's own as those of parameters
+/// nearby are (A = 0: none), and the nearest places afterwards.
 struct CurveDistances {
   std::span<double> r, dP, dT, dA, parameters, place_T{}, place_A{};
 };

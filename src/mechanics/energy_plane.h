@@ -3,7 +3,8 @@
 //
 //     G_I = G_Ic (1 - B)/h,   G_II = G_Ic B/h,      h = (1 - B) + tau^2(y = sqrt(1-B), T = sqrt(B)),
 //
-// regular in B for every model whose f is regular in psi^2; for model c it is the straight line G_I = G_Ic - lambda G_II.
+// regular in B for every model whose f is regular in psi^2; for model c it is the straight line G_I = G_Ic - lambda
+// G_II.
 #pragma once
 
 #include <algorithm>

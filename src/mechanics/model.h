@@ -9,6 +9,9 @@
 //   shear_term(p, y, T)                 tau^2 = y^2 (g - 1) of the equilibrium circle and its derivatives in y
 //   small_shear(p)                      lim tau^2/T^2 at T -> 0 (may be 0 or infinite)
 //   shear_limit(p)                      optional: lim tau^2/y^2 at T -> infinity where it may be finite
+//   shear_bend(p), shear_reach(p)       optional: how strongly tau^2 bends; without them a distance from a curve takes
+//                                       a search of the whole curve
+//   log_toughness_slope(p, y, T)        optional: d ln f/d p in a form without branches
 //   tangential_load(p, y, tau)          optional: T of a state (y, tau) where that is a closed form
 //   fold_offset(p, P, displacement)     optional: y - 3 pi where the curve folds, if that is a closed form
 //   one_fold_at_most(p)                 optional: true if tau^2 + y^2 is convex in y at fixed T and tau grows with y
@@ -21,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 
 #include "mechanics/constants.h"
@@ -113,6 +117,19 @@ Differentiated<S, 1> lane_log_toughness(const std::array<S, 1>& p, const Mixity<
 template <class S>
 struct ShearTerm {
   S value, d1, d2;
+};
+
+/// Upper bounds of |d^2 tau^2| over all y and T; infinite where nothing is known.
+struct ShearBend {
+  double TT = std::numeric_limits<double>::infinity(), yT = TT, yy = TT;
+};
+
+/// The second derivatives are homogeneous of degree 0. Over a way w, the larger of `narrow` times dT/(T + T_part y) and
+/// narrow dy/(y + y_part T), the sums of moduli that curve_distance takes for them grow to (1 + 8 w)^2 of themselves at
+/// most, up to w = 1/4: as much as y and T to the fourth power of opposite sign. `narrow` is infinite where nothing is
+/// known.
+struct ShearReach {
+  double narrow = std::numeric_limits<double>::infinity(), y_part = 0, T_part = 0;
 };
 
 /// A model header fills the slot of its number; the registry collects the filled ones in order.

@@ -10,8 +10,7 @@
 #include "mechanics/contact.h"
 #include "mechanics/cube_root.h"
 #include "mechanics/curve.h"
-#include "mechanics/lanes.h"
-#include "mechanics/shear_bend.h"
+#include "mechanics/registry.h"
 #include "mechanics/vector_math.h"
 
 namespace mixity::nearest_detail {
@@ -26,13 +25,6 @@ struct Block {
   Lane T, A;                                   // the place on the curve
   Lane T_end, A_end;                           // where the curve ends: Hertz, or an asymptote (T_end infinite)
   Lane settled, at_end;                        // 1 or 0
-};
-
-template <class Model>
-struct Result {
-  Lane r, dP, dT, dA, distance, sure;
-  Lane stationary;  // 1 where the way from the point is along the normal
-  std::array<Lane, parameter_count<Model>> parameters;
 };
 
 /// What a model's curves have in common whatever the load.
@@ -53,9 +45,10 @@ struct Law {
         small(Model::small_shear(p)),
         hertz(Model::shear_term(p, 0.0, 1.0).value),
         bounded(std::isfinite(shear_limit<Model>(p))),
-        excess(bounded ? shear_limit<Model>(p) : 0.0),
-        bend(shear_bend<Model>(p)),
-        reach(shear_reach<Model>(p)) {}
+        excess(bounded ? shear_limit<Model>(p) : 0.0) {
+    if constexpr (requires { Model::shear_bend(p); }) bend = Model::shear_bend(p);
+    if constexpr (requires { Model::shear_reach(p); }) reach = Model::shear_reach(p);
+  }
 };
 
 /// Equilibrium at (T, A) and its derivatives, in the plane of T/sigma_T and A/sigma_A.
@@ -226,82 +219,6 @@ MIXITY_LOOP void settle(const Law<Model> law, Block& b, int steps) {
     for (std::size_t i = 0; i < kLanes; ++i) left += 1 - b.settled[i];
     if (left == 0) break;
     step<Model>(law, b);
-  }
-}
-
-/// d ln f/d parameters at fixed y and T; for laws with lanes without branches.
-template <class Model>
-MIXITY_LOOP Parameters<Model> log_toughness_slope(const Parameters<Model>& p, double y, double T) {
-  if constexpr (Model::info.key == "b") {
-    // -psi tan(k psi), k = 1 - lambda/2; where k psi may come near pi/2 from sin and cos of psi - k psi as in shear_term.
-    // At lambda = 2 it vanishes exactly: by that a fit knows that the bound is its minimum.
-    const bool steep = T > y, small = p[0] > 1;
-    const double near = std::atan(steep ? y / T : T / y), psi = steep ? 0.5 * pi<double>() - near : near;
-    const double share = small ? 1 - 0.5 * p[0] : 0.5 * p[0], tangent = std::tan(share * psi);
-    return {-psi * (small ? tangent : (T - y * tangent) / (y + T * tangent))};
-  } else if constexpr (HasLanes<Model>) {
-    return {Model::lane(p[0], Model::lane_point(mixity_from_loads(y, T))).slope};
-  } else {
-    return Model::log_toughness(p, mixity_from_loads(y, T)).gradient;
-  }
-}
-
-/// r and its derivatives in P, T and A at the place, and whether no other place of the curve is nearer.
-///
-/// That proof: let Q be the place, d its distance, n its unit normal, and q another place that is no further. Then
-/// |q - Q|^2 <= 2 d n.(q - Q), because the point is Q + d n (up to sign; at an end the offset also points away from the
-/// curve, which only helps). F(q) = F(Q) = 0 makes |grad F| |n.(q - Q)| <= L |q - Q|^2/2 with L the norm of the second
-/// derivatives on the way, so that q = Q wherever d L < |grad F|. L follows from bounds of tau^2's second derivatives
-/// over all (y, T), or, where the circle of radius 2 d about Q is small in y and T, from their moduli at Q.
-template <bool kDerivatives, class Model>
-MIXITY_LOOP void measure(const Law<Model> law, const Block& b, Result<Model>& out) {
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const Local q = local_form<Model>(law, b, i);
-    const double distance = std::sqrt(q.x * q.x + q.z * q.z);
-    const bool end = b.at_end[i] > 0, settled = b.settled[i] > 0;
-    const double signed_distance = q.along < 0 ? -distance : distance;
-    // Along the normal a rounding of the place does not show; F/|grad F| is what it is off the curve.
-    const double normal = q.along - q.F * q.per_size;
-    // not so where Newton's steps come to nothing at a corner (bk with eta < 1)
-    const bool stationary = std::abs(q.slope) <= 1e-4 * distance + 1e-6;
-    out.stationary[i] = stationary ? 1.0 : 0.0;
-    out.r[i] = settled & !end & stationary ? normal : signed_distance;
-    out.distance[i] = distance;
-    const double F_A = q.F_y * q.y_A, F_P = -(2 * q.y + q.d1);
-    out.dP[i] = -F_P * q.per_size;
-    out.dT[i] = -q.F_T * q.per_size;
-    out.dA[i] = -F_A * q.per_size;
-    if constexpr (kDerivatives) {
-      const Parameters<Model> log_f = log_toughness_slope<Model>(law.p, q.y, b.T[i]);
-      const double held = q.y * q.y + q.value;
-      for (std::size_t k = 0; k < log_f.size(); ++k) out.parameters[k][i] = held * log_f[k] * q.per_size;
-    }
-
-    const double sT = b.sigma_T[i], sA = b.sigma_A[i], T = b.T[i], d = distance;
-    const double step_T = 2 * d * sT, step_A = 2 * d * sA, step_y = 1.2 * step_A * q.y_A;
-    const double m1 = std::abs(q.d1), m2 = std::abs(q.d2), W = q.inverse_T;
-    const bool flat = !(T > 1e-130 * q.y);
-    const double reach_T = T + law.reach.T_part * q.y, reach_y = q.y + law.reach.y_part * T;
-    const double part_T = step_T * reach_y, part_y = step_y * reach_T;
-    const double way = law.reach.narrow * (part_T > part_y ? part_T : part_y) / (reach_T * reach_y);
-    const bool near = way <= 0.25;
-    const double growth = (1 + 8 * way) * (1 + 8 * way);
-    const double TT_sheared = (2 * (q.value + q.y * m1) + q.y * q.y * m2) * W * W, small = 3 * law.small;
-    const double TT_here = flat ? small : TT_sheared;
-    const double yT_here = (m1 + q.y * m2) * W, yy_here = m2 + m1 / (q.y + T);
-    const auto least = [&](double here, double bound) {
-      const double grown = growth * here;
-      return near & (grown < bound) ? grown : bound;
-    };
-    const double TT = least(TT_here, law.bend.TT), yT = least(yT_here, law.bend.yT),
-                 yy = 2 + least(yy_here, law.bend.yy);
-    // A changes by a quarter at most, y_A by 1.12 and y_AA by 1.16 of itself.
-    const double slope = std::abs(q.F_y) + yy * step_y + yT * step_T;
-    const double AA = (1.26 * yy * q.y_A * q.y_A + 1.16 * slope * q.y_AA) * sA * sA;
-    const double TA = 1.12 * yT * q.y_A * sT * sA, TT_plane = TT * sT * sT;
-    const double norm = (TT_plane > AA ? TT_plane : AA) + TA;
-    const bool alone = (step_A <= 0.25 * b.A[i]) & ((end ? 2 : 1.05) * d * norm < q.size);
-    out.sure[i] = law.level | (settled & (end | stationary) & alone) ? 1.0 : 0.0;
   }
 }
 

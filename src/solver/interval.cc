@@ -5,6 +5,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <limits>
 
 namespace mixity {
 namespace {
@@ -36,7 +37,9 @@ End find_end(Profile& profile, const FreeParameter& parameter, double best, doub
              EndSearch& search, const SolverOptions& options) {
   const double bound = direction < 0 ? parameter.lower : parameter.upper;
   const bool physical = !parameter.start;  // else the range is only wide
-  double inside = best, outside = bound, x = best + direction * first_step;
+  // of data without scatter the error may be lost in the rounding of x
+  const double step = std::max(first_step, std::numeric_limits<double>::epsilon() * std::abs(best));
+  double inside = best, outside = bound, x = best + direction * step;
   bool bracketed = false, exceeded = false;  // a value was beyond the allowance, or not finite; the former
   for (int i = 0; i < options.most_iterations; ++i) {
     if ((x - bound) * direction >= 0) x = bound;

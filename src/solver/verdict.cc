@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "solver/covariance.h"
-#include "solver/descent.h"
-#include "solver/interval.h"
-#include "solver/multistart.h"
+#include "solver/minima.h"
 
 namespace mixity {
 namespace {
@@ -30,88 +28,20 @@ std::string values_text(const Problem& problem, const std::vector<double>& x) {
   return text;
 }
 
-bool lower(const Minimum& one, const Minimum& other) { return one.sum_of_squares < other.sum_of_squares; }
-
-/// The minima that descents ended at, each once.
-class Minima {
- public:
-  Minima(const Problem& problem, const SolverOptions& options)
-      : problem_(problem), options_(options), rounding_(residual_rounding(problem)) {}
-
-  void keep(const Minimum& minimum) {
-    const auto same =
-        std::find_if(list.begin(), list.end(), [&](const Minimum& known) { return are_one(known, minimum); });
-    if (same == list.end())
-      list.push_back(minimum);
-    else if (minimum.stationary ? !same->stationary || lower(minimum, *same)
-                                : std::sqrt(minimum.sum_of_squares) + rounding_ < std::sqrt(same->sum_of_squares))
-      *same = minimum;
-  }
-  /// Whether a minimum of no higher cost is known.
-  bool has_below(double cost) const {
-    return std::any_of(list.begin(), list.end(),
-                       [&](const Minimum& minimum) { return minimum.stationary && minimum.sum_of_squares <= cost; });
-  }
-  /// Whether a minimum is known in the basin of this start.
-  bool has_one_of(const Start& start) const {
-    return !start.low.empty() && std::any_of(list.begin(), list.end(), [&](const Minimum& minimum) {
-      for (std::size_t k = 0; k < minimum.x.size(); ++k)
-        if (!(minimum.x[k] >= start.low[k] && minimum.x[k] <= start.high[k])) return false;
-      return minimum.stationary;
-    });
-  }
-  /// At a bound the slope may vanish by symmetry where the cost is highest: those are no minima.
-  void drop_peaks() {
-    if (list.size() > 1) std::erase_if(list, [&](const Minimum& minimum) { return is_peak_at_bound(minimum); });
-  }
-
-  std::vector<Minimum> list;
-
- private:
-  bool are_one(const Minimum& one, const Minimum& other) const {
-    for (std::size_t k = 0; k < one.x.size(); ++k) {
-      const double scale = std::max(std::abs(one.x[k]), problem_.parameters()[k].least_size());
-      if (std::abs(one.x[k] - other.x[k]) > options_.same_minimum * scale) return false;
-    }
-    return true;
-  }
-
-  bool is_peak_at_bound(const Minimum& minimum) const {
-    for (std::size_t k = 0; k < minimum.x.size(); ++k) {
-      const FreeParameter& parameter = problem_.parameters()[k];
-      const double x = minimum.x[k], inwards = x <= parameter.lower ? 1 : x >= parameter.upper ? -1 : 0;
-      if (inwards == 0) continue;
-      if (minimum.x.size() == 1) return !lowest_at_bound(problem_, x);
-      Profile profile(problem_, minimum, 1e-3 * options_.lower_cost * minimum.sum_of_squares, options_);
-      profile.begin(k);
-      for (const double share : {1e-3, 1e-2})
-        if (const auto there = profile(x + share * inwards * parameter.width());
-            there && there->cost < minimum.sum_of_squares * (1 - options_.lower_cost))
-          return true;
-    }
-    return false;
-  }
-
-  const Problem& problem_;
-  const SolverOptions& options_;
-  double rounding_;
-};
-
 /// What the tests of a verdict look at. Each test says why the fit is not ok, or nothing.
 struct Judgement {
   const Problem& problem;
   const SolverOptions& options;
-  const Starts& starts;
+  const FoundMinima& found;
   Verdict& verdict;
-  Covariance covariance;
-  double least;  // the lowest cost met
+  const Covariance& covariance;
 
   std::optional<double> cost_at(const std::vector<double>& x) const {
     std::vector<double> residuals(problem.residual_count());
     return sum_of_squares(problem, x, residuals);
   }
   bool fits_as_well(double cost) const {
-    return cost <= least + fit_tolerance(problem, least) || std::sqrt(cost) <= residual_rounding(problem);
+    return cost <= found.least + fit_tolerance(problem, found.least) || std::sqrt(cost) <= residual_rounding(problem);
   }
 };
 
@@ -120,7 +50,7 @@ using Finding = std::optional<std::pair<FitStatus, std::string>>;
 /// Within rounding, or within what the scatter allows, every value looked at fits as well as the best: the first that
 /// does not says otherwise. Some standard errors from the best there mostly is one.
 Finding every_value_fits(const Judgement& judgement) {
-  if (judgement.starts.dearest.empty()) return {};
+  if (judgement.found.dearest.empty()) return {};
   const Minimum& best = judgement.verdict.best;
   for (std::size_t k = 0; k < best.x.size(); ++k) {
     const FreeParameter& parameter = judgement.problem.parameters()[k];
@@ -133,7 +63,7 @@ Finding every_value_fits(const Judgement& judgement) {
       if (const auto cost = judgement.cost_at(x); cost && !judgement.fits_as_well(*cost)) return {};
     }
   }
-  for (const auto& x : judgement.starts.dearest)
+  for (const auto& x : judgement.found.dearest)
     if (const auto cost = judgement.cost_at(x); cost && !judgement.fits_as_well(*cost)) return {};
   std::string names;
   for (const FreeParameter& parameter : judgement.problem.parameters())
@@ -175,7 +105,7 @@ Finding stopped_on_a_slope(const Judgement& judgement) {
 }
 
 Finding above_a_start(const Judgement& judgement) {
-  const double best = judgement.verdict.best.sum_of_squares, least = judgement.least;
+  const double best = judgement.verdict.best.sum_of_squares, least = judgement.found.least;
   const bool higher = best > least * (1 + judgement.options.lower_cost) &&
                       std::sqrt(best) > std::sqrt(least) + residual_rounding(judgement.problem);
   if (!higher) return {};
@@ -254,62 +184,19 @@ Verdict solve(const Problem& problem, const StartingPoints& starting, const Solv
   };
   if (n <= p) return end(FitStatus::not_identifiable, too_few_points(n, n, p));
 
-  Starts starts;
-  if (starting.near.empty()) starts = find_starts(problem, options);
-  std::vector<Start> list;  // what is guessed lies nearest, mostly
-  if (!starting.near.empty()) list.push_back({starting.near});
-  for (const auto& guess : starting.guesses) list.push_back({guess});
-  list.insert(list.end(), starts.list.begin(), starts.list.end());
-  if (list.empty())
+  const FoundMinima found = find_minima(problem, starting, options);
+  if (!found.started)
     return end(FitStatus::not_converged, "the model is not finite at these points for any parameter value");
-
-  Minima minima(problem, options);
-  double least = std::numeric_limits<double>::infinity();
-  SolverOptions exploring = options;
-  if (p > 1) {
-    exploring.most_iterations = options.most_iterations_of_a_start;
-    exploring.kernel_stationary_of_several = options.stationary;
-  }
-  Kernel kernel(problem, exploring);
-  std::vector<double> residuals(n);
-  for (const Start& start : list) {
-    if (minima.has_one_of(start)) continue;
-    std::optional<Minimum> minimum = kernel.explore(start);
-    if (minimum)
-      least = std::min(least, kernel.first_cost());
-    else if (const auto cost = sum_of_squares(problem, start.x, residuals))  // finite, where the slope is not
-      least = std::min(least, *cost);
-    // the only start of several parameters is worth both engines: one may end in a valley, or where nothing is felt
-    const bool lost = !minimum || (!minimum->stationary && !minima.has_below(minimum->sum_of_squares));
-    if (lost || (list.size() == 1 && p > 1 && options.engine == Engine::ceres))
-      if (const auto other = descend(problem, start.x, options)) {
-        minima.keep(*other);
-        if (minimum && other->stationary && !lower(*minimum, *other)) continue;
-      }
-    if (minimum && (minimum->stationary || lost)) minima.keep(*minimum);
-  }
-  minima.drop_peaks();
-  std::sort(minima.list.begin(), minima.list.end(), lower);
-  // the kernel found it; what is shown is the work of the engine that was asked for, to the last digits
-  if (!minima.list.empty() && (p > 1 || options.engine != Engine::kernel))
-    if (const auto minimum = descend(problem, minima.list.front().x, options);
-        minimum && (minimum->stationary || lower(*minimum, minima.list.front())))
-      minima.list.front() = *minimum;
-  if (!minima.list.empty()) {
-    verdict.best = minima.list.front();
-    verdict.others.assign(minima.list.begin() + 1, minima.list.end());
-    least = std::min(least, verdict.best.sum_of_squares);
+  Covariance errors;
+  if (!found.list.empty()) {
+    verdict.best = found.list.front();
+    verdict.others.assign(found.list.begin() + 1, found.list.end());
     for (std::size_t k = 0; k < p; ++k)
       verdict.at_bound[k] =
           verdict.best.x[k] <= problem.parameters()[k].lower || verdict.best.x[k] >= problem.parameters()[k].upper;
+    errors = covariance(problem, verdict.best, verdict.at_bound, options);
   }
-  const bool found = !minima.list.empty();
-  const Judgement judgement{problem,
-                            options,
-                            starts,
-                            verdict,
-                            found ? covariance(problem, verdict.best, verdict.at_bound, options) : Covariance{},
-                            least};
+  const Judgement judgement{problem, options, found, verdict, errors};
   for (const auto test : kTests)
     if (const Finding finding = test(judgement)) return end(finding->first, finding->second);
   return verdict;

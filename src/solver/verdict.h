@@ -1,9 +1,9 @@
-// Finding the minimum of a problem, and judging it: two passes.
+// A fit: finding minima (minima.h), and judging the lowest by tests of a sentence each.
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "solver/minima.h"
 #include "solver/options.h"
 #include "solver/problem.h"
 #include "solver/results.h"
@@ -17,13 +17,7 @@ std::string too_few_points(std::size_t distinct, std::size_t points, std::size_t
 /// known errors or of the scatter. Needs more residuals than parameters.
 double fit_tolerance(const Problem& problem, double least);
 
-/// Where to start beside, or instead of, a search of the whole range.
-struct StartingPoints {
-  std::vector<double> near{};                  // not empty: no search, for refits of almost the same data
-  std::vector<std::vector<double>> guesses{};  // beside it
-};
-
-/// Descends from every local minimum of the search, and judges the best.
+/// The lowest of the minima that are found, judged.
 Verdict solve(const Problem& problem, const StartingPoints& starting = {}, const SolverOptions& options = {});
 
 }  // namespace mixity

@@ -106,6 +106,11 @@ struct BenzeggaghKenane {
   static double small_shear(const std::array<double, 2>& p) {
     return p[1] > 1 ? 1 : p[1] == 1 ? 2 - p[0] : p[0] < 1 ? std::numeric_limits<double>::infinity() : 1;
   }
+  /// B^eta near psi = pi/2 is exp(-eta cos^2 psi), and f turns from its slope to r where eta cos^2 psi = r.
+  static ShearReach shear_reach(const std::array<double, 2>& p) {
+    const double eta = p[1], narrow = std::sqrt(std::fmin(p[0], 1) / std::fmax(eta, 1));
+    return {eta > 2 ? std::sqrt(eta) : 1, narrow, eta >= 2 ? narrow : 0};
+  }
   static bool tau_grows_with_edge_load(const std::array<double, 2>& p) {
     return p[0] >= 1 ? p[1] >= p[0] : p[1] <= p[0];
   }

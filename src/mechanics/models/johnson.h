@@ -59,6 +59,13 @@ struct Johnson {
   static double small_shear(const std::array<double, 1>& p) { return p[0]; }
   /// Infinite for lambda = 1.
   static double shear_limit(const std::array<double, 1>& p) { return p[0] / (1 - p[0]); }
+  /// With w = m T^2/y^2: 2 l (1 - 3w)/(1 + w)^3, 8 l sqrt(w^3/m)/(1 + w)^3 and 2 (l/m) w^2 (w - 3)/(1 + w)^3.
+  static ShearBend shear_bend(const std::array<double, 1>& p) {
+    const double l = p[0], m = 1 - l;
+    if (!(m > 0)) return {2, 0, 0};
+    return {2 * l, l / std::sqrt(m), 2 * l / m};
+  }
+  static ShearReach shear_reach(const std::array<double, 1>& p) { return {1, std::sqrt(1 - p[0]), 1}; }
   static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
   /// d^2(tau^2)/dy^2 is least where y^2 = (1-lambda) T^2, -lambda/(2 (1-lambda)): not below -2 up to here.
   static bool one_fold_at_most(const std::array<double, 1>& p) { return p[0] <= 0.8; }

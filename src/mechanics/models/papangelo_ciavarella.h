@@ -47,6 +47,8 @@ struct PapangeloCiavarella {
   }
 
   static double small_shear(const std::array<double, 1>& p) { return p[0]; }
+  static ShearBend shear_bend(const std::array<double, 1>& p) { return {2 * p[0], 0, 0}; }
+  static ShearReach shear_reach(const std::array<double, 1>&) { return {1, 1, 1}; }
 
   /// Where the only fold lies, as y - 3 pi. Load control: the top of the circle, 0. Displacement control: du = 0 on the
   /// circle is 2 v^2 + 3 (3 pi + P) v + S0^2 = 0 for v = y - 3 pi, whose upper root it is.

@@ -60,6 +60,23 @@ struct WatersGuduru {
 
   /// sin(h) sin(2 psi - h)/psi^2 at psi -> 0: lambda - lambda^2/4.
   static double small_shear(const std::array<double, 1>& p) { return p[0] * (1 - 0.25 * p[0]); }
+  /// -psi tan(k psi), k = 1 - lambda/2; where k psi may come near pi/2 from sin and cos of psi - k psi as in
+  /// shear_term. At lambda = 2 it vanishes exactly: by that a fit knows that the bound is its minimum.
+  [[gnu::always_inline]] static inline std::array<double, 1> log_toughness_slope(const std::array<double, 1>& p,
+                                                                                 double y, double T) {
+    const bool steep = T > y, small = p[0] > 1;
+    const double near = std::atan(steep ? y / T : T / y), psi = steep ? 0.5 * pi<double>() - near : near;
+    const double share = small ? 1 - 0.5 * p[0] : 0.5 * p[0], tangent = std::tan(share * psi);
+    return {-psi * (small ? tangent : (T - y * tangent) / (y + T * tangent))};
+  }
+  /// In polar coordinates tau^2 = r^2 S(psi), S = (cos 2 k psi - cos 2 psi)/2, with the second derivatives 2 S, S' and
+  /// S'' + 2 S. |S| <= pi l/4, |S'| <= (1 + pi) l/2 and |S'' + 2 S| <= (2 + pi/2) l, which bounds the norm by their
+  /// sum.
+  static ShearBend shear_bend(const std::array<double, 1>& p) {
+    const double bound = 5.7 * p[0];
+    return {bound, bound, bound};
+  }
+  static ShearReach shear_reach(const std::array<double, 1>&) { return {1, 1, 1}; }
   static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
   /// 2 + d^2(tau^2)/dy^2 = 1 + cos(2 k psi) (1 - 2 k^2 sin^2 psi) + k sin(2 psi) sin(2 k psi), in which no term of the
   /// second product is negative and the first is at least -1.

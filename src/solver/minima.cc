@@ -1,0 +1,135 @@
+#include "solver/minima.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "solver/descent.h"
+#include "solver/interval.h"
+#include "solver/kernel.h"
+#include "solver/multistart.h"
+
+namespace mixity {
+namespace {
+
+bool lower(const Minimum& one, const Minimum& other) { return one.sum_of_squares < other.sum_of_squares; }
+
+/// The minima that descents ended at, each once.
+class Minima {
+ public:
+  Minima(const Problem& problem, const SolverOptions& options)
+      : problem_(problem), options_(options), rounding_(residual_rounding(problem)) {}
+
+  void keep(const Minimum& minimum) {
+    const auto same =
+        std::find_if(list.begin(), list.end(), [&](const Minimum& known) { return are_one(known, minimum); });
+    if (same == list.end())
+      list.push_back(minimum);
+    else if (minimum.stationary ? !same->stationary || lower(minimum, *same)
+                                : std::sqrt(minimum.sum_of_squares) + rounding_ < std::sqrt(same->sum_of_squares))
+      *same = minimum;
+  }
+  /// Whether a minimum of no higher cost is known.
+  bool has_below(double cost) const {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const Minimum& minimum) { return minimum.stationary && minimum.sum_of_squares <= cost; });
+  }
+  /// Whether a minimum is known in the basin of this start.
+  bool has_one_of(const Start& start) const {
+    return !start.low.empty() && std::any_of(list.begin(), list.end(), [&](const Minimum& minimum) {
+      for (std::size_t k = 0; k < minimum.x.size(); ++k)
+        if (!(minimum.x[k] >= start.low[k] && minimum.x[k] <= start.high[k])) return false;
+      return minimum.stationary;
+    });
+  }
+  /// At a bound the slope may vanish by symmetry where the cost is highest: those are no minima.
+  void drop_peaks() {
+    if (list.size() > 1) std::erase_if(list, [&](const Minimum& minimum) { return is_peak_at_bound(minimum); });
+  }
+
+  std::vector<Minimum> list;
+
+ private:
+  bool are_one(const Minimum& one, const Minimum& other) const {
+    for (std::size_t k = 0; k < one.x.size(); ++k) {
+      const double scale = std::max(std::abs(one.x[k]), problem_.parameters()[k].least_size());
+      if (std::abs(one.x[k] - other.x[k]) > options_.same_minimum * scale) return false;
+    }
+    return true;
+  }
+
+  bool is_peak_at_bound(const Minimum& minimum) const {
+    for (std::size_t k = 0; k < minimum.x.size(); ++k) {
+      const FreeParameter& parameter = problem_.parameters()[k];
+      const double x = minimum.x[k], inwards = x <= parameter.lower ? 1 : x >= parameter.upper ? -1 : 0;
+      if (inwards == 0) continue;
+      if (minimum.x.size() == 1) return !lowest_at_bound(problem_, x);
+      Profile profile(problem_, minimum, 1e-3 * options_.lower_cost * minimum.sum_of_squares, options_);
+      profile.begin(k);
+      for (const double share : {1e-3, 1e-2})
+        if (const auto there = profile(x + share * inwards * parameter.width());
+            there && there->cost < minimum.sum_of_squares * (1 - options_.lower_cost))
+          return true;
+    }
+    return false;
+  }
+
+  const Problem& problem_;
+  const SolverOptions& options_;
+  double rounding_;
+};
+
+}  // namespace
+
+FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, const SolverOptions& options) {
+  const std::size_t p = problem.parameters().size();
+  FoundMinima found;
+  std::vector<Start> list;  // what is guessed lies nearest, mostly
+  if (!starting.near.empty()) list.push_back({starting.near});
+  for (const auto& guess : starting.guesses) list.push_back({guess});
+  if (starting.near.empty()) {
+    Starts starts = find_starts(problem, options);
+    list.insert(list.end(), starts.list.begin(), starts.list.end());
+    found.dearest = std::move(starts.dearest);
+  }
+  found.started = !list.empty();
+
+  Minima minima(problem, options);
+  SolverOptions exploring = options;
+  if (p > 1) {
+    exploring.most_iterations = options.most_iterations_of_a_start;
+    exploring.kernel_stationary_of_several = options.stationary;
+  }
+  Kernel kernel(problem, exploring);
+  std::vector<double> residuals(problem.residual_count());
+  for (const Start& start : list) {
+    if (minima.has_one_of(start)) continue;
+    const std::optional<Minimum> minimum = kernel.explore(start);
+    if (minimum)
+      found.least = std::min(found.least, kernel.first_cost());
+    else if (const auto cost = sum_of_squares(problem, start.x, residuals))  // finite, where the slope is not
+      found.least = std::min(found.least, *cost);
+    // the only start of several parameters is worth both engines: one may end in a valley, or where nothing is felt
+    const bool lost = !minimum || (!minimum->stationary && !minima.has_below(minimum->sum_of_squares));
+    if (lost || (list.size() == 1 && p > 1 && options.engine == Engine::ceres))
+      if (const auto other = descend(problem, start.x, options)) {
+        minima.keep(*other);
+        if (minimum && other->stationary && !lower(*minimum, *other)) continue;
+      }
+    if (minimum && (minimum->stationary || lost)) minima.keep(*minimum);
+  }
+  minima.drop_peaks();
+  found.list = std::move(minima.list);
+  if (found.list.empty()) return found;
+  std::sort(found.list.begin(), found.list.end(), lower);
+  // the kernel found it; what is shown is the work of the engine that was asked for, to the last digits
+  Minimum& best = found.list.front();
+  if (p > 1 || options.engine != Engine::kernel)
+    if (const auto minimum = descend(problem, best.x, options);
+        minimum && (minimum->stationary || lower(*minimum, best)))
+      best = *minimum;
+  found.least = std::min(found.least, best.sum_of_squares);
+  return found;
+}
+
+}  // namespace mixity

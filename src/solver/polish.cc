@@ -1,0 +1,155 @@
+#include "solver/polish.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mixity {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+/// Into `at`, whose memory is used again: with many points the system's handing it out takes longer than filling it.
+void evaluate(const Problem& problem, const Eigen::VectorXd& x, Linearised& at) {
+  const auto n = static_cast<Eigen::Index>(problem.residual_count());
+  const auto p = static_cast<Eigen::Index>(problem.parameters().size());
+  at.r.resize(n);
+  at.J.resize(n, p);
+  at.held.assign(static_cast<std::size_t>(p), false);
+  at.settled = true;
+  at.finite = problem.evaluate({x.data(), static_cast<std::size_t>(p)}, {at.r.data(), static_cast<std::size_t>(n)},
+                               {at.J.data(), static_cast<std::size_t>(n * p)});
+  if (!at.finite) return;
+  at.gradient = at.J.transpose() * at.r;
+  for (Eigen::Index k = 0; k < p; ++k) {
+    const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
+    const bool held_low = x[k] <= parameter.lower && at.gradient[k] > 0;
+    const bool held_high = x[k] >= parameter.upper && at.gradient[k] < 0;
+    at.held[static_cast<std::size_t>(k)] = held_low || held_high;
+    if (held_low || held_high) at.gradient[k] = 0;
+    const double slope = at.J.col(k).norm();
+    at.settled &= std::abs(at.gradient[k]) <= std::numeric_limits<double>::epsilon() * std::abs(x[k]) * slope * slope;
+  }
+}
+
+/// How much of r lies along the columns of J that may move: the offset of D. M. Bates & D. G. Watts (Technometrics 23,
+/// 1981). Each column alone would call a place in a narrow valley stationary that is standard errors off.
+void measure(Linearised& at, const SolverOptions& options) {
+  const Eigen::Index p = at.J.cols();
+  Eigen::MatrixXd J(at.J.rows(), p);
+  Vector unit(p);
+  for (Eigen::Index k = 0; k < p; ++k) {
+    const double slope = at.held[static_cast<std::size_t>(k)] ? 0 : at.J.col(k).norm();
+    unit[k] = slope > 0 ? 1 / slope : 0;
+    J.col(k) = at.J.col(k) * unit[k];
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(J.rows(), p);
+  factors.setThreshold(options.independent);  // what does not count as independent has no direction
+  factors.compute(J);
+  const Vector along = (factors.householderQ().adjoint() * at.r).head(std::min(factors.rank(), J.rows()));
+  // Each column, too: a direction that was left out must not hide a gradient.
+  const double r = at.r.norm(), gradient = at.gradient.cwiseProduct(unit).lpNorm<Eigen::Infinity>();
+  at.stationarity = r > 0 ? std::max(along.norm(), gradient) / r : 0;
+  at.step = unit.cwiseProduct(factors.solve(-at.r));
+}
+
+}  // namespace
+
+bool linearise(const Problem& problem, const Vector& x, const SolverOptions& options, Linearised& at) {
+  evaluate(problem, x, at);
+  if (at.finite) measure(at, options);
+  return at.finite;
+}
+
+bool is_stationary(const Linearised& at, double rounding, const SolverOptions& options) {
+  return at.stationarity <= options.stationary || at.stationarity * at.r.norm() <= rounding || at.settled;
+}
+
+namespace {
+
+Vector clamped(const Problem& problem, Vector x) {
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
+    x[k] = std::clamp(x[k], parameter.lower, parameter.upper);
+  }
+  return x;
+}
+
+/// Cost differences vanish in rounding at sqrt(eps) of x; the gradient does not. Newton steps on it, its derivative
+/// by central differences, take the parameters to their last digits. `rounding` of |r| is no reason to stop: without
+/// noise that is all there is.
+void polish(const Problem& problem, Vector& x, Linearised& at, double rounding, const SolverOptions& options) {
+  const Eigen::Index p = x.size();
+  Linearised below, above;
+  const auto newton = [&](Eigen::MatrixXd H) -> Vector {
+    // Columns of J scaled to 1: else the factors take what is small in its unit for zero.
+    Vector unit(p);
+    for (Eigen::Index k = 0; k < p; ++k) unit[k] = at.gradient[k] == 0 ? 1 : 1 / at.J.col(k).norm();
+    H = unit.asDiagonal() * H * unit.asDiagonal();
+    for (Eigen::Index k = 0; k < p; ++k)
+      if (at.gradient[k] == 0) {  // held by a bound, or already there
+        H.col(k) = Vector::Unit(p, k);
+        H.row(k) = Vector::Unit(p, k).transpose();
+      }
+    return unit.cwiseProduct(H.fullPivLu().solve(-unit.cwiseProduct(at.gradient)));
+  };
+  const auto take_step = [&](Vector step, double gain = 1) {
+    if (!step.allFinite()) return false;
+    const Vector next = clamped(problem, x + step);
+    Linearised& there = below;  // which has served
+    if (!linearise(problem, next, options, there)) return false;
+    // At a bound J may vanish by symmetry, which makes any |r| stationary: a step to one has to pay.
+    bool to_bound = false;
+    for (Eigen::Index k = 0; k < p; ++k) {
+      const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
+      to_bound |= next[k] != x[k] && (next[k] <= parameter.lower || next[k] >= parameter.upper);
+    }
+    const double rise = at.r.norm() * 1e-12 + (to_bound ? 0 : rounding);
+    const bool better = there.stationarity < gain * at.stationarity && there.r.norm() <= at.r.norm() + rise;
+    if (!better) return false;
+    x = next;
+    std::swap(at, there);
+    return true;
+  };
+  const double enough = p == 1 ? options.kernel_stationary : options.newton_stationary;
+  for (int iteration = 0; iteration < options.newton_steps && at.stationarity > enough; ++iteration) {
+    // Where the residuals are small Gauss-Newton needs no differences, in which parameters that hardly differ lose
+    // their digits.
+    if (take_step(at.step, 0.1)) continue;
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(p, p);
+    for (Eigen::Index k = 0; k < p; ++k) {
+      if (at.gradient[k] == 0) continue;
+      const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
+      // Close to an upper bound only the distance from it may matter, as that of lambda from 1 in model a.
+      const double room = parameter.upper - x[k], size = room > 0 ? std::min(std::abs(x[k]), room) : std::abs(x[k]);
+      const double h = options.difference_step * std::max(size, parameter.least_size());
+      Vector low = x, high = x;
+      low[k] = std::max(x[k] - h, parameter.lower);
+      high[k] = std::min(x[k] + h, parameter.upper);
+      evaluate(problem, low, below);
+      evaluate(problem, high, above);
+      if (!below.finite || !above.finite) return;
+      H.col(k) = (above.J.transpose() * above.r - below.J.transpose() * below.r) / (high[k] - low[k]);
+    }
+    const double before = at.stationarity;
+    if (take_step(newton(H))) {
+      // Newton squares the error, but where rounding is all that is left.
+      if (before <= options.stationary && at.stationarity > 0.5 * before) return;
+      continue;
+    }
+    // On a bound the distance to the minimum may be far less than that of the differences; the Jacobian knows none.
+    if (!take_step(at.step)) return;
+  }
+}
+
+}  // namespace
+
+Minimum polished(const Problem& problem, Vector x, Linearised& at, const SolverOptions& options) {
+  const double rounding = residual_rounding(problem);
+  polish(problem, x, at, rounding, options);
+  const double r = at.r.norm();
+  return {{x.begin(), x.end()}, r * r, at.stationarity, is_stationary(at, rounding, options)};
+}
+
+}  // namespace mixity
