@@ -11,10 +11,11 @@ from peers.tables import ROUNDING
 STYLES = {"mixity": ("#000000", 7), "mixity anew": ("#000000", 6), "mixity arrays": ("#000000", 9),
           "Newton": ("#D55E00", 4), "bracketed Newton": ("#CC79A7", 5), "Brent": ("#009E73", 8),
           "TOMS 748": ("#0072B2", 10), "bisection": ("#56B4E9", 2), "linear table": ("#E69F00", 1),
-          "cubic table": ("#999999", 3), "mixity kernel": ("#000000", 7), "mixity whole fit": ("#000000", 6)}
+          "cubic table": ("#999999", 3), "mixity kernel": ("#000000", 7), "mixity whole fit": ("#000000", 6),
+          "linearised": ("#009E73", 8)}
 # Fits have a colour for each library and a shape for its derivatives.
 LIBRARIES = {"Ceres": "#D55E00", "TinySolver": "#E69F00", "MINPACK": "#0072B2", "GSL": "#009E73",
-             "SciPy": "#56B4E9", "lmfit": "#CC79A7"}
+             "SciPy": "#56B4E9", "ODRPACK": "#56B4E9", "lmfit": "#CC79A7"}
 SHAPES = {"analytic": 5, "lmder": 5, "automatic": 13, "numeric": 4, "lmdif": 4}
 SPARE = ["#D55E00", "#CC79A7", "#009E73", "#0072B2", "#56B4E9", "#E69F00"]
 
@@ -46,13 +47,15 @@ def plot_data(panels):
 
 TIMES = ("'1 ns' 1e-9, '10 ns' 1e-8, '100 ns' 1e-7, '1 us' 1e-6, '10 us' 1e-5, '100 us' 1e-4, '1 ms' 1e-3, "
          "'10 ms' 1e-2, '100 ms' 1e-1, '1 s' 1")
+SWEEP = ("set yrange [1e-17:10]", "set ytics 1e-16,1e4,1")
+SCATTER = ("set yrange [2e-12:5]", "set ytics 1e-12,1e2,1")
 PANEL, LEGEND_ROW = 270, 25  # heights in pixels
 BARE_TIMES = ", ".join(f"'' 1e-{n}" for n in range(10))
 
 
 def legend_columns(methods):
-    """As many as the longest name leaves room for; gnuplot's own key would not keep to columns here."""
-    return 2 if max(map(len, methods)) > 19 else 3
+    """As many as the longest names leave room for; gnuplot's own key would not keep to columns here."""
+    return 2 if max(map(len, methods)) > 19 or max(map(len, methods[2::3])) > 14 else 3
 
 
 def legend_rows(methods):
@@ -67,7 +70,7 @@ def legend(methods, spare, height):
         yield f"set label '{method}' at {place} offset 1,-0.25 font ',15' point {look(method, spare)}"
 
 
-def plot_script(name, panels, places):
+def plot_script(name, panels, places, joined):
     """Panels above each other with one legend below; text as large as it must be at a column's width of 8.6 cm."""
     times = [row["median_ns"] * 1e-9 for _, rows in panels for row in rows]
     methods = list(dict.fromkeys(method for _, method, _, _ in places))
@@ -81,8 +84,8 @@ def plot_script(name, panels, places):
              "set border lc rgb '#444444'",
              "set format y '10^{%L}'", "set lmargin screen 0.165", "set rmargin screen 0.97",
              "set grid lc rgb '#dddddd' lt 1", "set ylabel 'relative error' offset 1.2",
-             f"set xrange [{min(times) / 2:.2g}:{max(times) * 2:.2g}]", "set yrange [1e-17:10]",
-             "set ytics 1e-16,1e4,1", "set multiplot"]
+             f"set xrange [{min(times) / 2:.2g}:{max(times) * 2:.2g}]", *(SWEEP if joined else SCATTER),
+             "set multiplot"]
     spare = {}
     for number, (case, _) in enumerate(panels):
         last = number + 1 == len(panels)
@@ -97,14 +100,14 @@ def plot_script(name, panels, places):
         for where, method, block, points in places:
             if where != case:
                 continue
-            line = "points" if points == 1 else "linespoints lw 1.5"
+            line = "points" if points == 1 or not joined else "linespoints lw 1.5"
             drawn.append(f"'{name}.dat' index {block} with {line} {look(method, spare)}")
         lines.append("plot " + ", \\\n  ".join(drawn))
     return "\n".join([*lines, "unset multiplot", ""])
 
 
-def draw(cases, wanted, path):
-    """Script and data stay beside the figure."""
+def draw(cases, wanted, path, joined=True):
+    """Script and data stay beside the figure. `joined`: the rows of a method are a sweep."""
     missing = [case for case in wanted if case not in cases]
     if missing:
         sys.exit(f"tools/work_precision: no case '{missing[0]}'; there are:\n  " + "\n  ".join(cases))
@@ -112,7 +115,7 @@ def draw(cases, wanted, path):
     path.parent.mkdir(parents=True, exist_ok=True)
     data, places = plot_data(panels)
     path.with_suffix(".dat").write_text(data, encoding="utf-8")
-    path.with_suffix(".gp").write_text(plot_script(path.stem, panels, places), encoding="utf-8")
+    path.with_suffix(".gp").write_text(plot_script(path.stem, panels, places, joined), encoding="utf-8")
     if not shutil.which("gnuplot"):
         print(f"gnuplot is not installed: {path.with_suffix('.gp')} draws the figure", file=sys.stderr)
         return

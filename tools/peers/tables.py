@@ -129,6 +129,6 @@ def show(task, text, summary_only):
     print("\n".join(summary(cases, target) for target in targets), flush=True)
     if task == "predict":
         print(ratios(cases, targets[-1]), flush=True)
-    if task == "fit":
+    if task in ("fit", "curve"):
         print(mean_ratios(cases, 1e-8, ("mixity kernel", "mixity whole fit")), flush=True)
     return cases

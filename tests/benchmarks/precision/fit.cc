@@ -1,17 +1,16 @@
 // Fitting lambda to points (psi, f): time against error, this program's solvers beside other libraries'. An evaluation
 // is a sweep over the points, with or without derivatives. 200 points, psi evenly up to 1.54.
-//
-// With --turns solvers of another process take part: the cases come first, a line of JSON each, and before each
-// repetition the line "turn", after which this program waits for a line. tools/peers/fit_rows.py is such a process.
+// With --turns solvers of another process take part (turns.h); tools/peers/fit_rows.py is such a process.
 #include "fitting/fit.h"
 
-#include <iostream>
 #include <memory>
 #include <random>
 
+#include "benchmarks/precision/counted.h"
 #include "benchmarks/precision/log_toughness.h"
 #include "benchmarks/precision/peers.h"
 #include "benchmarks/precision/precision.h"
+#include "benchmarks/precision/turns.h"
 #include "fitting/synthetic_runs.h"
 #include "solver/interval.h"
 #include "solver/verdict.h"
@@ -21,32 +20,6 @@ namespace {
 
 constexpr std::size_t kPoints = 200;
 constexpr double kConfidence = 0.95;
-
-/// Counts the sweeps of another cost.
-class CountedCost final : public Cost {
- public:
-  CountedCost(std::unique_ptr<Cost> cost, long& sweeps) : cost_(std::move(cost)), sweeps_(sweeps) {}
-  bool exact_curvature() const override { return cost_->exact_curvature(); }
-  void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) override {
-    ++sweeps_;
-    cost_->at(x, weights, cost);
-  }
-
- private:
-  std::unique_ptr<Cost> cost_;
-  long& sweeps_;
-};
-
-class CountedProblem final : public WrappedProblem {
- public:
-  using WrappedProblem::WrappedProblem;
-  mutable long sweeps = 0;
-  bool evaluate(std::span<const double> x, std::span<double> r, std::span<double> J) const override {
-    ++sweeps;
-    return problem_.evaluate(x, r, J);
-  }
-  std::unique_ptr<Cost> cost() const override { return std::make_unique<CountedCost>(problem_.cost(), sweeps); }
-};
 
 SolverOptions with_kernel() {
   SolverOptions options;
@@ -151,25 +124,9 @@ void print_case(const Case<Model>& at) {
   std::printf(R"({"case": "%s", "model": "%s", "lower": %.17g, "upper": %.17g, "start": %.17g, "truth": "%s")",
               at.name.c_str(), std::string(Model::info.key).c_str(), lambda.lower, lambda.upper, lambda.typical,
               at.truth.str(40).c_str());
-  const auto print_array = [&](const char* name, auto value_of) {
-    const char* comma = "";
-    std::printf(R"(, "%s": [)", name);
-    for (const ToughnessPoint& point : at.points) {
-      std::printf("%s%.17g", comma, value_of(point));
-      comma = ", ";
-    }
-    std::printf("]");
-  };
-  print_array("psi", [](const ToughnessPoint& point) { return point.psi(); });
-  print_array("f", [](const ToughnessPoint& point) { return point.ratio; });
+  print_array("psi", at.points, [](const ToughnessPoint& point) { return point.psi(); });
+  print_array("f", at.points, [](const ToughnessPoint& point) { return point.ratio; });
   std::printf("}\n");
-}
-
-void let_others_take_turn() {
-  std::printf("turn\n");
-  std::fflush(stdout);
-  std::string line;
-  std::getline(std::cin, line);
 }
 
 }  // namespace
@@ -177,15 +134,12 @@ void let_others_take_turn() {
 
 int main(int count, char** arguments) {
   using namespace mixity::precision;
-  const bool turns = count == 2 && arguments[1] == std::string("--turns");
-  if (count > 1 && !turns) {
-    std::fprintf(stderr, "usage: precision_fit [--turns]\n");
-    return 2;
-  }
+  const TurnArguments wanted(count, arguments);
+  if (!wanted.known) return 2;
   std::vector<Row> rows;
   const auto add = [&](const auto& cases) {
     for (const auto& at : cases) {
-      if (turns) print_case(*at);
+      if (wanted.turns) print_case(*at);
       add_rows(*at, rows);
     }
   };
@@ -195,6 +149,6 @@ int main(int count, char** arguments) {
   add(a);
   add(b);
   add(c);
-  measure(rows, kRepetitions, turns ? let_others_take_turn : std::function<void()>{});
+  measure(rows, kRepetitions, wanted.turn());
   print(rows);
 }

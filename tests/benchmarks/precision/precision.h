@@ -15,7 +15,7 @@ namespace mixity::precision {
 
 /// One method at one tolerance on one case.
 struct Row {
-  std::string task;                     // "predict", "drawing", "fit", "curve"
+  std::string task;                     // "predict", "drawing", "fit", "curve", "nist"
   std::string case_name;                // "c, near the fold"
   std::string method;                   // "TOMS 748"
   double tolerance = 0;                 // asked for; 0: the method has none
