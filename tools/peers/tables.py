@@ -104,15 +104,15 @@ def ratios(cases, target):
             markdown(["method", *(f"model {model}" for model in models)], lines))
 
 
-def mean_ratios(cases, target, units):
-    """Multiples of the times of some methods: geometric mean and range over all cases."""
+def mean_ratios(cases, target, units, which="all"):
+    """Multiples of the times of some methods: geometric mean and range over the cases."""
     def ratios_to(unit, method):
         times = [(least_time(rows, method, target), least_time(rows, unit, target)) for rows in cases.values()]
         return [time / of for time, of in times if math.isfinite(of)]
 
     lines = [[method, *(show_range(ratios_to(unit, method), with_mean=True) for unit in units)]
              for method in methods_of(cases)]
-    return (f"\nTime to reach {target:.0e} in units of other times, geometric mean and range over all cases\n\n" +
+    return (f"\nTime to reach {target:.0e} in units of other times, geometric mean and range over {which} cases\n\n" +
             markdown(["method", *(f"in units of {unit}" for unit in units)], lines))
 
 
@@ -130,5 +130,7 @@ def show(task, text, summary_only):
     if task == "predict":
         print(ratios(cases, targets[-1]), flush=True)
     if task in ("fit", "curve"):
-        print(mean_ratios(cases, 1e-8, ("mixity kernel", "mixity whole fit")), flush=True)
+        for kind, which in (("", "all"), ("clean", "clean"), ("noise", "noisy")):
+            some = {case: rows for case, rows in cases.items() if case.endswith(kind)}
+            print(mean_ratios(some, 1e-8, ("mixity kernel", "mixity whole fit"), which), flush=True)
     return cases

@@ -10,7 +10,7 @@ set lmargin screen 0.165
 set rmargin screen 0.97
 set grid lc rgb '#dddddd' lt 1
 set ylabel 'relative error' offset 1.2
-set xrange [5.8e-06:0.0043]
+set xrange [9e-06:0.0087]
 set yrange [1e-17:10]
 set ytics 1e-16,1e4,1
 set multiplot
@@ -42,7 +42,7 @@ set title 'c, lambda 0.0023, 2 % noise' noenhanced offset 0,-0.8
 set xlabel 'time for one answer' offset 0,0.4
 set xtics ('1 ns' 1e-9, '10 ns' 1e-8, '100 ns' 1e-7, '1 us' 1e-6, '10 us' 1e-5, '100 us' 1e-4, '1 ms' 1e-3, '10 ms' 1e-2, '100 ms' 1e-1, '1 s' 1)
 unset key
-set label 'mixity batch' at screen 0.060,0.2202 offset 1,-0.25 font ',15' point lc rgb '#000000' pt 7 ps 1
+set label 'mixity kernel' at screen 0.060,0.2202 offset 1,-0.25 font ',15' point lc rgb '#000000' pt 7 ps 1
 set label 'mixity whole fit' at screen 0.555,0.2202 offset 1,-0.25 font ',15' point lc rgb '#000000' pt 6 ps 1.5
 set label 'Ceres analytic' at screen 0.060,0.1905 offset 1,-0.25 font ',15' point lc rgb '#D55E00' pt 5 ps 0.6
 set label 'Ceres automatic' at screen 0.555,0.1905 offset 1,-0.25 font ',15' point lc rgb '#D55E00' pt 13 ps 0.6
