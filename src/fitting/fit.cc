@@ -8,6 +8,7 @@
 #include "fitting/prepare.h"
 #include "fitting/toughness_weights.h"
 #include "solver/robust.h"
+#include "solver/solve.h"
 #include "solver/verdict.h"
 
 namespace mixity {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,14 @@ struct Minimum {
   double sum_of_squares;
   double stationarity;  // the part of |r| along the columns of J of the parameters that are free to move; 0 is exact
   bool stationary;      // within SolverOptions::stationary, or within rounding of the data
+};
+
+/// What descents from all starts ended at.
+struct FoundMinima {
+  std::vector<Minimum> list;  // each once, lowest first; the first by the engine of the options
+  double least = std::numeric_limits<double>::infinity();  // the lowest cost met, at starts, too
+  std::vector<std::vector<double>> dearest{};              // that the search looked at, see Starts
+  bool started = false;                                    // false: the cost is nowhere finite
 };
 
 /// A minimum, judged.

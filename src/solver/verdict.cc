@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <tuple>
 
 #include "solver/covariance.h"
-#include "solver/minima.h"
 
 namespace mixity {
 namespace {
@@ -160,6 +160,16 @@ std::string_view to_string(FitStatus status) {
   return "not_converged";
 }
 
+Verdict no_verdict(std::size_t parameters) {
+  return {FitStatus::not_converged,
+          {},
+          {},
+          std::vector<bool>(parameters),
+          std::vector<std::optional<double>>(parameters),
+          {},
+          {}};
+}
+
 std::string too_few_points(std::size_t distinct, std::size_t points, std::size_t parameters) {
   return std::to_string(distinct) + " usable point" + (distinct == 1 ? "" : "s") +
          (distinct < points ? ", repeated in " + std::to_string(points) + " rows," : "") + " cannot determine " +
@@ -171,22 +181,13 @@ double fit_tolerance(const Problem& problem, double least) {
   return kChiSquare95 * (problem.known_errors() ? 1 : least / freedom);
 }
 
-Verdict solve(const Problem& problem, const StartingPoints& starting, const SolverOptions& options) {
-  const std::size_t n = problem.residual_count(), p = problem.parameters().size();
-  Verdict verdict{FitStatus::ok, {}, {}, std::vector<bool>(p), std::vector<std::optional<double>>(p), {}, {}};
-  const auto end = [&](FitStatus status, const std::string& message) {
-    verdict.status = status;
-    verdict.message = message;
-    if (status == FitStatus::not_converged) verdict.correlations.clear();
-    if (status == FitStatus::not_identifiable || status == FitStatus::not_converged)
-      verdict.standard_errors.assign(p, std::nullopt);
+Verdict judge(const Problem& problem, const FoundMinima& found, const SolverOptions& options) {
+  const std::size_t p = problem.parameters().size();
+  Verdict verdict = no_verdict(p);
+  if (!found.started) {
+    verdict.message = "the model is not finite at these points for any parameter value";
     return verdict;
-  };
-  if (n <= p) return end(FitStatus::not_identifiable, too_few_points(n, n, p));
-
-  const FoundMinima found = find_minima(problem, starting, options);
-  if (!found.started)
-    return end(FitStatus::not_converged, "the model is not finite at these points for any parameter value");
+  }
   Covariance errors;
   if (!found.list.empty()) {
     verdict.best = found.list.front();
@@ -196,9 +197,17 @@ Verdict solve(const Problem& problem, const StartingPoints& starting, const Solv
           verdict.best.x[k] <= problem.parameters()[k].lower || verdict.best.x[k] >= problem.parameters()[k].upper;
     errors = covariance(problem, verdict.best, verdict.at_bound, options);
   }
+  verdict.status = FitStatus::ok;
   const Judgement judgement{problem, options, found, verdict, errors};
-  for (const auto test : kTests)
-    if (const Finding finding = test(judgement)) return end(finding->first, finding->second);
+  for (const auto test : kTests) {
+    const Finding finding = test(judgement);
+    if (!finding) continue;
+    std::tie(verdict.status, verdict.message) = *finding;
+    if (verdict.status == FitStatus::not_converged) verdict.correlations.clear();
+    if (verdict.status == FitStatus::not_identifiable || verdict.status == FitStatus::not_converged)
+      verdict.standard_errors.assign(p, std::nullopt);
+    break;
+  }
   return verdict;
 }
 

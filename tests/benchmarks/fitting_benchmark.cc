@@ -7,7 +7,7 @@
 #include "fitting/toughness.h"
 #include "solver/interval.h"
 #include "solver/resample.h"
-#include "solver/verdict.h"
+#include "solver/solve.h"
 
 namespace mixity {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "fitting/toughness.h"
 #include "mechanics/registry.h"
-#include "solver/verdict.h"
+#include "solver/solve.h"
 
 namespace mixity {
 namespace {

@@ -8,7 +8,7 @@
 #include "mechanics/registry.h"
 #include "solver/interval.h"
 #include "solver/kernel.h"
-#include "solver/verdict.h"
+#include "solver/solve.h"
 
 namespace mixity {
 namespace {

@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "solver/basins.h"
-#include "solver/kernel.h"
 #include "solver/descent.h"
 #include "solver/jet_problem.h"
-#include "solver/verdict.h"
+#include "solver/kernel.h"
+#include "solver/solve.h"
 
 namespace mixity {
 namespace {

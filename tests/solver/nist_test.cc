@@ -9,7 +9,7 @@
 #include "solver/jet_problem.h"
 #include "solver/nist_data.h"
 #include "solver/nist_models.h"
-#include "solver/verdict.h"
+#include "solver/solve.h"
 
 namespace mixity {
 namespace {

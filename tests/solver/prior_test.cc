@@ -5,7 +5,7 @@
 
 #include "solver/interval.h"
 #include "solver/line.h"
-#include "solver/verdict.h"
+#include "solver/solve.h"
 
 namespace mixity {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "solver/interval.h"
-#include "solver/verdict.h"
+#include "solver/solve.h"
 
 namespace mixity {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "solver/interval.h"
 #include "solver/jet_problem.h"
-#include "solver/verdict.h"
+#include "solver/solve.h"
 
 namespace mixity {
 namespace {

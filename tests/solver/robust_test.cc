@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "solver/verdict.h"
+#include "solver/solve.h"
 
 namespace mixity {
 namespace {

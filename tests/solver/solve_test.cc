@@ -1,9 +1,9 @@
 // What a verdict says whatever the residuals' number of minima and unit.
+#include "solver/solve.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "solver/verdict.h"
 
 namespace mixity {
 namespace {

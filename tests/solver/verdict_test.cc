@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/jet_problem.h"
+#include "solver/solve.h"
 
 namespace mixity {
 namespace {

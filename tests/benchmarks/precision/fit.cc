@@ -13,7 +13,7 @@
 #include "benchmarks/precision/turns.h"
 #include "fitting/synthetic_runs.h"
 #include "solver/interval.h"
-#include "solver/verdict.h"
+#include "solver/solve.h"
 
 namespace mixity::precision {
 namespace {

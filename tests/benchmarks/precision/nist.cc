@@ -12,7 +12,7 @@
 #include "solver/kernel.h"
 #include "solver/nist_data.h"
 #include "solver/nist_models.h"
-#include "solver/verdict.h"
+#include "solver/solve.h"
 
 namespace mixity::precision {
 namespace {

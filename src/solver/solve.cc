@@ -1,4 +1,4 @@
-#include "solver/minima.h"
+#include "solver/solve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "solver/interval.h"
 #include "solver/kernel.h"
 #include "solver/multistart.h"
+#include "solver/verdict.h"
 
 namespace mixity {
 namespace {
@@ -79,8 +80,6 @@ class Minima {
   double rounding_;
 };
 
-}  // namespace
-
 FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, const SolverOptions& options) {
   const std::size_t p = problem.parameters().size();
   FoundMinima found;
@@ -130,6 +129,17 @@ FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, 
       best = *minimum;
   found.least = std::min(found.least, best.sum_of_squares);
   return found;
+}
+
+}  // namespace
+
+Verdict solve(const Problem& problem, const StartingPoints& starting, const SolverOptions& options) {
+  const std::size_t n = problem.residual_count(), p = problem.parameters().size();
+  if (n > p) return judge(problem, find_minima(problem, starting, options), options);
+  Verdict verdict = no_verdict(p);
+  verdict.status = FitStatus::not_identifiable;
+  verdict.message = too_few_points(n, n, p);
+  return verdict;
 }
 
 }  // namespace mixity
