@@ -43,7 +43,7 @@ End find_end(Profile& profile, const FreeParameter& parameter, double best, doub
   bool bracketed = false, exceeded = false;  // a value was beyond the allowance, or not finite; the former
   for (int i = 0; i < options.most_iterations; ++i) {
     if ((x - bound) * direction >= 0) x = bound;
-    const auto here = profile(x);
+    const auto here = profile(x, i == 0 ? options.profile_first : 1);
     if (here && here->cost < search.deep) {
       search.deep = here->cost;
       search.deeper = profile.point();
@@ -59,7 +59,7 @@ End find_end(Profile& profile, const FreeParameter& parameter, double best, doub
     const double farthest = bracketed ? outside : best + 4 * (x - best);
     if (slope * direction > 0 && (next - inside) * direction > 0 && (farthest - next) * direction > 0) {
       // Newton squares the error
-      if (std::abs(next - x) <= options.interval_step * std::abs(next - best)) return {next, EndStatus::found};
+      if (i > 0 && std::abs(next - x) <= options.interval_step * std::abs(next - best)) return {next, EndStatus::found};
     } else {
       next = bracketed ? 0.5 * (inside + outside) : farthest;
     }
@@ -97,7 +97,7 @@ double cost_allowance(double confidence, double sum_of_squares, std::size_t n, s
 }
 
 Profile::Profile(const Problem& problem, const Minimum& best, double decrease, const SolverOptions& options)
-    : decrease_(decrease), kernel_(problem, options), x_(best.x), best_{best.x, {}} {
+    : problem_(problem), decrease_(decrease), kernel_(problem, options), x_(best.x), best_{best.x, {}} {
   if (x_.size() > 1) best_.cost = kernel_.at(x_);
 }
 
@@ -107,27 +107,33 @@ void Profile::begin(std::size_t k) {
   last_ = best_;
 }
 
-/// To first order the others move along with parameter k, by -H_oo^-1 H_ok.
-std::optional<Kernel::Held> Profile::descend_from(const Anchor& anchor, double value) {
+/// To first order the others' minimum moves along with parameter k, by -H_oo^-1 H_ok, from where the gradient there
+/// says that it is.
+std::optional<Kernel::Held> Profile::descend_from(const Anchor& anchor, double value, double decrease) {
   const auto k = static_cast<Eigen::Index>(k_);
   std::vector<double> x = anchor.x;
   std::vector<Eigen::Index> others;
-  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(x.size()); ++i)
-    if (i != k && anchor.cost.finite && anchor.cost.slope_size[i] > 0) others.push_back(i);
-  const Eigen::VectorXd shift = Eigen::MatrixXd(anchor.cost.hessian(others, others))
-                                    .ldlt()
-                                    .solve(anchor.cost.hessian(others, k) * (anchor.x[k_] - value));
+  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(x.size()); ++i) {
+    const FreeParameter& parameter = problem_.parameters()[static_cast<std::size_t>(i)];
+    const double at = x[static_cast<std::size_t>(i)], slope = anchor.cost.finite ? anchor.cost.gradient[i] : 0;
+    const bool held = (at <= parameter.lower && slope > 0) || (at >= parameter.upper && slope < 0);
+    if (i != k && anchor.cost.finite && anchor.cost.slope_size[i] > 0 && !held) others.push_back(i);
+  }
+  const Eigen::VectorXd shift =
+      Eigen::MatrixXd(anchor.cost.hessian(others, others))
+          .ldlt()
+          .solve(anchor.cost.hessian(others, k) * (anchor.x[k_] - value) - anchor.cost.gradient(others));
   x[k_] = value;
   if (shift.allFinite())
     for (std::size_t i = 0; i < others.size(); ++i)
       x[static_cast<std::size_t>(others[i])] += shift[static_cast<Eigen::Index>(i)];
-  if (auto minimum = kernel_.descend_held(x, k_, decrease_)) return minimum;
+  if (auto minimum = kernel_.descend_held(x, k_, decrease)) return minimum;
   x = anchor.x;
   x[k_] = value;
-  return kernel_.descend_held(x, k_, decrease_);
+  return kernel_.descend_held(x, k_, decrease);
 }
 
-std::optional<Profile::Value> Profile::operator()(double value) {
+std::optional<Profile::Value> Profile::operator()(double value, double share) {
   if (x_.size() == 1) {
     x_[0] = value;
     const CostValue& cost = kernel_.at(x_);
@@ -135,11 +141,11 @@ std::optional<Profile::Value> Profile::operator()(double value) {
   }
   // from the nearer of the two minima known; where that leads to none, from the other
   const bool last_is_near = std::abs(value - last_.x[k_]) < std::abs(value - best_.x[k_]);
-  auto minimum = descend_from(last_is_near ? last_ : best_, value);
+  auto minimum = descend_from(last_is_near ? last_ : best_, value, share * decrease_);
   Anchor here;
   if (minimum) here = {minimum->x, kernel_.last()};
   if (!minimum || !minimum->settled) {
-    const auto other = descend_from(last_is_near ? best_ : last_, value);
+    const auto other = descend_from(last_is_near ? best_ : last_, value, share * decrease_);
     if (other && (!minimum || other->cost < minimum->cost)) {
       minimum = other;
       here = {other->x, kernel_.last()};

@@ -32,8 +32,8 @@ class Profile {
   Profile(const Problem& problem, const Minimum& best, double decrease, const SolverOptions& options = {});
   /// Begins anew, at the minimum, along parameter k: each side of an interval does.
   void begin(std::size_t k);
-  /// Null if no finite cost was found.
-  std::optional<Value> operator()(double value);
+  /// Null if no finite cost was found. `share`: of the decrease, how much more or less is enough here.
+  std::optional<Value> operator()(double value, double share = 1);
   /// All parameters at the minimum last found.
   const std::vector<double>& point() const { return x_; }
 
@@ -43,8 +43,9 @@ class Profile {
     std::vector<double> x;
     CostValue cost;
   };
-  std::optional<Kernel::Held> descend_from(const Anchor& anchor, double value);
+  std::optional<Kernel::Held> descend_from(const Anchor& anchor, double value, double decrease);
 
+  const Problem& problem_;
   std::size_t k_ = 0;
   double decrease_;
   Kernel kernel_;

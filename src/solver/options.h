@@ -48,8 +48,10 @@ struct SolverOptions {
   // ---- Profile intervals ----
   /// What the others' minimum may lie below, as a part of the allowance: to first order that is taken off.
   double profile_decrease = 1e-8;
+  /// So many times that at the first step to an end, which is never the last.
+  double profile_first = 1e5;
   /// Relative size of Newton's last step to an interval's end: what is left is its square.
-  double interval_step = 1e-8;
+  double interval_step = 1e-5;
   /// A cost below the minimum by this part of the allowance proves that it was none.
   double deeper = 1e-6;
 };
