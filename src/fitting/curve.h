@@ -76,7 +76,8 @@ class CurveObjective final : public ModelProblem<Model> {
 
   bool all_blocks(std::span<const double> x, Search search, std::span<double> residuals, std::span<double> jacobian,
                   std::span<double> places) const {
-    const Candidate<Model> at = this->candidate(x);
+    Candidate<Model> at = this->candidate(x);
+    if constexpr (requires { Model::continuous(at.parameters); }) at.parameters = Model::continuous(at.parameters);
     const std::size_t n = points_.size(), blocks = (n + kBlock - 1) / kBlock;
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> defined = true;

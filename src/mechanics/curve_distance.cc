@@ -128,7 +128,7 @@ class Distances {
 
   /// Whether all points of a block have a place to start from.
   bool begin_nearby(std::size_t from, std::size_t count) {
-    if (out_.place_A.empty()) return false;
+    if (out_.place_A.empty() || law_.level) return false;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const std::size_t i = from + std::min(lane, count - 1);
       if (!(out_.place_A[i] > 0)) return false;

@@ -11,6 +11,7 @@
 //   shear_limit(p)                      optional: lim tau^2/y^2 at T -> infinity where it may be finite
 //   shear_bend(p), shear_reach(p)       optional: how strongly tau^2 bends; without them a distance from a curve takes
 //                                       a search of the whole curve
+//   continuous(p)                       optional: the parameters next to these at which curves do not change abruptly
 //   log_toughness_slope(p, y, T)        optional: d ln f/d p in a form without branches
 //   tangential_load(p, y, tau)          optional: T of a state (y, tau) where that is a closed form
 //   fold_offset(p, P, displacement)     optional: y - 3 pi where the curve folds, if that is a closed form

@@ -74,6 +74,38 @@ TYPED_TEST(CurveOf, ResidualsStandInTheOrderOfThePoints) {
 }
 
 /// Equilibrium depends on T^2: readings below zero are noise about zero, and as far from the curve as those above.
+/// Whatever the parameters were before, bounds among them, and whatever the constants.
+TYPED_TEST(CurveOf, PlacesRememberedFromOtherParametersChangeNoResidual) {
+  const auto measured = points_off<TypeParam>(typical_cases<TypeParam>()[1]);
+  const CurveObjective<TypeParam> objective(measured, everything_free<TypeParam>());
+  const std::size_t n = objective.residual_count();
+  std::vector<Parameters<TypeParam>> walk = typical_cases<TypeParam>();
+  if constexpr (parameter_count<TypeParam> == 1)
+    for (const double share : {0.0, 0.9, 1.0, 1e-3, 0.3, 0.0, 0.31})
+      walk.push_back({share * TypeParam::parameters[0].upper});
+  else
+    for (const double r : {0.5, 1.5, 1.6, 1.0, 3.0}) walk.push_back({r, 2.5});
+  std::vector<double> memory, jacobian(n * (walk[0].size() + kConstantNames.size())), warm(n);
+  for (const Constants& c : kSomeConstants)
+    for (const Parameters<TypeParam>& p : walk) {
+      const std::vector<double> x = solver_point<TypeParam>(p, c);
+      ASSERT_TRUE(objective.evaluate_again(x, warm, jacobian, memory)) << p[0];
+      const std::vector<double> cold = residuals_of(objective, x);
+      // some roundings of T and A over errors of 2 %; of a place far off 1e-12 of the distance
+      for (std::size_t i = 0; i < n; ++i)
+        EXPECT_NEAR(warm[i], cold[i], 1e-11 * (1 + std::abs(cold[i]))) << p[0] << ' ' << i;
+    }
+}
+
+/// Model a's curve ends at Hertz at lambda = 1 and nowhere below: points after the jump must not make the cost jump
+/// there.
+TEST(CurveObjective, OfModelAIsContinuousAtItsBound) {
+  const std::vector<MeasuredPoint> slid{{4, 12, 9.5, 0.5, 0.3}, {4, 40, 6.7, 2, 0.3}};
+  const CurveObjective<Johnson> objective(slid, FreeChoice<Johnson>({{0.5}, {}}, {false}));
+  const auto at_bound = residuals_of(objective, {1}), below = residuals_of(objective, {1 - 1e-13});
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(at_bound[i], below[i], 1e-5) << i;  // the root of 1 - lambda
+}
+
 TYPED_TEST(CurveOf, DistanceOfANegativeShearIsThatOfAPositiveOne) {
   const Parameters<TypeParam> p = typical_cases<TypeParam>()[1];
   const auto right = points_off<TypeParam>(p);

@@ -14,7 +14,7 @@ namespace {
 template <class Model>
 std::vector<Parameters<Model>> cases() {
   if constexpr (parameter_count<Model> == 2)
-    return {{1.774, 2.284}, {0.7, 1.5}, {1.9, 1.2}};
+    return {{1.774, 2.284}, {0.7, 1.5}, {1.9, 1.2}, {3, 0.6}};
   else
     return {{0.0023}, {0.15}, {0.8}};
 }
@@ -35,6 +35,22 @@ template <class Model>
 class EnergyPlane : public ::testing::Test {};
 TYPED_TEST_SUITE(EnergyPlane, ModelTypes);
 
+/// bk with r > 1 and eta < 1 leaves the axis of mode I upwards, with an infinite slope: a point of mode I that reads a
+/// little more than G_Ic lies beside that stretch.
+TEST(EnergyPlaneOfBk, PointsAboveGIcAreNearTheStretchThatRisesFromIt) {
+  const Parameters<BenzeggaghKenane> p{3, 0.6};
+  const EnergyLaw<BenzeggaghKenane> law(p);
+  for (const Point& measured : {Point{1.002, 0.001}, Point{1.02, 0}, Point{1.00552, 0.002205}}) {
+    double least = 1e300;
+    for (int i = 0; i <= 400000; ++i) {
+      const double B = std::pow(10.0, -10 + 9.0 * i / 400000), f = 1 + 2 * std::pow(B, 0.6);
+      least = std::min(least, std::hypot(f * (1 - B) - measured.G_I, f * B - measured.G_II) / 0.01);
+    }
+    // the walk's steps of 5e-5 of B leave their square over the distance
+    EXPECT_NEAR(std::abs(law.distance(measured.G_I, measured.G_II, 0.01, 0.01, 1).value), least, 1e-5);
+  }
+}
+
 TYPED_TEST(EnergyPlane, NearestPointIsThatOfADenseWalkAlongTheLaw) {
   const double sigma_I = 0.03, sigma_II = 0.05;
   for (const Parameters<TypeParam>& p : cases<TypeParam>()) {
@@ -49,8 +65,8 @@ TYPED_TEST(EnergyPlane, NearestPointIsThatOfADenseWalkAlongTheLaw) {
           least = std::min(least, std::hypot((at.G_I - measured.G_I) / sigma_I, (at.G_II - measured.G_II) / sigma_II));
         }
         const double found = law.distance(measured.G_I, measured.G_II, sigma_I, sigma_II, 1).value;
-        // the walk's steps, of up to 1e-4 in energies of 10, leave their square over the distance in standard errors, or
-        // themselves where that is 0
+        // the walk's steps, of up to 1e-4 in energies of 10, leave their square over the distance in standard errors,
+        // or themselves where that is 0
         EXPECT_NEAR(std::abs(found), least, off == 0 ? 4e-3 : 1e-5) << p[0] << ' ' << psi << ' ' << off;
         // positive where the law's energies are the larger
         if (off != 0) {
@@ -65,7 +81,8 @@ TYPED_TEST(EnergyPlane, DerivativesMatchDifferences) {
     for (const double psi : {0.3, 0.8, 1.2}) {
       const Point q = on_law<TypeParam>(p, psi);
       const auto r = [&](const Parameters<TypeParam>& at, double log_toughness) {
-        return EnergyLaw<TypeParam>(at).distance(q.G_I + 0.02, q.G_II - 0.03, 0.03, 0.05, 1.3 * std::exp(log_toughness));
+        return EnergyLaw<TypeParam>(at).distance(q.G_I + 0.02, q.G_II - 0.03, 0.03, 0.05,
+                                                 1.3 * std::exp(log_toughness));
       };
       const auto here = r(p, 0);
       const double h = 1e-5;  // errors h^2 and eps/h of values up to some tens

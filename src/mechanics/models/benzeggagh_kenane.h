@@ -100,17 +100,19 @@ struct BenzeggaghKenane {
     return {value, S(2) * y * g, S(2) * g - S(4) * eta * q * mode.C * ((eta - S(1)) - (eta + S(1)) * q) / (f * f * f)};
   }
 
-  /// d(tau^2)/dy has the sign of (r - 1)(eta - f), and f lies between 1 and r.
-  /// 1 - (r - 1) B^(eta-1) at B -> 0: 1 for eta > 1, 2 - r for eta = 1. For eta < 1 (r < 1) the area falls faster than
-  /// T^2 and the limit is infinite; only its sign is used then.
+  /// 1 - (r - 1) B^(eta-1) at B -> 0: 1 for eta > 1, 2 - r for eta = 1. For eta < 1 the limit is infinite: with r < 1 the
+  /// area falls faster than T^2; with r > 1 no equilibrium is unique, and the law leaves the axis of mode I upwards.
   static double small_shear(const std::array<double, 2>& p) {
-    return p[1] > 1 ? 1 : p[1] == 1 ? 2 - p[0] : p[0] < 1 ? std::numeric_limits<double>::infinity() : 1;
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (p[1] > 1 || p[0] == 1) return 1;
+    return p[1] == 1 ? 2 - p[0] : p[0] < 1 ? kInfinity : -kInfinity;
   }
   /// B^eta near psi = pi/2 is exp(-eta cos^2 psi), and f turns from its slope to r where eta cos^2 psi = r.
   static ShearReach shear_reach(const std::array<double, 2>& p) {
     const double eta = p[1], narrow = std::sqrt(std::fmin(p[0], 1) / std::fmax(eta, 1));
     return {eta > 2 ? std::sqrt(eta) : 1, narrow, eta >= 2 ? narrow : 0};
   }
+  /// d(tau^2)/dy has the sign of (r - 1)(eta - f), and f lies between 1 and r.
   static bool tau_grows_with_edge_load(const std::array<double, 2>& p) {
     return p[0] >= 1 ? p[1] >= p[0] : p[1] <= p[0];
   }

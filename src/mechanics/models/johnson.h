@@ -59,6 +59,9 @@ struct Johnson {
   static double small_shear(const std::array<double, 1>& p) { return p[0]; }
   /// Infinite for lambda = 1.
   static double shear_limit(const std::array<double, 1>& p) { return p[0] / (1 - p[0]); }
+  /// At lambda = 1 the curve ends at Hertz; of any smaller lambda it runs on, along an asymptote that tends to Hertz. A
+  /// fit takes the limit there, or its cost would jump at the bound.
+  static std::array<double, 1> continuous(const std::array<double, 1>& p) { return {std::fmin(p[0], 1 - 0x1p-53)}; }
   /// With w = m T^2/y^2: 2 l (1 - 3w)/(1 + w)^3, 8 l sqrt(w^3/m)/(1 + w)^3 and 2 (l/m) w^2 (w - 3)/(1 + w)^3.
   static ShearBend shear_bend(const std::array<double, 1>& p) {
     const double l = p[0], m = 1 - l;
