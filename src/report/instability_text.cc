@@ -29,13 +29,12 @@ std::string to_text(const InstabilityReport& report) {
 }
 
 std::string to_json(const InstabilityReport& report) {
-  using Json = nlohmann::ordered_json;
-  Json document = {{"model", report.model}};
+  nlohmann::ordered_json document = {{"model", report.model}};
   for (const auto& [name, value] : report.parameters) document[name] = value;
   document["load"] = report.load;
-  Json folds = Json::array();
+  nlohmann::ordered_json folds = nlohmann::ordered_json::array();
   for (const Fold& fold : report.folds) {
-    Json entry = {{"control", to_string(fold.control.kind)}};
+    nlohmann::ordered_json entry = {{"control", to_string(fold.control.kind)}};
     if (fold.control.kind == Control::Kind::stiffness) entry["stiffness"] = fold.control.stiffness;
     entry["met_on"] = fold.place.maximum ? "loading" : "reversal";
     entry["T"] = fold.T;
