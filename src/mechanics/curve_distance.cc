@@ -104,7 +104,8 @@ class Distances {
       else
         run_block<Begin::at_the_point>(law_, search_ == Search::rough ? 0 : kSteps, derivatives_, block_, result_);
       for (std::size_t lane = 0; lane < count; ++lane) {
-        const bool settled = block_.settled[lane] > 0 && std::isfinite(result_.distance[lane]);
+        const bool settled =
+            block_.settled[lane] > 0 && result_.on_curve[lane] > 0 && std::isfinite(result_.distance[lane]);
         if (result_.sure[lane] > 0 || search_ == Search::rough || (settled && search_ == Search::local)) {
           if (!write(block_, result_, lane, from + lane)) return false;
         } else {
@@ -185,7 +186,7 @@ class Distances {
       for (std::size_t lane = used; lane < kLanes; ++lane) begin_at_same(lane, left.index);
       run_block<Begin::anywhere>(law_, kStepsOfSearch, false, block_, result_);
       const auto reached = [&](std::size_t lane) {
-        return block_.settled[lane] > 0 ? result_.distance[lane] : kLargest;
+        return block_.settled[lane] > 0 && result_.on_curve[lane] > 0 ? result_.distance[lane] : kLargest;
       };
       for (std::size_t lane = 0; lane < used; ++lane)
         if (reached(lane) < left.place.distance) left.place = {block_.T[lane], block_.A[lane], reached(lane)};
@@ -233,7 +234,7 @@ class Distances {
     evaluate(law_, unmoved, unmoved_);
     for (std::size_t lane = 0; lane < count; ++lane) {
       // From where it has been, or a search ended, Newton's method moves by roundings.
-      const bool there = block_.at_end[lane] > 0 || result_.stationary[lane] > 0;
+      const bool there = block_.at_end[lane] > 0 || (result_.stationary[lane] > 0 && result_.on_curve[lane] > 0);
       const bool better =
           block_.settled[lane] > 0 && there && result_.distance[lane] <= found[lane] * (1 + 1e-9) + 1e-9;
       if (!write(better ? block_ : unmoved, better ? result_ : unmoved_, lane, left_[from + lane].index)) return false;

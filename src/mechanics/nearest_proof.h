@@ -11,6 +11,7 @@ template <class Model>
 struct Result {
   Lane r, dP, dT, dA, distance, sure;
   Lane stationary;  // 1 where the way from the point is along the normal
+  Lane on_curve;    // 1 where F vanishes: Newton's steps come to nothing where F is steep beyond measure, too
   std::array<Lane, parameter_count<Model>> parameters;
 };
 
@@ -45,6 +46,10 @@ MIXITY_LOOP void measure(const Law<Model> law, const Block& b, Result<Model>& ou
     // not so where Newton's steps come to nothing at a corner (bk with eta < 1)
     const bool stationary = std::abs(q.slope) <= 1e-4 * distance + 1e-6;
     out.stationary[i] = stationary ? 1.0 : 0.0;
+    // beside a corner (bk with eta < 1, T = 1e-80) F/|grad F| is next to nothing off the curve
+    const double v = q.y - 3 * pi<double>(), terms = v * v + 6 * pi<double>() * (above_pull_off(b.P[i]) + 5);
+    const bool on_curve = law.level | (std::abs(q.F) <= 1e-8 * terms);
+    out.on_curve[i] = on_curve ? 1.0 : 0.0;
     out.r[i] = settled & !end & stationary ? normal : signed_distance;
     out.distance[i] = distance;
     const double F_A = q.F_y * q.y_A, F_P = -(2 * q.y + q.d1);
@@ -81,7 +86,7 @@ MIXITY_LOOP void measure(const Law<Model> law, const Block& b, Result<Model>& ou
     const double TA = 1.12 * yT * q.y_A * sT * sA, TT_plane = TT * sT * sT;
     const double norm = (TT_plane > AA ? TT_plane : AA) + TA;
     const bool alone = (step_A <= 0.25 * b.A[i]) & ((end ? 2 : 1.05) * d * norm < q.size);
-    out.sure[i] = law.level | (settled & (end | stationary) & alone) ? 1.0 : 0.0;
+    out.sure[i] = law.level | (settled & (end | stationary) & on_curve & alone) ? 1.0 : 0.0;
   }
 }
 

@@ -265,5 +265,20 @@ TEST(CurveDistanceWithoutACurve, IsRefused) {
   EXPECT_FALSE(Answer<BenzeggaghKenane>({5, 0.5}, {{1, 2, 3, 1, 1}}).ok);  // no unique equilibrium
 }
 
+/// Above the corner that bk has at T = 0 with a small eta, F is so steep in T that F/|grad F| is next to nothing off
+/// the curve; the nearest place of a point there is the corner.
+TEST(CurveDistanceAtACorner, APointAboveTheCornerOfASmallExponentIsAsFarAsTheCorner) {
+  const double P = 14.5, sigma_T = 0.4, sigma_A = 0.9, corner = area_from_radius(jkr_radius(P));
+  for (const double T : {-0.02, 0.0, 1e-3, 0.05}) {
+    const double A = corner + 1.3 * sigma_A;
+    std::array<double, 1> r{}, dP{}, dT{}, dA{};
+    std::array<double, 2> parameters{};
+    CurveDistances out{r, dP, dT, dA, parameters};
+    ASSERT_TRUE(curve_distances<BenzeggaghKenane>(
+        {0.968, 0.01}, {{&P, 1}, {&T, 1}, {&A, 1}, {&sigma_T, 1}, {&sigma_A, 1}}, Search::global, true, out));
+    EXPECT_NEAR(r[0], -std::hypot(T / sigma_T, 1.3), 1e-12) << T;  // roundings of the corner's area over its error
+  }
+}
+
 }  // namespace
 }  // namespace mixity
