@@ -100,9 +100,9 @@ void serve(std::size_t points, const char* path, bool own_loads, bool constants)
     }
   };
   print_all("starts", [&](const FittedParameter& parameter) {
-    for (const ParameterInfo& info : Model::parameters)
-      if (parameter.name == info.name) return info.typical;
-    return 1.0;
+    const auto info = std::find_if(Model::parameters.begin(), Model::parameters.end(),
+                                   [&](const ParameterInfo& one) { return one.name == parameter.name; });
+    return info == Model::parameters.end() ? 1.0 : info->typical;
   });
   print_all("values", [](const FittedParameter& parameter) { return parameter.value.value_or(0); });
   print_all("errors", [](const FittedParameter& parameter) { return parameter.stderr_.value_or(0); });

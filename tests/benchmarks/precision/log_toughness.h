@@ -60,7 +60,7 @@ class LogToughness {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const auto at = Model::lane(x, points_[i]);
       if (!(at.argument > 0)) return false;
-      residuals[i] = Model::kLogSign * std::log(at.argument) - targets_[i];
+      residuals[i] = static_cast<double>(Model::kLogSign) * std::log(at.argument) - targets_[i];
       if (slopes) slopes[i] = at.slope;
     }
     return true;
