@@ -188,7 +188,7 @@ Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weig
     double gain = find_step(damping);
     for (; reach && too_long(x, *reach) && damping < 1; gain = find_step(damping))
       damping = std::max(10 * damping, kFirstDamping);
-    if (damping == 0 && gain <= enough_) return {x, here_.value, size, true};
+    if (damping == 0 && gain >= 0 && gain <= enough_) return {x, here_.value, size, true};
     next = x;
     for (Eigen::Index k = 0; k < step_.size(); ++k) {
       const auto at = static_cast<std::size_t>(open_[k]);

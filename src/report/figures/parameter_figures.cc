@@ -5,6 +5,7 @@
 #include "report/figures/data_figures.h"
 #include "report/figures/drawn_units.h"
 #include "report/figures/model_curves.h"
+#include "report/output_file.h"
 #include "report/rounding.h"
 
 namespace mixity {
@@ -12,12 +13,13 @@ namespace {
 
 Figure profile_figure(const std::string& stem, const FitResult& fit, const FittedParameter& parameter) {
   const DrawnProfile& profile = *parameter.profile;
-  Figure figure{stem + "_profile_" + fit.model + (parameter.name == "lambda" ? "" : "_" + parameter.name),
-                "Profile of the cost along " + parameter.name + ", model " + fit.model,
-                {bracketed(parameter_symbol(parameter.name), parameter.unit), profile.points.front().first,
-                 profile.points.back().first},
-                {"rise of the cost/variance", 0.0, {}},
-                {}};
+  Figure figure{
+      stem + "_profile_" + fit.model + (parameter.name == "lambda" ? "" : "_" + plain_file_name(parameter.name)),
+      "Profile of the cost along " + parameter.name + ", model " + fit.model,
+      {bracketed(parameter_symbol(parameter.name), parameter.unit), profile.points.front().first,
+       profile.points.back().first},
+      {"rise of the cost/variance", 0.0, {}},
+      {}};
   figure.series.push_back({"profile", model_line(fit.model), model_color(fit.model), profile.points});
   double highest = profile.level;
   for (const auto& [x, rise] : profile.points) highest = std::max(highest, rise);
