@@ -89,10 +89,10 @@ class ToughnessObjective final : public ModelProblem<Model> {
     }
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const auto log_f = Model::log_toughness(p, points_[i].mixity);
-      const double f = scale_ == Scale::log ? 1 : std::exp(log_f.value);  // df = f d(ln f)
-      residuals[i] = weights_[i] * (scale_ == Scale::log ? log_f.value : f) - targets_[i];
+      residuals[i] = residual(i, log_f.value);
       finite &= std::isfinite(residuals[i]);
       if (jacobian.empty()) continue;
+      const double f = scale_ == Scale::log ? 1 : std::exp(log_f.value);  // df = f d(ln f)
       for (std::size_t k = 0; k < free.size(); ++k) {
         const double slope = weights_[i] * f * log_f.gradient[free[k]];
         jacobian[i * free.size() + k] = slope;
@@ -109,8 +109,7 @@ class ToughnessObjective final : public ModelProblem<Model> {
     const Parameters<Model> p = this->candidate(x).parameters;
     std::fill(residuals.begin(), residuals.end(), 0.0);
     for (std::size_t i = 0; i < points_.size(); i += std::max<std::size_t>(points_.size() / kSample, 1)) {
-      const double log_f = Model::log_toughness(p, points_[i].mixity).value;
-      residuals[i] = weights_[i] * (scale_ == Scale::log ? log_f : std::exp(log_f)) - targets_[i];
+      residuals[i] = residual(i, Model::log_toughness(p, points_[i].mixity).value);
       if (!std::isfinite(residuals[i])) return false;
     }
     return true;
@@ -127,6 +126,11 @@ class ToughnessObjective final : public ModelProblem<Model> {
  private:
   using Base = ModelProblem<Model>;
   using Base::choice_, Base::targets_, Base::weights_;
+
+  double residual(std::size_t i, double log_f) const {
+    return weights_[i] * (scale_ == Scale::log ? log_f : std::exp(log_f)) - targets_[i];
+  }
+
   std::vector<ToughnessPoint> points_;
   Scale scale_;
   ToughnessLanes<Model> lanes_;

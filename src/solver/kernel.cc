@@ -54,14 +54,18 @@ const CostValue& Kernel::at(std::span<const double> x) {
   return here_;
 }
 
+bool Kernel::begin(std::span<const double> x, std::span<const double> weights) {
+  cost_->at(x, weights, here_);
+  if (here_.finite) first_ = here_.value;
+  return here_.finite;
+}
+
 std::optional<Minimum> Kernel::descend(std::span<const double> start, std::span<const double> weights,
                                        std::optional<std::size_t> held) {
   std::vector<double> x(start.begin(), start.end());
   for (std::size_t k = 0; k < x.size(); ++k)
     x[k] = std::clamp(x[k], problem_.parameters()[k].lower, problem_.parameters()[k].upper);
-  cost_->at(x, weights, here_);
-  if (!here_.finite) return std::nullopt;
-  first_ = here_.value;
+  if (!begin(x, weights)) return std::nullopt;
   if (x.size() == 1 && !held)
     return newton(x[0], problem_.parameters()[0].lower, problem_.parameters()[0].upper, false, weights);
   return gauss_newton(std::move(x), weights, held, nullptr);
@@ -69,9 +73,7 @@ std::optional<Minimum> Kernel::descend(std::span<const double> start, std::span<
 
 std::optional<Minimum> Kernel::explore(const Start& start) {
   if (start.low.empty() || (start.x.size() == 1 && !start.in_bracket)) return descend(start.x);
-  cost_->at(start.x, {}, here_);
-  if (!here_.finite) return std::nullopt;
-  first_ = here_.value;
+  if (!begin(start.x, {})) return std::nullopt;
   if (start.in_bracket) return newton(start.x[0], start.low[0], start.high[0], true, {});
   return gauss_newton(start.x, {}, {}, &start);
 }

@@ -53,6 +53,8 @@ class Kernel {
   bool exact_curvature() const { return cost_->exact_curvature(); }
 
  private:
+  /// Evaluates the cost where a descent starts. False if it is not finite.
+  bool begin(std::span<const double> x, std::span<const double> weights);
   /// Not beyond low and high: `known` to be beyond a minimum, or bounds.
   Minimum newton(double x, double low, double high, bool known, std::span<const double> weights);
   /// `reach`: null, or what limits the steps.
