@@ -12,6 +12,8 @@
 namespace mixity {
 namespace {
 
+const SolverOptions kWithKernel{.engine = Engine::kernel};
+
 const Dataset& mergel() {
   static const Dataset data = load_dataset(MIXITY_ROOT "/data/mergel2018.csv");
   return data;
@@ -47,16 +49,10 @@ void ShownFit(benchmark::State& state) {
 BENCHMARK_TEMPLATE(ShownFit, PapangeloCiavarella);
 BENCHMARK_TEMPLATE(ShownFit, WatersGuduru);
 
-SolverOptions with_kernel() {
-  SolverOptions options;
-  options.engine = Engine::kernel;
-  return options;
-}
-
 template <class Model>
 void KernelFit(benchmark::State& state) {
   const auto problem = objective<Model>();
-  const SolverOptions options = with_kernel();
+  const SolverOptions options = kWithKernel;
   for (auto _ : state) {
     const Verdict verdict = solve(problem, {}, options);
     const double allowance = cost_allowance(0.95, verdict.best.sum_of_squares, problem.residual_count(), 1, false);
@@ -70,7 +66,7 @@ BENCHMARK_TEMPLATE(KernelFit, WatersGuduru);
 template <class Model>
 void Bootstrap(benchmark::State& state) {
   const auto problem = objective<Model>();
-  const std::vector<double> fitted = solve(problem, {}, with_kernel()).best.x;
+  const std::vector<double> fitted = solve(problem, {}, kWithKernel).best.x;
   std::vector<std::size_t> runs;
   for (const Point& point : mergel().points) runs.push_back(point.curve);
   constexpr std::size_t kReplicates = 1000;

@@ -12,13 +12,6 @@
 namespace mixity {
 namespace {
 
-std::string excluded_lines(const Dataset& data) {
-  std::string text;
-  for (const Excluded& excluded : data.excluded)
-    text += std::to_string(excluded.line) + " " + std::string(excluded.reason) + "\n";
-  return text;
-}
-
 TEST(Dataset, WhatIsNeededAndNotStatedIsNamed) {
   const std::string csv = "P [mN],T [mN],A [mm^2]\n1,0.5,0.24\n";
   const auto needs = [](const std::string& key) {

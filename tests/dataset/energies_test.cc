@@ -11,13 +11,6 @@
 namespace mixity {
 namespace {
 
-std::string excluded_lines(const Dataset& data) {
-  std::string text;
-  for (const Excluded& excluded : data.excluded)
-    text += std::to_string(excluded.line) + " " + std::string(excluded.reason) + "\n";
-  return text;
-}
-
 void near(double value, double wanted) {
   EXPECT_NEAR(value, wanted, 1e-15 * std::abs(wanted));  // a few roundings of 1.1e-16
 }

@@ -22,4 +22,12 @@ inline std::string load_error(const std::string& csv, const std::string& toml = 
   return folder.left_out_of(input_error([&] { load_dataset(path); }));
 }
 
+/// "LINE REASON", a line each.
+inline std::string excluded_lines(const Dataset& data) {
+  std::string text;
+  for (const Excluded& excluded : data.excluded)
+    text += std::to_string(excluded.line) + " " + std::string(excluded.reason) + "\n";
+  return text;
+}
+
 }  // namespace mixity

@@ -13,6 +13,8 @@
 namespace mixity {
 namespace {
 
+const SolverOptions kWithKernel{.engine = Engine::kernel};
+
 /// Points of which each follows one of two lambdas, up to the last digits before pi/2, with noise of any size.
 template <class Model>
 ToughnessObjective<Model> mixture(unsigned seed) {
@@ -29,12 +31,6 @@ ToughnessObjective<Model> mixture(unsigned seed) {
     points.push_back({mixity, std::exp(Model::log_toughness({lambda}, mixity).value + noise * normal(random))});
   }
   return ToughnessObjective<Model>(std::move(points), Scale::log, FreeChoice<Model>({{0.15}, {}}, {}));
-}
-
-SolverOptions with_kernel() {
-  SolverOptions options;
-  options.engine = Engine::kernel;
-  return options;
 }
 
 /// The same problem with the curvature of Gauss and Newton, which a grid is searched with.
@@ -55,7 +51,7 @@ TYPED_TEST(BasinsOf, LeadToTheLowestCostOfTheRange) {
   int found = 0;
   for (unsigned seed = 1; seed <= 300; ++seed) {
     const auto problem = mixture<TypeParam>(seed);
-    const Verdict fit = solve(problem, {}, with_kernel());
+    const Verdict fit = solve(problem, {}, kWithKernel);
     if (fit.status == FitStatus::not_identifiable) continue;
     ASSERT_FALSE(fit.best.x.empty()) << fit.message;
     ++found;
@@ -76,7 +72,7 @@ TYPED_TEST(BasinsOf, AreThoseOfAGridWithoutExactCurvature) {
   int compared = 0;
   for (unsigned seed = 1; seed <= 50; ++seed) {
     const auto problem = mixture<TypeParam>(seed);
-    const Verdict fast = solve(problem, {}, with_kernel()), slow = solve(WithoutCurvature(problem), {}, with_kernel());
+    const Verdict fast = solve(problem, {}, kWithKernel), slow = solve(WithoutCurvature(problem), {}, kWithKernel);
     if (fast.status != FitStatus::ok || slow.status != FitStatus::ok) continue;
     ++compared;
     EXPECT_NEAR(slow.best.x[0], fast.best.x[0], 1e-7 * fast.best.x[0])

@@ -13,6 +13,8 @@
 namespace mixity {
 namespace {
 
+const SolverOptions kWithKernel{.engine = Engine::kernel};
+
 template <class Model>
 ToughnessObjective<Model> simulated(double lambda, double noise, std::size_t n, std::uint64_t seed, double psi_most) {
   std::mt19937_64 random(seed);
@@ -25,15 +27,9 @@ ToughnessObjective<Model> simulated(double lambda, double noise, std::size_t n, 
   return ToughnessObjective<Model>(std::move(points), Scale::log, FreeChoice<Model>({{0.15}, {}}, {}));
 }
 
-SolverOptions with_kernel() {
-  SolverOptions options;
-  options.engine = Engine::kernel;
-  return options;
-}
-
 /// Both engines on the same problem. Compared only where the answer does not hang by a rounding.
 void expect_same(const Problem& problem, const std::string& where) {
-  const Verdict shown = solve(problem), kernel = solve(problem, {}, with_kernel());
+  const Verdict shown = solve(problem), kernel = solve(problem, {}, kWithKernel);
   ASSERT_EQ(to_string(kernel.status), to_string(shown.status)) << where << ' ' << shown.message;
   if (shown.status == FitStatus::not_identifiable) return;
   // Both are exact zeros of the same slope, but for the roundings of its sum.
@@ -78,7 +74,7 @@ TYPED_TEST(OneParameter, BothFindABoundAndNothingWhereThereIsNoShear) {
 
 TYPED_TEST(OneParameter, KernelFromAnyStartEndsAtTheMinimumOrSaysThatItDidNot) {
   const auto problem = simulated<TypeParam>(0.3, 0.02, 80, 11, 1.5);
-  const Verdict best = solve(problem, {}, with_kernel());
+  const Verdict best = solve(problem, {}, kWithKernel);
   ASSERT_EQ(best.status, FitStatus::ok) << best.message;
   Kernel kernel(problem);
   int ended = 0;

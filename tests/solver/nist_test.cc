@@ -6,9 +6,7 @@
 #include <memory>
 
 #include "many_digits.h"
-#include "solver/jet_problem.h"
-#include "solver/nist_data.h"
-#include "solver/nist_models.h"
+#include "solver/nist_problems.h"
 #include "solver/solve.h"
 
 namespace mixity {
@@ -24,16 +22,6 @@ struct Entry {
 };
 
 template <class Model>
-std::unique_ptr<Problem> make_problem(const Set& set, const std::vector<double>& start) {
-  const nist::Observations<Model, double> data(set);
-  std::vector<FreeParameter> parameters;
-  for (std::size_t k = 0; k < start.size(); ++k) parameters.push_back(unbounded("b" + std::to_string(k + 1), start[k]));
-  const auto residual = [data](const auto* b, std::size_t i) { return Model::value(b, data.x[i].data()) - data.y[i]; };
-  return std::make_unique<JetProblem<Model::kParameters, decltype(residual)>>(data.y.size(), parameters, norm(data.y),
-                                                                              false, residual);
-}
-
-template <class Model>
 Digits50 certified_sum(const Set& set) {
   const nist::Observations<Model, Digits50> data(set);
   const std::vector<Digits50> b(set.values.begin(), set.values.end());
@@ -45,41 +33,9 @@ Digits50 certified_sum(const Set& set) {
   return sum;
 }
 
-template <class Model>
-constexpr Entry entry(const char* name) {
-  return {name, make_problem<Model>, certified_sum<Model>};
-}
-
-// From the lower level of difficulty to the higher, as NIST lists them.
-constexpr Entry kSets[] = {
-    entry<nist::Saturation>("Misra1a"),
-    entry<nist::Chwirut>("Chwirut2"),
-    entry<nist::Chwirut>("Chwirut1"),
-    entry<nist::Lanczos>("Lanczos3"),
-    entry<nist::Gauss>("Gauss1"),
-    entry<nist::Gauss>("Gauss2"),
-    entry<nist::DanWood>("DanWood"),
-    entry<nist::Misra1b>("Misra1b"),
-    entry<nist::Kirby2>("Kirby2"),
-    entry<nist::CubicOverCubic>("Hahn1"),
-    entry<nist::Nelson>("Nelson"),
-    entry<nist::Mgh17>("MGH17"),
-    entry<nist::Lanczos>("Lanczos1"),
-    entry<nist::Lanczos>("Lanczos2"),
-    entry<nist::Gauss>("Gauss3"),
-    entry<nist::Misra1c>("Misra1c"),
-    entry<nist::Misra1d>("Misra1d"),
-    entry<nist::Roszman1>("Roszman1"),
-    entry<nist::Enso>("ENSO"),
-    entry<nist::Mgh09>("MGH09"),
-    entry<nist::CubicOverCubic>("Thurber"),
-    entry<nist::Saturation>("BoxBOD"),
-    entry<nist::Rat42>("Rat42"),
-    entry<nist::Mgh10>("MGH10"),
-    entry<nist::Eckerle4>("Eckerle4"),
-    entry<nist::Rat43>("Rat43"),
-    entry<nist::Bennett5>("Bennett5"),
-};
+const auto kSets = nist::for_each_set([]<class Model>(nist::Of<Model>, const char* name) {
+  return Entry{name, nist::make_problem<Model>, certified_sum<Model>};
+});
 
 /// Digits that agree with a certified number: its 11 at most.
 double digits(double value, const std::string& certified) {

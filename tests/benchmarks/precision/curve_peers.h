@@ -61,11 +61,7 @@ Answer with_ceres_places(const std::vector<PlanePoint>& points, double start, do
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &fit, &summary);
-  const bool converged = summary.termination_type == ceres::CONVERGENCE;
-  return {lambda, converged,
-          converged                                    ? "converged"
-          : summary.termination_type == ceres::FAILURE ? "failed"
-                                                       : "no convergence",
+  return {lambda, summary.termination_type == ceres::CONVERGENCE, claim_of(summary),
           static_cast<double>(summary.num_residual_evaluations)};
 }
 

@@ -18,14 +18,10 @@
 namespace mixity::precision {
 namespace {
 
+const SolverOptions kWithKernel{.engine = Engine::kernel};
+
 constexpr std::size_t kPoints = 200;
 constexpr double kConfidence = 0.95;
-
-SolverOptions with_kernel() {
-  SolverOptions options;
-  options.engine = Engine::kernel;
-  return options;
-}
 
 /// One set of points in every form that a solver takes, and the true lambda.
 template <class Model>
@@ -86,11 +82,11 @@ double sweeps_of_whole_fit(const Problem& objective) {
 template <class Model>
 void add_rows(const Case<Model>& at, std::vector<Row>& rows) {
   const CountedProblem counted(*at.objective);
-  const Verdict verdict = solve(counted, {}, with_kernel());
+  const Verdict verdict = solve(counted, {}, kWithKernel);
   rows.push_back({"fit", at.name, "mixity kernel", 0,
                   at.error(verdict.best.x.empty() ? std::nan("") : verdict.best.x[0]),
                   static_cast<double>(counted.sweeps), std::string(to_string(verdict.status)),
-                  [&at] { solve(*at.objective, {}, with_kernel()); }});
+                  [&at] { solve(*at.objective, {}, kWithKernel); }});
   const FitResult whole = fit_model(at.data, Model::info.key);
   const double value = whole.has_values() ? *whole.parameters[0].value : std::nan("");
   rows.push_back({"fit", at.name, "mixity whole fit", 0, at.error(value), sweeps_of_whole_fit(*at.objective),

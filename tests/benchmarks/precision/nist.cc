@@ -8,10 +8,8 @@
 #include "benchmarks/precision/nist_peers.h"
 #include "benchmarks/precision/precision.h"
 #include "solver/descent.h"
-#include "solver/jet_problem.h"
 #include "solver/kernel.h"
-#include "solver/nist_data.h"
-#include "solver/nist_models.h"
+#include "solver/nist_problems.h"
 #include "solver/solve.h"
 
 namespace mixity::precision {
@@ -19,51 +17,14 @@ namespace {
 
 using nist::Set;
 
-template <class Model>
-std::unique_ptr<Problem> make_problem(const Set& set, const std::vector<double>& start) {
-  const nist::Observations<Model, double> data(set);
-  std::vector<FreeParameter> parameters;
-  for (std::size_t k = 0; k < start.size(); ++k) parameters.push_back(unbounded("b" + std::to_string(k + 1), start[k]));
-  const auto residual = [data](const auto* b, std::size_t i) { return Model::value(b, data.x[i].data()) - data.y[i]; };
-  return std::make_unique<JetProblem<Model::kParameters, decltype(residual)>>(data.y.size(), parameters, norm(data.y),
-                                                                              false, residual);
-}
-
 struct Entry {
   const char* name;
   std::unique_ptr<Problem> (*problem)(const Set&, const std::vector<double>& start);
 };
 
-// From the lower level of difficulty to the higher, as NIST lists them.
-constexpr Entry kSets[] = {
-    {"Misra1a", make_problem<nist::Saturation>},
-    {"Chwirut2", make_problem<nist::Chwirut>},
-    {"Chwirut1", make_problem<nist::Chwirut>},
-    {"Lanczos3", make_problem<nist::Lanczos>},
-    {"Gauss1", make_problem<nist::Gauss>},
-    {"Gauss2", make_problem<nist::Gauss>},
-    {"DanWood", make_problem<nist::DanWood>},
-    {"Misra1b", make_problem<nist::Misra1b>},
-    {"Kirby2", make_problem<nist::Kirby2>},
-    {"Hahn1", make_problem<nist::CubicOverCubic>},
-    {"Nelson", make_problem<nist::Nelson>},
-    {"MGH17", make_problem<nist::Mgh17>},
-    {"Lanczos1", make_problem<nist::Lanczos>},
-    {"Lanczos2", make_problem<nist::Lanczos>},
-    {"Gauss3", make_problem<nist::Gauss>},
-    {"Misra1c", make_problem<nist::Misra1c>},
-    {"Misra1d", make_problem<nist::Misra1d>},
-    {"Roszman1", make_problem<nist::Roszman1>},
-    {"ENSO", make_problem<nist::Enso>},
-    {"MGH09", make_problem<nist::Mgh09>},
-    {"Thurber", make_problem<nist::CubicOverCubic>},
-    {"BoxBOD", make_problem<nist::Saturation>},
-    {"Rat42", make_problem<nist::Rat42>},
-    {"MGH10", make_problem<nist::Mgh10>},
-    {"Eckerle4", make_problem<nist::Eckerle4>},
-    {"Rat43", make_problem<nist::Rat43>},
-    {"Bennett5", make_problem<nist::Bennett5>},
-};
+const auto kSets = nist::for_each_set([]<class Model>(nist::Of<Model>, const char* name) {
+  return Entry{name, nist::make_problem<Model>};
+});
 
 struct Case {
   std::string name;

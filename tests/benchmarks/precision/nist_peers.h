@@ -62,18 +62,9 @@ class AskedByCeres final : public ceres::CostFunction {
 inline Fitted ceres_of_several(Asked& asked, std::vector<double> x, const Tolerances& tolerances) {
   ceres::Problem fit;
   fit.AddResidualBlock(new AskedByCeres(asked), nullptr, x.data());
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = kIterationsOfSeveral;
-  options.function_tolerance = tolerances.function;
-  options.gradient_tolerance = tolerances.gradient;
-  options.parameter_tolerance = tolerances.parameter;
-  options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &fit, &summary);
-  return {x, summary.termination_type == ceres::CONVERGENCE ? "converged"
-             : summary.termination_type == ceres::FAILURE   ? "failed"
-                                                            : "no convergence"};
+  ceres::Solve(ceres_options(tolerances, kIterationsOfSeveral), &fit, &summary);
+  return {x, claim_of(summary)};
 }
 
 #ifdef MIXITY_HAS_CMINPACK

@@ -67,6 +67,24 @@ class AnalyticCost final : public ceres::CostFunction {
   const Problem& problem_;
 };
 
+inline ceres::Solver::Options ceres_options(const Tolerances& tolerances, int most_iterations) {
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = most_iterations;
+  options.function_tolerance = tolerances.function;
+  options.gradient_tolerance = tolerances.gradient;
+  options.parameter_tolerance = tolerances.parameter;
+  options.logging_type = ceres::SILENT;
+  return options;
+}
+
+/// What Ceres says of its answer.
+inline const char* claim_of(const ceres::Solver::Summary& summary) {
+  return summary.termination_type == ceres::CONVERGENCE ? "converged"
+         : summary.termination_type == ceres::FAILURE   ? "failed"
+                                                        : "no convergence";
+}
+
 /// All residuals in one block: what a careful user of Ceres writes, and several times faster than a block for each.
 template <class Problem>
 Answer with_ceres(const Problem& problem, Derivatives derivatives, double start, const Tolerances& tolerances) {
@@ -86,20 +104,9 @@ Answer with_ceres(const Problem& problem, Derivatives derivatives, double start,
   fit.AddResidualBlock(cost, nullptr, &x);
   fit.SetParameterLowerBound(&x, 0, problem.lower);
   fit.SetParameterUpperBound(&x, 0, problem.upper);
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = kIterations;
-  options.function_tolerance = tolerances.function;
-  options.gradient_tolerance = tolerances.gradient;
-  options.parameter_tolerance = tolerances.parameter;
-  options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &fit, &summary);
-  const bool converged = summary.termination_type == ceres::CONVERGENCE;
-  return {x, converged,
-          converged                                    ? "converged"
-          : summary.termination_type == ceres::FAILURE ? "failed"
-                                                       : "no convergence",
+  ceres::Solve(ceres_options(tolerances, kIterations), &fit, &summary);
+  return {x, summary.termination_type == ceres::CONVERGENCE, claim_of(summary),
           static_cast<double>(problem.sweeps - before)};
 }
 
