@@ -11,14 +11,11 @@
 namespace mixity::cli {
 namespace {
 
-/// T may be exact, A not.
 std::optional<StatedError> error_from(const std::string& flag, const std::string& text) {
   if (text.empty()) return std::nullopt;
   auto quantity = parse_quantity(text);
-  const bool may_be_zero = flag == "sigma_T";
-  if (!quantity || !(may_be_zero ? quantity->value >= 0 : quantity->value > 0))
-    throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be a percentage or a quantity " +
-                     (may_be_zero ? "of 0 or more" : "above 0"));
+  if (!quantity || !(quantity->value >= 0))
+    throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be a percentage or a quantity of 0 or more");
   return quantity;
 }
 

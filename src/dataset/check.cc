@@ -49,6 +49,27 @@ void check_usable(const Dataset& data, Lines& odd) {
                   "probably off by a power of ten");
 }
 
+/// A fit that needs standard errors refuses a file that states them of some points only.
+void check_errors(const Dataset& data, Lines& odd) {
+  const auto look = [&](std::string_view column, auto error_of) {
+    std::size_t without = 0, first = 0;
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+      if (error_of(i) < 0 && ++without == 1) first = data.points[i].line;
+    if (without > 0 && without < data.points.size())
+      odd.push_back(std::string(column) + " is empty at " + std::to_string(without) + " of " +
+                    std::to_string(data.points.size()) + " points, first in line " + std::to_string(first) +
+                    "; a fit that needs it refuses the file");
+  };
+  if (data.errors.empty()) return;
+  if (data.has_loads) {
+    look("sigma_T", [&](std::size_t i) { return data.errors[i].T; });
+    look("sigma_A", [&](std::size_t i) { return data.errors[i].A; });
+  } else if (data.has_energies) {
+    look("sigma_GI", [&](std::size_t i) { return data.energies[i].sigma_GI; });
+    look("sigma_GII", [&](std::size_t i) { return data.energies[i].sigma_GII; });
+  }
+}
+
 void check_order(const Dataset& data, Lines& odd) {
   struct Falls {
     const Point* before = nullptr;
@@ -182,6 +203,7 @@ std::vector<std::string> find_oddities(const Dataset& data) {
   } else {
     check_toughness(data, odd);
   }
+  check_errors(data, odd);
   check_duplicates(data, odd);
   odd.insert(odd.end(), data.notes.begin(), data.notes.end());
   for (const std::string& column : data.ignored_columns)

@@ -27,17 +27,21 @@ struct Point {
   double shear() const { return std::abs(T); }
 };
 
-/// Standard errors in the units of T, A and the toughness ratio. One of T or A that the file does not state is below
-/// zero (kNotStated), which is not one that it states as 0; one of the ratio is 0 then.
+/// Standard errors in the units of T, A and the toughness ratio. One that the file does not state is below zero
+/// (kNotStated), which is not one that it states as 0; one of the ratio is 0 then.
 inline constexpr double kNotStated = -1;
+
+/// A distance needs errors in both axes: of the largest value, what stands for an error of 0.
+inline constexpr double kLeastError = 1e-4;
+
 struct PointErrors {
   double T = kNotStated, A = kNotStated, ratio = 0;
 };
 
-/// Energies of the two modes and their standard errors (0 where not given), in units of G_Ic. One below zero is noise
-/// about zero; the sum is positive.
+/// Energies of the two modes and their standard errors (kNotStated where not given), in units of G_Ic. One below zero
+/// is noise about zero; the sum is positive.
 struct PointEnergies {
-  double G_I, G_II, sigma_GI, sigma_GII;
+  double G_I = 0, G_II = 0, sigma_GI = kNotStated, sigma_GII = kNotStated;
 };
 
 /// Why a point with loads has no toughness.

@@ -10,14 +10,16 @@
 namespace mixity {
 namespace {
 
-bool zero_or_in_range(double error) { return error == 0 || in_range(error); }
+bool usable(double error) { return error == kNotStated || error == 0 || in_range(error); }
 
 /// False if the numbers have left their range.
 bool divide(double unit, PointEnergies& energies, ToughnessPoint& converted) {
-  energies = {energies.G_I / unit, energies.G_II / unit, energies.sigma_GI / unit, energies.sigma_GII / unit};
+  for (double* error : {&energies.sigma_GI, &energies.sigma_GII})
+    if (*error != kNotStated) *error /= unit;
+  energies.G_I /= unit;
+  energies.G_II /= unit;
   return std::abs(energies.G_I) <= kMostQuantity && std::abs(energies.G_II) <= kMostQuantity &&
-         zero_or_in_range(energies.sigma_GI) && zero_or_in_range(energies.sigma_GII) &&
-         convert(energies, converted).empty();
+         usable(energies.sigma_GI) && usable(energies.sigma_GII) && convert(energies, converted).empty();
 }
 
 void take_largest_as_unit(const std::string& metadata_path, Dataset& data) {
@@ -47,8 +49,10 @@ void take_largest_as_unit(const std::string& metadata_path, Dataset& data) {
   if (!data.errors.empty()) data.errors.resize(kept);
   std::sort(data.excluded.begin(), data.excluded.end(),
             [](const Excluded& one, const Excluded& other) { return one.line < other.line; });
-  data.notes.push_back("toughness is not stated: fit it with --free=toughness; until then the largest G_I, " +
-                       rounded(data.display.energy_scale, 4) + " " + data.display.energy + ", stands for it");
+  data.notes.push_back(
+      "toughness is not stated and has to be fitted (--free=toughness); where it is not, the largest "
+      "G_I, " +
+      rounded(data.display.energy_scale, 4) + " " + data.display.energy + ", stands for it");
 }
 
 }  // namespace
@@ -70,6 +74,12 @@ void finish_energies(const std::string& metadata_path, Dataset& data) {
     data.notes.push_back(std::to_string(below) + " of " + std::to_string(data.points.size()) +
                          (below == 1 ? " points has" : " points have") +
                          " G_I or G_II < 0, noise about zero: used as pure mode II or I of toughness G_I + G_II");
+  std::size_t zeros = 0;
+  for (const PointEnergies& energies : data.energies) zeros += (energies.sigma_GI == 0) + (energies.sigma_GII == 0);
+  if (zeros > 0)
+    data.notes.push_back(std::to_string(zeros) + (zeros == 1 ? " error" : " errors") +
+                         " of G_I or G_II stated as 0: in objective curve " + rounded(100 * kLeastError, 2) +
+                         "% of the largest energy stands for each");
 }
 
 }  // namespace mixity

@@ -1,6 +1,7 @@
 // Energies of the two modes as points of a toughness: Gc = G_I + G_II at sin^2 psi = G_II/Gc.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -13,7 +14,9 @@ namespace mixity {
 std::string_view convert(const PointEnergies& energies, ToughnessPoint& point);
 
 /// Standard error of G_I + G_II, of errors that know nothing of each other; 0 where neither is given.
-inline double error_of_sum(const PointEnergies& energies) { return std::hypot(energies.sigma_GI, energies.sigma_GII); }
+inline double error_of_sum(const PointEnergies& energies) {
+  return std::hypot(std::max(energies.sigma_GI, 0.0), std::max(energies.sigma_GII, 0.0));
+}
 
 /// What can be said once all rows are read. Where G_Ic is not known the largest G_I becomes 1; points that leave the
 /// range of numbers by it are excluded. Notes this, and how many energies lie below zero. Throws InputError where no

@@ -123,11 +123,11 @@ std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector
 PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOptions& options) {
   PerCurve result;
   result.model = model;
-  // Constants of the experiment are those of all runs together.
+  // Constants of the experiment are those of all runs together; of energies each series has a toughness of its own.
   FitOptions own = value_only(options);
   own.intervals = options.intervals;
-  own.free.clear();
-  if (!options.free.empty()) {
+  if (!options.free.empty() && !data.has_energies) {
+    own.free.clear();
     const FitResult whole = fit_model(data, model, value_only(options));
     if (!has_all_values(whole) || whole.status == FitStatus::not_converged) {
       result.untested = "the constants that are free were not found";
@@ -161,13 +161,13 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
     return result;
   };
   if (result.fitted < 2) return untested("fewer than two runs have a value of their own");
-  if (parameters == 0) return untested("every parameter is held");
   if (n <= parameters) return untested("too few points");
   if (options.loss != Loss::none && !known)
     return untested("a robust loss in units of the scatter is another cost for each run");
   const FitResult pooled = fit_model(data, model, value_only(own), &tested);
   if (!has_all_values(pooled) || pooled.status == FitStatus::not_converged)
     return untested("no one value for all runs was found");
+  if (parameters == pooled.free_parameters) return untested("every parameter is held");
   if (!(separate > 0)) return untested("the runs have no scatter");
   const double freedom = static_cast<double>(parameters - pooled.free_parameters);
   const double rest = static_cast<double>(n - parameters), gain = std::max(pooled.sum_of_squares - separate, 0.0);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "dataset/dataset.h"
+#include "dataset/input_error.h"
 #include "fitting/objective.h"
 #include "fitting/standard_errors.h"
 #include "mechanics/energy_plane.h"
@@ -19,18 +21,23 @@ struct EnergyPoint {
 };
 
 /// The energies of the points used, errors of 0 raised to kLeastError of the largest energy; 1 without any error.
+/// Throws InputError where only some errors are stated.
 inline std::vector<EnergyPoint> energy_points(const Dataset& data, const std::vector<std::size_t>& used) {
   double largest = 0;
   for (const PointEnergies& e : data.energies) largest = std::max({largest, e.G_I, e.G_II});
-  const double least = data.errors.empty() ? 1 : kLeastError * largest;
   std::vector<EnergyPoint> points;
   std::vector<std::size_t> series;  // those that occur, in order
   for (const std::size_t i : used) {
     const std::size_t curve = data.points[i].curve;
     if (std::find(series.begin(), series.end(), curve) == series.end()) series.push_back(curve);
     PointEnergies e = data.energies[i];
-    for (double* error : {&e.sigma_GI, &e.sigma_GII})
-      if (!(*error > 0)) *error = least;
+    for (const auto& [error, column] : {std::pair(&e.sigma_GI, "sigma_GI"), std::pair(&e.sigma_GII, "sigma_GII")}) {
+      if (*error < 0 && !data.errors.empty())
+        throw InputError(data.path, place_of(data, data.points[i], column),
+                         std::string("this point has no standard error ") + column +
+                             ": the distance from the law needs errors of both energies, or of none");
+      if (!(*error > 0)) *error = *error < 0 ? 1 : kLeastError * largest;
+    }
     points.push_back({e, static_cast<std::size_t>(std::find(series.begin(), series.end(), curve) - series.begin())});
   }
   return points;

@@ -221,8 +221,9 @@ FitResult fit(const Dataset& data, std::string_view model, const FitOptions& opt
 }  // namespace
 
 Objective default_objective(const Dataset& data) {
-  const bool errors_of_energies = std::any_of(data.energies.begin(), data.energies.end(),
-                                              [](const PointEnergies& e) { return e.sigma_GI > 0 && e.sigma_GII > 0; });
+  const bool errors_of_energies = std::any_of(data.energies.begin(), data.energies.end(), [](const PointEnergies& e) {
+    return e.sigma_GI >= 0 && e.sigma_GII >= 0;
+  });
   return data.has_loads || errors_of_energies ? Objective::curve : Objective::toughness;
 }
 

@@ -62,8 +62,7 @@ Stated understand(const Dataset& data, const std::string& name, const std::optio
                                     stated->unit.text + "'; it must be " +
                                     (data.contact ? describe(dimension) : "a number without a unit") +
                                     ", or a percentage such as 1%");
-  if (name == "sigma_A" ? !(stated->value > 0) : !(stated->value >= 0))
-    throw InputError(data.path, name + (name == "sigma_A" ? " must be greater than 0" : " must not be below 0"));
+  if (!(stated->value >= 0)) throw InputError(data.path, name + " must not be below 0");
   return {relative ? stated->si() : stated->si() / unit, relative};
 }
 
@@ -109,7 +108,9 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
       understand(data, "sigma_T", sigma_T, dimension::force, data.contact ? data.contact->force_unit() : 1);
   const Stated stated_A =
       understand(data, "sigma_A", sigma_A, dimension::area, data.contact ? data.contact->area_unit() : 1);
-  const bool has_A = sigma_A || any([](const PointErrors& e) { return e.A > 0; });
+  if (sigma_A && !both_axes && stated_A.value == 0)
+    throw InputError(data.path, "sigma_A must be greater than 0: objective toughness weighs its points by it");
+  const bool has_A = sigma_A || any([](const PointErrors& e) { return e.A >= 0; });
   const bool has_T = sigma_T || any([](const PointErrors& e) { return e.T >= 0; });
   StandardErrors errors;
   errors.source_A = sigma_A ? ErrorSource::stated : has_A ? ErrorSource::columns : ErrorSource::scatter;
@@ -156,7 +157,7 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
                       zeros_A = raise_zeros(errors.A, largest(data, &Point::A));
     // a share of a T of 0 is nobody's statement
     if (errors.source_T == ErrorSource::columns || (sigma_T && stated_T.value == 0)) errors.raised_T = zeros_T;
-    if (errors.source_A == ErrorSource::columns) errors.raised_A = zeros_A;
+    if (errors.source_A == ErrorSource::columns || (sigma_A && stated_A.value == 0)) errors.raised_A = zeros_A;
   }
   return errors;
 }

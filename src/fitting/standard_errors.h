@@ -28,7 +28,6 @@ struct StandardErrors {
   /// True if the size of the errors is known, and not only their proportions: that of A's is stated.
   bool absolute() const { return source_A == ErrorSource::columns || source_A == ErrorSource::stated; }
 };
-inline constexpr double kLeastError = 1e-4;
 
 /// Stated errors win over columns. Where neither T nor A has one, both get the same relative error, estimated from how
 /// far points lie from the line between their neighbours in the run, rows that repeat one left out; or 1 % if fewer

@@ -201,7 +201,10 @@ std::vector<std::string> assumptions(const JobResult& result) {
           "this space is close to 1 for almost any model.");
   }
   if (objective == Objective::curve)
-    list.emplace_back("Residuals are distances of the points from the curve in T and A, in standard errors.");
+    list.push_back(std::string("Residuals are distances of the points from the ") +
+                   (data.has_energies ? "law in the plane of G_I and G_II" : "curve in T and A") +
+                   (data.has_energies && data.errors.empty() ? "; no standard errors are stated, and both count alike."
+                                                             : ", in standard errors."));
   const auto with_paper = std::find_if(result.fits.begin(), result.fits.end(), [](const auto& f) { return f.paper; });
   if (with_paper != result.fits.end())
     list.emplace_back(

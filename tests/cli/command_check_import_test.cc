@@ -31,7 +31,8 @@ TEST(Program, EnergiesAreCheckedWithoutAToughnessAndFittedWithOne) {
   EXPECT_EQ(check.exit_code, 0) << check.err;
   for (const char* words :
        {"energies (G_I, G_II)", "6 rows, 5 usable, 1 excluded", "line 7: G_I + G_II <= 0",
-        "toughness is not stated: fit it with --free=toughness; until then the largest G_I, 250 J/m^2, stands for it",
+        "toughness is not stated and has to be fitted (--free=toughness); where it is not, the largest G_I, 250 J/m^2, "
+        "stands for it",
         "2 of 5 points have G_I or G_II < 0"})
     EXPECT_NE(check.out.find(words), std::string::npos) << words << "\n" << check.out;
   const auto values = [](const std::string& path) {

@@ -189,9 +189,8 @@ TEST(FitStatistics, BadFlagsAreOneLineAndExitTwo) {
   };
   refused("--objective=force", "flag '--objective' is 'force'; it must be toughness or curve");
   refused("--objective=area", "flag '--objective': " + std::string(kGone));
-  refused("--sigma_A=-1%", "flag '--sigma_A' is '-1%'; it must be a percentage or a quantity above 0");
-  refused("--sigma_A=much", "flag '--sigma_A' is 'much'; it must be a percentage or a quantity above 0");
-  refused("--sigma_A=0", "flag '--sigma_A' is '0'; it must be a percentage or a quantity above 0");
+  refused("--sigma_A=-1%", "flag '--sigma_A' is '-1%'; it must be a percentage or a quantity of 0 or more");
+  refused("--sigma_A=much", "flag '--sigma_A' is 'much'; it must be a percentage or a quantity of 0 or more");
   refused("--sigma_T=-1", "flag '--sigma_T' is '-1'; it must be a percentage or a quantity of 0 or more");
   refused("--loss=l1", "flag '--loss' is 'l1'; it must be none, huber or cauchy");
   refused("--loss_scale=0", "flag '--loss_scale' is '0'; it must be a number above 0");

@@ -164,6 +164,13 @@ TEST(Check, ToughnessAtPureModeOneIsOne) {
             "line 2: Gc/GIc is 969 near psi = 0, where it must be 1; is toughness (G_Ic) right?\n");
 }
 
+TEST(Check, StandardErrorsOfSomePointsOnlyAreMentioned) {
+  EXPECT_EQ(joined(oddities("psi,Gc\n0,1\n1,2\n")), "");
+  EXPECT_EQ(joined(oddities("G_I,G_II,sigma_GI,sigma_GII\n1,0,0.1,0.1\n1,1,0.1,\n1,2,0,\n")),
+            "sigma_GII is empty at 2 of 3 points, first in line 3; a fit that needs it refuses the file\n"
+            "1 error of G_I or G_II stated as 0: in objective curve 0.01% of the largest energy stands for each\n");
+}
+
 TEST(Check, UnusedColumnsAndUnstatedProvenanceAreMentioned) {
   const TemporaryFolder folder;
   EXPECT_EQ(joined(find_oddities(load_dataset(folder.write("a.csv", "psi,Gc,temperature [C]\n0,1,20\n")))),

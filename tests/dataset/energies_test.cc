@@ -50,7 +50,7 @@ TEST(Energies, KeepTheirStandardErrorsInUnitsOfTheToughness) {
   near(data.energies[0].sigma_GI, 0.3);
   near(data.energies[0].sigma_GII, 0.4);
   near(data.errors_of(0).ratio, 0.5);  // 3, 4, 5
-  EXPECT_EQ(data.energies[1].sigma_GI, 0);
+  EXPECT_EQ(data.energies[1].sigma_GI, kNotStated);
   EXPECT_EQ(data.errors_of(1).ratio, 0);
   near(data.energies[2].sigma_GII, 0.02);
   EXPECT_EQ(excluded_lines(data), "5 sigma_GI < 0\n6 sigma_GII < 0\n");
@@ -105,10 +105,13 @@ TEST(Energies, TakeTheLargestOfModeOneForAToughnessThatIsNotStated) {
     near(open.errors_of(i).ratio, stated.errors_of(i).ratio);
   }
   near(open.display.energy_scale, 0.5);
-  ASSERT_EQ(open.notes.size(), 2);
-  EXPECT_EQ(open.notes[0],
-            "toughness is not stated: fit it with --free=toughness; until then the largest G_I, 0.5 N/mm, stands for "
-            "it");
+  ASSERT_EQ(open.notes.size(), 3);
+  EXPECT_EQ(
+      open.notes[0],
+      "toughness is not stated and has to be fitted (--free=toughness); where it is not, the largest G_I, 0.5 N/mm, "
+      "stands for it");
+  EXPECT_EQ(open.notes[2],
+            "1 error of G_I or G_II stated as 0: in objective curve 0.01% of the largest energy stands for each");
 }
 
 TEST(Energies, ThatTheUnitOfOthersPutsOutOfRangeAreListedInTheOrderOfTheFile) {

@@ -9,6 +9,7 @@
 #include "dataset/input_error.h"
 #include "dataset/load_text.h"
 #include "dataset/number_text.h"
+#include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "mechanics/model_types.h"
 
@@ -93,12 +94,45 @@ TYPED_TEST(EnergiesOf, SeveralSeriesGiveOneLawAndAToughnessOfEach) {
 }
 
 TEST(Energies, WithAStatedToughnessFitLambdaAlone) {
-  const std::string text = "G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n" +
-                           exact<PapangeloCiavarella>({0.35}, 2, "");
+  const std::string text =
+      "G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n" + exact<PapangeloCiavarella>({0.35}, 2, "");
   const FitResult fit = fit_model(load_text(text, "toughness = \"2 J/m^2\""), "c");
   ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
   ASSERT_EQ(fit.parameters.size(), 1u);
   EXPECT_NEAR(*fit.parameters[0].value, 0.35, 1e-12);  // data of 16 digits
+}
+
+/// The pooled fit has one lambda and both toughnesses, as the fits of each series have: their chi^2 differ by lambda's.
+TEST(Energies, OfEachSeriesAreTestedWithAToughnessOfTheirOwn) {
+  const std::string columns = "G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n";
+  using Law = PapangeloCiavarella;
+  const auto test = [&](double lambda_of_wet) {
+    const PerCurve found =
+        fit_per_curve(load_text(columns + exact<Law>({0.35}, 2, "dry") + exact<Law>({lambda_of_wet}, 5, "wet"),
+                                "toughness = \"9 J/m^2\""),
+                      "c", {.free = {kToughness}});
+    EXPECT_EQ(found.curves[1].fit.parameters.size(), 2u);
+    EXPECT_NEAR(*found.curves[1].fit.parameters[1].value, 5, 1e-9);  // data of 16 digits
+    EXPECT_TRUE(found.test) << found.untested;
+    return found.test.value();
+  };
+  EXPECT_EQ(test(0.36).freedom, 1);
+  EXPECT_LT(test(0.45).p_value, 1e-6);
+}
+
+TEST(Energies, WithAnErrorOfSomePointsOnlyAreRefused) {
+  const std::string columns = "G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2]\n";
+  const auto refusal = [&](const std::string& rows) -> std::string {
+    try {
+      fit_model(load_text(columns + rows), "c", {.free = {kToughness}});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusal("2,1,0.1,0.1\n1.5,2,,0.1\n1,3,0.1,0.1\n").find(":3: this point has no standard error sigma_GI"),
+            std::string::npos);
+  EXPECT_EQ(refusal("2,1,0.1,0.1\n1.5,2,0,0.1\n1,3,0.1,0.1\n"), "");
 }
 
 TEST(Energies, WithoutAToughnessAskForIt) {

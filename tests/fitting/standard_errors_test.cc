@@ -158,7 +158,8 @@ TEST(StandardErrors, RefuseWhatIsNoErrorOfTheQuantity) {
             "a.csv: sigma_T is '0.1 mm'; it must be a force such as mN, or a percentage such as 1%");
   EXPECT_EQ(refusal(kPlain, "", {}, stated("0.1 mm^2")),
             "a.csv: sigma_A is '0.1 mm^2'; it must be a number without a unit, or a percentage such as 1%");
-  EXPECT_EQ(refusal(kPlain, "", {}, stated("0")), "a.csv: sigma_A must be greater than 0");
+  EXPECT_EQ(refusal(kPlain, "", {}, stated("0")),
+            "a.csv: sigma_A must be greater than 0: objective toughness weighs its points by it");
   EXPECT_EQ(refusal(kPlain, "", stated("-1%"), stated("1")), "a.csv: sigma_T must not be below 0");
 }
 

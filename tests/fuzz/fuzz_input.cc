@@ -148,7 +148,9 @@ void check_data(const Dataset& data) {
   for (const PointEnergies& point : data.energies) {
     for (const double value : {point.G_I, point.G_II, point.sigma_GI, point.sigma_GII})
       promise(std::isfinite(value), "an accepted energy is finite");
-    promise(point.G_I + point.G_II > 0 && point.sigma_GI >= 0 && point.sigma_GII >= 0, "a toughness is positive");
+    promise(point.G_I + point.G_II > 0 && (point.sigma_GI >= 0 || point.sigma_GI == kNotStated) &&
+                (point.sigma_GII >= 0 || point.sigma_GII == kNotStated),
+            "a toughness is positive");
   }
   for (const double scale : {data.display.force_scale, data.display.area_scale, data.display.energy_scale})
     promise(std::isfinite(scale) && scale > 0, "a scale is finite and positive");
