@@ -55,6 +55,9 @@ void check_errors(const Dataset& data, Lines& odd) {
     std::size_t without = 0, first = 0;
     for (std::size_t i = 0; i < data.points.size(); ++i)
       if (error_of(i) < 0 && ++without == 1) first = data.points[i].line;
+    if (without == data.points.size() && data.has_energies)
+      odd.push_back(std::string(column) + " is not stated where the error of the other energy is; a fit that needs " +
+                    "both refuses the file");
     if (without > 0 && without < data.points.size())
       odd.push_back(std::string(column) + " is empty at " + std::to_string(without) + " of " +
                     std::to_string(data.points.size()) + " points, first in line " + std::to_string(first) +

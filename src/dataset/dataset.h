@@ -27,13 +27,13 @@ struct Point {
   double shear() const { return std::abs(T); }
 };
 
-/// Standard errors in the units of T, A and the toughness ratio. One that the file does not state is below zero
-/// (kNotStated), which is not one that it states as 0; one of the ratio is 0 then.
+/// A standard error that the file does not state, which is not one that it states as 0.
 inline constexpr double kNotStated = -1;
 
 /// A distance needs errors in both axes: of the largest value, what stands for an error of 0.
 inline constexpr double kLeastError = 1e-4;
 
+/// Standard errors in the units of T, A and the toughness ratio; one of the ratio is 0 where the file states none.
 struct PointErrors {
   double T = kNotStated, A = kNotStated, ratio = 0;
 };

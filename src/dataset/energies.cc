@@ -50,8 +50,7 @@ void take_largest_as_unit(const std::string& metadata_path, Dataset& data) {
   std::sort(data.excluded.begin(), data.excluded.end(),
             [](const Excluded& one, const Excluded& other) { return one.line < other.line; });
   data.notes.push_back(
-      "toughness is not stated and has to be fitted (--free=toughness); where it is not, the largest "
-      "G_I, " +
+      "toughness is not stated and has to be fitted (--free=toughness); where it is not, the largest G_I, " +
       rounded(data.display.energy_scale, 4) + " " + data.display.energy + ", stands for it");
 }
 

@@ -72,7 +72,8 @@ std::string import_plot(const std::string& path, const PlotImport& options) {
   if (with_loads && options.loads.size() != series.size())
     throw InputError(path, 1, 1,
                      "holds " + std::to_string(series.size()) + " data sets, but " +
-                         std::to_string(options.loads.size()) + " loads were given");
+                         std::to_string(options.loads.size()) +
+                         (options.loads.size() == 1 ? " load was given" : " loads were given"));
   std::string text = "curve,";
   if (with_loads) {
     const Unit& unit = options.loads.front().unit;

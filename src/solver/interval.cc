@@ -171,7 +171,7 @@ Interval interval_along(Profile& profile, const Problem& problem, const Minimum&
   const double least = std::max(parameter.least_size(), 1e-9 * std::abs(x));
   const double step = standard_error ? *standard_error * std::sqrt(allowance / variance) : least;
   const auto end = [&](double bound, double direction) {
-    if (x == bound) return End{x, EndStatus::at_bound};
+    if (x == bound) return End{x, parameter.start ? EndStatus::open : EndStatus::at_bound};
     profile.begin(k);
     return find_end(profile, parameter, x, direction, step, search, options);
   };

@@ -1,5 +1,5 @@
 // Robust losses: large residuals count less. The problem with cost sum rho(r^2) is again one of least squares, in the
-// residuals sign(r) sqrt(rho(r^2)), so that scan, solver and verdict need not know.
+// residuals sign(r) sqrt(rho(r^2)), so that multistart, descent and verdict need not know.
 #pragma once
 
 #include <algorithm>
