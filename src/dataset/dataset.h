@@ -77,6 +77,7 @@ struct Dataset {
   std::vector<Excluded> excluded;
   std::vector<std::string> curves;  // names of the loading runs: the curve column, or one per load
   std::vector<double> curve_loads;  // dimensionless load of each run's first point; empty without loads
+  std::vector<bool> turned;         // of each run: its shear was turned round; empty: of none
   std::vector<std::string> ignored_columns;
   std::vector<std::string> notes;  // what is passed over or not taken as it stands, as sentences that every fit shows
   DisplayUnits display;
@@ -85,6 +86,10 @@ struct Dataset {
   std::optional<ToughnessPoint> toughness(std::size_t i) const {
     if (!has_loads) return converted[i];
     return toughness_of_area(points[i].P, points[i].T, points[i].A);
+  }
+  /// T of point i with the sign that the file gives it, to which an offset of the load cell is to be added.
+  double shear_as_read(std::size_t i) const {
+    return !turned.empty() && turned[points[i].curve] ? -points[i].T : points[i].T;
   }
   std::string shown_path() const { return printable(path, std::string::npos); }
   PointErrors errors_of(std::size_t i) const { return errors.empty() ? PointErrors{} : errors[i]; }

@@ -30,6 +30,10 @@ constexpr std::array kFields{
     Field{"toughness", &Metadata::toughness, dimension::energy_per_area, "27 mJ/m^2"},
     Field{"toughness_II", &Metadata::toughness_II, dimension::energy_per_area, "1.7 N/mm"},
     Field{"shear_strength", &Metadata::shear_strength, dimension::stress, "0.43 MPa"},
+    Field{"load_offset", &Metadata::load_offset, dimension::force, "0 +/- 0.5 mN"},
+    Field{"shear_offset", &Metadata::shear_offset, dimension::force, "0 +/- 0.5 mN"},
+    Field{"area_offset", &Metadata::area_offset, dimension::area, "0 +/- 0.01 mm^2"},
+    Field{"area_scale", &Metadata::area_scale, dimension::none, "1 +/- 2%"},
 };
 
 constexpr std::array kProvenances{Provenance::measured, Provenance::digitised, Provenance::reconstructed};
@@ -84,6 +88,19 @@ std::optional<double> Metadata::plane_strain_modulus() const {
   return std::nullopt;
 }
 
+double Metadata::standard_error(std::string_view name) const {
+  const auto found = standard_errors.find(name);
+  return found == standard_errors.end() ? 0 : found->second;
+}
+
+double Metadata::modulus_error() const {
+  if (modulus) return standard_error("modulus") / *modulus;
+  if (!youngs_modulus || !poisson_ratio) return 0;
+  // E* = E/(1 - nu^2)
+  const double nu = *poisson_ratio, of_nu = 2 * nu / (1 - nu * nu) * standard_error("poisson_ratio");
+  return std::hypot(standard_error("youngs_modulus") / *youngs_modulus, of_nu);
+}
+
 std::string set_field(Metadata& metadata, std::string_view name, std::string_view text) {
   if (name == "source") return metadata.source = one_line(std::string(text)), "";
   if (name == "note") return metadata.note = one_line(std::string(text)), "";
@@ -93,18 +110,21 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
     return "provenance is " + quoted(text) + "; it must be measured, digitised or reconstructed";
   }
   if (const Field* field = find_field(name)) {
-    const auto quantity = parse_quantity(text);
-    if (!quantity)
+    const auto uncertain = parse_uncertain(text);
+    if (!uncertain)
       return std::string(name) + " is " + quoted(text) + "; it must be a number with a unit, such as " +
-             quoted(field->example);
-    if (quantity->unit.dimension != field->dimension)
+             (states_error(text) ? "\"1 mm +/- 2%\" or \"1 +/- 0.02 mm\"" : quoted(field->example));
+    const Quantity& quantity = uncertain->quantity;
+    if (quantity.unit.dimension != field->dimension)
       return std::string(name) + " is " + quoted(text) + "; it must be " + describe(field->dimension) + ", written " +
              quoted(field->example);
-    const double value = quantity->si();
-    if (name == "poisson_ratio" ? !(value >= 0 && value <= 0.5) : !(value > 0))
+    const double value = quantity.si();
+    if (name == "poisson_ratio" ? !(value >= 0 && value <= 0.5) : !name.ends_with("_offset") && !(value > 0))
       return std::string(name) + " is " + quoted(text) +
              (name == "poisson_ratio" ? "; it must lie between 0 and 0.5" : "; it must be positive");
     metadata.*field->value = value;
+    metadata.standard_errors.erase(std::string(name));
+    if (uncertain->standard_error > 0) metadata.standard_errors.emplace(name, uncertain->standard_error);
     return "";
   }
   std::string known = "provenance, source, note";

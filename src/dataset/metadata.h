@@ -1,6 +1,8 @@
 // What stands beside a CSV: the constants of the contact and where the data come from.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,19 +21,28 @@ inline constexpr std::string_view kReconstructedNotice =
     "reconstructed data: generated from a published fit, not measured. Recovering lambda from them tests the "
     "program, not the physics.";
 
-/// Constants in SI; null where not stated.
+/// Constants in SI; null where not stated. Offsets are what is to be added to a reading, area_scale what an area is to
+/// be multiplied by.
 struct Metadata {
-  std::optional<double> radius;                         // m, > 0
-  std::optional<double> modulus;                        // plane-strain E*, Pa, > 0
-  std::optional<double> youngs_modulus, poisson_ratio;  // Pa, > 0; 0..0.5: an alternative to modulus
-  std::optional<double> toughness;                      // G_Ic, J/m^2, > 0
-  std::optional<double> toughness_II;                   // G_IIc, J/m^2, > 0
-  std::optional<double> shear_strength;                 // tau0, Pa, > 0
+  std::optional<double> radius;                                // m, > 0
+  std::optional<double> modulus;                               // plane-strain E*, Pa, > 0
+  std::optional<double> youngs_modulus, poisson_ratio;         // Pa, > 0; 0..0.5: an alternative to modulus
+  std::optional<double> toughness;                             // G_Ic, J/m^2, > 0
+  std::optional<double> toughness_II;                          // G_IIc, J/m^2, > 0
+  std::optional<double> shear_strength;                        // tau0, Pa, > 0
+  std::optional<double> load_offset, shear_offset;             // N
+  std::optional<double> area_offset;                           // m^2
+  std::optional<double> area_scale;                            // > 0
+  std::map<std::string, double, std::less<>> standard_errors;  // of those that have one, in their units, by name
   Provenance provenance = Provenance::unstated;
   std::string source, note;
 
   /// modulus, or E* from youngs_modulus and poisson_ratio; null if neither is stated.
   std::optional<double> plane_strain_modulus() const;
+  /// 0 where none is stated: exact.
+  double standard_error(std::string_view name) const;
+  /// Relative, of plane_strain_modulus(): of modulus, or propagated from youngs_modulus and poisson_ratio.
+  double modulus_error() const;
 };
 
 /// Names and texts as given on a command line, in order: {"radius", "9.42 mm"}.

@@ -16,6 +16,7 @@ std::size_t turn_negative_runs(const std::vector<ShearRange>& ranges, Dataset& d
     if (ranges[i].is_negative() && ++count <= kNamed)
       names += (names.empty() ? "" : ", ") + printable(data.curves[i], kLongest);
   if (count == 0) return 0;
+  for (const ShearRange& range : ranges) data.turned.push_back(range.is_negative());
   for (Point& point : data.points) {
     if (!ranges[point.curve].is_negative()) continue;
     point.T = 0 - point.T;  // 0 stays 0 and does not become -0

@@ -1,6 +1,8 @@
 #include "dataset/units.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -85,6 +87,9 @@ std::optional<int> take_power(std::string_view& factor) {
 std::optional<Unit> parse_unit(std::string_view text) {
   text = trim(text);
   Unit unit{1, {}, std::string(text)};
+  // it stands in sentences of one line
+  std::replace_if(
+      unit.text.begin(), unit.text.end(), [](unsigned char c) { return std::isspace(c); }, ' ');
   if (text.empty()) return std::nullopt;
   // of a plain number; beside others only as in "1/mm"
   if (text == "1" || text == "-") return unit;
@@ -148,6 +153,59 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
   if (!unit) return std::nullopt;
   quantity.unit = *unit;
   return std::isfinite(quantity.si()) ? std::optional(quantity) : std::nullopt;
+}
+
+namespace {
+
+/// The sign before a standard error that a text has; empty if none.
+std::string_view sign_of_error(std::string_view text) {
+  for (const std::string_view sign : {"+/-", "+-", "±"})
+    if (text.find(sign) != std::string_view::npos) return sign;
+  return {};
+}
+
+}  // namespace
+
+bool states_error(std::string_view text) { return !sign_of_error(text).empty(); }
+
+std::optional<UncertainQuantity> parse_uncertain(std::string_view text) {
+  text = trim(text);
+  const std::string_view sign = sign_of_error(text);
+  if (sign.empty()) {
+    const auto exact = parse_quantity(text);
+    return exact ? std::optional(UncertainQuantity{*exact}) : std::nullopt;
+  }
+  const std::size_t at = text.find(sign);
+  std::string value(trim(text.substr(0, at))), error(trim(text.substr(at + sign.size())));
+  if (value.starts_with('(')) {  // (value +/- error) unit
+    const std::size_t end = error.find(')');
+    if (end == std::string::npos) return std::nullopt;
+    value.erase(0, 1);
+    error.erase(end, 1);
+  }
+  auto one = parse_quantity(value), other = parse_quantity(error);
+  if (!one || !other || !(other->value >= 0)) return std::nullopt;
+  UncertainQuantity result{*one};
+  if (other->unit.text == "%") {
+    result.standard_error = std::abs(one->si()) * other->si();
+    if (one->value == 0) return std::nullopt;
+    return result;
+  }
+  // a unit behind the error alone is that of both, and so is one behind the value alone
+  if (one->unit.text.empty()) result.quantity.unit = other->unit;
+  if (other->unit.text.empty()) other->unit = one->unit;
+  if (other->unit.dimension != result.quantity.unit.dimension) return std::nullopt;
+  result.standard_error = other->si();
+  const bool finite = std::isfinite(result.quantity.si()) && std::isfinite(result.standard_error);
+  return finite ? std::optional(result) : std::nullopt;
+}
+
+ReadableUnit readable_unit(double value, const std::string& unit) {
+  if (unit != "Pa" && unit != "J/m^2" && unit != "m") return {1, unit};
+  for (const auto& [least, prefix] : {std::pair(1e9, "G"), std::pair(1e6, "M"), std::pair(1e3, "k"), std::pair(1.0, ""),
+                                      std::pair(1e-3, "m"), std::pair(1e-6, "u")})
+    if (std::abs(value) >= least) return {1 / least, prefix + unit};
+  return {1, unit};
 }
 
 std::string describe(const Dimension& d) {

@@ -41,6 +41,28 @@ struct Quantity {
 /// followed by nothing or a unit.
 std::optional<Quantity> parse_quantity(std::string_view text);
 
+/// A quantity with its standard error, in SI; 0 where none is stated, which says that it is exact.
+struct UncertainQuantity {
+  Quantity quantity;
+  double standard_error = 0;
+};
+
+/// Whether a text has one of the signs before a standard error: "+/-", "+-", "±".
+bool states_error(std::string_view text);
+
+/// "2.133 +/- 0.1 MPa", "2.133 MPa +/- 0.1 MPa", "(2.133 +/- 0.1) MPa", "2.133 MPa +/- 5%"; "+-" and "±" stand for
+/// "+/-". Null if the text is none of these or a plain quantity, the error is negative or not finite, or is a
+/// percentage of 0.
+std::optional<UncertainQuantity> parse_uncertain(std::string_view text);
+
+/// A constant of the experiment as a reader has it: what to multiply a value in SI by, and the unit then.
+struct ReadableUnit {
+  double factor;
+  std::string unit;
+};
+/// By the size of `value`: MPa for Pa, mJ/m^2 for J/m^2, mm for m and their like; other units stay.
+ReadableUnit readable_unit(double value, const std::string& unit);
+
 /// A whole field as one number, surrounding blanks allowed. Null if it is not; inf and nan are numbers here.
 std::optional<double> parse_number(std::string_view text);
 /// The same for files of millions of them; false if it is none.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -63,6 +65,24 @@ TEST(Metadata, TheModulusFollowsFromYoungsModulusAndPoissonRatio) {
   EXPECT_FALSE(metadata_of("poisson_ratio = 0.5").plane_strain_modulus());
 }
 
+TEST(Metadata, AStandardErrorStandsBehindItsConstant) {
+  Metadata metadata;
+  for (const auto& [name, text] :
+       {std::pair("radius", "10 +/- 0.1 mm"), std::pair("toughness", "27 mJ/m^2 +/- 10%"),
+        std::pair("youngs_modulus", "1.5 +/- 0.03 MPa"), std::pair("poisson_ratio", "0.5 +/- 0.01"),
+        std::pair("load_offset", "-1 +/- 0.5 mN"), std::pair("area_scale", "1 +/- 2%")})
+    EXPECT_EQ(set_field(metadata, name, text), "") << name;
+  EXPECT_DOUBLE_EQ(metadata.standard_error("radius"), 1e-4);
+  EXPECT_DOUBLE_EQ(metadata.standard_error("toughness"), 2.7e-3);
+  EXPECT_DOUBLE_EQ(*metadata.load_offset, -1e-3);
+  EXPECT_DOUBLE_EQ(metadata.standard_error("load_offset"), 5e-4);
+  EXPECT_DOUBLE_EQ(metadata.standard_error("area_scale"), 0.02);
+  // dE*/E* of E/(1 - nu^2): 2 % of E and 2 nu dnu/(1 - nu^2) = 0.01/0.75
+  EXPECT_DOUBLE_EQ(metadata.modulus_error(), std::hypot(0.02, 0.01 / 0.75));
+  EXPECT_EQ(set_field(metadata, "toughness", "27 mJ/m^2"), "");  // stated anew, as exact
+  EXPECT_EQ(metadata.standard_error("toughness"), 0);
+}
+
 TEST(Metadata, ByteOrderMarkAndCrLfAreRead) {
   EXPECT_EQ(metadata_of("\xEF\xBB\xBFradius = \"1 m\"\r\nsource = \"µ\"\r\n").radius, 1.0);
 }
@@ -80,6 +100,9 @@ TEST(Metadata, WhatCannotBeUnderstoodIsRefusedWithItsPlace) {
             "1:10: radius is \"9,42 mm\"; it must be a number with a unit, such as \"9.42 mm\""},
            {"radius = \"wide\"", "1:10: radius is \"wide\"; it must be a number with a unit, such as \"9.42 mm\""},
            {"radius = \"\"", "1:10: radius is \"\"; it must be a number with a unit, such as \"9.42 mm\""},
+           {"radius = \"9 mm +/- wide\"",
+            "1:10: radius is \"9 mm +/- wide\"; it must be a number with a unit, such as \"1 mm +/- 2%\" or \"1 +/- "
+            "0.02 mm\""},
            {"radius = \"0 mm\"", "1:10: radius is \"0 mm\"; it must be positive"},
            {"toughness = \"-1 J/m^2\"", "1:13: toughness is \"-1 J/m^2\"; it must be positive"},
            {"# µ\n  radius =  9.42", "2:13: radius must be a string with a number and a unit, such as \"9.42 mm\""},
@@ -90,7 +113,8 @@ TEST(Metadata, WhatCannotBeUnderstoodIsRefusedWithItsPlace) {
             "1:14: provenance is \"measuerd\"; it must be measured, digitised or reconstructed"},
            {"\nraduis = \"3 mm\"",
             "2:1: unknown key \"raduis\" (known: provenance, source, note, radius, modulus, youngs_modulus, "
-            "poisson_ratio, toughness, toughness_II, shear_strength)"},
+            "poisson_ratio, toughness, toughness_II, shear_strength, load_offset, shear_offset, area_offset, "
+            "area_scale)"},
        })
     EXPECT_EQ(error_of(toml), "a.toml:" + error) << toml;
 }

@@ -24,6 +24,9 @@ void expect_unit(const Case& expected) {
   EXPECT_EQ(unit->dimension, expected.dimension) << expected.text;
 }
 
+/// Found by fuzzing: a note that names the unit has to be one line.
+TEST(Units, TextOfAUnitIsOneLine) { EXPECT_EQ(parse_unit("N/\tmm")->text, "N/ mm"); }
+
 TEST(Units, ThoseOfContactMechanicsAreKnown) {
   for (const Case& expected : {
            Case{"N", 1, dimension::force},
@@ -115,6 +118,27 @@ TEST(Quantities, TheRestIsRefused) {
   for (const char* text : {"", "mm", "9,42 mm", "9.42 furlong", "nan mm", "inf mm", "1e400 mm", "- 3 mm", "--3 mm",
                            "+-3 mm", "9.42 mm mm^", "1 2 mm", "0x10 mm", "1e308 GPa", "9 1 mm", "9 - mm", "9 % mm"})
     EXPECT_FALSE(parse_quantity(text)) << text;
+}
+
+TEST(UncertainQuantities, AreReadInEverySpelling) {
+  for (const char* text : {"2.133 +/- 0.1 MPa", "2.133 MPa +/- 0.1 MPa", "2.133 +- 0.1 MPa", "2.133±0.1 MPa",
+                           "(2.133 ± 0.1) MPa", "2.133 MPa +/- 0.1", "2133 kPa +/- 0.1 MPa"}) {
+    const auto quantity = parse_uncertain(text);
+    ASSERT_TRUE(quantity) << text;
+    EXPECT_DOUBLE_EQ(quantity->quantity.si(), 2.133e6) << text;
+    EXPECT_DOUBLE_EQ(quantity->standard_error, 1e5) << text;
+  }
+  EXPECT_DOUBLE_EQ(parse_uncertain("2 MPa +/- 5%")->standard_error, 1e5);
+  EXPECT_DOUBLE_EQ(parse_uncertain("1 +/- 2%")->standard_error, 0.02);
+  EXPECT_DOUBLE_EQ(parse_uncertain("0 +/- 0.5 mN")->standard_error, 5e-4);
+  EXPECT_DOUBLE_EQ(parse_uncertain("-3 mN ± 10 %")->standard_error, 3e-4);
+  EXPECT_EQ(parse_uncertain("27 mJ/m^2")->standard_error, 0);
+}
+
+TEST(UncertainQuantities, TheRestIsRefused) {
+  for (const char* text : {"", "+/- 1 mN", "1 mN +/-", "1 mN +/- x", "1 mN +/- -1 mN", "1 mN +/- 1 mm", "0 mN +/- 5%",
+                           "(1 +/- 2 mN", "1 mN +/- 1 mN +/- 1 mN", "1 mN +/- inf"})
+    EXPECT_FALSE(parse_uncertain(text)) << text;
 }
 
 TEST(Numbers, AWholeFieldIsRead) {
