@@ -25,6 +25,7 @@ struct FreeParameter {
   double scale = 1;
   bool logarithmic = false;
   std::string unit{};
+  double prior = 0;    // standard error of what is known beforehand, about `start`; 0: nothing is
   double neutral = 0;  // > 0: a value in the neighbourhood of which only the distance from it matters
 
   double width() const { return upper - lower; }

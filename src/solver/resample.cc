@@ -86,13 +86,15 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
                           const std::vector<std::size_t>& runs, const BootstrapOptions& options, double confidence,
                           const Progress& progress) {
   const auto groups = members(runs);
+  const auto points = static_cast<std::ptrdiff_t>(runs.size());  // what else there is, is known beforehand
   std::vector<std::vector<double>> replicates(options.replicates);
   const auto draw = [&](std::size_t replicate, std::vector<double>& weights) {
     // Three words of state, so that seeding one stream for each replicate costs little.
     const auto words = {low_word(options.seed), high_word(options.seed), low_word(replicate), high_word(replicate)};
     std::seed_seq seed(words);
     boost::random::taus88 random(seed);
-    std::fill(weights.begin(), weights.end(), 0.0);
+    std::fill(weights.begin(), weights.begin() + points, 0.0);
+    std::fill(weights.begin() + points, weights.end(), 1.0);
     const auto pick = [&](std::size_t n) {
       return boost::random::uniform_int_distribution<std::uint32_t>(0, low_word(n - 1))(random);
     };
@@ -132,17 +134,17 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
 
 Influence influence(const Problem& problem, const std::vector<double>& fitted, const std::vector<std::size_t>& runs,
                     unsigned threads, const Progress& progress) {
-  const std::size_t n = problem.residual_count(), p = fitted.size();
+  const std::size_t n = runs.size(), rows = problem.residual_count(), p = fitted.size();
   Influence result;
-  std::vector<double> residuals(n), jacobian(n * p);
-  if (n <= p || p == 0 || !problem.evaluate(fitted, residuals, jacobian)) return result;
+  std::vector<double> residuals(rows), jacobian(rows * p);
+  if (rows <= p || p == 0 || !problem.evaluate(fitted, residuals, jacobian)) return result;
   const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> J(
-      jacobian.data(), static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(p));
+      jacobian.data(), static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(p));
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(J);
   const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(J.rows(), J.cols());
   double squares = 0;
   for (const double r : residuals) squares += r * r;
-  const double variance = squares / static_cast<double>(n - p);
+  const double variance = squares / static_cast<double>(rows - p);
   const auto groups = members(runs);
   result.points.resize(n);
   result.runs.resize(groups.size());

@@ -12,7 +12,8 @@
 
 namespace mixity {
 
-enum class FitStatus { ok, at_bound, not_identifiable, multimodal, not_converged };
+/// suspect: found, but a test says that the interval cannot be believed; the solver itself has none.
+enum class FitStatus { ok, suspect, at_bound, not_identifiable, multimodal, not_converged };
 std::string_view to_string(FitStatus status);
 
 /// Where a descent ended.

@@ -148,6 +148,8 @@ std::string_view to_string(FitStatus status) {
   switch (status) {
     case FitStatus::ok:
       return "ok";
+    case FitStatus::suspect:
+      return "suspect";
     case FitStatus::at_bound:
       return "at_bound";
     case FitStatus::not_identifiable:

@@ -26,16 +26,25 @@ struct Posterior {
 
 constexpr double kRounding = 1e-12;  // of a linear problem with a condition of 5
 
+/// A parameter about `mean`, with that standard error; 0: nothing is known of it.
+FreeParameter known(const char* name, double mean, double error) {
+  FreeParameter parameter = unbounded(name, mean);
+  parameter.prior = error;
+  return parameter;
+}
+
 TEST(Prior, OnALineGivesThePosteriorInClosedForm) {
-  const auto line = Line::problem(unbounded("level", 0), unbounded("slope", 0));
   struct Case {
-    std::vector<Prior> priors;
+    FreeParameter level, slope;
     Posterior expected;
   };
-  for (const Case& each :
-       {Case{{}, {0, 0, 0, 0}}, Case{{{1, 0.3, 0.1}}, {0, 0, 100, 0.3}}, Case{{{0, 2, 0.5}}, {4, 2, 0, 0}},
-        Case{{{1, 0.3, 0.1}, {0, 2, 0.5}}, {4, 2, 100, 0.3}}, Case{{{1, 0.3, 1e-4}}, {0, 0, 1e8, 0.3}}}) {
-    const ProblemWithPriors problem(line, each.priors);
+  for (const Case& each : {Case{known("level", 0, 0), known("slope", 0, 0), {0, 0, 0, 0}},
+                           Case{known("level", 0, 0), known("slope", 0.3, 0.1), {0, 0, 100, 0.3}},
+                           Case{known("level", 2, 0.5), known("slope", 0, 0), {4, 2, 0, 0}},
+                           Case{known("level", 2, 0.5), known("slope", 0.3, 0.1), {4, 2, 100, 0.3}},
+                           Case{known("level", 0, 0), known("slope", 0.3, 1e-4), {0, 0, 1e8, 0.3}}}) {
+    const auto line = Line::problem(each.level, each.slope);
+    const ProblemWithPriors problem(line);
     for (const Engine engine : {Engine::ceres, Engine::kernel}) {
       const Verdict verdict = solve(problem, {.near = {0, 0}}, {.engine = engine});
       ASSERT_EQ(verdict.status, FitStatus::ok) << verdict.message;
@@ -49,11 +58,22 @@ TEST(Prior, OnALineGivesThePosteriorInClosedForm) {
   }
 }
 
+/// Residuals in a unit of 10 standard errors' worth: the priors weigh a hundred times as much beside them.
+TEST(Prior, StandsBesideResidualsInTheirOwnUnit) {
+  const auto line = Line::problem(unbounded("level", 0), known("slope", 0.3, 0.1));
+  const ProblemWithPriors problem(line, 10);
+  const Verdict verdict = solve(problem, {.near = {0, 0}});
+  const Posterior expected(0, 0, 1e4, 0.3);
+  EXPECT_NEAR(verdict.best.x[1], expected.slope, kRounding);
+  EXPECT_NEAR(verdict.standard_errors[1].value(), 10 * expected.slope_error, kRounding);
+}
+
 TEST(Prior, MakesKnownWhatTheDataDoNotConstrain) {
-  const auto sum = problem_of<2>(3, {unbounded("a", 0), unbounded("b", 0)}, {1, true},
-                                 [](const auto* b, std::size_t i) { return b[0] + b[1] - static_cast<double>(i); });
-  EXPECT_EQ(solve(sum, {.near = {0, 0}}).status, FitStatus::not_identifiable);
-  const ProblemWithPriors problem(sum, {{0, 0.25, 2}});
+  const auto residual = [](const auto* b, std::size_t i) { return b[0] + b[1] - static_cast<double>(i); };
+  const auto unknown = problem_of<2>(3, {unbounded("a", 0), unbounded("b", 0)}, {1, true}, residual);
+  EXPECT_EQ(solve(unknown, {.near = {0, 0}}).status, FitStatus::not_identifiable);
+  const auto sum = problem_of<2>(3, {known("a", 0.25, 2), unbounded("b", 0)}, {1, true}, residual);
+  const ProblemWithPriors problem(sum);
   const Verdict verdict = solve(problem, {.near = {0, 0}});
   ASSERT_EQ(verdict.status, FitStatus::ok) << verdict.message;
   EXPECT_NEAR(verdict.best.x[0], 0.25, kRounding);
