@@ -49,7 +49,7 @@ int run_fit(const Arguments& arguments) {
   for (const std::string& path : arguments) {
     const auto before = static_cast<double>(results.size());
     results.push_back(run(job_for(path), overrides, stretch(progress, before / files, (before + 1) / files)));
-    for (const FitResult& fit : results.back().fits) all_ok &= fit.status == FitStatus::ok;
+    all_ok &= can_be_believed(results.back());
   }
   if (progress) progress(1);
   tell_names_apart(results);

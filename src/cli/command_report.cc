@@ -38,8 +38,7 @@ int run_report(const Arguments& arguments) {
               << result.data.name << " (" << to_string(result.data.metadata.provenance) << ")\n"
               << table_text(result);
   bool all_ok = true;
-  for (const JobResult& result : results)
-    for (const FitResult& fit : result.fits) all_ok &= fit.status == FitStatus::ok;
+  for (const JobResult& result : results) all_ok &= can_be_believed(result);
   return all_ok ? kFine : kFitNotOk;
 }
 

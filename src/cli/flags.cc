@@ -18,7 +18,9 @@ DEFINE_string(sigma_T, "", "standard error of T for all points: \"0.5%\", or \"0
 DEFINE_string(sigma_A, "", "standard error of A for all points: \"1%\", or \"0.002 mm^2\"");
 DEFINE_string(loss, "none", "none, or a loss that outliers move less: huber or cauchy");
 DEFINE_string(loss_scale, "", "where the loss begins to bend, in standard errors (default 1.345 huber, 2.385 cauchy)");
-DEFINE_string(free, "", "fit these, too, for all loads together: toughness, modulus, load_offset, area_offset");
+DEFINE_string(free, "",
+              "fit these, too, for all loads together: toughness, modulus, radius, area_scale, load_offset, "
+              "shear_offset, area_offset");
 DEFINE_string(interval, "profile", "confidence intervals: profile or none");
 DEFINE_int32(bootstrap, 0, "refits of resampled points for bootstrap intervals");
 DEFINE_string(resample, "points", "what the bootstrap draws: points within their runs, or whole runs (curves)");
@@ -63,15 +65,19 @@ DEFINE_string(toughness, "", "mode-I toughness G_Ic, such as \"27 mJ/m^2\"");
 DEFINE_string(toughness_II, "", "mode-II toughness G_IIc, such as \"1.7 N/mm\"");
 DEFINE_string(shear_strength, "", "shear strength tau0 of the interface, such as \"0.43 MPa\"");
 DEFINE_string(provenance, "", "measured, digitised or reconstructed");
+DEFINE_string(load_offset, "", "to be added to readings of P, such as \"0 +/- 0.5 mN\"");
+DEFINE_string(shear_offset, "", "to be added to readings of T, such as \"0 +/- 0.5 mN\"");
+DEFINE_string(area_offset, "", "to be added to readings of A, such as \"0 +/- 0.01 mm^2\"");
+DEFINE_string(area_scale, "", "what readings of A are to be multiplied by, such as \"1 +/- 2%\"");
 DEFINE_string(source, "", "where the data come from");
 DEFINE_string(note, "", "a note on the data");
 
 namespace mixity::cli {
 namespace {
 
-constexpr std::array<std::string_view, 10> kMetadataFlags{
-    "radius",       "modulus",        "youngs_modulus", "poisson_ratio", "toughness",
-    "toughness_II", "shear_strength", "provenance",     "source",        "note"};
+constexpr std::array<std::string_view, 14> kMetadataFlags{
+    "radius",      "modulus",      "youngs_modulus", "poisson_ratio", "toughness",  "toughness_II", "shear_strength",
+    "load_offset", "shear_offset", "area_offset",    "area_scale",    "provenance", "source",       "note"};
 
 std::string value_of(std::string_view flag) {
   std::string value;

@@ -33,6 +33,12 @@ Loss loss_from_flag() {
   throw UsageError("flag '--loss' is '" + FLAGS_loss + "'; it must be none, huber or cauchy");
 }
 
+std::string known_constants() {
+  std::string names;
+  for (const std::string_view name : kConstantNames) names += (names.empty() ? "" : ", ") + std::string(name);
+  return names;
+}
+
 /// Parameters of the fitted models may be named, too: they are free unless they are held.
 std::vector<Constant> free_from_flag(const FitJob& job) {
   std::vector<Constant> constants;
@@ -46,8 +52,8 @@ std::vector<Constant> free_from_flag(const FitJob& job) {
       for (const HeldParameter& held : job.options.hold)
         if (held.name == name) throw UsageError("parameter '" + name + "' is to be held and to be free");
       if (has_parameter(job.models, name)) continue;
-      throw UsageError("flag '--free': '" + name +
-                       "' cannot be fitted (known: toughness, modulus, load_offset, area_offset, model parameters)");
+      throw UsageError("flag '--free': '" + name + "' cannot be fitted (known: " + known_constants() +
+                       ", model parameters)");
     }
     constants.push_back(static_cast<Constant>(found - kConstantNames.begin()));
   }

@@ -29,7 +29,7 @@ std::optional<double> squared_area_errors(const Dataset& data, const std::vector
   PredictedAreas<Model> areas(candidate);
   double sum = 0;
   for (const std::size_t i : run) {
-    const PredictedArea area = areas.at(data.points[i].P, data.points[i].T);
+    const PredictedArea area = areas.at(data.points[i].P, data.shear_as_read(i));
     if (area.state == PredictedArea::State::undefined) return std::nullopt;
     beyond += area.state == PredictedArea::State::beyond_fold;
     const double error = (area.value - data.points[i].A) * data.display.area_scale;

@@ -43,9 +43,10 @@ inline std::vector<EnergyPoint> energy_points(const Dataset& data, const std::ve
   return points;
 }
 
-/// G_Ic of each series, as ln of a factor on the data set's own: it starts at Gc of the point with the least mode II.
+/// G_Ic of each series, as ln of a factor on the data set's own. Nothing known of it (prior 0), it starts at Gc of the
+/// point with the least mode II.
 inline std::vector<FreeParameter> series_toughness(const Dataset& data, const std::vector<EnergyPoint>& points,
-                                                   const std::vector<std::size_t>& used) {
+                                                   const std::vector<std::size_t>& used, double prior) {
   std::vector<FreeParameter> list;
   std::vector<double> least;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -56,11 +57,12 @@ inline std::vector<FreeParameter> series_toughness(const Dataset& data, const st
           {"toughness", -std::log(1e3), std::log(1e3), 0.0, data.display.energy_scale, true, data.display.energy});
       const std::string& name = data.curves[data.points[used[i]].curve];
       if (!name.empty()) list.back().name += "(" + name + ")";
+      list.back().prior = prior;
       least.push_back(std::numeric_limits<double>::infinity());
     }
     if (ratio < least[point.series]) {
       least[point.series] = ratio;
-      list[point.series].start = std::log(sum);
+      if (prior == 0) list[point.series].start = std::log(sum);
     }
   }
   if (list.size() == 1) list[0].name = "toughness";

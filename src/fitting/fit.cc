@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "fitting/budget.h"
+#include "fitting/consistency.h"
 #include "fitting/fitted_parameters.h"
 #include "fitting/predicted_area.h"
 #include "fitting/prepare.h"
 #include "fitting/toughness_weights.h"
+#include "solver/prior.h"
 #include "solver/robust.h"
 #include "solver/solve.h"
 #include "solver/verdict.h"
@@ -54,10 +57,11 @@ class Fitter {
   }
 
   FitResult run() {
-    const std::size_t p = problem_->parameters().size();
-    if (const std::size_t distinct = distinct_points(data_, prepared_.used, p + 1); p > 0 && distinct <= p) {
+    const std::size_t p = problem_->parameters().size(), unknown = p - priors();
+    if (const std::size_t distinct = distinct_points(data_, prepared_.used, unknown + 1);
+        p > 0 && distinct <= unknown) {
       result_.status = FitStatus::not_identifiable;
-      result_.message = too_few_points(distinct, prepared_.used.size(), p);
+      result_.message = too_few_points(distinct, prepared_.used.size(), unknown);
       return result_;
     }
     if (prepared_.objective == Objective::curve && data_.has_loads && starting_.near.empty()) fit_as_the_paper();
@@ -82,6 +86,10 @@ class Fitter {
         x = verdict.best.x;
         const std::vector<double> deeper =
             tell_parameters(cost(), verdict, options_, stretch(options_.progress, found * fitted, fitted), result_);
+        result_.known_errors = problem_->known_errors();
+        result_.free_parameters = unknown;  // each of the others brings a residual of its own
+        result_.sum_of_squares *= unit_ * unit_;
+        if (deeper.empty()) tell_budget(x, verdict);
         if (deeper.empty() || again == kMostRestarts) break;
         starting_.guesses.push_back(deeper);
       }
@@ -89,6 +97,7 @@ class Fitter {
       tell_resampled(cost(), verdict, data_, options_, stretch(options_.progress, fitted, 1), result_);
     }
     judge(x);
+    if (purpose_ == Purpose::shown && p > 0) tell_consistency();
     return result_;
   }
 
@@ -117,7 +126,18 @@ class Fitter {
         result_.parameters.push_back(
             {parameter.name, {}, {}, parameter.shown(parameter.lower), parameter.shown(parameter.upper)});
         result_.parameters.back().unit = parameter.unit;
+        if (parameter.prior > 0)
+          result_.parameters.back().prior = {parameter.shown(*parameter.start),
+                                             parameter.prior * parameter.shown_slope(*parameter.start),
+                                             parameter.logarithmic};
       }
+  }
+
+  /// How many parameters something is known of beforehand.
+  std::size_t priors() const {
+    const auto& parameters = problem_->parameters();
+    return static_cast<std::size_t>(
+        std::count_if(parameters.begin(), parameters.end(), [](const FreeParameter& one) { return one.prior > 0; }));
   }
 
   /// The paper's fit stands beside the result, and is a start for it.
@@ -125,7 +145,7 @@ class Fitter {
     FitOptions options = value_only({});
     options.objective = Objective::toughness;
     options.hold = options_.hold;
-    options.constants = options_.constants;
+    options.constants = prepared_.constants;
     const FitResult fit = Fitter(data_, options, Purpose::values, points_, nullptr).run();
     result_.paper = {fit.status, fit.parameters, fit.r2, fit.used.size()};
     if (const std::vector<double> x = solver_values(*problem_, fit.parameters); !x.empty())
@@ -133,8 +153,9 @@ class Fitter {
   }
 
   Verdict find_minimum() {
-    robust_.reset();  // of the problem before
-    Verdict verdict = solve(*problem_, starting_, solver_);
+    priors_.reset();  // of the problem before
+    robust_.reset();
+    Verdict verdict = minimum_of(*problem_);
     if (prepared_.objective == Objective::toughness && options_.weighted) {
       // The standard errors depend on the model: until they no longer change.
       double change = 0;
@@ -144,7 +165,7 @@ class Fitter {
         problem_ = make_problem<Model>(
             data_, options_, prepared_,
             toughness_weights<Model>(data_, scale_of(options_), prepared_.used, prepared_.errors, at));
-        verdict = solve(*problem_, starting_, solver_);
+        verdict = minimum_of(*problem_);
         if (verdict.best.x.empty()) break;
         if (before.empty()) continue;
         change = 0;
@@ -168,15 +189,90 @@ class Fitter {
       if (!(unit > 0)) return verdict;  // no residuals to speak of
       result_.loss_scale = scale * unit;
       robust_.emplace(*problem_, options_.loss, result_.loss_scale);
-      verdict = solve(*robust_, starting_, solver_);
+      verdict = minimum_of(*robust_);
       x = verdict.best.x;
     }
     return verdict;
   }
 
+  /// With what is known of the constants beforehand. Residuals whose size is not known are measured by their own
+  /// scatter about the fit, on which that depends: until it no longer changes.
+  Verdict minimum_of(const Problem& data) {
+    const std::size_t known = priors(), n = data.residual_count(), unknown = data.parameters().size() - known;
+    if (known == 0) return solve(data, starting_, solver_);
+    priors_.emplace(data);
+    Verdict verdict = solve(*priors_, starting_, solver_);
+    std::vector<double> residuals(n);
+    for (int i = 0; i < 50 && !data.known_errors() && n > unknown && !verdict.best.x.empty(); ++i) {
+      const auto square = sum_of_squares(data, verdict.best.x, residuals);
+      if (!square || !(*square > 0)) break;
+      const double before = unit_;
+      unit_ = std::sqrt(*square / static_cast<double>(n - unknown));
+      priors_.emplace(data, unit_);
+      const StartingPoints near{verdict.best.x};
+      verdict = solve(*priors_, i == 0 ? starting_ : near, solver_);
+      if (std::abs(unit_ - before) <= 1e-9 * unit_) break;
+    }
+    return verdict;
+  }
+
   const Problem& cost() const {
+    if (priors_) return *priors_;
     if (robust_) return *robust_;
     return *problem_;
+  }
+
+  /// What the constants of the experiment do to the parameter.
+  void tell_budget(const std::vector<double>& x, const Verdict& verdict) {
+    const bool scaled = prepared_.objective == Objective::toughness && scale_of(options_) == Scale::linear;
+    if (purpose_ != Purpose::shown || scaled || data_.has_energies || verdict.status == FitStatus::not_converged ||
+        verdict.at_bound.size() != x.size())
+      return;
+    PreparedFit<Model> all = prepared_;
+    std::vector<double> beside = x;
+    std::vector<ConstantStep> exact;
+    double load = 0, shear = 0, area = 0;
+    for (const std::size_t i : prepared_.used) {
+      load = std::max(load, std::abs(data_.points[i].P));
+      shear = std::max(shear, data_.points[i].shear());
+      area = std::max(area, data_.points[i].A);
+    }
+    for (const Constant c : kAllConstants) {
+      const bool fitted = std::any_of(prepared_.fitted.begin(), prepared_.fitted.end(),
+                                      [&](const FittedConstant& one) { return one.constant == c; });
+      if (fitted || (!data_.has_loads && c != kToughness)) continue;
+      all.fitted.push_back({c, prepared_.constants[c], 0});
+      const double size = c == kLoadOffset ? load : c == kShearOffset ? shear : area;
+      exact.push_back({beside.size(), is_factor(c) ? std::log(1.05) : 0.01 * size});
+      beside.push_back(prepared_.constants[c]);
+    }
+    all.start.clear();
+    const auto data =
+        make_problem<Model>(data_, options_, all, options_.weighted ? problem_->weights() : std::vector<double>{});
+    const double freedom = static_cast<double>(data->residual_count()) - static_cast<double>(result_.free_parameters);
+    const double unit = problem_->known_errors() ? 1 : priors_ ? unit_ : std::sqrt(result_.sum_of_squares / freedom);
+    if (robust_)
+      result_.budget =
+          error_budget(RobustProblem(*data, options_.loss, result_.loss_scale), beside, unit, verdict.at_bound, exact);
+    else
+      result_.budget = error_budget(*data, beside, unit, verdict.at_bound, exact);
+  }
+
+  /// Whether the data are what the fit takes them for. Residuals of rounding alone are not tested.
+  void tell_consistency() {
+    const double rounding = 100 * residual_rounding(*problem_);
+    const bool judged = result_.status == FitStatus::ok || result_.status == FitStatus::at_bound ||
+                        result_.status == FitStatus::multimodal;
+    if (!judged || result_.residuals.empty() || !(result_.sum_of_squares > rounding * rounding)) return;
+    result_.consistency = test_consistency(data_, result_);
+    const Refit refit = [this](const FitOptions& options, const std::vector<std::size_t>& points,
+                               const std::vector<FittedParameter>* near) {
+      return Fitter(data_, options, Purpose::values, &points, near).run();
+    };
+    const std::string reason = diagnose(data_, result_, value_only(options_), refit);
+    if (reason.empty()) return;
+    if (result_.status == FitStatus::ok) result_.status = FitStatus::suspect;
+    result_.message += (result_.message.empty() ? "" : "; ") + reason;
   }
 
   /// Goodness of fit in the fitted space and of the predicted areas.
@@ -206,6 +302,8 @@ class Fitter {
   SolverOptions solver_;
   std::unique_ptr<ModelProblem<Model>> problem_;
   std::optional<RobustProblem> robust_;
+  std::optional<ProblemWithPriors> priors_;
+  double unit_ = 1;  // of the residuals of the data beside the priors
   FitResult result_;
 };
 

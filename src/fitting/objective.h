@@ -23,22 +23,6 @@ struct MeasuredPoint {
   double P, T, A, sigma_T, sigma_A;
 };
 
-/// What a reader sees of constant `c` in the solver's number x: SI for toughness and modulus, the file's unit for
-/// offsets.
-inline double constant_scale(const Dataset& data, Constant c) {
-  switch (c) {
-    case kToughness:
-      return data.contact ? data.contact->toughness : 1;
-    case kModulus:
-      return data.contact ? data.contact->modulus : 1;
-    case kLoadOffset:
-      return data.display.force_scale;
-    case kAreaOffset:
-      break;
-  }
-  return data.display.area_scale;
-}
-
 /// Which parameters are free, in the solver's order, and where the others are held.
 template <class Model>
 class FreeChoice {

@@ -39,8 +39,10 @@ struct FitOptions {
   std::optional<Scale> scale{};          // of toughness; null: log
   bool weighted = false;                 // toughness: by each point's standard error, which curve always uses
   std::vector<HeldParameter> hold{};     // names a model does not have are ignored for that model
-  std::vector<Constant> free{};          // constants of the experiment that are fitted, too
-  Constants constants{};                 // of those that are not
+  std::vector<Constant> free{};          // constants of the experiment that are fitted as if nothing were known of them
+  /// Of those that are not fitted. Null: as the data set states them, and those that it states with a standard error
+  /// are fitted with what is known of them. Given, they are exact.
+  std::optional<Constants> constants{};
   std::optional<StatedError> sigma_T{}, sigma_A{};
   Loss loss = Loss::none;
   std::optional<double> loss_scale{};  // in standard errors; null: the loss's usual one

@@ -6,24 +6,30 @@
 #include "fitting/goodness.h"
 #include "fitting/objective.h"
 #include "fitting/result.h"
+#include "fitting/stated_constants.h"
 #include "mechanics/equilibrium.h"
 
 namespace mixity {
+
+/// These constants with those that were fitted as found. Each of `parameters` has a value.
+inline Constants with_fitted(Constants constants, const Dataset& data, const std::vector<FittedParameter>& parameters) {
+  for (const FittedParameter& parameter : parameters)
+    for (const Constant constant : kAllConstants) {
+      if (parameter.name != kConstantNames[constant]) continue;
+      const double value = *parameter.value / constant_scale(data, constant);
+      constants[constant] = is_factor(constant) ? std::log(value) : value;
+    }
+  return constants;
+}
 
 /// A finished fit, all of whose parameters have values, as what it tried out. `options`: those of the fit, for
 /// constants that were not free.
 template <class Model>
 Candidate<Model> fitted_candidate(const Dataset& data, const FitResult& fit, const FitOptions& options) {
-  Candidate<Model> candidate{{}, options.constants};
-  for (const FittedParameter& parameter : fit.parameters) {
+  Candidate<Model> candidate{{}, with_fitted(options.constants.value_or(stated_constants(data)), data, fit.parameters)};
+  for (const FittedParameter& parameter : fit.parameters)
     for (std::size_t k = 0; k < candidate.parameters.size(); ++k)
       if (parameter.name == Model::parameters[k].name) candidate.parameters[k] = *parameter.value;
-    for (const Constant constant : {kToughness, kModulus, kLoadOffset, kAreaOffset}) {
-      if (parameter.name != kConstantNames[constant]) continue;
-      const double value = *parameter.value / constant_scale(data, constant);
-      candidate.constants[constant] = is_factor(constant) ? std::log(value) : value;
-    }
-  }
   return candidate;
 }
 
@@ -80,7 +86,7 @@ AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& 
   std::vector<double> residuals, targets;
   for (const std::size_t i : used) {
     const Point& point = data.points[i];
-    const PredictedArea at_point = predicted.at(point.P, point.T);
+    const PredictedArea at_point = predicted.at(point.P, data.shear_as_read(i));
     if (at_point.state != PredictedArea::State::equilibrium) {
       ++area.unpredicted;
       area.areas.emplace_back();

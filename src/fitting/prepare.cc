@@ -28,9 +28,20 @@ double held_value(const HeldParameter& held, const ParameterInfo& info, const Da
   return *value;
 }
 
+std::vector<FittedConstant> fitted_constants(const Dataset& data, const FitOptions& options) {
+  const Constants stated = stated_constants(data);
+  std::vector<FittedConstant> list;
+  for (const Constant constant : options.free) list.push_back({constant, stated[constant], 0});
+  if (options.constants) return list;
+  for (const FittedConstant& uncertain : uncertain_constants(data))
+    if (std::find(options.free.begin(), options.free.end(), uncertain.constant) == options.free.end())
+      list.push_back(uncertain);
+  return list;
+}
+
 void require_what_is_asked(const Dataset& data, const FitOptions& options, Objective objective) {
   const auto refuse = [&](const std::string& message) { throw InputError(data.path, message); };
-  const bool corrected = !options.free.empty() || options.constants != Constants{};
+  const bool uncertain = fitted_constants(data, options).size() > options.free.size();
   const std::string columns = data.has_energies ? "G_I and G_II" : "psi and Gc";
   const bool curve = objective == Objective::curve, energies = curve && data.has_energies;
   if (curve && !data.has_loads && !energies)
@@ -38,18 +49,19 @@ void require_what_is_asked(const Dataset& data, const FitOptions& options, Objec
            columns);
   if (!data.has_loads && (options.sigma_T || options.sigma_A))
     refuse("sigma_T and sigma_A are errors of loads and areas (columns P, T, A); this file has " + columns);
-  if (energies && std::any_of(options.free.begin(), options.free.end(), [](Constant c) { return c != kToughness; }))
-    refuse("of energies (G_I, G_II) the toughness is the only constant that can be free");
-  if (!data.has_loads && !energies && !options.free.empty())
-    refuse("only a file with loads and areas (columns P, T, A) can free constants of the experiment" +
-           std::string(data.has_energies ? "; with --objective=curve, energies can free the toughness" : ""));
+  if (!data.has_loads &&
+      std::any_of(options.free.begin(), options.free.end(), [](Constant c) { return c != kToughness; }))
+    refuse("the toughness is the only constant that can be free without loads and areas (columns P, T, A); this file " +
+           std::string("has ") + columns);
+  if (data.has_energies && !curve && !options.free.empty())
+    refuse("with energies (G_I, G_II), the toughness can be free under --objective=curve");
   if (!data.toughness_known && !(energies && !options.free.empty()))
     refuse("needs toughness (G_Ic): state it in " + metadata_path(data.path) +
            " or by a flag (--toughness=...), or fit it with --objective=curve --free=toughness");
-  if (corrected && !curve && (options.weighted || scale_of(options) == Scale::linear))
+  if ((uncertain || !options.free.empty()) && !curve && scale_of(options) == Scale::linear)
     refuse(
-        "with constants of the experiment free, objective toughness is fitted in ln(Gc/GIc) without weights; "
-        "objective curve weighs the points");
+        "with constants of the experiment fitted, free or with a standard error, objective toughness is fitted in "
+        "ln(Gc/GIc)");
   if (curve && (options.weighted || options.scale))
     refuse(std::string(options.weighted ? "weighted" : "scale") +
            " needs the objective toughness (--objective=toughness): curve, the default for loads and areas, " +

@@ -7,6 +7,7 @@
 #include "fitting/curve.h"
 #include "fitting/energies.h"
 #include "fitting/result.h"
+#include "fitting/stated_constants.h"
 #include "fitting/toughness.h"
 #include "solver/descent.h"
 
@@ -20,8 +21,13 @@ struct PreparedFit {
   Parameters<Model> base{};        // held values, and typical ones for the rest
   std::array<bool, parameter_count<Model>> held{};
   std::optional<StandardErrors> errors;  // where the objective uses them
-  std::vector<double> start;             // of the freed constants, in the solver's numbers; empty: the stated values
+  Constants constants{};                 // of those that are not fitted
+  std::vector<FittedConstant> fitted;    // the free ones first
+  std::vector<double> start;             // of these, in the solver's numbers; empty: their means
 };
+
+/// The constants that a fit with these options fits: those that are free, then those that are uncertain.
+std::vector<FittedConstant> fitted_constants(const Dataset& data, const FitOptions& options);
 
 /// The value at which a parameter is to be held. Throws InputError if that is outside its range, or none is stated.
 double held_value(const HeldParameter& held, const ParameterInfo& info, const Dataset& data);
@@ -52,7 +58,9 @@ PreparedFit<Model> prepare(const Dataset& data, const FitOptions& options, Objec
   prepared.objective = objective;
   static const std::string kInfinite =
       "model " + std::string(Model::info.key) + " has an infinite toughness at this psi";
-  const ConstantsScale scale(options.constants);
+  prepared.constants = options.constants.value_or(stated_constants(data));
+  prepared.fitted = fitted_constants(data, options);
+  const ConstantsScale scale(prepared.constants);
   const auto obstacle = [&](std::size_t i) -> std::string_view {
     if (objective == Objective::toughness) {
       const auto toughness = data.toughness(i);
@@ -60,7 +68,7 @@ PreparedFit<Model> prepare(const Dataset& data, const FitOptions& options, Objec
     }
     if (data.has_energies) return {};
     // a freed constant may bring it back
-    const bool contact = !options.free.empty() || above_pull_off(scale.load(data.points[i].P)) >= 0;
+    const bool contact = !prepared.fitted.empty() || above_pull_off(scale.load(data.points[i].P)) >= 0;
     return contact ? std::string_view() : kBelowPullOff;
   };
   const auto consider = [&](std::size_t i) {
@@ -94,35 +102,34 @@ std::vector<MeasuredPoint> measured_points(const Dataset& data, const PreparedFi
   points.reserve(prepared.used.size());
   for (const std::size_t i : prepared.used) {
     const Point& p = data.points[i];
-    points.push_back(
-        {p.P, p.T, p.A, prepared.errors ? prepared.errors->T[i] : 1.0, prepared.errors ? prepared.errors->A[i] : 1.0});
+    points.push_back({p.P, data.shear_as_read(i), p.A, prepared.errors ? prepared.errors->T[i] : 1.0,
+                      prepared.errors ? prepared.errors->A[i] : 1.0});
   }
   return points;
 }
 
-/// What may be freed beside the model's parameters, with its range: factors of a thousand, loads up to ten times the
-/// largest, areas up to nine tenths of the smallest.
+/// What may be freed beside the model's parameters, with its range: factors of a thousand, loads and shear up to ten
+/// times the largest, areas up to nine tenths of the smallest.
 template <class Model>
-FreeChoice<Model> free_choice(const Dataset& data, const FitOptions& options, const PreparedFit<Model>& prepared) {
-  FreeChoice<Model> choice({prepared.base, options.constants}, prepared.held);
-  double largest_load = 1, smallest_area = prepared.used.empty() ? 1 : std::numeric_limits<double>::infinity();
+FreeChoice<Model> free_choice(const Dataset& data, const PreparedFit<Model>& prepared) {
+  FreeChoice<Model> choice({prepared.base, prepared.constants}, prepared.held);
+  double largest_load = 1, largest_shear = 1,
+         smallest_area = prepared.used.empty() ? 1 : std::numeric_limits<double>::infinity();
   for (const std::size_t i : prepared.used) {
     largest_load = std::max(largest_load, std::abs(data.points[i].P));
+    largest_shear = std::max(largest_shear, data.points[i].shear());
     smallest_area = std::min(smallest_area, data.points[i].A);
   }
   const double factor = std::log(1000.0);
-  for (const Constant constant : options.free) {
+  for (const auto& [constant, mean, prior] : prepared.fitted) {
     const double reach = is_factor(constant)       ? factor
-                         : constant == kLoadOffset ? 10 * largest_load
-                                                   : 0.9 * smallest_area;
-    FreeParameter parameter{std::string(kConstantNames[constant]), -reach, reach, 0.0};
+                         : constant == kAreaOffset ? 0.9 * smallest_area
+                                                   : 10 * (constant == kShearOffset ? largest_shear : largest_load);
+    FreeParameter parameter{std::string(kConstantNames[constant]), mean - reach, mean + reach, mean};
+    parameter.prior = prior;
     parameter.scale = constant_scale(data, constant);
     parameter.logarithmic = is_factor(constant);
-    if (data.contact)
-      parameter.unit = constant == kToughness    ? "J/m^2"
-                       : constant == kModulus    ? "Pa"
-                       : constant == kLoadOffset ? data.display.force
-                                                 : data.display.area;
+    parameter.unit = constant_unit(data, constant);
     if (!prepared.start.empty()) parameter.start = prepared.start[choice.constants().size()];
     choice.add(constant, parameter);
   }
@@ -134,20 +141,20 @@ template <class Model>
 std::unique_ptr<ModelProblem<Model>> make_problem(const Dataset& data, const FitOptions& options,
                                                   const PreparedFit<Model>& prepared,
                                                   std::vector<double> weights = {}) {
-  const FreeChoice<Model> choice = free_choice(data, options, prepared);
-  const bool corrected = !options.free.empty() || options.constants != Constants{};
+  const FreeChoice<Model> choice = free_choice(data, prepared);
+  const bool corrected = !prepared.fitted.empty() || prepared.constants != Constants{};
   const bool weighted = prepared.objective == Objective::curve || !weights.empty();
   std::unique_ptr<ModelProblem<Model>> problem;
   if (prepared.objective == Objective::curve && data.has_energies) {
     const std::vector<EnergyPoint> points = energy_points(data, prepared.used);
-    const FreeChoice<Model> of_model({prepared.base, options.constants}, prepared.held);
-    problem = std::make_unique<EnergyObjective<Model>>(
-        points, of_model,
-        options.free.empty() ? std::vector<FreeParameter>{} : series_toughness(data, points, prepared.used));
+    const FreeChoice<Model> of_model({prepared.base, prepared.constants}, prepared.held);
+    std::vector<FreeParameter> toughness;
+    if (!prepared.fitted.empty()) toughness = series_toughness(data, points, prepared.used, prepared.fitted[0].prior);
+    problem = std::make_unique<EnergyObjective<Model>>(points, of_model, toughness);
   } else if (prepared.objective == Objective::curve) {
     problem = std::make_unique<CurveObjective<Model>>(measured_points(data, prepared), choice);
-  } else if (corrected) {
-    problem = std::make_unique<ToughnessOfLoads<Model>>(measured_points(data, prepared), choice);
+  } else if (corrected && data.has_loads) {
+    problem = std::make_unique<ToughnessOfLoads<Model>>(measured_points(data, prepared), choice, std::move(weights));
   } else {
     std::vector<ToughnessPoint> points;
     points.reserve(prepared.used.size());
@@ -164,24 +171,29 @@ std::unique_ptr<ModelProblem<Model>> make_problem(const Dataset& data, const Fit
 /// Where the constants start: at the JKR curve through the points without shear (T up to 1 % of the largest).
 template <class Model>
 std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, const PreparedFit<Model>& prepared) {
-  std::vector<double> start(options.free.size(), 0.0);
+  std::vector<double> start;
+  for (const FittedConstant& constant : prepared.fitted) start.push_back(constant.mean);
   double largest = 0, pull = 0;
   for (const std::size_t i : prepared.used) {
     largest = std::max(largest, data.points[i].shear());
     pull = std::max(pull, -data.points[i].P);
   }
+  const std::size_t free = options.free.size();
   // with a toughness at which every load keeps the contact closed, if the stated one is not: at 0.85 of pull-off
-  for (std::size_t k = 0; k < start.size(); ++k)
+  for (std::size_t k = 0; k < free; ++k)
     if (options.free[k] == kToughness && above_pull_off(-pull) < 0) start[k] = std::log(pull / 4);
   PreparedFit<Model> unsheared = prepared;
   unsheared.objective = Objective::curve;
   unsheared.held.fill(true);
+  unsheared.fitted.resize(free);
   std::erase_if(unsheared.used, [&](std::size_t i) { return data.points[i].shear() > 0.01 * largest; });
-  if (unsheared.used.size() < options.free.size()) return start;
+  if (free == 0 || unsheared.used.size() < free) return start;
   SolverOptions solver;
   solver.engine = Engine::kernel;
-  const auto minimum = descend(*make_problem<Model>(data, options, unsheared), start, solver);
-  return minimum && minimum->stationary ? minimum->x : start;
+  const std::vector<double> begin(start.begin(), start.begin() + static_cast<std::ptrdiff_t>(free));
+  const auto minimum = descend(*make_problem<Model>(data, options, unsheared), begin, solver);
+  if (minimum && minimum->stationary) std::copy(minimum->x.begin(), minimum->x.end(), start.begin());
+  return start;
 }
 
 /// A fit's values as the solver counts, for a problem of the same parameters or fewer of them: constants of the

@@ -21,6 +21,12 @@ struct ShownInterval {
   EndStatus low_status, high_status;
 };
 
+/// What was known of a constant beforehand, in the reader's unit: normal, or log-normal.
+struct ShownPrior {
+  double mean, standard_error;
+  bool logarithmic;
+};
+
 struct FittedParameter {
   std::string name;
   std::optional<double> value;    // null if not identifiable
@@ -31,6 +37,7 @@ struct FittedParameter {
   std::optional<Bootstrapped> bootstrap{};  // in the reader's unit
   std::string unit{};                       // empty if dimensionless
   std::optional<DrawnProfile> profile{};    // x in the reader's unit; if asked for
+  std::optional<ShownPrior> prior{};        // of a constant that is uncertain
 };
 
 /// How well the fitted model predicts the area at the points' loads, in the units of the file.
@@ -58,6 +65,65 @@ struct PaperFit {
   }
 };
 
+/// Of one constant that was fitted with a prior.
+struct BudgetPart {
+  std::string constant;
+  double share;  // of the parameter's variance, 0..1
+  double pull;   // how far the constant moved from its mean, in standard errors of the prior
+};
+
+/// Of one constant that was taken as exact.
+struct ExactConstant {
+  std::string constant, unit;  // the reader's unit
+  std::optional<double>
+      effect;   // what 5 % more of it would do to the parameter; of an offset, 1 % of the largest load, shear or area
+  double step;  // those 5 % or 1 %, in the reader's unit
+  /// Score test: by how much chi^2 would fall if the constant were free, the value it would take, and how probable so
+  /// large a fall is by chance. Null where the residuals do not feel it.
+  struct Score {
+    double fall, value, p_value;
+  };
+  std::optional<Score> score;
+};
+
+/// Of the first parameter that is free. Scatter and parts add up to 1; null and empty where a bound holds it.
+struct Budget {
+  std::string parameter;
+  std::optional<double> scatter;
+  std::vector<BudgetPart> parts;
+  std::vector<ExactConstant> exact;
+};
+
+/// Tests of the residuals of each run in the order of the file, about zero if the model and its errors are right.
+/// Robust: no point needs the same variance as another. p-values: how probable so much is by chance.
+struct ResidualTests {
+  struct Run {
+    std::string curve;
+    std::size_t points;
+    double runs;         // of one sign: z of their number; few (below zero) where neighbours resemble each other
+    double correlation;  // of neighbours
+    double trend;        // z of the slope against T, or against psi
+  };
+  std::vector<Run> runs;                                               // those of at least kLeastRun points
+  double correlation = 0, correlation_p = 1, runs_p = 1, trend_p = 1;  // of all together
+  double ends = 0, ends_p = 1;  // z of the residuals at the ends of the runs (kEnd of each, one point at least)
+  static constexpr double kEnd = 0.05;
+  static constexpr std::size_t kLeastRun = 8;
+};
+
+/// Points beyond the last equilibrium of the fitted model in one run.
+struct BeyondEquilibrium {
+  std::string curve;
+  std::size_t points, first;  // how many; the index of the first, into Dataset::points
+};
+
+/// Whether the data are what the fit takes them for.
+struct Consistency {
+  std::optional<double> chi2_per_freedom, chi2_p;  // of known errors, without a robust loss
+  ResidualTests residuals;
+  std::vector<BeyondEquilibrium> beyond;  // runs that have such points
+};
+
 struct FitResult {
   std::string model, model_name, formula;
   Objective objective = Objective::toughness;
@@ -76,7 +142,10 @@ struct FitResult {
   std::optional<StandardErrors> errors;  // of the points, where the objective uses them
   std::vector<double> correlations;      // [p x p] of the free parameters in order; empty for one
   std::size_t free_parameters = 0;
-  double sum_of_squares = 0;  // of the (weighted) residuals, or of the robust loss
+  double sum_of_squares = 0;               // of the (weighted) residuals, or of the robust loss
+  std::optional<Budget> budget;            // of the first free parameter; null where there is nothing to tell
+  std::optional<Consistency> consistency;  // of fits that are shown
+  std::string outdone_by{};                // of a suspect fit: the model that describes the same points far better
   std::optional<BootstrapResult> bootstrap;
   std::optional<Influence> influence;  // changes in the reader's units; points as in `used`
   std::vector<std::string> run_names;  // of Influence::runs

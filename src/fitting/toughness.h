@@ -43,7 +43,8 @@ std::optional<ToughnessResidual<Model>> toughness_residual(const Parameters<Mode
 template <class Model>
 class ToughnessObjective final : public ModelProblem<Model> {
  public:
-  /// `weights`: 1/standard error of each point's target, or empty: 1.
+  /// `weights`: 1/standard error of each point's target, or empty: 1. Of the constants the toughness alone may be
+  /// fitted, in ln f.
   ToughnessObjective(std::vector<ToughnessPoint> points, Scale scale, FreeChoice<Model> choice,
                      std::vector<double> weights = {})
       : Base(std::move(choice)), points_(std::move(points)), scale_(scale) {
@@ -67,21 +68,25 @@ class ToughnessObjective final : public ModelProblem<Model> {
   }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
-    const Parameters<Model> p = this->candidate(x).parameters;
+    const Candidate<Model> at = this->candidate(x);
+    const Parameters<Model>& p = at.parameters;
     const std::vector<std::size_t>& free = choice_.model();
+    const std::size_t width = choice_.size();
+    const double toughness = at.constants[kToughness];  // of ln f: ln Gc/GIc is less by so much
     bool finite = true;
     if constexpr (HasLanes<Model>) {
       if (scale_ == Scale::log) {
-        const bool slopes = !jacobian.empty() && !free.empty();
         lanes_.log_toughness(
             p[0], [&](std::size_t begin, std::size_t n, const double* value, const double* slope, const double*) {
               for (std::size_t j = 0; j < n; ++j) {
                 const std::size_t i = begin + j;
-                residuals[i] = weights_[i] * value[j] - targets_[i];
+                residuals[i] = weights_[i] * (value[j] + toughness) - targets_[i];
                 finite &= std::isfinite(residuals[i]);
-                if (!slopes) continue;
-                jacobian[i] = weights_[i] * slope[j];
-                finite &= std::isfinite(jacobian[i]);
+                if (jacobian.empty()) continue;
+                if (width > free.size()) jacobian[i * width + free.size()] = weights_[i];
+                if (free.empty()) continue;
+                jacobian[i * width] = weights_[i] * slope[j];
+                finite &= std::isfinite(jacobian[i * width]);
               }
             });
         return finite;
@@ -89,15 +94,16 @@ class ToughnessObjective final : public ModelProblem<Model> {
     }
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const auto log_f = Model::log_toughness(p, points_[i].mixity);
-      residuals[i] = residual(i, log_f.value);
+      residuals[i] = residual(i, log_f.value + toughness);
       finite &= std::isfinite(residuals[i]);
       if (jacobian.empty()) continue;
-      const double f = scale_ == Scale::log ? 1 : std::exp(log_f.value);  // df = f d(ln f)
+      const double f = scale_ == Scale::log ? 1 : std::exp(log_f.value + toughness);  // df = f d(ln f)
       for (std::size_t k = 0; k < free.size(); ++k) {
         const double slope = weights_[i] * f * log_f.gradient[free[k]];
-        jacobian[i * free.size() + k] = slope;
+        jacobian[i * width + k] = slope;
         finite &= std::isfinite(slope);
       }
+      if (width > free.size()) jacobian[i * width + free.size()] = weights_[i] * f;
     }
     return finite;
   }
@@ -106,10 +112,11 @@ class ToughnessObjective final : public ModelProblem<Model> {
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override {
     if (HasLanes<Model> && scale_ == Scale::log) return evaluate(x, residuals, {});
     constexpr std::size_t kSample = 32;
-    const Parameters<Model> p = this->candidate(x).parameters;
+    const Candidate<Model> at = this->candidate(x);
     std::fill(residuals.begin(), residuals.end(), 0.0);
     for (std::size_t i = 0; i < points_.size(); i += std::max<std::size_t>(points_.size() / kSample, 1)) {
-      residuals[i] = residual(i, Model::log_toughness(p, points_[i].mixity).value);
+      residuals[i] =
+          residual(i, Model::log_toughness(at.parameters, points_[i].mixity).value + at.constants[kToughness]);
       if (!std::isfinite(residuals[i])) return false;
     }
     return true;
@@ -117,7 +124,7 @@ class ToughnessObjective final : public ModelProblem<Model> {
 
   std::unique_ptr<Cost> cost() const override {
     if constexpr (HasLanes<Model>) {
-      if (scale_ == Scale::log && choice_.size() == 1)
+      if (scale_ == Scale::log && choice_.size() == 1 && choice_.model().size() == 1)
         return std::make_unique<PackedToughness<Model>>(lanes_, targets_, weights_);
     }
     return Problem::cost();
@@ -136,15 +143,18 @@ class ToughnessObjective final : public ModelProblem<Model> {
   ToughnessLanes<Model> lanes_;
 };
 
-/// The same in ln f, unweighted, with constants of the experiment free: the points' psi and f follow from these.
+/// The same in ln f, with constants of the experiment free: the points' psi and f follow from these.
 template <class Model>
 class ToughnessOfLoads final : public ModelProblem<Model> {
  public:
-  ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice<Model> choice)
+  /// `weights`: 1/standard error of each point's ln f, or empty: 1.
+  ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice<Model> choice, std::vector<double> weights = {})
       : Base(std::move(choice)), points_(std::move(points)) {
-    weights_.assign(points_.size(), 1.0);
-    for (const MeasuredPoint& point : points_)
-      targets_.push_back(std::log(toughness_of_area(point.P, std::abs(point.T), point.A)->ratio));
+    weights_ = std::move(weights);
+    weights_.resize(points_.size(), 1.0);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      targets_.push_back(weights_[i] *
+                         std::log(toughness_of_area(points_[i].P, std::abs(points_[i].T), points_[i].A)->ratio));
   }
 
   double data_norm() const override {
@@ -160,12 +170,15 @@ class ToughnessOfLoads final : public ModelProblem<Model> {
                                  0};
       const auto r = scaled.A > 0 ? toughness_residual<Model>(at.parameters, scaled) : std::nullopt;
       if (!r) return false;
-      residuals[i] = r->value;
-      finite &= std::isfinite(r->value);
+      residuals[i] = weights_[i] * r->value;
+      finite &= std::isfinite(residuals[i]);
       if (jacobian.empty()) continue;
       const std::span<double> row = jacobian.subspan(i * choice_.size(), choice_.size());
       choice_.fill_row(row, r->parameters.data(), {r->P, r->T, r->A}, scaled, scale);
-      for (const double value : row) finite &= std::isfinite(value);
+      for (double& slope : row) {
+        slope *= weights_[i];
+        finite &= std::isfinite(slope);
+      }
     }
     return finite;
   }

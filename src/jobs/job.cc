@@ -6,6 +6,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "dataset/number_text.h"
 #include "dataset/side_by_side.h"
 
 namespace mixity {
@@ -72,7 +73,28 @@ std::vector<double> costs(const FitJob& job, const Dataset& data) {
   return list;
 }
 
+/// A fit that cannot be believed because another model is right says so.
+void tell_outdone(JobResult& result) {
+  constexpr double kNearlyCertain = 0.999;  // AICc weight
+  for (const ComparedModel& best : result.comparison) {
+    const auto fit = std::find_if(result.fits.begin(), result.fits.end(),
+                                  [&](const FitResult& one) { return one.model == best.model; });
+    if (!(best.weight.value_or(0) > kNearlyCertain) || fit->status != FitStatus::ok) continue;
+    for (FitResult& other : result.fits) {
+      if (other.status != FitStatus::suspect) continue;
+      other.outdone_by = best.model;
+      other.message = "model " + best.model + " describes these points far better (AICc weight above " +
+                      shortest(kNearlyCertain) + ")";
+    }
+  }
+}
+
 }  // namespace
+
+bool can_be_believed(const JobResult& result) {
+  return std::all_of(result.fits.begin(), result.fits.end(),
+                     [](const FitResult& fit) { return fit.status == FitStatus::ok || !fit.outdone_by.empty(); });
+}
 
 JobResult run(const FitJob& job, const Overrides& overrides, const Progress& progress) {
   JobResult result{job, load_dataset(job.data_path, overrides), {}, {}, {}};
@@ -98,6 +120,8 @@ JobResult run(const FitJob& job, const Overrides& overrides, const Progress& pro
   part(models, [&](const FitOptions& options) {
     if (job.compare && models > 1) result.comparison = compare_models(result.data, result.fits, options);
   });
+  tell_outdone(result);
+  result.unsheared = test_unsheared(result.data, job.options);
   if (job.per_curve) {
     result.per_curve.resize(models);
     for_each_of_the_models([&](std::size_t i) {

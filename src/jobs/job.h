@@ -7,6 +7,7 @@
 
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
+#include "fitting/unsheared.h"
 
 namespace mixity {
 
@@ -44,9 +45,13 @@ struct JobResult {
   FitJob job;
   Dataset data;
   std::vector<FitResult> fits;
-  std::vector<ComparedModel> comparison;  // empty with one model
-  std::vector<PerCurve> per_curve;        // per model, if asked for
+  std::vector<ComparedModel> comparison;     // empty with one model
+  std::vector<PerCurve> per_curve;           // per model, if asked for
+  std::optional<UnshearedTest> unsheared{};  // where there are areas without shear
 };
+
+/// Whether every fit can be believed, or is of a model that another one, which can, leaves far behind.
+bool can_be_believed(const JobResult& result);
 
 /// What the job's fits are made with.
 inline Objective objective_of(const JobResult& result) {

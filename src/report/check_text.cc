@@ -5,22 +5,11 @@
 
 #include "dataset/check.h"
 #include "dataset/number_text.h"
+#include "fitting/consistency.h"
+#include "report/constants_text.h"
 
 namespace mixity {
 namespace {
-
-void write_constants(std::ostringstream& out, const Dataset& data) {
-  const Metadata& metadata = data.metadata;
-  const auto line = [&](std::string_view name, const std::optional<double>& value, double scale,
-                        std::string_view unit) {
-    if (value) out << "    " << std::left << std::setw(16) << name << rounded(*value * scale, 6) << ' ' << unit << '\n';
-  };
-  line("radius", metadata.radius, 1e3, "mm");
-  line("modulus E*", metadata.plane_strain_modulus(), 1e-6, "MPa");
-  line("toughness G_Ic", metadata.toughness, 1, "J/m^2");
-  line("toughness G_IIc", metadata.toughness_II, 1, "J/m^2");
-  line("shear strength", metadata.shear_strength, 1e-6, "MPa");
-}
 
 void write_curves(std::ostringstream& out, const Dataset& data) {
   const auto curves = summarise_curves(data);
@@ -41,7 +30,7 @@ void write_curves(std::ostringstream& out, const Dataset& data) {
 
 }  // namespace
 
-std::string check_text(const Dataset& data) {
+std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared) {
   std::ostringstream out;
   out << "[[Data]]\n    " << data.name << "  (" << data.shown_path() << ")\n    "
       << (data.has_loads      ? "raw points (P, T, A), "
@@ -55,11 +44,17 @@ std::string check_text(const Dataset& data) {
       << "    provenance: " << to_string(data.metadata.provenance) << '\n';
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
   if (!data.metadata.source.empty()) out << "    source: " << data.metadata.source << '\n';
-  write_constants(out, data);
+  for (const auto& [name, value] : stated_constants_text(data))
+    out << "    " << std::left << std::setw(16) << name << value << '\n';
   write_curves(out, data);
   if (!data.excluded.empty()) out << "[[Excluded]]\n";
   for (const Excluded& excluded : data.excluded) out << "    line " << excluded.line << ": " << excluded.reason << '\n';
-  const auto oddities = find_oddities(data);
+  auto oddities = find_oddities(data);
+  if (unsheared && !data.points.empty()) {
+    out << "[[Areas without shear]]\n    " << unsheared_sentence(*unsheared) << '\n';
+    if (unsheared->p_value < kChance)
+      oddities.push_back("the areas without shear do not agree with JKR and the constants as stated");
+  }
   out << "[[Odd]]\n";
   if (oddities.empty()) out << "    nothing\n";
   for (const std::string& oddity : oddities) out << "    " << oddity << '\n';

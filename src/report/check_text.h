@@ -1,12 +1,15 @@
 // What `mixity check` prints.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "dataset/dataset.h"
+#include "fitting/unsheared.h"
 
 namespace mixity {
 
-std::string check_text(const Dataset& data);
+/// `unsheared`: null where nothing is to be said of areas without shear.
+std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared = {});
 
 }  // namespace mixity

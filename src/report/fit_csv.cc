@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <tuple>
 
 #include "dataset/csv.h"
 #include "fitting/predicted_area.h"
@@ -105,13 +106,24 @@ void write_curves(std::ostringstream& out, const JobResult& result, const Frame&
   }
 }
 
+/// What was known of a constant, and its part in the budget; of the parameter that has the budget, the scatter's part.
+std::string budget_fields(const FitResult& fit, const FittedParameter& parameter) {
+  std::optional<double> share, pull;
+  if (fit.budget && fit.budget->parameter == parameter.name) share = fit.budget->scatter;
+  for (const BudgetPart& part : fit.budget ? fit.budget->parts : std::vector<BudgetPart>{})
+    if (part.constant == parameter.name) std::tie(share, pull) = std::tuple(part.share, part.pull);
+  const bool known = parameter.prior.has_value();
+  return (known ? shortest(parameter.prior->mean) : "") + ',' +
+         (known ? shortest(parameter.prior->standard_error) : "") + ',' + number(share) + ',' + number(pull);
+}
+
 }  // namespace
 
 std::string fits_csv(const std::vector<JobResult>& results) {
   std::ostringstream out;
   out << "dataset,provenance,model,objective,scale,status,parameter,value,stderr,lower,upper,at_bound,r2,rmse,"
          "max_abs_residual,area_r2,area_rmse,area_unit,area_unpredicted,notice,unit,low,high,low_status,high_status,"
-         "paper_value,paper_status,paper_r2\n";
+         "paper_value,paper_status,paper_r2,prior_mean,prior_standard_error,variance_share,pull\n";
   for (const JobResult& result : results)
     for (const FitResult& fit : result.fits)
       for (const FittedParameter& parameter : fit.parameters) {
@@ -133,7 +145,7 @@ std::string fits_csv(const std::vector<JobResult>& results) {
           out << ",,,";
         out << ',' << number(fit.paper ? fit.paper->value_of(parameter.name) : std::nullopt) << ','
             << (fit.paper ? to_string(fit.paper->status) : "") << ','
-            << number(fit.paper ? fit.paper->r2 : std::nullopt) << '\n';
+            << number(fit.paper ? fit.paper->r2 : std::nullopt) << ',' << budget_fields(fit, parameter) << '\n';
       }
   return out.str();
 }

@@ -16,7 +16,8 @@ Json parameters_json(const FitResult& fit) {
                                   {"held", parameter.held},
                                   {"unit", parameter.unit},
                                   {"interval", interval_json(parameter.interval)},
-                                  {"bootstrap", bootstrap_json(parameter, fit)}};
+                                  {"bootstrap", bootstrap_json(parameter, fit)},
+                                  {"prior", prior_json(parameter)}};
   return parameters;
 }
 
@@ -66,6 +67,9 @@ Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
           {"influence", influence_json(fit, data)},
           {"area", area_json(fit, data)},
           {"paper", paper_json(fit)},
+          {"budget", budget_json(fit)},
+          {"consistency", consistency_json(fit, data)},
+          {"outdone_by", fit.outdone_by.empty() ? Json() : Json(fit.outdone_by)},
           {"published", published}};
 }
 
@@ -91,6 +95,7 @@ Json dataset_json(const JobResult& result) {
           {"points", data.rows},
           {"used", data.points.size()},
           {"excluded", excluded_json(data.excluded)},
+          {"unsheared", unsheared_json(result.unsheared)},
           {"fits", fits},
           {"comparison", comparison_json(result)},
           {"per_curve", per_curve_json(result)}};

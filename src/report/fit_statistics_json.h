@@ -22,6 +22,11 @@ Json errors_json(const FitResult& fit);
 Json bootstrap_json(const FittedParameter& parameter, const FitResult& fit);
 Json influence_json(const FitResult& fit, const Dataset& data);
 Json correlations_json(const FitResult& fit);
+/// What was known of a constant of the experiment beforehand.
+Json prior_json(const FittedParameter& parameter);
+Json budget_json(const FitResult& fit);
+Json consistency_json(const FitResult& fit, const Dataset& data);
+Json unsheared_json(const std::optional<UnshearedTest>& test);
 Json comparison_json(const JobResult& result);
 Json per_curve_json(const JobResult& result);
 

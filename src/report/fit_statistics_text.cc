@@ -6,6 +6,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "report/readable.h"
 #include "report/rounding.h"
 
 namespace mixity {
@@ -108,8 +109,8 @@ std::string resampling_text(const FitResult& fit, const Dataset& data) {
         << (!fit.bootstrap->of_runs ? " resampled point sets" : " resampled sets of runs");
     if (fit.bootstrap->failed > 0) out << " (" << fit.bootstrap->failed << " without a minimum, left out)";
     out << (fit.bootstrap->parameters.empty() ? ": too few of them fit\n" : "\n");
-    for (const FittedParameter& parameter : fit.parameters)
-      if (parameter.bootstrap)
+    for (const FittedParameter& fitted : fit.parameters)
+      if (const FittedParameter parameter = readable(fitted); parameter.bootstrap)
         out << "        " << parameter.name << ": "
             << resolved(parameter.bootstrap->low, parameter.bootstrap->high - parameter.bootstrap->low) << " .. "
             << resolved(parameter.bootstrap->high, parameter.bootstrap->high - parameter.bootstrap->low)

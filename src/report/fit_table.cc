@@ -3,25 +3,30 @@
 #include <algorithm>
 
 #include "report/fit_statistics_text.h"
+#include "report/readable.h"
 #include "report/rounding.h"
 
 namespace mixity {
 namespace {
 
-std::string parameter_text(const FittedParameter& parameter) {
+std::string parameter_text(const FittedParameter& fitted) {
+  const FittedParameter parameter = readable(fitted);
   std::string text = parameter.name + " = ";
   if (!parameter.value) return text + "not determined";
   const auto& interval = parameter.interval;
   const double width = interval && interval->low && interval->high ? *interval->high - *interval->low
                                                                    : 4 * parameter.stderr_.value_or(0);
-  text += resolved(*parameter.value, width);
+  if (parameter.stderr_) {
+    const RoundedToError shown = rounded_to_error(*parameter.value, *parameter.stderr_);
+    text += shown.value + " ± " + shown.error;
+  } else {
+    text += resolved(*parameter.value, width);
+  }
   if (interval) {
     const auto end = [&](const std::optional<double>& value, EndStatus status) {
       return !value ? std::string("open") : resolved(*value, width) + (status == EndStatus::at_bound ? " bound" : "");
     };
     text += " (" + end(interval->low, interval->low_status) + " .. " + end(interval->high, interval->high_status) + ")";
-  } else if (parameter.stderr_) {
-    text += " +/- " + rounded(*parameter.stderr_, 2);
   } else if (parameter.held) {
     text += " (held)";
   }
@@ -167,7 +172,7 @@ std::vector<std::string> findings(const JobResult& result) {
                                             " " + rounded(weight, 2) + ").");
   }
   for (const FitResult& fit : result.fits)
-    if (fit.status != FitStatus::ok)
+    if (fit.status != FitStatus::ok && fit.outdone_by.empty())
       sentences.push_back("Model " + fit.model + ", " + in_words(fit.status) + ": " + fit.message + ".");
   for (const std::string& note : result.data.notes) sentences.push_back("Note: " + note + ".");
   return sentences;
@@ -188,7 +193,9 @@ std::vector<std::string> assumptions(const JobResult& result) {
     list.push_back("R = " + rounded(data.contact->radius * 1e3, 6) +
                    " mm, E* = " + rounded(data.contact->modulus * 1e-6, 6) +
                    " MPa (plane strain) and G_Ic = " + rounded(data.contact->toughness * 1e3, 6) + " mJ/m² are exact" +
-                   (options.free.empty() ? "." : ", but for what was freed."));
+                   (options.free.empty() && data.metadata.standard_errors.empty()
+                        ? "."
+                        : ", but for what was freed or stated with a standard error."));
   else if (data.has_loads)
     list.emplace_back("The file is dimensionless: P and T over R G_Ic, A times (xi/R)^2.");
   if (objective == Objective::toughness) {

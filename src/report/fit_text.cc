@@ -4,8 +4,11 @@
 #include <cmath>
 #include <sstream>
 
+#include "report/budget_text.h"
+#include "report/constants_text.h"
 #include "report/excluded_text.h"
 #include "report/fit_statistics_text.h"
+#include "report/readable.h"
 #include "report/rounding.h"
 
 namespace mixity {
@@ -26,6 +29,10 @@ void write_data(std::ostringstream& out, const Dataset& data) {
   if (data.has_loads) out << ", in " << data.curves.size() << " loading run" << (data.curves.size() == 1 ? "" : "s");
   out << '\n';
   if (!data.metadata.source.empty()) out << "    # source       = " << data.metadata.source << '\n';
+  std::string constants;
+  for (const auto& [name, value] : stated_constants_text(data))
+    constants += (constants.empty() ? "" : ", ") + name + " " + value;
+  if (!constants.empty()) out << "    # constants    = " << constants << '\n';
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
   for (const std::string& note : data.notes) out << "    NOTE: " << note << '\n';
   write_excluded(out, data, kAllOfThem);
@@ -36,20 +43,27 @@ void write_parameter(std::ostringstream& out, const FittedParameter& parameter) 
   if (!parameter.value) {
     out << "not determined";
   } else {
-    out << rounded(*parameter.value, 7);
     if (parameter.stderr_) {
-      out << " +/- " << rounded(*parameter.stderr_, 2);
-      if (*parameter.value != 0)
+      const RoundedToError shown = rounded_to_error(*parameter.value, *parameter.stderr_);
+      out << shown.value << " +/- " << shown.error;
+      if (*parameter.stderr_ < std::abs(*parameter.value))
         out << " (" << rounded(100 * *parameter.stderr_ / std::abs(*parameter.value), 2) << "%)";
-    } else if (parameter.held) {
-      out << " (held)";
     } else {
-      out << " (no standard error" << (parameter.at_bound ? ": at its bound" : "") << ')';
+      out << rounded(*parameter.value, 7);
+      if (parameter.held)
+        out << " (held)";
+      else
+        out << " (no standard error" << (parameter.at_bound ? ": at its bound" : "") << ')';
     }
   }
   if (!parameter.unit.empty() && parameter.value) out << ' ' << parameter.unit;
   out << interval_text(parameter);
-  if (!parameter.held) out << "   range " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4);
+  if (parameter.prior) {
+    const RoundedToError stated = rounded_to_error(parameter.prior->mean, parameter.prior->standard_error);
+    out << "   stated " << stated.value << " +/- " << stated.error;
+  }
+  if (!parameter.held && !parameter.prior)
+    out << "   range " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4);
   out << '\n';
 }
 
@@ -63,11 +77,13 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
   out << "    status: " << (fit.status == FitStatus::ok ? "ok" : "*** " + capitals(to_string(fit.status)) + " ***");
   if (!fit.message.empty()) out << ": " << fit.message;
   out << '\n';
-  for (const FittedParameter& parameter : fit.parameters) write_parameter(out, parameter);
+  for (const FittedParameter& parameter : fit.parameters) write_parameter(out, readable(parameter));
+  for (const std::string& line : budget_lines(fit)) out << "    " << line << '\n';
   out << paper_text(fit);
   if (fit.rmse)
     out << "    R^2 = " << shown_r2(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
         << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size() << " points\n";
+  for (const std::string& line : consistency_lines(fit, data)) out << "    " << line << '\n';
   out << errors_text(fit, data) << resampling_text(fit, data);
   if (fit.area) {
     out << "    ";
@@ -96,6 +112,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
 std::string to_text(const JobResult& result) {
   std::ostringstream out;
   write_data(out, result.data);
+  if (result.unsheared) out << "    " << unsheared_sentence(*result.unsheared) << '\n';
   for (const FitResult& fit : result.fits) write_fit(out, fit, result.job, result.data);
   out << per_curve_text(result) << comparison_text(result);
   return out.str();

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "dataset/peak_forces.h"
-#include "jobs/job.h"
 #include "fitting/sahli.h"
+#include "jobs/job.h"
 
 namespace mixity {
 

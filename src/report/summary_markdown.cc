@@ -1,6 +1,7 @@
 #include "report/summary_markdown.h"
 
 #include "dataset/printable.h"
+#include "report/budget_text.h"
 #include "report/fit_table.h"
 #include "report/versions.h"
 
@@ -46,6 +47,12 @@ std::string data_set(const ReportEntry& entry) {
     }
     text += table_line(cells);
   }
+  std::string budgets;
+  if (result.unsheared) budgets += "- " + escaped(with_powers(unsheared_sentence(*result.unsheared))) + "\n";
+  for (const FitResult& fit : result.fits)
+    for (const std::string& line : budget_and_consistency(fit, data))
+      budgets += "- Model " + fit.model + ": " + escaped(with_powers(line)) + "\n";
+  if (!budgets.empty()) text += "\nError budget and consistency:\n\n" + budgets;
   text += "\nAssumed:\n\n";
   for (const std::string& assumption : assumptions(result)) text += "- " + escaped(assumption) + "\n";
   text += "\n";

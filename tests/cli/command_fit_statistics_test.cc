@@ -194,9 +194,9 @@ TEST(FitStatistics, BadFlagsAreOneLineAndExitTwo) {
   refused("--sigma_T=-1", "flag '--sigma_T' is '-1'; it must be a percentage or a quantity of 0 or more");
   refused("--loss=l1", "flag '--loss' is 'l1'; it must be none, huber or cauchy");
   refused("--loss_scale=0", "flag '--loss_scale' is '0'; it must be a number above 0");
-  refused("--free=radius",
-          "flag '--free': 'radius' cannot be fitted (known: toughness, modulus, load_offset, area_offset, model "
-          "parameters)");
+  refused("--free=colour",
+          "flag '--free': 'colour' cannot be fitted (known: toughness, modulus, radius, area_scale, load_offset, "
+          "shear_offset, area_offset, model parameters)");
   refused("--interval=bootstrap", "flag '--interval' is 'bootstrap'; it must be profile or none");
   refused("--confidence=95", "flag '--confidence' is '95'; it must be a number above 0 and below 1");
   refused("--confidence=1", "flag '--confidence' is '1'; it must be a number above 0 and below 1");
@@ -213,8 +213,10 @@ TEST(FitStatistics, WhatTheFileCannotGiveIsOneLineAndExitThree) {
       angles +
           ": objective curve needs loads and areas (columns P, T, A), or energies (G_I, G_II); this file has "
           "psi and Gc");
-  expect_refused({"fit", angles, "--free=toughness"}, 3,
-                 angles + ": only a file with loads and areas (columns P, T, A) can free constants of the experiment");
+  expect_refused({"fit", angles, "--free=modulus"}, 3,
+                 angles +
+                     ": the toughness is the only constant that can be free without loads and areas (columns P, T, "
+                     "A); this file has psi and Gc");
   for (const char* flag : {"--scale=linear", "--scale=log"})
     expect_refused({"fit", loads, flag}, 3,
                    loads +

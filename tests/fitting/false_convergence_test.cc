@@ -47,7 +47,8 @@ void expect_right_or_not_ok(const UnitCase& at, FitOptions options, const std::v
     for (const FitOptions& chosen : {options, value_only(options)}) {
       const FitResult fit = fit_model(data, at.model, chosen);
       ++tally.cases;
-      if (fit.status != FitStatus::ok) continue;
+      // what makes a fit suspect is not where its minimum lies
+      if (fit.status != FitStatus::ok && fit.status != FitStatus::suspect) continue;
       ++tally.ok;
       const double value = fit.parameters[0].value.value_or(std::nan(""));
       EXPECT_TRUE(is_right(value, best)) << at.name << " in " << unit.name << ", " << to_string(fit.objective)

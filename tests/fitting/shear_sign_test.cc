@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "fitting/fit.h"
+#include "fitting/predicted_area.h"
 #include "fitting/sahli.h"
 #include "fitting/synthetic_runs.h"
-#include "fitting/predicted_area.h"
 
 namespace mixity {
 namespace {

@@ -189,7 +189,8 @@ void expect_least_distance_below_hertz() {
   const FitOptions options{
       .objective = Objective::curve, .sigma_T = *parse_quantity("2%"), .sigma_A = *parse_quantity("2%")};
   const FitResult fit = fit_model(data, Model::info.key, options);
-  ASSERT_EQ(fit.status, FitStatus::ok) << Model::info.key << ' ' << fit.message;
+  // the points below Hertz do not agree with the rest, and that is said
+  ASSERT_EQ(fit.status, FitStatus::suspect) << Model::info.key << ' ' << fit.message;
   const auto problem = make_problem<Model>(data, options, prepare<Model>(data, options, *options.objective, nullptr));
   for (int i = 1; i < 400; ++i)
     EXPECT_GE(cost_at(*problem, i / 400.0 * problem->parameters()[0].upper), fit.sum_of_squares * (1 - 1e-9))

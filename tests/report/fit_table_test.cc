@@ -20,7 +20,7 @@ std::string cell(const FitTable& table, std::size_t row, const std::string& head
 
 TEST(FitTable, RoundsToTheErrorOfEachNumber) {
   const FitTable table = fit_table(shipped("mergel2018"));
-  EXPECT_EQ(cell(table, 0, "Parameters (95 % interval)"), "lambda = 0.002306 (0.002285 .. 0.002328)");
+  EXPECT_EQ(cell(table, 0, "Parameters (95 % interval)"), "lambda = 0.002306 ± 0.000011 (0.002285 .. 0.002328)");
   EXPECT_EQ(cell(table, 0, "R² in the fitted space"), "0.9999083");
   EXPECT_EQ(cell(table, 0, "Published"), "lambda = 0.0023 agrees; r2 = 0.9999 agrees");
   EXPECT_EQ(cell(table, 1, "AICc weight"), "< 0.0001");
@@ -50,9 +50,9 @@ TEST(FitTable, ShowsOpenAndBoundEndsHeldValuesAndStandardErrors) {
   JobResult result = example(FitStatus::ok);
   FitResult& fit = result.fits[0];
   const auto text = [&] { return cell(fit_table(result), 0, fit_table(result).headings[1]); };
-  EXPECT_EQ(text(), "lambda = 0.002346 +/- 1.2e-05");
+  EXPECT_EQ(text(), "lambda = 0.002346 ± 0.000012");
   fit.parameters[0].interval = ShownInterval{"profile", 0.9, 0.0, {}, EndStatus::at_bound, EndStatus::open};
-  EXPECT_EQ(text(), "lambda = 0.002346 (0 bound .. open)");
+  EXPECT_EQ(text(), "lambda = 0.002346 ± 0.000012 (0 bound .. open)");
   fit.parameters[0] = {"lambda", 0.5, {}, 0, 1, false, true};
   EXPECT_EQ(text(), "lambda = 0.5 (held)");
 }
@@ -65,13 +65,13 @@ TEST(FitTable, ForATerminalIsAligned) {
   result.fits[1].status = FitStatus::not_converged;
   EXPECT_EQ(
       table_text(result),
-      "Model  Parameters                     Status         R² fit     R² A(T)  RMS A(T)                 Published\n"
-      "c      lambda = 0.002346 +/- 1.2e-05  ok             0.9999083  0.99935  0.00216 mm^2             lambda = "
+      "Model  Parameters                    Status         R² fit     R² A(T)  RMS A(T)                 Published\n"
+      "c      lambda = 0.002346 ± 0.000012  ok             0.9999083  0.99935  0.00216 mm^2             lambda = "
       "0.0023 agrees\n"
-      "                                                                         without 2 past the fold  r2 = "
+      "                                                                        without 2 past the fold  r2 = "
       "0.9999 agrees\n"
-      "bk     lambda = 0.002346 +/- 1.2e-05  not converged  0.9999083  0.99935  0.00216 mm^2\n"
-      "                                                                         without 2 past the fold\n");
+      "bk     lambda = 0.002346 ± 0.000012  not converged  0.9999083  0.99935  0.00216 mm^2\n"
+      "                                                                        without 2 past the fold\n");
 }
 
 TEST(Findings, NameTheBestPredictionAndWhatDidNotEndOk) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "dataset/printable.h"
+#include "report/budget_text.h"
 #include "report/figures/svg.h"
 #include "report/fit_table.h"
 #include "report/page/style.h"
@@ -86,6 +87,7 @@ class Page {
     heading.append_attribute("id").set_value(entry.data->stem.c_str());
     add_provenance(section, data);
     add_fits(section, result);
+    add_budgets(section, result);
     for (const FigureGroup& group : entry.figures.groups) {
       add(section, "h3", group.title);
       pugi::xml_node figures = add(section, "div", {}, "figures");
@@ -139,6 +141,19 @@ class Page {
         if (column == 0) cell.append_attribute("scope").set_value("row");
         for (const std::string& text : row[column].lines) add(cell, "div", with_powers(text));
       }
+    }
+  }
+
+  /// What the errors are made of and whether the data are consistent.
+  static void add_budgets(pugi::xml_node section, const JobResult& result) {
+    add(section, "h3", "Error budget and consistency");
+    if (result.unsheared) add(section, "p", with_powers(unsheared_sentence(*result.unsheared)) + ".");
+    for (const FitResult& fit : result.fits) {
+      std::vector<std::string> lines = budget_and_consistency(fit, result.data);
+      if (lines.empty()) continue;
+      for (std::string& line : lines) line = with_powers(line);
+      add(section, "h4", "Model " + fit.model);
+      add_list(section, lines);
     }
   }
 

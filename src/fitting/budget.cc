@@ -1,0 +1,87 @@
+#include "fitting/budget.h"
+
+#include <Eigen/Dense>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+
+namespace mixity {
+namespace {
+
+/// Residuals so many times what rounding may leave are noise of the data.
+constexpr double kRounding = 100;
+
+}  // namespace
+
+std::optional<Budget> error_budget(const Problem& problem, const std::vector<double>& x, double unit,
+                                   const std::vector<bool>& held, const std::vector<ConstantStep>& exact) {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const std::size_t n = problem.residual_count(), fitted = held.size(), all = fitted + exact.size();
+  const auto& parameters = problem.parameters();
+  std::vector<double> residuals(n), jacobian(n * all);
+  if (fitted == 0 || !(unit > 0) || !problem.evaluate(x, residuals, jacobian)) return std::nullopt;
+  const auto rows = static_cast<Eigen::Index>(n);
+  const Matrix J = Eigen::Map<const Matrix>(jacobian.data(), rows, static_cast<Eigen::Index>(all)) / unit;
+  const Eigen::VectorXd r = Eigen::Map<const Eigen::VectorXd>(residuals.data(), rows) / unit;
+  if (!J.allFinite() || !r.allFinite()) return std::nullopt;
+  const bool scatters = r.norm() * unit > kRounding * residual_rounding(problem);
+
+  std::vector<Eigen::Index> open;  // columns of what the fit moves
+  for (std::size_t k = 0; k < fitted; ++k)
+    if (!held[k]) open.push_back(static_cast<Eigen::Index>(k));
+  const Eigen::MatrixXd open_J = J(Eigen::all, open), of_data = open_J.transpose() * open_J;
+  Eigen::MatrixXd H = of_data;
+  for (std::size_t i = 0; i < open.size(); ++i)
+    if (const double prior = parameters[static_cast<std::size_t>(open[i])].prior; prior > 0)
+      H(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) += 1 / (prior * prior);
+  // scaled to a unit diagonal, for the sake of rounding
+  const Eigen::VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
+  if (!scale.allFinite()) return std::nullopt;
+  std::optional<Eigen::LDLT<Eigen::MatrixXd>> factors;  // there is none of an empty matrix
+  if (!open.empty()) factors.emplace(scale.asDiagonal() * H * scale.asDiagonal());
+  const auto solve = [&](const Eigen::VectorXd& right) -> Eigen::VectorXd {
+    return factors ? Eigen::VectorXd(scale.cwiseProduct(factors->solve(scale.cwiseProduct(right)))) : right;
+  };
+  Budget budget{parameters[0].name, {}, {}, {}};
+  const bool moves = !held[0];
+  if (moves) {
+    const Eigen::VectorXd row = solve(Eigen::VectorXd::Unit(static_cast<Eigen::Index>(open.size()), 0));
+    const double variance = row[0];
+    if (!row.allFinite() || !(variance > 0)) return std::nullopt;
+    budget.scatter = row.dot(of_data * row) / variance;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const FreeParameter& parameter = parameters[static_cast<std::size_t>(open[i])];
+      if (!(parameter.prior > 0)) continue;
+      const double part = row[static_cast<Eigen::Index>(i)] / parameter.prior;
+      budget.parts.push_back({parameter.name, part * part / variance,
+                              (x[static_cast<std::size_t>(open[i])] - *parameter.start) / parameter.prior});
+    }
+  }
+  for (const ConstantStep& one : exact) {
+    const FreeParameter& parameter = parameters[one.parameter];
+    const Eigen::VectorXd column = J.col(static_cast<Eigen::Index>(one.parameter));
+    const Eigen::VectorXd moved = solve(open_J.transpose() * column);  // of the fit, for each unit of the constant
+    const double at = x[one.parameter], scale_of = parameters[0].shown_slope(x[0]);
+    ExactConstant constant{parameter.name,
+                           parameter.unit,
+                           moves ? std::optional(-moved[0] * one.step * scale_of) : std::nullopt,
+                           parameter.shown(at + one.step) - parameter.shown(at),
+                           {}};
+    const double square = column.squaredNorm(), left = square - (open_J.transpose() * column).dot(moved);
+    // what differs from the fit's own columns by rounding alone says nothing
+    if (left > 1e-9 * square && scatters) {
+      const double slope = column.dot(r), fall = slope * slope / left;
+      // where the variance of a residual is not known, each stands for its own (White)
+      const Eigen::VectorXd apart = column - open_J * moved;
+      double variance = problem.known_errors() ? left : apart.cwiseProduct(r).squaredNorm();
+      for (std::size_t i = 0; i < open.size() && !problem.known_errors(); ++i)
+        if (const double prior = parameters[static_cast<std::size_t>(open[i])].prior; prior > 0)
+          variance += std::pow(moved[static_cast<Eigen::Index>(i)] / prior, 2);
+      constant.score = {fall, parameter.shown(at - slope / left),
+                        cdf(complement(boost::math::chi_squared(1), slope * slope / variance))};
+    }
+    budget.exact.push_back(std::move(constant));
+  }
+  return budget;
+}
+
+}  // namespace mixity

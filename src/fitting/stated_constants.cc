@@ -1,0 +1,91 @@
+#include "fitting/stated_constants.h"
+
+#include <cmath>
+
+namespace mixity {
+namespace {
+
+/// The unit of an offset; 0 where the data are dimensionless.
+double offset_unit(const Dataset& data, Constant constant) {
+  if (!data.contact) return 0;
+  return constant == kAreaOffset ? data.contact->area_unit() : data.contact->force_unit();
+}
+
+/// Whether toughness ratios are of a toughness that is stated in J/m^2.
+bool states_toughness(const Dataset& data) {
+  return !data.has_loads && !data.has_energies && data.metadata.toughness.has_value();
+}
+
+/// The standard error as the solver counts.
+double stated_error(const Dataset& data, Constant constant) {
+  const Metadata& metadata = data.metadata;
+  const double error = metadata.standard_error(kConstantNames[constant]);
+  switch (constant) {
+    case kToughness:
+      return metadata.toughness ? error / *metadata.toughness : 0;
+    case kModulus:
+      return metadata.modulus_error();
+    case kRadius:
+      return metadata.radius ? error / *metadata.radius : 0;
+    case kAreaScale:
+      return metadata.area_scale ? error / *metadata.area_scale : 0;
+    default:
+      return offset_unit(data, constant) > 0 ? error / offset_unit(data, constant) : 0;
+  }
+}
+
+}  // namespace
+
+Constants stated_constants(const Dataset& data) {
+  Constants stated{};
+  if (!data.has_loads) return stated;
+  const Metadata& metadata = data.metadata;
+  if (metadata.area_scale) stated[kAreaScale] = std::log(*metadata.area_scale);
+  for (const auto& [constant, value] :
+       {std::pair(kLoadOffset, metadata.load_offset), std::pair(kShearOffset, metadata.shear_offset),
+        std::pair(kAreaOffset, metadata.area_offset)})
+    if (value && data.contact) stated[constant] = *value / offset_unit(data, constant);
+  return stated;
+}
+
+double constant_scale(const Dataset& data, Constant c) {
+  switch (c) {
+    case kToughness:
+      if (data.contact) return data.contact->toughness;
+      return states_toughness(data) ? *data.metadata.toughness : 1;
+    case kModulus:
+      return data.contact ? data.contact->modulus : 1;
+    case kRadius:
+      return data.contact ? data.contact->radius : 1;
+    case kAreaScale:
+      return 1;
+    case kLoadOffset:
+    case kShearOffset:
+      return data.display.force_scale;
+    case kAreaOffset:
+      break;
+  }
+  return data.display.area_scale;
+}
+
+std::string constant_unit(const Dataset& data, Constant c) {
+  if (c == kToughness && states_toughness(data)) return "J/m^2";
+  if (!data.contact || c == kAreaScale) return {};
+  if (c == kToughness) return "J/m^2";
+  if (c == kModulus) return "Pa";
+  if (c == kRadius) return "m";
+  return c == kAreaOffset ? data.display.area : data.display.force;
+}
+
+std::vector<FittedConstant> uncertain_constants(const Dataset& data) {
+  std::vector<FittedConstant> list;
+  const Constants stated = stated_constants(data);
+  for (const Constant constant : kAllConstants) {
+    const bool needed = data.has_loads ? constant == kAreaScale || data.contact.has_value() : constant == kToughness;
+    const double error = needed ? stated_error(data, constant) : 0;
+    if (error > 0) list.push_back({constant, stated[constant], error});
+  }
+  return list;
+}
+
+}  // namespace mixity

@@ -1,0 +1,93 @@
+#include "fitting/unsheared.h"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <set>
+
+#include "dataset/number_text.h"
+#include "fitting/consistency.h"
+#include "fitting/prepare.h"
+#include "solver/solve.h"
+
+namespace mixity {
+namespace {
+
+/// Without shear every law is JKR's.
+using AnyModel = PapangeloCiavarella;
+
+std::vector<std::size_t> unsheared_points(const Dataset& data) {
+  constexpr double kNoShear = 0.01;  // of the largest T
+  std::vector<double> largest(data.curves.size());
+  for (const Point& point : data.points) largest[point.curve] = std::max(largest[point.curve], point.shear());
+  std::vector<std::size_t> list;
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+    if (data.points[i].shear() <= kNoShear * largest[data.points[i].curve]) list.push_back(i);
+  return list;
+}
+
+double beyond(double chi2, std::size_t freedom) {
+  return freedom > 0 && chi2 > 0 ? cdf(complement(boost::math::chi_squared(static_cast<double>(freedom)), chi2)) : 1;
+}
+
+std::unique_ptr<ModelProblem<AnyModel>> problem_with(const Dataset& data, const FitOptions& options,
+                                                     const std::vector<std::size_t>& points) {
+  PreparedFit<AnyModel> prepared = prepare<AnyModel>(data, options, Objective::curve, &points);
+  prepared.held.fill(true);
+  auto problem = make_problem<AnyModel>(data, options, prepared);
+  problem->set_known_errors(true);  // as stated, or as neighbouring points scatter
+  return problem;
+}
+
+}  // namespace
+
+std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOptions& options) {
+  if (!data.has_loads) return std::nullopt;
+  const std::vector<std::size_t> points = unsheared_points(data);
+  FitOptions as_stated;
+  as_stated.sigma_T = options.sigma_T;
+  as_stated.sigma_A = options.sigma_A;
+  as_stated.constants = options.constants.value_or(stated_constants(data));
+  const auto stated = problem_with(data, as_stated, points);
+  std::vector<double> residuals(stated->residual_count());
+  if (residuals.empty() || residuals.size() < points.size() || !stated->evaluate({}, residuals, {}))
+    return std::nullopt;
+  UnshearedTest test;
+  std::set<double> loads;
+  for (const std::size_t i : points) loads.insert(data.curve_loads[data.points[i].curve]);
+  test.points = points.size();
+  test.loads = loads.size();
+  for (const double r : residuals) test.chi2 += r * r;
+  test.p_value = beyond(test.chi2, test.points);
+  for (const Constant constant : {kModulus, kToughness, kLoadOffset}) {
+    FitOptions freed = as_stated;
+    freed.free = {constant};
+    const auto problem = problem_with(data, freed, points);
+    const Verdict verdict = solve(*problem, {}, {});
+    if (verdict.status != FitStatus::ok || !verdict.standard_errors[0]) continue;
+    const FreeParameter& parameter = problem->parameters()[0];
+    const double x = verdict.best.x[0];
+    test.implied.push_back({parameter.name, parameter.unit, parameter.shown((*as_stated.constants)[constant]),
+                            parameter.shown(x), *verdict.standard_errors[0] * std::abs(parameter.shown_slope(x)),
+                            verdict.best.sum_of_squares, beyond(verdict.best.sum_of_squares, test.points - 1)});
+  }
+  return test;
+}
+
+std::string unsheared_sentence(const UnshearedTest& test) {
+  const std::string counted = std::to_string(test.points) + (test.points == 1 ? " point" : " points");
+  std::string text = "areas without shear (" + counted + ") " +
+                     (test.p_value < kChance ? "do not agree with JKR" : "agree with JKR") +
+                     " and the constants as stated" + ": chi^2 " + rounded(test.chi2, 3);
+  std::string separator = "; they imply ";
+  for (const UnshearedTest::Implied& one : test.implied) {
+    const ReadableUnit shown = readable_unit(one.value, one.unit);
+    text += separator + one.constant + " " + rounded(one.value * shown.factor, 4) + " +/- " +
+            rounded(one.standard_error * shown.factor, 2) + (one.unit.empty() ? "" : " " + shown.unit) + " (chi^2 " +
+            rounded(one.chi2, 3) + ")";
+    separator = " or ";
+  }
+  return text;
+}
+
+}  // namespace mixity

@@ -1,0 +1,88 @@
+#include "fitting/consistency.h"
+#include "report/fit_statistics_json.h"
+
+namespace mixity {
+namespace {
+
+Json exact_json(const ExactConstant& one) {
+  Json json = {{"constant", one.constant},
+               {"unit", one.unit},
+               {"step", one.step},
+               {"effect", number_or_null(one.effect)},
+               {"score", Json()}};
+  if (one.score)
+    json["score"] = {{"chi2_fall", one.score->fall}, {"value", one.score->value}, {"p_value", one.score->p_value}};
+  return json;
+}
+
+}  // namespace
+
+Json prior_json(const FittedParameter& parameter) {
+  if (!parameter.prior) return {};
+  return {{"mean", parameter.prior->mean},
+          {"standard_error", parameter.prior->standard_error},
+          {"distribution", parameter.prior->logarithmic ? "log-normal" : "normal"}};
+}
+
+Json budget_json(const FitResult& fit) {
+  if (!fit.budget) return {};
+  Json parts = Json::array(), exact = Json::array();
+  for (const BudgetPart& part : fit.budget->parts)
+    parts.push_back({{"constant", part.constant}, {"share", part.share}, {"pull", part.pull}});
+  for (const ExactConstant& one : fit.budget->exact) exact.push_back(exact_json(one));
+  return {{"parameter", fit.budget->parameter},
+          {"method", "joint covariance"},
+          {"scatter", number_or_null(fit.budget->scatter)},
+          {"parts", parts},
+          {"taken_as_exact", exact}};
+}
+
+Json consistency_json(const FitResult& fit, const Dataset& data) {
+  if (!fit.consistency) return {};
+  const Consistency& tests = *fit.consistency;
+  Json runs = Json::array(), beyond = Json::array();
+  for (const ResidualTests::Run& run : tests.residuals.runs)
+    runs.push_back({{"curve", run.curve},
+                    {"points", run.points},
+                    {"runs_z", run.runs},
+                    {"correlation", run.correlation},
+                    {"trend_z", run.trend}});
+  for (const BeyondEquilibrium& run : tests.beyond) {
+    const Point& first = data.points[run.first];
+    beyond.push_back({{"curve", run.curve},
+                      {"points", run.points},
+                      {"first_line", first.line},
+                      {"T", first.T * data.display.force_scale}});
+  }
+  return {{"chi2_per_freedom", number_or_null(tests.chi2_per_freedom)},
+          {"chi2_p_value", number_or_null(tests.chi2_p)},
+          {"correlation", tests.residuals.correlation},
+          {"correlation_p_value", tests.residuals.correlation_p},
+          {"runs_p_value", tests.residuals.runs_p},
+          {"trend_p_value", tests.residuals.trend_p},
+          {"ends_z", tests.residuals.ends},
+          {"ends_p_value", tests.residuals.ends_p},
+          {"runs", runs},
+          {"beyond_equilibrium", beyond}};
+}
+
+Json unsheared_json(const std::optional<UnshearedTest>& test) {
+  if (!test) return {};
+  Json implied = Json::array();
+  for (const UnshearedTest::Implied& one : test->implied)
+    implied.push_back({{"constant", one.constant},
+                       {"unit", one.unit},
+                       {"stated", one.stated},
+                       {"value", one.value},
+                       {"standard_error", one.standard_error},
+                       {"chi2", one.chi2},
+                       {"p_value", one.p_value}});
+  return {{"points", test->points},
+          {"loads", test->loads},
+          {"chi2", test->chi2},
+          {"p_value", test->p_value},
+          {"agrees", test->p_value >= kChance},
+          {"implied", implied}};
+}
+
+}  // namespace mixity

@@ -1,0 +1,116 @@
+#include "report/budget_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/units.h"
+#include "fitting/consistency.h"
+#include "report/rounding.h"
+
+namespace mixity {
+namespace {
+
+std::string percent(double share) { return rounded(100 * share, 2) + "%"; }
+
+std::string chance(double p) { return p < 1e-4 ? "p < 0.0001" : "p = " + rounded(p, 2); }
+
+std::string uncertain(const Budget& budget) {
+  constexpr double kFar = 3;  // standard errors of a prior
+  std::string text =
+      "error budget of " + budget.parameter + " (shares of the variance): scatter " + percent(*budget.scatter);
+  for (const BudgetPart& part : budget.parts) text += ", " + part.constant + " " + percent(part.share);
+  std::string separator = "; ";
+  for (const BudgetPart& part : budget.parts) {
+    if (!(std::abs(part.pull) > kFar)) continue;
+    text += separator + "FAR FROM WHAT WAS STATED: " + part.constant + " by " + rounded(part.pull, 2) +
+            " of its standard errors";
+    separator = ", ";
+  }
+  return text;
+}
+
+std::string exact(const Budget& budget) {
+  std::string text, separator = "taken as exact; " + budget.parameter + " would move by ";
+  for (const ExactConstant& one : budget.exact) {
+    if (!one.effect) continue;
+    const bool offset = one.constant.ends_with("_offset");
+    text += separator + (*one.effect < 0 ? "" : "+") + rounded(*one.effect, 2) + " (" + one.constant + " +" +
+            (offset ? rounded(one.step, 2) + unit_text(one.unit) : "5%") + ")";
+    separator = ", ";
+  }
+  return text;
+}
+
+/// Constants that the data ask to be free, those that chi^2 would gain most from first.
+std::string score_tests(const FitResult& fit) {
+  constexpr std::size_t kMost = 3;
+  if (!fit.budget) return {};
+  const auto number = static_cast<double>(fit.budget->exact.size());
+  std::vector<const ExactConstant*> list;
+  for (const ExactConstant& one : fit.budget->exact)
+    if (one.score && one.score->p_value * number < kChance) list.push_back(&one);
+  std::stable_sort(list.begin(), list.end(), [](const ExactConstant* one, const ExactConstant* other) {
+    return one->score->fall > other->score->fall;
+  });
+  std::string text, separator = "score tests: chi^2 would fall by ";
+  for (std::size_t i = 0; i < std::min(kMost, list.size()); ++i) {
+    const ExactConstant& one = *list[i];
+    const ReadableUnit shown = readable_unit(one.score->value, one.unit);
+    text += separator + rounded(one.score->fall, 3) + " with " + one.constant + " near " +
+            rounded(one.score->value * shown.factor, 4) + unit_text(shown.unit) + " (" + chance(one.score->p_value) +
+            ")";
+    separator = ", by ";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> budget_lines(const FitResult& fit) {
+  std::vector<std::string> lines;
+  if (!fit.budget) return lines;
+  if (!fit.budget->parts.empty() && fit.budget->scatter) lines.push_back(uncertain(*fit.budget));
+  if (std::string text = exact(*fit.budget); !text.empty()) lines.push_back(std::move(text));
+  return lines;
+}
+
+std::vector<std::string> budget_and_consistency(const FitResult& fit, const Dataset& data) {
+  std::vector<std::string> lines;
+  if (fit.status == FitStatus::suspect) lines.push_back("SUSPECT: " + fit.message);
+  if (!fit.outdone_by.empty()) return lines;  // what its errors are made of is of no interest
+  for (const auto& more : {budget_lines(fit), consistency_lines(fit, data)})
+    lines.insert(lines.end(), more.begin(), more.end());
+  return lines;
+}
+
+std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& data) {
+  std::vector<std::string> lines;
+  if (!fit.consistency) return lines;
+  const Consistency& tests = *fit.consistency;
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "residuals: " : ", ") + part; };
+  if (tests.chi2_per_freedom)
+    add("chi^2 per degree of freedom " + rounded(*tests.chi2_per_freedom, 3) + " (" + chance(*tests.chi2_p) + ")");
+  if (!tests.residuals.runs.empty()) {
+    add("runs of one sign " + chance(tests.residuals.runs_p));
+    add("correlation of neighbours " + rounded(tests.residuals.correlation, 2) + " (" +
+        chance(tests.residuals.correlation_p) + ")");
+    add("trends " + chance(tests.residuals.trend_p));
+    if (fit.area) add("ends of runs " + chance(tests.residuals.ends_p));
+  }
+  if (!text.empty()) lines.push_back(text);
+  if (std::string scores = score_tests(fit); !scores.empty()) lines.push_back(std::move(scores));
+  std::string separator = "beyond the last equilibrium: ";
+  text.clear();
+  for (const BeyondEquilibrium& run : tests.beyond) {
+    const Point& first = data.points[run.first];
+    text += separator + std::to_string(run.points) + (run.points == 1 ? " point" : " points") + " of run " + run.curve +
+            " from T = " + rounded(first.T * data.display.force_scale, 4) + unit_text(data.display.force) + " (line " +
+            std::to_string(first.line) + ")";
+    separator = ", ";
+  }
+  if (!text.empty()) lines.push_back(text);
+  return lines;
+}
+
+}  // namespace mixity

@@ -1,0 +1,22 @@
+// What a fit's error is made of and whether the data are consistent, as sentences for text, page and summary.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "jobs/job.h"
+
+namespace mixity {
+
+/// Where the variance of the parameter comes from, how far uncertain constants moved, and what constants that were
+/// taken as exact would do to it; empty without a budget.
+std::vector<std::string> budget_lines(const FitResult& fit);
+
+/// What the tests of the residuals say, which constants the data ask to be free, and where points lie beyond the last
+/// equilibrium; empty where nothing was tested.
+std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& data);
+
+/// Both, with what makes the fit suspect first.
+std::vector<std::string> budget_and_consistency(const FitResult& fit, const Dataset& data);
+
+}  // namespace mixity

@@ -1,0 +1,98 @@
+// The tests of residuals against their own distribution and against data that are wrong in one known way.
+#include "fitting/consistency.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fitting/fit.h"
+#include "fitting/measured_runs.h"
+
+namespace mixity {
+namespace {
+
+/// A fit that says no more than these residuals, of runs of `points` points.
+FitResult fit_with(const std::vector<double>& residuals) {
+  FitResult fit;
+  fit.residuals = residuals;
+  fit.known_errors = true;
+  for (std::size_t i = 0; i < residuals.size(); ++i) fit.used.push_back(i);
+  for (const double r : residuals) fit.sum_of_squares += r * r;
+  return fit;
+}
+
+Dataset runs_of(std::size_t runs, std::size_t points) {
+  Dataset data = empty_runs();
+  for (std::size_t c = 0; c < runs; ++c) {
+    data.curves.push_back("run");
+    data.curve_loads.push_back(1);
+    for (std::size_t i = 0; i < points; ++i)
+      data.points.push_back({data.points.size() + 2, c, 1, static_cast<double>(i), 1});
+  }
+  return data;
+}
+
+struct Counts {
+  int runs = 0, correlation = 0, trend = 0, ends = 0, chi2 = 0;
+};
+
+/// How often each p-value falls below 5 % in 2,000 experiments whose residuals are made by `residual(i, before,
+/// noise)`.
+template <class Make>
+Counts count(Make make) {
+  const Dataset data = runs_of(6, 25);
+  SeededNoise noise(7, 1);
+  Counts counts;
+  for (int experiment = 0; experiment < 2000; ++experiment) {
+    std::vector<double> residuals;
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+      residuals.push_back(make(data.points[i].T, i > 0 ? residuals[i - 1] : 0.0, noise()));
+    const Consistency tests = test_consistency(data, fit_with(residuals));
+    counts.runs += tests.residuals.runs_p < 0.05;
+    counts.correlation += tests.residuals.correlation_p < 0.05;
+    counts.trend += tests.residuals.trend_p < 0.05;
+    counts.ends += tests.residuals.ends_p < 0.05;
+    counts.chi2 += *tests.chi2_p < 0.05;
+  }
+  return counts;
+}
+
+/// 100 are expected, and 20 is two standard deviations; robust forms and whole numbers of runs are off by some more.
+TEST(Consistency, OfWhiteResidualsFailsAsOftenAsItSays) {
+  const Counts counts = count([](double, double, double noise) { return noise; });
+  for (const int one : {counts.runs, counts.correlation, counts.trend, counts.ends, counts.chi2})
+    EXPECT_NEAR(one, 100, 40);
+}
+
+TEST(Consistency, SeesCorrelationTrendAndEnds) {
+  const Counts correlated = count([](double, double before, double noise) { return 0.5 * before + noise; });
+  EXPECT_GT(correlated.correlation, 1900);
+  EXPECT_GT(correlated.runs, 1900);
+  const Counts trend = count([](double T, double, double noise) { return 0.08 * (T - 12) + noise; });
+  EXPECT_GT(trend.trend, 1900);
+  const Counts ends = count([](double T, double, double noise) { return (T > 23.5 ? 2 : 0) + noise; });
+  EXPECT_GT(ends.ends, 1900);
+  const Counts loud = count([](double, double, double noise) { return 1.4 * noise; });
+  EXPECT_GT(loud.chi2, 1900);
+}
+
+TEST(Consistency, OfFewPointsSaysNothing) {
+  const Dataset data = runs_of(3, 5);
+  const Consistency tests = test_consistency(data, fit_with(std::vector<double>(15, 2)));
+  EXPECT_TRUE(tests.residuals.runs.empty());
+  EXPECT_EQ(tests.residuals.runs_p, 1);
+}
+
+TEST(Consistency, ListsRunsThatGoOnBeyondTheLastEquilibrium) {
+  Dataset data = measured_runs(1);
+  for (Point& point : data.points)
+    if (point.curve == 2 && point.T > 0) point.T *= 1.3;
+  const FitResult fit = fit_model(data, "c", stated_errors());
+  ASSERT_TRUE(fit.consistency);
+  ASSERT_EQ(fit.consistency->beyond.size(), 1u);
+  EXPECT_EQ(fit.consistency->beyond[0].curve, "run 3");
+  EXPECT_EQ(fit.consistency->beyond[0].points, fit.area->unpredicted);
+}
+
+}  // namespace
+}  // namespace mixity

@@ -1,0 +1,110 @@
+// A fit of data that are wrong in one way names it; data that are right are believed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fitting/fit.h"
+#include "fitting/measured_runs.h"
+
+namespace mixity {
+namespace {
+
+constexpr double kTruth = 0.15;
+
+FitResult fitted(const Dataset& data) {
+  FitOptions options = stated_errors();
+  options.intervals = true;
+  return fit_model(data, "c", options);
+}
+
+/// The data as read by somebody who states another constant.
+Dataset with_constants(double modulus, double toughness) {
+  Dataset data = measured_runs(5);
+  const Contact truth = *data.contact, stated{truth.radius, truth.modulus * modulus, truth.toughness * toughness};
+  for (Point& point : data.points) {
+    point.P *= truth.force_unit() / stated.force_unit();
+    point.T *= truth.force_unit() / stated.force_unit();
+    point.A *= truth.area_unit() / stated.area_unit();
+  }
+  for (double& load : data.curve_loads) load *= truth.force_unit() / stated.force_unit();
+  data.contact = stated;
+  data.metadata.modulus = stated.modulus;
+  data.metadata.toughness = stated.toughness;
+  return data;
+}
+
+TEST(Diagnosis, BelievesDataThatAreWhatTheyClaim) {
+  int suspect = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) suspect += fitted(measured_runs(seed)).status == FitStatus::suspect;
+  EXPECT_LE(suspect, 6);  // 1 % is claimed; more than 6 of 200 have a probability of 0.5 % then
+}
+
+TEST(Diagnosis, NamesAWrongModulus) {
+  for (const double factor : {0.95, 1.05}) {
+    const FitResult fit = fitted(with_constants(factor, 1));
+    EXPECT_EQ(fit.status, FitStatus::suspect);
+    EXPECT_TRUE(fit.message.starts_with("modulus (or area_scale, which acts like it) looks wrong")) << fit.message;
+  }
+}
+
+TEST(Diagnosis, NamesAWrongToughness) {
+  const FitResult fit = fitted(with_constants(1, 0.9));
+  EXPECT_EQ(fit.status, FitStatus::suspect);
+  EXPECT_TRUE(fit.message.starts_with("toughness looks wrong: at 30")) << fit.message;  // mJ/m^2, from 27
+}
+
+TEST(Diagnosis, NamesALoadCellThatReadsTooMuch) {
+  Dataset data = measured_runs(5);
+  for (Point& point : data.points) point.P += 1;
+  for (double& load : data.curve_loads) load += 1;
+  const FitResult fit = fitted(data);
+  EXPECT_EQ(fit.status, FitStatus::suspect);
+  EXPECT_TRUE(fit.message.starts_with("load_offset looks wrong")) << fit.message;
+}
+
+TEST(Diagnosis, NamesPointsPastTheOnsetOfSliding) {
+  Dataset data = measured_runs(5, {}, 25);
+  for (Point& point : data.points)
+    if (point.T > 0 && (point.line - 2) % 25 >= 23) {
+      point.T *= 1.25;
+      point.A *= 0.8;
+    }
+  const FitResult fit = fitted(data);
+  EXPECT_EQ(fit.status, FitStatus::suspect);
+  EXPECT_TRUE(fit.message.starts_with("12 points lie past the onset of sliding, the first in line 25")) << fit.message;
+}
+
+TEST(Diagnosis, SaysThatErrorsAreUnderstated) {
+  FitOptions options = stated_errors();
+  options.sigma_A = options.sigma_T = *parse_quantity("0.5%");
+  const FitResult fit = fit_model(measured_runs(5), "c", options);
+  EXPECT_EQ(fit.status, FitStatus::suspect);
+  EXPECT_TRUE(fit.message.starts_with("the scatter is larger than the stated errors")) << fit.message;
+}
+
+/// What is stated with its error is fitted with it: the interval holds the truth, and nothing is suspect.
+TEST(Diagnosis, BelievesAWrongConstantThatIsStatedWithItsError) {
+  Dataset data = with_constants(1.05, 1);
+  data.metadata.standard_errors = {{"modulus", 0.05 * *data.metadata.modulus}};
+  const FitResult fit = fitted(data);
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_LT(*fit.parameters[0].interval->low, kTruth);
+  EXPECT_GT(*fit.parameters[0].interval->high, kTruth);
+}
+
+/// Four standard errors of a prior are not believed in silence.
+TEST(Diagnosis, SaysThatAConstantLiesFarFromWhatWasStated) {
+  Dataset data = with_constants(1.15, 1);
+  data.metadata.standard_errors = {{"modulus", 0.02 * *data.metadata.modulus}};
+  const FitResult fit = fitted(data);
+  EXPECT_EQ(fit.status, FitStatus::suspect);
+  EXPECT_NE(fit.message.find("modulus"), std::string::npos) << fit.message;
+}
+
+TEST(Diagnosis, OfDataWithoutScatterIsSilent) {
+  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20});
+  EXPECT_EQ(fit_model(data, "c").status, FitStatus::ok);
+}
+
+}  // namespace
+}  // namespace mixity
