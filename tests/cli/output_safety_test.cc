@@ -5,6 +5,7 @@
 #include <sys/ptrace.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -224,16 +225,32 @@ TEST(OutputSafety, AFileWhereAFolderIsWantedStaysAsItIs) {
   }
 }
 
-/// Lets a program that begins with PTRACE_TRACEME run until it has entered or left `most` system calls. Returns how
-/// many it had when it stopped, or ended and was waited for.
-long run_to_call(pid_t child, long most) {
+/// Whether a stopped program is about to rename a file. False where the kernel does not say.
+bool is_about_to_rename(pid_t child) {
+  __ptrace_syscall_info info{};
+  if (::ptrace(PTRACE_GET_SYSCALL_INFO, child, sizeof info, &info) <= 0) return false;
+  return info.op == PTRACE_SYSCALL_INFO_ENTRY &&
+         (info.entry.nr == SYS_rename || info.entry.nr == SYS_renameat || info.entry.nr == SYS_renameat2);
+}
+
+constexpr long kEndless = 1'000'000;
+struct Calls {
+  long all = 0, renames = 0;
+};
+
+/// Lets a program that begins with PTRACE_TRACEME run until it has entered or left so many system calls, or is about to
+/// rename for so many a time. Returns how many it had when it stopped, or ended and was waited for.
+Calls run_to(pid_t child, const Calls& most) {
   int status = 0, signal = 0;
-  if (::waitpid(child, &status, 0) != child || !WIFSTOPPED(status)) return 0;
-  long calls = 0;
-  while (calls < most && ::ptrace(PTRACE_SYSCALL, child, nullptr, static_cast<long>(signal)) == 0) {
+  Calls calls;
+  if (::waitpid(child, &status, 0) != child || !WIFSTOPPED(status)) return calls;
+  while (calls.all < most.all && calls.renames < most.renames &&
+         ::ptrace(PTRACE_SYSCALL, child, nullptr, static_cast<long>(signal)) == 0) {
     if (::waitpid(child, &status, 0) != child || !WIFSTOPPED(status)) break;
     signal = WSTOPSIG(status) == SIGTRAP ? 0 : WSTOPSIG(status);
-    if (signal == 0) ++calls;
+    if (signal != 0) continue;
+    ++calls.all;
+    calls.renames += is_about_to_rename(child);
   }
   return calls;
 }
@@ -284,11 +301,11 @@ TEST_P(Killed, LeavesEachFileOldOrNewAndTheNextRunIsWhole) {
   ASSERT_FALSE(before == after);
 
   // Where programs may not be traced, all are killed at any moment, of which few fall among the writes.
-  const long calls = run_to_call(start(words("0.95"), err_, be_traced), 1'000'000);
-  const bool traced = calls > 0;
+  const Calls calls = run_to(start(words("0.95"), err_, be_traced), {kEndless, kEndless});
+  const bool traced = calls.all > 0;
   // system calls, roughly: the files are written, and at last all are renamed
   const std::size_t writing = 25 * after.size(), renaming = 2 * after.size() + 30;
-  ASSERT_TRUE(!traced || calls > static_cast<long>(writing)) << calls;
+  ASSERT_TRUE(!traced || calls.all > static_cast<long>(writing)) << calls.all;
   const int wanted_mixed = traced ? 3 : 0;
   std::mt19937 random(1);
   int killed = 0, mixed = 0;
@@ -299,7 +316,10 @@ TEST_P(Killed, LeavesEachFileOldOrNewAndTheNextRunIsWhole) {
     if (anywhen)
       std::this_thread::sleep_for(std::chrono::microseconds(random() % static_cast<std::uint64_t>(whole_run)));
     else
-      run_to_call(child, calls - static_cast<long>(random() % (run % 4 == 1 ? writing : renaming)));
+      run_to(child,
+             run % 4 == 3 && calls.renames > 0
+                 ? Calls{kEndless, 1 + static_cast<long>(random()) % calls.renames}
+                 : Calls{calls.all - static_cast<long>(random() % (run % 4 == 1 ? writing : renaming)), kEndless});
     ::kill(child, SIGKILL);
     int status = 0;
     killed += ::waitpid(child, &status, 0) == child && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
@@ -329,14 +349,14 @@ TEST_P(Killed, WhoIsAskedToEndWhileFilesTakeTheirNamesLeavesOneRunOrTheOther) {
   const Contents before = contents_of(out_);
   ASSERT_EQ(run_program(words("0.95")).exit_code, 0);
   const Contents after = contents_of(out_);
-  const long calls = run_to_call(start(words("0.95"), err_, be_traced), 1'000'000);
+  const long calls = run_to(start(words("0.95"), err_, be_traced), {kEndless, kEndless}).all;
   if (calls == 0) return;  // programs may not be traced here
   int old_runs = 0, new_runs = 0;
   // From the end backwards, through the renames to the writing before them
   for (long back = 4; old_runs < 4 && back < calls; back += 3) {
     put_back(before);
     const pid_t child = start(words("0.95"), err_, be_traced);
-    run_to_call(child, calls - back);
+    run_to(child, {calls - back, kEndless});
     ::ptrace(PTRACE_DETACH, child, nullptr, static_cast<long>(SIGTERM));
     int status = 0;
     ::waitpid(child, &status, 0);
