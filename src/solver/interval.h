@@ -36,6 +36,8 @@ class Profile {
   std::optional<Value> operator()(double value, double share = 1);
   /// All parameters at the minimum last found.
   const std::vector<double>& point() const { return x_; }
+  /// Of several parameters: the cost there with its derivatives.
+  const CostValue& cost() const { return last_.cost; }
 
  private:
   /// A minimum over the others, and the cost there with its derivatives.

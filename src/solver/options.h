@@ -84,4 +84,9 @@ struct BootstrapOptions {
   unsigned threads = 0;  // 0: as many as the machine has
 };
 
+/// uniform: over the parameter's range. log_uniform: in its logarithm, from kLeastOfUpper of the upper bound to it; for
+/// a parameter whose range begins at 0.
+enum class RangePrior { uniform, log_uniform };
+inline constexpr double kLeastOfUpper = 1e-6;
+
 }  // namespace mixity

@@ -79,4 +79,11 @@ struct Influence {
   std::vector<PointInfluence> points;
   std::vector<std::vector<double>> runs;  // change of each parameter when the run is left out; empty: that fit fails
 };
+
+/// `log_evidence`: natural logarithm, without the factors that depend on the data alone, which all models of the same
+/// points share. Of parameter 0: mean, standard deviation and the interval that leaves out as much on either side.
+struct Evidence {
+  double log_evidence, mean, standard_deviation, low, high;
+};
+
 }  // namespace mixity
