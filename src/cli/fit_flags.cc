@@ -79,8 +79,9 @@ FitJob job_for(const std::string& path) {
 
 std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags) {
   flags.insert(flags.end(),
-               {"models", "objective", "scale", "weighted", "sigma_T", "sigma_A", "loss", "loss_scale", "hold", "free",
-                "interval", "confidence", "bootstrap", "resample", "seed", "threads", "influence", "compare", "per"});
+               {"models",     "objective", "scale",   "weighted",  "sigma_T",    "sigma_A",      "loss",
+                "loss_scale", "hold",      "free",    "interval",  "confidence", "lambda_prior", "bootstrap",
+                "resample",   "seed",      "threads", "influence", "compare",    "per"});
   return with_metadata_flags(std::move(flags));
 }
 

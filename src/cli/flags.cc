@@ -29,6 +29,7 @@ DEFINE_int32(threads, 0, "threads for bootstrap and influence (0: as many as the
 DEFINE_bool(influence, false, "how much each point and each run moves the fit: jackknife, leverage, Cook's distance");
 DEFINE_bool(compare, true, "compare the models: AICc, weights, error on loads left out of the fit");
 DEFINE_string(per, "", "curve: fit each loading run by itself, too, and test one value against many");
+DEFINE_string(lambda_prior, "uniform", "prior of lambda for evidence and credible interval: uniform or log_uniform");
 DEFINE_string(confidence, "0.95", "confidence of intervals, above 0 and below 1");
 DEFINE_string(scale, "log", "toughness is compared as ln(Gc/GIc) (log) or as Gc/GIc (linear)");
 DEFINE_string(hold, "", "parameters to hold, comma-separated: NAME=VALUE, or NAME for the data set's own value");

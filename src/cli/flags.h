@@ -19,6 +19,7 @@ DECLARE_string(loss_scale);
 DECLARE_string(free);
 DECLARE_string(interval);
 DECLARE_string(confidence);
+DECLARE_string(lambda_prior);
 DECLARE_bool(compare);
 DECLARE_int32(bootstrap);
 DECLARE_string(resample);

@@ -100,6 +100,9 @@ void add_statistics_flags(FitJob& job) {
     throw UsageError("flag '--threads' needs --bootstrap or --influence");
   if (is_set("confidence") && !options.intervals && options.bootstrap.replicates == 0)
     throw UsageError("flag '--confidence' needs --interval=profile or --bootstrap");
+  if (FLAGS_lambda_prior != "uniform" && FLAGS_lambda_prior != "log_uniform")
+    throw UsageError("flag '--lambda_prior' is '" + FLAGS_lambda_prior + "'; it must be uniform or log_uniform");
+  if (FLAGS_lambda_prior == "log_uniform") options.lambda_prior = RangePrior::log_uniform;
   if (is_set("confidence")) options.confidence = number_between("confidence", FLAGS_confidence, 0, 1);
 }
 

@@ -38,6 +38,22 @@ std::optional<double> squared_area_errors(const Dataset& data, const std::vector
   return sum;
 }
 
+/// Of models that were fitted to all of the points.
+void set_probabilities(const std::vector<FitResult>& fits, std::size_t points, std::vector<ComparedModel>& compared) {
+  double highest = -std::numeric_limits<double>::infinity(), sum = 0;
+  const auto comparable = [&](const FitResult& one) { return one.used.size() == points; };
+  for (const FitResult& one : fits) {
+    if (!comparable(one)) continue;
+    if (!one.evidence) return;
+    highest = std::max(highest, one.evidence->evidence.log_evidence);
+  }
+  for (const FitResult& one : fits)
+    if (comparable(one)) sum += std::exp(one.evidence->evidence.log_evidence - highest);
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    if (comparable(fits[i]))
+      compared[i].probability = std::exp(fits[i].evidence->evidence.log_evidence - highest) / sum;
+}
+
 }  // namespace
 
 std::optional<Information> information(const FitResult& fit) {
@@ -117,7 +133,36 @@ std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector
     if (entry.aicc) sum += std::exp(0.5 * (lowest - *entry.aicc));
   for (ComparedModel& entry : compared)
     if (entry.aicc) entry.weight = std::exp(0.5 * (lowest - *entry.aicc)) / sum;
+  set_probabilities(fits, most, compared);
   return compared;
+}
+
+bool Preferences::agree() const {
+  std::string preferred;
+  for (const std::string& one : {aicc, evidence, left_out}) {
+    if (one.empty()) continue;
+    if (preferred.empty()) preferred = one;
+    if (one != preferred) return false;
+  }
+  return true;
+}
+
+Preferences preferences(const std::vector<ComparedModel>& compared) {
+  // the model that a number is largest of; empty unless two models have it
+  const auto largest = [&](auto number_of) {
+    const ComparedModel* best = nullptr;
+    std::size_t known = 0;
+    for (const ComparedModel& one : compared) {
+      const std::optional<double> number = number_of(one);
+      known += number.has_value();
+      if (number && (!best || *number > *number_of(*best))) best = &one;
+    }
+    return known > 1 ? best->model : std::string();
+  };
+  return {largest([](const ComparedModel& one) { return one.weight; }),
+          largest([](const ComparedModel& one) { return one.probability; }), largest([](const ComparedModel& one) {
+            return one.left_out ? std::optional(-one.left_out->rmse_area) : std::nullopt;
+          })};
 }
 
 PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOptions& options) {

@@ -39,11 +39,20 @@ struct ComparedModel {
   std::string model;
   std::optional<double> aicc, bic, weight;  // null where the fit used other points than the rest, or has no value
   std::optional<LeftOut> left_out;
+  /// By the evidence, all models equally probable beforehand; null unless all models of these points have one.
+  std::optional<double> probability{};
 };
 
 /// All fits of one data set. Akaike weights exp(-d/2)/sum over the models whose AICc is comparable.
 std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector<FitResult>& fits,
                                           const FitOptions& options);
+
+/// What each criterion prefers; empty where it has nothing to compare.
+struct Preferences {
+  std::string aicc, evidence, left_out;
+  bool agree() const;  // those that prefer a model prefer the same
+};
+Preferences preferences(const std::vector<ComparedModel>& compared);
 
 /// One run's own fit.
 struct CurveFit {

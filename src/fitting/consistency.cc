@@ -144,20 +144,20 @@ const ExactConstant* wrong_constant(const FitResult& fit) {
 }
 
 bool slides(const FitResult& fit) {
-  constexpr double kFar = 4;       // standard errors of a residual
+  constexpr double kFarOff = 4;    // standard errors of a residual
   constexpr std::size_t kFew = 2;  // points that noise may have put there
   if (!fit.area || fit.area->areas.size() != fit.used.size()) return false;
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < fit.used.size(); ++i)
-    beyond += !fit.area->areas[i] && std::abs(fit.residuals[i]) > kFar * residual_unit(fit);
+    beyond += !fit.area->areas[i] && std::abs(fit.residuals[i]) > kFarOff * residual_unit(fit);
   return beyond > kFew;
 }
 
 std::string failed_test(const FitResult& fit) {
-  constexpr double kFar = 4;  // standard errors of a prior
+  constexpr double kFarFromStated = 4;  // standard errors of a prior
   if (fit.budget)
     for (const BudgetPart& part : fit.budget->parts)
-      if (std::abs(part.pull) > kFar)
+      if (std::abs(part.pull) > kFarFromStated)
         return part.constant + " lies " + rounded(part.pull, 2) +
                " of its standard errors from what was stated: check it";
   if (slides(fit)) return "points lie beyond the last equilibrium: cut the runs at the onset of sliding";

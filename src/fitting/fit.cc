@@ -9,6 +9,7 @@
 #include "fitting/predicted_area.h"
 #include "fitting/prepare.h"
 #include "fitting/toughness_weights.h"
+#include "solver/evidence.h"
 #include "solver/prior.h"
 #include "solver/robust.h"
 #include "solver/solve.h"
@@ -90,6 +91,7 @@ class Fitter {
         result_.free_parameters = unknown;  // each of the others brings a residual of its own
         result_.sum_of_squares *= unit_ * unit_;
         if (deeper.empty()) tell_budget(x, verdict);
+        if (deeper.empty()) tell_evidence(verdict);
         if (deeper.empty() || again == kMostRestarts) break;
         starting_.guesses.push_back(deeper);
       }
@@ -220,6 +222,20 @@ class Fitter {
     if (priors_) return *priors_;
     if (robust_) return *robust_;
     return *problem_;
+  }
+
+  /// A robust loss is no likelihood.
+  void tell_evidence(const Verdict& verdict) {
+    result_.evidence.reset();
+    const bool wanted = purpose_ == Purpose::shown && options_.intervals && !robust_;
+    const FreeParameter& first = cost().parameters()[0];
+    if (!wanted || first.start || verdict.best.x.empty() || verdict.status == FitStatus::not_converged) return;
+    const EvidenceOptions choice{options_.lambda_prior, options_.confidence,
+                                 problem_->known_errors() ? 0
+                                 : priors_                ? unit_
+                                                          : 1};
+    if (const auto found = evidence(cost(), verdict.best, verdict.standard_errors[0], choice))
+      result_.evidence = {first.name, options_.lambda_prior, options_.confidence, *found};
   }
 
   /// What the constants of the experiment do to the parameter.

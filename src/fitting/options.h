@@ -48,6 +48,8 @@ struct FitOptions {
   std::optional<double> loss_scale{};  // in standard errors; null: the loss's usual one
   bool intervals = true;
   double confidence = 0.95;
+  RangePrior lambda_prior =
+      RangePrior::uniform;         // of evidence and credible interval; lambda, or a model's first parameter
   BootstrapOptions bootstrap{};    // with replicates = 0: none
   bool influence = false;          // of each point and run: jackknife, leverage, Cook's distance
   std::size_t profile_points = 0;  // of each free parameter's drawn profile; 0: none

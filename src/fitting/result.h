@@ -124,6 +124,15 @@ struct Consistency {
   std::vector<BeyondEquilibrium> beyond;  // runs that have such points
 };
 
+/// The model's evidence, and what it leaves of its first free parameter: posterior mean, standard deviation and
+/// credible interval.
+struct ShownEvidence {
+  std::string parameter;
+  RangePrior prior;
+  double confidence;
+  Evidence evidence;
+};
+
 struct FitResult {
   std::string model, model_name, formula;
   Objective objective = Objective::toughness;
@@ -144,6 +153,7 @@ struct FitResult {
   std::size_t free_parameters = 0;
   double sum_of_squares = 0;               // of the (weighted) residuals, or of the robust loss
   std::optional<Budget> budget;            // of the first free parameter; null where there is nothing to tell
+  std::optional<ShownEvidence> evidence;   // null where intervals were not asked for, or it could not be found
   std::optional<Consistency> consistency;  // of fits that are shown
   std::string outdone_by{};                // of a suspect fit: the model that describes the same points far better
   std::optional<BootstrapResult> bootstrap;

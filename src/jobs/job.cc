@@ -76,6 +76,7 @@ std::vector<double> costs(const FitJob& job, const Dataset& data) {
 /// A fit that cannot be believed because another model is right says so.
 void tell_outdone(JobResult& result) {
   constexpr double kNearlyCertain = 0.999;  // AICc weight
+  if (!preferences(result.comparison).agree()) return;
   for (const ComparedModel& best : result.comparison) {
     const auto fit = std::find_if(result.fits.begin(), result.fits.end(),
                                   [&](const FitResult& one) { return one.model == best.model; });

@@ -24,6 +24,19 @@ Json prior_json(const FittedParameter& parameter) {
           {"distribution", parameter.prior->logarithmic ? "log-normal" : "normal"}};
 }
 
+Json evidence_json(const FitResult& fit) {
+  if (!fit.evidence) return {};
+  const Evidence& evidence = fit.evidence->evidence;
+  return {{"parameter", fit.evidence->parameter},
+          {"prior", fit.evidence->prior == RangePrior::uniform ? "uniform" : "log_uniform"},
+          {"log_evidence", evidence.log_evidence},
+          {"mean", evidence.mean},
+          {"standard_deviation", evidence.standard_deviation},
+          {"credibility", fit.evidence->confidence},
+          {"low", evidence.low},
+          {"high", evidence.high}};
+}
+
 Json budget_json(const FitResult& fit) {
   if (!fit.budget) return {};
   Json parts = Json::array(), exact = Json::array();

@@ -78,9 +78,22 @@ std::vector<std::string> budget_and_consistency(const FitResult& fit, const Data
   std::vector<std::string> lines;
   if (fit.status == FitStatus::suspect) lines.push_back("SUSPECT: " + fit.message);
   if (!fit.outdone_by.empty()) return lines;  // what its errors are made of is of no interest
+  if (std::string text = posterior_line(fit); !text.empty()) lines.push_back(std::move(text));
   for (const auto& more : {budget_lines(fit), consistency_lines(fit, data)})
     lines.insert(lines.end(), more.begin(), more.end());
   return lines;
+}
+
+std::string posterior_line(const FitResult& fit) {
+  if (!fit.evidence) return {};
+  const Evidence& evidence = fit.evidence->evidence;
+  const RoundedToError shown = rounded_to_error(evidence.mean, evidence.standard_deviation);
+  const double width = evidence.high - evidence.low;
+  return "posterior: " + fit.evidence->parameter + " = " + shown.value + " +/- " + shown.error + ", " +
+         rounded(100 * fit.evidence->confidence, 4) + "% credible " + resolved(evidence.low, width) + " .. " +
+         resolved(evidence.high, width) + " (" +
+         (fit.evidence->prior == RangePrior::uniform ? "uniform" : "log-uniform") + " prior), ln evidence " +
+         rounded(evidence.log_evidence, 6);
 }
 
 std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& data) {

@@ -12,6 +12,9 @@ namespace mixity {
 /// taken as exact would do to it; empty without a budget.
 std::vector<std::string> budget_lines(const FitResult& fit);
 
+/// Posterior, credible interval and evidence; empty without them.
+std::string posterior_line(const FitResult& fit);
+
 /// What the tests of the residuals say, which constants the data ask to be free, and where points lie beyond the last
 /// equilibrium; empty where nothing was tested.
 std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& data);

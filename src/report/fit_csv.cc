@@ -117,13 +117,21 @@ std::string budget_fields(const FitResult& fit, const FittedParameter& parameter
          (known ? shortest(parameter.prior->standard_error) : "") + ',' + number(share) + ',' + number(pull);
 }
 
+std::string evidence_fields(const FitResult& fit, const FittedParameter& parameter) {
+  if (!fit.evidence || fit.evidence->parameter != parameter.name) return ",,,,";
+  const Evidence& evidence = fit.evidence->evidence;
+  return shortest(evidence.log_evidence) + ',' + shortest(evidence.mean) + ',' + shortest(evidence.standard_deviation) +
+         ',' + shortest(evidence.low) + ',' + shortest(evidence.high);
+}
+
 }  // namespace
 
 std::string fits_csv(const std::vector<JobResult>& results) {
   std::ostringstream out;
   out << "dataset,provenance,model,objective,scale,status,parameter,value,stderr,lower,upper,at_bound,r2,rmse,"
          "max_abs_residual,area_r2,area_rmse,area_unit,area_unpredicted,notice,unit,low,high,low_status,high_status,"
-         "paper_value,paper_status,paper_r2,prior_mean,prior_standard_error,variance_share,pull\n";
+         "paper_value,paper_status,paper_r2,prior_mean,prior_standard_error,variance_share,pull,"
+         "log_evidence,posterior_mean,posterior_standard_deviation,credible_low,credible_high\n";
   for (const JobResult& result : results)
     for (const FitResult& fit : result.fits)
       for (const FittedParameter& parameter : fit.parameters) {
@@ -145,7 +153,8 @@ std::string fits_csv(const std::vector<JobResult>& results) {
           out << ",,,";
         out << ',' << number(fit.paper ? fit.paper->value_of(parameter.name) : std::nullopt) << ','
             << (fit.paper ? to_string(fit.paper->status) : "") << ','
-            << number(fit.paper ? fit.paper->r2 : std::nullopt) << ',' << budget_fields(fit, parameter) << '\n';
+            << number(fit.paper ? fit.paper->r2 : std::nullopt) << ',' << budget_fields(fit, parameter) << ','
+            << evidence_fields(fit, parameter) << '\n';
       }
   return out.str();
 }

@@ -67,6 +67,7 @@ Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
           {"influence", influence_json(fit, data)},
           {"area", area_json(fit, data)},
           {"paper", paper_json(fit)},
+          {"evidence", evidence_json(fit)},
           {"budget", budget_json(fit)},
           {"consistency", consistency_json(fit, data)},
           {"outdone_by", fit.outdone_by.empty() ? Json() : Json(fit.outdone_by)},

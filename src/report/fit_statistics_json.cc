@@ -82,6 +82,7 @@ Json comparison_json(const JobResult& result) {
                     {"aicc", number_or_null(entry.aicc)},
                     {"bic", number_or_null(entry.bic)},
                     {"weight", number_or_null(entry.weight)},
+                    {"probability", number_or_null(entry.probability)},
                     {"loo_rmse_area", entry.left_out ? Json(entry.left_out->rmse_area) : Json()},
                     {"loo_beyond_fold", entry.left_out ? Json(entry.left_out->beyond_fold) : Json()},
                     {"loo_curves", runs}});

@@ -24,6 +24,7 @@ Json influence_json(const FitResult& fit, const Dataset& data);
 Json correlations_json(const FitResult& fit);
 /// What was known of a constant of the experiment beforehand.
 Json prior_json(const FittedParameter& parameter);
+Json evidence_json(const FitResult& fit);
 Json budget_json(const FitResult& fit);
 Json consistency_json(const FitResult& fit, const Dataset& data);
 Json unsheared_json(const std::optional<UnshearedTest>& test);

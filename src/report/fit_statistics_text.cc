@@ -159,7 +159,8 @@ std::string comparison_text(const JobResult& result) {
                    [&](const ComparedModel& one, const ComparedModel& other) { return key(one) < key(other); });
   const bool left_out = std::any_of(sorted.begin(), sorted.end(), [](const auto& m) { return m.left_out.has_value(); });
   out << "[[Comparison]]\n    model   " << (left_out ? padded("error in A on loads left out", 31) : "")
-      << "AICc weight\n";
+      << "AICc weight   "
+      << "probability by the evidence\n";
   for (const ComparedModel& m : sorted) {
     out << "    " << padded(m.model, 8);
     if (left_out) {
@@ -170,9 +171,31 @@ std::string comparison_text(const JobResult& result) {
       }
       out << padded(text, 31);
     }
-    out << (m.weight ? rounded(*m.weight, 3) : "-") << '\n';
+    out << padded(m.weight ? rounded(*m.weight, 3) : "-", 14) << (m.probability ? rounded(*m.probability, 3) : "-")
+        << '\n';
   }
+  if (const std::string text = no_best_model(result); !text.empty()) out << "    " << text << '\n';
   return out.str();
+}
+
+std::string no_best_model(const JobResult& result) {
+  const Preferences preferred = preferences(result.comparison);
+  for (const FitResult& fit : result.fits) {
+    const bool named =
+        fit.model == preferred.aicc || fit.model == preferred.evidence || fit.model == preferred.left_out;
+    if (named && fit.status == FitStatus::suspect && fit.outdone_by.empty())
+      return "the fit of " + fit.model + " is suspect, and no model is named best before that is mended";
+  }
+  if (preferred.agree()) return {};
+  std::string text, separator = "the criteria disagree, and no model is named best: ";
+  for (const auto& [criterion, model] :
+       {std::pair("AICc prefers ", preferred.aicc), std::pair("the evidence ", preferred.evidence),
+        std::pair("the loads left out ", preferred.left_out)}) {
+    if (model.empty()) continue;
+    text += separator + criterion + model;
+    separator = ", ";
+  }
+  return text;
 }
 
 std::string per_curve_text(const JobResult& result) {

@@ -25,6 +25,8 @@ std::vector<std::string> raised_errors(const StandardErrors& errors);
 /// Where the standard errors come from, correlations, the loss: a line each, or nothing.
 std::string errors_text(const FitResult& fit, const Dataset& data);
 std::string comparison_text(const JobResult& result);
+/// Why no model is named best: one that a criterion prefers is suspect, or they do not agree. Else empty.
+std::string no_best_model(const JobResult& result);
 std::string per_curve_text(const JobResult& result);
 
 }  // namespace mixity

@@ -155,7 +155,9 @@ std::vector<std::string> findings(const JobResult& result) {
   });
   std::stable_sort(by_weight.begin(), by_weight.end(),
                    [](const ComparedModel* one, const ComparedModel* other) { return *one->weight > *other->weight; });
-  if (by_error.size() > 1 && by_error[0]->left_out->rmse_area > 0) {
+  const std::string no_winner = no_best_model(result);
+  if (!no_winner.empty()) sentences.push_back("Here " + no_winner + ".");
+  if (no_winner.empty() && by_error.size() > 1 && by_error[0]->left_out->rmse_area > 0) {
     std::string text = "Model " + by_error[0]->model +
                        " predicts the areas at loads left out of the fit best (RMS error " +
                        rounded(by_error[0]->left_out->rmse_area, 3) + unit_text(result.data.display.area) + ")";
@@ -164,7 +166,7 @@ std::vector<std::string> findings(const JobResult& result) {
               rounded(by_error[i]->left_out->rmse_area / by_error[0]->left_out->rmse_area, 2) + " times as much";
     sentences.push_back(text + ".");
   }
-  if (by_weight.size() > 1) {
+  if (no_winner.empty() && by_weight.size() > 1) {
     const double weight = *by_weight[0]->weight;
     sentences.push_back(weight > 0.95 ? "AICc prefers model " + by_weight[0]->model + " (weight " +
                                             (weight > 0.9999 ? "> 0.9999" : rounded(weight, 3)) + ")."

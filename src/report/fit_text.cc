@@ -78,6 +78,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
   if (!fit.message.empty()) out << ": " << fit.message;
   out << '\n';
   for (const FittedParameter& parameter : fit.parameters) write_parameter(out, readable(parameter));
+  if (const std::string line = posterior_line(fit); !line.empty()) out << "    " << line << '\n';
   for (const std::string& line : budget_lines(fit)) out << "    " << line << '\n';
   out << paper_text(fit);
   if (fit.rmse)

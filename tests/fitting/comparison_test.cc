@@ -141,6 +141,37 @@ TEST(LeaveOneLoadOut, SaysNothingWhereTheLawDefinesNoArea) {
   EXPECT_FALSE(leave_one_load_out(data, fit, options));
 }
 
+TEST(CompareModels, GivesEachAProbabilityByItsEvidence) {
+  const Dataset data = noisy(4, {0.5, 5, 20});
+  FitOptions options = curve_options();
+  options.intervals = true;
+  std::vector<FitResult> fits;
+  for (const char* model : {"a", "b", "c"}) fits.push_back(fit_model(data, model, options));
+  const std::vector<ComparedModel> compared = compare_models(data, fits, curve_options());
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_TRUE(compared[i].probability) << i;
+    sum += *compared[i].probability;
+    const double odds = *compared[i].probability / *compared[2].probability;
+    EXPECT_NEAR(std::log(odds), fits[i].evidence->evidence.log_evidence - fits[2].evidence->evidence.log_evidence,
+                1e-9 * std::abs(std::log(odds)) + 1e-9);
+  }
+  EXPECT_NEAR(sum, 1, 1e-12);
+  fits[1].evidence.reset();
+  EXPECT_FALSE(compare_models(data, fits, curve_options())[0].probability);
+}
+
+TEST(Preferences, AgreeOnlyWhereEachCriterionNamesTheSameModel) {
+  ComparedModel b{"b", 10.0, {}, 0.9, LeftOut{2, 0, {}}}, c{"c", 12.0, {}, 0.1, LeftOut{3, 0, {}}};
+  EXPECT_TRUE(preferences({b, c}).agree());
+  b.probability = 0.2;
+  c.probability = 0.8;
+  EXPECT_EQ(preferences({b, c}).evidence, "c");
+  EXPECT_FALSE(preferences({b, c}).agree());
+  c.left_out.reset();  // one alone is no comparison
+  EXPECT_EQ(preferences({b, c}).left_out, "");
+}
+
 TEST(LeaveOneLoadOut, NeedsTwoRunsWithLoads) {
   const Dataset one = noisy(4, {3});
   EXPECT_FALSE(leave_one_load_out(one, fit_model(one, "c", curve_options()), curve_options()));
