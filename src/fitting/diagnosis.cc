@@ -51,7 +51,6 @@ std::optional<Freed> best_constant(const FitResult& fit, const FitOptions& optio
     const auto name = std::find(kConstantNames.begin(), kConstantNames.end(), one.constant);
     freed.free.push_back(kAllConstants[static_cast<std::size_t>(name - kConstantNames.begin())]);
     FitResult with = refit(freed, points, &fit.parameters);
-    if (!found(with)) with = refit(freed, points, nullptr);
     // of two that act alike the first
     if (found(with) && (!best || with.sum_of_squares < (1 - 1e-6) * best->fit.sum_of_squares))
       best = {freed.free.back(), std::move(with)};

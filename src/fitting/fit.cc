@@ -35,8 +35,9 @@ std::size_t distinct_points(const Dataset& data, const std::vector<std::size_t>&
   return distinct.size();
 }
 
-/// shown: a fit of its own, by Ceres. values: one of many, by the kernel, without what is only shown.
-enum class Purpose { shown, values };
+/// shown: a fit of its own, by Ceres. values: one of many, by the kernel, without what is only shown. tried: the same,
+/// of an explanation that may be wrong, and is given up where it takes long.
+enum class Purpose { shown, values, tried };
 
 template <class Model>
 class Fitter {
@@ -54,7 +55,8 @@ class Fitter {
     problem_ = make_problem<Model>(data_, options_, prepared_);
     describe();
     if (near) starting_.near = solver_values(*problem_, *near);
-    if (purpose_ == Purpose::values) solver_.engine = Engine::kernel;
+    if (purpose_ != Purpose::shown) solver_.engine = Engine::kernel;
+    if (purpose_ == Purpose::tried) solver_.most_iterations_shown = solver_.most_iterations;
   }
 
   FitResult run() {
@@ -283,7 +285,7 @@ class Fitter {
     result_.consistency = test_consistency(data_, result_);
     const Refit refit = [this](const FitOptions& options, const std::vector<std::size_t>& points,
                                const std::vector<FittedParameter>* near) {
-      return Fitter(data_, options, Purpose::values, &points, near).run();
+      return Fitter(data_, options, Purpose::tried, &points, near).run();
     };
     const std::string reason = diagnose(data_, result_, value_only(options_), refit);
     if (reason.empty()) return;
