@@ -9,6 +9,7 @@
 #include "cli/flags.h"
 #include "cli/progress.h"
 #include "cli/usage_error.h"
+#include "jobs/fit_definition.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"
 #include "report/fit_text.h"
@@ -40,15 +41,15 @@ void write_folder(const std::string& folder, const std::vector<JobResult>& resul
 
 int run_fit(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("fit needs a data CSV or a fit definition (see mixity help fit)");
-  const Overrides overrides = metadata_overrides();
-
+  if (!FLAGS_save.empty() && arguments.size() > 1)
+    throw UsageError("flag '--save' is of one data set: a definition names one");
   std::vector<JobResult> results;
   bool all_ok = true;
   const Progress progress = progress_line("fit");
   const auto files = static_cast<double>(arguments.size());
   for (const std::string& path : arguments) {
     const auto before = static_cast<double>(results.size());
-    results.push_back(run(job_for(path), overrides, stretch(progress, before / files, (before + 1) / files)));
+    results.push_back(run(job_for(path), stretch(progress, before / files, (before + 1) / files)));
     all_ok &= can_be_believed(results.back());
   }
   if (progress) progress(1);
@@ -56,6 +57,9 @@ int run_fit(const Arguments& arguments) {
   std::string text;
   for (const JobResult& result : results) text += (text.empty() ? "" : "\n") + to_text(result);
   if (!FLAGS_out.empty()) write_folder(FLAGS_out, results, text);
+  if (!FLAGS_save.empty())
+    write_files({{FLAGS_save, fit_definition_text(results[0].job, results[0].data, FLAGS_save)}},
+                files_read(results[0].job));
   std::cout << (FLAGS_format == "json" ? to_json(results) : FLAGS_format == "csv" ? fits_csv(results) : text);
   return all_ok ? kFine : kFitNotOk;
 }

@@ -14,7 +14,6 @@ namespace mixity::cli {
 int run_report(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("report needs a data CSV or a fit definition (see mixity help report)");
   if (FLAGS_out.empty()) throw UsageError("report needs --out=DIR");
-  const Overrides overrides = metadata_overrides();
   const Progress progress = progress_line("report");
   // Fits take the longer part of what takes long.
   constexpr double kFits = 0.7;
@@ -22,8 +21,7 @@ int run_report(const Arguments& arguments) {
   std::vector<JobResult> results;
   for (const std::string& path : arguments) {
     const auto before = static_cast<double>(results.size());
-    results.push_back(
-        run_for_report(job_for(path), overrides, stretch(progress, share * before, share * (before + 1))));
+    results.push_back(run_for_report(job_for(path), stretch(progress, share * before, share * (before + 1))));
   }
   tell_names_apart(results);
   std::vector<ReportedData> data;

@@ -11,7 +11,7 @@ std::span<const Command> commands() {
        run_fit,
        "fit DATA.csv|FIT.toml ... [flags]",
        "Fits the models to each data set and reports parameters and goodness of fit.",
-       with_fit_flags({"format", "out"}),
+       with_fit_flags({"format", "out", "save"}),
        {"text", "json", "csv"}},
       {"report", run_report, "report DATA.csv|FIT.toml ... --out=DIR [flags]",
        "Fits as `fit` does, and writes a page with every figure, tables, and the figures by themselves.",

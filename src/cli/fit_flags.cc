@@ -4,84 +4,47 @@
 #include <filesystem>
 
 #include "cli/flags.h"
-#include "cli/statistics_flags.h"
 #include "cli/usage_error.h"
 #include "dataset/printable.h"
 #include "jobs/fit_definition.h"
+#include "jobs/job_options.h"
 #include "report/output_file.h"
 
 namespace mixity::cli {
 namespace {
 
-std::vector<std::string> models_from_flag() {
-  std::vector<std::string> models = split_list("models", FLAGS_models);
-  for (auto model = models.begin(); model != models.end(); ++model) {
-    require_model("models", *model);
-    if (std::find(models.begin(), model, *model) != model)
-      throw UsageError("flag '--models' names '" + *model + "' twice");
+/// One of modulus and youngs_modulus replaces the other.
+void replace(Overrides& constants, const Overrides& with) {
+  for (const auto& [name, text] : with) {
+    const std::string_view other = name == "modulus" ? "youngs_modulus" : name == "youngs_modulus" ? "modulus" : "";
+    std::erase_if(constants, [&](const auto& one) { return one.first == name || one.first == other; });
+    constants.emplace_back(name, text);
   }
-  return models;
-}
-
-Scale scale_from_flag() {
-  for (const Scale scale : {Scale::log, Scale::linear})
-    if (FLAGS_scale == to_string(scale)) return scale;
-  throw UsageError("flag '--scale' is '" + FLAGS_scale + "'; it must be log or linear");
-}
-
-std::vector<HeldParameter> hold_from_flag() {
-  std::vector<HeldParameter> hold;
-  for (const std::string& item : split_list("hold", FLAGS_hold)) {
-    const auto held = parse_held(item);
-    if (!held) throw UsageError("flag '--hold': '" + item + "' is neither a parameter nor PARAMETER=NUMBER");
-    hold.push_back(*held);
-  }
-  return hold;
-}
-
-Objective objective_from_flag() {
-  if (FLAGS_objective == "area") throw UsageError("flag '--objective': " + std::string(kNoAreaObjective));
-  const auto objective = parse_objective(FLAGS_objective);
-  if (!objective) throw UsageError("flag '--objective' is '" + FLAGS_objective + "'; it must be toughness or curve");
-  return *objective;
 }
 
 }  // namespace
 
 FitJob job_for(const std::string& path) {
   FitJob job;
-  const bool is_definition = path.ends_with(".toml");
-  if (is_definition)
+  if (path.ends_with(".toml"))
     job = read_fit_definition(path);
   else
     job.data_path = path;
-  if (!is_definition || is_set("models")) job.models = models_from_flag();
-  if (is_set("objective")) job.options.objective = objective_from_flag();
-  if (is_set("scale")) job.options.scale = scale_from_flag();
-  if (is_set("scale") && job.options.objective == Objective::curve)
-    throw UsageError("flag '--scale' needs --objective=toughness");
-  if (!is_definition || is_set("hold")) job.options.hold = hold_from_flag();
-  add_statistics_flags(job);
-  if (is_set("compare")) job.compare = FLAGS_compare;
-  if (!FLAGS_per.empty() && FLAGS_per != "curve")
-    throw UsageError("flag '--per' is '" + FLAGS_per + "'; it must be curve");
-  job.per_curve |= FLAGS_per == "curve";
-  for (const HeldParameter& held : job.options.hold) {
-    if (!has_parameter(job.models, held.name))
-      throw UsageError((is_set("hold") || !is_definition ? "flag '--hold': " : "flag '--models': ") +
-                       ("no fitted model has a parameter '" + held.name + "'"));
-    const auto same = [&](const HeldParameter& other) { return other.name == held.name; };
-    if (std::count_if(job.options.hold.begin(), job.options.hold.end(), same) > 1)
-      throw UsageError("flag '--hold' names '" + held.name + "' twice");
+  const auto refuse = [](const std::string& option, const std::string& problem) {
+    throw UsageError("flag '--" + option + "' " + problem);
+  };
+  for (const std::string_view option : kJobOptions) {
+    if (!is_set(option)) continue;
+    if (const std::string problem = set_option(job, option, value_of(option)); !problem.empty())
+      refuse(std::string(option), problem);
   }
+  if (const auto wrong = contradiction(job)) refuse(wrong->option, wrong->problem);
+  replace(job.constants, metadata_overrides());
   return job;
 }
 
 std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags) {
-  flags.insert(flags.end(),
-               {"models",     "objective", "scale",   "weighted",  "sigma_T",    "sigma_A",      "loss",
-                "loss_scale", "hold",      "free",    "interval",  "confidence", "lambda_prior", "bootstrap",
-                "resample",   "seed",      "threads", "influence", "compare",    "per"});
+  flags.insert(flags.end(), kJobOptions.begin(), kJobOptions.end());
   return with_metadata_flags(std::move(flags));
 }
 

@@ -21,6 +21,9 @@ DEFINE_string(loss_scale, "", "where the loss begins to bend, in standard errors
 DEFINE_string(free, "",
               "fit these, too, for all loads together: toughness, modulus, radius, area_scale, load_offset, "
               "shear_offset, area_offset");
+DEFINE_string(exclude, "", "lines of the data file to leave out: \"17,40-58\"");
+DEFINE_string(leave_out, "", "runs to leave out, by name or load: \"4.68 mN\"");
+DEFINE_bool(checks, true, "error budget, tests of consistency and evidence; without them no fit is called suspect");
 DEFINE_string(interval, "profile", "confidence intervals: profile or none");
 DEFINE_int32(bootstrap, 0, "refits of resampled points for bootstrap intervals");
 DEFINE_string(resample, "points", "what the bootstrap draws: points within their runs, or whole runs (curves)");
@@ -35,6 +38,7 @@ DEFINE_string(scale, "log", "toughness is compared as ln(Gc/GIc) (log) or as Gc/
 DEFINE_string(hold, "", "parameters to hold, comma-separated: NAME=VALUE, or NAME for the data set's own value");
 DEFINE_string(format, "text", "output format");
 DEFINE_string(out, "", "where to write: a folder (fit, figures), a file (import)");
+DEFINE_string(save, "", "write what was just run to this fit definition (TOML)");
 DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(lambda, "", "mode-mixity parameter lambda");
 DEFINE_string(parameters, "", "all parameters of the model, such as r=1.77,eta=2.28");
@@ -79,12 +83,6 @@ namespace {
 constexpr std::array<std::string_view, 14> kMetadataFlags{
     "radius",      "modulus",      "youngs_modulus", "poisson_ratio", "toughness",  "toughness_II", "shear_strength",
     "load_offset", "shear_offset", "area_offset",    "area_scale",    "provenance", "source",       "note"};
-
-std::string value_of(std::string_view flag) {
-  std::string value;
-  gflags::GetCommandLineOption(std::string(flag).c_str(), &value);
-  return value;
-}
 
 std::string given_command;  // NOLINT(cert-err58-cpp): an empty string does not throw
 
@@ -158,6 +156,12 @@ std::string formats_text(const Command& command) {
 bool is_set(std::string_view flag) {
   gflags::CommandLineFlagInfo info;
   return gflags::GetCommandLineFlagInfo(std::string(flag).c_str(), &info) && !info.is_default;
+}
+
+std::string value_of(std::string_view flag) {
+  std::string value;
+  gflags::GetCommandLineOption(std::string(flag).c_str(), &value);
+  return value;
 }
 
 Overrides metadata_overrides() {

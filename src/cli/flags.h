@@ -9,28 +9,9 @@
 #include "cli/commands.h"
 #include "dataset/metadata.h"
 
-DECLARE_string(models);
-DECLARE_string(objective);
-DECLARE_bool(weighted);
-DECLARE_string(sigma_T);
-DECLARE_string(sigma_A);
-DECLARE_string(loss);
-DECLARE_string(loss_scale);
-DECLARE_string(free);
-DECLARE_string(interval);
-DECLARE_string(confidence);
-DECLARE_string(lambda_prior);
-DECLARE_bool(compare);
-DECLARE_int32(bootstrap);
-DECLARE_string(resample);
-DECLARE_int32(seed);
-DECLARE_int32(threads);
-DECLARE_bool(influence);
-DECLARE_string(per);
-DECLARE_string(scale);
-DECLARE_string(hold);
 DECLARE_string(format);
 DECLARE_string(out);
+DECLARE_string(save);
 DECLARE_string(model);
 DECLARE_string(lambda);
 DECLARE_string(parameters);
@@ -67,6 +48,7 @@ std::string formats_text(const Command& command);
 const std::string& command_line();
 
 bool is_set(std::string_view flag);
+std::string value_of(std::string_view flag);
 
 /// The metadata flags that were given; throws UsageError if one cannot be used.
 Overrides metadata_overrides();

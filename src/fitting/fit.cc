@@ -92,8 +92,10 @@ class Fitter {
         result_.known_errors = problem_->known_errors();
         result_.free_parameters = unknown;  // each of the others brings a residual of its own
         result_.sum_of_squares *= unit_ * unit_;
-        if (deeper.empty()) tell_budget(x, verdict);
-        if (deeper.empty()) tell_evidence(verdict);
+        if (deeper.empty() && checked()) {
+          tell_budget(x, verdict);
+          tell_evidence(verdict);
+        }
         if (deeper.empty() || again == kMostRestarts) break;
         starting_.guesses.push_back(deeper);
       }
@@ -101,7 +103,9 @@ class Fitter {
       tell_resampled(cost(), verdict, data_, options_, stretch(options_.progress, fitted, 1), result_);
     }
     judge(x);
-    if (purpose_ == Purpose::shown && p > 0) tell_consistency();
+    if (checked() && p > 0) tell_consistency();
+    if (purpose_ == Purpose::shown && !options_.checks && p > 0)
+      result_.message += (result_.message.empty() ? "" : "; ") + std::string("not checked for consistency (checks=false)");
     return result_;
   }
 
@@ -109,6 +113,8 @@ class Fitter {
   void tell(double fraction) const {
     if (options_.progress) options_.progress(fraction);
   }
+
+  bool checked() const { return purpose_ == Purpose::shown && options_.checks; }
 
   void describe() {
     result_.model = Model::info.key;
@@ -229,7 +235,7 @@ class Fitter {
   /// A robust loss is no likelihood.
   void tell_evidence(const Verdict& verdict) {
     result_.evidence.reset();
-    const bool wanted = purpose_ == Purpose::shown && options_.intervals && !robust_;
+    const bool wanted = options_.intervals && !robust_;
     const FreeParameter& first = cost().parameters()[0];
     if (!wanted || first.start || verdict.best.x.empty() || verdict.status == FitStatus::not_converged) return;
     const EvidenceOptions choice{options_.lambda_prior, options_.confidence,
@@ -243,7 +249,7 @@ class Fitter {
   /// What the constants of the experiment do to the parameter.
   void tell_budget(const std::vector<double>& x, const Verdict& verdict) {
     const bool scaled = prepared_.objective == Objective::toughness && scale_of(options_) == Scale::linear;
-    if (purpose_ != Purpose::shown || scaled || data_.has_energies || verdict.status == FitStatus::not_converged ||
+    if (scaled || data_.has_energies || verdict.status == FitStatus::not_converged ||
         verdict.at_bound.size() != x.size())
       return;
     PreparedFit<Model> all = prepared_;

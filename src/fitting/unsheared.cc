@@ -30,11 +30,8 @@ double beyond(double chi2, std::size_t freedom) {
   return freedom > 0 && chi2 > 0 ? cdf(complement(boost::math::chi_squared(static_cast<double>(freedom)), chi2)) : 1;
 }
 
-std::unique_ptr<ModelProblem<AnyModel>> problem_with(const Dataset& data, const FitOptions& options,
-                                                     const std::vector<std::size_t>& points) {
-  PreparedFit<AnyModel> prepared = prepare<AnyModel>(data, options, Objective::curve, &points);
-  prepared.held.fill(true);
-  auto problem = make_problem<AnyModel>(data, options, prepared);
+std::unique_ptr<ModelProblem<AnyModel>> problem_of(const Dataset& data, const PreparedFit<AnyModel>& prepared) {
+  auto problem = make_problem<AnyModel>(data, {}, prepared);
   problem->set_known_errors(true);  // as stated, or as neighbouring points scatter
   return problem;
 }
@@ -48,7 +45,9 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
   as_stated.sigma_T = options.sigma_T;
   as_stated.sigma_A = options.sigma_A;
   as_stated.constants = options.constants.value_or(stated_constants(data));
-  const auto stated = problem_with(data, as_stated, points);
+  PreparedFit<AnyModel> prepared = prepare<AnyModel>(data, as_stated, Objective::curve, &points);
+  prepared.held.fill(true);
+  const auto stated = problem_of(data, prepared);
   std::vector<double> residuals(stated->residual_count());
   if (residuals.empty() || residuals.size() < points.size() || !stated->evaluate({}, residuals, {}))
     return std::nullopt;
@@ -62,7 +61,8 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
   for (const Constant constant : {kModulus, kToughness, kLoadOffset}) {
     FitOptions freed = as_stated;
     freed.free = {constant};
-    const auto problem = problem_with(data, freed, points);
+    prepared.fitted = fitted_constants(data, freed);
+    const auto problem = problem_of(data, prepared);
     const Verdict verdict = solve(*problem, {}, {});
     if (verdict.status != FitStatus::ok || !verdict.standard_errors[0]) continue;
     const FreeParameter& parameter = problem->parameters()[0];

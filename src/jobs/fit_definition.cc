@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
+#include "dataset/number_text.h"
 #include "dataset/toml_file.h"
+#include "jobs/job_options.h"
 
 namespace mixity {
 namespace {
@@ -21,27 +24,23 @@ class Reader {
     for (const auto& [key, node] : table) {
       if (key == "data")
         job.data_path = beside(node, "data");
-      else if (key == "models")
-        read_models(node, job);
-      else if (key == "objective")
-        job.options.objective = objective(node);
-      else if (key == "scale")
-        job.options.scale = scale(node);
-      else if (key == "hold")
-        read_hold(node, job);
+      else if (key == "constants")
+        read_constants(node, job);
       else if (key == "source")
         job.source = text(node, "source");
       else if (key == "peaks")
         job.peaks_path = beside(node, "peaks");
       else if (key == "published")
         read_published(node, job);
+      else if (std::find(kJobOptions.begin(), kJobOptions.end(), key.str()) != kJobOptions.end())
+        read_option(std::string(key.str()), node, job);
       else
-        fail(key, "unknown key \"" + std::string(key.str()) +
-                      "\" (known: data, models, objective, scale, hold, peaks, source, published)");
+        fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: data, " + names_of_options() +
+                      ", constants, peaks, source, published)");
     }
     if (job.data_path.empty()) throw InputError(path_, "the key data is missing");
-    if (job.models.empty()) job.models = {"a", "b", "c"};
-    check_names(table, job);
+    if (const auto wrong = contradiction(job)) fail(*table.get(wrong->option), wrong->option + " " + wrong->problem);
+    check_published(table, job);
     return job;
   }
 
@@ -70,46 +69,39 @@ class Reader {
     return node.as_string()->get();
   }
 
-  std::vector<std::string> texts(const toml::node& node, const std::string& key) const {
-    if (!node.is_array()) fail(node, key + " must be an array of strings");
-    std::vector<std::string> result;
-    for (const toml::node& element : *node.as_array()) result.push_back(text(element, key));
-    return result;
+  static std::string names_of_options() {
+    std::string names;
+    for (const std::string_view name : kJobOptions) names += (names.empty() ? "" : ", ") + std::string(name);
+    return names;
   }
 
-  Scale scale(const toml::node& node) const {
-    const std::string name = text(node, "scale");
-    for (const Scale candidate : {Scale::log, Scale::linear})
-      if (name == to_string(candidate)) return candidate;
-    fail(node, "scale is \"" + name + "\"; it must be log or linear");
-  }
-
-  Objective objective(const toml::node& node) const {
-    const std::string name = text(node, "objective");
-    const auto found = parse_objective(name);
-    if (name == "area") fail(node, std::string(kNoAreaObjective));
-    if (!found) fail(node, "unknown objective \"" + name + "\" (known: toughness, curve)");
-    return *found;
-  }
-
-  void read_models(const toml::node& node, FitJob& job) const {
-    const std::vector<std::string> models = texts(node, "models");
-    if (models.empty()) fail(node, "models names no model");
-    for (const std::string& model : models) {
-      if (std::find(job.models.begin(), job.models.end(), model) != job.models.end())
-        fail(node, "models names \"" + model + "\" twice");
-      job.models.push_back(model);
+  /// As a flag has it: a list with commas.
+  std::string flag_text(const toml::node& node, const std::string& key) const {
+    if (const toml::array* list = node.as_array()) {
+      std::string joined;
+      for (const toml::node& element : *list) joined += (joined.empty() ? "" : ",") + flag_text(element, key);
+      return joined;
     }
+    if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+    if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+    if (const auto* number = node.as_floating_point()) return shortest(number->get());
+    if (!node.is_string()) fail(node, key + " must be a string, a number, true, false or a list of strings");
+    return text(node, key);
   }
 
-  void read_hold(const toml::node& node, FitJob& job) const {
-    std::vector<HeldParameter>& hold = job.options.hold;
-    for (const std::string& entry : texts(node, "hold")) {
-      const auto held = parse_held(entry);
-      if (!held) fail(node, "hold: \"" + entry + "\" is neither a parameter nor PARAMETER=NUMBER");
-      if (std::any_of(hold.begin(), hold.end(), [&](const HeldParameter& other) { return other.name == held->name; }))
-        fail(node, "hold names \"" + held->name + "\" twice");
-      hold.push_back(*held);
+  void read_option(const std::string& key, const toml::node& node, FitJob& job) const {
+    if (const std::string problem = set_option(job, key, flag_text(node, key)); !problem.empty())
+      fail(node, key + " " + problem);
+  }
+
+  void read_constants(const toml::node& node, FitJob& job) const {
+    if (!node.is_table()) fail(node, "constants must be a table");
+    Metadata scratch;
+    for (const auto& [key, value] : *node.as_table()) {
+      const std::string name(key.str());
+      const std::string given = value.is_string() || value.is_number() ? flag_text(value, name) : text(value, name);
+      if (const std::string problem = set_field(scratch, name, given); !problem.empty()) fail(value, problem);
+      job.constants.emplace_back(name, given);
     }
   }
 
@@ -136,18 +128,11 @@ class Reader {
     }
   }
 
-  void check_names(const toml::table& table, const FitJob& job) const {
+  void check_published(const toml::table& table, const FitJob& job) const {
     const std::vector<std::string> known = model_keys();
-    const auto is_known = [&](const std::string& key) {
-      return std::find(known.begin(), known.end(), key) != known.end();
-    };
-    for (const std::string& model : job.models)
-      if (!is_known(model)) fail(*table.get("models"), "unknown model \"" + model + "\"");
-    for (const HeldParameter& held : job.options.hold)
-      if (!has_parameter(job.models, held.name))
-        fail(*table.get("hold"), "no fitted model has a parameter \"" + held.name + "\"");
     for (const auto& [model, published] : job.published) {
-      if (!is_known(model)) fail(*table.get("published"), "unknown model \"" + model + "\"");
+      if (std::find(known.begin(), known.end(), model) == known.end())
+        fail(*table.get("published"), "unknown model \"" + model + "\"");
       if (std::find(job.models.begin(), job.models.end(), model) == job.models.end())
         fail(*table.get("published"), "model " + model + " has published numbers and is not fitted");
       for (const Published& number : published)
@@ -162,5 +147,48 @@ class Reader {
 }  // namespace
 
 FitJob read_fit_definition(const std::string& path) { return Reader(path).read(); }
+
+std::string fit_definition_text(const FitJob& job, const Dataset& data, const std::string& path) {
+  const auto text = [](const std::string& value) {
+    std::ostringstream out;
+    out << toml::value<std::string>(value);
+    return out.str();
+  };
+  const auto from_there = [&](const std::string& file) {
+    std::error_code none;
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path(),
+                                relative = std::filesystem::proximate(file, folder, none);
+    return text((none ? std::filesystem::absolute(file) : relative).string());
+  };
+  std::ostringstream out;
+  out << "data = " << from_there(job.data_path) << '\n';
+  if (!job.peaks_path.empty()) out << "peaks = " << from_there(job.peaks_path) << '\n';
+  std::map<std::string, std::string> stated = job.stated;
+  // what is left to the data, or to a version of this program, is stated, too
+  stated.insert_or_assign("objective", std::string(to_string(job.options.objective.value_or(default_objective(data)))));
+  for (const std::string_view name : kJobOptions) {
+    const auto found = stated.find(std::string(name));
+    if (name == "models") {
+      out << "models = [";
+      for (std::size_t i = 0; i < job.models.size(); ++i) out << (i == 0 ? "" : ", ") << text(job.models[i]);
+      out << "]\n";
+    } else if (found != stated.end()) {
+      const bool bare = found->second == "true" || found->second == "false";
+      out << name << " = " << (bare ? found->second : text(found->second)) << '\n';
+    }
+  }
+  if (!job.source.empty()) out << "source = " << text(job.source) << '\n';
+  if (!job.constants.empty()) out << "\n[constants]\n";
+  std::map<std::string, std::string> constants;
+  for (const auto& [name, value] : job.constants) constants.insert_or_assign(name, value);
+  for (const auto& [name, value] : constants) out << name << " = " << text(value) << '\n';
+  for (const auto& [model, numbers] : job.published) {
+    if (std::find(job.models.begin(), job.models.end(), model) == job.models.end()) continue;
+    out << "\n[published." << model << "]\n";
+    for (const Published& one : numbers)
+      out << one.name << " = {value = " << shortest(one.value) << ", tolerance = " << shortest(one.tolerance) << "}\n";
+  }
+  return out.str();
+}
 
 }  // namespace mixity

@@ -97,8 +97,9 @@ bool can_be_believed(const JobResult& result) {
                      [](const FitResult& fit) { return fit.status == FitStatus::ok || !fit.outdone_by.empty(); });
 }
 
-JobResult run(const FitJob& job, const Overrides& overrides, const Progress& progress) {
-  JobResult result{job, load_dataset(job.data_path, overrides), {}, {}, {}};
+JobResult run(const FitJob& job, const Progress& progress) {
+  JobResult result{job, load_dataset(job.data_path, job.constants), {}, {}, {}};
+  exclude(result.data, job.exclusion);
   const std::size_t models = job.models.size();
   Meter meter(progress, costs(job, result.data));
   // calls body(options), which tell of this part of the job.
@@ -122,7 +123,7 @@ JobResult run(const FitJob& job, const Overrides& overrides, const Progress& pro
     if (job.compare && models > 1) result.comparison = compare_models(result.data, result.fits, options);
   });
   tell_outdone(result);
-  result.unsheared = test_unsheared(result.data, job.options);
+  if (job.options.checks) result.unsheared = test_unsheared(result.data, job.options);
   if (job.per_curve) {
     result.per_curve.resize(models);
     for_each_of_the_models([&](std::size_t i) {

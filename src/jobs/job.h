@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dataset/exclusion.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "fitting/unsheared.h"
@@ -18,15 +19,19 @@ struct Published {
 };
 
 struct FitJob {
-  std::string path;                 // of its definition; empty: made of flags
-  std::string data_path;            // CSV, resolved against the definition's folder
-  std::string peaks_path;           // CSV of peak forces, resolved likewise; empty: none
-  std::vector<std::string> models;  // in the order to report
+  std::string path;                                // of its definition; empty: made of flags
+  std::string data_path;                           // CSV, resolved against the definition's folder
+  std::string peaks_path;                          // CSV of peak forces, resolved likewise; empty: none
+  std::vector<std::string> models{"a", "b", "c"};  // in the order to report
   FitOptions options;
+  std::vector<std::string> free_parameters;  // of the models, said to be free: as all are that are not held
+  Exclusion exclusion;
+  Overrides constants;     // of the experiment and its metadata, over those beside the data; the last of a name counts
   bool compare = true;     // the models with each other: information criteria, error on loads left out
   bool per_curve = false;  // each loading run by itself, too
   std::map<std::string, std::vector<Published>> published;  // by model key
   std::string source;                                       // of the published numbers
+  std::map<std::string, std::string> stated;                // options by name that are not left at their default
 };
 
 /// Every file that the job is made from, which no result may be written over: some may not be there.
@@ -59,7 +64,7 @@ inline Objective objective_of(const JobResult& result) {
 }
 
 /// Fits models side by side, on as many threads as the machine has. Tells `progress`, from any of them, how much is
-/// done. Throws what load_dataset and fit_model throw.
-JobResult run(const FitJob& job, const Overrides& overrides = {}, const Progress& progress = {});
+/// done. Throws what load_dataset, exclude and fit_model throw.
+JobResult run(const FitJob& job, const Progress& progress = {});
 
 }  // namespace mixity

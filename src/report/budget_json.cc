@@ -28,7 +28,7 @@ Json evidence_json(const FitResult& fit) {
   if (!fit.evidence) return {};
   const Evidence& evidence = fit.evidence->evidence;
   return {{"parameter", fit.evidence->parameter},
-          {"prior", fit.evidence->prior == RangePrior::uniform ? "uniform" : "log_uniform"},
+          {"prior", to_string(fit.evidence->prior)},
           {"log_evidence", evidence.log_evidence},
           {"mean", evidence.mean},
           {"standard_deviation", evidence.standard_deviation},

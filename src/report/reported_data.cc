@@ -12,10 +12,10 @@ constexpr double kParabolaUpTo = 0.5;  // of a run's largest T
 
 }  // namespace
 
-JobResult run_for_report(FitJob job, const Overrides& overrides, const Progress& progress) {
+JobResult run_for_report(FitJob job, const Progress& progress) {
   job.options.profile_points = kProfilePoints;
   constexpr double kAll = 0.9;  // of the time goes into the fits of all runs together
-  JobResult result = run(job, overrides, stretch(progress, 0, kAll));
+  JobResult result = run(job, stretch(progress, 0, kAll));
   const double share = (1 - kAll) / static_cast<double>(job.models.size());
   if (result.per_curve.empty() && result.data.has_loads && result.data.curves.size() > 1)
     for (const std::string& model : job.models) {

@@ -11,7 +11,7 @@
 namespace mixity {
 
 /// Runs a job with what the figures need beyond `fit`: cost profiles, and each run by itself where there are several.
-JobResult run_for_report(FitJob job, const Overrides& overrides = {}, const Progress& progress = {});
+JobResult run_for_report(FitJob job, const Progress& progress = {});
 
 struct ReportedData {
   const JobResult& result;           // outlives this

@@ -5,7 +5,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -74,18 +73,17 @@ class LogDensity {
   double n_ = 0, constant_ = 0, start_ = 0;
 };
 
-/// A function on [low, high] through its values at Chebyshev's points, whose number doubles until they tell it.
+/// A function on [low, high] through its values at Chebyshev's points.
 class Interpolated {
  public:
-  Interpolated(double low, double high, std::vector<double> values)
-      : values_(std::move(values)) {
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      const double angle = std::numbers::pi * static_cast<double>(i) / static_cast<double>(values_.size() - 1);
-      nodes_.push_back(0.5 * (low + high) + 0.5 * (low - high) * std::cos(angle));
-    }
+  Interpolated(double low, double high, std::size_t points) : values_(points) {
+    for (std::size_t i = 0; i < points; ++i)
+      nodes_.push_back(0.5 * (low + high) + 0.5 * (low - high) * std::cos(angle(i)));
   }
 
+  std::size_t size() const { return nodes_.size(); }
   double node(std::size_t i) const { return nodes_[i]; }
+  double& value(std::size_t i) { return values_[i]; }
   /// The barycentric form (Berrut & Trefethen 2004).
   double operator()(double u) const {
     double above = 0, below = 0;
@@ -99,87 +97,137 @@ class Interpolated {
     }
     return above / below;
   }
+  /// The larger of the last two coefficients of the series of Chebyshev's polynomials: about what is left out.
+  double tail() const {
+    const std::size_t last = values_.size() - 1;
+    double largest = 0;
+    for (const std::size_t k : {last - 1, last}) {
+      double sum = 0;
+      for (std::size_t i = 0; i <= last; ++i)
+        sum += (i == 0 || i == last ? 0.5 : 1) * values_[i] * std::cos(angle(i) * static_cast<double>(k));
+      largest = std::max(largest, std::abs(sum) * (k == last ? 1 : 2) / static_cast<double>(last));
+    }
+    return largest;
+  }
 
  private:
+  double angle(std::size_t i) const {
+    return std::numbers::pi * static_cast<double>(i) / static_cast<double>(values_.size() - 1);
+  }
+
   std::vector<double> nodes_, values_;
 };
 
-/// Integrals of e^(density - peak) times 1, x and x^2 from `low` to `u`.
+/// Integrals of e^(density - peak) times 1, x and x^2.
 struct Moments {
   double whole = 0, first = 0, second = 0;
 };
 
-/// One side of the peak, between two values of u.
-class Side {
+/// The density over all of u where it is not next to nothing.
+class Posterior {
  public:
-  /// False if as many points as are allowed do not tell the density.
-  bool sample(LogDensity& density, double low, double high, double peak) {
-    constexpr std::size_t kFewest = 9, kMost = 129;
-    constexpr double kSettled = 3e-7;  // the last change is larger than what is left
-    low_ = low;
-    high_ = high;
-    peak_ = peak;
-    outer_ = [&density](double u) { return density.outer(u); };
-    std::vector<double> values;
-    double before = -1;
+  struct Value {
+    double u, density;
+  };
+
+  Posterior(const LogDensity& density, double peak) : density_(density), peak_(peak) {}
+
+  /// False if as many points as are allowed do not tell the density between two of its values. `width`: of its peak, if
+  /// known.
+  bool sample(LogDensity& density, Value low, Value high, std::optional<double> width) {
+    constexpr std::size_t kFewest = 9, kMost = 257;
+    constexpr double kLeftOut = 1e-7;  // of a logarithm: relative, of what is integrated
+    std::optional<Interpolated> before;
     for (std::size_t n = kFewest; n <= kMost; n = 2 * n - 1) {
-      std::vector<double> more(n);
-      const Interpolated nodes(low, high, more);
-      for (std::size_t i = 0; i < n; ++i)
-        more[i] = !values.empty() && i % 2 == 0 ? values[i / 2] : density(nodes.node(i)) - peak;
-      if (!std::all_of(more.begin(), more.end(), [](double value) { return std::isfinite(value); })) return false;
-      values = std::move(more);
-      interpolated_.emplace(low, high, values);
-      const double now = until(high).whole;
-      if (std::abs(now - before) <= kSettled * now) return true;
-      before = now;
+      Interpolated now(low.u, high.u, n);
+      density.begin();
+      for (std::size_t i = 0; i < n; ++i) {
+        const bool known = before && i % 2 == 0;
+        now.value(i) = known        ? before->value(i / 2)
+                       : i == 0     ? low.density - peak_
+                       : i + 1 == n ? high.density - peak_
+                                    : density(now.node(i)) - peak_;
+        if (!std::isfinite(now.value(i))) return false;
+      }
+      before = std::move(now);
+      if (before->tail() <= kLeftOut) break;
+      if (n == kMost) return false;
     }
-    return false;
+    interpolated_ = std::move(before);
+    // between ends a peak's width apart ten points are exact
+    const double panels = std::clamp(width ? std::ceil((high.u - low.u) / *width) : 64, 16.0, 1000.0);
+    for (double i = 0; i <= panels; ++i) {
+      ends_.push_back(low.u + (high.u - low.u) * i / panels);
+      if (i > 0) parts_.push_back(between(ends_[ends_.size() - 2], ends_.back()));
+    }
+    return true;
   }
 
-  Moments until(double u) const {
+  Moments all() const {
     Moments sum;
-    constexpr int kPanels = 16;
-    for (int i = 0; i < kPanels; ++i) {
-      const double from = low_ + (u - low_) * i / kPanels, to = low_ + (u - low_) * (i + 1) / kPanels;
-      const auto add = [&](double at, double weight) {
-        const double x = outer_(at), value = weight * std::exp((*interpolated_)(at));
-        sum.whole += value;
-        sum.first += value * x;
-        sum.second += value * x * x;
-      };
-      using Gauss = boost::math::quadrature::gauss<double, 10>;
-      const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-      for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k) {
-        add(middle - half * Gauss::abscissa()[k], half * Gauss::weights()[k]);
-        add(middle + half * Gauss::abscissa()[k], half * Gauss::weights()[k]);
-      }
+    for (const Moments& part : parts_) {
+      sum.whole += part.whole;
+      sum.first += part.first;
+      sum.second += part.second;
     }
     return sum;
   }
-  double low() const { return low_; }
-  double high() const { return high_; }
+
+  /// u below which this much of the integral lies.
+  double quantile(double rest) const {
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const double part = parts_[i].whole;
+      if (rest > part && i + 1 < parts_.size()) {
+        rest -= part;
+        continue;
+      }
+      std::uintmax_t most = 100;
+      const auto found = boost::math::tools::toms748_solve([&](double u) { return between(ends_[i], u).whole - rest; },
+                                                           ends_[i], ends_[i + 1], -rest, std::max(part - rest, 0.0),
+                                                           boost::math::tools::eps_tolerance<double>(40), most);
+      return 0.5 * (found.first + found.second);
+    }
+    return ends_.back();
+  }
 
  private:
-  double low_ = 0, high_ = 0, peak_ = 0;
-  std::function<double(double)> outer_;
+  Moments between(double low, double high) const {
+    using Gauss = boost::math::quadrature::gauss<double, 10>;
+    Moments sum;
+    const auto add = [&](double at, double weight) {
+      const double x = density_.outer(at), value = weight * std::exp((*interpolated_)(at));
+      sum.whole += value;
+      sum.first += value * x;
+      sum.second += value * x * x;
+    };
+    const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
+    for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k) {
+      add(middle - half * Gauss::abscissa()[k], half * Gauss::weights()[k]);
+      add(middle + half * Gauss::abscissa()[k], half * Gauss::weights()[k]);
+    }
+    return sum;
+  }
+
+  const LogDensity& density_;
+  double peak_;
   std::optional<Interpolated> interpolated_;
+  std::vector<double> ends_;    // of the panels
+  std::vector<Moments> parts_;  // of each panel
 };
 
 /// Where the density has fallen to next to nothing, or the bound. Null if it is not finite before.
-std::optional<double> reach(LogDensity& density, double bound, double step, double peak) {
+std::optional<Posterior::Value> reach(LogDensity& density, double bound, double step, double peak) {
   constexpr double kNothing = 32;  // e^-32 = 1e-14
   const double direction = bound < density.start() ? -1 : 1;
   density.begin();
   double far = step;
   for (int i = 0; i < 200; ++i, far *= 1.5) {
-    const double u = density.start() + direction * far;
-    if ((bound - u) * direction <= 0) return bound;
-    const double here = density(u);
+    const double beyond = density.start() + direction * far, u = (bound - beyond) * direction <= 0 ? bound : beyond,
+                 here = density(u);
     if (!std::isfinite(here)) return std::nullopt;
-    if (peak - here > kNothing) return u;
+    if (peak - here > kNothing || u == bound) return Posterior::Value{u, here};
   }
-  return bound;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -192,44 +240,20 @@ std::optional<Evidence> evidence(const Problem& problem, const Minimum& best, st
   density.begin();
   const double peak = density(density.start());
   if (!std::isfinite(peak)) return std::nullopt;
+  constexpr double kFarOff = 8.1;  // standard errors of a normal density, where it is next to nothing
   const double range = density.upper() - density.lower();
-  double step = standard_error.value_or(0) * (density.logarithmic() ? 1 / std::max(best.x[0], 1e-300) : 1);
-  if (!(step > 0 && step < 0.2 * range)) step = standard_error ? 0.2 * range : 1e-6 * range;
-  std::vector<Side> sides;
-  for (const double bound : {density.lower(), density.upper()}) {
-    if (bound == density.start()) continue;
-    const auto end = reach(density, bound, 5 * step, peak);
-    density.begin();
-    Side side;
-    if (!end || !side.sample(density, std::min(*end, density.start()), std::max(*end, density.start()), peak))
-      return std::nullopt;
-    sides.push_back(std::move(side));
-  }
-  if (sides.empty()) return std::nullopt;
-  Moments all;
-  for (const Side& side : sides) {
-    const Moments part = side.until(side.high());
-    all.whole += part.whole;
-    all.first += part.first;
-    all.second += part.second;
-  }
+  double step = kFarOff * standard_error.value_or(0) * (density.logarithmic() ? 1 / std::max(best.x[0], 1e-300) : 1);
+  if (!(step > 0 && step < range)) step = standard_error ? range : 1e-6 * range;
+  const Posterior::Value at_peak{density.start(), peak};
+  const auto low = density.lower() == at_peak.u ? std::optional(at_peak) : reach(density, density.lower(), step, peak),
+             high = density.upper() == at_peak.u ? std::optional(at_peak) : reach(density, density.upper(), step, peak);
+  Posterior posterior(density, peak);
+  if (!low || !high || !(low->u < high->u) ||
+      !posterior.sample(density, *low, *high, standard_error ? std::optional(step / kFarOff) : std::nullopt))
+    return std::nullopt;
+  const Moments all = posterior.all();
   const double mean = all.first / all.whole;
-  const auto quantile = [&](double share) {
-    double rest = share * all.whole;
-    for (const Side& side : sides) {
-      const double part = side.until(side.high()).whole;
-      if (rest > part && &side != &sides.back()) {
-        rest -= part;
-        continue;
-      }
-      std::uintmax_t most = 100;
-      const auto found = boost::math::tools::toms748_solve([&](double u) { return side.until(u).whole - rest; },
-                                                           side.low(), side.high(), -rest, std::max(part - rest, 0.0),
-                                                           boost::math::tools::eps_tolerance<double>(40), most);
-      return density.outer(0.5 * (found.first + found.second));
-    }
-    return mean;
-  };
+  const auto quantile = [&](double share) { return density.outer(posterior.quantile(share * all.whole)); };
   return Evidence{peak + std::log(all.whole) + density.constant(), mean,
                   std::sqrt(std::max(all.second / all.whole - mean * mean, 0.0)),
                   quantile(0.5 * (1 - choice.confidence)), quantile(0.5 * (1 + choice.confidence))};

@@ -20,7 +20,7 @@ struct EvidenceOptions {
 
 /// `problem` with its priors, from the minimum. Over parameter 0 by quadrature, to 1e-6; over the others by Laplace's
 /// method at each of its values, with their normal priors, or uniform ones over their ranges. Null if the range or a
-/// cost is not finite, nothing scatters, or the quadrature does not settle (a kink in the profile). About 40 to 130
+/// cost is not finite, nothing scatters, or the quadrature does not settle (a kink in the profile). About 12 to 40
 /// profiled values.
 std::optional<Evidence> evidence(const Problem& problem, const Minimum& best, std::optional<double> standard_error,
                                  const EvidenceOptions& choice, const SolverOptions& options = {});

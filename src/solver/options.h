@@ -76,6 +76,7 @@ inline Progress stretch(const Progress& whole, double from, double to) {
 }
 
 enum class Resample { points, curves };
+constexpr std::string_view to_string(Resample resample) { return resample == Resample::points ? "points" : "curves"; }
 
 struct BootstrapOptions {
   std::size_t replicates = 0;
@@ -87,6 +88,9 @@ struct BootstrapOptions {
 /// uniform: over the parameter's range. log_uniform: in its logarithm, from kLeastOfUpper of the upper bound to it; for
 /// a parameter whose range begins at 0.
 enum class RangePrior { uniform, log_uniform };
+constexpr std::string_view to_string(RangePrior prior) {
+  return prior == RangePrior::uniform ? "uniform" : "log_uniform";
+}
 inline constexpr double kLeastOfUpper = 1e-6;
 
 }  // namespace mixity

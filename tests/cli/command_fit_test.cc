@@ -50,6 +50,37 @@ TEST(Program, AFitFindsTheLambdaThatMadeTheData) {
               1e-12);
 }
 
+/// Whatever was given by flags.
+TEST(Program, ASavedDefinitionGivesTheSameNumbers) {
+  const TemporaryFolder folder;
+  const std::string saved = folder.path("saved.toml");
+  const std::vector<std::string> flags{"--models=c,b",
+                                       "--modulus=2.1 MPa +/- 5%",
+                                       "--load_offset=0 +/- 0.3 mN",
+                                       "--sigma_A=0.7%",
+                                       "--exclude=3,30-32",
+                                       "--leave_out=P=2",
+                                       "--bootstrap=20",
+                                       "--seed=3",
+                                       "--confidence=0.9",
+                                       "--loss=cauchy",
+                                       "--per=curve"};
+  std::vector<std::string> words{"fit", MIXITY_ROOT "/data/mergel2018.csv", "--format=csv", "--save=" + saved};
+  words.insert(words.end(), flags.begin(), flags.end());
+  const ProgramResult given = run_program(words), again = run_program({"fit", saved, "--format=csv"});
+  EXPECT_EQ(given.err, "");
+  EXPECT_EQ(given.exit_code, again.exit_code);
+  EXPECT_EQ(given.out, again.out);
+  EXPECT_NE(given.out.find("mergel2018"), std::string::npos);
+  // a flag wins over the definition
+  const ProgramResult other =
+      run_program({"fit", saved, "--format=csv", "--youngs_modulus=1.5 MPa", "--poisson_ratio=0.5"});
+  EXPECT_EQ(other.err, "");
+  EXPECT_NE(other.out, again.out);
+  expect_refused({"fit", saved, saved, "--save=" + folder.path("both.toml")}, 2,
+                 "flag '--save' is of one data set: a definition names one");
+}
+
 TEST(Program, JsonHasTheKeysOfItsSchema) {
   const TemporaryFolder folder;
   const std::string path = folder.write(

@@ -39,7 +39,7 @@ TEST(Job, TellsOfItsProgressInSmallStepsThatNeverFall) {
     job.options.bootstrap.replicates = replicates;
     job.options.influence = replicates > 0;
     std::vector<double> told;
-    run(job, {}, [&](double fraction) { told.push_back(fraction); });
+    run(job, [&](double fraction) { told.push_back(fraction); });
     double before = 0;
     for (const double fraction : told) {
       EXPECT_GE(fraction, before);

@@ -2,7 +2,7 @@
 // the very same points (tools/peers/odrpack.py). Writes P, T, A and the errors of T and A to FILE as native doubles,
 // point after point, and prints a line of JSON: the fit, and what one sweep of distances takes, which no fit can do
 // without. Then answers each line of input by a line of two numbers: seconds of a fit, of all processors and on the
-// wall.
+// wall. The line says which: `bare` (value, status, standard errors, intervals), `whole` (with its checks, too).
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -83,6 +83,8 @@ void serve(std::size_t points, const char* path, bool own_loads, bool constants)
   write_points(data, path);
   FitOptions options{.objective = Objective::curve};
   if (constants) options.free = {kToughness, kModulus};
+  FitOptions bare = options;
+  bare.checks = false;
   const FitResult fit = fit_model(data, Model::info.key, options);
   std::printf(R"({"status": "%s", "chi2": %.17g, "names": [)", std::string(to_string(fit.status)).c_str(),
               fit.sum_of_squares);
@@ -111,7 +113,7 @@ void serve(std::size_t points, const char* path, bool own_loads, bool constants)
   std::printf("], \"sweep\": %.6g}\n", seconds_of_sweep<Model>(data, fitted));
   std::fflush(stdout);
   for (std::string line; std::getline(std::cin, line);) {
-    const Seconds taken = timed([&] { fit_model(data, Model::info.key, options); });
+    const Seconds taken = timed([&] { fit_model(data, Model::info.key, line == "bare" ? bare : options); });
     std::printf("%.9g %.9g\n", taken.processors, taken.wall);
     std::fflush(stdout);
   }

@@ -1,0 +1,120 @@
+#include "dataset/exclusion.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "dataset/units.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::string_view kOnThisLine = "named in exclude", kOfThisRun = "its run is named in leave_out";
+
+/// Which runs a name stands for.
+std::vector<std::size_t> runs_named(const Dataset& data, const std::string& name) {
+  std::vector<std::size_t> runs;
+  for (std::size_t i = 0; i < data.curves.size(); ++i)
+    if (data.curves[i] == name) runs.push_back(i);
+  if (!runs.empty() || !data.has_loads) return runs;
+  const auto load = parse_quantity(name);
+  const auto force = parse_unit(data.display.force);
+  if (!load || load->unit.dimension != (force ? force->dimension : Dimension{})) return runs;
+  const double wanted = load->si() / (force ? force->factor : 1) / data.display.force_scale;
+  constexpr double kRounding = 1e-3;
+  double largest = 0;
+  for (const double one : data.curve_loads) largest = std::max(largest, std::abs(one));
+  for (std::size_t i = 0; i < data.curves.size(); ++i)
+    if (std::abs(data.curve_loads[i] - wanted) <= kRounding * (wanted == 0 ? largest : std::abs(wanted)))
+      runs.push_back(i);
+  return runs;
+}
+
+/// Of each element, those to keep.
+template <class T>
+void keep(std::vector<T>& list, const std::vector<bool>& kept) {
+  std::size_t to = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!kept[i]) continue;
+    if (to != i) list[to] = std::move(list[i]);
+    ++to;
+  }
+  list.resize(to);
+}
+
+/// Runs without points go, and the others move up.
+void remove_empty_runs(Dataset& data) {
+  std::vector<bool> used(data.curves.size());
+  for (const Point& point : data.points) used[point.curve] = true;
+  std::vector<std::size_t> number(used.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) number[i] = used[i] ? next++ : 0;
+  for (Point& point : data.points) point.curve = number[point.curve];
+  keep(data.curves, used);
+  if (!data.curve_loads.empty()) keep(data.curve_loads, used);
+  if (!data.turned.empty()) {
+    std::vector<bool> turned;
+    for (std::size_t i = 0; i < used.size(); ++i)
+      if (used[i]) turned.push_back(data.turned[i]);
+    data.turned = turned;
+  }
+}
+
+}  // namespace
+
+std::optional<LineRange> parse_lines(std::string_view text) {
+  const auto number = [](std::string_view digits) -> std::optional<std::size_t> {
+    std::size_t value = 0;
+    digits = trim(digits);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (digits.empty() || error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+    return value;
+  };
+  const std::size_t dash = text.find('-');
+  const auto first = number(text.substr(0, dash)),
+             last = dash == std::string_view::npos ? first : number(text.substr(dash + 1));
+  if (!first || !last || *first < 1 || *last < *first) return std::nullopt;
+  return LineRange{*first, *last};
+}
+
+void exclude(Dataset& data, const Exclusion& which) {
+  if (which.lines.empty() && which.runs.empty()) return;
+  std::vector<std::string_view> reason(data.points.size());
+  for (const LineRange& range : which.lines) {
+    bool any = false;
+    for (std::size_t i = 0; i < data.points.size(); ++i) {
+      if (data.points[i].line < range.first || data.points[i].line > range.last) continue;
+      any = true;
+      reason[i] = kOnThisLine;
+    }
+    if (!any)
+      throw InputError(data.path, "has no point to exclude in line " + std::to_string(range.first) +
+                                      (range.last > range.first ? " to " + std::to_string(range.last) : "") +
+                                      " (the header is line 1)");
+  }
+  for (const std::string& name : which.runs) {
+    const std::vector<std::size_t> runs = runs_named(data, name);
+    if (runs.empty()) {
+      std::string known;
+      for (const std::string& run : data.curves) known += (known.empty() ? "" : ", ") + run;
+      throw InputError(data.path, "has no run '" + printable(name, std::string::npos) + "' to leave out (it has " +
+                                      printable(known, 200) + ")");
+    }
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+      if (std::find(runs.begin(), runs.end(), data.points[i].curve) != runs.end()) reason[i] = kOfThisRun;
+  }
+  std::vector<bool> kept(reason.size());
+  for (std::size_t i = 0; i < reason.size(); ++i) {
+    kept[i] = reason[i].empty();
+    if (!kept[i]) data.excluded.push_back({data.points[i].line, reason[i]});
+  }
+  std::sort(data.excluded.begin(), data.excluded.end(),
+            [](const Excluded& one, const Excluded& other) { return one.line < other.line; });
+  keep(data.points, kept);
+  if (data.points.empty()) throw InputError(data.path, "has no point left after exclude and leave_out");
+  if (!data.converted.empty()) keep(data.converted, kept);
+  if (!data.errors.empty()) keep(data.errors, kept);
+  if (!data.energies.empty()) keep(data.energies, kept);
+  remove_empty_runs(data);
+}
+
+}  // namespace mixity

@@ -1,0 +1,64 @@
+#include "dataset/exclusion.h"
+
+#include <gtest/gtest.h>
+
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+namespace {
+
+constexpr const char* kRuns =
+    "P [mN],T [mN],A [mm^2],sigma_A [mm^2],curve\n"
+    "5,0,0.40,0.001,first\n"
+    "5,20,0.39,0.002,first\n"
+    "8.004,-0.1,0.45,0.003,second\n"
+    "8.001,-20,0.44,0.004,second\n"
+    "8.002,-40,0.43,0.005,second\n";
+const Overrides kConstants{{"radius", "9.42 mm"}, {"modulus", "2.133 MPa"}, {"toughness", "27 mJ/m^2"}};
+
+Dataset runs_without(const Exclusion& which) {
+  const TemporaryFolder folder;
+  Dataset data = load_dataset(folder.write("runs.csv", kRuns), kConstants);
+  exclude(data, which);
+  return data;
+}
+
+TEST(Exclusion, OfLinesKeepsTheRestTogether) {
+  const Dataset data = runs_without({.lines = {{2, 3}, {5, 5}}});
+  ASSERT_EQ(data.points.size(), 2U);
+  EXPECT_EQ(data.points[1].line, 6U);
+  EXPECT_EQ(data.rows, data.points.size() + data.excluded.size());
+  ASSERT_EQ(data.errors.size(), 2U);
+  EXPECT_NEAR(data.errors[1].A * data.display.area_scale, 0.005, 1e-15);
+  // the first run is gone
+  EXPECT_EQ(data.curves, std::vector<std::string>{"second"});
+  EXPECT_EQ(data.points[1].curve, 0U);
+  ASSERT_EQ(data.turned.size(), 1U);
+  EXPECT_TRUE(data.turned[0]);
+  EXPECT_GT(data.points[1].T, 0);
+}
+
+TEST(Exclusion, OfARunGoesByItsNameOrItsLoad) {
+  for (const char* run : {"first", "5 mN", "0.005 N", "5.004 mN"})
+    EXPECT_EQ(runs_without({.runs = {run}}).points.size(), 3U);
+  EXPECT_EQ(runs_without({.runs = {"8 mN"}}).points.size(), 2U);
+  EXPECT_EQ(runs_without({}).points.size(), 5U);
+}
+
+TEST(Exclusion, OfWhatIsNotThereIsRefused) {
+  for (const char* run : {"third", "5", "5 mm", "5.02 mN"})
+    EXPECT_THROW(runs_without({.runs = {run}}), InputError) << run;
+  EXPECT_THROW(runs_without({.lines = {{1, 1}}}), InputError);
+  EXPECT_THROW(runs_without({.lines = {{7, 9}}}), InputError);
+  EXPECT_THROW(runs_without({.lines = {{2, 9}}}), InputError);
+}
+
+TEST(Exclusion, TakesLinesAsTheyAreWritten) {
+  EXPECT_EQ(parse_lines("17")->last, 17U);
+  EXPECT_EQ(parse_lines(" 4 - 7 ")->first, 4U);
+  for (const char* text : {"", "a", "0", "7-4", "4-", "-4", "4-5-6", "1.5", "99999999999999999999"})
+    EXPECT_FALSE(parse_lines(text)) << text;
+}
+
+}  // namespace
+}  // namespace mixity
