@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "dataset/side_by_side.h"
+#include "fitting/common_constants.h"
 #include "fitting/predicted_area.h"
+#include "fitting/prepare.h"
 
 namespace mixity {
 namespace {
@@ -165,39 +167,92 @@ Preferences preferences(const std::vector<ComparedModel>& compared) {
           })};
 }
 
+namespace {
+
+/// Whether runs share constants that are fitted. Of energies each series has a toughness of its own.
+bool share_constants(const Dataset& data, const FitOptions& options) {
+  return !data.has_energies && !fitted_constants(data, options).empty();
+}
+
+bool has_minimum(const FitResult& fit) { return has_all_values(fit) && fit.status != FitStatus::not_converged; }
+
+/// One set of parameters for all of `fits` against one for each.
+void test_runs(const FitResult& pooled, double separate, std::size_t parameters, std::size_t n, PerCurve& result) {
+  if (!has_minimum(pooled)) {
+    result.untested = "no one value for all runs was found";
+  } else if (parameters == pooled.free_parameters) {
+    result.untested = "every parameter is held";
+  } else if (!(separate > 0)) {
+    result.untested = "the runs have no scatter";
+  } else {
+    const bool known = pooled.known_errors;
+    const double freedom = static_cast<double>(parameters - pooled.free_parameters);
+    const double rest = static_cast<double>(n - parameters), gain = std::max(pooled.sum_of_squares - separate, 0.0);
+    PerCurve::Test test{known, 0, freedom, rest, 0, {}, {}};
+    if (known) {
+      test.statistic = gain;
+      test.p_value = cdf(complement(boost::math::chi_squared(freedom), gain));
+    } else {
+      test.statistic = gain / freedom / (separate / rest);
+      test.p_value = cdf(complement(boost::math::fisher_f(freedom, rest), test.statistic));
+    }
+    test.aicc_pooled = criteria(pooled.sum_of_squares, n, pooled.free_parameters, known).aicc;
+    test.aicc_separate = criteria(separate, n, parameters, known).aicc;
+    result.test = test;
+  }
+}
+
+/// The errors of a run's own parameters hold those of the constants that it shares.
+void take_errors(const std::vector<FittedParameter>& own, FitResult& fit) {
+  for (const FittedParameter& joint : own)
+    for (FittedParameter& one : fit.parameters) {
+      if (one.name != joint.name) continue;
+      one.stderr_ = joint.stderr_;
+      one.interval = joint.interval;
+    }
+}
+
+}  // namespace
+
 PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOptions& options) {
   PerCurve result;
   result.model = model;
-  // Constants of the experiment are those of all runs together; of energies each series has a toughness of its own.
   FitOptions own = value_only(options);
   own.intervals = options.intervals;
-  if (!options.free.empty() && !data.has_energies) {
-    own.free.clear();
+  own.checks = options.checks;
+  const bool shared = share_constants(data, options);
+  if (shared) {
     const FitResult whole = fit_model(data, model, value_only(options));
-    if (!has_all_values(whole) || whole.status == FitStatus::not_converged) {
-      result.untested = "the constants that are free were not found";
+    if (!has_minimum(whole)) {
+      result.untested = "the constants that all runs share were not found";
       return result;
     }
-    with_model(model, [&](auto chosen) {
-      own.constants = fitted_candidate<decltype(chosen)>(data, whole, options).constants;
-    });
+    own.intervals = own.checks = false;  // of all runs together
+    own.free.clear();
+    own.constants = with_fitted(options.constants.value_or(stated_constants(data)), data, whole.parameters);
   }
-  const auto runs = points_by_curve(data);
-  std::vector<std::size_t> tested;
+  std::vector<std::vector<std::size_t>> runs;  // that have points
+  std::vector<std::size_t> tested;             // points of runs that have a value of their own
+  std::vector<std::vector<std::size_t>> tested_runs;
+  std::vector<FitResult> tested_fits;
   double separate = 0;
   std::size_t parameters = 0, n = 0;
   bool known = false;
-  for (std::size_t c = 0; c < runs.size(); ++c) {
-    if (runs[c].empty()) continue;
-    if (options.progress) options.progress(static_cast<double>(c) / static_cast<double>(runs.size()));
-    CurveFit one{data.curves[c], data.has_loads ? data.curve_loads[c] : 0.0, fit_model(data, model, own, &runs[c])};
-    if (has_all_values(one.fit) && one.fit.status != FitStatus::not_converged) {
+  const auto by_curve = points_by_curve(data);
+  for (std::size_t c = 0; c < by_curve.size(); ++c) {
+    if (by_curve[c].empty()) continue;
+    if (options.progress) options.progress(static_cast<double>(c) / static_cast<double>(by_curve.size()));
+    CurveFit one{data.curves[c], data.has_loads ? data.curve_loads[c] : 0.0, fit_model(data, model, own, &by_curve[c])};
+    runs.push_back(by_curve[c]);
+    if (has_minimum(one.fit)) {
       ++result.fitted;
       separate += one.fit.sum_of_squares;
       parameters += one.fit.free_parameters;
       n += one.fit.used.size();
       known = one.fit.known_errors;
-      tested.insert(tested.end(), runs[c].begin(), runs[c].end());
+      tested.insert(tested.end(), by_curve[c].begin(), by_curve[c].end());
+      tested_runs.push_back(by_curve[c]);
+      tested_fits.push_back(one.fit);
     }
     result.curves.push_back(std::move(one));
   }
@@ -209,24 +264,22 @@ PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOpt
   if (n <= parameters) return untested("too few points");
   if (options.loss != Loss::none && !known)
     return untested("a robust loss in units of the scatter is another cost for each run");
-  const FitResult pooled = fit_model(data, model, value_only(own), &tested);
-  if (!has_all_values(pooled) || pooled.status == FitStatus::not_converged)
-    return untested("no one value for all runs was found");
-  if (parameters == pooled.free_parameters) return untested("every parameter is held");
-  if (!(separate > 0)) return untested("the runs have no scatter");
-  const double freedom = static_cast<double>(parameters - pooled.free_parameters);
-  const double rest = static_cast<double>(n - parameters), gain = std::max(pooled.sum_of_squares - separate, 0.0);
-  PerCurve::Test test{known, 0, freedom, rest, 0, {}, {}};
-  if (known) {
-    test.statistic = gain;
-    test.p_value = cdf(complement(boost::math::chi_squared(freedom), gain));
-  } else {
-    test.statistic = gain / freedom / (separate / rest);
-    test.p_value = cdf(complement(boost::math::fisher_f(freedom, rest), test.statistic));
+  FitOptions of_all = own;
+  if (shared) {
+    const auto joint = fit_common_constants(data, model, options, *own.constants, tested_runs, tested_fits);
+    if (!joint) return untested("the constants that all runs share were not found");
+    own.constants = joint->constants;
+    for (std::size_t c = 0, next = 0; c < runs.size(); ++c) {
+      FitResult& fit = result.curves[c].fit;
+      const bool is_tested = has_minimum(fit);
+      fit = fit_model(data, model, own, &runs[c]);
+      if (is_tested) take_errors(joint->own[next++], fit);
+    }
+    separate = joint->sum_of_squares;
+    parameters = joint->free_parameters;
+    of_all = options;
   }
-  test.aicc_pooled = criteria(pooled.sum_of_squares, n, pooled.free_parameters, known).aicc;
-  test.aicc_separate = criteria(separate, n, parameters, known).aicc;
-  result.test = test;
+  test_runs(fit_model(data, model, value_only(of_all), &tested), separate, parameters, n, result);
   return result;
 }
 

@@ -104,8 +104,6 @@ class Fitter {
     }
     judge(x);
     if (checked() && p > 0) tell_consistency();
-    if (purpose_ == Purpose::shown && !options_.checks && p > 0)
-      result_.message += (result_.message.empty() ? "" : "; ") + std::string("not checked for consistency (checks=false)");
     return result_;
   }
 
@@ -205,25 +203,13 @@ class Fitter {
     return verdict;
   }
 
-  /// With what is known of the constants beforehand. Residuals whose size is not known are measured by their own
-  /// scatter about the fit, on which that depends: until it no longer changes.
+  /// With what is known of the constants beforehand.
   Verdict minimum_of(const Problem& data) {
-    const std::size_t known = priors(), n = data.residual_count(), unknown = data.parameters().size() - known;
-    if (known == 0) return solve(data, starting_, solver_);
-    priors_.emplace(data);
-    Verdict verdict = solve(*priors_, starting_, solver_);
-    std::vector<double> residuals(n);
-    for (int i = 0; i < 50 && !data.known_errors() && n > unknown && !verdict.best.x.empty(); ++i) {
-      const auto square = sum_of_squares(data, verdict.best.x, residuals);
-      if (!square || !(*square > 0)) break;
-      const double before = unit_;
-      unit_ = std::sqrt(*square / static_cast<double>(n - unknown));
-      priors_.emplace(data, unit_);
-      const StartingPoints near{verdict.best.x};
-      verdict = solve(*priors_, i == 0 ? starting_ : near, solver_);
-      if (std::abs(unit_ - before) <= 1e-9 * unit_) break;
-    }
-    return verdict;
+    if (priors() == 0) return solve(data, starting_, solver_);
+    SolvedWithPriors solved = solve_with_priors(data, starting_, solver_);
+    unit_ = solved.unit;
+    priors_.emplace(data, unit_);
+    return std::move(solved.verdict);
   }
 
   const Problem& cost() const {

@@ -43,6 +43,7 @@ std::optional<Objective> parse_objective(std::string_view text) {
 
 FitOptions value_only(FitOptions options) {
   options.intervals = false;
+  options.checks = false;
   options.bootstrap = {};
   options.influence = false;
   options.profile_points = 0;

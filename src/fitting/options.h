@@ -60,7 +60,7 @@ struct FitOptions {
 /// The scale that toughness is fitted in.
 constexpr Scale scale_of(const FitOptions& options) { return options.scale.value_or(Scale::log); }
 
-/// For refits whose value alone is wanted: no intervals, bootstrap or influence.
+/// For refits whose value alone is wanted: no intervals, checks, bootstrap or influence.
 FitOptions value_only(FitOptions options);
 
 /// Keys of all models: {"a", "b", "c", "bk"}.

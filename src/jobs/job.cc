@@ -119,6 +119,9 @@ JobResult run(const FitJob& job, const Progress& progress) {
   for_each_of_the_models([&](std::size_t i) {
     part(i, [&](const FitOptions& options) { result.fits[i] = fit_model(result.data, job.models[i], options); });
   });
+  for (FitResult& fit : result.fits)
+    if (!job.options.checks)
+      fit.message += (fit.message.empty() ? "" : "; ") + std::string("not checked for consistency (checks=false)");
   part(models, [&](const FitOptions& options) {
     if (job.compare && models > 1) result.comparison = compare_models(result.data, result.fits, options);
   });

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <atomic>
+#include <boost/random/normal_distribution.hpp>
 #include <boost/random/taus88.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
@@ -17,33 +18,64 @@
 namespace mixity {
 namespace {
 
-/// Refits from one start; one for each thread.
+/// A problem whose last residuals are about other values: what is known beforehand, as another laboratory would know
+/// it.
+class Redrawn final : public WrappedProblem {
+ public:
+  explicit Redrawn(const Problem& problem) : WrappedProblem(problem) {}
+  std::vector<double> shifts{};  // of the last residuals
+
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    return problem_.evaluate(x, residuals, jacobian) && shift(residuals);
+  }
+  bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
+                      std::vector<double>& memory) const override {
+    return problem_.evaluate_again(x, residuals, jacobian, memory) && shift(residuals);
+  }
+  std::unique_ptr<Cost> cost() const override { return shifts.empty() ? problem_.cost() : Problem::cost(); }
+
+ private:
+  bool shift(std::span<double> residuals) const {
+    const std::size_t from = residuals.size() - shifts.size();
+    for (std::size_t i = 0; i < shifts.size(); ++i) residuals[from + i] += shifts[i];
+    return true;
+  }
+};
+
+/// Refits from one start; one for each thread. `points`: how many residuals are of data; the others are of priors.
 class Refitter {
  public:
-  Refitter(const Problem& problem, const std::vector<double>& start) : kernel_(problem), start_(start) {}
+  Refitter(const Problem& problem, const std::vector<double>& start, std::size_t points)
+      : problem_(problem), start_(start) {
+    problem_.shifts.resize(problem.residual_count() - points);
+    kernel_.emplace(problem_);
+  }
+  /// Of the residuals of priors: normal, of unit variance.
+  std::vector<double>& shifts() { return problem_.shifts; }
   /// Empty if no minimum was found.
   std::vector<double> operator()(std::span<const double> weights) {
     const auto points =
         static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
     if (points <= start_.size()) return {};
-    const auto minimum = kernel_.descend(start_, weights);
+    const auto minimum = kernel_->descend(start_, weights);
     return minimum && minimum->stationary ? minimum->x : std::vector<double>{};
   }
 
  private:
-  Kernel kernel_;
+  Redrawn problem_;
   const std::vector<double>& start_;
+  std::optional<Kernel> kernel_;
 };
 
 /// Calls body(i, refitter, weights) for i < n on several threads, each with its own refitter and weights.
 template <class Body>
-void for_each_refit(const Problem& problem, const std::vector<double>& fitted, std::size_t n, unsigned threads,
-                    const Progress& progress, Body body) {
+void for_each_refit(const Problem& problem, const std::vector<double>& fitted, std::size_t points, std::size_t n,
+                    unsigned threads, const Progress& progress, Body body) {
   const std::size_t most = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
   constexpr std::size_t kShare = 16;  // taken at a time
   std::atomic<std::size_t> taken = 0, done = 0;
   const auto work = [&] {
-    Refitter refit(problem, fitted);
+    Refitter refit(problem, fitted, points);
     std::vector<double> weights(problem.residual_count());
     for (std::size_t first; (first = taken.fetch_add(kShare)) < n;) {
       const std::size_t last = std::min(first + kShare, n);
@@ -88,7 +120,7 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
   const auto groups = members(runs);
   const auto points = static_cast<std::ptrdiff_t>(runs.size());  // what else there is, is known beforehand
   std::vector<std::vector<double>> replicates(options.replicates);
-  const auto draw = [&](std::size_t replicate, std::vector<double>& weights) {
+  const auto draw = [&](std::size_t replicate, std::vector<double>& weights, std::vector<double>& shifts) {
     // Three words of state, so that seeding one stream for each replicate costs little.
     const auto words = {low_word(options.seed), high_word(options.seed), low_word(replicate), high_word(replicate)};
     std::seed_seq seed(words);
@@ -104,10 +136,11 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
       else
         for (const std::size_t i : groups[pick(groups.size())]) weights[i] += 1;
     }
+    for (double& shift : shifts) shift = boost::random::normal_distribution<double>()(random);
   };
-  for_each_refit(problem, fitted, options.replicates, options.threads, progress,
+  for_each_refit(problem, fitted, runs.size(), options.replicates, options.threads, progress,
                  [&](std::size_t i, Refitter& refit, std::vector<double>& weights) {
-                   draw(i, weights);
+                   draw(i, weights, refit.shifts());
                    replicates[i] = refit(weights);
                  });
 
@@ -148,7 +181,7 @@ Influence influence(const Problem& problem, const std::vector<double>& fitted, c
   const auto groups = members(runs);
   result.points.resize(n);
   result.runs.resize(groups.size());
-  for_each_refit(problem, fitted, n + groups.size(), threads, progress,
+  for_each_refit(problem, fitted, n, n + groups.size(), threads, progress,
                  [&](std::size_t i, Refitter& refit, std::vector<double>& weights) {
                    std::fill(weights.begin(), weights.end(), 1.0);
                    if (i < n)

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "solver/prior.h"
+
 namespace mixity {
 namespace {
 
@@ -49,6 +51,23 @@ std::vector<std::size_t> runs_of(std::size_t n, std::size_t length) {
   std::vector<std::size_t> runs(n);
   for (std::size_t i = 0; i < n; ++i) runs[i] = i / length;
   return runs;
+}
+
+/// The points say little of the slope, and what is known beforehand nearly all.
+TEST(Bootstrap, DrawsWhatIsKnownBeforehandAnew) {
+  FreeParameter slope{"slope", -10, 10, 0.7};
+  slope.prior = 0.02;
+  std::vector<double> t, y;
+  for (std::size_t i = 0; i < 40; ++i) {
+    t.push_back(0.1);
+    y.push_back(0.07 + (i % 2 == 0 ? 1 : -1));  // errors of 1: the slope to 1/sqrt(0.4)
+  }
+  const Line line(t, y, slope);
+  const ProblemWithPriors with(line);
+  const double posterior = 1 / std::sqrt(1 / (0.02 * 0.02) + 0.4);
+  const auto found = bootstrap(with, {0.7}, runs_of(40, 40), {4000, Resample::points, 5, 2}, 0.95).parameters.at(0);
+  EXPECT_NEAR(found.standard_deviation, posterior, 0.05 * posterior);  // 4000 replicates: 1.1 %
+  EXPECT_NEAR(found.bias, 0, 0.1 * posterior);
 }
 
 TEST(Bootstrap, DoesNotDependOnTheNumberOfThreads) {
