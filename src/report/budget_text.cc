@@ -17,7 +17,7 @@ std::string chance(double p) { return p < 1e-4 ? "p < 0.0001" : "p = " + rounded
 std::string uncertain(const Budget& budget) {
   constexpr double kFar = 3;  // standard errors of a prior
   std::string text =
-      "error budget of " + budget.parameter + " (shares of the variance): scatter " + percent(*budget.scatter);
+      "error budget of " + budget.parameter + " (shares of the variance, by the joint covariance): scatter " + percent(*budget.scatter);
   for (const BudgetPart& part : budget.parts) text += ", " + part.constant + " " + percent(part.share);
   std::string separator = "; ";
   for (const BudgetPart& part : budget.parts) {

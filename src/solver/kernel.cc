@@ -22,6 +22,17 @@ class GeneralCost final : public Cost {
     cost.hessian.setZero(p, p);
     cost.finite = problem_.evaluate_again(x, residuals_, jacobian_, memory_);
     if (!cost.finite) return;
+    if (weights.empty() && p > 1) {
+      using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      const auto n = static_cast<Eigen::Index>(residuals_.size());
+      const Eigen::Map<const Rows> J(jacobian_.data(), n, p);
+      const Eigen::Map<const Eigen::VectorXd> r(residuals_.data(), n);
+      cost.value = r.squaredNorm();
+      cost.gradient.noalias() = J.transpose() * r;
+      cost.hessian.noalias() = J.transpose() * J;
+      finish(cost);
+      return;
+    }
     for (std::size_t i = 0; i < residuals_.size(); ++i) {
       const double w = weights.empty() ? 1 : weights[i], r = residuals_[i];
       const double* const row = jacobian_.data() + i * x.size();
@@ -33,11 +44,15 @@ class GeneralCost final : public Cost {
     }
     for (Eigen::Index k = 0; k < p; ++k)
       for (Eigen::Index l = 0; l < k; ++l) cost.hessian(l, k) = cost.hessian(k, l);
+    finish(cost);
+  }
+
+ private:
+  static void finish(CostValue& cost) {
     cost.slope_size = cost.hessian.diagonal().cwiseSqrt();
     cost.finite = std::isfinite(cost.value) && cost.gradient.allFinite() && cost.hessian.allFinite();
   }
 
- private:
   const Problem& problem_;
   std::vector<double> residuals_, jacobian_, memory_;
 };

@@ -33,11 +33,11 @@ FREE = "--free=toughness,modulus"
 
 
 @contextlib.contextmanager
-def served(program, model, points, constants, own_loads):
+def served(program, model, points, constants, own_loads, *more):
     """A process that fits when asked, what its fit says, and the points."""
     with tempfile.TemporaryDirectory(prefix="curve-") as folder:
         path, pipe = pathlib.Path(folder, "points"), subprocess.PIPE
-        words = ["constants"] * constants + ["own_loads"] * own_loads
+        words = ["constants"] * constants + ["own_loads"] * own_loads + list(more)
         with subprocess.Popen([program, model, str(points), path, *words], stdin=pipe, stdout=pipe, text=True) as process:
             yield process, json.loads(process.stdout.readline()), np.fromfile(path).reshape(-1, 5)
 

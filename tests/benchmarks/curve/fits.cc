@@ -1,8 +1,9 @@
-// curve_fits MODEL POINTS FILE [own_loads] [constants]: a fit under the objective curve, to be timed beside ODRPACK on
-// the very same points (tools/peers/odrpack.py). Writes P, T, A and the errors of T and A to FILE as native doubles,
-// point after point, and prints a line of JSON: the fit, and what one sweep of distances takes, which no fit can do
-// without. Then answers each line of input by a line of two numbers: seconds of a fit, of all processors and on the
-// wall. The line says which: `bare` (value, status, standard errors, intervals), `whole` (with its checks, too).
+// curve_fits MODEL POINTS FILE [own_loads] [constants] [priors]: a fit under the objective curve, to be timed beside
+// ODRPACK on the very same points (tools/peers/odrpack.py). Writes P, T, A and the errors of T and A to FILE as native
+// doubles, point after point, and prints a line of JSON: the fit, and what one sweep of distances takes, which no fit
+// can do without. Then answers each line of input by a line of two numbers: seconds of a fit, of all processors and on
+// the wall. `constants`: with toughness and modulus free; `priors`: with five constants uncertain. The line says which:
+// `bare` (value, status, standard errors, intervals), `whole` (with its checks, too).
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -74,12 +75,29 @@ void write_points(const Dataset& data, const char* path) {
   std::fclose(file);
 }
 
+/// As tools/peers/priors.py has them.
+void state_errors(Dataset& data) {
+  data.contact = Contact{0.01, 2e6, 0.03};
+  Metadata& metadata = data.metadata;
+  metadata.radius = data.contact->radius;
+  metadata.modulus = data.contact->modulus;
+  metadata.toughness = data.contact->toughness;
+  metadata.area_scale = 1;
+  metadata.load_offset = metadata.shear_offset = 0;
+  metadata.standard_errors = {{"modulus", 0.05 * *metadata.modulus},
+                              {"toughness", 0.10 * *metadata.toughness},
+                              {"area_scale", 0.01},
+                              {"load_offset", 0.5 * data.contact->force_unit()},
+                              {"shear_offset", 0.5 * data.contact->force_unit()}};
+}
+
 template <class Model>
-void serve(std::size_t points, const char* path, bool own_loads, bool constants) {
+void serve(std::size_t points, const char* path, bool own_loads, bool constants, bool priors) {
   // not where the others start, which is at the typical values
   Parameters<Model> truth;
   for (std::size_t k = 0; k < truth.size(); ++k) truth[k] = 2 * Model::parameters[k].typical;
-  const Dataset data = noisy_runs<Model>(truth, {.points = points, .own_loads = own_loads});
+  Dataset data = noisy_runs<Model>(truth, {.points = points, .own_loads = own_loads});
+  if (priors) state_errors(data);
   write_points(data, path);
   FitOptions options{.objective = Objective::curve};
   if (constants) options.free = {kToughness, kModulus};
@@ -108,6 +126,13 @@ void serve(std::size_t points, const char* path, bool own_loads, bool constants)
   });
   print_all("values", [](const FittedParameter& parameter) { return parameter.value.value_or(0); });
   print_all("errors", [](const FittedParameter& parameter) { return parameter.stderr_.value_or(0); });
+  print_all("lows",
+            [](const FittedParameter& one) { return one.interval && one.interval->low ? *one.interval->low : 0; });
+  print_all("highs",
+            [](const FittedParameter& one) { return one.interval && one.interval->high ? *one.interval->high : 0; });
+  const Evidence evidence = fit.evidence ? fit.evidence->evidence : Evidence{};
+  std::printf(R"(], "posterior": [%.17g, %.17g, %.17g, %.17g)", evidence.mean, evidence.standard_deviation,
+              evidence.low, evidence.high);
   Parameters<Model> fitted;
   for (std::size_t k = 0; k < fitted.size(); ++k) fitted[k] = fit.parameters[k].value.value_or(truth[k]);
   std::printf("], \"sweep\": %.6g}\n", seconds_of_sweep<Model>(data, fitted));
@@ -124,17 +149,17 @@ void serve(std::size_t points, const char* path, bool own_loads, bool constants)
 
 int main(int count, char** arguments) try {
   using namespace mixity;
-  bool known = count >= 4, own_loads = false, constants = false;
+  bool known = count >= 4, own_loads = false, constants = false, priors = false;
   for (int i = 4; i < count; ++i) {
     const std::string word = arguments[i];
-    (word == "own_loads" ? own_loads : constants) = true;
-    known &= word == "own_loads" || word == "constants";
+    (word == "own_loads" ? own_loads : word == "priors" ? priors : constants) = true;
+    known &= word == "own_loads" || word == "constants" || word == "priors";
   }
   const auto points = known ? static_cast<std::size_t>(std::atof(arguments[2])) : 0;
   known = known && points >= 8 && with_model(arguments[1], [&](auto model) {
-            serve<decltype(model)>(points, arguments[3], own_loads, constants);
+            serve<decltype(model)>(points, arguments[3], own_loads, constants, priors);
           });
-  if (!known) std::fprintf(stderr, "curve_fits MODEL POINTS FILE [own_loads] [constants], 8 points or more\n");
+  if (!known) std::fprintf(stderr, "curve_fits MODEL POINTS FILE [own_loads] [constants] [priors], 8 points or more\n");
   return known ? 0 : 2;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "curve_fits: %s\n", error.what());
