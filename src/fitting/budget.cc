@@ -10,6 +10,19 @@ namespace {
 /// Residuals so many times what rounding may leave are noise of the data.
 constexpr double kRounding = 100;
 
+/// How many independent tests act like these, from the eigenvalues of their correlations (Galwey 2009).
+double effective_number(const std::vector<Eigen::VectorXd>& columns) {
+  const auto m = static_cast<Eigen::Index>(columns.size());
+  if (m == 0) return 0;
+  Eigen::MatrixXd correlations(m, m);
+  for (Eigen::Index i = 0; i < m; ++i)
+    for (Eigen::Index j = 0; j < m; ++j)
+      correlations(i, j) = columns[static_cast<std::size_t>(i)].dot(columns[static_cast<std::size_t>(j)]);
+  const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(correlations, Eigen::EigenvaluesOnly).eigenvalues().cwiseMax(0);
+  return std::pow(values.cwiseSqrt().sum(), 2) / values.sum();
+}
+
 }  // namespace
 
 std::optional<Budget> error_budget(const Problem& problem, const std::vector<double>& x, double unit,
@@ -41,7 +54,8 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
   const auto solve = [&](const Eigen::VectorXd& right) -> Eigen::VectorXd {
     return factors ? Eigen::VectorXd(scale.cwiseProduct(factors->solve(scale.cwiseProduct(right)))) : right;
   };
-  Budget budget{parameters[0].name, {}, {}, {}};
+  Budget budget{parameters[0].name, {}, {}, {}, 0};
+  std::vector<Eigen::VectorXd> tested;  // what each score test looks along
   const bool moves = !held[0];
   if (moves) {
     const Eigen::VectorXd row = solve(Eigen::VectorXd::Unit(static_cast<Eigen::Index>(open.size()), 0));
@@ -72,6 +86,7 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
       const double slope = column.dot(r), fall = slope * slope / left;
       // where the variance of a residual is not known, each stands for its own (White)
       const Eigen::VectorXd apart = column - open_J * moved;
+      tested.push_back(apart.normalized());
       double variance = problem.known_errors() ? left : apart.cwiseProduct(r).squaredNorm();
       for (std::size_t i = 0; i < open.size() && !problem.known_errors(); ++i)
         if (const double prior = parameters[static_cast<std::size_t>(open[i])].prior; prior > 0)
@@ -81,6 +96,7 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
     }
     budget.exact.push_back(std::move(constant));
   }
+  budget.independent = effective_number(tested);
   return budget;
 }
 

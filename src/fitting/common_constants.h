@@ -17,8 +17,8 @@ struct CommonConstants {
   std::size_t free_parameters = 0;  // of all runs together, without those that something is known of
 };
 
-/// `runs`: the points of each, with its own fit at constants near the common ones, from where it starts. Intervals of up
-/// to 40 runs. Null if no minimum is found, or it does not determine what it fits. Not for data of energies.
+/// `runs`: the points of each, with its own fit at constants near the common ones, from where it starts. Intervals of
+/// up to 40 runs. Null if no minimum is found, or it does not determine what it fits. Not for data of energies.
 std::optional<CommonConstants> fit_common_constants(const Dataset& data, std::string_view model,
                                                     const FitOptions& options, const Constants& near,
                                                     const std::vector<std::vector<std::size_t>>& runs,

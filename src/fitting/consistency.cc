@@ -139,8 +139,7 @@ const ExactConstant* wrong_constant(const FitResult& fit) {
   const ExactConstant* worst = nullptr;
   for (const ExactConstant& one : fit.budget->exact)
     if (one.score && (!worst || one.score->p_value < worst->score->p_value)) worst = &one;
-  const auto number = static_cast<double>(fit.budget->exact.size());
-  return worst && worst->score->p_value * number < kChance ? worst : nullptr;
+  return worst && worst->score->p_value * fit.budget->independent < kChance ? worst : nullptr;
 }
 
 bool slides(const FitResult& fit) {

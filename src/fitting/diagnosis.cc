@@ -164,9 +164,9 @@ bool explains(const Dataset& data, const FitResult& fit) {
 }
 
 /// Whether chi^2 falls by more than chance makes it, when the best of so many constants is free.
-bool is_better(const FitResult& fit, const FitResult& freed, std::size_t constants) {
+bool is_better(const FitResult& fit, const FitResult& freed, double constants) {
   const double fall = (fit.sum_of_squares - freed.sum_of_squares) / (fit.known_errors ? 1 : per_freedom(freed));
-  return fall > 0 && cdf(complement(boost::math::chi_squared(1), fall)) * static_cast<double>(constants) < kChance;
+  return fall > 0 && cdf(complement(boost::math::chi_squared(1), fall)) * constants < kChance;
 }
 
 std::string alike(Constant constant) {
@@ -193,7 +193,7 @@ std::string diagnose(const Dataset& data, const FitResult& fit, const FitOptions
   const FitResult whole = points.size() == fit.used.size() ? fit : refit(options, points, &fit.parameters);
   if (!found(whole)) return failed;
   const std::optional<Freed> freed = best_constant(fit, options, points, refit);
-  if (freed && explains(data, freed->fit) && is_better(whole, freed->fit, fit.budget->exact.size()))
+  if (freed && explains(data, freed->fit) && is_better(whole, freed->fit, fit.budget->independent))
     return constant_text(*freed, whole);
   const std::optional<Cut> cut =
       data.has_loads ? before_sliding(data, fit, options, points, refit) : std::optional<Cut>();

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "dataset/number_text.h"
-#include "fitting/consistency.h"
 #include "fitting/prepare.h"
 #include "solver/solve.h"
 
@@ -72,22 +70,6 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
                             verdict.best.sum_of_squares, beyond(verdict.best.sum_of_squares, test.points - 1)});
   }
   return test;
-}
-
-std::string unsheared_sentence(const UnshearedTest& test) {
-  const std::string counted = std::to_string(test.points) + (test.points == 1 ? " point" : " points");
-  std::string text = "areas without shear (" + counted + ") " +
-                     (test.p_value < kChance ? "do not agree with JKR" : "agree with JKR") +
-                     " and the constants as stated" + ": chi^2 " + rounded(test.chi2, 3);
-  std::string separator = "; they imply ";
-  for (const UnshearedTest::Implied& one : test.implied) {
-    const ReadableUnit shown = readable_unit(one.value, one.unit);
-    text += separator + one.constant + " " + rounded(one.value * shown.factor, 4) + " +/- " +
-            rounded(one.standard_error * shown.factor, 2) + (one.unit.empty() ? "" : " " + shown.unit) + " (chi^2 " +
-            rounded(one.chi2, 3) + ")";
-    separator = " or ";
-  }
-  return text;
 }
 
 }  // namespace mixity

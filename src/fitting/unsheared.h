@@ -27,7 +27,4 @@ struct UnshearedTest {
 /// stated constants allow no contact at one of these loads. Throws InputError as a fit does where errors are unusable.
 std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOptions& options);
 
-/// In one sentence.
-std::string unsheared_sentence(const UnshearedTest& test);
-
 }  // namespace mixity

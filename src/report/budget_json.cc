@@ -47,7 +47,8 @@ Json budget_json(const FitResult& fit) {
           {"method", "joint covariance"},
           {"scatter", number_or_null(fit.budget->scatter)},
           {"parts", parts},
-          {"taken_as_exact", exact}};
+          {"taken_as_exact", exact},
+          {"independent_score_tests", fit.budget->independent}};
 }
 
 Json consistency_json(const FitResult& fit, const Dataset& data) {
@@ -96,6 +97,28 @@ Json unsheared_json(const std::optional<UnshearedTest>& test) {
           {"p_value", test->p_value},
           {"agrees", test->p_value >= kChance},
           {"implied", implied}};
+}
+
+Json constants_json(const Dataset& data) {
+  const Metadata& metadata = data.metadata;
+  Json list = Json::array();
+  const auto add = [&](const char* name, const std::optional<double>& value, double error, const char* unit) {
+    if (value) list.push_back({{"constant", name}, {"value", *value}, {"standard_error", error}, {"unit", unit}});
+  };
+  const auto stated = [&](const char* name, const std::optional<double>& value, const char* unit) {
+    add(name, value, metadata.standard_error(name), unit);
+  };
+  stated("radius", metadata.radius, "m");
+  const auto modulus = metadata.plane_strain_modulus();
+  add("modulus", modulus, modulus ? metadata.modulus_error() * *modulus : 0, "Pa");
+  stated("toughness", metadata.toughness, "J/m^2");
+  stated("toughness_II", metadata.toughness_II, "J/m^2");
+  stated("shear_strength", metadata.shear_strength, "Pa");
+  stated("area_scale", metadata.area_scale, "");
+  stated("load_offset", metadata.load_offset, "N");
+  stated("shear_offset", metadata.shear_offset, "N");
+  stated("area_offset", metadata.area_offset, "m^2");
+  return list;
 }
 
 }  // namespace mixity

@@ -16,8 +16,8 @@ std::string chance(double p) { return p < 1e-4 ? "p < 0.0001" : "p = " + rounded
 
 std::string uncertain(const Budget& budget) {
   constexpr double kFar = 3;  // standard errors of a prior
-  std::string text =
-      "error budget of " + budget.parameter + " (shares of the variance, by the joint covariance): scatter " + percent(*budget.scatter);
+  std::string text = "error budget of " + budget.parameter +
+                     " (shares of the variance, by the joint covariance): scatter " + percent(*budget.scatter);
   for (const BudgetPart& part : budget.parts) text += ", " + part.constant + " " + percent(part.share);
   std::string separator = "; ";
   for (const BudgetPart& part : budget.parts) {
@@ -45,10 +45,9 @@ std::string exact(const Budget& budget) {
 std::string score_tests(const FitResult& fit) {
   constexpr std::size_t kMost = 3;
   if (!fit.budget) return {};
-  const auto number = static_cast<double>(fit.budget->exact.size());
   std::vector<const ExactConstant*> list;
   for (const ExactConstant& one : fit.budget->exact)
-    if (one.score && one.score->p_value * number < kChance) list.push_back(&one);
+    if (one.score && one.score->p_value * fit.budget->independent < kChance) list.push_back(&one);
   std::stable_sort(list.begin(), list.end(), [](const ExactConstant* one, const ExactConstant* other) {
     return one->score->fall > other->score->fall;
   });
@@ -94,6 +93,22 @@ std::string posterior_line(const FitResult& fit) {
          resolved(evidence.high, width) + " (" +
          (fit.evidence->prior == RangePrior::uniform ? "uniform" : "log-uniform") + " prior), ln evidence " +
          rounded(evidence.log_evidence, 6);
+}
+
+std::string unsheared_sentence(const UnshearedTest& test) {
+  const std::string counted = std::to_string(test.points) + (test.points == 1 ? " point" : " points");
+  std::string text = "areas without shear (" + counted + ") " +
+                     (test.p_value < kChance ? "do not agree with JKR" : "agree with JKR") +
+                     " and the constants as stated: chi^2 " + rounded(test.chi2, 3);
+  std::string separator = "; they imply ";
+  for (const UnshearedTest::Implied& one : test.implied) {
+    const ReadableUnit unit = readable_unit(one.value, one.unit);
+    const RoundedToError shown = rounded_to_error(one.value * unit.factor, one.standard_error * unit.factor);
+    text += separator + one.constant + " " + shown.value + " +/- " + shown.error + unit_text(unit.unit) + " (chi^2 " +
+            rounded(one.chi2, 3) + ")";
+    separator = " or ";
+  }
+  return text;
 }
 
 std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& data) {

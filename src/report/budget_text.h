@@ -22,4 +22,7 @@ std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& 
 /// Both, with what makes the fit suspect first.
 std::vector<std::string> budget_and_consistency(const FitResult& fit, const Dataset& data);
 
+/// The areas without shear against JKR, in one sentence.
+std::string unsheared_sentence(const UnshearedTest& test);
+
 }  // namespace mixity

@@ -6,6 +6,7 @@
 #include "dataset/check.h"
 #include "dataset/number_text.h"
 #include "fitting/consistency.h"
+#include "report/budget_text.h"
 #include "report/constants_text.h"
 
 namespace mixity {

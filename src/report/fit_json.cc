@@ -96,6 +96,7 @@ Json dataset_json(const JobResult& result) {
           {"points", data.rows},
           {"used", data.points.size()},
           {"excluded", excluded_json(data.excluded)},
+          {"constants", constants_json(data)},
           {"unsheared", unsheared_json(result.unsheared)},
           {"fits", fits},
           {"comparison", comparison_json(result)},

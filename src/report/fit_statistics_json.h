@@ -28,6 +28,8 @@ Json evidence_json(const FitResult& fit);
 Json budget_json(const FitResult& fit);
 Json consistency_json(const FitResult& fit, const Dataset& data);
 Json unsheared_json(const std::optional<UnshearedTest>& test);
+/// Those that are stated, in SI; a standard error of 0 says that one is taken as exact.
+Json constants_json(const Dataset& data);
 Json comparison_json(const JobResult& result);
 Json per_curve_json(const JobResult& result);
 

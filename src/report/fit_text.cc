@@ -78,13 +78,17 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
   if (!fit.message.empty()) out << ": " << fit.message;
   out << '\n';
   for (const FittedParameter& parameter : fit.parameters) write_parameter(out, readable(parameter));
-  if (const std::string line = posterior_line(fit); !line.empty()) out << "    " << line << '\n';
-  for (const std::string& line : budget_lines(fit)) out << "    " << line << '\n';
+  const bool alone = fit.outdone_by.empty();  // else what its errors are made of is of no interest
+  const auto lines = [&](const std::vector<std::string>& list) {
+    for (const std::string& line : list) out << "    " << line << '\n';
+  };
+  if (const std::string line = posterior_line(fit); alone && !line.empty()) lines({line});
+  if (alone) lines(budget_lines(fit));
   out << paper_text(fit);
   if (fit.rmse)
     out << "    R^2 = " << shown_r2(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
         << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size() << " points\n";
-  for (const std::string& line : consistency_lines(fit, data)) out << "    " << line << '\n';
+  if (alone) lines(consistency_lines(fit, data));
   out << errors_text(fit, data) << resampling_text(fit, data);
   if (fit.area) {
     out << "    ";

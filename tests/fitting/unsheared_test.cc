@@ -31,7 +31,7 @@ TEST(Unsheared, ImpliesTheModulusOfAreasThatAreTooLarge) {
   EXPECT_NEAR(wrong->implied[0].value, right->implied[0].value * std::pow(1.1, -1.5),
               1e-6 * 2e6);  // what the fit stops at
   EXPECT_NEAR(wrong->implied[0].chi2, right->implied[0].chi2, 1e-6);
-  EXPECT_TRUE(unsheared_sentence(*wrong).starts_with("areas without shear (6 points) do not agree with JKR"));
+  EXPECT_EQ(wrong->points, 6U);
 }
 
 TEST(Unsheared, IsSilentWithoutLoadsOrWithoutUnshearedPoints) {
