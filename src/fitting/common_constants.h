@@ -5,7 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fitting/fit.h"
+#include "fitting/constants.h"
+#include "fitting/options.h"
+#include "fitting/result.h"
 
 namespace mixity {
 

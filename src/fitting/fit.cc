@@ -328,13 +328,6 @@ FitResult fit(const Dataset& data, std::string_view model, const FitOptions& opt
 
 }  // namespace
 
-Objective default_objective(const Dataset& data) {
-  const bool errors_of_energies = std::any_of(data.energies.begin(), data.energies.end(), [](const PointEnergies& e) {
-    return e.sigma_GI >= 0 && e.sigma_GII >= 0;
-  });
-  return data.has_loads || errors_of_energies ? Objective::curve : Objective::toughness;
-}
-
 FitResult fit_model(const Dataset& data, std::string_view model, const FitOptions& options,
                     const std::vector<std::size_t>* points) {
   return fit(data, model, options, Purpose::shown, points, nullptr);

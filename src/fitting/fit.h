@@ -8,9 +8,6 @@
 
 namespace mixity {
 
-/// curve where there are loads, or errors of both energies; else toughness.
-Objective default_objective(const Dataset& data);
-
 /// `points`: indices of the points to fit, all if null. Throws std::invalid_argument for a model that is none of
 /// model_keys(), and InputError if a parameter is to be held at a value that is out of range or that the data set does
 /// not state, if the objective needs what the data set does not have, or if a point lacks a standard error.

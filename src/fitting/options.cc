@@ -41,6 +41,13 @@ std::optional<Objective> parse_objective(std::string_view text) {
   return std::nullopt;
 }
 
+Objective default_objective(const Dataset& data) {
+  const bool errors_of_energies = std::any_of(data.energies.begin(), data.energies.end(), [](const PointEnergies& e) {
+    return e.sigma_GI >= 0 && e.sigma_GII >= 0;
+  });
+  return data.has_loads || errors_of_energies ? Objective::curve : Objective::toughness;
+}
+
 FitOptions value_only(FitOptions options) {
   options.intervals = false;
   options.checks = false;

@@ -57,6 +57,9 @@ struct FitOptions {
   Progress progress{};  // of the one call that these options are given to; may fall back when a fit starts again
 };
 
+/// curve where there are loads, or errors of both energies; else toughness.
+Objective default_objective(const Dataset& data);
+
 /// The scale that toughness is fitted in.
 constexpr Scale scale_of(const FitOptions& options) { return options.scale.value_or(Scale::log); }
 

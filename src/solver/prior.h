@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "solver/problem.h"
-#include "solver/results.h"
-#include "solver/solve.h"
 
 namespace mixity {
 
@@ -68,16 +66,5 @@ class ProblemWithPriors final : public WrappedProblem {
   double unit_;
   std::vector<std::size_t> known_;
 };
-
-/// The minimum of ProblemWithPriors(data, unit).
-struct SolvedWithPriors {
-  Verdict verdict;
-  double unit;
-};
-
-/// Residuals whose size is not known are measured by their own scatter about the fit, on which that depends: until it
-/// no longer changes.
-SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& starting = {},
-                                   const SolverOptions& options = {});
 
 }  // namespace mixity

@@ -18,4 +18,15 @@ struct StartingPoints {
 /// The lowest of the minima that are found, judged (verdict.h).
 Verdict solve(const Problem& problem, const StartingPoints& starting = {}, const SolverOptions& options = {});
 
+/// The minimum of ProblemWithPriors(data, unit).
+struct SolvedWithPriors {
+  Verdict verdict;
+  double unit;
+};
+
+/// Residuals whose size is not known are measured by their own scatter about the fit, on which that depends: until it
+/// no longer changes.
+SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& starting = {},
+                                   const SolverOptions& options = {});
+
 }  // namespace mixity
