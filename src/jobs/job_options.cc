@@ -13,10 +13,10 @@ namespace {
 
 using Problem = std::string;  // empty: none
 
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 Problem must_be(std::string_view text, const std::string& what) {
-  return "is " + quoted(text) + "; it must be " + what;
+  return "is " + in_quotes(text) + "; it must be " + what;
 }
 
 /// "a, b, c".
@@ -35,7 +35,7 @@ Problem for_each_item(std::string_view text, const auto& use) {
     const std::size_t comma = text.find(',');
     const std::string item(trim(text.substr(0, comma)));
     if (item.empty()) return "has an empty entry, number " + std::to_string(items.size() + 1);
-    if (std::find(items.begin(), items.end(), item) != items.end()) return "names " + quoted(item) + " twice";
+    if (std::find(items.begin(), items.end(), item) != items.end()) return "names " + in_quotes(item) + " twice";
     if (const Problem problem = use(item); !problem.empty()) return problem;
     items.push_back(item);
     more = comma != std::string_view::npos;
@@ -92,7 +92,7 @@ Problem set_models(std::string_view text, FitJob& job) {
   const std::vector<std::string> known = model_keys();
   return for_each_item(text, [&](const std::string& model) -> Problem {
     if (std::find(known.begin(), known.end(), model) == known.end())
-      return "names the unknown model " + quoted(model) + " (known: " + listed(known) + ")";
+      return "names the unknown model " + in_quotes(model) + " (known: " + listed(known) + ")";
     job.models.push_back(model);
     return {};
   });
@@ -102,9 +102,9 @@ Problem set_hold(std::string_view text, std::vector<HeldParameter>& hold) {
   hold.clear();
   return for_each_item(text, [&](const std::string& item) -> Problem {
     const auto held = parse_held(item);
-    if (!held) return "has " + quoted(item) + ", which is neither a parameter nor PARAMETER=NUMBER";
+    if (!held) return "has " + in_quotes(item) + ", which is neither a parameter nor PARAMETER=NUMBER";
     if (std::any_of(hold.begin(), hold.end(), [&](const HeldParameter& other) { return other.name == held->name; }))
-      return "names " + quoted(held->name) + " twice";
+      return "names " + in_quotes(held->name) + " twice";
     hold.push_back(*held);
     return {};
   });
@@ -121,7 +121,7 @@ Problem set_free(std::string_view text, FitJob& job) {
     else if (has_parameter(model_keys(), name))
       job.free_parameters.push_back(name);
     else
-      return "names " + quoted(name) + ", which cannot be fitted (known: " + listed(kConstantNames) +
+      return "names " + in_quotes(name) + ", which cannot be fitted (known: " + listed(kConstantNames) +
              ", model parameters)";
     return {};
   });
@@ -137,7 +137,7 @@ Problem set_excluded(std::string_view text, std::vector<LineRange>& lines) {
   lines.clear();
   return for_each_item(text, [&](const std::string& item) -> Problem {
     const auto range = parse_lines(item);
-    if (!range) return "has " + quoted(item) + ", which is neither a line of the file nor lines such as 40-58";
+    if (!range) return "has " + in_quotes(item) + ", which is neither a line of the file nor lines such as 40-58";
     lines.push_back(*range);
     return {};
   });
@@ -196,13 +196,13 @@ std::optional<Contradiction> contradiction(const FitJob& job) {
   const auto curve = Objective::curve, toughness = Objective::toughness;
   for (const HeldParameter& held : options.hold) {
     if (!has_parameter(job.models, held.name))
-      return Contradiction{"hold", "names " + quoted(held.name) + ", which no fitted model has"};
+      return Contradiction{"hold", "names " + in_quotes(held.name) + ", which no fitted model has"};
     if (std::find(job.free_parameters.begin(), job.free_parameters.end(), held.name) != job.free_parameters.end())
-      return Contradiction{"free", "names " + quoted(held.name) + ", which is to be held"};
+      return Contradiction{"free", "names " + in_quotes(held.name) + ", which is to be held"};
   }
   for (const std::string& name : job.free_parameters)
     if (!has_parameter(job.models, name))
-      return Contradiction{"free", "names " + quoted(name) + ", which no fitted model has"};
+      return Contradiction{"free", "names " + in_quotes(name) + ", which no fitted model has"};
   if (options.scale && options.objective == curve) return Contradiction{"scale", "needs objective=toughness"};
   if (options.weighted && options.objective == curve)
     return Contradiction{"weighted", "needs objective=toughness; curve weighs the points anyway"};

@@ -38,7 +38,15 @@ void write_data(std::ostringstream& out, const Dataset& data) {
   write_excluded(out, data, kAllOfThem);
 }
 
-void write_parameter(std::ostringstream& out, const FittedParameter& parameter) {
+/// How far a constant moved from what was stated.
+std::string pull_text(const FittedParameter& parameter, const std::optional<Budget>& budget) {
+  for (const BudgetPart& part : budget ? budget->parts : std::vector<BudgetPart>{})
+    if (part.constant == parameter.name)
+      return ", moved by " + std::string(part.pull < 0 ? "" : "+") + rounded(part.pull, 2) + " of that error";
+  return {};
+}
+
+void write_parameter(std::ostringstream& out, const FittedParameter& parameter, const std::optional<Budget>& budget) {
   out << "    " << parameter.name << ":" << std::string(parameter.name.size() < 8 ? 8 - parameter.name.size() : 1, ' ');
   if (!parameter.value) {
     out << "not determined";
@@ -60,7 +68,7 @@ void write_parameter(std::ostringstream& out, const FittedParameter& parameter) 
   out << interval_text(parameter);
   if (parameter.prior) {
     const RoundedToError stated = rounded_to_error(parameter.prior->mean, parameter.prior->standard_error);
-    out << "   stated " << stated.value << " +/- " << stated.error;
+    out << "   stated " << stated.value << " +/- " << stated.error << pull_text(parameter, budget);
   }
   if (!parameter.held && !parameter.prior)
     out << "   range " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4);
@@ -77,7 +85,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
   out << "    status: " << (fit.status == FitStatus::ok ? "ok" : "*** " + capitals(to_string(fit.status)) + " ***");
   if (!fit.message.empty()) out << ": " << fit.message;
   out << '\n';
-  for (const FittedParameter& parameter : fit.parameters) write_parameter(out, readable(parameter));
+  for (const FittedParameter& parameter : fit.parameters) write_parameter(out, readable(parameter), fit.budget);
   const bool alone = fit.outdone_by.empty();  // else what its errors are made of is of no interest
   const auto lines = [&](const std::vector<std::string>& list) {
     for (const std::string& line : list) out << "    " << line << '\n';
