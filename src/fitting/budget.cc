@@ -84,10 +84,12 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
     // what differs from the fit's own columns by rounding alone says nothing
     if (left > 1e-9 * square && scatters) {
       const double slope = column.dot(r), fall = slope * slope / left;
-      // where the variance of a residual is not known, each stands for its own (White)
+      // where the variance of a residual is not known, each stands for its own (White; with the constant free, and
+      // larger by its leverage, as MacKinnon & White's HC3 has it)
       const Eigen::VectorXd apart = column - open_J * moved;
+      const Eigen::ArrayXd freed = (r - apart * (slope / left)).array() / (1 - apart.array().square() / left).max(0.1);
       tested.push_back(apart.normalized());
-      double variance = problem.known_errors() ? left : apart.cwiseProduct(r).squaredNorm();
+      double variance = problem.known_errors() ? left : (apart.array() * freed).square().sum();
       for (std::size_t i = 0; i < open.size() && !problem.known_errors(); ++i)
         if (const double prior = parameters[static_cast<std::size_t>(open[i])].prior; prior > 0)
           variance += std::pow(moved[static_cast<Eigen::Index>(i)] / prior, 2);

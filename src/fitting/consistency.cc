@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
@@ -51,6 +52,9 @@ double trend_of(const std::vector<double>& t, const std::vector<double>& r) {
   return squares > 0 ? sum / std::sqrt(squares) : 0;
 }
 
+constexpr double kBesideEnd = 0.3;    // of a run, from its end on
+constexpr double kEnoughBeside = 10;  // points
+
 ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   ResidualTests tests;
   std::vector<std::vector<std::size_t>> runs(std::max<std::size_t>(data.curves.size(), 1));  // indices into `used`
@@ -58,7 +62,7 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
     const std::size_t curve = data.points[fit.used[i]].curve;
     if (curve < runs.size()) runs[curve].push_back(i);
   }
-  double z = 0, trend = 0, squares = 0, product = 0, of_products = 0, ends = 0, at_ends = 0;
+  double z = 0, trend = 0, squares = 0, product = 0, of_products = 0, ends = 0, at_ends = 0, near_ends = 0, of_near = 0;
   for (std::size_t c = 0; c < runs.size(); ++c) {
     if (runs[c].size() < ResidualTests::kLeastRun) continue;
     std::vector<double> r, t;
@@ -78,6 +82,9 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
           std::max<std::size_t>(1, static_cast<std::size_t>(ResidualTests::kEnd * static_cast<double>(r.size())));
       for (std::size_t i = 0; i < last; ++i) ends += r[order[i]];
       at_ends += static_cast<double>(last);
+      const auto beside = static_cast<std::size_t>(kBesideEnd * static_cast<double>(r.size()));
+      for (std::size_t i = last; i < beside; ++i) of_near += r[order[i]] * r[order[i]];
+      near_ends += static_cast<double>(std::max(beside, last) - last);
     }
     const Sums sums = neighbours(r);
     const ResidualTests::Run run{c < data.curves.size() ? data.curves[c] : std::string(), r.size(), runs_of_one_sign(r),
@@ -94,8 +101,12 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   tests.runs_p = below(z / std::sqrt(m));
   tests.trend_p = beyond_chi2(m, trend);
   if (at_ends > 0) {
-    tests.ends = ends / std::sqrt(at_ends) / residual_unit(fit);
-    tests.ends_p = 2 * below(-std::abs(tests.ends));
+    // what scatters more at large T than elsewhere is measured by what lies beside it
+    const bool measured = !fit.known_errors && near_ends >= kEnoughBeside && of_near > 0;
+    const double unit = measured ? std::sqrt(of_near / near_ends) : residual_unit(fit);
+    tests.ends = ends / std::sqrt(at_ends) / unit;
+    tests.ends_p =
+        2 * (measured ? cdf(boost::math::students_t(near_ends), -std::abs(tests.ends)) : below(-std::abs(tests.ends)));
   }
   if (squares > 0) tests.correlation = product / squares;
   if (of_products > 0) tests.correlation_p = below(-product / std::sqrt(of_products));

@@ -11,11 +11,11 @@
 namespace mixity {
 namespace {
 
-using Problem = std::string;  // empty: none
+using Complaint = std::string;  // empty: none
 
 std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
-Problem must_be(std::string_view text, const std::string& what) {
+Complaint must_be(std::string_view text, const std::string& what) {
   return "is " + in_quotes(text) + "; it must be " + what;
 }
 
@@ -28,7 +28,7 @@ std::string listed(const auto& names, const char* last = ", ") {
 }
 
 /// Calls use(item) for each item between commas, until one has a problem.
-Problem for_each_item(std::string_view text, const auto& use) {
+Complaint for_each_item(std::string_view text, const auto& use) {
   std::vector<std::string> items;
   if (text.empty()) return "is empty";
   for (bool more = true; more;) {
@@ -36,7 +36,7 @@ Problem for_each_item(std::string_view text, const auto& use) {
     const std::string item(trim(text.substr(0, comma)));
     if (item.empty()) return "has an empty entry, number " + std::to_string(items.size() + 1);
     if (std::find(items.begin(), items.end(), item) != items.end()) return "names " + in_quotes(item) + " twice";
-    if (const Problem problem = use(item); !problem.empty()) return problem;
+    if (const Complaint problem = use(item); !problem.empty()) return problem;
     items.push_back(item);
     more = comma != std::string_view::npos;
     if (more) text.remove_prefix(comma + 1);
@@ -45,7 +45,7 @@ Problem for_each_item(std::string_view text, const auto& use) {
 }
 
 template <class Value>
-Problem choose(std::string_view text, std::initializer_list<Value> values, Value& chosen) {
+Complaint choose(std::string_view text, std::initializer_list<Value> values, Value& chosen) {
   std::vector<std::string_view> names;
   for (const Value value : values) {
     names.push_back(to_string(value));
@@ -57,14 +57,14 @@ Problem choose(std::string_view text, std::initializer_list<Value> values, Value
   return must_be(text, listed(names, " or "));
 }
 
-Problem set_bool(std::string_view text, bool& value) {
+Complaint set_bool(std::string_view text, bool& value) {
   if (text != "true" && text != "false") return must_be(text, "true or false");
   value = text == "true";
   return {};
 }
 
 template <class Whole>
-Problem set_whole(std::string_view text, Whole most, Whole& value) {
+Complaint set_whole(std::string_view text, Whole most, Whole& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value > most)
     return must_be(text, "a whole number from 0 to " + std::to_string(most));
@@ -72,7 +72,7 @@ Problem set_whole(std::string_view text, Whole most, Whole& value) {
 }
 
 /// Above 0 and below `below`.
-Problem set_number(std::string_view text, double below, double& value) {
+Complaint set_number(std::string_view text, double below, double& value) {
   const auto number = parse_number(text);
   if (!number || !(*number > 0 && *number < below))
     return must_be(text, "a number above 0" + (std::isinf(below) ? "" : " and below " + shortest(below)));
@@ -80,17 +80,17 @@ Problem set_number(std::string_view text, double below, double& value) {
   return {};
 }
 
-Problem set_error(std::string_view text, std::optional<StatedError>& error) {
+Complaint set_error(std::string_view text, std::optional<StatedError>& error) {
   auto quantity = parse_quantity(text);
   if (!quantity || !(quantity->value >= 0)) return must_be(text, "a percentage or a quantity of 0 or more");
   error = std::move(quantity);
   return {};
 }
 
-Problem set_models(std::string_view text, FitJob& job) {
+Complaint set_models(std::string_view text, FitJob& job) {
   job.models.clear();
   const std::vector<std::string> known = model_keys();
-  return for_each_item(text, [&](const std::string& model) -> Problem {
+  return for_each_item(text, [&](const std::string& model) -> Complaint {
     if (std::find(known.begin(), known.end(), model) == known.end())
       return "names the unknown model " + in_quotes(model) + " (known: " + listed(known) + ")";
     job.models.push_back(model);
@@ -98,9 +98,9 @@ Problem set_models(std::string_view text, FitJob& job) {
   });
 }
 
-Problem set_hold(std::string_view text, std::vector<HeldParameter>& hold) {
+Complaint set_hold(std::string_view text, std::vector<HeldParameter>& hold) {
   hold.clear();
-  return for_each_item(text, [&](const std::string& item) -> Problem {
+  return for_each_item(text, [&](const std::string& item) -> Complaint {
     const auto held = parse_held(item);
     if (!held) return "has " + in_quotes(item) + ", which is neither a parameter nor PARAMETER=NUMBER";
     if (std::any_of(hold.begin(), hold.end(), [&](const HeldParameter& other) { return other.name == held->name; }))
@@ -111,10 +111,10 @@ Problem set_hold(std::string_view text, std::vector<HeldParameter>& hold) {
 }
 
 /// Parameters of the models may be named, too: they are free unless they are held.
-Problem set_free(std::string_view text, FitJob& job) {
+Complaint set_free(std::string_view text, FitJob& job) {
   job.options.free.clear();
   job.free_parameters.clear();
-  return for_each_item(text, [&](const std::string& name) -> Problem {
+  return for_each_item(text, [&](const std::string& name) -> Complaint {
     const auto found = std::find(kConstantNames.begin(), kConstantNames.end(), name);
     if (found != kConstantNames.end())
       job.options.free.push_back(static_cast<Constant>(found - kConstantNames.begin()));
@@ -127,15 +127,15 @@ Problem set_free(std::string_view text, FitJob& job) {
   });
 }
 
-Problem set_objective(std::string_view text, FitOptions& options) {
+Complaint set_objective(std::string_view text, FitOptions& options) {
   if (text == "area") return "is 'area'; " + std::string(kNoAreaObjective);
   options.objective = parse_objective(text);
-  return options.objective ? Problem() : must_be(text, "toughness or curve");
+  return options.objective ? Complaint() : must_be(text, "toughness or curve");
 }
 
-Problem set_excluded(std::string_view text, std::vector<LineRange>& lines) {
+Complaint set_excluded(std::string_view text, std::vector<LineRange>& lines) {
   lines.clear();
-  return for_each_item(text, [&](const std::string& item) -> Problem {
+  return for_each_item(text, [&](const std::string& item) -> Complaint {
     const auto range = parse_lines(item);
     if (!range) return "has " + in_quotes(item) + ", which is neither a line of the file nor lines such as 40-58";
     lines.push_back(*range);
@@ -143,7 +143,7 @@ Problem set_excluded(std::string_view text, std::vector<LineRange>& lines) {
   });
 }
 
-Problem set_it(FitJob& job, std::string_view name, std::string_view text) {
+Complaint set_it(FitJob& job, std::string_view name, std::string_view text) {
   constexpr std::size_t kMostReplicates = 10000000;
   FitOptions& options = job.options;
   if (name == "models") return set_models(text, job);
@@ -160,11 +160,11 @@ Problem set_it(FitJob& job, std::string_view name, std::string_view text) {
   if (name == "exclude") return set_excluded(text, job.exclusion.lines);
   if (name == "leave_out") {
     job.exclusion.runs.clear();
-    return for_each_item(text, [&](const std::string& run) { return job.exclusion.runs.push_back(run), Problem(); });
+    return for_each_item(text, [&](const std::string& run) { return job.exclusion.runs.push_back(run), Complaint(); });
   }
   if (name == "interval") {
     options.intervals = text == "profile";
-    return text == "profile" || text == "none" ? Problem() : must_be(text, "profile or none");
+    return text == "profile" || text == "none" ? Complaint() : must_be(text, "profile or none");
   }
   if (name == "confidence") return set_number(text, 1, options.confidence);
   if (name == "checks") return set_bool(text, options.checks);
@@ -178,7 +178,7 @@ Problem set_it(FitJob& job, std::string_view name, std::string_view text) {
   if (name == "compare") return set_bool(text, job.compare);
   if (name == "per") {
     job.per_curve = text == "curve";
-    return job.per_curve ? Problem() : must_be(text, "curve");
+    return job.per_curve ? Complaint() : must_be(text, "curve");
   }
   throw std::invalid_argument("there is no option '" + std::string(name) + "'");
 }
@@ -186,7 +186,7 @@ Problem set_it(FitJob& job, std::string_view name, std::string_view text) {
 }  // namespace
 
 std::string set_option(FitJob& job, std::string_view name, std::string_view text) {
-  Problem problem = set_it(job, name, text);
+  Complaint problem = set_it(job, name, text);
   if (problem.empty()) job.stated.insert_or_assign(std::string(name), std::string(text));
   return problem;
 }
