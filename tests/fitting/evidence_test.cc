@@ -9,6 +9,7 @@
 #include "fitting/measured_runs.h"
 #include "fitting/prepare.h"
 #include "solver/prior.h"
+#include "solver/solve.h"
 
 namespace mixity {
 namespace {
