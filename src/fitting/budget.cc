@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 namespace mixity {
@@ -84,17 +85,25 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
     // what differs from the fit's own columns by rounding alone says nothing
     if (left > 1e-9 * square && scatters) {
       const double slope = column.dot(r), fall = slope * slope / left;
-      // where the variance of a residual is not known, each stands for its own (White; with the constant free, and
-      // larger by its leverage, as MacKinnon & White's HC3 has it)
       const Eigen::VectorXd apart = column - open_J * moved;
-      const Eigen::ArrayXd freed = (r - apart * (slope / left)).array() / (1 - apart.array().square() / left).max(0.1);
       tested.push_back(apart.normalized());
-      double variance = problem.known_errors() ? left : (apart.array() * freed).square().sum();
-      for (std::size_t i = 0; i < open.size() && !problem.known_errors(); ++i)
-        if (const double prior = parameters[static_cast<std::size_t>(open[i])].prior; prior > 0)
-          variance += std::pow(moved[static_cast<Eigen::Index>(i)] / prior, 2);
-      constant.score = {fall, parameter.shown(at - slope / left),
-                        cdf(complement(boost::math::chi_squared(1), slope * slope / variance))};
+      double p_value = cdf(complement(boost::math::chi_squared(1), fall));
+      if (const Eigen::Index freedom = rows - static_cast<Eigen::Index>(open.size()) - 1; !problem.known_errors()) {
+        // Of unknown size: the larger p of two, one for errors that are all alike, one where each residual stands for
+        // its own, larger by its leverage, with the constant free (MacKinnon & White's HC3).
+        const Eigen::ArrayXd leverage = apart.array().square() / left,
+                             free = (r - apart * (slope / left)).array() / (1 - leverage).max(0.1);
+        double robust = (apart.array() * free).square().sum();
+        for (std::size_t i = 0; i < open.size(); ++i)
+          if (const double prior = parameters[static_cast<std::size_t>(open[i])].prior; prior > 0)
+            robust += std::pow(moved[static_cast<Eigen::Index>(i)] / prior, 2);
+        const double alike = left * std::max(r.squaredNorm() - fall, 0.0) / static_cast<double>(freedom);
+        p_value = freedom > 0 && robust > 0 && alike > 0
+                      ? 2 * cdf(boost::math::students_t(static_cast<double>(freedom)),
+                                -std::abs(slope) / std::sqrt(std::max(robust, alike)))
+                      : 1;
+      }
+      constant.score = {fall, parameter.shown(at - slope / left), p_value};
     }
     budget.exact.push_back(std::move(constant));
   }

@@ -36,7 +36,7 @@ Complaint for_each_item(std::string_view text, const auto& use) {
     const std::string item(trim(text.substr(0, comma)));
     if (item.empty()) return "has an empty entry, number " + std::to_string(items.size() + 1);
     if (std::find(items.begin(), items.end(), item) != items.end()) return "names " + in_quotes(item) + " twice";
-    if (const Complaint problem = use(item); !problem.empty()) return problem;
+    if (Complaint problem = use(item); !problem.empty()) return problem;
     items.push_back(item);
     more = comma != std::string_view::npos;
     if (more) text.remove_prefix(comma + 1);

@@ -155,8 +155,8 @@ class Posterior {
     }
     interpolated_ = std::move(before);
     // between ends a peak's width apart ten points are exact
-    const double panels = std::clamp(width ? std::ceil((high.u - low.u) / *width) : 64, 16.0, 1000.0);
-    for (double i = 0; i <= panels; ++i) {
+    const int panels = static_cast<int>(std::clamp(width ? std::ceil((high.u - low.u) / *width) : 64, 16.0, 1000.0));
+    for (int i = 0; i <= panels; ++i) {
       ends_.push_back(low.u + (high.u - low.u) * i / panels);
       if (i > 0) parts_.push_back(between(ends_[ends_.size() - 2], ends_.back()));
     }
