@@ -244,11 +244,14 @@ Calls run_to(pid_t child, const Calls& most) {
   int status = 0, signal = 0;
   Calls calls;
   if (::waitpid(child, &status, 0) != child || !WIFSTOPPED(status)) return calls;
+  // a stop at a system call is then told from others, and only such a stop says which call it is
+  ::ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD);
   while (calls.all < most.all && calls.renames < most.renames &&
          ::ptrace(PTRACE_SYSCALL, child, nullptr, static_cast<long>(signal)) == 0) {
     if (::waitpid(child, &status, 0) != child || !WIFSTOPPED(status)) break;
-    signal = WSTOPSIG(status) == SIGTRAP ? 0 : WSTOPSIG(status);
-    if (signal != 0) continue;
+    const bool at_call = WSTOPSIG(status) == (SIGTRAP | 0x80);
+    signal = at_call || WSTOPSIG(status) == SIGTRAP ? 0 : WSTOPSIG(status);
+    if (!at_call) continue;
     ++calls.all;
     calls.renames += is_about_to_rename(child);
   }
