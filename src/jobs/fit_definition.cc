@@ -179,9 +179,7 @@ std::string fit_definition_text(const FitJob& job, const Dataset& data, const st
   }
   if (!job.source.empty()) out << "source = " << text(job.source) << '\n';
   if (!job.constants.empty()) out << "\n[constants]\n";
-  std::map<std::string, std::string> constants;
-  for (const auto& [name, value] : job.constants) constants.insert_or_assign(name, value);
-  for (const auto& [name, value] : constants) out << name << " = " << text(value) << '\n';
+  for (const auto& [name, value] : job.constants) out << name << " = " << text(value) << '\n';
   for (const auto& [model, numbers] : job.published) {
     if (std::find(job.models.begin(), job.models.end(), model) == job.models.end()) continue;
     out << "\n[published." << model << "]\n";

@@ -26,7 +26,7 @@ struct FitJob {
   FitOptions options;
   std::vector<std::string> free_parameters;  // of the models, said to be free: as all are that are not held
   Exclusion exclusion;
-  Overrides constants;     // of the experiment and its metadata, over those beside the data; the last of a name counts
+  Overrides constants;     // of the experiment and its metadata, over those beside the data; each name once
   bool compare = true;     // the models with each other: information criteria, error on loads left out
   bool per_curve = false;  // each loading run by itself, too
   std::map<std::string, std::vector<Published>> published;  // by model key

@@ -59,7 +59,8 @@ def fit_row(program, clock, case):
         times, answers = alternate(tasks, rounds, clock)
     seconds = {name: float(np.median(taken)) for name, taken in times.items()}
     value = fit["values"][0]
-    theirs = {name: float(answers[name].beta[0]) / value - 1 for name in seconds if name in answers and name not in ("bare", "whole")}
+    theirs = {name: float(answers[name].beta[0]) / value - 1 for name in seconds
+              if name not in ("bare", "whole")}
     furthest = max(theirs.values(), key=abs)
     note = "" if abs(furthest) <= 1e-6 else " DIFFERENT"  # ODRPACK stops at some 1e-7
     time = {name: show_time(taken) for name, taken in seconds.items()}

@@ -6,8 +6,6 @@ y = 3 pi + R cos(phi), sqrt(lambda) T = R sin(phi) with R^2 = 9 pi^2 + 6 pi P an
 point of it is found by Gauss-Newton steps in phi.
 """
 
-import contextlib
-
 import emcee
 import iminuit
 import lmfit
@@ -102,10 +100,10 @@ def by_emcee(points, steps=4000, walkers=32):
     return chain.mean(), chain.std(), *np.quantile(chain, [0.025, 0.975]), chain.std() / np.sqrt(effective)
 
 
-def rows(options, sampled=True):
+def rows(options):
     """What is printed: mixity's first, then the others beside it."""
     program = options.benchmarks / "curve_fits"
-    with served(program) as (process, fit, points):
+    with curve_fits.served(program, "c", POINTS, False, False, "priors") as (process, fit, points):
         tasks = {"mixity, whole fit": lambda: curve_fits.own_time(process, options.clock, "whole"),
                  "mixity, bare": lambda: curve_fits.own_time(process, options.clock, "bare"),
                  "lmfit, least squares with the priors as residuals": lambda: by_lmfit(points),
@@ -119,16 +117,9 @@ def rows(options, sampled=True):
             taken = float(np.median(times[name]))
             yield [name, show_time(taken), f"{taken / first:.3g}", *shown(answers[name])]
         yield ["mixity, posterior by quadrature and Laplace", "", "", *shown(fit["posterior"])]
-        if sampled:
-            *answer, open_ = by_emcee(points)
-            yield [f"emcee (mean known to {open_:.2g})", "", "", *shown(answer)]
+        *answer, open_ = by_emcee(points)
+        yield [f"emcee (mean known to {open_:.2g})", "", "", *shown(answer)]
 
 
 def shown(answer):
     return ["" if one is None else f"{one:.6g}" for one in answer]
-
-
-@contextlib.contextmanager
-def served(program):
-    with curve_fits.served(program, "c", POINTS, False, False, "priors") as all_of_it:
-        yield all_of_it
