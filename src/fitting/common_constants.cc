@@ -44,8 +44,7 @@ std::optional<CommonConstants> solve_jointly(const Dataset& data, const FitOptio
   if (options.loss != Loss::none)
     robust.emplace(joint, options.loss, options.loss_scale.value_or(usual_scale(options.loss)));
   const Problem& of_data = robust ? static_cast<const Problem&>(*robust) : joint;
-  const auto priors = static_cast<std::size_t>(
-      std::count_if(constants.begin(), constants.end(), [](const FittedConstant& one) { return one.prior > 0; }));
+  const std::size_t priors = prior_count(of_data);
   const SolvedWithPriors solved =
       priors > 0 ? solve_with_priors(of_data, {start}) : SolvedWithPriors{solve(of_data, {start}), 1};
   const FitStatus status = solved.verdict.status;

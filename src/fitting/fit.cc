@@ -60,7 +60,7 @@ class Fitter {
   }
 
   FitResult run() {
-    const std::size_t p = problem_->parameters().size(), unknown = p - priors();
+    const std::size_t p = problem_->parameters().size(), unknown = p - prior_count(*problem_);
     if (const std::size_t distinct = distinct_points(data_, prepared_.used, unknown + 1);
         p > 0 && distinct <= unknown) {
       result_.status = FitStatus::not_identifiable;
@@ -141,13 +141,6 @@ class Fitter {
       }
   }
 
-  /// How many parameters something is known of beforehand.
-  std::size_t priors() const {
-    const auto& parameters = problem_->parameters();
-    return static_cast<std::size_t>(
-        std::count_if(parameters.begin(), parameters.end(), [](const FreeParameter& one) { return one.prior > 0; }));
-  }
-
   /// The paper's fit stands beside the result, and is a start for it.
   void fit_as_the_paper() {
     FitOptions options = value_only({});
@@ -205,7 +198,7 @@ class Fitter {
 
   /// With what is known of the constants beforehand.
   Verdict minimum_of(const Problem& data) {
-    if (priors() == 0) return solve(data, starting_, solver_);
+    if (prior_count(data) == 0) return solve(data, starting_, solver_);
     SolvedWithPriors solved = solve_with_priors(data, starting_, solver_);
     unit_ = solved.unit;
     priors_.emplace(data, unit_);

@@ -8,6 +8,13 @@
 
 namespace mixity {
 
+/// Of how many parameters something is known beforehand.
+inline std::size_t prior_count(const Problem& problem) {
+  const auto& parameters = problem.parameters();
+  return static_cast<std::size_t>(
+      std::count_if(parameters.begin(), parameters.end(), [](const FreeParameter& one) { return one.prior > 0; }));
+}
+
 /// A problem with its priors behind its residuals, which are in units of `unit`: their standard error, 1 where they are
 /// in standard errors already.
 class ProblemWithPriors final : public WrappedProblem {

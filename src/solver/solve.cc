@@ -144,10 +144,7 @@ Verdict solve(const Problem& problem, const StartingPoints& starting, const Solv
 }
 
 SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& starting, const SolverOptions& options) {
-  const auto& parameters = data.parameters();
-  const auto known = static_cast<std::size_t>(
-      std::count_if(parameters.begin(), parameters.end(), [](const FreeParameter& one) { return one.prior > 0; }));
-  const std::size_t n = data.residual_count(), unknown = parameters.size() - known;
+  const std::size_t n = data.residual_count(), unknown = data.parameters().size() - prior_count(data);
   double unit = 1;
   Verdict verdict = solve(ProblemWithPriors(data), starting, options);
   std::vector<double> residuals(n);
