@@ -3,9 +3,11 @@
 
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "cli/fit_flags.h"
 #include "cli/flags.h"
 #include "cli/usage_error.h"
 #include "dataset/input_error.h"
+#include "dataset/pooled.h"
 #include "fitting/unsheared.h"
 #include "report/check_text.h"
 
@@ -26,14 +28,19 @@ std::optional<UnshearedTest> unsheared_if_errors_allow(const Dataset& data) {
 
 int run_check(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("check needs a data CSV (see mixity help check)");
-  const Overrides overrides = metadata_overrides();
+  const Overrides overrides = data_overrides();
   std::string text;
-  for (const std::string& path : arguments) {
-    const Dataset data = load_dataset(path, overrides);
+  bool usable = true;
+  const auto check = [&](const Dataset& data) {
+    usable &= !data.points.empty();
     text += (text.empty() ? "" : "\n") + check_text(data, unsheared_if_errors_allow(data));
-  }
+  };
+  if (FLAGS_pool)
+    check(load_pooled(pooled_files(arguments), overrides));
+  else
+    for (const std::string& path : arguments) check(load_dataset(path, overrides));
   std::cout << text;
-  return kFine;
+  return usable ? kFine : kBadInput;
 }
 
 }  // namespace mixity::cli

@@ -1,4 +1,5 @@
 // mixity fit: definitions and data sets in, fits out.
+#include <filesystem>
 #include <iostream>
 #include <set>
 #include <utility>
@@ -37,19 +38,31 @@ void write_folder(const std::string& folder, const std::vector<JobResult>& resul
   write_files(files, inputs);
 }
 
+/// A definition ends in .toml, and is not what stands beside a data file of the same name.
+void require_definition_path(const std::string& path) {
+  if (!path.ends_with(".toml")) throw UsageError("flag '--save' is '" + path + "'; it must end in .toml");
+  for (const char* ending : {".csv", ".CSV", ".txt", ".dat"}) {
+    const std::string data = path.substr(0, path.size() - 5) + ending;
+    if (std::filesystem::exists(data))
+      throw UsageError("flag '--save': " + path + " is where the constants of " + data + " stand; take another name");
+  }
+}
+
 }  // namespace
 
 int run_fit(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("fit needs a data CSV or a fit definition (see mixity help fit)");
-  if (!FLAGS_save.empty() && arguments.size() > 1)
+  const std::vector<FitJob> jobs = jobs_for(arguments);
+  if (!FLAGS_save.empty() && jobs.size() > 1)
     throw UsageError("flag '--save' is of one data set: a definition names one");
+  if (!FLAGS_save.empty()) require_definition_path(FLAGS_save);
   std::vector<JobResult> results;
   bool all_ok = true;
   const Progress progress = progress_line("fit");
-  const auto files = static_cast<double>(arguments.size());
-  for (const std::string& path : arguments) {
+  const auto files = static_cast<double>(jobs.size());
+  for (const FitJob& job : jobs) {
     const auto before = static_cast<double>(results.size());
-    results.push_back(run(job_for(path), stretch(progress, before / files, (before + 1) / files)));
+    results.push_back(run(job, stretch(progress, before / files, (before + 1) / files)));
     all_ok &= can_be_believed(results.back());
   }
   if (progress) progress(1);

@@ -17,11 +17,12 @@ int run_report(const Arguments& arguments) {
   const Progress progress = progress_line("report");
   // Fits take the longer part of what takes long.
   constexpr double kFits = 0.7;
-  const double share = kFits / static_cast<double>(arguments.size());
+  const std::vector<FitJob> jobs = jobs_for(arguments);
+  const double share = kFits / static_cast<double>(jobs.size());
   std::vector<JobResult> results;
-  for (const std::string& path : arguments) {
+  for (const FitJob& job : jobs) {
     const auto before = static_cast<double>(results.size());
-    results.push_back(run_for_report(job_for(path), stretch(progress, share * before, share * (before + 1))));
+    results.push_back(run_for_report(job, stretch(progress, share * before, share * (before + 1))));
   }
   tell_names_apart(results);
   std::vector<ReportedData> data;

@@ -42,7 +42,7 @@ int run_sahli(const Arguments& arguments) {
   if (!(upto > 0)) throw UsageError("flag '--upto' must be above 0");
   const std::string model = FLAGS_model.empty() ? "c" : FLAGS_model;
   require_model("model", model);
-  const Dataset data = load_dataset(arguments[0], metadata_overrides());
+  const Dataset data = load_dataset(arguments[0], data_overrides());
   if (!data.has_loads)
     throw InputError(data.path, "holds " + std::string(data.has_energies ? "(G_I, G_II)" : "(psi, Gc)") +
                                     " points; A = A0 - alpha T^2 needs P, T and A");

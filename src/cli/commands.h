@@ -19,6 +19,7 @@ int run_map(const Arguments& arguments);
 int run_sahli(const Arguments& arguments);
 int run_figures(const Arguments& arguments);
 int run_check(const Arguments& arguments);
+int run_runs(const Arguments& arguments);
 int run_import(const Arguments& arguments);
 int run_help(const Arguments& arguments);
 

@@ -16,8 +16,11 @@ namespace {
 /// One of modulus and youngs_modulus replaces the other.
 void replace(Overrides& constants, const Overrides& with) {
   for (const auto& [name, text] : with) {
-    const std::string_view other = name == "modulus" ? "youngs_modulus" : name == "youngs_modulus" ? "modulus" : "";
-    std::erase_if(constants, [&](const auto& one) { return one.first == name || one.first == other; });
+    const bool both = name == "modulus";  // instead of the two that it follows from
+    const std::string_view other = both ? "youngs_modulus" : name == "youngs_modulus" ? "modulus" : "";
+    std::erase_if(constants, [&](const auto& one) {
+      return one.first == name || one.first == other || (both && one.first == "poisson_ratio");
+    });
     constants.emplace_back(name, text);
   }
 }
@@ -39,12 +42,35 @@ FitJob job_for(const std::string& path) {
       refuse(std::string(option), problem);
   }
   if (const auto wrong = contradiction(job)) refuse(wrong->option, wrong->problem);
-  replace(job.constants, metadata_overrides());
+  replace(job.constants, data_overrides());
   return job;
+}
+
+std::vector<RunFile> pooled_files(const std::vector<std::string>& arguments) {
+  std::vector<RunFile> files;
+  for (const std::string& path : arguments) {
+    if (path.ends_with(".toml"))
+      throw UsageError("flag '--pool' takes data files; a definition lists its own: data = [...]");
+    for (std::string& file : files_of(path)) files.push_back({std::move(file)});
+  }
+  return files;
+}
+
+std::vector<FitJob> jobs_for(const std::vector<std::string>& arguments) {
+  std::vector<FitJob> jobs;
+  if (FLAGS_pool) {
+    jobs.push_back(job_for(arguments.front()));
+    jobs.back().runs = pooled_files(arguments);
+    jobs.back().data_path = jobs.back().runs.front().path;
+    return jobs;
+  }
+  for (const std::string& path : arguments) jobs.push_back(job_for(path));
+  return jobs;
 }
 
 std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags) {
   flags.insert(flags.end(), kJobOptions.begin(), kJobOptions.end());
+  flags.push_back("pool");
   return with_metadata_flags(std::move(flags));
 }
 

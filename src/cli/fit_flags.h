@@ -13,6 +13,11 @@ namespace mixity::cli {
 /// A definition as it stands, or the default job for a CSV; flags that were given win over both. Throws UsageError.
 FitJob job_for(const std::string& path);
 
+/// One job for each argument, or with --pool one for all. Throws UsageError.
+std::vector<FitJob> jobs_for(const std::vector<std::string>& arguments);
+/// The files of --pool. Throws UsageError for a definition among them.
+std::vector<RunFile> pooled_files(const std::vector<std::string>& arguments);
+
 /// These flags and those that job_for reads, metadata included.
 std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags);
 

@@ -38,11 +38,18 @@ DEFINE_string(scale, "log", "toughness is compared as ln(Gc/GIc) (log) or as Gc/
 DEFINE_string(hold, "", "parameters to hold, comma-separated: NAME=VALUE, or NAME for the data set's own value");
 DEFINE_string(format, "text", "output format");
 DEFINE_string(out, "", "where to write: a folder (fit, figures), a file (import)");
+DEFINE_string(
+    lag, "", "what the clock of the areas is ahead of that of the forces: \"0.12 s\"; else from events that both show");
+DEFINE_bool(drift, false, "take a line through the zeros of T of all runs off T");
+DEFINE_string(cuts, "", "a TOML that states cuts of runs (cuts.toml, which runs writes)");
+DEFINE_bool(pool, false, "the files are the runs of one data set");
 DEFINE_string(save, "", "write what was just run to this fit definition (TOML)");
 DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(lambda, "", "mode-mixity parameter lambda");
 DEFINE_string(parameters, "", "all parameters of the model, such as r=1.77,eta=2.28");
-DEFINE_string(load, "", "normal load P, compression positive: a number, or with a unit if dimensional");
+DEFINE_string(
+    load, "",
+    "normal load P, compression positive: a number, or with a unit if dimensional; of a data file without one");
 DEFINE_string(shear, "", "tangential loads T: \"0,5,10\", or \"0,5,10 mN\" if dimensional");
 DEFINE_string(units, "mN,mm", "force and length unit of dimensional output, and of numbers without a unit");
 DEFINE_string(x, "", "header of the column on the x axis, with its unit: \"T [mN]\"");
@@ -74,6 +81,11 @@ DEFINE_string(load_offset, "", "to be added to readings of P, such as \"0 +/- 0.
 DEFINE_string(shear_offset, "", "to be added to readings of T, such as \"0 +/- 0.5 mN\"");
 DEFINE_string(area_offset, "", "to be added to readings of A, such as \"0 +/- 0.01 mm^2\"");
 DEFINE_string(area_scale, "", "what readings of A are to be multiplied by, such as \"1 +/- 2%\"");
+DEFINE_string(columns, "", "which column is which: \"P=Kanal 3 (mN),T=Kanal 4 (N)\", by heading or number");
+DEFINE_string(headings, "", "a TOML that adds to the names of columns that are known (data/headings.toml)");
+DEFINE_string(decimal, "", "the decimal sign, where a file can be read in two ways: , or .");
+DEFINE_string(pixel, "", "the side of a camera's pixel, for areas in pixels: \"1.7 um\"");
+DEFINE_string(load_from, "", "where a file's name states the normal load: \"run_{P}mN\"");
 DEFINE_string(source, "", "where the data come from");
 DEFINE_string(note, "", "a note on the data");
 
@@ -83,6 +95,9 @@ namespace {
 constexpr std::array<std::string_view, 14> kMetadataFlags{
     "radius",      "modulus",      "youngs_modulus", "poisson_ratio", "toughness",  "toughness_II", "shear_strength",
     "load_offset", "shear_offset", "area_offset",    "area_scale",    "provenance", "source",       "note"};
+
+/// How a data file is to be read.
+constexpr std::array<std::string_view, 6> kReadingFlags{"columns", "headings", "decimal", "pixel", "load", "load_from"};
 
 std::string given_command;  // NOLINT(cert-err58-cpp): an empty string does not throw
 
@@ -101,6 +116,7 @@ const std::string& command_line() { return given_command; }
 
 std::vector<std::string_view> with_metadata_flags(std::vector<std::string_view> flags) {
   flags.insert(flags.end(), kMetadataFlags.begin(), kMetadataFlags.end());
+  flags.insert(flags.end(), kReadingFlags.begin(), kReadingFlags.end());
   return flags;
 }
 
@@ -164,16 +180,31 @@ std::string value_of(std::string_view flag) {
   return value;
 }
 
-Overrides metadata_overrides() {
-  Overrides overrides;
+namespace {
+
+template <std::size_t n>
+void add_set(const std::array<std::string_view, n>& flags, Overrides& overrides) {
   Metadata scratch;
-  for (const std::string_view flag : kMetadataFlags) {
+  for (const std::string_view flag : flags) {
     if (!is_set(flag)) continue;
     const std::string value = value_of(flag);
     const std::string problem = set_field(scratch, flag, value);
     if (!problem.empty()) throw UsageError("flag '--" + std::string(flag) + "': " + problem);
     overrides.emplace_back(flag, value);
   }
+}
+
+}  // namespace
+
+Overrides data_overrides() {
+  Overrides overrides = metadata_overrides();
+  add_set(kReadingFlags, overrides);
+  return overrides;
+}
+
+Overrides metadata_overrides() {
+  Overrides overrides;
+  add_set(kMetadataFlags, overrides);
   if (is_set("modulus") && is_set("youngs_modulus"))
     throw UsageError("flags '--modulus' and '--youngs_modulus': give one of them");
   return overrides;

@@ -12,6 +12,10 @@
 DECLARE_string(format);
 DECLARE_string(out);
 DECLARE_string(save);
+DECLARE_bool(pool);
+DECLARE_string(lag);
+DECLARE_bool(drift);
+DECLARE_string(cuts);
 DECLARE_string(model);
 DECLARE_string(lambda);
 DECLARE_string(parameters);
@@ -49,6 +53,9 @@ const std::string& command_line();
 
 bool is_set(std::string_view flag);
 std::string value_of(std::string_view flag);
+
+/// The metadata flags that were given, and those that say how a file is to be read; throws as metadata_overrides.
+Overrides data_overrides();
 
 /// The metadata flags that were given; throws UsageError if one cannot be used.
 Overrides metadata_overrides();

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
 #include "dataset/number_text.h"
+#include "dataset/series/noise.h"
 
 namespace mixity {
 namespace {
@@ -41,7 +43,7 @@ void check_usable(const Dataset& data, Lines& odd) {
   if (below_hertz == 0) return;
   if (2 * below_hertz <= data.rows)
     odd.push_back("areas that do not exceed that of Hertz at their load (y <= 0): " + std::to_string(below_hertz) +
-                  " of " + std::to_string(data.rows) + ", first in line " + std::to_string(first) +
+                  " of " + std::to_string(data.rows) + ", first in " + data.line_text(first) +
                   "; objective toughness leaves such points out");
   else
     odd.push_back("units: " + std::to_string(below_hertz) + " of " + std::to_string(data.rows) +
@@ -60,7 +62,7 @@ void check_errors(const Dataset& data, Lines& odd) {
                     "both refuses the file");
     if (without > 0 && without < data.points.size())
       odd.push_back(std::string(column) + " is empty at " + std::to_string(without) + " of " +
-                    std::to_string(data.points.size()) + " points, first in line " + std::to_string(first) +
+                    std::to_string(data.points.size()) + " points, first in " + data.line_text(first) +
                     "; a fit that needs it refuses the file");
   };
   if (data.errors.empty()) return;
@@ -73,31 +75,89 @@ void check_errors(const Dataset& data, Lines& odd) {
   }
 }
 
+/// Falls of more than `least` between a reading and one before it, each from where it rose to since the last: how many,
+/// and the index of the first reading so far below.
+std::pair<std::size_t, std::size_t> falls(const std::vector<double>& values, double least) {
+  std::size_t count = 0, first = 0;
+  double high = -std::numeric_limits<double>::infinity(), low = 0;
+  bool falling = false;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (falling) {
+      low = std::min(low, values[i]);
+      if (values[i] - low <= least) continue;
+      falling = false;
+      high = values[i];
+    }
+    high = std::max(high, values[i]);
+    if (high - values[i] <= least) continue;
+    if (count++ == 0) first = i;
+    falling = true;
+    low = values[i];
+  }
+  return {count, first};
+}
+
 void check_order(const Dataset& data, Lines& odd) {
-  struct Falls {
-    const Point* before = nullptr;
-    std::size_t count = 0, first_line = 0;
-    double least = 0, most = 0;
-  };
-  std::vector<Falls> runs(data.curves.size());
-  for (const Point& point : data.points) {
-    Falls& falls = runs[point.curve];
-    falls.least = std::min(falls.least, point.T);
-    falls.most = std::max(falls.most, point.T);
-    if (point.T < 0) continue;  // noise about zero neither rises nor falls
-    if (falls.before && point.T < falls.before->T && ++falls.count == 1) falls.first_line = point.line;
-    falls.before = &point;
-  }
+  constexpr double kNoise = 8;  // what two readings of a thousand of one value differ by, in standard deviations
+  const auto runs = points_by_curve(data);
   for (std::size_t curve = 0; curve < runs.size(); ++curve) {
-    const auto [least, most] = std::pair(runs[curve].least, runs[curve].most);
-    if (most > 0 && -least > 0.1 * most)
+    std::vector<double> T;
+    for (const std::size_t i : runs[curve]) T.push_back(data.points[i].T);
+    if (T.empty()) continue;
+    std::vector<double> rising;  // noise about zero neither rises nor falls
+    std::vector<const Point*> points;
+    for (const std::size_t i : runs[curve])
+      if (data.points[i].T >= 0) {
+        rising.push_back(data.points[i].T);
+        points.push_back(&data.points[i]);
+      }
+    const auto [least, most] = std::minmax_element(T.begin(), T.end());
+    if (*most > 0 && -*least > 0.1 * *most)
       odd.push_back("run " + data.curves[curve] + ": T changes its sign, from " +
-                    rounded(least * data.display.force_scale, 4) + " to " +
-                    rounded(most * data.display.force_scale, 4) + "; are runs of both directions mixed?");
-    if (runs[curve].count > 0)
-      odd.push_back("run " + data.curves[curve] + ": T falls " + times(runs[curve].count) + ", first at line " +
-                    std::to_string(runs[curve].first_line) + "; is unloading or a second run mixed in?");
+                    rounded(*least * data.display.force_scale, 4) + " to " +
+                    rounded(*most * data.display.force_scale, 4) + "; are runs of both directions mixed?");
+    const double noise = noise_of(rising);
+    const auto [count, first] = falls(rising, kNoise * noise);
+    if (count > 0)
+      odd.push_back("run " + data.curves[curve] + ": T falls " + (noise > 0 ? "by more than its noise " : "") +
+                    times(count) + ", first at " + data.line_text(points[first]->line) +
+                    "; is unloading, slip or a second run mixed in?");
   }
+}
+
+/// What the phase angles and the strength of the interface say of the unit of T.
+void check_shear_units(const Dataset& data, Lines& odd) {
+  const Point* last = nullptr;
+  for (const Point& point : data.points)
+    if (!last || point.shear() > last->shear()) last = &point;
+  if (!last || !(last->shear() > 0)) return;
+  const auto probably = [&](const std::string& what) {
+    odd.push_back("units: " + what + "; the unit of T is probably off by a power of ten");
+  };
+  double smallest = 2, largest = 0;  // rad
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const auto toughness = data.toughness(i);
+    if (!toughness || data.points[i].shear() < 0.1 * last->shear()) continue;
+    smallest = std::min(smallest, toughness->psi());
+    largest = std::max(largest, toughness->psi());
+  }
+  constexpr double kHardly = 0.005, kWholly = 1.565;  // rad; of pi/2
+  if (largest > 0 && largest < kHardly)
+    probably("psi stays below " + rounded(kHardly, 1) + " rad, as if nothing were sheared");
+  else if (largest > 0 && smallest > kWholly)
+    probably("psi is above " + rounded(kWholly, 4) + " rad at all points with shear, as if nothing were pulled");
+  if (!data.contact || !data.metadata.shear_strength) return;
+  double ratio = 0;  // T/(tau0 A)
+  for (const Point& point : data.points)
+    ratio = std::max(ratio, point.shear() * data.contact->force_unit() /
+                                (*data.metadata.shear_strength * point.A * data.contact->area_unit()));
+  if (ratio > 5)
+    odd.push_back("units: T reaches " + rounded(ratio, 3) +
+                  " times tau0 A, which would slide long before; a unit of T, A or shear_strength is probably off by a "
+                  "power of ten");
+  else if (ratio > 0 && ratio < 0.005)
+    odd.push_back("units: T reaches only " + rounded(ratio, 2) +
+                  " times tau0 A; a unit of T, A or shear_strength may be off by a power of ten");
 }
 
 void check_duplicates(const Dataset& data, Lines& odd) {
@@ -119,8 +179,7 @@ void check_duplicates(const Dataset& data, Lines& odd) {
     else
       first = k;
   std::sort(repeats.begin(), repeats.end());
-  for (const auto& [line, first] : repeats)
-    odd.push_back("line " + std::to_string(line) + " repeats line " + std::to_string(first));
+  for (const auto& [line, first] : repeats) odd.push_back(data.line_text(line) + " repeats " + data.line_text(first));
 }
 
 void check_loads(const Dataset& data, Lines& odd) {
@@ -165,7 +224,7 @@ void check_toughness(const Dataset& data, Lines& odd) {
   for (std::size_t i = 0; i < data.points.size() && data.toughness_known; ++i) {
     const ToughnessPoint& point = data.converted[i];
     if (point.psi() < 0.05 && std::abs(std::log(point.ratio)) > 0.5)
-      odd.push_back("line " + std::to_string(data.points[i].line) + ": Gc/GIc is " + rounded(point.ratio, 3) +
+      odd.push_back(data.line_text(data.points[i].line) + ": Gc/GIc is " + rounded(point.ratio, 3) +
                     " near psi = 0, where it must be 1; is toughness (G_Ic) right?");
   }
 }
@@ -201,6 +260,8 @@ std::vector<std::string> find_oddities(const Dataset& data) {
   check_usable(data, odd);
   if (data.has_loads) {
     check_units(data, odd);
+    if (std::none_of(odd.begin(), odd.end(), [](const std::string& one) { return one.starts_with("units"); }))
+      check_shear_units(data, odd);
     check_order(data, odd);
     check_loads(data, odd);
   } else {

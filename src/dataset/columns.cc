@@ -1,40 +1,15 @@
 #include "dataset/columns.h"
 
+#include <algorithm>
 #include <cctype>
 #include <initializer_list>
 
 #include "dataset/input_error.h"
 #include "dataset/printable.h"
+#include "dataset/table/vocabulary.h"
 
 namespace mixity {
 namespace {
-
-struct Kind {
-  ColumnId id;
-  std::string_view name;
-  Dimension dimension;   // when it has a unit
-  bool always_a_number;  // never carries a unit of its own
-};
-
-constexpr std::array<Kind, kColumnCount> kKinds{{
-    {ColumnId::P, "P", dimension::force, false},
-    {ColumnId::T, "T", dimension::force, false},
-    {ColumnId::A, "A", dimension::area, false},
-    {ColumnId::a, "a", dimension::length, false},
-    {ColumnId::psi, "psi", dimension::angle, false},
-    {ColumnId::mode_ratio, "mode_ratio", dimension::none, true},
-    {ColumnId::Gc, "Gc", dimension::energy_per_area, false},
-    {ColumnId::Gc_over_GIc, "Gc_over_GIc", dimension::none, true},
-    {ColumnId::G_I, "G_I", dimension::energy_per_area, false},
-    {ColumnId::G_II, "G_II", dimension::energy_per_area, false},
-    {ColumnId::sigma_T, "sigma_T", dimension::force, false},
-    {ColumnId::sigma_A, "sigma_A", dimension::area, false},
-    {ColumnId::sigma_Gc, "sigma_Gc", dimension::energy_per_area, false},
-    {ColumnId::sigma_GI, "sigma_GI", dimension::energy_per_area, false},
-    {ColumnId::sigma_GII, "sigma_GII", dimension::energy_per_area, false},
-    {ColumnId::curve, "curve", dimension::none, true},
-    {ColumnId::include, "include", dimension::none, true},
-}};
 
 /// In lower case, letters and digits only.
 std::string bare_name(std::string_view name) {
@@ -45,44 +20,177 @@ std::string bare_name(std::string_view name) {
   return bare;
 }
 
-/// As trim, also of what spreadsheets and web pages leave behind: no-break and zero-width spaces, byte order marks.
-std::string_view trim_name(std::string_view text) {
-  constexpr std::string_view kUnseen[] = {"\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x8B", "\xEF\xBB\xBF"};
-  for (bool more = true; more;) {
-    more = false;
-    text = trim(text);
-    for (const std::string_view unseen : kUnseen) {
-      const bool before = text.starts_with(unseen), behind = !before && text.ends_with(unseen);
-      if (before) text.remove_prefix(unseen.size());
-      if (behind) text.remove_suffix(unseen.size());
-      more |= before || behind;
-    }
+const ColumnKind& kind_of(ColumnId id) { return kColumnKinds[static_cast<std::size_t>(id)]; }
+
+bool is_pixels(const Dimension& found, const Dimension& wanted) {
+  // a number of pixels is an area, and so are square pixels
+  const bool area = wanted == dimension::area;
+  return found == Dimension{0, 0, 0, 0, 1} ? area || wanted == dimension::length
+                                           : area && found == Dimension{0, 0, 0, 0, 2};
+}
+
+/// Whether a heading may have this unit as that quantity; none is fine.
+bool fits(const std::optional<std::string>& unit, ColumnId id) {
+  if (!unit) return true;
+  const ColumnKind& kind = kind_of(id);
+  const auto parsed = parse_unit(*unit);
+  if (!parsed) return false;
+  if (parsed->text == "%") return kind.name.starts_with("sigma_");
+  if (kind.always_a_number) return parsed->dimension == dimension::none;
+  return parsed->dimension == kind.dimension || is_pixels(parsed->dimension, kind.dimension);
+}
+
+/// A name by the program's own or the vocabulary.
+std::optional<ColumnId> meaning(std::string_view name, const Vocabulary& vocabulary) {
+  if (const auto own = column_named(name)) return own;
+  if (const auto found = vocabulary.find(name)) return found;
+  // "Normal force F_N", "friction force, T": a name and the symbol of the same
+  const std::size_t behind = name.find_last_of(" ,");
+  if (behind == std::string_view::npos) return std::nullopt;
+  const auto first = vocabulary.find(trim_name(name.substr(0, name.find_last_not_of(" ,", behind) + 1)));
+  const std::string_view symbol = name.substr(behind + 1);
+  const auto second = column_named(symbol) ? column_named(symbol) : vocabulary.find(symbol);
+  return first && first == second ? first : std::nullopt;
+}
+
+/// A heading by the vocabulary, with its unit found; null if it says nothing that is known.
+std::optional<NamedColumn> read_heading(const Heading& heading, std::size_t index, const Vocabulary& vocabulary) {
+  const auto named = [&](std::string_view name, const std::optional<std::string>& unit) -> std::optional<NamedColumn> {
+    const auto id = meaning(trim_name(name), vocabulary);
+    if (!id || !fits(unit, *id)) return std::nullopt;
+    NamedColumn column{*id, index, heading};
+    column.heading.unit = unit;
+    return column;
+  };
+  if (auto found = named(heading.name, heading.unit)) return found;
+  if (heading.unit && heading.closed) {
+    // "Normal force (F_N)": what stands in the brackets is a symbol
+    if (!parse_unit(*heading.unit)) return named(heading.name + " " + *heading.unit, std::nullopt);
+    // "F_N (cell 2) [mN]", with a name that is none before the first bracket
+    return named(without_brackets(heading.text), heading.unit);
   }
-  return text;
+  const std::string_view text = heading.text;
+  for (const std::string_view sign : {"/", " in ", " en ", ",", "_", " "}) {
+    const std::size_t at = text.rfind(sign);
+    if (at == std::string_view::npos || at == 0) continue;
+    const std::string unit(without_brackets(text.substr(at + sign.size())));
+    if (!parse_unit(unit) || parse_unit(unit)->text == "1") continue;
+    if (auto found = named(text.substr(0, at), unit)) return found;
+  }
+  return std::nullopt;
+}
+
+/// "Kanal 3 (mN)" names a heading with or without its unit, "3" the third.
+NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& headings, ColumnId id,
+                          const std::string& wanted) {
+  const Heading said = split_heading(wanted, {});
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < headings.size() && !found; ++i)
+    if (trim_name(headings[i].text) == said.text) found = i;
+  for (std::size_t i = 0; i < headings.size() && !found; ++i)
+    if (!said.name.empty() && folded(headings[i].name) == folded(said.name) && folded(said.name) != "") found = i;
+  const auto number = parse_number(said.name);
+  if (!found && number && *number >= 1 && *number <= static_cast<double>(headings.size()) &&
+      *number == static_cast<double>(static_cast<std::size_t>(*number)))
+    found = static_cast<std::size_t>(*number) - 1;
+  const FilePlace line{headings.empty() ? 1 : headings.front().place.line, 1};
+  if (!found) {
+    std::string names;
+    for (const Heading& heading : headings)
+      if (!heading.text.empty()) names += (names.empty() ? "'" : ", '") + printable(heading.text, 40) + "'";
+    throw InputError(path, line,
+                     "no column '" + wanted + "', which is to be " + std::string(to_string(id)) + "; there are " +
+                         (names.empty() ? "none with a name" : names));
+  }
+  NamedColumn column{id, *found, headings[*found]};
+  if (said.unit) {
+    const auto stated = column.heading.unit ? parse_unit(*column.heading.unit) : std::nullopt,
+               meant = parse_unit(*said.unit);
+    if (stated && meant && (stated->factor != meant->factor || stated->dimension != meant->dimension))
+      throw InputError(
+          path, column.heading.place,
+          "column '" + column.heading.text + "' is in " + stated->text + ", the mapping says " + meant->text);
+    column.heading.unit = said.unit;
+    column.heading.closed = said.closed;
+  }
+  return column;
+}
+
+/// Whether points can be made of these.
+bool is_complete(const std::vector<NamedColumn>& columns, const ColumnRules& rules) {
+  const auto has = [&](ColumnId id) {
+    return std::any_of(columns.begin(), columns.end(), [&](const NamedColumn& column) { return column.id == id; });
+  };
+  using enum ColumnId;
+  if (rules.log) return has(ColumnId::time) && ((has(P) && has(T)) || (has(A) && !has(T)));
+  return (has(T) && (has(P) || rules.load_stated) &&
+          (has(A) || has(ColumnId::a) || (has(a_par) && has(a_perp)) || (has(major) && has(minor)))) ||
+         ((has(psi) || has(mode_ratio)) && (has(Gc) || has(Gc_over_GIc))) || (has(G_I) && has(G_II));
 }
 
 }  // namespace
 
-Heading heading_at(const CsvRow& header, std::size_t i) {
-  const std::string_view text = trim_name(header[i]);
-  const std::size_t open = text.find_first_of("[(");
-  if (open == std::string_view::npos) return {std::string(text), {}};
-  const std::string name(trim_name(text.substr(0, open)));
-  // "P (load) [mN]": the last bracket holds the unit
-  const std::size_t last = text.back() == ']'   ? text.rfind('[')
-                           : text.back() == ')' ? text.rfind('(')
-                                                : std::string_view::npos;
-  const bool closed = last != std::string_view::npos;
-  const std::size_t unit = (closed ? last : open) + 1;
-  return {name, std::string(trim_name(text.substr(unit, text.size() - unit - (closed ? 1 : 0)))), closed};
+std::optional<ColumnId> column_named(std::string_view name) {
+  for (const ColumnKind& kind : kColumnKinds)
+    if (kind.name == name) return kind.id;
+  return std::nullopt;
 }
 
-Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_number, const std::string& path,
-             const CsvRow& header, std::size_t i) {
+std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,
+                                      const ColumnRules& rules) {
+  std::vector<NamedColumn> columns;
+  const auto holder = [&](const auto& wanted) { return std::find_if(columns.begin(), columns.end(), wanted); };
+  const auto has = [&](ColumnId id) {
+    return holder([&](const NamedColumn& column) { return column.id == id; }) != columns.end();
+  };
+  const auto taken = [&](std::size_t index) {
+    return holder([&](const NamedColumn& column) { return column.index == index; }) != columns.end();
+  };
+  for (const auto& [name, heading] : rules.mapping)
+    columns.push_back(mapped_column(path, headings, *column_named(name), heading));
+  const std::size_t mapped = columns.size();
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const auto id = column_named(headings[i].name);
+    if (!id || taken(i)) continue;
+    const auto before = holder([&](const NamedColumn& column) { return column.id == *id; });
+    if (before != columns.end() && before < columns.begin() + static_cast<std::ptrdiff_t>(mapped)) continue;
+    if (before != columns.end())
+      throw InputError(path, headings[i].place, "column '" + headings[i].name + "' stands twice");
+    columns.push_back({*id, i, headings[i]});
+  }
+  if (rules.vocabulary && !is_complete(columns, rules)) {
+    const std::size_t own = columns.size();
+    const Vocabulary more = rules.headings.empty() ? Vocabulary{} : Vocabulary::with(rules.headings);
+    const Vocabulary& vocabulary = rules.headings.empty() ? Vocabulary::shipped() : more;
+    for (std::size_t i = 0; i < headings.size(); ++i) {
+      if (taken(i)) continue;
+      auto column = read_heading(headings[i], i, vocabulary);
+      if (!column) continue;
+      const auto before = holder([&](const NamedColumn& other) { return other.id == column->id; });
+      if (before == columns.end())
+        columns.push_back(std::move(*column));
+      else if (before >= columns.begin() + static_cast<std::ptrdiff_t>(own))
+        throw InputError(path, headings[i].place,
+                         "'" + before->heading.text + "' and '" + headings[i].text + "' may both be " +
+                             std::string(to_string(column->id)) + "; say which: --columns=\"" +
+                             std::string(to_string(column->id)) + "=" + headings[i].text + "\"");
+    }
+  }
+  // an export may hold both; the radius is then what the area was made of, or the other way round
+  if (has(ColumnId::A) && std::none_of(headings.begin(), headings.end(), [](const Heading& heading) {
+        return column_named(heading.name) == ColumnId::a;
+      }))
+    std::erase_if(columns, [](const NamedColumn& column) { return column.id == ColumnId::a; });
+  std::sort(columns.begin(), columns.end(), [](const auto& one, const auto& other) { return one.index < other.index; });
+  return columns;
+}
+
+Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& path, bool alone,
+             std::optional<double> pixel) {
   if (!heading.unit) return {};
-  const auto fail = [&](const std::string& message) { throw InputError(path, header.place(i), message); };
-  const std::string_view text = header[i];
-  if (header.size() == 1 && text.find_first_of("])") < text.size() - 1)
+  const auto fail = [&](const std::string& message) { throw InputError(path, heading.place, message); };
+  const std::string_view text = heading.text;
+  if (alone && text.find_first_of("])") < text.size() - 1)
     fail("'" + printable(text, 60) + "' is one column; separate columns by commas, semicolons or tabs");
   if (!heading.closed) {
     const bool goes_on = text.find(text[text.find_first_of("[(")] == '[' ? ']' : ')') != std::string_view::npos;
@@ -90,11 +198,27 @@ Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_numb
          (goes_on ? "': '" : "' is not closed: '") + std::string(text) + "'");
   }
   const auto parsed = parse_unit(*heading.unit);
-  const std::string kind = always_a_number ? "a plain number" : describe(wanted) + ", or no unit if dimensionless";
-  if (!parsed) fail("'" + *heading.unit + "' of column '" + heading.name + "' is no unit; wanted " + kind);
-  const bool relative = parsed->text == "%" && heading.name.starts_with("sigma_");
-  if (!relative && parsed->dimension != (always_a_number ? dimension::none : wanted))
-    fail("unit '" + parsed->text + "' of column '" + heading.name + "' does not fit; wanted " + kind);
+  const std::string wanted =
+      kind.always_a_number ? "a plain number" : describe(kind.dimension) + ", or no unit if dimensionless";
+  if (!parsed) fail("'" + *heading.unit + "' of column '" + heading.name + "' is no unit; wanted " + wanted);
+  // "T [mN] (N)"
+  for (std::size_t open = text.find_first_of("[("); open != std::string_view::npos;
+       open = text.find_first_of("[(", open + 1)) {
+    const std::size_t close = text.find(text[open] == '[' ? ']' : ')', open);
+    if (close == std::string_view::npos) break;
+    const auto other = parse_unit(text.substr(open + 1, close - open - 1));
+    if (other && (other->factor != parsed->factor || other->dimension != parsed->dimension))
+      fail("column '" + std::string(text) + "' states two units, " + other->text + " and " + parsed->text);
+  }
+  if (is_pixels(parsed->dimension, kind.dimension)) {
+    if (!pixel)
+      fail("column '" + heading.name + "' is in pixels; state the side of one: --pixel=\"1.7 um\", or the key pixel");
+    const bool area = kind.dimension == dimension::area;
+    return {area ? *pixel * *pixel : *pixel, kind.dimension, parsed->text};
+  }
+  const bool relative = parsed->text == "%" && kind.name.starts_with("sigma_");
+  if (!relative && parsed->dimension != (kind.always_a_number ? dimension::none : kind.dimension))
+    fail("unit '" + parsed->text + "' of column '" + heading.name + "' does not fit; wanted " + wanted);
   return *parsed;
 }
 
@@ -104,17 +228,22 @@ void require_width(const std::string& path, const CsvRow& row, std::size_t count
                      "the row has " + std::to_string(row.size()) + " fields, the header " + std::to_string(count));
   for (std::size_t i = count; i < row.size(); ++i)
     if (!row[i].empty())
-      throw InputError(path, row.place(i), "the row has more fields than the header's " + std::to_string(count));
+      throw InputError(path, row.place(i),
+                       "the row has more fields than the header's " + std::to_string(count) +
+                           (row.delimiter() == ',' && row.raw().find('.') == std::string_view::npos
+                                ? " (commas that part columns and decimal commas cannot be told apart)"
+                                : ""));
 }
 
 bool holds_a_number(const CsvRow& row) {
+  double value = 0;
   for (std::size_t i = 0; i < row.size(); ++i)
-    if (parse_number(row[i])) return true;
+    if (row.number(i, value)) return true;
   return false;
 }
 
 bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value) {
-  if (parse_number(row[i], value)) return true;
+  if (row.number(i, value)) return true;
   const std::string_view text = trim_name(row[i]);
   if (text.empty()) return false;
   if (text.size() < row[i].size() && parse_number(text, value)) return true;
@@ -127,46 +256,52 @@ std::string_view decimal_comma_hint(std::string_view text) {
   return text.find(',') != std::string_view::npos ? " (write a decimal point, not a comma)" : "";
 }
 
-std::string_view to_string(ColumnId id) { return kKinds[static_cast<std::size_t>(id)].name; }
-
-Columns::Columns(const std::string& path, const CsvRow& header) {
-  for (std::size_t i = 0; i < header.size(); ++i) {
-    const auto fail = [&](const std::string& message) { throw InputError(path, header.place(i), message); };
-    const Heading heading = heading_at(header, i);
-    const std::string& name = heading.name;
-    if (!header[i].empty()) count_ = i + 1;
-    const Kind* kind = nullptr;
-    for (const Kind& candidate : kKinds)
-      if (candidate.name == heading.name) kind = &candidate;
-    if (!kind) {
-      if (!name.empty()) ignored_.push_back(printable(heading.closed ? name : header[i], std::string::npos));
-      continue;
-    }
-    const Unit unit = unit_of(heading, kind->dimension, kind->always_a_number, path, header, i);
-    auto& slot = columns_[static_cast<std::size_t>(kind->id)];
-    if (slot) fail("column '" + name + "' stands twice");
-    slot = Column{kind->id, i, unit};
-  }
-  const auto number_or_empty = [&](std::size_t i) { return header[i].empty() || parse_number(header[i]); };
-  std::size_t numbers = 0;
-  while (numbers < header.size() && number_or_empty(numbers)) ++numbers;
-  if (numbers == header.size())
-    throw InputError(path, header.place(0),
+Columns::Columns(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules) {
+  const auto is_number = [](const Heading& heading) { return heading.text.empty() || parse_number(heading.text); };
+  if (rules.mapping.empty() && std::all_of(headings.begin(), headings.end(), is_number))
+    throw InputError(path, headings.at(0).place,
                      "the first row holds numbers where the columns' names are wanted, such as P, T, A (a line that "
-                     "starts with '#' is a comment)");
-  require_a_complete_set(path, header);
-  require_consistent_units(path, header);
+                     "starts with '#' is a comment); say which is which: --columns=\"P=1 (mN),T=2 (mN),A=3 (mm^2)\"");
+  std::vector<bool> used(headings.size());
+  for (const NamedColumn& column : name_columns(path, headings, rules)) {
+    if (column.id == ColumnId::time) continue;  // of logs
+    const ColumnKind& kind = kind_of(column.id);
+    columns_[static_cast<std::size_t>(column.id)] =
+        Column{column.id, column.index, unit_of(column.heading, kind, path, headings.size() == 1, rules.pixel)};
+    used[column.index] = true;
+    count_ = std::max(count_, column.index + 1);
+    if (column.heading.name != kind.name)
+      taken_.push_back(std::string(kind.name) + " from '" + printable(headings[column.index].text, 60) + "'");
+  }
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    if (!headings[i].text.empty()) count_ = std::max(count_, i + 1);
+    if (!used[i] && !headings[i].name.empty())
+      ignored_.push_back(printable(headings[i].closed ? headings[i].name : headings[i].text, std::string::npos));
+  }
+  require_a_complete_set(path, headings, rules);
+  require_consistent_units(path, headings);
   for (const std::string& name : ignored_)
-    for (const Kind& kind : kKinds)
-      if (!has(kind.id) && bare_name(name) == bare_name(kind.name)) misspelt_.emplace_back(name, kind.name);
+    for (const ColumnKind& kind : kColumnKinds)
+      if (!has(kind.id) && kind.id != ColumnId::time && bare_name(name) == bare_name(kind.name))
+        misspelt_.emplace_back(name, kind.name);
 }
 
-void Columns::require_a_complete_set(const std::string& path, const CsvRow& header) const {
-  const bool loads = has(ColumnId::P) || has(ColumnId::T) || has(ColumnId::A) || has(ColumnId::a);
+void Columns::require_a_complete_set(const std::string& path, const std::vector<Heading>& headings,
+                                     const ColumnRules& rules) const {
+  const bool sized = has(ColumnId::A) || has(ColumnId::a) || holds_axes();
+  const bool loads = has(ColumnId::P) || has(ColumnId::T) || sized;
   const bool toughness =
       has(ColumnId::psi) || has(ColumnId::mode_ratio) || has(ColumnId::Gc) || has(ColumnId::Gc_over_GIc);
   const bool energies = has(ColumnId::G_I) || has(ColumnId::G_II);
-  const auto fail = [&](const std::string& message) { throw InputError(path, header.line(), 1, message); };
+  const auto fail = [&](const std::string& message) {
+    std::string others;
+    for (const std::string& name : rules.vocabulary ? ignored_ : std::vector<std::string>{})
+      others += (others.empty() ? "'" : ", '") + printable(name, 40) + "'";
+    throw InputError(path, headings.at(0).place.line, 1,
+                     message + (others.empty() ? ""
+                                               : "; not understood: " + others + " (--columns=\"P=" +
+                                                     printable(ignored_.front(), 40) + ",...\" says what is what)"));
+  };
   const auto exactly_one = [&](ColumnId one, ColumnId other) {
     const std::string names = "'" + std::string(to_string(one)) + "' or '" + std::string(to_string(other)) + "'";
     if (!has(one) && !has(other)) fail("column " + names + " is missing");
@@ -179,7 +314,7 @@ void Columns::require_a_complete_set(const std::string& path, const CsvRow& head
   if (!loads && !toughness && !energies)
     fail(std::string("the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or "
                      "Gc_over_GIc), or G_I and G_II") +
-         (header.size() == 1 ? ", separated by commas, semicolons or tabs" : ""));
+         (headings.size() == 1 ? ", separated by commas, semicolons or tabs" : ""));
   if (loads + toughness + energies > 1) {
     std::string sets = loads ? "loads (P, T, A)" : "";
     if (toughness) sets += std::string(loads ? " with " : "") + "toughness (psi, Gc)";
@@ -187,8 +322,11 @@ void Columns::require_a_complete_set(const std::string& path, const CsvRow& head
     fail("the header mixes " + sets + "; give one set");
   }
   if (loads) {
-    all_of({ColumnId::P, ColumnId::T});
-    exactly_one(ColumnId::A, ColumnId::a);
+    all_of({ColumnId::T});
+    if (!rules.load_stated) all_of({ColumnId::P});
+    if (!holds_axes()) exactly_one(ColumnId::A, ColumnId::a);
+    if (has(ColumnId::a_par) || has(ColumnId::a_perp)) all_of({ColumnId::a_par, ColumnId::a_perp});
+    if (has(ColumnId::major) || has(ColumnId::minor)) all_of({ColumnId::major, ColumnId::minor});
   } else if (energies) {
     all_of({ColumnId::G_I, ColumnId::G_II});
   } else {
@@ -197,7 +335,7 @@ void Columns::require_a_complete_set(const std::string& path, const CsvRow& head
   }
 }
 
-void Columns::require_consistent_units(const std::string& path, const CsvRow& header) const {
+void Columns::require_consistent_units(const std::string& path, const std::vector<Heading>& headings) const {
   const auto require_like = [&](ColumnId id, const Column* reference, const std::string& rule) {
     const Column* column = find(id);
     if (!column || !reference || column->unit.text == "%") return;
@@ -205,17 +343,19 @@ void Columns::require_consistent_units(const std::string& path, const CsvRow& he
     if (bare == (reference->unit.dimension == dimension::none)) return;
     const std::string other(to_string(reference->id));
     throw InputError(
-        path, header.place(column->index),
+        path, headings[column->index].place,
         "column '" + std::string(to_string(id)) + "' " +
             (bare ? "has no unit while " + other + " has one" : "has a unit while " + other + " has none") + "; " +
             rule);
   };
-  for (const ColumnId id : {ColumnId::T, ColumnId::A, ColumnId::a})
-    require_like(id, find(ColumnId::P), "P, T and A are either all dimensionless or none is");
+  for (const ColumnId id :
+       {ColumnId::T, ColumnId::A, ColumnId::a, ColumnId::a_par, ColumnId::a_perp, ColumnId::major, ColumnId::minor})
+    require_like(id, find(ColumnId::P) ? find(ColumnId::P) : find(ColumnId::T),
+                 "P, T and A are either all dimensionless or none is");
   require_like(ColumnId::G_II, find(ColumnId::G_I), "G_I and G_II either both have a unit or neither has");
   const std::string sigma_rule = "a standard error has the kind of unit of its quantity, or %";
   require_like(ColumnId::sigma_T, find(ColumnId::T), sigma_rule);
-  require_like(ColumnId::sigma_A, find(ColumnId::P), sigma_rule);
+  require_like(ColumnId::sigma_A, find(ColumnId::T), sigma_rule);
   require_like(ColumnId::sigma_Gc, find(has(ColumnId::Gc) ? ColumnId::Gc : ColumnId::Gc_over_GIc), sigma_rule);
   require_like(ColumnId::sigma_GI, find(ColumnId::G_I), sigma_rule);
   require_like(ColumnId::sigma_GII, find(ColumnId::G_II), sigma_rule);

@@ -2,38 +2,18 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "dataset/csv.h"
+#include "dataset/table/column_kinds.h"
+#include "dataset/table/heading.h"
 #include "dataset/units.h"
 
 namespace mixity {
-
-/// Quantities a data CSV may hold. Names are those of the header, case included: A is an area, a a radius.
-enum class ColumnId {
-  P,
-  T,
-  A,
-  a,
-  psi,
-  mode_ratio,
-  Gc,
-  Gc_over_GIc,
-  G_I,
-  G_II,
-  sigma_T,
-  sigma_A,
-  sigma_Gc,
-  sigma_GI,
-  sigma_GII,
-  curve,
-  include
-};
-inline constexpr std::size_t kColumnCount = 17;
 
 struct Column {
   ColumnId id;
@@ -41,11 +21,35 @@ struct Column {
   Unit unit;
 };
 
+/// What is said beside a table of how to read it.
+struct ColumnRules {
+  std::map<std::string, std::string>
+      mapping{};                  // quantity -> heading, with or without its unit, or the column's number
+  std::string headings{};         // a TOML that adds to the vocabulary; empty: none
+  bool load_stated = false;       // the table needs no column P
+  std::optional<double> pixel{};  // m, the side of one
+  bool vocabulary = true;         // false: the program's own names alone
+  bool log = false;               // the table needs a column of times, and T or A
+};
+
+/// A heading that names a quantity.
+struct NamedColumn {
+  ColumnId id;
+  std::size_t index;
+  Heading heading;  // with its unit, wherever that stands: "F_N / mN", "Reibkraft in N", "A_mm2"
+};
+
+/// Those that do, in their order, each quantity once. By `rules.mapping`; else by the program's own names; and if these
+/// make no complete set, by the vocabulary, where the unit fits. Throws InputError for a mapping to a column that is
+/// not there, and for two headings that name one quantity.
+std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,
+                                      const ColumnRules& rules);
+
 class Columns {
  public:
-  /// Understands a header row; throws InputError for a unit that is none or of the wrong kind, for a quantity
-  /// that stands twice, and for a set of columns from which no data point can be made.
-  Columns(const std::string& path, const CsvRow& header);
+  /// Understands a header; throws InputError for what name_columns refuses, a unit that is none or of the wrong kind,
+  /// and for a set of columns from which no data point can be made.
+  Columns(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules = {});
 
   const Column* find(ColumnId id) const {
     const auto& column = columns_[static_cast<std::size_t>(id)];
@@ -56,36 +60,32 @@ class Columns {
   const std::vector<std::string>& ignored() const { return ignored_; }  // names of columns that mean nothing to us
   /// Of these the ones that differ from a quantity's name, which no column has, in case or signs only; with that name.
   const std::vector<std::pair<std::string, std::string>>& misspelt() const { return misspelt_; }
-  /// P, T and A (or a), rather than psi and Gc, or energies.
-  bool holds_loads() const { return has(ColumnId::P); }
+  /// What was taken for what, where it is not called that: "P from 'Normalkraft (mN)'".
+  const std::vector<std::string>& taken() const { return taken_; }
+  /// P, T and A (or a, or the axes of an ellipse), rather than psi and Gc, or energies.
+  bool holds_loads() const { return has(ColumnId::T); }
   /// G_I and G_II.
   bool holds_energies() const { return has(ColumnId::G_I); }
+  /// The axes of an ellipse.
+  bool holds_axes() const { return has(ColumnId::a_par) || has(ColumnId::major); }
 
  private:
-  void require_a_complete_set(const std::string& path, const CsvRow& header) const;
-  void require_consistent_units(const std::string& path, const CsvRow& header) const;
+  void require_a_complete_set(const std::string& path, const std::vector<Heading>& headings,
+                              const ColumnRules& rules) const;
+  void require_consistent_units(const std::string& path, const std::vector<Heading>& headings) const;
 
   std::array<std::optional<Column>, kColumnCount> columns_;
-  std::vector<std::string> ignored_;
+  std::vector<std::string> ignored_, taken_;
   std::vector<std::pair<std::string, std::string>> misspelt_;
   std::size_t count_ = 0;
 };
 
-std::string_view to_string(ColumnId id);
-
 // ---- What any file with such a header is read by. Each throws InputError that names line and column. ----
 
-/// "T [mN]", "T (mN)" or "T".
-struct Heading {
-  std::string name;
-  std::optional<std::string> unit;  // as written; null without brackets
-  bool closed = true;               // false of an opening bracket that is not closed at the heading's end
-};
-Heading heading_at(const CsvRow& header, std::size_t i);
-
-/// The heading's unit, checked against what the quantity may have; none if it states none.
-Unit unit_of(const Heading& heading, const Dimension& wanted, bool always_a_number, const std::string& path,
-             const CsvRow& header, std::size_t i);
+/// The heading's unit, checked against what the quantity may have; none if it states none. Pixels become metres, where
+/// the size of one is stated. `alone`: it is the table's only heading.
+Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& path, bool alone,
+             std::optional<double> pixel = {});
 
 bool holds_a_number(const CsvRow& row);
 

@@ -3,16 +3,19 @@
 #include <filesystem>
 #include <utility>
 
-#include "dataset/csv.h"
 #include "dataset/energies.h"
 #include "dataset/input_error.h"
 #include "dataset/large_pages.h"
+#include "dataset/nominal_loads.h"
+#include "dataset/number_text.h"
 #include "dataset/pipeline.h"
 #include "dataset/point_reader.h"
 #include "dataset/printable.h"
 #include "dataset/runs.h"
 #include "dataset/shear_sign.h"
 #include "dataset/side_by_side.h"
+#include "dataset/table/csv.h"
+#include "dataset/table/table.h"
 
 namespace mixity {
 namespace {
@@ -21,6 +24,15 @@ template <class T>
 void append(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
+
+/// How far from circles elliptic contacts are: the longest axis over the shorter one, and where.
+struct Axes {
+  double ratio = 1;
+  std::size_t line = 0;
+  void add(const Axes& other) {
+    if (other.ratio > ratio) *this = other;
+  }
+};
 
 /// A block of rows, and what they hold.
 struct Part {
@@ -34,6 +46,7 @@ struct Part {
   Runs runs;
   std::vector<ShearRange> shear;  // of each run
   PointBatch batch;
+  Axes axes;
 
   void clear() {
     rows = commented = 0;
@@ -44,6 +57,7 @@ struct Part {
     energies.clear();
     excluded.clear();
     runs = {};
+    axes = {};
   }
   void row(const PointReader& reader, const Dataset& data, const CsvRow& row) {
     ++rows;
@@ -53,6 +67,7 @@ struct Part {
       excluded.push_back({row.line(), unusable});
       return;
     }
+    axes.add({read.axes, row.line()});
     read.point.curve = runs.of(reader.run_name(row), read.point, data);
     points.push_back(read.point);
     if (!data.has_loads) converted.push_back(read.converted);
@@ -89,6 +104,7 @@ class Loader {
       : metadata_path_(std::move(metadata_path)), data_(data), file_(data.path) {}
 
   void read() {
+    begin();
     // What is small is read here: threads cost more than they save.
     std::size_t bytes = 0;
     for (Part part; bytes < kAlone || !reader_; bytes += part.block.bytes()) {
@@ -106,13 +122,30 @@ class Loader {
  private:
   static constexpr std::size_t kAlone = std::size_t{1} << 18;
 
+  /// Finds the table. Where there is none the first row is taken for its headings, and what is wrong with it is told.
+  void begin() {
+    std::string_view start = file_.start();
+    if (!file_.at_end()) start = start.substr(0, start.rfind(file_.line_end()) + 1);
+    const Metadata& metadata = data_.metadata;
+    const ColumnRules rules{metadata.columns, metadata.headings, metadata.load || !metadata.load_from.empty(),
+                            metadata.pixel};
+    const auto table = find_table(data_.path, start, file_.line_end(), rules, metadata.decimal);
+    if (file_.encoding() != Encoding::utf8) data_.reading = to_string(file_.encoding());
+    if (!table) return;
+    reader_.emplace(metadata_path_, table->headings, data_);
+    data_.taken = reader_->taken();
+    const std::string how = describe(*table);
+    if (how != "commas") data_.reading += (data_.reading.empty() ? "" : ", ") + how;
+    file_.begin_at(table->offset, table->line, table->format);
+  }
+
   void understand(Part& part) {
     part.clear();
     const auto one = [&](const CsvRow& row) {
       if (reader_)
         part.row(*reader_, data_, row);
       else
-        reader_.emplace(metadata_path_, row, data_);
+        reader_.emplace(metadata_path_, headings_of(row), data_);
     };
     const auto comment = [&](const CsvRow& row) {
       if (reader_) part.comment(*reader_, row);
@@ -137,6 +170,7 @@ class Loader {
     append(data_.energies, part.energies);
     append(data_.excluded, part.excluded);
     data_.rows += part.rows;
+    axes_.add(part.axes);
     if (commented_ == 0) first_commented_ = part.first_commented;
     commented_ += part.commented;
   }
@@ -164,7 +198,26 @@ class Loader {
       data_.curves.push_back(printable(runs_.shown(i), std::string::npos));
     if (!data_.has_loads) return;
     data_.curve_loads = runs_.loads();
+    if (!reader_->names_runs() && data_.curves.size() > 1) {
+      join_noisy_loads(data_);
+      shear_ = shear_ranges(data_.points, data_.curves.size());
+    }
     finish_shear(shear_, data_);
+    if (reader_->has_axes()) finish_axes();
+  }
+
+  /// Of the singular part of an elliptic punch's pressure K_I^2 at the end of a semi-axis goes with its length (Johnson
+  /// & Greenwood 2005): the axes' ratio is that of the energy release rates around the edge, which the circle averages.
+  void finish_axes() {
+    constexpr double kNearlyRound = 1.1;
+    const double eccentricity = std::sqrt(1 - 1 / (axes_.ratio * axes_.ratio));
+    std::string note = "areas are those of ellipses, axes as " + rounded(axes_.ratio, 4) + " to 1 (eccentricity " +
+                       rounded(eccentricity, 3) + ") at most";
+    if (axes_.ratio > 1) note += ", in line " + std::to_string(axes_.line);
+    if (axes_.ratio > kNearlyRound)
+      note += "; the models are of a circle, and around such an edge the energy release rate varies by about " +
+              rounded(100 * (axes_.ratio - 1), 2) + "%";
+    data_.notes.push_back(note);
   }
 
   std::string metadata_path_;
@@ -173,25 +226,28 @@ class Loader {
   std::optional<PointReader> reader_;  // made of the first row, before any thread
   Runs runs_;
   std::vector<ShearRange> shear_;  // of each run
+  Axes axes_;
   std::size_t commented_ = 0, first_commented_ = 0;
 };
 
 }  // namespace
 
-FilePlace place_of(const Dataset& data, const Point& point, std::string_view column) {
-  FilePlace place{point.line, 0};
+void refuse_value(const Dataset& data, const Point& point, std::string_view column, const std::string& message) {
+  const std::string& path = data.file_of(point.line);
+  FilePlace place{data.line_in_file(point.line), 0};
   std::error_code none;
-  if (!std::filesystem::is_regular_file(data.path, none)) return place;  // a pipe is read once
   std::optional<std::size_t> index;
   try {
-    read_csv(data.path, [&](const CsvRow& row) {
-      for (std::size_t i = 0; i < row.size() && !index; ++i)
-        if (heading_at(row, i).name == column) index = i;
-      if (row.line() == point.line && index) place = row.place(*index);
-    });
+    if (std::filesystem::is_regular_file(path, none))  // a pipe is read once
+      read_csv(path, [&](const CsvRow& row) {
+        const auto headings = headings_of(row);
+        for (std::size_t i = 0; i < headings.size() && !index; ++i)
+          if (headings[i].name == column) index = i;
+        if (row.line() == place.line && index) place = row.place(*index);
+      });
   } catch (const InputError&) {
   }
-  return place;
+  throw InputError(path, place, message);
 }
 
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
@@ -201,10 +257,14 @@ std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
 }
 
 Dataset load_dataset(const std::string& path, const Overrides& overrides) {
+  return load_dataset(path, read_metadata(metadata_path(path)), overrides);
+}
+
+Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides) {
   Dataset data;
   data.path = path;
   data.name = data_name(path);
-  data.metadata = read_metadata(metadata_path(path));
+  data.metadata = metadata;
   apply_overrides(overrides, data.metadata);
   require_whole_modulus(data.metadata, metadata_path(path), overrides);
   Loader(metadata_path(path), data).read();

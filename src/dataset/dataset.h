@@ -19,7 +19,7 @@ namespace mixity {
 /// One usable point. P, T, A are dimensionless and zero where the data set has no loads. T is as it was read but for
 /// runs that were turned round: below zero it is noise about zero.
 struct Point {
-  std::size_t line;   // in the CSV
+  std::size_t line;   // in the CSV; of several, counted through (Dataset::line_text)
   std::size_t curve;  // index into Dataset::curves
   double P, T, A;
 
@@ -62,8 +62,15 @@ struct DisplayUnits {
   double force_scale = 1, area_scale = 1, energy_scale = 1;
 };
 
+/// One of several files that make a data set.
+struct SourceFile {
+  std::string path;
+  std::size_t first_line;  // its lines are those of the data set behind this one
+};
+
 struct Dataset {
-  std::string path, name;  // as opened; the file's without folder and ending
+  std::string path, name;         // as opened; the file's without folder and ending
+  std::vector<SourceFile> files;  // of which it was pooled, in order; empty: `path` alone
   Metadata metadata;
   bool has_loads = false;                 // (P, T, A) rather than (psi, Gc)
   bool has_energies = false;              // (G_I, G_II) rather than (psi, Gc)
@@ -79,6 +86,8 @@ struct Dataset {
   std::vector<double> curve_loads;  // dimensionless load of each run's first point; empty without loads
   std::vector<bool> turned;         // of each run: its shear was turned round; empty: of none
   std::vector<std::string> ignored_columns;
+  std::string reading;             // how the file was read, where that is not plain: "UTF-16LE, tabs, decimal commas"
+  std::vector<std::string> taken;  // "P from 'Normalkraft (mN)'"
   std::vector<std::string> notes;  // what is passed over or not taken as it stands, as sentences that every fit shows
   DisplayUnits display;
 
@@ -91,12 +100,33 @@ struct Dataset {
   double shear_as_read(std::size_t i) const {
     return !turned.empty() && turned[points[i].curve] ? -points[i].T : points[i].T;
   }
-  std::string shown_path() const { return printable(path, std::string::npos); }
+  std::string shown_path() const {
+    const std::string more = files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "";
+    return printable(path, std::string::npos) + more;
+  }
+  /// Where a line (of a point, of an excluded row) is, counted through all files.
+  const std::string& file_of(std::size_t line) const { return files.empty() ? path : source_of(line).path; }
+  std::size_t line_in_file(std::size_t line) const { return files.empty() ? line : line - source_of(line).first_line; }
+  /// "line 17", or "run_3.csv line 17".
+  std::string line_text(std::size_t line) const {
+    const std::string text = "line " + std::to_string(line_in_file(line));
+    const std::string& file = file_of(line);
+    return files.empty() ? text : printable(file.substr(file.find_last_of('/') + 1), std::string::npos) + " " + text;
+  }
   PointErrors errors_of(std::size_t i) const { return errors.empty() ? PointErrors{} : errors[i]; }
+
+ private:
+  const SourceFile& source_of(std::size_t line) const {
+    std::size_t k = files.size() - 1;
+    while (k > 0 && line <= files[k].first_line) --k;
+    return files[k];
+  }
 };
 
-/// Where a point's value of that column stands; the file is read again, and if that cannot be, the line alone is known.
-FilePlace place_of(const Dataset& data, const Point& point, std::string_view column);
+/// Throws an InputError where a point's value of that column stands; the file is read again, and if that cannot be, the
+/// line alone is named.
+[[noreturn]] void refuse_value(const Dataset& data, const Point& point, std::string_view column,
+                               const std::string& message);
 
 /// Indices into Dataset::points, by run.
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
@@ -106,5 +136,7 @@ std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
 /// Energies can do without G_Ic as long as one G_I is positive: whoever needs it asks for toughness_known. Points that
 /// are understood but cannot be used are listed in `excluded`.
 Dataset load_dataset(const std::string& path, const Overrides& overrides = {});
+/// The same with this in place of the TOML, which is left unread.
+Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides);
 
 }  // namespace mixity

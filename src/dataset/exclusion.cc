@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::string_view kOnThisLine = "named in exclude", kOfThisRun = "its run is named in leave_out";
 
+std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
 /// Which runs a name stands for.
 std::vector<std::size_t> runs_named(const Dataset& data, const std::string& name) {
   std::vector<std::size_t> runs;
@@ -69,11 +71,14 @@ std::optional<LineRange> parse_lines(std::string_view text) {
     if (digits.empty() || error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
     return value;
   };
+  const std::size_t colon = text.rfind(':');
+  const std::string file(colon == std::string_view::npos ? "" : trim(text.substr(0, colon)));
+  if (colon != std::string_view::npos) text.remove_prefix(colon + 1);
   const std::size_t dash = text.find('-');
   const auto first = number(text.substr(0, dash)),
              last = dash == std::string_view::npos ? first : number(text.substr(dash + 1));
   if (!first || !last || *first < 1 || *last < *first) return std::nullopt;
-  return LineRange{*first, *last};
+  return LineRange{*first, *last, file};
 }
 
 void exclude(Dataset& data, const Exclusion& which) {
@@ -81,8 +86,13 @@ void exclude(Dataset& data, const Exclusion& which) {
   std::vector<std::string_view> reason(data.points.size());
   for (const LineRange& range : which.lines) {
     bool any = false;
+    if (range.file.empty() && data.files.size() > 1)
+      throw InputError(data.path, "is one of several files; lines to exclude need the name of theirs, such as " +
+                                      file_name(data.path) + ":" + std::to_string(range.first));
     for (std::size_t i = 0; i < data.points.size(); ++i) {
-      if (data.points[i].line < range.first || data.points[i].line > range.last) continue;
+      const std::size_t line = data.points[i].line, in_file = data.line_in_file(line);
+      if (in_file < range.first || in_file > range.last) continue;
+      if (!range.file.empty() && range.file != file_name(data.file_of(line))) continue;
       any = true;
       reason[i] = kOnThisLine;
     }

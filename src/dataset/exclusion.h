@@ -13,8 +13,9 @@ namespace mixity {
 /// Lines of the CSV, both included.
 struct LineRange {
   std::size_t first, last;
+  std::string file{};  // of a data set of several: its name, without folder; empty: of the only one
 };
-/// "17" or "40-58". Null if the text is neither.
+/// "17" or "40-58", or "run_3.csv:17". Null if the text is neither.
 std::optional<LineRange> parse_lines(std::string_view text);
 
 struct Exclusion {

@@ -8,6 +8,7 @@
 #include "dataset/input_error.h"
 #include "dataset/number_text.h"
 #include "dataset/printable.h"
+#include "dataset/table/column_kinds.h"
 #include "dataset/toml_file.h"
 #include "dataset/trim.h"
 #include "mechanics/contact.h"
@@ -34,6 +35,8 @@ constexpr std::array kFields{
     Field{"shear_offset", &Metadata::shear_offset, dimension::force, "0 +/- 0.5 mN"},
     Field{"area_offset", &Metadata::area_offset, dimension::area, "0 +/- 0.01 mm^2"},
     Field{"area_scale", &Metadata::area_scale, dimension::none, "1 +/- 2%"},
+    Field{"pixel", &Metadata::pixel, dimension::length, "1.7 um"},
+    Field{"load", &Metadata::load, dimension::force, "4.68 mN"},
 };
 
 constexpr std::array kProvenances{Provenance::measured, Provenance::digitised, Provenance::reconstructed};
@@ -47,7 +50,45 @@ std::string one_line(std::string text) {
   return printable(trim(text), std::string::npos);
 }
 
-bool is_text(std::string_view name) { return name == "source" || name == "note" || name == "provenance"; }
+constexpr std::array<std::string_view, 7> kTexts{"provenance", "source",  "note",     "columns",
+                                                 "headings",   "decimal", "load_from"};
+
+std::string si_unit(const Dimension& d) {
+  return d == dimension::length            ? " m"
+         : d == dimension::stress          ? " Pa"
+         : d == dimension::energy_per_area ? " J/m^2"
+         : d == dimension::force           ? " N"
+         : d == dimension::area            ? " m^2"
+                                           : "";
+}
+
+/// Says how a file is to be read, rather than what holds for the experiment.
+bool is_reading(std::string_view name) { return name == "pixel" || name == "load"; }
+
+bool is_text(std::string_view name) { return std::find(kTexts.begin(), kTexts.end(), name) != kTexts.end(); }
+
+/// "P=Kanal 3 (mN), T=Kanal 4 (N)": a comma parts two columns where a quantity and "=" follow it. What is wrong, or
+/// empty.
+std::string read_mapping(std::string_view text, std::map<std::string, std::string>& columns) {
+  const auto quantity_at = [](std::string_view rest) {
+    const std::size_t equals = rest.find('=');
+    return equals == std::string_view::npos ? std::nullopt : column_named(trim(rest.substr(0, equals)));
+  };
+  columns.clear();
+  while (!trim(text).empty()) {
+    const auto id = quantity_at(text);
+    if (!id) return "columns is " + quoted(text) + "; it must be a list such as \"P=Kanal 3 (mN),T=Kanal 4 (N)\"";
+    text.remove_prefix(text.find('=') + 1);
+    std::size_t end = text.find(',');
+    while (end != std::string_view::npos && !quantity_at(text.substr(end + 1))) end = text.find(',', end + 1);
+    const std::string_view heading = trim(text.substr(0, end));
+    if (heading.empty()) return "columns names no heading for " + std::string(to_string(*id));
+    if (!columns.emplace(to_string(*id), heading).second)
+      return "columns names " + std::string(to_string(*id)) + " twice";
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return columns.empty() ? "columns is empty" : "";
+}
 
 const Field* find_field(std::string_view name) {
   for (const Field& field : kFields)
@@ -109,6 +150,18 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
       if (text == to_string(provenance)) return metadata.provenance = provenance, "";
     return "provenance is " + quoted(text) + "; it must be measured, digitised or reconstructed";
   }
+  if (name == "columns") return read_mapping(text, metadata.columns);
+  if (name == "headings") return metadata.headings = text, "";
+  if (name == "load_from") {
+    if (text.find("{P}") == std::string_view::npos)
+      return "load_from is " + quoted(text) +
+             "; it must hold {P}, where the load stands in the file's name: \"run_{P}mN\"";
+    return metadata.load_from = text, "";
+  }
+  if (name == "decimal") {
+    if (text != "," && text != ".") return "decimal is " + quoted(text) + "; it must be \",\" or \".\"";
+    return metadata.decimal = text[0], "";
+  }
   if (const Field* field = find_field(name)) {
     const auto uncertain = parse_uncertain(text);
     if (!uncertain)
@@ -119,7 +172,8 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
       return std::string(name) + " is " + quoted(text) + "; it must be " + describe(field->dimension) + ", written " +
              quoted(field->example);
     const double value = quantity.si();
-    if (name == "poisson_ratio" ? !(value >= 0 && value <= 0.5) : !name.ends_with("_offset") && !(value > 0))
+    if (name == "poisson_ratio" ? !(value >= 0 && value <= 0.5)
+                                : !name.ends_with("_offset") && name != "load" && !(value > 0))
       return std::string(name) + " is " + quoted(text) +
              (name == "poisson_ratio" ? "; it must lie between 0 and 0.5" : "; it must be positive");
     metadata.*field->value = value;
@@ -127,8 +181,10 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
     if (uncertain->standard_error > 0) metadata.standard_errors.emplace(name, uncertain->standard_error);
     return "";
   }
-  std::string known = "provenance, source, note";
-  for (const Field& field : kFields) known += ", " + std::string(field.name);
+  std::string known;
+  for (const Field& field : kFields) known += std::string(field.name) + ", ";
+  for (const std::string_view text_name : kTexts)
+    known += std::string(text_name) + (text_name == kTexts.back() ? "" : ", ");
   return "unknown key " + quoted(name) + " (known: " + known + ")";
 }
 
@@ -150,7 +206,9 @@ Metadata read_metadata(const std::string& path) {
       fail_at(path, key, "key \"" + name + "\" is one of a fit definition, which needs another name than its data");
     if (!is_key(name)) fail_at(path, key, set_field(metadata, name, ""));
     std::string text;
-    if (node.is_string())
+    if (name == "columns" && node.is_table())
+      text = mapping_text(path, *node.as_table());
+    else if (node.is_string())
       text = node.as_string()->get();
     else if (name == "poisson_ratio" && node.is_number())
       text =
@@ -162,7 +220,49 @@ Metadata read_metadata(const std::string& path) {
     const std::string problem = set_field(metadata, name, text);
     if (!problem.empty()) fail_at(path, node, problem);
   }
+  if (!metadata.headings.empty())
+    metadata.headings = (std::filesystem::path(path).parent_path() / metadata.headings).string();
   return metadata;
+}
+
+std::string add_constants(const Metadata& more, Metadata& constants) {
+  for (const Field& field : kFields) {
+    const std::optional<double>& value = more.*field.value;
+    if (!value || is_reading(field.name)) continue;
+    std::optional<double>& before = constants.*field.value;
+    const std::string name(field.name);
+    if (before && (*before != *value || constants.standard_error(name) != more.standard_error(name)))
+      return "states another " + name + " than a file before it; constants are those of the whole experiment";
+    before = value;
+    if (more.standard_error(name) > 0) constants.standard_errors[name] = more.standard_error(name);
+  }
+  constants.provenance = std::max(constants.provenance, more.provenance);
+  if (constants.source.empty()) constants.source = more.source;
+  if (constants.note.empty()) constants.note = more.note;
+  return "";
+}
+
+Overrides constants_as_stated(const Metadata& metadata) {
+  Overrides list;
+  for (const Field& field : kFields) {
+    const std::optional<double>& value = metadata.*field.value;
+    if (!value || is_reading(field.name)) continue;
+    const std::string unit = si_unit(field.dimension);
+    const double error = metadata.standard_error(field.name);
+    list.emplace_back(field.name, shortest(*value) + (error > 0 ? " +/- " + shortest(error) : "") + unit);
+  }
+  return list;
+}
+
+void copy_reading(const Metadata& from, Metadata& to) {
+  to.pixel = from.pixel;
+  to.load = from.load;
+  for (const std::string_view name : {"pixel", "load"})
+    if (from.standard_error(name) > 0) to.standard_errors[std::string(name)] = from.standard_error(name);
+  to.columns = from.columns;
+  to.headings = from.headings;
+  to.load_from = from.load_from;
+  to.decimal = from.decimal;
 }
 
 void apply_overrides(const Overrides& overrides, Metadata& metadata) {

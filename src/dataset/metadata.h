@@ -21,6 +21,9 @@ inline constexpr std::string_view kReconstructedNotice =
     "reconstructed data: generated from a published fit, not measured. Recovering lambda from them tests the "
     "program, not the physics.";
 
+/// Names and texts as given on a command line, in order: {"radius", "9.42 mm"}.
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
 /// Constants in SI; null where not stated. Offsets are what is to be added to a reading, area_scale what an area is to
 /// be multiplied by.
 struct Metadata {
@@ -33,9 +36,16 @@ struct Metadata {
   std::optional<double> load_offset, shear_offset;             // N
   std::optional<double> area_offset;                           // m^2
   std::optional<double> area_scale;                            // > 0
+  std::optional<double> pixel;                                 // m, the side of one, > 0
+  std::optional<double> load;                                  // N, of all points, where no column states it
   std::map<std::string, double, std::less<>> standard_errors;  // of those that have one, in their units, by name
   Provenance provenance = Provenance::unstated;
   std::string source, note;
+  // How the file is to be read.
+  std::map<std::string, std::string> columns;  // quantity -> heading
+  std::string headings;                        // path of a TOML that adds to the vocabulary
+  std::string load_from;                       // "run_{P}mN": where the file's name states the load
+  char decimal = 0;                            // '.' or ','; 0: as the file shows
 
   /// modulus, or E* from youngs_modulus and poisson_ratio; null if neither is stated.
   std::optional<double> plane_strain_modulus() const;
@@ -44,9 +54,6 @@ struct Metadata {
   /// Relative, of plane_strain_modulus(): of modulus, or propagated from youngs_modulus and poisson_ratio.
   double modulus_error() const;
 };
-
-/// Names and texts as given on a command line, in order: {"radius", "9.42 mm"}.
-using Overrides = std::vector<std::pair<std::string, std::string>>;
 
 /// Sets one field from its text. Returns what is wrong with it, or an empty string.
 std::string set_field(Metadata& metadata, std::string_view name, std::string_view text);
@@ -61,6 +68,14 @@ std::string data_name(const std::string& csv_path);
 /// Reads the TOML at `path`; a file that does not exist leaves everything unstated. Throws InputError with line
 /// and column for a syntax error, an unknown key or a value without a unit.
 Metadata read_metadata(const std::string& path);
+
+/// Adds what is stated of one file to what is stated of others of the same experiment, but for how they are to be read.
+/// Returns what contradicts, or an empty string. Of provenances that differ the less direct one holds.
+std::string add_constants(const Metadata& more, Metadata& constants);
+/// Those of them that are constants, as set_field would have them: {"radius", "0.00942 m +/- 1e-05 m"}.
+Overrides constants_as_stated(const Metadata& metadata);
+/// Makes `to` say how to read a file as `from` does.
+void copy_reading(const Metadata& from, Metadata& to);
 
 /// Applies overrides; one of modulus and youngs_modulus replaces the other. Throws InputError naming the flag.
 void apply_overrides(const Overrides& overrides, Metadata& metadata);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "dataset/columns.h"
-#include "dataset/csv.h"
 #include "dataset/input_error.h"
+#include "dataset/table/csv.h"
 #include "mechanics/contact.h"
 
 namespace mixity {
@@ -59,12 +59,12 @@ class Reader {
     const std::string& path = forces_.path;
     width_ = header.size();
     for (std::size_t i = 0; i < header.size(); ++i) {
-      const Heading heading = heading_at(header, i);
+      const Heading heading = split_heading(header[i], header.place(i));
       for (const Force q : {kLoad, kPeak, kMinimum}) {
         if (heading.name != kNames[q]) continue;
         if (columns_[q]) throw InputError(path, header.place(i), "column '" + heading.name + "' stands twice");
         columns_[q] = i;
-        units_[q] = unit_of(heading, dimension::force, false, path, header, i);
+        units_[q] = unit_of(heading, kColumnKinds[static_cast<std::size_t>(ColumnId::P)], path, header.size() == 1);
       }
     }
     if (!columns_[kLoad]) throw InputError(path, header.line(), 1, "column 'P' is missing");

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "dataset/columns.h"
-#include "dataset/csv.h"
 #include "dataset/input_error.h"
 #include "dataset/number_text.h"
 #include "dataset/printable.h"
+#include "dataset/table/csv.h"
 
 namespace mixity {
 namespace {
@@ -83,11 +83,13 @@ std::string import_plot(const std::string& path, const PlotImport& options) {
   // The header must mean to us what it says: two axes, known, with fitting units.
   const std::string name = path + ": the header '" + text.substr(0, text.size() - 1) + "'";
   read_csv_text(text, name, true, [&](const CsvRow& header) {
-    for (std::size_t i = 0; i < header.size(); ++i)
-      if (const std::string axis = heading_at(header, i).name;
-          !with_loads && (axis == "T" || axis == "A" || axis == "a"))
+    const std::vector<Heading> headings = headings_of(header);
+    for (const Heading& heading : headings)
+      if (const std::string& axis = heading.name; !with_loads && (axis == "T" || axis == "A" || axis == "a"))
         throw InputError(path, "needs the normal load of each data set beside the axis " + axis + " (--loads=...)");
-    const Columns columns(name, header);
+    ColumnRules own_names;
+    own_names.vocabulary = false;
+    const Columns columns(name, headings, own_names);
     if (header.size() != (with_loads ? 4u : 3u) || !columns.ignored().empty() || columns.holds_loads() != with_loads)
       throw InputError(name, "does not name two axes of one kind: T and A (or a) with loads, or psi and Gc without");
   });

@@ -1,10 +1,14 @@
 #include "dataset/point_reader.h"
 
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <cstring>
+#include <numbers>
 
 #include "dataset/energies.h"
 #include "dataset/input_error.h"
+#include "dataset/table/number.h"
 #include "mechanics/measurement.h"
 
 namespace mixity {
@@ -25,10 +29,48 @@ std::string_view said_of(ColumnId id, Complaint complaint) {
   return kTexts[static_cast<std::size_t>(id)][complaint];
 }
 
+/// What stands for {P} in "run_{P}mN", in SI. Throws InputError if the name is not of that form.
+double load_in_name(const Dataset& data) {
+  const std::string& pattern = data.metadata.load_from;
+  const std::string name = data.path.substr(data.path.find_last_of('/') + 1);
+  const std::size_t at = pattern.find("{P}");
+  const std::string before = pattern.substr(0, at), behind = pattern.substr(at + 3);
+  const auto fail = [&](const std::string& message) -> double {
+    throw InputError(data.path, message + " (load_from is \"" + pattern + "\")");
+  };
+  // the unit is what can be one of the letters that follow
+  std::size_t letters = 0;
+  while (letters < behind.size() && std::isalpha(static_cast<unsigned char>(behind[letters]))) ++letters;
+  std::optional<Unit> unit;
+  for (std::size_t n = letters; n > 0 && !unit; --n) unit = parse_unit(behind.substr(0, n));
+  if (!unit || unit->dimension != dimension::force) fail("no unit of force follows the load in the file's name");
+  for (std::size_t begin = name.find(before); begin != std::string::npos; begin = name.find(before, begin + 1)) {
+    const std::size_t first = begin + before.size();
+    std::size_t end = first;
+    while (end < name.size() && (std::isdigit(static_cast<unsigned char>(name[end])) || std::strchr("+-.,", name[end])))
+      ++end;
+    double value = 0;
+    if (name.compare(end, behind.size(), behind) == 0 && end > first &&
+        (parse_number(name.substr(first, end - first), '.', value) ||
+         parse_number(name.substr(first, end - first), ',', value)))
+      return value * unit->factor;
+    if (begin + 1 >= name.size()) break;
+  }
+  return fail("the file's name states no load");
+}
+
+std::optional<double> stated_load(const Dataset& data) {
+  return data.metadata.load_from.empty() ? data.metadata.load : std::optional(load_in_name(data));
+}
+
 }  // namespace
 
-PointReader::PointReader(const std::string& metadata_path, const CsvRow& header, Dataset& data)
-    : data_(data), columns_(data.path, header) {
+PointReader::PointReader(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data)
+    : load_(stated_load(data)),
+      data_(data),
+      columns_(data.path, headings,
+               {data.metadata.columns, data.metadata.headings, load_.has_value(), data.metadata.pixel}) {
+  if (columns_.has(ColumnId::P)) load_.reset();
   data_.has_loads = columns_.holds_loads();
   data_.has_energies = columns_.holds_energies();
   data_.ignored_columns = columns_.ignored();
@@ -36,7 +78,7 @@ PointReader::PointReader(const std::string& metadata_path, const CsvRow& header,
   add_notes();
   if (data_.contact) set_display();
   if (!data_.has_loads) set_energy_display();
-  if (data_.has_loads && !columns_.has(ColumnId::include)) set_wanted();
+  if (columns_.has(ColumnId::P) && !columns_.has(ColumnId::include) && !has_axes()) set_wanted();
 }
 
 void PointReader::require_constants(const std::string& metadata_path) {
@@ -52,7 +94,11 @@ void PointReader::require_constants(const std::string& metadata_path) {
     if (data_.toughness_known) ratio_unit_ = demand(data_.metadata.toughness, "toughness");
     return;
   }
-  if (columns_.find(ColumnId::P)->unit.dimension == dimension::none) return;
+  const Column* const kind = columns_.find(columns_.has(ColumnId::P) ? ColumnId::P : ColumnId::T);
+  if (kind->unit.dimension == dimension::none) {
+    if (load_) throw InputError(data_.path, "states a load in a unit, but its columns have none");
+    return;
+  }
   data_.contact =
       Contact{demand(data_.metadata.radius, "radius"), demand(data_.metadata.plane_strain_modulus(), "modulus"),
               demand(data_.metadata.toughness, "toughness")};
@@ -88,12 +134,19 @@ void PointReader::set_display() {
     display.force = shear->unit.text;
     display.force_scale = data_.contact->force_unit() / shear->unit.factor;
   }
-  if (const Column* area = columns_.find(ColumnId::A)) {
+  const Column *area = columns_.find(ColumnId::A), *length = columns_.find(ColumnId::a);
+  if (!area && !length) length = columns_.find(columns_.has(ColumnId::a_par) ? ColumnId::a_par : ColumnId::major);
+  const Column& size = area ? *area : *length;
+  const auto parsed = parse_unit(size.unit.text);
+  if (parsed && parsed->dimension.pixel != 0) {  // nobody thinks in pixels
+    display.area = "mm^2";
+    display.area_scale = data_.contact->area_unit() / 1e-6;
+  } else if (area) {
     display.area = area->unit.text;
     display.area_scale = data_.contact->area_unit() / area->unit.factor;
-  } else if (const Column* radius = columns_.find(ColumnId::a)) {
-    display.area = radius->unit.text + "^2";
-    display.area_scale = data_.contact->area_unit() / (radius->unit.factor * radius->unit.factor);
+  } else {
+    display.area = length->unit.text + "^2";
+    display.area_scale = data_.contact->area_unit() / (length->unit.factor * length->unit.factor);
   }
   if (!in_range(display.force_scale) || !in_range(display.area_scale))
     throw InputError(data_.path, "the units of its columns are out of range beside radius, modulus and toughness");
@@ -169,12 +222,31 @@ std::string_view PointReader::standard_error(const CsvRow& row, ColumnId id, dou
   return error == 0 || in_range(error) ? std::string_view() : said_of(id, kOutOfRange);
 }
 
+/// The area of an ellipse, of semi-axes or of whole ones.
+std::string_view PointReader::read_axes(const CsvRow& row, double& area, ReadPoint& read) const {
+  const bool halves = columns_.has(ColumnId::a_par);
+  double one = 0, other = 0;
+  if (const auto unusable = number(row, halves ? ColumnId::a_par : ColumnId::major, one); !unusable.empty())
+    return unusable;
+  if (const auto unusable = number(row, halves ? ColumnId::a_perp : ColumnId::minor, other); !unusable.empty())
+    return unusable;
+  if (!(one > 0) || !(other > 0)) return "an axis of the ellipse <= 0";
+  area = std::numbers::pi * one * other / (halves ? 1 : 4);
+  read.axes = one > other ? one / other : other / one;
+  return {};
+}
+
 std::string_view PointReader::read_loads(const CsvRow& row, ReadPoint& read) const {
-  const bool by_area = columns_.has(ColumnId::A);
-  double P = 0, T = 0, size = 0;
-  if (const auto unusable = number(row, ColumnId::P, P); !unusable.empty()) return unusable;
+  const bool by_radius = columns_.has(ColumnId::a), by_area = !by_radius;
+  double P = load_.value_or(0), T = 0, size = 0;
+  if (const auto unusable = load_ ? std::string_view() : number(row, ColumnId::P, P); !unusable.empty())
+    return unusable;
   if (const auto unusable = number(row, ColumnId::T, T); !unusable.empty()) return unusable;
-  if (const auto unusable = number(row, by_area ? ColumnId::A : ColumnId::a, size); !unusable.empty()) return unusable;
+  if (has_axes())
+    if (const auto unusable = read_axes(row, size, read); !unusable.empty()) return unusable;
+  if (by_radius || columns_.has(ColumnId::A))
+    if (const auto unusable = number(row, by_area ? ColumnId::A : ColumnId::a, size); !unusable.empty())
+      return unusable;
   if (size <= 0) return by_area ? "A <= 0" : "a <= 0";
   Point& point = read.point;
   point.P = P / force_unit_ + 0.0;  // a load of -0 is one of 0

@@ -7,6 +7,7 @@
 
 #include "dataset/columns.h"
 #include "dataset/dataset.h"
+#include "dataset/table/csv.h"
 
 namespace mixity {
 
@@ -16,6 +17,7 @@ struct ReadPoint {
   ToughnessPoint converted;
   PointErrors errors;
   PointEnergies energies;
+  double axes = 1;  // of an elliptic contact, the longer over the shorter
 };
 
 /// Points of rows that come several at a time, by quantity. What is not usable is still to be read one by one.
@@ -30,7 +32,7 @@ class PointReader {
  public:
   /// Understands the header and fills in what it says of the data set: loads or toughness, scales, ignored columns.
   /// Throws InputError for a header that cannot be used, and for a constant that is needed and not stated.
-  PointReader(const std::string& metadata_path, const CsvRow& header, Dataset& data);
+  PointReader(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data);
 
   /// Reads a row into a point whose run is left open. Empty, or why the row cannot be used. Throws InputError for a row
   /// that cannot be understood. Several threads may read rows at once.
@@ -44,6 +46,10 @@ class PointReader {
   /// The same points as read() makes of each row, if it makes one.
   void read(const CsvNumbers& rows, PointBatch& batch) const;
 
+  /// What was taken for what, where the headings are not the program's own.
+  const std::vector<std::string>& taken() const { return columns_.taken(); }
+  bool names_runs() const { return columns_.has(ColumnId::curve); }
+  bool has_axes() const { return columns_.holds_axes(); }
   /// Whether the file has a column of standard errors.
   bool has_errors() const {
     return columns_.has(ColumnId::sigma_T) || columns_.has(ColumnId::sigma_A) || columns_.has(ColumnId::sigma_Gc) ||
@@ -62,6 +68,7 @@ class PointReader {
   // Each reads what its last argument takes, and says why there is none; empty if there is.
   std::string_view number(const CsvRow& row, ColumnId id, double& value) const;
   std::string_view standard_error(const CsvRow& row, ColumnId id, double of, double unit, double& error) const;
+  std::string_view read_axes(const CsvRow& row, double& area, ReadPoint& point) const;
   std::string_view read_loads(const CsvRow& row, ReadPoint& point) const;
   std::string_view read_toughness(const CsvRow& row, ReadPoint& point) const;
   std::string_view read_energies(const CsvRow& row, ReadPoint& point) const;
@@ -70,6 +77,8 @@ class PointReader {
     return columns_.find(columns_.holds_energies() ? ColumnId::G_I : ColumnId::Gc);
   }
 
+  /// The load of all points, in SI; null where a column states it.
+  std::optional<double> load_;
   Dataset& data_;  // for the constants; changed by the constructor only
   Columns columns_;
   std::optional<CsvWanted> wanted_;

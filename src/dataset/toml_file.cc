@@ -1,6 +1,6 @@
 #include "dataset/toml_file.h"
 
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 
 namespace mixity {
 
@@ -20,6 +20,15 @@ toml::table read_toml(const std::string& path) {
     const toml::source_position at = error.source().begin;
     throw InputError(path, at.line, at.column, std::string(error.description()));
   }
+}
+
+std::string mapping_text(const std::string& path, const toml::table& table) {
+  std::string text;
+  for (const auto& [key, heading] : table) {
+    if (!heading.is_string()) fail_at(path, heading, "a column's heading must be a string");
+    text += (text.empty() ? "" : ",") + std::string(key.str()) + "=" + heading.as_string()->get();
+  }
+  return text;
 }
 
 }  // namespace mixity

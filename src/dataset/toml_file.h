@@ -13,6 +13,10 @@ namespace mixity {
 /// than 10,000 characters, on whose nesting the parser could run out of stack.
 toml::table read_toml(const std::string& path);
 
+/// A table of columns as a flag has it: "P=Kanal 3 (mN),T=Kanal 4 (N)". Throws InputError for a heading that is no
+/// string.
+std::string mapping_text(const std::string& path, const toml::table& table);
+
 /// Throws an InputError at the place of a node or key.
 template <class Placed>
 [[noreturn]] void fail_at(const std::string& path, const Placed& node, const std::string& message) {

@@ -25,6 +25,10 @@ constexpr std::array kSymbols{
     Symbol{"°", kPi / 180, dimension::angle, false}, Symbol{"gf", 9.80665e-3, dimension::force, false},
     Symbol{"kgf", 9.80665, dimension::force, false}, Symbol{"dyn", 1e-5, dimension::force, false},
     Symbol{"erg", 1e-7, {1, 1, 0}, false},           Symbol{"bar", 1e5, dimension::stress, false},
+    Symbol{"Newton", 1, dimension::force, false},    Symbol{"s", 1, dimension::time, true},
+    Symbol{"sec", 1, dimension::time, false},        Symbol{"min", 60, dimension::time, false},
+    Symbol{"px", 1, {0, 0, 0, 0, 1}, false},         Symbol{"pixel", 1, {0, 0, 0, 0, 1}, false},
+    Symbol{"pixels", 1, {0, 0, 0, 0, 1}, false},     Symbol{"Pixel", 1, {0, 0, 0, 0, 1}, false},
 };
 
 struct Prefix {
@@ -114,6 +118,8 @@ std::optional<Unit> parse_unit(std::string_view text) {
     unit.dimension.force += n * symbol->dimension.force;
     unit.dimension.length += n * symbol->dimension.length;
     unit.dimension.angle += n * symbol->dimension.angle;
+    unit.dimension.time += n * symbol->dimension.time;
+    unit.dimension.pixel += n * symbol->dimension.pixel;
     text = trim(text);
     // Absurd powers leave the range of numbers; what lies beyond it is no unit.
     if (text.empty()) return std::isfinite(unit.factor) && unit.factor > 0 ? std::optional(unit) : std::nullopt;
@@ -216,6 +222,7 @@ std::string describe(const Dimension& d) {
   if (d == dimension::stress) return "a stress such as MPa";
   if (d == dimension::energy_per_area) return "an energy per area such as mJ/m^2";
   if (d == dimension::angle) return "an angle (rad or deg)";
+  if (d == dimension::time) return "a time such as s";
   return "N^" + std::to_string(d.force) + " m^" + std::to_string(d.length);
 }
 

@@ -33,9 +33,9 @@ inline std::vector<EnergyPoint> energy_points(const Dataset& data, const std::ve
     PointEnergies e = data.energies[i];
     for (const auto& [error, column] : {std::pair(&e.sigma_GI, "sigma_GI"), std::pair(&e.sigma_GII, "sigma_GII")}) {
       if (*error < 0 && !data.errors.empty())
-        throw InputError(data.path, place_of(data, data.points[i], column),
-                         std::string("this point has no standard error ") + column +
-                             ": the distance from the law needs errors of both energies, or of none");
+        refuse_value(data, data.points[i], column,
+                     std::string("this point has no standard error ") + column +
+                         ": the distance from the law needs errors of both energies, or of none");
       if (!(*error > 0)) *error = *error < 0 ? 1 : kLeastError * largest;
     }
     points.push_back({e, static_cast<std::size_t>(std::find(series.begin(), series.end(), curve) - series.begin())});

@@ -145,12 +145,12 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
     errors.T.push_back(error(errors.source_T, stated_T, point.shear(), columns.T));
     errors.A.push_back(error(errors.source_A, stated_A, point.A, columns.A));
     if (errors.A.back() < 0 || (!both_axes && errors.A.back() == 0))
-      throw InputError(data.path, place_of(data, point, "sigma_A"),
-                       std::string("this point has no standard error of its area (sigma_A is ") +
-                           (both_axes ? "empty)" : "0 or empty)"));
+      refuse_value(data, point, "sigma_A",
+                   std::string("this point has no standard error of its area (sigma_A is ") +
+                       (both_axes ? "empty)" : "0 or empty)"));
     if (errors.T.back() < 0)
-      throw InputError(data.path, place_of(data, point, "sigma_T"),
-                       "this point has no standard error of its shear load (sigma_T is empty; 0 says that T is exact)");
+      refuse_value(data, point, "sigma_T",
+                   "this point has no standard error of its shear load (sigma_T is empty; 0 says that T is exact)");
   }
   if (both_axes) {
     const std::size_t zeros_T = raise_zeros(errors.T, largest(data, &Point::T)),

@@ -42,9 +42,9 @@ std::vector<double> toughness_weights(const Dataset& data, Scale scale, const st
       error = std::hypot(by_T * sigma_T, by_A * sigma_A);
     }
     if (!(error > 0))
-      throw InputError(data.path, place_of(data, point, data.has_energies ? "sigma_GI" : "sigma_Gc"),
-                       data.has_energies ? "this point has no standard error (sigma_GI and sigma_GII are 0 or empty)"
-                                         : "this point has no standard error (sigma_Gc is 0 or empty)");
+      refuse_value(data, point, data.has_energies ? "sigma_GI" : "sigma_Gc",
+                   data.has_energies ? "this point has no standard error (sigma_GI and sigma_GII are 0 or empty)"
+                                     : "this point has no standard error (sigma_Gc is 0 or empty)");
     weights.push_back(1 / (scale == Scale::log ? error : error * ratio));
   }
   return weights;

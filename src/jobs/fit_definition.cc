@@ -23,9 +23,13 @@ class Reader {
     job.path = path_;
     for (const auto& [key, node] : table) {
       if (key == "data")
-        job.data_path = beside(node, "data");
+        read_data(node, job);
+      else if (key == "runs")
+        read_runs(node, job);
       else if (key == "constants")
         read_constants(node, job);
+      else if (key == "columns" && node.is_table())
+        job.constants.emplace_back("columns", mapping_text(path_, *node.as_table()));
       else if (key == "source")
         job.source = text(node, "source");
       else if (key == "peaks")
@@ -35,10 +39,12 @@ class Reader {
       else if (std::find(kJobOptions.begin(), kJobOptions.end(), key.str()) != kJobOptions.end())
         read_option(std::string(key.str()), node, job);
       else
-        fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: data, " + names_of_options() +
+        fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: data, runs, columns, " + names_of_options() +
                       ", constants, peaks, source, published)");
     }
     if (job.data_path.empty()) throw InputError(path_, "the key data is missing");
+    if (table.contains("data") && table.contains("runs"))
+      fail(*table.get("runs"), "data and runs both say which files: state one");
     if (const auto wrong = contradiction(job)) fail(*table.get(wrong->option), wrong->option + " " + wrong->problem);
     check_published(table, job);
     return job;
@@ -61,6 +67,50 @@ class Reader {
     const bool same = std::filesystem::exists(whole, none) ? std::filesystem::equivalent(whole, brief, none)
                                                            : !std::filesystem::exists(brief, none);
     return (same ? brief : whole).string();
+  }
+
+  /// A file, a pattern, or a list of them; several files are one data set.
+  void read_data(const toml::node& node, FitJob& job) const {
+    const toml::array* const list = node.as_array();
+    std::vector<std::string> files;
+    const auto add = [&](const toml::node& entry) {
+      for (std::string& file : files_of(beside(entry, "data"))) files.push_back(std::move(file));
+    };
+    if (list)
+      for (const toml::node& entry : *list) add(entry);
+    else
+      add(node);
+    if (files.empty()) fail(node, "data names no file");
+    job.data_path = files.front();
+    if (list || files.size() > 1)
+      for (const std::string& file : files) job.runs.push_back({file});
+  }
+
+  /// [[runs]]: file, and what is said of it.
+  void read_runs(const toml::node& node, FitJob& job) const {
+    if (!node.is_array_of_tables()) fail(node, "runs must be tables, each written [[runs]]");
+    for (const toml::node& entry : *node.as_array()) {
+      RunFile run;
+      for (const auto& [key, value] : *entry.as_table()) {
+        if (key == "file")
+          run.path = beside(value, "file");
+        else if (key == "name")
+          run.name = text(value, "name");
+        else if (key == "load")
+          run.load = text(value, "load");
+        else
+          fail(key,
+               "unknown key \"" + std::string(key.str()) + "\" (known: file, name, load)" +
+                   (key == "sphere" || key == "radius" ? "; runs with several spheres are several data sets" : ""));
+      }
+      if (run.path.empty()) fail(entry, "a run needs a file");
+      Metadata scratch;
+      if (const std::string problem = run.load.empty() ? "" : set_field(scratch, "load", run.load); !problem.empty())
+        fail(entry, problem);
+      job.runs.push_back(run);
+    }
+    if (job.runs.empty()) fail(node, "runs names no file");
+    job.data_path = job.runs.front().path;
   }
 
   std::string text(const toml::node& node, const std::string& key) const {
@@ -156,12 +206,24 @@ std::string fit_definition_text(const FitJob& job, const Dataset& data, const st
   };
   const auto from_there = [&](const std::string& file) {
     std::error_code none;
-    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path(),
-                                relative = std::filesystem::proximate(file, folder, none);
+    // by the names alone: what is stated beside a link need not stand beside what it leads to
+    const std::filesystem::path folder = std::filesystem::absolute(path).lexically_normal().parent_path(),
+                                whole = std::filesystem::absolute(file).lexically_normal(),
+                                relative = std::filesystem::canonical(folder, none) == folder
+                                               ? whole.lexically_proximate(folder)
+                                               : whole;
     return text((none ? std::filesystem::absolute(file) : relative).string());
   };
   std::ostringstream out;
-  out << "data = " << from_there(job.data_path) << '\n';
+  const bool told_apart = std::any_of(job.runs.begin(), job.runs.end(),
+                                      [](const RunFile& run) { return !run.name.empty() || !run.load.empty(); });
+  if (job.runs.empty()) {
+    out << "data = " << from_there(job.data_path) << '\n';
+  } else if (!told_apart) {
+    out << "data = [";
+    for (const RunFile& run : job.runs) out << (&run == job.runs.data() ? "" : ", ") << from_there(run.path);
+    out << "]\n";
+  }
   if (!job.peaks_path.empty()) out << "peaks = " << from_there(job.peaks_path) << '\n';
   std::map<std::string, std::string> stated = job.stated;
   // what is left to the data, or to a version of this program, is stated, too
@@ -180,6 +242,12 @@ std::string fit_definition_text(const FitJob& job, const Dataset& data, const st
   if (!job.source.empty()) out << "source = " << text(job.source) << '\n';
   if (!job.constants.empty()) out << "\n[constants]\n";
   for (const auto& [name, value] : job.constants) out << name << " = " << text(value) << '\n';
+  for (const RunFile& run : job.runs) {
+    if (!told_apart) break;
+    out << "\n[[runs]]\nfile = " << from_there(run.path) << '\n';
+    if (!run.name.empty()) out << "name = " << text(run.name) << '\n';
+    if (!run.load.empty()) out << "load = " << text(run.load) << '\n';
+  }
   for (const auto& [model, numbers] : job.published) {
     if (std::find(job.models.begin(), job.models.end(), model) == job.models.end()) continue;
     out << "\n[published." << model << "]\n";

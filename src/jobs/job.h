@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dataset/exclusion.h"
+#include "dataset/pooled.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "fitting/unsheared.h"
@@ -20,7 +21,8 @@ struct Published {
 
 struct FitJob {
   std::string path;                                // of its definition; empty: made of flags
-  std::string data_path;                           // CSV, resolved against the definition's folder
+  std::string data_path;                           // CSV, resolved against the definition's folder; the first of `runs`
+  std::vector<RunFile> runs;                       // of a data set of several files; else empty
   std::string peaks_path;                          // CSV of peak forces, resolved likewise; empty: none
   std::vector<std::string> models{"a", "b", "c"};  // in the order to report
   FitOptions options;

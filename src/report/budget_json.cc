@@ -65,7 +65,7 @@ Json consistency_json(const FitResult& fit, const Dataset& data) {
     const Point& first = data.points[run.first];
     beyond.push_back({{"curve", run.curve},
                       {"points", run.points},
-                      {"first_line", first.line},
+                      {"first_line", data.line_in_file(first.line)},
                       {"T", first.T * data.display.force_scale}});
   }
   return {{"chi2_per_freedom", number_or_null(tests.chi2_per_freedom)},

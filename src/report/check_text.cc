@@ -29,6 +29,13 @@ void write_curves(std::ostringstream& out, const Dataset& data) {
   }
 }
 
+/// How the file was read, where that is not plain.
+std::string reading_text(const Dataset& data) {
+  std::string text = data.reading.empty() ? "" : "    read as: " + data.reading + '\n', list;
+  for (const std::string& taken : data.taken) list += (list.empty() ? "" : ", ") + taken;
+  return text + (list.empty() ? "" : "    columns: " + list + '\n');
+}
+
 }  // namespace
 
 std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared) {
@@ -42,14 +49,15 @@ std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& 
                            : "")
       << "\n    " << data.rows << " rows, " << data.points.size() << " usable, " << data.excluded.size()
       << " excluded\n"
-      << "    provenance: " << to_string(data.metadata.provenance) << '\n';
+      << reading_text(data) << "    provenance: " << to_string(data.metadata.provenance) << '\n';
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
   if (!data.metadata.source.empty()) out << "    source: " << data.metadata.source << '\n';
   for (const auto& [name, value] : stated_constants_text(data))
     out << "    " << std::left << std::setw(16) << name << value << '\n';
   write_curves(out, data);
   if (!data.excluded.empty()) out << "[[Excluded]]\n";
-  for (const Excluded& excluded : data.excluded) out << "    line " << excluded.line << ": " << excluded.reason << '\n';
+  for (const Excluded& excluded : data.excluded)
+    out << "    " << data.line_text(excluded.line) << ": " << excluded.reason << '\n';
   auto oddities = find_oddities(data);
   if (unsheared && !data.points.empty()) {
     out << "[[Areas without shear]]\n    " << unsheared_sentence(*unsheared) << '\n';

@@ -13,10 +13,10 @@ namespace mixity {
 inline constexpr std::size_t kShownExcluded = 8;
 
 /// The first of a list, each a line that begins so. `elsewhere`: what tells of all.
-inline void write_first(std::ostream& out, const std::vector<Excluded>& list, std::string_view beginning,
-                        std::string_view elsewhere) {
+inline void write_first(std::ostream& out, const Dataset& data, const std::vector<Excluded>& list,
+                        std::string_view beginning, std::string_view elsewhere) {
   for (std::size_t i = 0; i < std::min(kShownExcluded, list.size()); ++i)
-    out << "    " << beginning << "line " << list[i].line << ": " << list[i].reason << '\n';
+    out << "    " << beginning << data.line_text(list[i].line) << ": " << list[i].reason << '\n';
   if (list.size() > kShownExcluded)
     out << "    and " << list.size() - kShownExcluded << " more (" << elsewhere << ")\n";
 }
@@ -25,7 +25,7 @@ inline void write_first(std::ostream& out, const std::vector<Excluded>& list, st
 inline void write_excluded(std::ostream& out, const Dataset& data, std::string_view elsewhere) {
   if (data.excluded.empty()) return;
   out << "[[Excluded]]\n";
-  write_first(out, data.excluded, "", elsewhere);
+  write_first(out, data, data.excluded, "", elsewhere);
 }
 
 }  // namespace mixity

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 #include "fitting/predicted_area.h"
 #include "mechanics/prediction.h"
 #include "report/figures/model_curves.h"
@@ -78,8 +78,8 @@ void write_residuals(std::ostringstream& out, const JobResult& result, const Fra
     for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
       const Point& point = data.points[fit.used[i]];
       const auto toughness = data.toughness(fit.used[i]);
-      out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << ',' << point.line << ','
-          << csv_field(data.curves[point.curve]) << ','
+      out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << ','
+          << data.line_in_file(point.line) << ',' << csv_field(data.curves[point.curve]) << ','
           << (toughness ? shortest(toughness->psi()) + ',' + shortest(toughness->ratio) : ",") << ','
           << shortest(fit.residuals[i]);
       if (data.has_loads) {

@@ -57,7 +57,7 @@ Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
           {"message", fit.message},
           {"parameters", parameters_json(fit)},
           {"used", fit.used.size()},
-          {"excluded", excluded_json(fit.excluded)},
+          {"excluded", excluded_json(fit.excluded, &data)},
           {"r2", number_or_null(fit.r2)},
           {"rmse", number_or_null(fit.rmse)},
           {"max_abs_residual", number_or_null(fit.max_abs_residual)},
@@ -76,9 +76,12 @@ Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
 
 }  // namespace
 
-Json excluded_json(const std::vector<Excluded>& excluded) {
+Json excluded_json(const std::vector<Excluded>& excluded, const Dataset* data) {
   Json list = Json::array();
-  for (const Excluded& point : excluded) list.push_back({{"line", point.line}, {"reason", point.reason}});
+  for (const Excluded& point : excluded) {
+    list.push_back({{"line", data ? data->line_in_file(point.line) : point.line}, {"reason", point.reason}});
+    if (data && !data->files.empty()) list.back()["file"] = data->file_of(point.line);
+  }
   return list;
 }
 
@@ -95,7 +98,7 @@ Json dataset_json(const JobResult& result) {
           {"notes", data.notes},
           {"points", data.rows},
           {"used", data.points.size()},
-          {"excluded", excluded_json(data.excluded)},
+          {"excluded", excluded_json(data.excluded, &data)},
           {"constants", constants_json(data)},
           {"unsheared", unsheared_json(result.unsheared)},
           {"fits", fits},

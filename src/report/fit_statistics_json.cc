@@ -45,7 +45,7 @@ Json influence_json(const FitResult& fit, const Dataset& data) {
   Json points = Json::array(), runs = Json::array();
   for (std::size_t i = 0; i < fit.influence->points.size(); ++i) {
     const PointInfluence& point = fit.influence->points[i];
-    points.push_back({{"line", data.points[fit.used[i]].line},
+    points.push_back({{"line", data.line_in_file(data.points[fit.used[i]].line)},
                       {"leverage", point.leverage},
                       {"cooks_distance", point.cooks_distance},
                       {"change", change_json(point.change)}});

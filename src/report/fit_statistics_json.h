@@ -16,7 +16,8 @@ Json dataset_json(const JobResult& result);
 /// Names and paths may hold bytes that are not UTF-8; they are replaced rather than thrown over.
 std::string json_text(const Json& document);
 
-Json excluded_json(const std::vector<Excluded>& excluded);
+/// `data`: which the rows are of; null for other files.
+Json excluded_json(const std::vector<Excluded>& excluded, const Dataset* data);
 Json interval_json(const std::optional<ShownInterval>& interval);
 Json errors_json(const FitResult& fit);
 Json bootstrap_json(const FittedParameter& parameter, const FitResult& fit);

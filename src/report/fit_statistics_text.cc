@@ -135,8 +135,8 @@ std::string resampling_text(const FitResult& fit, const Dataset& data) {
   out << "    most influential points (Cook's distance, change if left out):\n";
   for (std::size_t i = 0; i < shown; ++i) {
     const PointInfluence& point = fit.influence->points[order[i]];
-    out << "        line " << data.points[fit.used[order[i]]].line << ": " << rounded(point.cooks_distance, 2) << ", "
-        << change(point.change) << '\n';
+    out << "        " << data.line_text(data.points[fit.used[order[i]]].line) << ": "
+        << rounded(point.cooks_distance, 2) << ", " << change(point.change) << '\n';
   }
   if (fit.influence->runs.size() > 1) {
     out << "    change if a run is left out:";

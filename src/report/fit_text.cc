@@ -113,7 +113,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
           << " beyond the last equilibrium";
     out << '\n';
   }
-  write_first(out, fit.excluded, "without ", kAllOfThem);
+  write_first(out, data, fit.excluded, "without ", kAllOfThem);
   for (const Agreement& agreement : compare(fit, job))
     out << "    published " << agreement.published.name << " = " << shortest(agreement.published.value) << " +- "
         << shortest(agreement.published.tolerance) << ": " << (agreement.agrees ? "agrees" : "*** DOES NOT AGREE ***")

@@ -40,7 +40,7 @@ Json peaks_json(const std::optional<PeakForces>& peaks) {
           {"force_unit", peaks->force_unit},
           {"stress_unit", peaks->stress_unit},
           {"rows", rows},
-          {"excluded", excluded_json(peaks->excluded)}};
+          {"excluded", excluded_json(peaks->excluded, nullptr)}};
 }
 
 /// `svg`: those of this entry's figures and further ones; moves on past them.

@@ -3,8 +3,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "dataset/csv.h"
 #include "dataset/number_text.h"
+#include "dataset/table/csv.h"
 #include "report/excluded_text.h"
 
 namespace mixity {

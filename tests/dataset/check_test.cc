@@ -82,7 +82,9 @@ TEST(Check, LoadsThatAreOffByAThousandAreNoticed) {
   EXPECT_TRUE(any_mentions(oddities(two_runs(1e3)), "unit"));
   // Loads a thousand times too small compare the area of P = 5 with that of P = 0.005: 23.887/18.374 = 1.3000.
   EXPECT_EQ(joined(oddities(two_runs(1e-3))),
-            "run P=0.005: the area at the smallest T is 1.3 times that of JKR at this load\n");
+            "run P=0.005: the area at the smallest T is 1.3 times that of JKR at this load\n"
+            "units: psi stays below 0.005 rad, as if nothing were sheared; the unit of T is probably off by a power of "
+            "ten\n");
 }
 
 TEST(Check, ADataSetWithoutAUsablePointIsOdd) {
@@ -104,7 +106,7 @@ TEST(Check, FallingShearIsReportedWithItsFirstLine) {
       "curve,P,T,A\nup,1,0,19.6\nup,1,1,19.5\nother,5,0,23.9\nup,1,0.5,19.55\nother,5,1,23.8\n"
       "up,1,2,19.4\nup,1,1.5,19.45\nother,5,2,23.7\n");
   ASSERT_EQ(odd.size(), 1) << joined(odd);
-  EXPECT_EQ(odd[0], "run up: T falls 2 times, first at line 5; is unloading or a second run mixed in?");
+  EXPECT_EQ(odd[0], "run up: T falls 2 times, first at line 5; is unloading, slip or a second run mixed in?");
 }
 
 TEST(Check, APointThatStandsTwiceIsReportedWithBothLines) {

@@ -182,9 +182,9 @@ TEST(Dataset, APipeIsReadOnce) {
   std::thread writer([&] { std::ofstream(pipe) << "P,T,A,sigma_A\n1,0,19.6,0.1\n1,1,19.5,\n"; });
   const Dataset data = load_dataset(pipe);
   writer.join();
-  const FilePlace place = place_of(data, data.points[1], "sigma_A");  // without a writer, to open it would not return
-  EXPECT_EQ(place.line, 3u);
-  EXPECT_EQ(place.column, 0u);
+  // without a writer, to open it would not return
+  EXPECT_EQ(folder.left_out_of(input_error([&] { refuse_value(data, data.points[1], "sigma_A", "is missing"); })),
+            "pipe.csv:3: is missing");
 }
 
 TEST(Dataset, ALoadOfMinusZeroIsZero) {
@@ -222,9 +222,9 @@ TEST(Dataset, NotesWhatWasStatedAndIsPassedOver) {
                                       "column 'sigma A' is not used; it is read if it is called 'sigma_A'"}));
 }
 
-TEST(Dataset, WhatIsNoTextInTheNameOfARunIsAQuestionMark) {
+TEST(Dataset, TheNameOfARunIsReadInTheEncodingOfItsFile) {
   const Dataset data = load_text("curve,P,T,A\nProb\xe4,1,0,20\nProb\xf6,1,0,20\nµ,5,1,25\n\"a\nb\",5,1,25\n");
-  EXPECT_EQ(data.curves, (std::vector<std::string>{"Prob?", "Prob?", "µ", "a?b"}));
+  EXPECT_EQ(data.curves, (std::vector<std::string>{"Probä", "Probö", "Âµ", "a?b"}));
 }
 
 TEST(Dataset, WhatIsNoTextInTheNameOfAFileIsAQuestionMark) {

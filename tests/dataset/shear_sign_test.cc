@@ -89,7 +89,7 @@ TEST(ShearSign, NoiseAboutZeroIsNoFallOfShear) {
   EXPECT_EQ(order("x,5,0,23.9\nx,5,-0.1,23.9\nx,5,0.1,23.9\nx,5,-0.05,23.9\nx,5,3,23.7\n"), "");
   EXPECT_EQ(order("x,5,0,23.9\nx,5,-1,23.9\nx,5,-2,23.9\nx,5,-3,23.7\n"), "");  // turned
   EXPECT_EQ(order("x,5,0,23.9\nx,5,3,23.7\nx,5,-0.1,23.9\nx,5,2,23.7\n"),
-            "run x: T falls once, first at line 5; is unloading or a second run mixed in?\n");
+            "run x: T falls once, first at line 5; is unloading, slip or a second run mixed in?\n");
   EXPECT_EQ(order("x,5,0,23.9\nx,5,2,23.8\nx,5,3,23.7\nx,5,-0.5,23.9\n"),
             "run x: T changes its sign, from -0.5 to 3; are runs of both directions mixed?\n");
 }

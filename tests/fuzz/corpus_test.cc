@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 #include "fuzz/fuzz_input.h"
 #include "fuzz/promise.h"
 

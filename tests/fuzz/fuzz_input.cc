@@ -11,10 +11,10 @@
 
 #include "dataset/check.h"
 #include "dataset/columns.h"
-#include "dataset/csv.h"
 #include "dataset/dataset.h"
 #include "dataset/peak_forces.h"
 #include "dataset/plot_import.h"
+#include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 #include "dataset/units.h"
 #include "jobs/fit_definition.h"
@@ -235,7 +235,7 @@ void check_import(std::string_view text) {
   if (!accepts({path + ":"}, [&] { made = import_plot(path, options); })) return;
   std::size_t width = 0;
   read_csv_text(made, "made", true, [&](const CsvRow& row) {
-    if (width == 0) Columns("made", row);
+    if (width == 0) Columns("made", headings_of(row));
     if (width == 0) width = row.size();
     promise(row.size() == width, "what import writes is read back", made);
     double value = 0;

@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Fits, Published, ::testing::ValuesIn(definitions()),
 
 TEST(Published, EveryShippedDataSetHasADefinition) {
   for (const auto& entry : std::filesystem::directory_iterator(MIXITY_ROOT "/data"))
-    if (entry.path().extension() == ".csv") {
+    if (entry.path().extension() == ".csv" && entry.path().stem() != "shear_log") {  // of which `runs` makes one
       EXPECT_TRUE(std::filesystem::exists(std::string(MIXITY_ROOT "/fits/") + entry.path().stem().string() + ".toml"));
     }
 }

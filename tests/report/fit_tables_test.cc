@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 #include "jobs/fit_definition.h"
 #include "report/fit_csv.h"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 #include "report/fit_text.h"
 #include "report/output_file.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {

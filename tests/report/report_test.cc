@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 #include "report/example_results.h"
 #include "report/fit_json.h"

@@ -1,12 +1,13 @@
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 
 #include <csv.h>
 
 #include <algorithm>
 #include <array>
 
-#include "dataset/csv_rows.h"
 #include "dataset/input_error.h"
+#include "dataset/table/csv_rows.h"
+#include "dataset/table/number.h"
 #include "dataset/trim.h"
 
 namespace mixity {
@@ -15,8 +16,11 @@ FilePlace CsvRow::place(std::size_t i) const {
   FilePlace place{line_, 1};
   std::size_t field = 0;
   bool quoted = false;
-  for (const char c : raw_) {
-    if (field == i) break;
+  const char* const stop = format_.delimiter != kBlanks ? nullptr
+                           : i < fields_.size()         ? fields_[i].data()
+                                                        : raw_.data() + raw_.size();
+  for (const char& c : raw_) {
+    if (stop ? &c == stop : field == i) break;
     if (c == '"') quoted = !quoted;
     if (c == format_.delimiter && !quoted) ++field;
     if (c == format_.line_end)
@@ -25,6 +29,11 @@ FilePlace CsvRow::place(std::size_t i) const {
       ++place.column;  // count characters, not the later bytes of UTF-8
   }
   return place;
+}
+
+bool CsvRow::number(std::size_t i, double& value) const {
+  NumberStyle style;
+  return parse_number(fields_[i], format_.decimal, value, &style) && (format_.grouped || !style.doubtful);
 }
 
 void CsvRow::begin(std::string_view line, std::size_t number, const CsvFormat& format) {
@@ -41,6 +50,13 @@ void CsvRow::add(std::string_view line) {
 void CsvRow::split(std::string_view line, std::size_t number, const CsvFormat& format) {
   begin(line, number, format);
   fields_.clear();
+  if (format.delimiter == kBlanks) {
+    for (std::string_view rest = trim(raw_); !rest.empty(); rest = trim(rest)) {
+      fields_.push_back(rest.substr(0, rest.find_first_of(" \t")));
+      rest.remove_prefix(fields_.back().size());
+    }
+    return;
+  }
   for (std::string_view rest = raw_;;) {
     const std::size_t end = rest.find(format.delimiter);
     fields_.push_back(trim(rest.substr(0, end)));  // as libcsv does
@@ -101,6 +117,7 @@ struct CsvParser {
 
   /// True of quotes, and of a carriage return inside the line.
   bool needs_library(std::string_view line) const {
+    if (format.delimiter == kBlanks) return false;
     return quote_open || line.find('"') != std::string_view::npos || has_return_inside(line);
   }
   void split(std::string_view line, std::size_t number) { row.split(line, number, format); }
@@ -145,7 +162,7 @@ void read_rows(std::string_view text, std::size_t first_line, const CsvFormat& f
   CsvParser parser(format);
   std::size_t number = first_line;
   // Of most files this can be said at once, which saves looking through each of their lines for what none has.
-  const bool unquoted = text.find('"') == std::string_view::npos;
+  const bool unquoted = format.delimiter == kBlanks || text.find('"') == std::string_view::npos;
   const bool plain = unquoted && text.find('\r') == std::string_view::npos;
   const auto hand_over = [&] {
     if (parser.stray_return) throw InputError(path, number, 1, std::string(kReturnInside));
@@ -185,7 +202,8 @@ void read_rows(std::string_view text, std::size_t first_line, const CsvFormat& f
 }
 
 std::size_t end_of_rows(std::string_view text, const CsvFormat& format) {
-  if (text.find('"') == std::string_view::npos) return text.find_last_of(format.line_end) + 1;  // npos + 1 is 0
+  if (format.delimiter == kBlanks || text.find('"') == std::string_view::npos)
+    return text.find_last_of(format.line_end) + 1;  // npos + 1 is 0
   std::size_t end = 0;
   bool quote_open = false;
   for (std::string_view rest = text; !rest.empty();) {
@@ -203,14 +221,6 @@ std::size_t end_of_first_row(std::string_view text, const CsvFormat& format) {
     if (!quote_open) return text.size() - rest.size();
   }
   return text.size();
-}
-
-void drop_mark(std::string_view& text, const std::string& path) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  const auto nul = [&](std::size_t i) { return text[i] == '\0'; };
-  const bool every_other_nul = text.size() > 3 && nul(0) != nul(1) && nul(2) == nul(0) && nul(3) == nul(1);
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || every_other_nul)
-    throw InputError(path, 1, 1, "is UTF-16; save it as UTF-8");
 }
 
 bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format) {

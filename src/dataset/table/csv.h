@@ -14,13 +14,17 @@
 #include <vector>
 
 #include "dataset/input_error.h"
+#include "dataset/table/encoding.h"
 
 namespace mixity {
 
 struct CsvFormat {
-  char delimiter = 0, line_end = '\n';
+  char delimiter = 0;  // kBlanks: any number of blanks and tabs; quotes are then characters like others
+  char line_end = '\n', decimal = '.';
+  bool grouped = false;  // "1,234" is a thousand and more, as other numbers of the file show
   bool comments = true;  // a line that starts with '#' is none of the table's
 };
+inline constexpr char kBlanks = ' ';
 
 class CsvRow {
  public:
@@ -28,9 +32,14 @@ class CsvRow {
   std::size_t size() const { return fields_.size(); }
   /// Field i, unquoted, without blanks around it.
   std::string_view operator[](std::size_t i) const { return fields_[i]; }
+  /// Field i as one number, written as the file's format has it; false if it is none.
+  bool number(std::size_t i, double& value) const;
   bool blank() const { return fields_.empty() || (fields_.size() == 1 && fields_[0].empty()); }
   /// Where field i starts in the file; beyond the last field, the row's end.
   FilePlace place(std::size_t i) const;
+  /// The row's lines as they stand in the file.
+  std::string_view raw() const { return raw_; }
+  char delimiter() const { return format_.delimiter; }
 
  private:
   friend struct CsvParser;
@@ -42,7 +51,7 @@ class CsvRow {
   void split(std::string_view line, std::size_t number, const CsvFormat& format);
 
   std::vector<std::string_view> fields_;
-  std::string_view raw_;  // the lines as they stand in the file
+  std::string_view raw_;
   std::size_t line_ = 0;
   CsvFormat format_;
 };
@@ -107,17 +116,27 @@ class CsvFile {
  public:
   /// Throws InputError if the file cannot be opened.
   explicit CsvFile(const std::string& path, std::size_t block_bytes = std::size_t{1} << 17);
-  /// Makes the block hold the next rows, the first of all by itself; false at the end. Throws InputError if the file
-  /// cannot be read, is UTF-16, or has a row of more than kMostText bytes. A block used again spares the memory of a
-  /// new one.
+  /// The file's first lines, a block of them or all; valid until anything else is called. Throws InputError if the file
+  /// cannot be read, is a workbook, or has a first row of more than kMostText bytes.
+  std::string_view start();
+  /// What is before this byte of start() is no row; there, rows of this format begin, on this line of the file.
+  void begin_at(std::size_t offset, std::size_t line, const CsvFormat& format);
+  /// Makes the block hold the next rows, without begin_at the first of all by itself; false at the end. Throws
+  /// InputError if the file cannot be read or has a row of more than kMostText bytes. A block used again spares the
+  /// memory of a new one.
   bool next(CsvBlock& block);
+  /// After start().
+  Encoding encoding() const { return encoding_; }
+  char line_end() const { return format_.line_end; }
+  /// Whether start() holds the whole file.
+  bool at_end() const { return at_end_; }
   /// Of the file; null where that is not known beforehand (a pipe).
   std::optional<std::size_t> bytes() const;
 
  private:
   bool read(std::string& text, std::size_t bytes);
   void require_a_row_within(const std::string& text) const;
-  void begin(std::string& text);
+  void begin();
 
   std::string path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
@@ -125,11 +144,13 @@ class CsvFile {
   std::string rest_;  // read, but not handed out
   std::size_t line_ = 1;
   CsvFormat format_;
+  Encoding encoding_ = Encoding::utf8;
+  std::optional<Decoder> decoder_;  // where it is not UTF-8
   bool begun_ = false, at_end_ = false;
 };
 
-/// Calls use(row) for each row that is not blank and does not start with '#', and use_comment as CsvBlock::rows. UTF-8
-/// with or without byte order mark; LF or CRLF; comma, semicolon or tab, whichever the first row has most of; a line
+/// Calls use(row) for each row that is not blank and does not start with '#', and use_comment as CsvBlock::rows. Any
+/// encoding that CsvFile reads; LF or CRLF; comma, semicolon or tab, whichever the first row has most of; a line
 /// "sep=;" before that is no row. The row is valid during the call only. Throws InputError for a file that cannot be
 /// read or whose quotes do not match.
 void read_csv(const std::string& path, const UseRow& use, const UseRow& use_comment = {});

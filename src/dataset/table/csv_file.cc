@@ -4,9 +4,9 @@
 #include <cstring>
 #include <filesystem>
 
-#include "dataset/csv.h"
-#include "dataset/csv_rows.h"
 #include "dataset/input_error.h"
+#include "dataset/table/csv.h"
+#include "dataset/table/csv_rows.h"
 
 namespace mixity {
 
@@ -21,7 +21,7 @@ std::optional<std::size_t> CsvFile::bytes() const {
   return problem ? std::nullopt : std::optional<std::size_t>(size);
 }
 
-/// Appends up to so many bytes. False at the end of the file.
+/// Appends what up to so many bytes say. False at the end of the file.
 bool CsvFile::read(std::string& text, std::size_t bytes) {
   const std::size_t before = text.size();
   text.resize(before + bytes);
@@ -29,6 +29,12 @@ bool CsvFile::read(std::string& text, std::size_t bytes) {
   text.resize(before + got);
   if (std::ferror(file_.get())) throw InputError(path_, std::string("cannot be read: ") + std::strerror(errno));
   at_end_ = got < bytes;
+  if (decoder_) {
+    const std::string raw = text.substr(before);
+    text.resize(before);
+    decoder_->append(raw, text);
+    if (at_end_) decoder_->finish(text);
+  }
   return got > 0;
 }
 
@@ -37,26 +43,54 @@ void CsvFile::require_a_row_within(const std::string& text) const {
   if (text.size() > kMostText) throw InputError(path_, line_, 1, "a row of more than 256 MB, or a quote never closed");
 }
 
+constexpr std::size_t kForEncoding = 64;  // bytes, which a mark and a few characters have room in
+
 /// What is known from the file's first bytes on.
-void CsvFile::begin(std::string& text) {
+void CsvFile::begin() {
+  if (begun_) return;
   begun_ = true;
+  std::string& text = rest_;
+  read(text, std::max(block_bytes_, kForEncoding));
+  for (const std::string_view magic : {"PK\x03\x04", "\xD0\xCF\x11\xE0"})
+    if (text.starts_with(magic))
+      throw InputError(path_, "is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)");
+  std::string_view marked = text;
+  encoding_ = detect_encoding(marked);
+  text.erase(0, text.size() - marked.size());
+  if (encoding_ != Encoding::utf8) {
+    decoder_.emplace(encoding_);
+    if (!decoder_->usable())
+      throw InputError(path_, "is " + std::string(to_string(encoding_)) + ", which this system's iconv does not know");
+    std::string raw;
+    std::swap(raw, text);
+    decoder_->append(raw, text);
+    if (at_end_) decoder_->finish(text);
+  }
   // A file without a single line feed is one of the old Macintosh: that takes reading to the first, or to the end.
   while (text.find('\n') == std::string::npos && !at_end_) {
     if (text.find('\r') == std::string::npos) require_a_row_within(text);
     read(text, std::max(block_bytes_, text.size()));
   }
   if (text.find('\n') == std::string::npos) format_.line_end = '\r';
-  std::string_view rest = text;
-  drop_mark(rest, path_);
-  text.erase(0, text.size() - rest.size());
+}
+
+std::string_view CsvFile::start() {
+  begin();
+  return rest_;
+}
+
+void CsvFile::begin_at(std::size_t offset, std::size_t line, const CsvFormat& format) {
+  rest_.erase(0, offset);
+  line_ = line;
+  format_ = format;
 }
 
 bool CsvFile::next(CsvBlock& block) {
+  begin();
   std::string& text = block.text_;
   text.assign(rest_);
   rest_.clear();
   if (text.size() < block_bytes_ && !at_end_) read(text, block_bytes_ - text.size());
-  if (!begun_) begin(text);
   std::size_t end = end_of_rows(text, format_);
   for (; end == 0 && !at_end_; end = end_of_rows(text, format_)) {  // a row of many lines
     require_a_row_within(text);
@@ -100,7 +134,7 @@ void read_csv(const std::string& path, const UseRow& use, const UseRow& use_comm
 void read_csv_text(std::string_view text, const std::string& name, bool comments, const UseRow& use) {
   CsvFormat format;
   format.comments = comments;
-  drop_mark(text, name);
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (text.find('\n') == std::string_view::npos) format.line_end = '\r';
   std::size_t line = 1;
   if (find_first_row(text, line, format)) read_rows(text, line, format, name, use);

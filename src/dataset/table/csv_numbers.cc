@@ -1,4 +1,4 @@
-#include "dataset/csv_numbers.h"
+#include "dataset/table/csv_numbers.h"
 
 #include <charconv>
 #include <cstdint>
@@ -16,7 +16,7 @@ constexpr std::array<double, kMostDigits + 1> kPowersOfTen{1e0,  1e1,  1e2,  1e3
 /// The number at the front of a text that ends with a byte none can hold; where it ends, null if there is none. Digits
 /// that make an integer below 2^53 over a power of ten that is a double, too, are one correctly rounded division away
 /// from the nearest double; for others there is std::from_chars.
-const char* read_number(const char* const begin, const char* end, double& value) {
+const char* read_number(const char* const begin, const char* end, char decimal, double& value) {
   const bool negative = *begin == '-';
   const char* at = begin + negative;
   std::uint64_t digits = 0;
@@ -28,12 +28,13 @@ const char* read_number(const char* const begin, const char* end, double& value)
   };
   const std::size_t whole = take_digits();
   std::size_t decimals = 0;
-  if (*at == '.') {
+  if (*at == decimal) {
     ++at;
     decimals = take_digits();
   }
   if (whole + decimals == 0) return nullptr;
   if (whole + decimals > kMostDigits || digits > (std::uint64_t{1} << 53) || (*at | 0x20) == 'e') {
+    if (decimal != '.') return nullptr;
     const auto [behind, error] = std::from_chars(begin, end, value);
     return error == std::errc() ? behind : nullptr;
   }
@@ -63,16 +64,24 @@ NumberRows::NumberRows(const CsvWanted& wanted, const CsvFormat& format, const U
 /// Reads a row as number i; where the next one begins, null if it is not understood.
 const char* NumberRows::row(const char* at, const char* end, std::size_t i) {
   if (format_.comments && *at == '#') return nullptr;
+  const bool blanks = format_.delimiter == kBlanks;
+  const auto skip_blanks = [&] {
+    const char* const first = at;
+    while (*at == ' ' || (blanks && *at == '\t')) ++at;
+    return at != first;
+  };
   for (const Field& field : fields_) {
+    if (blanks) skip_blanks();
     if (field.number) {
-      while (*at == ' ') ++at;
-      at = read_number(at, end, field.number[i]);
+      skip_blanks();
+      at = read_number(at, end, format_.decimal, field.number[i]);
       if (!at) return nullptr;
-      while (*at == ' ') ++at;
+      if (skip_blanks() && blanks && field.behind == kBlanks) continue;
     } else {
       const char* const begin = at;
-      while (*at != format_.delimiter && *at != '\n' && *at != '\r') ++at;
+      while (*at != format_.delimiter && *at != '\n' && *at != '\r' && !(blanks && *at == '\t')) ++at;
       if (field.text) field.text[i] = trim({begin, static_cast<std::size_t>(at - begin)});
+      if (blanks && skip_blanks() && field.behind == kBlanks) continue;
     }
     if (*at == '\r' && field.behind == '\n') ++at;
     if (*at++ != field.behind) return nullptr;

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 
 namespace mixity {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "dataset/csv.h"
-#include "dataset/csv_numbers.h"
+#include "dataset/table/csv.h"
+#include "dataset/table/csv_numbers.h"
 
 namespace mixity {
 
@@ -16,9 +16,6 @@ void read_rows(std::string_view text, std::size_t first_line, const CsvFormat& f
 
 /// Where the last whole row of a text ends; 0 if none does. A line end inside quotes ends no row.
 std::size_t end_of_rows(std::string_view text, const CsvFormat& format);
-
-/// Takes a byte order mark off the text. Throws InputError if it is that of UTF-16.
-void drop_mark(std::string_view& text, const std::string& path);
 
 /// Where the first row of a text ends.
 std::size_t end_of_first_row(std::string_view text, const CsvFormat& format);

@@ -33,7 +33,7 @@ std::string with_unit(double value, int digits, const std::string& unit) {
 std::string point_hover(const Dataset& data, std::size_t i) {
   const Point& point = data.points[i];
   const DisplayUnits& units = data.display;
-  std::string text = "line " + std::to_string(point.line);
+  std::string text = data.line_text(point.line);
   if (!data.curves[point.curve].empty()) text += ", run " + data.curves[point.curve];
   text += ": ";
   if (data.has_loads)

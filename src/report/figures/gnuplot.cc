@@ -11,8 +11,8 @@
 #include <functional>
 #include <thread>
 
-#include "dataset/csv.h"
 #include "dataset/side_by_side.h"
+#include "dataset/table/csv.h"
 #include "report/figures/svg.h"
 
 namespace mixity {

@@ -187,14 +187,14 @@ class Page {
     add(section, "h3", "Points left out");
     std::vector<std::string> lines;
     for (const Excluded& point : result.data.excluded)
-      lines.push_back("line " + std::to_string(point.line) + ": " + std::string(point.reason));
+      lines.push_back(result.data.line_text(point.line) + ": " + std::string(point.reason));
     std::map<std::pair<std::size_t, std::string_view>, std::vector<std::string>> models;  // of line and reason
     for (const FitResult& fit : result.fits)
       for (const Excluded& point : fit.excluded) models[{point.line, point.reason}].push_back(fit.model);
     for (const auto& [point, without] : models) {
       std::string names = without.front();
       for (std::size_t i = 1; i < without.size(); ++i) names += ", " + without[i];
-      lines.push_back("line " + std::to_string(point.first) +
+      lines.push_back(result.data.line_text(point.first) +
                       (without.size() == 1 ? ", model " + names + " only: " : ", models " + names + ": ") +
                       std::string(point.second));
     }

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "dataset/check.h"
-#include "dataset/csv.h"
 #include "dataset/side_by_side.h"
+#include "dataset/table/csv.h"
 #include "dataset/units.h"
 #include "fitting/fit.h"
 #include "growth/data.h"

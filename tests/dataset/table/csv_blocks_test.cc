@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <random>
 
-#include "dataset/csv.h"
 #include "dataset/number_text.h"
+#include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 #include "dataset/units.h"
 

@@ -1,4 +1,4 @@
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 
 #include <gtest/gtest.h>
 
@@ -147,10 +147,7 @@ TEST(Csv, WhatIsNoCsvIsRefusedWithItsPlace) {
            {"a,b\n# c\r1,2\n3,4\n", ":2:1: has a carriage return inside the line"},  // not a row lost with a comment
            {"# c\ra,b\r1,2\r\n", ":1:1: has a carriage return inside the line"},
            {"a,b\n1,2\r\"3,4\n5\",6\n", ":2:1: has a carriage return inside the line"},
-           {std::string_view("\xFF\xFE"
-                             "a\0,\0b\0",
-                             8),
-            ":1:1: is UTF-16; save it as UTF-8"},
+           {"PK\x03\x04", ": is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)"},
        })
     EXPECT_EQ(error_of(text), "a.csv" + std::string(error)) << text;
 }

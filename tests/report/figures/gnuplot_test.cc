@@ -9,7 +9,7 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "dataset/csv.h"
+#include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 #include "report/without_programs.h"
 

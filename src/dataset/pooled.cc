@@ -1,0 +1,140 @@
+#include "dataset/pooled.h"
+
+#include <glob.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+namespace mixity {
+namespace {
+
+/// "run_9" before "run_10".
+bool by_number(const std::string& one, const std::string& other) {
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t i = 0, j = 0;
+  while (i < one.size() && j < other.size()) {
+    if (digit(one[i]) && digit(other[j])) {
+      std::size_t first = 0, second = 0;
+      const auto left = std::from_chars(one.data() + i, one.data() + one.size(), first).ptr;
+      const auto right = std::from_chars(other.data() + j, other.data() + other.size(), second).ptr;
+      if (first != second) return first < second;
+      i = static_cast<std::size_t>(left - one.data());
+      j = static_cast<std::size_t>(right - other.data());
+    } else {
+      if (one[i] != other[j]) return one[i] < other[j];
+      ++i;
+      ++j;
+    }
+  }
+  return one.size() - i < other.size() - j;
+}
+
+/// What their names begin with, without numbers and signs at its end.
+std::string common_name(const std::vector<RunFile>& files) {
+  std::string name = data_name(files.front().path);
+  for (const RunFile& file : files) {
+    const std::string other = data_name(file.path);
+    name.resize(static_cast<std::size_t>(std::mismatch(name.begin(), name.end(), other.begin(), other.end()).first -
+                                         name.begin()));
+  }
+  const std::size_t last = name.find_last_not_of("0123456789_-.+ ");
+  name.resize(last == std::string::npos ? 0 : last + 1);
+  if (!name.empty()) return name;
+  const std::string folder =
+      std::filesystem::absolute(files.front().path).lexically_normal().parent_path().filename().string();
+  return folder.empty() ? "runs" : printable(folder, std::string::npos);
+}
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// The runs of a file become some of the whole.
+void add(Dataset part, const RunFile& file, Dataset& whole) {
+  if (!part.has_loads) throw InputError(part.path, "holds no loads; only runs with P, T and A make one data set");
+  if (whole.contact.has_value() != part.contact.has_value())
+    throw InputError(part.path, "is dimensionless where others have units, or the other way round");
+  const std::size_t first_line = whole.files.back().first_line, first_run = whole.curves.size();
+  const std::string name = file.name.empty() ? part.name : printable(file.name, std::string::npos);
+  for (std::string& run : part.curves) {
+    run = part.curves.size() == 1 ? name : name + ": " + run;
+    for (int same = 2; std::find(whole.curves.begin(), whole.curves.end(), run) != whole.curves.end(); ++same)
+      run = name + " (" + std::to_string(same) + ")";
+    whole.curves.push_back(run);
+  }
+  append(whole.curve_loads, part.curve_loads);
+  if (!part.turned.empty() || !whole.turned.empty()) {
+    whole.turned.resize(first_run, false);
+    part.turned.resize(part.curves.size(), false);
+    append(whole.turned, part.turned);
+  }
+  // once any file states errors, points of all have them: of those without, none is known
+  if (!part.errors.empty() || !whole.errors.empty()) {
+    whole.errors.resize(whole.points.size());
+    part.errors.resize(part.points.size());
+    append(whole.errors, part.errors);
+  }
+  for (Point& point : part.points) {
+    point.line += first_line;
+    point.curve += first_run;
+  }
+  append(whole.points, part.points);
+  for (Excluded& excluded : part.excluded) excluded.line += first_line;
+  append(whole.excluded, part.excluded);
+  whole.rows += part.rows;
+  for (const std::string& note : part.notes) whole.notes.push_back(name + ": " + note);
+  for (const std::string& column : part.ignored_columns)
+    if (std::find(whole.ignored_columns.begin(), whole.ignored_columns.end(), column) == whole.ignored_columns.end())
+      whole.ignored_columns.push_back(column);
+}
+
+}  // namespace
+
+std::vector<std::string> files_of(const std::string& pattern) {
+  if (pattern.find_first_of("*?[") == std::string::npos || std::filesystem::exists(pattern)) return {pattern};
+  glob_t found{};
+  const int problem = glob(pattern.c_str(), 0, nullptr, &found);
+  std::vector<std::string> files(found.gl_pathv, found.gl_pathv + (problem == 0 ? found.gl_pathc : 0));
+  globfree(&found);
+  if (files.empty()) throw InputError(pattern, "no file has such a name");
+  std::sort(files.begin(), files.end(), by_number);
+  return files;
+}
+
+Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& overrides) {
+  Metadata constants;
+  for (const RunFile& file : files)
+    if (const std::string problem = add_constants(read_metadata(metadata_path(file.path)), constants); !problem.empty())
+      throw InputError(metadata_path(file.path), problem);
+  Dataset whole;
+  std::size_t lines = 0;
+  for (const RunFile& file : files) {
+    // how a file is to be read is its own
+    Metadata metadata = constants;
+    copy_reading(read_metadata(metadata_path(file.path)), metadata);
+    Overrides own = overrides;
+    if (!file.load.empty()) own.emplace_back("load", file.load);
+    Dataset part = load_dataset(file.path, metadata, own);
+    if (whole.files.empty()) {
+      whole.path = part.path;
+      whole.has_loads = part.has_loads;
+      whole.contact = part.contact;
+      whole.display = part.display;
+      whole.metadata = part.metadata;
+      whole.reading = part.reading;
+      whole.taken = part.taken;
+    }
+    std::size_t last = 0;
+    for (const Point& point : part.points) last = std::max(last, point.line);
+    for (const Excluded& excluded : part.excluded) last = std::max(last, excluded.line);
+    whole.files.push_back({file.path, lines});
+    add(std::move(part), file, whole);
+    lines += last;
+  }
+  whole.name = common_name(files);
+  return whole;
+}
+
+}  // namespace mixity

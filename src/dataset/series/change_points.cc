@@ -1,0 +1,130 @@
+#include "dataset/series/change_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mixity {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLikely = 3.841458820694124;  // 95 % of chi^2 of one degree of freedom
+
+/// Sums of readings, from which squares about a mean or a line follow.
+class Sums {
+ public:
+  explicit Sums(const std::vector<double>& values, std::size_t begin, std::size_t end) : begin_(begin) {
+    const std::size_t n = end - begin;
+    y_.resize(n + 1);
+    yy_.resize(n + 1);
+    xy_.resize(n + 1);
+    const double middle = values[begin];  // keeps the squares small
+    for (std::size_t i = 0; i < n; ++i) {
+      const double y = values[begin + i] - middle;
+      y_[i + 1] = y_[i] + y;
+      yy_[i + 1] = yy_[i] + y * y;
+      xy_[i + 1] = xy_[i] + static_cast<double>(i) * y;
+    }
+  }
+  double about_mean(std::size_t from, std::size_t to) const {
+    const auto [i, j] = range(from, to);
+    const double n = static_cast<double>(j - i), y = y_[j] - y_[i];
+    return std::max(0.0, yy_[j] - yy_[i] - y * y / n);
+  }
+  double about_line(std::size_t from, std::size_t to) const {
+    const auto [i, j] = range(from, to);
+    const double n = static_cast<double>(j - i), y = y_[j] - y_[i], middle = static_cast<double>(i) + (n - 1) / 2;
+    const double xy = xy_[j] - xy_[i] - middle * y, xx = n * (n * n - 1) / 12;
+    return std::max(0.0, yy_[j] - yy_[i] - y * y / n - xy * xy / xx);
+  }
+
+ private:
+  std::pair<std::size_t, std::size_t> range(std::size_t from, std::size_t to) const {
+    return {from - begin_, to - begin_};
+  }
+  std::size_t begin_;
+  std::vector<double> y_, yy_, xy_;
+};
+
+/// Of twice the negative logarithm of the likelihood at each cut.
+ChangePoint best(const std::vector<double>& costs, std::size_t offset) {
+  const auto least = std::min_element(costs.begin(), costs.end());
+  ChangePoint point{static_cast<std::size_t>(least - costs.begin()), 0, 0};
+  point.first = point.last = point.at;
+  for (std::size_t i = 0; i < costs.size(); ++i)
+    if (costs[i] <= *least + kLikely) {
+      point.first = std::min(point.first, i);
+      point.last = std::max(point.last, i);
+    }
+  return {point.at + offset, point.first + offset, point.last + offset};
+}
+
+}  // namespace
+
+std::vector<std::size_t> level_changes(const std::vector<double>& values, double variance, double penalty) {
+  const std::size_t n = values.size();
+  if (n == 0) return {};
+  const Sums sums(values, 0, n);
+  std::vector<double> cost(n + 1, kInfinity);
+  std::vector<std::size_t> before(n + 1), candidates{0};
+  cost[0] = -penalty;
+  for (std::size_t end = 1; end <= n; ++end) {
+    for (const std::size_t begin : candidates) {
+      const double one = cost[begin] + sums.about_mean(begin, end) / variance + penalty;
+      if (one < cost[end]) {
+        cost[end] = one;
+        before[end] = begin;
+      }
+    }
+    std::erase_if(candidates,
+                  [&](std::size_t begin) { return cost[begin] + sums.about_mean(begin, end) / variance > cost[end]; });
+    candidates.push_back(end);
+  }
+  std::vector<std::size_t> changes;
+  for (std::size_t end = n; end > 0; end = before[end]) changes.push_back(before[end]);
+  std::reverse(changes.begin(), changes.end());
+  return changes;
+}
+
+std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kLeast = 3;
+  if (end < begin + 2 * kLeast) return std::nullopt;
+  std::vector<double> costs(end - begin + 1 - 2 * kLeast);
+  for (const Course& course : courses) {
+    const Sums sums(*course.values, begin, end);
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+      const std::size_t cut = begin + kLeast + i;  // the first reading behind
+      costs[i] += (sums.about_line(begin, cut) + sums.about_line(cut, end)) / (course.noise * course.noise);
+    }
+  }
+  return best(costs, begin + kLeast - 1);
+}
+
+std::optional<Hinge> hinge_point(const Course& course, std::size_t begin, std::size_t end) {
+  if (end < begin + 6) return std::nullopt;
+  const std::vector<double>& y = *course.values;
+  const std::size_t n = end - begin;
+  std::vector<double> costs, levels, slopes;
+  // y = level + slope max(0, x - cut), least squares in level and slope
+  double sum = 0, squares = 0;
+  for (std::size_t i = begin; i < end; ++i) sum += y[i];
+  const double mean = sum / static_cast<double>(n);
+  for (std::size_t i = begin; i < end; ++i) squares += (y[i] - mean) * (y[i] - mean);
+  double tail_y = 0, tail_xy = 0;  // of readings behind the cut, about the mean; x from the cut
+  for (std::size_t cut = n - 1; cut-- > 0;) {
+    tail_y += y[begin + cut + 1] - mean;
+    tail_xy += tail_y;
+    const double m = static_cast<double>(n - 1 - cut), u = m * (m + 1) / 2, uu = m * (m + 1) * (2 * m + 1) / 6;
+    const double spread = uu - u * u / static_cast<double>(n), slope = tail_xy / spread;
+    costs.push_back((squares - slope * tail_xy) / (course.noise * course.noise));
+    slopes.push_back(slope);
+    levels.push_back(mean - slope * u / static_cast<double>(n));
+  }
+  std::reverse(costs.begin(), costs.end());
+  std::reverse(slopes.begin(), slopes.end());
+  std::reverse(levels.begin(), levels.end());
+  const ChangePoint change = best(costs, 0);
+  return Hinge{{change.at + begin, change.first + begin, change.last + begin}, levels[change.at], slopes[change.at]};
+}
+
+}  // namespace mixity

@@ -1,0 +1,37 @@
+// Where a noisy course changes: levels, and the two kinds of cut that a loading run has.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace mixity {
+
+/// From where on readings have another mean: the exact minimum of squares over all partitions, each change paid with
+/// `penalty` variances, by PELT (Killick, Fearnhead & Eckley 2012, J. Am. Stat. Assoc. 107, 1590). Begins with 0.
+std::vector<std::size_t> level_changes(const std::vector<double>& values, double variance, double penalty);
+
+/// A cut behind reading `at`, and the first and last that the likelihood cannot tell from it (95 %: twice the logarithm
+/// less than 3.84 below its maximum).
+struct ChangePoint {
+  std::size_t at, first, last;
+};
+
+/// One of several courses that change at one time, and its standard deviation.
+struct Course {
+  const std::vector<double>* values;
+  double noise;
+};
+
+/// Where in begin..end (end not included) courses break: before and behind each is a straight line, and they need not
+/// meet. Null if fewer than three readings are on either side.
+std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::size_t begin, std::size_t end);
+
+/// Where in begin..end a course that was level begins to rise or fall along a straight line; also its level before.
+struct Hinge {
+  ChangePoint change;
+  double level, slope;  // per reading
+};
+std::optional<Hinge> hinge_point(const Course& course, std::size_t begin, std::size_t end);
+
+}  // namespace mixity

@@ -1,0 +1,97 @@
+#include "dataset/table/encoding.h"
+
+#include <utf8proc.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+
+namespace mixity {
+namespace {
+
+constexpr std::string_view kNoCharacter = "\xEF\xBF\xBD";  // U+FFFD
+
+bool take(std::string_view& text, std::string_view start) {
+  if (!text.starts_with(start)) return false;
+  text.remove_prefix(start.size());
+  return true;
+}
+
+/// Of the start of a text, which may end within a character.
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    utf8proc_int32_t character = 0;
+    const auto* const at = reinterpret_cast<const utf8proc_uint8_t*>(text.data());
+    const auto length = utf8proc_iterate(at, static_cast<utf8proc_ssize_t>(text.size()), &character);
+    if (length <= 0) {  // its first byte says how many follow
+      const auto wanted = static_cast<std::size_t>(utf8proc_utf8class[at[0]]);
+      if (wanted <= text.size() || wanted < 2) return false;
+      for (std::size_t i = 1; i < text.size(); ++i)
+        if ((at[i] & 0xC0) != 0x80) return false;
+      return true;
+    }
+    text.remove_prefix(static_cast<std::size_t>(length));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string_view to_string(Encoding encoding) {
+  switch (encoding) {
+    case Encoding::utf16_le:
+      return "UTF-16LE";
+    case Encoding::utf16_be:
+      return "UTF-16BE";
+    case Encoding::windows_1252:
+      return "Windows-1252";
+    case Encoding::utf8:
+      break;
+  }
+  return "UTF-8";
+}
+
+Encoding detect_encoding(std::string_view& start) {
+  if (take(start, "\xEF\xBB\xBF")) return Encoding::utf8;
+  if (take(start, "\xFF\xFE")) return Encoding::utf16_le;
+  if (take(start, "\xFE\xFF")) return Encoding::utf16_be;
+  const auto nul = [&](std::size_t i) { return start[i] == '\0'; };
+  if (start.size() > 3 && nul(0) != nul(1) && nul(2) == nul(0) && nul(3) == nul(1))
+    return nul(0) ? Encoding::utf16_be : Encoding::utf16_le;
+  return is_utf8(start) ? Encoding::utf8 : Encoding::windows_1252;
+}
+
+Decoder::Decoder(Encoding from)
+    : state_(iconv_open("UTF-8", std::string(to_string(from)).c_str())),
+      unit_(from == Encoding::utf16_le || from == Encoding::utf16_be ? 2 : 1) {}
+
+Decoder::~Decoder() {
+  if (usable()) iconv_close(state_);
+}
+
+void Decoder::append(std::string_view bytes, std::string& text) {
+  waiting_.append(bytes);
+  char* in = waiting_.data();
+  std::size_t left = waiting_.size();
+  std::array<char, 1 << 14> made;
+  while (left > 0) {
+    char* out = made.data();
+    std::size_t room = made.size();
+    const bool stopped = iconv(state_, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
+    text.append(made.data(), made.size() - room);
+    if (!stopped || errno == EINVAL) break;
+    if (errno == E2BIG) continue;
+    text += kNoCharacter;
+    const std::size_t skipped = std::min(unit_, left);
+    in += skipped;
+    left -= skipped;
+  }
+  waiting_.erase(0, waiting_.size() - left);
+}
+
+void Decoder::finish(std::string& text) {
+  if (!waiting_.empty()) text += kNoCharacter;
+  waiting_.clear();
+}
+
+}  // namespace mixity

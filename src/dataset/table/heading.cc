@@ -1,0 +1,77 @@
+#include "dataset/table/heading.h"
+
+#include <utf8proc.h>
+
+#include <cstdlib>
+#include <memory>
+
+#include "dataset/trim.h"
+
+namespace mixity {
+
+std::string_view trim_name(std::string_view text) {
+  constexpr std::string_view kUnseen[] = {"\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x8B", "\xEF\xBB\xBF"};
+  for (bool more = true; more;) {
+    more = false;
+    text = trim(text);
+    for (const std::string_view unseen : kUnseen) {
+      const bool before = text.starts_with(unseen), behind = !before && text.ends_with(unseen);
+      if (before) text.remove_prefix(unseen.size());
+      if (behind) text.remove_suffix(unseen.size());
+      more |= before || behind;
+    }
+  }
+  return text;
+}
+
+Heading split_heading(std::string_view whole, FilePlace place) {
+  const std::string_view text = trim_name(whole);
+  Heading heading{std::string(text), std::string(text), {}, true, place};
+  const std::size_t open = text.find_first_of("[(");
+  if (open == std::string_view::npos) return heading;
+  heading.name = trim_name(text.substr(0, open));
+  // "P (load) [mN]": the last bracket holds the unit
+  const std::size_t last = text.back() == ']'   ? text.rfind('[')
+                           : text.back() == ')' ? text.rfind('(')
+                                                : std::string_view::npos;
+  heading.closed = last != std::string_view::npos;
+  const std::size_t unit = (heading.closed ? last : open) + 1;
+  heading.unit = trim_name(text.substr(unit, text.size() - unit - (heading.closed ? 1 : 0)));
+  return heading;
+}
+
+std::vector<Heading> headings_of(const CsvRow& header) {
+  std::vector<Heading> headings;
+  for (std::size_t i = 0; i < header.size(); ++i) headings.push_back(split_heading(header[i], header.place(i)));
+  return headings;
+}
+
+std::string folded(std::string_view name) {
+  utf8proc_uint8_t* mapped = nullptr;
+  const auto size = utf8proc_map(
+      reinterpret_cast<const utf8proc_uint8_t*>(name.data()), static_cast<utf8proc_ssize_t>(name.size()), &mapped,
+      static_cast<utf8proc_option_t>(UTF8PROC_DECOMPOSE | UTF8PROC_COMPAT | UTF8PROC_CASEFOLD | UTF8PROC_STRIPMARK));
+  if (size < 0) return {};
+  const std::unique_ptr<utf8proc_uint8_t, void (*)(void*)> owned(mapped, std::free);
+  std::string kept;
+  for (utf8proc_ssize_t at = 0; at < size;) {
+    utf8proc_int32_t character = 0;
+    const auto length = utf8proc_iterate(mapped + at, size - at, &character);
+    if (length <= 0) return {};
+    const auto category = utf8proc_category(character);
+    const bool letter = category >= UTF8PROC_CATEGORY_LU && category <= UTF8PROC_CATEGORY_LO;
+    if (letter || category == UTF8PROC_CATEGORY_ND)
+      kept.append(reinterpret_cast<const char*>(mapped + at), static_cast<std::size_t>(length));
+    at += length;
+  }
+  return kept;
+}
+
+std::string_view without_brackets(std::string_view text) {
+  text = trim_name(text);
+  if (text.size() >= 2 && ((text.front() == '[' && text.back() == ']') || (text.front() == '(' && text.back() == ')')))
+    return trim_name(text.substr(1, text.size() - 2));
+  return text;
+}
+
+}  // namespace mixity

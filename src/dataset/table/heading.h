@@ -1,0 +1,35 @@
+// One heading of a table, and what it says: a name, a unit.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/table/csv.h"
+
+namespace mixity {
+
+/// "T [mN]", "T (mN)" or "T".
+struct Heading {
+  std::string text;                 // as it stands
+  std::string name;                 // before the first bracket
+  std::optional<std::string> unit;  // as written in the last bracket; null without brackets
+  bool closed = true;               // false of an opening bracket that is not closed at the heading's end
+  FilePlace place;
+};
+
+Heading split_heading(std::string_view text, FilePlace place);
+std::vector<Heading> headings_of(const CsvRow& header);
+
+/// As trim, also of what spreadsheets and web pages leave behind: no-break and zero-width spaces, byte order marks.
+std::string_view trim_name(std::string_view text);
+
+/// What two spellings of a name have in common: letters and digits, in lower case, without accents. Empty if the text
+/// is no UTF-8.
+std::string folded(std::string_view name);
+
+/// The text between the brackets around it; itself if there are none.
+std::string_view without_brackets(std::string_view text);
+
+}  // namespace mixity

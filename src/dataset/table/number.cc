@@ -1,0 +1,81 @@
+#include "dataset/table/number.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "dataset/trim.h"
+#include "dataset/units.h"
+
+namespace mixity {
+namespace {
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
+
+/// Bytes of what may part groups at the front of a text; 0 if nothing does.
+std::size_t group_sign(std::string_view text, char decimal) {
+  const std::string_view other = decimal == '.' ? "," : ".";
+  for (const std::string_view sign :
+       {other, std::string_view("'"), std::string_view(" "), std::string_view("\xC2\xA0"),
+        std::string_view("\xE2\x80\xAF"), std::string_view("\xE2\x80\x89"), std::string_view("\xE2\x80\x99")})
+    if (text.starts_with(sign)) return sign.size();
+  return 0;
+}
+
+/// The digits before the decimal sign without what parts them, of which there must be groups; false if there are none.
+bool join_groups(std::string_view& rest, char decimal, std::string& plain, NumberStyle& style) {
+  std::size_t digits = 0;
+  while (digits < rest.size() && is_digit(rest[digits])) ++digits;
+  if (digits == 0 || digits > 3 || rest[0] == '0') return false;
+  plain += rest.substr(0, digits);
+  rest.remove_prefix(digits);
+  const std::size_t size = group_sign(rest, decimal);
+  const std::string_view sign = rest.substr(0, size);
+  std::size_t groups = 0;
+  for (; size > 0 && rest.starts_with(sign); ++groups) {
+    const std::string_view group = rest.substr(size, 3);
+    if (group.size() < 3 || !std::all_of(group.begin(), group.end(), is_digit)) return false;
+    plain += group;
+    rest.remove_prefix(size + 3);
+  }
+  if (groups == 0 || (!rest.empty() && is_digit(rest[0]))) return false;
+  style.grouped = true;
+  style.doubtful = groups == 1 && (sign == "," || sign == ".") && !rest.starts_with(decimal);
+  return true;
+}
+
+}  // namespace
+
+bool parse_number(std::string_view text, char decimal, double& value, NumberStyle* style) {
+  text = trim(text);
+  if (decimal == '.' && parse_number(text, value)) {
+    if (style) *style = {text.find('.') != std::string_view::npos, false, false};
+    return true;
+  }
+  NumberStyle found;
+  std::string plain;
+  std::string_view rest = text;
+  if (rest.starts_with('-') || rest.starts_with('+')) {
+    if (rest[0] == '-') plain = "-";
+    rest.remove_prefix(1);
+  }
+  const std::string sign = plain;
+  const std::string_view unsigned_text = rest;
+  if (!join_groups(rest, decimal, plain, found)) {
+    if (decimal == '.') return false;
+    plain = sign;
+    rest = unsigned_text;
+    found = {};
+  }
+  if (decimal != '.' && rest.find('.') != std::string_view::npos) return false;
+  const std::size_t before = plain.size();
+  plain += rest;
+  const std::size_t at = plain.find(decimal, before);
+  if (at != std::string::npos) plain[at] = '.';
+  found.decimal = at != std::string::npos;
+  if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) return false;
+  if (!parse_number(std::string_view(plain), value)) return false;
+  if (style) *style = found;
+  return true;
+}
+
+}  // namespace mixity

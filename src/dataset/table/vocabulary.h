@@ -1,0 +1,32 @@
+// What columns are called in the exports of laboratories: data/headings.toml, and what a user adds to it.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "dataset/table/column_kinds.h"
+
+namespace mixity {
+
+class Vocabulary {
+ public:
+  /// The shipped one, which the program carries with it.
+  static const Vocabulary& shipped();
+  /// The shipped one and what the TOML at `path` adds. Throws InputError, with line and column, for anything in it that
+  /// cannot be understood, or that calls two quantities by one name.
+  static Vocabulary with(const std::string& path);
+
+  /// What a heading without its unit names; null if nothing that is known.
+  std::optional<ColumnId> find(std::string_view name) const;
+
+ private:
+  void add(const std::string& path, const toml::table& table);
+
+  std::map<std::string, ColumnId, std::less<>> symbols_, names_;  // as they stand; folded
+};
+
+}  // namespace mixity

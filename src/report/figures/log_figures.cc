@@ -1,0 +1,83 @@
+#include "report/figures/log_figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/number_text.h"
+
+namespace mixity {
+namespace {
+
+/// Frames shown beside a run, as a share of its length.
+constexpr double kBeside = 0.25;
+constexpr std::size_t kMostPoints = 1500;
+
+struct Shown {
+  std::size_t begin, end;
+};
+
+Shown shown(const LoadingRuns& found, const LoadingRun& run) {
+  const auto margin = static_cast<std::size_t>(kBeside * static_cast<double>(run.end - run.begin)) + 5;
+  const std::size_t begin = std::max(run.contact, run.begin > margin ? run.begin - margin : 0),
+                    end = std::min(std::min(run.last, run.end + 3 * margin), found.frames.time.size());
+  return {begin, end};
+}
+
+Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t number, const std::vector<double>& values,
+                 const std::string& quantity, const std::string& unit) {
+  const auto [begin, end] = shown(found, run);
+  const Frames& frames = found.frames;
+  Figure figure;
+  figure.name = "run_" + std::to_string(number) + "_" + quantity;
+  figure.title = plain(run.name);
+  figure.x = {"t [s]", frames.time[begin], frames.time[end - 1]};
+  figure.y = {quantity + " [" + plain(unit) + "]"};
+  const auto [least, most] = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                 values.begin() + static_cast<std::ptrdiff_t>(end));
+  const double room = 0.06 * (*most - *least), low = *least - room, high = *most + room;
+  figure.y.low = low;
+  figure.y.high = high;
+  const auto shade = [&](double from, double to, const std::string& label, const std::string& tint) {
+    from = std::max(from, frames.time[begin]);
+    to = std::min(to, frames.time[end - 1]);
+    if (to > from)
+      figure.series.push_back(
+          {label, Look::band, tint, {{from, low}, {to, low}, {to, high}, {from, high}, {from, low}}});
+  };
+  const double kept_from = frames.time[run.begin], kept_to = run.onset ? run.onset->time : frames.time[run.end - 1];
+  shade(frames.time[begin], kept_from, "hold, not kept", color(7));
+  shade(kept_from, kept_to, "kept", color(2));
+  shade(kept_to, frames.time[end - 1], run.onset ? "sliding, not kept" : "not kept", color(5));
+  Series course{"", Look::circles, "#333333", {}};
+  const std::size_t step = std::max<std::size_t>(1, (end - begin) / kMostPoints);
+  for (std::size_t i = begin; i < end; i += step) course.points.emplace_back(frames.time[i], values[i]);
+  figure.series.push_back(std::move(course));
+  const auto mark = [&](const Cut& cut, const std::string& label) {
+    if (!cut.stated && cut.high > cut.low) shade(cut.low, cut.high, "", "#000000");
+    figure.series.push_back({label, Look::dashed, "#000000", {{cut.time, low}, {cut.time, high}}});
+  };
+  mark(run.shear, "cuts, 95% shaded");
+  if (run.onset) mark(*run.onset, "");
+  figure.caption = "Points are frames. Kept are " + std::to_string(run.end - run.begin) + " of them.";
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> log_figures(const ReducedLog& log) {
+  std::vector<Figure> figures;
+  const Frames& frames = log.runs.frames;
+  std::vector<double> A;
+  for (const double one : frames.A) A.push_back(one / log.area_factor);
+  std::size_t number = 0;
+  for (const LoadingRun& run : log.runs.runs) {
+    std::vector<double> T;
+    for (const double one : frames.T) T.push_back((run.direction * one - run.baseline) / log.force_factor);
+    ++number;
+    figures.push_back(figure_of(log.runs, run, number, T, "T", log.force_unit));
+    figures.push_back(figure_of(log.runs, run, number, A, "A", log.area_unit));
+  }
+  return figures;
+}
+
+}  // namespace mixity

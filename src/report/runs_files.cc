@@ -1,0 +1,162 @@
+#include "report/runs_files.h"
+
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <sstream>
+
+#include "dataset/number_text.h"
+#include "dataset/printable.h"
+#include "dataset/table/csv.h"
+#include "dataset/toml_file.h"
+
+namespace mixity {
+namespace {
+
+/// Text as TOML has it, in quotes.
+std::string in_toml(const std::string& text) {
+  std::ostringstream out;
+  out << toml::value<std::string>(text);
+  return out.str();
+}
+
+/// As many digits as tell readings apart: 1e-6 of the largest is far below any noise.
+std::string reading(double value) { return rounded(value, 7); }
+
+/// A time to a hundredth of a frame.
+std::string time_text(double seconds, double interval) {
+  const int digits =
+      std::max(1, 2 + static_cast<int>(std::ceil(std::log10(std::max(std::abs(seconds), interval) / interval))));
+  return rounded(seconds, digits);
+}
+
+std::string cut_text(const Cut& cut, double interval) {
+  const std::string at = time_text(cut.time, interval) + " s";
+  return cut.stated ? at + " as stated"
+                    : at + " (95% " + time_text(cut.low, interval) + " .. " + time_text(cut.high, interval) + ")";
+}
+
+}  // namespace
+
+std::string runs_csv(const ReducedLog& log) {
+  std::ostringstream out;
+  const std::string force = " [" + log.force_unit + "]", area = " [" + log.area_unit + "]";
+  out << "curve,time [s],P" << force << ",T" << force << ",A" << area << ",sigma_T" << force << ",sigma_A" << area
+      << '\n';
+  const Frames& frames = log.runs.frames;
+  for (const LoadingRun& run : log.runs.runs)
+    for (std::size_t k = 0; k < run.T.size(); ++k) {
+      const std::size_t i = run.begin + k;
+      out << csv_field(run.name) << ',' << reading(frames.time[i]) << ',' << reading(run.smooth_P[k] / log.force_factor)
+          << ',' << reading(run.T[k] / log.force_factor) << ',' << reading(frames.A[i] / log.area_factor) << ','
+          << rounded(run.sigma_T[k] / log.force_factor, 3) << ',' << rounded(run.sigma_A[k] / log.area_factor, 3)
+          << '\n';
+    }
+  return out.str();
+}
+
+std::string runs_toml(const ReducedLog& log) {
+  std::ostringstream out;
+  for (const auto& [name, text] : constants_as_stated(log.metadata)) out << name << " = " << in_toml(text) << '\n';
+  // what the zeros that were taken off are known to
+  if (!log.metadata.load_offset && log.runs.zero_P_error > 0)
+    out << "load_offset = \"0 +/- " << rounded(log.runs.zero_P_error / log.force_factor, 2) << ' ' << log.force_unit
+        << "\"\n";
+  if (!log.metadata.shear_offset && log.runs.zero_T_error > 0)
+    out << "shear_offset = \"0 +/- " << rounded(log.runs.zero_T_error / log.force_factor, 2) << ' ' << log.force_unit
+        << "\"\n";
+  if (log.metadata.provenance != Provenance::unstated)
+    out << "provenance = \"" << to_string(log.metadata.provenance) << "\"\n";
+  const std::string made = "runs of " + log.forces.path + ", made by mixity runs";
+  out << "source = " << in_toml(log.metadata.source.empty() ? made : log.metadata.source + "; " + made) << '\n';
+  if (!log.metadata.note.empty()) out << "note = " << in_toml(log.metadata.note) << '\n';
+  return out.str();
+}
+
+std::string peaks_csv(const ReducedLog& log) {
+  std::ostringstream out;
+  const std::string force = " [" + log.force_unit + "]";
+  out << "run,P" << force << ",cycle,time [s],T_peak" << force << ",T_min" << force << '\n';
+  for (const LoadingRun& run : log.runs.runs)
+    for (std::size_t k = 0; k < run.cycles.size(); ++k) {
+      const Cycle& cycle = run.cycles[k];
+      out << csv_field(run.name) << ',' << reading(run.P / log.force_factor) << ',' << k + 1 << ','
+          << reading(cycle.time) << ',' << reading(cycle.T_peak / log.force_factor) << ','
+          << (cycle.T_min ? reading(*cycle.T_min / log.force_factor) : std::string()) << '\n';
+    }
+  return out.str();
+}
+
+std::string phases_csv(const ReducedLog& log) {
+  std::ostringstream out;
+  out << "phase,from [s],to [s],frames,kept,reason\n";
+  const Frames& frames = log.runs.frames;
+  for (const Phase& phase : log.runs.phases)
+    out << phase.name << ',' << reading(frames.time[phase.begin]) << ',' << reading(frames.time[phase.end - 1]) << ','
+        << phase.end - phase.begin << ',' << (phase.reason.empty() ? 1 : 0) << ','
+        << csv_field(std::string(phase.reason)) << '\n';
+  return out.str();
+}
+
+std::string cuts_toml(const ReducedLog& log) {
+  std::ostringstream out;
+  const double interval = log.runs.frames.interval;
+  out << "# The cuts of " << printable(log.forces.path, std::string::npos)
+      << ". Change a time and run again with --cuts=THIS FILE; leave_out = true drops a run.\n";
+  for (const LoadingRun& run : log.runs.runs) {
+    out << "\n[[cuts]]\nrun = " << in_toml(run.name) << "\nshear = \"" << time_text(run.shear.time, interval) << " s\"";
+    if (!run.shear.stated) out << "  # " << cut_text(run.shear, interval);
+    out << '\n';
+    if (run.onset) {
+      out << "onset = \"" << time_text(run.onset->time, interval) << " s\"";
+      if (!run.onset->stated) out << "  # " << cut_text(*run.onset, interval);
+      out << '\n';
+    } else {
+      out << "# onset: none was seen; the run goes on to its largest T\n";
+    }
+  }
+  return out.str();
+}
+
+std::string runs_text(const ReducedLog& log) {
+  std::ostringstream out;
+  const LoadingRuns& found = log.runs;
+  const Frames& frames = found.frames;
+  const auto force = [&](double value, int digits) {
+    return rounded(value / log.force_factor, digits) + " " + log.force_unit;
+  };
+  out << "[[Log]]\n    " << printable(log.forces.path, std::string::npos);
+  if (log.areas_path != log.forces.path) out << " and " << printable(log.areas_path, std::string::npos);
+  out << "\n    read as: " << log.forces.reading << '\n';
+  std::string taken;
+  for (const std::string& one : log.forces.taken) taken += (taken.empty() ? "" : ", ") + one;
+  if (!taken.empty()) out << "    columns: " << taken << '\n';
+  out << "    " << frames.time.size() << " frames, " << rounded(1 / frames.interval, 3) << " a second, "
+      << rounded(frames.samples, 3) << " samples of the force in each; lag of the clocks " << rounded(frames.lag, 4)
+      << " s (" << frames.lag_source << ")\n";
+  if (found.zero_P != 0) out << "    P reads " << force(found.zero_P, 3) << " out of contact; taken off\n";
+  out << "[[Loading runs]]\n";
+  if (found.runs.empty()) out << "    none\n";
+  for (const LoadingRun& run : found.runs) {
+    out << "    " << run.name << ": " << run.T.size() << " frames, P = " << force(run.P, 4) << " +/- "
+        << force(run.scatter_P, 2) << ", T to " << force(*std::max_element(run.T.begin(), run.T.end()), 4)
+        << (run.direction < 0 ? " (turned round)" : "") << "\n        zero of T " << force(run.baseline, 3)
+        << ", noise " << force(run.sigma_T.front(), 2) << " in T, " << rounded(run.sigma_A.front() / log.area_factor, 2)
+        << " " << log.area_unit << " in A\n        shear from " << cut_text(run.shear, frames.interval) << "; "
+        << (run.onset ? "sliding from " + cut_text(*run.onset, frames.interval)
+                      : std::string("no onset of sliding seen, kept to the largest T"))
+        << '\n';
+    if (!run.cycles.empty())
+      out << "        " << run.cycles.size() << (run.cycles.size() == 1 ? " fall" : " falls")
+          << " of T, the first from " << force(run.cycles.front().T_peak, 4)
+          << (run.cycles.front().T_min ? " to " + force(*run.cycles.front().T_min, 4) : std::string()) << '\n';
+  }
+  std::map<std::string_view, std::size_t> left;
+  for (const Phase& phase : found.phases)
+    if (!phase.reason.empty()) left[phase.reason] += phase.end - phase.begin;
+  out << "[[Frames left out]]\n";
+  for (const auto& [reason, count] : left) out << "    " << count << ": " << reason << '\n';
+  return out.str();
+}
+
+}  // namespace mixity

@@ -1,0 +1,33 @@
+// What `mixity runs` writes of a log: points to be fitted, the phases, the peaks, the cuts to be changed.
+#pragma once
+
+#include <string>
+
+#include "dataset/metadata.h"
+#include "dataset/series/loading_runs.h"
+
+namespace mixity {
+
+struct ReducedLog {
+  Recording forces;  // without values; names and units count
+  std::string areas_path, force_unit, area_unit;
+  double force_factor = 1, area_factor = 1;  // SI units in one of them
+  Metadata metadata;
+  LoadingRuns runs;
+};
+
+/// curve, time, P, T, A, sigma_T, sigma_A of the frames that are kept, in the units of the log.
+std::string runs_csv(const ReducedLog& log);
+/// The constants of the log and where the points come from, to stand beside them.
+std::string runs_toml(const ReducedLog& log);
+/// run, P, cycle, time, T_peak, T_min: the first maximum of T in each cycle of stick and slip, and the minimum behind
+/// it.
+std::string peaks_csv(const ReducedLog& log);
+/// phase, from, to, frames, run or why they are not kept.
+std::string phases_csv(const ReducedLog& log);
+/// The cuts as they were made, with their 95 % intervals, in the form that --cuts reads.
+std::string cuts_toml(const ReducedLog& log);
+/// For a terminal: how the log was read, each run with its cuts, what was left out.
+std::string runs_text(const ReducedLog& log);
+
+}  // namespace mixity

@@ -1,0 +1,87 @@
+// mixity runs: from a log to points, to a fit; and several files as one data set.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/run_program.h"
+
+namespace mixity::cli {
+namespace {
+
+const std::string kLog = MIXITY_ROOT "/data/shear_log.csv";
+
+TEST(RunsCommand, MakesOfAShippedLogPointsThatGiveItsLambda) {
+  const TemporaryFolder folder;
+  const ProgramResult made = run_program({"runs", kLog, "--out=" + folder.path("log")});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  for (const char* name : {"runs.csv", "runs.toml", "peaks.csv", "peaks.toml", "phases.csv", "cuts.toml"})
+    EXPECT_FALSE(content_of(folder.path("log/") + name).empty()) << name;
+  const ProgramResult fit =
+      run_program({"fit", folder.path("log/runs.csv"), "--models=c", "--compare=false", "--format=json"});
+  EXPECT_EQ(fit.exit_code, 0) << fit.out;
+  const auto data = nlohmann::json::parse(fit.out)["datasets"][0];
+  EXPECT_EQ(data["provenance"], "reconstructed");  // it goes with the points
+  const auto lambda = data["fits"][0]["parameters"]["lambda"];
+  EXPECT_LE(lambda["interval"]["low"].get<double>(), 0.004);  // what the log was made with
+  EXPECT_GE(lambda["interval"]["high"].get<double>(), 0.004);
+  // the cuts that were written, stated, are the same cuts
+  const ProgramResult again =
+      run_program({"runs", kLog, "--cuts=" + folder.path("log/cuts.toml"), "--out=" + folder.path("again")});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(lines_of(content_of(folder.path("again/runs.csv"))).size(),
+            lines_of(content_of(folder.path("log/runs.csv"))).size());
+}
+
+TEST(RunsCommand, SaysInOneLineWhatItCannotUse) {
+  const TemporaryFolder folder;
+  const std::string points = folder.write("points.csv", "P [mN],T [mN],A [mm^2]\n1,2,3\n2,3,4\n"),
+                    still = folder.write(
+                        "still.csv", "time [s],P [mN],T [mN],A [mm^2]\n0,1,0,0.1\n1,1,0,0.1\n2,1,0,0.1\n3,1,0,0.1\n"),
+                    cuts = folder.write("cuts.toml", "[[cuts]]\nrun = \"P=99 mN\"\nonset = \"1 s\"\n");
+  const auto complaint = [&](const Words& words) { return folder.left_out_of(run_program(words).complaint()); };
+  EXPECT_EQ(run_program({"runs"}).exit_code, 2);
+  EXPECT_EQ(run_program({"runs", kLog, "--lag=3"}).exit_code, 2);
+  EXPECT_EQ(complaint({"runs", points}), "mixity: points.csv:1:1: column 'time' is missing");
+  EXPECT_EQ(complaint({"runs", still}),
+            "mixity: still.csv: holds no loading run: no contact under one load in which T rises");
+  EXPECT_EQ(complaint({"runs", kLog, "--cuts=" + cuts}),
+            "mixity: cuts.toml: states cuts of a run 'P=99 mN', which the log does not have");
+  EXPECT_EQ(run_program({"runs", kLog, "--cuts=" + cuts}).exit_code, 3);
+}
+
+TEST(PooledFiles, GiveTheNumbersOfOneFileAndOfTheDefinitionThatIsSaved) {
+  const TemporaryFolder folder;
+  const auto lines = lines_of(content_of(MIXITY_ROOT "/data/mergel2018.csv"));
+  std::vector<std::string> names;
+  std::string before, header, text;
+  Words words{"fit"};
+  for (const std::string& line : lines) {
+    const auto fields = fields_of(line);
+    if (line.starts_with('#')) continue;
+    if (header.empty()) {
+      header = line.substr(line.find(',') + 1);
+      continue;
+    }
+    if (fields[0] != before) words.push_back(folder.path("run_" + std::to_string(words.size()) + ".csv"));
+    text = (fields[0] != before ? header + "\n" : content_of(words.back())) + line.substr(line.find(',') + 1) + "\n";
+    folder.write(words.back().substr(folder.path().size() + 1), text);
+    before = fields[0];
+  }
+  const Words flags{"--models=c", "--format=csv", "--radius=9.42 mm", "--modulus=2.133 MPa", "--toughness=27 mJ/m^2"};
+  words.insert(words.end(), flags.begin(), flags.end());
+  words.insert(words.end(), {"--pool", "--save=" + folder.path("all.toml")});
+  const ProgramResult pooled = run_program(words),
+                      single = run_program({"fit", MIXITY_ROOT "/data/mergel2018.csv", "--models=c", "--format=csv"}),
+                      saved = run_program({"fit", folder.path("all.toml"), "--format=csv"});
+  ASSERT_EQ(pooled.exit_code, 0) << pooled.err;
+  EXPECT_EQ(pooled.out, saved.out);
+  const auto one = fields_of(lines_of(pooled.out).at(1)), other = fields_of(lines_of(single.out).at(1)),
+             head = fields_of(lines_of(pooled.out).at(0));
+  for (std::size_t i = 0; i < head.size(); ++i)
+    if (head[i] == "value" || head[i] == "stderr") {
+      EXPECT_EQ(one[i], other[i]) << head[i];
+    }
+}
+
+}  // namespace
+}  // namespace mixity::cli

@@ -1,0 +1,82 @@
+// Readings of the load that scatter are those of one nominal load; loads that were set are not.
+#include "dataset/nominal_loads.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "dataset/load_text.h"
+
+namespace mixity {
+namespace {
+
+using Levels = std::vector<std::size_t>;
+
+/// So many readings of each load, one load after the other, with noise of this standard deviation, rounded to `step`.
+std::vector<double> readings(const std::vector<double>& loads, std::size_t each, double noise, double step,
+                             unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal(0, noise);
+  std::vector<double> all;
+  for (const double load : loads)
+    for (std::size_t i = 0; i < each; ++i) {
+      const double reading = load + (noise > 0 ? normal(random) : 0);
+      all.push_back(step > 0 ? step * std::round(reading / step) : reading);
+    }
+  return all;
+}
+
+Levels blocks(std::size_t loads, std::size_t each) {
+  Levels levels;
+  for (std::size_t i = 0; i < loads * each; ++i) levels.push_back(i / each);
+  return levels;
+}
+
+const std::vector<double> kLoads{7.73, 3.81, 2.92, 1.58, 0.94, 0.51, -0.06, -0.46};
+
+TEST(NominalLoads, AreTheLevelsOfNoisyReadings) {
+  for (unsigned seed = 0; seed < 200; ++seed)
+    for (const std::size_t each : {5u, 25u, 400u}) {
+      EXPECT_EQ(nominal_levels(readings(kLoads, each, 0.02, 0, seed)), blocks(kLoads.size(), each)) << seed;
+      EXPECT_EQ(nominal_levels(readings({4.68}, each, 0.02, 0, seed)), blocks(1, each)) << seed;
+      EXPECT_EQ(nominal_levels(readings({0.01}, 4 * each, 0.02, 0, seed)), blocks(1, 4 * each)) << seed;
+    }
+}
+
+TEST(NominalLoads, AreTheLevelsOfReadingsInSteps) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    EXPECT_EQ(nominal_levels(readings(kLoads, 50, 0.02, 0.01, seed)), blocks(kLoads.size(), 50)) << seed;
+    EXPECT_EQ(nominal_levels(readings({4.68}, 50, 0.004, 0.01, seed)), blocks(1, 50)) << seed;
+  }
+}
+
+TEST(NominalLoads, ThatWereSetAreTakenAsTheyStand) {
+  EXPECT_EQ(nominal_levels(readings(kLoads, 25, 0, 0, 0)), Levels());
+  EXPECT_EQ(nominal_levels(readings(kLoads, 1, 0, 0, 0)), Levels());
+  EXPECT_EQ(nominal_levels(readings({4, 4.1}, 25, 0, 0, 0)), Levels());
+  std::vector<double> in_turn;
+  for (int i = 0; i < 20; ++i) in_turn.insert(in_turn.end(), kLoads.begin(), kLoads.end());
+  EXPECT_EQ(nominal_levels(in_turn), Levels());
+  std::vector<double> ramp;
+  for (int i = 0; i < 100; ++i) ramp.push_back(0.1 * i);
+  EXPECT_EQ(nominal_levels(ramp), Levels());
+}
+
+TEST(NominalLoads, AreRunsWhosePointsKeepTheLoadThatWasRead) {
+  std::string text = "P,T,A\n";
+  const auto loads = readings({30.4, 3.7}, 10, 0.05, 0.001, 1);
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    text += std::to_string(loads[i]) + "," + std::to_string(i % 10) + ",60\n";
+  const Dataset data = load_text(text);
+  EXPECT_EQ(data.curves, (std::vector<std::string>{"P=30.4", "P=3.7"}));
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    EXPECT_NEAR(data.points[i].P, loads[i], 1e-6);  // what std::to_string prints
+    EXPECT_EQ(data.points[i].curve, i / 10);
+  }
+  EXPECT_EQ(data.notes.at(0).substr(0, 30), "readings of P scatter by up to");
+}
+
+}  // namespace
+}  // namespace mixity

@@ -1,0 +1,86 @@
+// Several files are one data set: the same points as one file that holds all of them.
+#include "dataset/pooled.h"
+
+#include <gtest/gtest.h>
+
+#include "dataset/exclusion.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+namespace {
+
+const std::string kConstants = "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n";
+
+TEST(Pooled, FilesAreTheRunsOfOneDataSet) {
+  const TemporaryFolder folder;
+  folder.write("run_4mN.csv", "T [mN],A [mm^2]\n0,0.35\n2,0.34\n");
+  folder.write("run_4mN.toml", kConstants);
+  folder.write("run_12mN.csv", "T [mN];A [mm^2]\n0;0,45\n3;0,44\n5;0,43\n");
+  const Dataset whole = load_dataset(
+      folder.write("all.csv", "P [mN],T [mN],A [mm^2]\n4,0,0.35\n4,2,0.34\n12,0,0.45\n12,3,0.44\n12,5,0.43\n"),
+      {{"radius", "9.42 mm"}, {"modulus", "2.133 MPa"}, {"toughness", "27 mJ/m^2"}});
+  std::vector<RunFile> files;
+  for (const std::string& path : files_of(folder.path("run_*.csv"))) files.push_back({path});
+  ASSERT_EQ(files.size(), 2u);
+  const Dataset pooled = load_pooled(files, {{"load_from", "run_{P}mN"}});
+  EXPECT_EQ(pooled.curves, (std::vector<std::string>{"run_4mN", "run_12mN"}));  // by number, not by letter
+  EXPECT_EQ(pooled.name, "run");
+  ASSERT_EQ(pooled.points.size(), whole.points.size());
+  for (std::size_t i = 0; i < whole.points.size(); ++i) {
+    EXPECT_EQ(pooled.points[i].P, whole.points[i].P);
+    EXPECT_EQ(pooled.points[i].T, whole.points[i].T);
+    EXPECT_EQ(pooled.points[i].A, whole.points[i].A);
+    EXPECT_EQ(pooled.points[i].curve, whole.points[i].curve);
+  }
+  EXPECT_EQ(pooled.line_text(pooled.points[1].line), "run_4mN.csv line 3");
+  EXPECT_EQ(pooled.line_text(pooled.points[2].line), "run_12mN.csv line 2");
+  EXPECT_EQ(pooled.line_in_file(pooled.points[4].line), 4u);
+}
+
+TEST(Pooled, ARunMayBeNamedAndLoadedByItsEntry) {
+  const TemporaryFolder folder;
+  const std::string one = folder.write("a.csv", "T [mN],A [mm^2]\n0,0.35\n2,0.34\n"),
+                    other = folder.write("b.csv", "T [mN],A [mm^2]\n0,0.45\n");
+  folder.write("a.toml", kConstants);
+  const Dataset data = load_pooled({{one, "first", "4 mN"}, {other, "second", "12 mN"}});
+  EXPECT_EQ(data.curves, (std::vector<std::string>{"first", "second"}));
+  EXPECT_DOUBLE_EQ(data.curve_loads[1], 3 * data.curve_loads[0]);
+}
+
+TEST(Pooled, PointsOfAFileCanBeLeftOutByItsName) {
+  const TemporaryFolder folder;
+  std::vector<RunFile> files;
+  for (const char* name : {"a.csv", "b.csv"})
+    files.push_back({folder.write(name, "P,T,A\n1,0,19.6\n1,1,19.5\n1,2,19.4\n")});
+  Dataset data = load_pooled(files);
+  Exclusion which;
+  which.lines.push_back(parse_lines("b.csv:3-4").value());
+  exclude(data, which);
+  EXPECT_EQ(data.points.size(), 4u);
+  EXPECT_EQ(data.line_text(data.excluded.at(0).line), "b.csv line 3");
+  which.lines = {parse_lines("3").value()};
+  EXPECT_NE(input_error([&] { exclude(data, which); }).find("lines to exclude need the name of theirs"),
+            std::string::npos);
+}
+
+TEST(Pooled, FilesThatContradictEachOtherAreRefused) {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::string& toml, const std::string& csv) {
+    const std::string one = folder.write("a.csv", "P [mN],T [mN],A [mm^2]\n1,0,0.2\n"),
+                      other = folder.write("b.csv", csv);
+    folder.write("a.toml", kConstants);
+    folder.write("b.toml", toml);
+    return folder.left_out_of(input_error([&] { load_pooled({{one}, {other}}); }));
+  };
+  EXPECT_EQ(error("radius = \"9.43 mm\"\n", "P [mN],T [mN],A [mm^2]\n1,0,0.2\n"),
+            "b.toml: states another radius than a file before it; constants are those of the whole experiment");
+  EXPECT_EQ(error("", "psi,Gc_over_GIc\n0.1,1\n"),
+            "b.csv: holds no loads; only runs with P, T and A make one data set");
+  EXPECT_EQ(error("", "P,T,A\n1,0,19.6\n"), "b.csv: is dimensionless where others have units, or the other way round");
+  EXPECT_EQ(error("", "P [mN],T [mN],A [mm^2]\n1,0,x\n"), "b.csv:2:5: column 'A': 'x' is not a number");
+  EXPECT_EQ(folder.left_out_of(input_error([&] { files_of(folder.path("nothing_*.csv")); })),
+            "nothing_*.csv: no file has such a name");
+}
+
+}  // namespace
+}  // namespace mixity

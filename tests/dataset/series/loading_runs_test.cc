@@ -1,0 +1,194 @@
+// Logs of a contact that is loaded, sheared and slides: runs begin and end where they do.
+#include "dataset/series/loading_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "dataset/input_error.h"
+#include "dataset/series/cuts_file.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+namespace {
+
+/// What an apparatus sees of one contact under each load, in N and m^2, and when it was sheared and slid.
+struct Simulated {
+  Recording forces, areas;
+  std::vector<double> shear, onset;
+};
+
+struct Conditions {
+  double noise_T = 1e-3, noise_A = 0.01, zero_T = 2e-3, zero_P = 0.3e-3, lag = 0, direction = 1;
+  unsigned seed = 1;
+};
+
+Simulated simulate(const std::vector<double>& loads, const Conditions& c) {
+  constexpr double kRate = 1000, kFrames = 50;
+  std::mt19937 random(c.seed);
+  std::normal_distribution<double> normal;
+  Simulated made;
+  double now = 0;
+  std::vector<double> areas;
+  const auto add = [&](double seconds, auto P, auto T, auto A) {
+    const auto n = static_cast<std::size_t>(seconds * kRate);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double s = static_cast<double>(i) / static_cast<double>(n);
+      made.forces.time.push_back(now + static_cast<double>(i) / kRate);
+      made.forces.P.push_back(P(s) + c.zero_P + 1e-4 * normal(random));
+      made.forces.T.push_back(c.direction * T(s) + c.zero_T + c.noise_T * normal(random));
+      areas.push_back(A(s));
+    }
+    now += static_cast<double>(n) / kRate;
+  };
+  const auto zero = [](double) { return 0.0; };
+  for (const double load : loads) {
+    const double A0 = 4e-7, most = 0.05 + load;
+    const auto held = [=](double) { return load; };
+    add(0.7, zero, zero, zero);
+    add(
+        1, [=](double s) { return load * s; }, zero, [=](double s) { return A0 * (0.5 + 0.5 * s); });
+    add(1.1, held, zero, [=](double) { return A0; });
+    made.shear.push_back(now);
+    add(
+        4, held, [=](double s) { return most * s; }, [=](double s) { return A0 * (1 - 0.3 * s * s); });
+    made.onset.push_back(now);
+    for (int slip = 0; slip < 3; ++slip) {
+      const double top = slip == 0 ? most : 0.9 * most;
+      add(
+          0.004, held, [=](double s) { return top - 0.3 * most * s; }, [=](double) { return 0.6 * A0; });
+      add(
+          0.4, held, [=](double s) { return top - 0.3 * most + (0.9 * most - top + 0.3 * most) * s; },
+          [=](double) { return 0.58 * A0; });
+    }
+    add(
+        0.3, held, [=](double s) { return 0.6 * most * (1 - s); }, [=](double) { return 0.58 * A0; });
+    add(
+        0.4, [=](double s) { return load * (1 - s); }, zero, [=](double s) { return 0.58 * A0 * (1 - s); });
+  }
+  const auto every = static_cast<std::size_t>(kRate / kFrames);
+  for (std::size_t i = every / 2; i < areas.size(); i += every) {
+    made.areas.time.push_back(made.forces.time[i] + c.lag);
+    made.areas.A.push_back(std::max(0.0, areas[i] * (1 + c.noise_A * normal(random))));
+  }
+  return made;
+}
+
+const std::vector<double> kLoads{8e-3, 4e-3, 1e-3};
+
+LoadingRuns find(const Simulated& made, const RunOptions& options = {}, const FrameOptions& frames = {}) {
+  return find_loading_runs(make_frames(made.forces, made.areas, frames), "mN", 1e-3, options);
+}
+
+TEST(LoadingRuns, BeginAndEndWhereTheContactIsShearedAndSlides) {
+  std::size_t runs = 0, shear_held = 0, onset_held = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    Conditions conditions;
+    conditions.seed = seed;
+    conditions.lag = 0.37;
+    const Simulated made = simulate(kLoads, conditions);
+    const LoadingRuns found = find(made);
+    EXPECT_NEAR(found.frames.lag, 0.37, 0.01);  // half a frame
+    ASSERT_EQ(found.runs.size(), 3u) << seed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const LoadingRun& run = found.runs[k];
+      ++runs;
+      // of four seconds of shear: 1 % is two frames
+      EXPECT_NEAR(run.onset.value().time - 0.37, made.onset[k], 0.04) << seed;
+      EXPECT_LE(found.frames.time[run.end - 1] - 0.37, made.onset[k] + 0.01);  // no frame from behind it
+      EXPECT_NEAR(run.shear.time - 0.37, made.shear[k], 0.1);
+      shear_held += run.shear.low - 0.37 <= made.shear[k] && made.shear[k] <= run.shear.high - 0.37;
+      onset_held += run.onset->low - 0.37 <= made.onset[k] && made.onset[k] <= run.onset->high - 0.37;
+      EXPECT_NEAR(run.baseline, 2e-3, 1.2e-4);  // 4 standard errors of the mean of 55 frames
+      EXPECT_NEAR(run.P, kLoads[k], 2e-5);
+      EXPECT_NEAR(run.sigma_T[run.T.size() / 2], 1e-3 / std::sqrt(20), 4e-5);  // of the mean of 20 samples
+      const double A = found.frames.A[run.begin];
+      EXPECT_NEAR(run.sigma_A.front() / A, 0.01, 0.002);
+      ASSERT_EQ(run.cycles.size(), 4u);  // the last is where the shear is taken off
+      EXPECT_NEAR(run.cycles[0].T_peak, 0.05 + kLoads[k], 1.5e-3);
+    }
+  }
+  EXPECT_GE(shear_held, runs * 88 / 100);  // 95 % are wanted; frames are whole
+  EXPECT_GE(onset_held, runs * 88 / 100);
+}
+
+TEST(LoadingRuns, ThatAreShearedTheOtherWayAreTurnedRound) {
+  Conditions conditions;
+  conditions.direction = -1;
+  const LoadingRuns found = find(simulate(kLoads, conditions), {}, {0.0});
+  ASSERT_EQ(found.runs.size(), 3u);
+  for (const LoadingRun& run : found.runs) {
+    EXPECT_EQ(run.direction, -1);
+    EXPECT_GT(run.T.back(), 0.04);
+    EXPECT_NEAR(run.T.front(), 0, 1e-3);
+  }
+}
+
+TEST(LoadingRuns, KeepTheCutsThatAreStated) {
+  const Simulated made = simulate(kLoads, {});
+  const LoadingRuns as_found = find(made, {}, {0.0});
+  RunOptions options;
+  options.cuts[as_found.runs.at(1).name] = {made.shear[1] + 0.5, made.onset[1] - 1, false};
+  options.cuts[as_found.runs.at(2).name].leave_out = true;
+  const LoadingRuns found = find(made, options, {0.0});
+  ASSERT_EQ(found.runs.size(), 2u);
+  const LoadingRun& run = found.runs[1];
+  EXPECT_TRUE(run.shear.stated && run.onset->stated);
+  EXPECT_NEAR(found.frames.time[run.end - 1], made.onset[1] - 1, 0.02);
+}
+
+TEST(LoadingRuns, OfALogWithoutShearAreNone) {
+  Simulated made = simulate(kLoads, {});
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(0, 1e-3);
+  for (double& T : made.forces.T) T = normal(random);
+  EXPECT_TRUE(find(made, {}, {0.0}).runs.empty());
+}
+
+TEST(LoadingRuns, EveryFrameHasAPhase) {
+  const LoadingRuns found = find(simulate(kLoads, {}), {}, {0.0});
+  std::size_t next = 0;
+  for (const Phase& phase : found.phases) {
+    EXPECT_EQ(phase.begin, next) << phase.name;
+    next = phase.end;
+  }
+  EXPECT_EQ(next, found.frames.time.size());
+}
+
+TEST(Frames, OfClocksThatNothingTiesTogetherAreRefused) {
+  Simulated made = simulate(kLoads, {});
+  std::fill(made.forces.T.begin(), made.forces.T.end(), 0.0);
+  EXPECT_NE(input_error([&] { make_frames(made.forces, made.areas, {}); }).find("state it: --lag"), std::string::npos);
+  EXPECT_EQ(make_frames(made.forces, made.areas, {0.2}).lag, 0.2);
+}
+
+TEST(Frames, OfOneFileAreItsRowsWithAnArea) {
+  const TemporaryFolder folder;
+  std::string text = "time [s],P [mN],T [N],A [mm^2]\n";
+  for (int i = 0; i < 100; ++i)
+    text += std::to_string(0.01 * i) + "," + std::to_string(i) + ",0.001," + (i % 10 == 5 ? "0.3" : "") + "\n";
+  const Recording log = read_recording(folder.write("log.csv", text), {});
+  const Frames frames = make_frames(log, log, {});
+  ASSERT_EQ(frames.time.size(), 10u);
+  EXPECT_NEAR(frames.interval, 0.1, 1e-12);
+  EXPECT_NEAR(frames.P[4], 44.5e-3, 1e-12);  // the mean of 40 to 49
+  EXPECT_EQ(frames.lag_source, "one clock");
+}
+
+TEST(Cuts, ThatCannotBeUnderstoodAreRefusedWithTheirPlace) {
+  const auto error = [](const std::string& text) {
+    return file_error("cuts.toml", text, [](const std::string& path) { read_cuts(path); });
+  };
+  EXPECT_EQ(error("[[cuts]]\nrun = \"P=4 mN\"\nonset = \"4.31\"\n"),
+            "cuts.toml:3:9: onset must be a time such as \"4.31 s\"");
+  EXPECT_EQ(error("[[cuts]]\nonset = \"4.31 s\"\n"),
+            "cuts.toml:1:1: a cut needs the name of its run: run = \"P=4.68 mN\"");
+  EXPECT_EQ(error("cut = 1\n"), "cuts.toml:1:1: holds tables [[cuts]] and nothing else");
+  EXPECT_EQ(error("[[cuts]]\nrun = \"a\"\nshear = \"5 s\"\nonset = \"4 s\"\n"),
+            "cuts.toml:1:1: the onset is not later than the start of the shear");
+}
+
+}  // namespace
+}  // namespace mixity
