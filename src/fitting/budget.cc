@@ -55,7 +55,7 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
   const auto solve = [&](const Eigen::VectorXd& right) -> Eigen::VectorXd {
     return factors ? Eigen::VectorXd(scale.cwiseProduct(factors->solve(scale.cwiseProduct(right)))) : right;
   };
-  Budget budget{parameters[0].name, {}, {}, {}, 0};
+  Budget budget{parameters[0].name, parameters[0].unit, {}, {}, {}, 0};
   std::vector<Eigen::VectorXd> tested;  // what each score test looks along
   const bool moves = !held[0];
   if (moves) {

@@ -64,6 +64,11 @@ std::optional<Information> information(const FitResult& fit) {
   return criteria(fit.sum_of_squares, fit.used.size(), fit.free_parameters, fit.known_errors);
 }
 
+std::optional<Information> information_explained(const FitResult& fit) {
+  if (!fit.explained || !(*fit.explained > 0)) return std::nullopt;
+  return criteria(*fit.explained, fit.used.size(), fit.free_parameters + 1, fit.known_errors);
+}
+
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options) {
   constexpr std::size_t kMostRuns = 200;
   if (!data.has_loads || data.curves.size() < 2 || data.curves.size() > kMostRuns || !has_all_values(whole))

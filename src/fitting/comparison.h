@@ -17,6 +17,8 @@ struct Information {
   std::optional<double> aicc;
 };
 std::optional<Information> information(const FitResult& fit);
+/// The same as if the constant were free that explains why its tests fail; null where none does.
+std::optional<Information> information_explained(const FitResult& fit);
 
 /// How well a model predicts the areas of loading runs that were left out of its fit, in the units of the file. Beyond
 /// the last equilibrium the area at the fold counts.

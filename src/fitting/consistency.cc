@@ -52,6 +52,12 @@ double trend_of(const std::vector<double>& t, const std::vector<double>& r) {
   return squares > 0 ? sum / std::sqrt(squares) : 0;
 }
 
+double largest_size(const std::vector<double>& t) {
+  double most = 0;
+  for (const double one : t) most = std::max(most, std::abs(one));
+  return most;
+}
+
 constexpr double kBesideEnd = 0.3;    // of a run, from its end on
 constexpr double kEnoughBeside = 10;  // points
 
@@ -62,7 +68,8 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
     const std::size_t curve = data.points[fit.used[i]].curve;
     if (curve < runs.size()) runs[curve].push_back(i);
   }
-  double z = 0, trend = 0, squares = 0, product = 0, of_products = 0, ends = 0, at_ends = 0, near_ends = 0, of_near = 0;
+  double z = 0, trend = 0, squares = 0, product = 0, of_products = 0, ends = 0, at_ends = 0, near = 0, near_ends = 0,
+         of_near = 0;
   for (std::size_t c = 0; c < runs.size(); ++c) {
     if (runs[c].size() < ResidualTests::kLeastRun) continue;
     std::vector<double> r, t;
@@ -75,15 +82,20 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
     }
     if (data.has_loads) {
       std::vector<std::size_t> order(r.size());
-      std::iota(order.begin(), order.end(), std::size_t{0});
-      std::stable_sort(order.begin(), order.end(),
-                       [&](std::size_t one, std::size_t other) { return std::abs(t[one]) > std::abs(t[other]); });
+      std::iota(order.rbegin(), order.rend(), std::size_t{0});
+      // A run that was read as it was sheared ends where the file does: what has slid may lie at lower shear.
+      if (!(std::abs(t.front()) < std::abs(t.back()) && 2 * std::abs(t.back()) > largest_size(t)))
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t one, std::size_t other) { return std::abs(t[one]) > std::abs(t[other]); });
       const auto last =
           std::max<std::size_t>(1, static_cast<std::size_t>(ResidualTests::kEnd * static_cast<double>(r.size())));
       for (std::size_t i = 0; i < last; ++i) ends += r[order[i]];
       at_ends += static_cast<double>(last);
       const auto beside = static_cast<std::size_t>(kBesideEnd * static_cast<double>(r.size()));
-      for (std::size_t i = last; i < beside; ++i) of_near += r[order[i]] * r[order[i]];
+      for (std::size_t i = last; i < beside; ++i) {
+        near += r[order[i]];
+        of_near += r[order[i]] * r[order[i]];
+      }
       near_ends += static_cast<double>(std::max(beside, last) - last);
     }
     const Sums sums = neighbours(r);
@@ -104,13 +116,38 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
     // what scatters more at large T than elsewhere is measured by what lies beside it
     const bool measured = !fit.known_errors && near_ends >= kEnoughBeside && of_near > 0;
     const double unit = measured ? std::sqrt(of_near / near_ends) : residual_unit(fit);
-    tests.ends = ends / std::sqrt(at_ends) / unit;
+    // A fit that is drawn to the ends is drawn away from what lies beside them.
+    const double beside = near_ends >= kEnoughBeside ? near / near_ends : 0;
+    const double variance = 1 / at_ends + (near_ends >= kEnoughBeside ? 1 / near_ends : 0);
+    tests.ends = (ends / at_ends - beside) / std::sqrt(variance) / unit;
     tests.ends_p =
         2 * (measured ? cdf(boost::math::students_t(near_ends), -std::abs(tests.ends)) : below(-std::abs(tests.ends)));
   }
   if (squares > 0) tests.correlation = product / squares;
   if (of_products > 0) tests.correlation_p = below(-product / std::sqrt(of_products));
   return tests;
+}
+
+/// Root mean square of residuals over that of their second differences in each run, by T; null of too few.
+std::optional<double> over_neighbours(const Dataset& data, const FitResult& fit) {
+  constexpr std::size_t kEnough = 8;
+  if (!data.has_loads) return std::nullopt;
+  std::vector<std::vector<std::size_t>> runs(data.curves.size());
+  for (std::size_t i = 0; i < fit.used.size(); ++i) runs[data.points[fit.used[i]].curve].push_back(i);
+  double squares = 0, differences = 0, triples = 0;
+  for (auto& run : runs) {
+    std::stable_sort(run.begin(), run.end(), [&](std::size_t one, std::size_t other) {
+      return data.points[fit.used[one]].shear() < data.points[fit.used[other]].shear();
+    });
+    for (std::size_t i = 1; i + 1 < run.size(); ++i) {
+      const double before = fit.residuals[run[i - 1]], here = fit.residuals[run[i]], behind = fit.residuals[run[i + 1]];
+      squares += (before * before + 4 * here * here + behind * behind) / 6;  // weighs as the differences do
+      differences += std::pow(before - 2 * here + behind, 2) / 6;
+      ++triples;
+    }
+  }
+  if (triples < kEnough || !(differences > 0)) return std::nullopt;
+  return std::sqrt(squares / differences);
 }
 
 /// Runs with points that the fitted model gives no area, and the first of them.
@@ -141,6 +178,11 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
     result.chi2_p = beyond_chi2(freedom, fit.sum_of_squares);
   }
   result.residuals = test_residuals(data, fit);
+  // Errors of neighbours know nothing of the fit: residuals are in units of these.
+  if (!fit.known_errors && fit.objective == Objective::curve && fit.errors && fit.loss_scale == 0 &&
+      fit.errors->source_A == ErrorSource::scatter && fit.errors->source_T == ErrorSource::scatter)
+    result.residuals.over_scatter = residual_unit(fit);
+  result.residuals.over_neighbours = over_neighbours(data, fit);
   result.beyond = beyond_equilibrium(data, fit);
   return result;
 }
@@ -150,7 +192,13 @@ const ExactConstant* wrong_constant(const FitResult& fit) {
   const ExactConstant* worst = nullptr;
   for (const ExactConstant& one : fit.budget->exact)
     if (one.score && (!worst || one.score->p_value < worst->score->p_value)) worst = &one;
-  return worst && worst->score->p_value * fit.budget->independent < kChance ? worst : nullptr;
+  if (!worst || !(worst->score->p_value * fit.budget->independent < kChance)) return nullptr;
+  // Where the stated errors are too small for any constant, all of chi^2 counts less.
+  const bool too_small = fit.known_errors && fit.consistency && fit.consistency->chi2_p.value_or(1) < kChance;
+  if (too_small &&
+      beyond_chi2(1, worst->score->fall / *fit.consistency->chi2_per_freedom) * fit.budget->independent >= kChance)
+    return nullptr;
+  return worst;
 }
 
 bool slides(const FitResult& fit) {
@@ -163,13 +211,20 @@ bool slides(const FitResult& fit) {
   return beyond > kFew;
 }
 
+/// Of points too few for tests along the runs: far from the curve, and not by noise of other proportions than are taken
+/// for granted, which residuals of neighbours show as well. A wrong model of six points a run makes it 4 to 8.
+bool is_far(const ResidualTests& tests) {
+  constexpr double kFar = 2.5, kFarFromNeighbours = 1.5;
+  return tests.over_scatter.value_or(0) > kFar && tests.over_neighbours.value_or(0) > kFarFromNeighbours;
+}
+
 std::string failed_test(const FitResult& fit) {
   constexpr double kFarFromStated = 4;  // standard errors of a prior
   if (fit.budget)
     for (const BudgetPart& part : fit.budget->parts)
       if (std::abs(part.pull) > kFarFromStated)
-        return part.constant + " lies " + rounded(part.pull, 2) +
-               " of its standard errors from what was stated: check it";
+        return part.constant + " lies " + rounded(std::abs(part.pull), 2) + " of its standard errors " +
+               (part.pull < 0 ? "below" : "above") + " what was stated: check it";
   if (slides(fit)) return "points lie beyond the last equilibrium: cut the runs at the onset of sliding";
   if (const ExactConstant* wrong = wrong_constant(fit))
     return wrong->constant + " looks wrong: check it, state its standard error, or --free=" + wrong->constant;
@@ -178,6 +233,9 @@ std::string failed_test(const FitResult& fit) {
   if (tests.chi2_p && *tests.chi2_p < kChance)
     return "the scatter is larger than the stated errors (chi^2 per degree of freedom " +
            rounded(*tests.chi2_per_freedom, 3) + "): check sigma_T and sigma_A";
+  if (is_far(tests.residuals))
+    return "the points lie " + rounded(*tests.residuals.over_scatter, 2) +
+           " times as far from the curve as neighbours scatter: the model or a constant is wrong";
   if (tests.residuals.ends_p < kChance)
     return "the ends of the runs lie off the curve (z = " + rounded(tests.residuals.ends, 2) +
            "): points past the onset of sliding?";

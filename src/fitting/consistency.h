@@ -26,6 +26,9 @@ const ExactConstant* wrong_constant(const FitResult& fit);
 /// Whether more points lie beyond the last equilibrium than noise puts there.
 bool slides(const FitResult& fit);
 
+/// Whether the residuals are far larger than neighbours scatter.
+bool is_far(const ResidualTests& tests);
+
 /// Which test of the fit's constants and residuals fails, as a sentence with a remedy; empty if none does.
 std::string failed_test(const FitResult& fit);
 
@@ -35,6 +38,10 @@ using Refit = std::function<FitResult(const FitOptions& options, const std::vect
 
 /// What explains best why tests of this fit fail, and the remedy, in one sentence: a constant of the experiment that is
 /// wrong, points past the onset of sliding, errors that are too small, a model that is wrong. Empty if none fails.
-std::string diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit);
+struct Diagnosis {
+  std::string reason;
+  std::optional<double> explained{};  // the cost with the constant free that explains all
+};
+Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit);
 
 }  // namespace mixity

@@ -159,7 +159,7 @@ bool explains(const Dataset& data, const FitResult& fit) {
   constexpr double kHardly = 1e-5;  // an explanation need not be perfect
   if (fit.residuals.empty()) return false;
   const Consistency left = test_consistency(data, fit);
-  return left.chi2_p.value_or(1) > kHardly && left.residuals.runs_p > kHardly &&
+  return left.chi2_p.value_or(1) > kHardly && !is_far(left.residuals) && left.residuals.runs_p > kHardly &&
          left.residuals.correlation_p > kHardly && left.residuals.trend_p > kHardly && left.residuals.ends_p > kHardly;
 }
 
@@ -186,31 +186,32 @@ std::string constant_text(const Freed& freed, const FitResult& fit) {
 
 }  // namespace
 
-std::string diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit) {
+Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit) {
   const std::string failed = failed_test(fit);
-  if (failed.empty() || !fit.budget || fit.loss_scale > 0) return failed;
+  if (failed.empty() || !fit.budget || fit.loss_scale > 0) return {failed};
   const Points points = thinned(fit.used);
   const FitResult whole = points.size() == fit.used.size() ? fit : refit(options, points, &fit.parameters);
-  if (!found(whole)) return failed;
+  if (!found(whole)) return {failed};
   const std::optional<Freed> freed = best_constant(fit, options, points, refit);
   if (freed && explains(data, freed->fit) && is_better(whole, freed->fit, fit.budget->independent))
-    return constant_text(*freed, whole);
+    return {constant_text(*freed, whole),
+            points.size() == fit.used.size() ? std::optional(freed->fit.sum_of_squares) : std::nullopt};
   const std::optional<Cut> cut =
       data.has_loads ? before_sliding(data, fit, options, points, refit) : std::optional<Cut>();
   if (cut && explains(data, cut->fit))
-    return (points.size() == fit.used.size()
-                ? ""
-                : "of every " + std::to_string(fit.used.size() / points.size()) + "th point ") +
-           std::to_string(cut->points) + " points lie past the onset of sliding, the first in line " +
-           std::to_string(data.points[cut->first].line) + ": cut the runs there; without them " +
-           lambda_text(cut->fit) + " and " + before_and_after(whole, cut->fit);
+    return {(points.size() == fit.used.size()
+                 ? ""
+                 : "of every " + std::to_string(fit.used.size() / points.size()) + "th point ") +
+            std::to_string(cut->points) + " points lie past the onset of sliding, the first in " +
+            data.line_text(data.points[cut->first].line) + ": cut the runs there; without them " +
+            lambda_text(cut->fit) + " and " + before_and_after(whole, cut->fit)};
   if (data.has_loads && fit.consistency && fit.consistency->residuals.ends_p < kChance)
     if (const FitResult without = without_ends(data, whole, options, points, refit);
         found(without) && explains(data, without))
-      return failed + " without the last tenth of each run " + lambda_text(without);
-  if (!wrong_constant(fit) || !freed) return failed;
-  return "the model or more than one constant is wrong: free, " + std::string(kConstantNames[freed->constant]) +
-         " helps most, and yet " + before_and_after(whole, freed->fit) + " only";
+      return {failed + " without the last tenth of each run " + lambda_text(without)};
+  if (!wrong_constant(fit) || !freed) return {failed};
+  return {"the model or more than one constant is wrong: freeing " + std::string(kConstantNames[freed->constant]) +
+          " helps most (" + before_and_after(whole, freed->fit) + ") and does not explain the rest"};
 }
 
 }  // namespace mixity

@@ -272,8 +272,9 @@ class Fitter {
                                const std::vector<FittedParameter>* near) {
       return Fitter(data_, options, Purpose::tried, &points, near).run();
     };
-    const std::string reason = diagnose(data_, result_, value_only(options_), refit);
+    const auto [reason, explained] = diagnose(data_, result_, value_only(options_), refit);
     if (reason.empty()) return;
+    result_.explained = explained;
     if (result_.status == FitStatus::ok) result_.status = FitStatus::suspect;
     result_.message += (result_.message.empty() ? "" : "; ") + reason;
   }

@@ -88,7 +88,7 @@ struct ExactConstant {
 
 /// Of the first parameter that is free. Scatter and parts add up to 1; null and empty where a bound holds it.
 struct Budget {
-  std::string parameter;
+  std::string parameter, unit;
   std::optional<double> scatter;
   std::vector<BudgetPart> parts;
   std::vector<ExactConstant> exact;
@@ -107,7 +107,12 @@ struct ResidualTests {
   };
   std::vector<Run> runs;                                               // those of at least kLeastRun points
   double correlation = 0, correlation_p = 1, runs_p = 1, trend_p = 1;  // of all together
-  double ends = 0, ends_p = 1;  // z of the residuals at the ends of the runs (kEnd of each, one point at least)
+  /// Root mean square of the residuals over the scatter of neighbouring points, and over that of neighbouring
+  /// residuals; null where that is not known.
+  std::optional<double> over_scatter{}, over_neighbours{};
+  double ends = 0,
+         ends_p =
+             1;  // z of the residuals at the ends of the runs (kEnd of each, one point at least) against those beside
   static constexpr double kEnd = 0.05;
   static constexpr std::size_t kLeastRun = 8;
 };
@@ -156,7 +161,9 @@ struct FitResult {
   std::optional<Budget> budget;            // of the first free parameter; null where there is nothing to tell
   std::optional<ShownEvidence> evidence;   // null where intervals were not asked for, or it could not be found
   std::optional<Consistency> consistency;  // of fits that are shown
-  std::string outdone_by{};                // of a suspect fit: the model that describes the same points far better
+  /// The cost with the constant free that explains why tests fail, where one does.
+  std::optional<double> explained{};
+  std::string outdone_by{};  // of a suspect fit: the model that describes the same points far better
   std::optional<BootstrapResult> bootstrap;
   std::optional<Influence> influence;  // changes in the reader's units; points as in `used`
   std::vector<std::string> run_names;  // of Influence::runs

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "fitting/prepare.h"
+#include "fitting/stated_constants.h"
 #include "solver/solve.h"
 
 namespace mixity {
@@ -55,6 +56,14 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
   test.points = points.size();
   test.loads = loads.size();
   for (const double r : residuals) test.chi2 += r * r;
+  // What is known of constants only to an error may take what that allows: the minimum with their priors.
+  if (const auto known = options.constants ? std::vector<FittedConstant>{} : uncertain_constants(data);
+      !known.empty()) {
+    prepared.fitted = known;
+    const auto uncertain = problem_of(data, prepared);
+    const Verdict verdict = solve_with_priors(*uncertain).verdict;
+    if (verdict.status == FitStatus::ok) test.chi2 = verdict.best.sum_of_squares;
+  }
   test.p_value = beyond(test.chi2, test.points);
   for (const Constant constant : {kModulus, kToughness, kLoadOffset}) {
     FitOptions freed = as_stated;

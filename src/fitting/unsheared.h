@@ -13,7 +13,9 @@ namespace mixity {
 /// What the areas without shear say. Null members where they cannot tell.
 struct UnshearedTest {
   std::size_t points = 0, loads = 0;
-  double chi2 = 0, p_value = 1;  // of the constants as stated; an error that nobody states is that of the scatter
+  /// Of the constants as stated, whose standard errors count; an error of a point that nobody states is that of the
+  /// scatter.
+  double chi2 = 0, p_value = 1;
   /// Of one constant, the others as stated: what these areas imply.
   struct Implied {
     std::string constant, unit;

@@ -8,11 +8,13 @@
 
 #include "dataset/number_text.h"
 #include "dataset/side_by_side.h"
+#include "fitting/consistency.h"
 
 namespace mixity {
 
 std::vector<std::string> files_read(const FitJob& job) {
   std::vector<std::string> files{job.data_path, metadata_path(job.data_path)};
+  for (const RunFile& run : job.runs) files.insert(files.end(), {run.path, metadata_path(run.path)});
   if (!job.peaks_path.empty()) files.insert(files.end(), {job.peaks_path, metadata_path(job.peaks_path)});
   if (!job.path.empty()) files.push_back(job.path);
   return files;
@@ -73,16 +75,42 @@ std::vector<double> costs(const FitJob& job, const Dataset& data) {
   return list;
 }
 
-/// A fit that cannot be believed because another model is right says so.
+/// Areas without shear know nothing of the model: where they contradict the constants that fits take as stated, none of
+/// these can be believed.
+void tell_unsheared(JobResult& result) {
+  if (!result.unsheared || !(result.unsheared->p_value < kChance) || !result.job.options.free.empty()) return;
+  if (objective_of(result) != Objective::curve || result.job.options.loss != Loss::none) return;
+  for (FitResult& fit : result.fits)
+    if (fit.status == FitStatus::ok) {
+      fit.status = FitStatus::suspect;
+      fit.message += (fit.message.empty() ? "" : "; ") +
+                     std::string(
+                         "the areas without shear do not agree with JKR and the constants as stated: check modulus, "
+                         "toughness and the zeros of load and area, or state their standard errors");
+    }
+}
+
+/// A fit that cannot be believed because another model is right says so, and so does one that passes its tests and is
+/// left far behind. Not where a constant that is wrong would explain the points as well.
 void tell_outdone(JobResult& result) {
-  constexpr double kNearlyCertain = 0.999;  // AICc weight
+  constexpr double kNearlyCertain = 0.999, kNearlyNone = 1e-6;  // AICc weights
+  constexpr double kMuchBetter = 10;                            // in AICc
   if (!preferences(result.comparison).agree()) return;
   for (const ComparedModel& best : result.comparison) {
     const auto fit = std::find_if(result.fits.begin(), result.fits.end(),
                                   [&](const FitResult& one) { return one.model == best.model; });
     if (!(best.weight.value_or(0) > kNearlyCertain) || fit->status != FitStatus::ok) continue;
     for (FitResult& other : result.fits) {
-      if (other.status != FitStatus::suspect) continue;
+      const auto own = std::find_if(result.comparison.begin(), result.comparison.end(),
+                                    [&](const ComparedModel& one) { return one.model == other.model; });
+      const bool left_behind = other.status == FitStatus::ok && own->weight.value_or(1) < kNearlyNone;
+      if (other.status != FitStatus::suspect && !left_behind) continue;
+      const auto explained = information_explained(other);
+      if (explained && explained->aicc && best.aicc && *explained->aicc < *best.aicc + kMuchBetter) {
+        other.message += "; model " + best.model + " would explain the points as well";
+        continue;
+      }
+      other.status = FitStatus::suspect;
       other.outdone_by = best.model;
       other.message = "model " + best.model + " describes these points far better (AICc weight above " +
                       shortest(kNearlyCertain) + ")";
@@ -98,7 +126,11 @@ bool can_be_believed(const JobResult& result) {
 }
 
 JobResult run(const FitJob& job, const Progress& progress) {
-  JobResult result{job, load_dataset(job.data_path, job.constants), {}, {}, {}};
+  JobResult result{job,
+                   job.runs.empty() ? load_dataset(job.data_path, job.constants) : load_pooled(job.runs, job.constants),
+                   {},
+                   {},
+                   {}};
   exclude(result.data, job.exclusion);
   const std::size_t models = job.models.size();
   Meter meter(progress, costs(job, result.data));
@@ -125,8 +157,9 @@ JobResult run(const FitJob& job, const Progress& progress) {
   part(models, [&](const FitOptions& options) {
     if (job.compare && models > 1) result.comparison = compare_models(result.data, result.fits, options);
   });
-  tell_outdone(result);
   if (job.options.checks) result.unsheared = test_unsheared(result.data, job.options);
+  tell_unsheared(result);
+  tell_outdone(result);
   if (job.per_curve) {
     result.per_curve.resize(models);
     for_each_of_the_models([&](std::size_t i) {

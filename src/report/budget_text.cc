@@ -29,12 +29,18 @@ std::string uncertain(const Budget& budget) {
   return text;
 }
 
+/// In a unit as the parameter itself is shown.
+std::string effect_text(double effect, const Budget& budget) {
+  const ReadableUnit shown = readable_unit(effect, budget.unit);
+  return rounded(effect * shown.factor, 2) + unit_text(shown.unit);
+}
+
 std::string exact(const Budget& budget) {
   std::string text, separator = "taken as exact; " + budget.parameter + " would move by ";
   for (const ExactConstant& one : budget.exact) {
     if (!one.effect) continue;
     const bool offset = one.constant.ends_with("_offset");
-    text += separator + (*one.effect < 0 ? "" : "+") + rounded(*one.effect, 2) + " (" + one.constant + " +" +
+    text += separator + (*one.effect < 0 ? "" : "+") + effect_text(*one.effect, budget) + " (" + one.constant + " +" +
             (offset ? rounded(one.step, 2) + unit_text(one.unit) : "5%") + ")";
     separator = ", ";
   }
@@ -51,7 +57,9 @@ std::string score_tests(const FitResult& fit) {
   std::stable_sort(list.begin(), list.end(), [](const ExactConstant* one, const ExactConstant* other) {
     return one->score->fall > other->score->fall;
   });
-  std::string text, separator = "score tests: chi^2 would fall by ";
+  std::string text, separator = fit.known_errors
+                                    ? "score tests: chi^2 would fall by "
+                                    : "score tests: chi^2, in units of the scatter about the fit, would fall by ";
   for (std::size_t i = 0; i < std::min(kMost, list.size()); ++i) {
     const ExactConstant& one = *list[i];
     const ReadableUnit shown = readable_unit(one.score->value, one.unit);
@@ -133,8 +141,8 @@ std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& 
   for (const BeyondEquilibrium& run : tests.beyond) {
     const Point& first = data.points[run.first];
     text += separator + std::to_string(run.points) + (run.points == 1 ? " point" : " points") + " of run " + run.curve +
-            " from T = " + rounded(first.T * data.display.force_scale, 4) + unit_text(data.display.force) + " (line " +
-            std::to_string(first.line) + ")";
+            " from T = " + rounded(first.T * data.display.force_scale, 4) + unit_text(data.display.force) + " (" +
+            data.line_text(first.line) + ")";
     separator = ", ";
   }
   if (!text.empty()) lines.push_back(text);

@@ -25,8 +25,8 @@ struct RoundedToError {
 inline RoundedToError rounded_to_error(double value, double error) {
   if (!(error > 0) || !std::isfinite(error) || !std::isfinite(value)) return {rounded(value, 7), rounded(error, 2)};
   int place = static_cast<int>(std::floor(std::log10(error)));
-  const double first = std::round(error / std::pow(10.0, place - 2));  // 100..1000
-  if (first < 355) --place;
+  error = std::nextafter(error, 2 * error);              // 0.00095 is written as the double just below it
+  if (error / std::pow(10.0, place - 2) < 355) --place;  // its first three digits
   if (place < -12 || std::max(std::abs(value), error) >= 1e12) return {rounded(value, 7), rounded(error, 2)};
   const auto at_place = [&](double number) {
     const double unit = std::pow(10.0, std::max(place, 0));

@@ -47,6 +47,9 @@ class GeneralCost final : public Cost {
     finish(cost);
   }
 
+  void keep() override { kept_ = memory_; }
+  void restore() override { memory_ = kept_; }
+
  private:
   static void finish(CostValue& cost) {
     cost.slope_size = cost.hessian.diagonal().cwiseSqrt();
@@ -54,7 +57,7 @@ class GeneralCost final : public Cost {
   }
 
   const Problem& problem_;
-  std::vector<double> residuals_, jacobian_, memory_;
+  std::vector<double> residuals_, jacobian_, memory_, kept_;
 };
 
 }  // namespace

@@ -46,6 +46,12 @@ class Kernel {
 
   /// Evaluates the cost at x, too, into last().
   const CostValue& at(std::span<const double> x);
+  /// Learns what serves near x; restore() forgets all that was learnt later.
+  void keep(std::span<const double> x) {
+    at(x);
+    cost_->keep();
+  }
+  void restore() { cost_->restore(); }
   /// The cost where the last descent started.
   double first_cost() const { return first_; }
   /// The cost at the end of the last descent.

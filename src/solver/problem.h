@@ -55,6 +55,10 @@ class Cost {
   virtual bool exact_curvature() const { return false; }
   /// Weights: one per residual, or empty: 1. Fills `cost`, whose memory is used again.
   virtual void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) = 0;
+  /// What it has learnt on the way to where it is serves from here on as if it had just been learnt.
+  virtual void keep() {}
+  /// Forgets what it has learnt since keep(): results do not depend on what was asked before.
+  virtual void restore() {}
 };
 
 class Problem {

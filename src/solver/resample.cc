@@ -49,6 +49,7 @@ class Refitter {
       : problem_(problem), start_(start) {
     problem_.shifts.resize(problem.residual_count() - points);
     kernel_.emplace(problem_);
+    kernel_->keep(start_);
   }
   /// Of the residuals of priors: normal, of unit variance.
   std::vector<double>& shifts() { return problem_.shifts; }
@@ -57,6 +58,7 @@ class Refitter {
     const auto points =
         static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
     if (points <= start_.size()) return {};
+    kernel_->restore();  // whichever refits this thread made before
     const auto minimum = kernel_->descend(start_, weights);
     return minimum && minimum->stationary ? minimum->x : std::vector<double>{};
   }

@@ -80,7 +80,7 @@ TEST(Report, OfAFitThatDoesNotEndOkIsWrittenAndEndsWithOne) {
 
 TEST(Report, DrawsPeakForcesThatTheDefinitionNames) {
   const TemporaryFolder folder;
-  folder.write("run.csv", "P,T,A\n3,0,20\n3,5,19.6\n3,10,18\n3,15,16\n");
+  folder.write("run.csv", "P,T,A\n3,0,21.87\n3,5,21.4\n3,10,20\n3,15,17.5\n");
   folder.write("peaks.csv", "P,T_peak,T_min\n2,7,5\n-1,3,2\n4,9,8\n#5,9,8\n6,-1,8\n");
   const std::string definition =
       folder.write("fit.toml", "data = \"run.csv\"\nmodels = [\"c\"]\npeaks = \"peaks.csv\"\n");
