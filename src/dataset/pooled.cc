@@ -47,7 +47,7 @@ std::string common_name(const std::vector<RunFile>& files) {
 }
 
 template <class T>
-void append(std::vector<T>& all, const std::vector<T>& more) {
+void add_all(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
@@ -64,25 +64,25 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
       run = name + " (" + std::to_string(same) + ")";
     whole.curves.push_back(run);
   }
-  append(whole.curve_loads, part.curve_loads);
+  add_all(whole.curve_loads, part.curve_loads);
   if (!part.turned.empty() || !whole.turned.empty()) {
     whole.turned.resize(first_run, false);
     part.turned.resize(part.curves.size(), false);
-    append(whole.turned, part.turned);
+    add_all(whole.turned, part.turned);
   }
   // once any file states errors, points of all have them: of those without, none is known
   if (!part.errors.empty() || !whole.errors.empty()) {
     whole.errors.resize(whole.points.size());
     part.errors.resize(part.points.size());
-    append(whole.errors, part.errors);
+    add_all(whole.errors, part.errors);
   }
   for (Point& point : part.points) {
     point.line += first_line;
     point.curve += first_run;
   }
-  append(whole.points, part.points);
+  add_all(whole.points, part.points);
   for (Excluded& excluded : part.excluded) excluded.line += first_line;
-  append(whole.excluded, part.excluded);
+  add_all(whole.excluded, part.excluded);
   whole.rows += part.rows;
   for (const std::string& note : part.notes) whole.notes.push_back(name + ": " + note);
   for (const std::string& column : part.ignored_columns)

@@ -78,7 +78,8 @@ std::vector<double> costs(const FitJob& job, const Dataset& data) {
 /// Areas without shear know nothing of the model: where they contradict the constants that fits take as stated, none of
 /// these can be believed.
 void tell_unsheared(JobResult& result) {
-  if (!result.unsheared || !(result.unsheared->p_value < kChance) || !result.job.options.free.empty()) return;
+  constexpr double kHardly = 3e-4;  // one more test must not make false alarms more than one in a hundred
+  if (!result.unsheared || !(result.unsheared->p_value < kHardly) || !result.job.options.free.empty()) return;
   if (objective_of(result) != Objective::curve || result.job.options.loss != Loss::none) return;
   for (FitResult& fit : result.fits)
     if (fit.status == FitStatus::ok) {

@@ -27,7 +27,7 @@ Json sahli_json(const std::optional<SahliResult>& sahli) {
   return {{"runs", runs}, {"power_law", law}};
 }
 
-Json peaks_json(const std::optional<PeakForces>& peaks) {
+Json peaks_json(const std::optional<PeakForces>& peaks, const std::vector<PredictedPeaks>& predicted) {
   if (!peaks) return {};
   Json rows = Json::array();
   for (const PeakForce& row : peaks->rows)
@@ -35,11 +35,22 @@ Json peaks_json(const std::optional<PeakForces>& peaks) {
                     {"P", row.P},
                     {"peak_stress", number_or_null(row.peak)},
                     {"minimum_stress", number_or_null(row.minimum)}});
+  Json models = Json::array();
+  for (const PredictedPeaks& one : predicted) {
+    Json loads = Json::array();
+    for (const PredictedPeak& load : one.loads)
+      loads.push_back({{"P", load.P}, {"stress", load.stress}, {"low", load.low}, {"high", load.high}});
+    models.push_back({{"model", one.model},
+                      {"loads", loads},
+                      {"ratio", number_or_null(one.ratio)},
+                      {"ratio_error", number_or_null(one.ratio_error)}});
+  }
   return {{"path", peaks->path},
           {"provenance", to_string(peaks->metadata.provenance)},
           {"force_unit", peaks->force_unit},
           {"stress_unit", peaks->stress_unit},
           {"rows", rows},
+          {"predicted", models},
           {"excluded", excluded_json(peaks->excluded, nullptr)}};
 }
 
@@ -63,7 +74,7 @@ Json entry_json(const ReportEntry& entry, std::vector<std::string>::const_iterat
   json["findings"] = findings(entry.data->result);
   json["assumptions"] = assumptions(entry.data->result);
   json["sahli"] = sahli_json(entry.data->sahli);
-  json["peaks"] = peaks_json(entry.data->peaks);
+  json["peaks"] = peaks_json(entry.data->peaks, entry.data->predicted_peaks);
   json["figures"] = figures;
   json["figures_left_out"] = left_out;
   return json;

@@ -42,6 +42,7 @@ ReportedData reported_data(const JobResult& result, const std::string& stem) {
     data.sahli = fit_sahli(result.data, kParabolaUpTo, data.sahli_model, values);
   }
   if (!result.job.peaks_path.empty()) data.peaks = load_peak_forces(result.job.peaks_path);
+  if (data.peaks) data.predicted_peaks = predict_peaks(result, *data.peaks);
   return data;
 }
 

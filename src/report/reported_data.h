@@ -7,6 +7,7 @@
 #include "dataset/peak_forces.h"
 #include "fitting/sahli.h"
 #include "jobs/job.h"
+#include "report/predicted_peaks.h"
 
 namespace mixity {
 
@@ -19,6 +20,7 @@ struct ReportedData {
   std::optional<SahliResult> sahli;  // null without loads
   std::string sahli_model;           // what predicts alpha there, the first fit with values; empty: nothing
   std::optional<PeakForces> peaks;   // null without a file of them
+  std::vector<PredictedPeaks> predicted_peaks{};  // where there are some
 };
 
 /// Throws InputError if the file of peak forces cannot be used.

@@ -30,7 +30,7 @@ std::string time_text(double seconds, double interval) {
   return rounded(seconds, digits);
 }
 
-std::string cut_text(const Cut& cut, double interval) {
+std::string cut_text(const CutTime& cut, double interval) {
   const std::string at = time_text(cut.time, interval) + " s";
   return cut.stated ? at + " as stated"
                     : at + " (95% " + time_text(cut.low, interval) + " .. " + time_text(cut.high, interval) + ")";

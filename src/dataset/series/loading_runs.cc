@@ -139,7 +139,7 @@ std::size_t bottom_of(const std::vector<double>& T, const Fall& fall, std::size_
   return low;
 }
 
-Cut cut_of(const Frames& frames, const ChangePoint& change) {
+CutTime cut_of(const Frames& frames, const ChangePoint& change) {
   const auto behind = [&](std::size_t i) {
     return i + 1 < frames.time.size() ? 0.5 * (frames.time[i] + frames.time[i + 1]) : frames.time[i];
   };
@@ -292,7 +292,7 @@ class Finder {
     }
     std::size_t end = top + 1;
     if (cuts.onset) {
-      run.onset = Cut{*cuts.onset, *cuts.onset, *cuts.onset, true};
+      run.onset = CutTime{*cuts.onset, *cuts.onset, *cuts.onset, true};
       end = frame_at(*cuts.onset, level);
     } else if (const auto change = onset_of(frames, T, shear, level, noise_T, noise_A_)) {
       run.onset = cut_of(frames, *change);

@@ -14,7 +14,7 @@
 namespace mixity {
 
 /// A time of the areas' clock, and the shortest stretch about it that holds it with 95 %.
-struct Cut {
+struct CutTime {
   double time = 0, low = 0, high = 0;  // s
   bool stated = false;
 };
@@ -31,9 +31,9 @@ struct LoadingRun {
   double baseline = 0;          // N, of T before the shear, which was taken off; in the direction of the shear
   double direction = 1;         // of the shear: -1 where T was turned round
   std::size_t contact = 0, begin = 0, end = 0,
-              last = 0;      // frames: of the contact; kept, from begin to before end; behind
-  Cut shear;                 // its start
-  std::optional<Cut> onset;  // of sliding; null: none was seen, and the run goes on to its largest T
+              last = 0;          // frames: of the contact; kept, from begin to before end; behind
+  CutTime shear;                 // its start
+  std::optional<CutTime> onset;  // of sliding; null: none was seen, and the run goes on to its largest T
   std::vector<double> smooth_P, T, sigma_T, sigma_A;  // N, N, N, m^2, of the frames that are kept
   std::vector<Cycle> cycles;                          // T less the baseline
 };

@@ -18,9 +18,9 @@ struct Channel {
   std::vector<double>* values;
 };
 
-class Reader {
+class LogReader {
  public:
-  Reader(const std::string& path, const Metadata& metadata) : file_(path), metadata_(metadata) {
+  LogReader(const std::string& path, const Metadata& metadata) : file_(path), metadata_(metadata) {
     recording_.path = path;
   }
 
@@ -146,6 +146,6 @@ class Reader {
 
 }  // namespace
 
-Recording read_recording(const std::string& path, const Metadata& metadata) { return Reader(path, metadata).read(); }
+Recording read_recording(const std::string& path, const Metadata& metadata) { return LogReader(path, metadata).read(); }
 
 }  // namespace mixity

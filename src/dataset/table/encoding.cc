@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kNoCharacter = "\xEF\xBF\xBD";  // U+FFFD
 
-bool take(std::string_view& text, std::string_view start) {
+bool take_mark(std::string_view& text, std::string_view start) {
   if (!text.starts_with(start)) return false;
   text.remove_prefix(start.size());
   return true;
@@ -52,9 +52,9 @@ std::string_view to_string(Encoding encoding) {
 }
 
 Encoding detect_encoding(std::string_view& start) {
-  if (take(start, "\xEF\xBB\xBF")) return Encoding::utf8;
-  if (take(start, "\xFF\xFE")) return Encoding::utf16_le;
-  if (take(start, "\xFE\xFF")) return Encoding::utf16_be;
+  if (take_mark(start, "\xEF\xBB\xBF")) return Encoding::utf8;
+  if (take_mark(start, "\xFF\xFE")) return Encoding::utf16_le;
+  if (take_mark(start, "\xFE\xFF")) return Encoding::utf16_be;
   const auto nul = [&](std::size_t i) { return start[i] == '\0'; };
   if (start.size() > 3 && nul(0) != nul(1) && nul(2) == nul(0) && nul(3) == nul(1))
     return nul(0) ? Encoding::utf16_be : Encoding::utf16_le;

@@ -137,7 +137,7 @@ bool is_row_of_units(const Line& line) {
 }
 
 /// A file cut by one separator.
-struct Cut {
+struct Partition {
   std::vector<Line> lines;
   std::size_t first = 0;  // row of numbers
   Table table;
@@ -145,9 +145,9 @@ struct Cut {
 };
 
 /// Null if there is no table.
-std::optional<Cut> cut(const std::string& path, std::string_view text, const CsvFormat& format,
-                       const ColumnRules& rules) {
-  Cut made;
+std::optional<Partition> part_by(const std::string& path, std::string_view text, const CsvFormat& format,
+                                 const ColumnRules& rules) {
+  Partition made;
   made.lines = split(text, format);
   std::map<std::size_t, std::size_t> widths;  // and how many rows have them
   for (const Line& line : made.lines)
@@ -218,7 +218,7 @@ struct Reading {
   std::vector<std::pair<std::size_t, std::size_t>> places{};  // of the values: line, field
 };
 
-Reading read(const Cut& cut, char decimal) {
+Reading read(const Partition& cut, char decimal) {
   Reading reading{cut.table.format, 0, false, false, {}, {}};
   reading.format.decimal = decimal;
   for (std::size_t i = cut.first; i < cut.lines.size(); ++i) {
@@ -246,7 +246,7 @@ std::string name_of(char delimiter) {
 }
 
 /// Throws if both fit and differ.
-const Reading& better(const std::string& path, const Cut& cut, const Reading& point, const Reading& comma) {
+const Reading& better(const std::string& path, const Partition& cut, const Reading& point, const Reading& comma) {
   if (point.valid != comma.valid) return point.valid > comma.valid ? point : comma;
   for (std::size_t i = 0; i < point.values.size(); ++i) {
     const double one = point.values[i], other = comma.values[i];
@@ -280,7 +280,7 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
   }
   if (text.size() > kLooked) text = text.substr(0, text.rfind(line_end, kLooked) + 1);
   std::optional<Reading> best;
-  std::optional<Cut> best_cut, unknown;
+  std::optional<Partition> best_cut, unknown;
   for (const char delimiter : delimiters) {
     if (text.find(delimiter) == std::string_view::npos &&
         !(delimiter == kBlanks && text.find('\t') != std::string_view::npos))
@@ -289,7 +289,7 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
     CsvFormat format;
     format.delimiter = delimiter;
     format.line_end = line_end;
-    auto made = cut(
+    auto made = part_by(
         path,
         text.substr(0, std::max<std::size_t>(end_of_rows(text, format), text.ends_with(line_end) ? 0 : text.size())),
         format, rules);

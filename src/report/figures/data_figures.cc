@@ -77,7 +77,8 @@ DataFigures data_figures(const ReportedData& reported) {
   add(sahli_figures(reported), "alpha against A0",
       data.has_loads ? "fewer than two runs have a falling parabola" : no_loads);
   if (reported.peaks)
-    add(peak_figures(*reported.peaks, reported.stem), "mean shear stress at peak and minimum", "no row has P > 0");
+    add(peak_figures(*reported.peaks, reported.stem, reported.predicted_peaks), "mean shear stress at peak and minimum",
+        "no row has P > 0");
   else
     figures.left_out.push_back(
         {"mean shear stress at peak and minimum", "the fit definition names no file of peak forces (peaks = ...)"});

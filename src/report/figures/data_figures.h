@@ -54,7 +54,9 @@ std::vector<Figure> behaviour_figures(const ReportedData& data);
 std::vector<Figure> regime_figures(const ReportedData& data);
 /// alpha against A0 with the exponents -5/4 and -3/2.
 std::vector<Figure> sahli_figures(const ReportedData& data);
-/// T/A_Hertz against P at peak and minimum (Fig. 11). `stem`: what the name begins with.
-std::vector<Figure> peak_figures(const PeakForces& peaks, const std::string& stem);
+/// T/A_Hertz against P at peak and minimum (Fig. 11), with the jump that each model predicts. `stem`: what the name
+/// begins with.
+std::vector<Figure> peak_figures(const PeakForces& peaks, const std::string& stem,
+                                 const std::vector<PredictedPeaks>& predicted = {});
 
 }  // namespace mixity

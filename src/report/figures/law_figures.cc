@@ -57,7 +57,8 @@ std::vector<Figure> sahli_figures(const ReportedData& reported) {
   return {figure};
 }
 
-std::vector<Figure> peak_figures(const PeakForces& forces, const std::string& stem) {
+std::vector<Figure> peak_figures(const PeakForces& forces, const std::string& stem,
+                                 const std::vector<PredictedPeaks>& predicted) {
   Series peak{"first maximum", Look::triangles, color(1), {}},
       minimum{"following minimum", Look::circles, color(2), {}};
   for (const PeakForce& row : forces.rows) {
@@ -89,7 +90,23 @@ std::vector<Figure> peak_figures(const PeakForces& forces, const std::string& st
   for (const Series* series : {&peak, &minimum})
     if (series->points.size() > 1)
       figure.caption += " At the " + series->label + " it varies by a factor of " + spread(*series) + ".";
-  figure.series = {std::move(peak), std::move(minimum)};
+  for (const PredictedPeaks& model : predicted) {
+    Series band{"", Look::band, model_color(model.model), {}},
+        line{"jump of model " + model.model, model_line(model.model), model_color(model.model), {}};
+    for (const PredictedPeak& load : model.loads) {
+      line.points.emplace_back(load.P, load.stress);
+      band.points.emplace_back(load.P, load.low);
+    }
+    for (auto load = model.loads.rbegin(); load != model.loads.rend(); ++load)
+      band.points.emplace_back(load->P, load->high);
+    figure.series.push_back(std::move(band));
+    figure.series.push_back(std::move(line));
+    if (model.ratio)
+      figure.caption += " First peaks are " + rounded(*model.ratio, 3) + " +/- " + rounded(*model.ratio_error, 2) +
+                        " of the jump that model " + model.model + " predicts.";
+  }
+  figure.series.push_back(std::move(peak));
+  figure.series.push_back(std::move(minimum));
   return {figure};
 }
 

@@ -12,11 +12,11 @@ namespace {
 constexpr double kBeside = 0.25;
 constexpr std::size_t kMostPoints = 1500;
 
-struct Shown {
+struct ShownFrames {
   std::size_t begin, end;
 };
 
-Shown shown(const LoadingRuns& found, const LoadingRun& run) {
+ShownFrames shown_frames(const LoadingRuns& found, const LoadingRun& run) {
   const auto margin = static_cast<std::size_t>(kBeside * static_cast<double>(run.end - run.begin)) + 5;
   const std::size_t begin = std::max(run.contact, run.begin > margin ? run.begin - margin : 0),
                     end = std::min(std::min(run.last, run.end + 3 * margin), found.frames.time.size());
@@ -25,7 +25,7 @@ Shown shown(const LoadingRuns& found, const LoadingRun& run) {
 
 Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t number, const std::vector<double>& values,
                  const std::string& quantity, const std::string& unit) {
-  const auto [begin, end] = shown(found, run);
+  const auto [begin, end] = shown_frames(found, run);
   const Frames& frames = found.frames;
   Figure figure;
   figure.name = "run_" + std::to_string(number) + "_" + quantity;
@@ -52,7 +52,7 @@ Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t nu
   const std::size_t step = std::max<std::size_t>(1, (end - begin) / kMostPoints);
   for (std::size_t i = begin; i < end; i += step) course.points.emplace_back(frames.time[i], values[i]);
   figure.series.push_back(std::move(course));
-  const auto mark = [&](const Cut& cut, const std::string& label) {
+  const auto mark = [&](const CutTime& cut, const std::string& label) {
     if (!cut.stated && cut.high > cut.low) shade(cut.low, cut.high, "", "#000000");
     figure.series.push_back({label, Look::dashed, "#000000", {{cut.time, low}, {cut.time, high}}});
   };
