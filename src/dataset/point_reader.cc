@@ -108,6 +108,10 @@ void PointReader::require_constants(const std::string& metadata_path) {
 }
 
 void PointReader::add_notes() {
+  for (const std::string_view name : {"toughness_II", "shear_strength"})
+    if (data_.metadata.standard_error(name) > 0)
+      data_.notes.push_back("the standard error of " + std::string(name) +
+                            " is in no result: its value is taken as exact");
   std::string constants;
   const auto unused = [&](bool stated, std::string_view name) {
     if (stated) constants += (constants.empty() ? "" : ", ") + std::string(name);

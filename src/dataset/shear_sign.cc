@@ -1,5 +1,6 @@
 #include "dataset/shear_sign.h"
 
+#include <limits>
 #include <string>
 
 #include "dataset/printable.h"
@@ -28,6 +29,31 @@ std::size_t turn_negative_runs(const std::vector<ShearRange>& ranges, Dataset& d
   return below;
 }
 
+/// Runs that rise through zero from well below it, reading by reading: of noise four such in a row are one in 400.
+void ask_for_zero(Dataset& data) {
+  constexpr std::size_t kInARow = 4;
+  std::string names;
+  std::size_t count = 0;
+  std::vector<std::size_t> rising(data.curves.size());  // readings below zero, each above the last, from the first on
+  std::vector<double> last(data.curves.size(), -std::numeric_limits<double>::infinity());
+  for (const Point& point : data.points) {
+    double& before = last[point.curve];
+    if (before == std::numeric_limits<double>::infinity()) continue;
+    if (point.T < 0 && point.T > before) {
+      before = point.T;
+      ++rising[point.curve];
+    } else {
+      before = std::numeric_limits<double>::infinity();
+    }
+  }
+  for (std::size_t i = 0; i < rising.size(); ++i)
+    if (rising[i] >= kInARow && ++count <= 3) names += (names.empty() ? "" : ", ") + printable(data.curves[i], 40);
+  if (count == 0) return;
+  data.notes.push_back(
+      "T rises through zero from below in run " + names + (count > 3 ? " and others" : "") +
+      ": is its zero right? An error of it can be stated (shear_offset) or fitted (--free=shear_offset)");
+}
+
 }  // namespace
 
 std::vector<ShearRange> shear_ranges(const std::vector<Point>& points, std::size_t runs) {
@@ -46,6 +72,7 @@ void finish_shear(const std::vector<ShearRange>& ranges, Dataset& data) {
   std::size_t below = turn_negative_runs(ranges, data);
   for (const ShearRange& range : ranges) below += range.is_negative() ? 0 : range.below;
   if (below == 0) return;
+  ask_for_zero(data);
   data.notes.push_back(std::to_string(below) + " of " + std::to_string(data.points.size()) +
                        (below == 1 ? " points has T < 0, used as it is" : " points have T < 0, used as they are") +
                        ": equilibrium depends on T^2");

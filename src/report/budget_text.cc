@@ -81,11 +81,26 @@ std::vector<std::string> budget_lines(const FitResult& fit) {
   return lines;
 }
 
+std::string prior_text(const FittedParameter& parameter, const std::optional<Budget>& budget) {
+  const RoundedToError stated = rounded_to_error(parameter.prior->mean, parameter.prior->standard_error);
+  std::string text = "stated " + stated.value + " +/- " + stated.error;
+  for (const BudgetPart& part : budget ? budget->parts : std::vector<BudgetPart>{})
+    if (part.constant == parameter.name)
+      text += ", moved by " + std::string(part.pull < 0 ? "" : "+") + rounded(part.pull, 2) + " of that error";
+  return text;
+}
+
 std::vector<std::string> budget_and_consistency(const FitResult& fit, const Dataset& data) {
   std::vector<std::string> lines;
   if (fit.status == FitStatus::suspect) lines.push_back("SUSPECT: " + fit.message);
   if (!fit.outdone_by.empty()) return lines;  // what its errors are made of is of no interest
   if (std::string text = posterior_line(fit); !text.empty()) lines.push_back(std::move(text));
+  for (const FittedParameter& parameter : fit.parameters) {
+    if (!parameter.prior || !parameter.value || !parameter.stderr_) continue;
+    const RoundedToError shown = rounded_to_error(*parameter.value, *parameter.stderr_);
+    lines.push_back(parameter.name + " = " + shown.value + " +/- " + shown.error + unit_text(parameter.unit) + ", " +
+                    prior_text(parameter, fit.budget));
+  }
   for (const auto& more : {budget_lines(fit), consistency_lines(fit, data)})
     lines.insert(lines.end(), more.begin(), more.end());
   return lines;

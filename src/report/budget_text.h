@@ -12,6 +12,9 @@ namespace mixity {
 /// taken as exact would do to it; empty without a budget.
 std::vector<std::string> budget_lines(const FitResult& fit);
 
+/// Of a constant with a prior: "stated 2.13 +/- 0.10, moved by -0.05 of that error".
+std::string prior_text(const FittedParameter& parameter, const std::optional<Budget>& budget);
+
 /// Posterior, credible interval and evidence; empty without them.
 std::string posterior_line(const FitResult& fit);
 

@@ -38,14 +38,6 @@ void write_data(std::ostringstream& out, const Dataset& data) {
   write_excluded(out, data, kAllOfThem);
 }
 
-/// How far a constant moved from what was stated.
-std::string pull_text(const FittedParameter& parameter, const std::optional<Budget>& budget) {
-  for (const BudgetPart& part : budget ? budget->parts : std::vector<BudgetPart>{})
-    if (part.constant == parameter.name)
-      return ", moved by " + std::string(part.pull < 0 ? "" : "+") + rounded(part.pull, 2) + " of that error";
-  return {};
-}
-
 void write_parameter(std::ostringstream& out, const FittedParameter& parameter, const std::optional<Budget>& budget) {
   out << "    " << parameter.name << ":" << std::string(parameter.name.size() < 8 ? 8 - parameter.name.size() : 1, ' ');
   if (!parameter.value) {
@@ -66,10 +58,7 @@ void write_parameter(std::ostringstream& out, const FittedParameter& parameter, 
   }
   if (!parameter.unit.empty() && parameter.value) out << ' ' << parameter.unit;
   out << interval_text(parameter);
-  if (parameter.prior) {
-    const RoundedToError stated = rounded_to_error(parameter.prior->mean, parameter.prior->standard_error);
-    out << "   stated " << stated.value << " +/- " << stated.error << pull_text(parameter, budget);
-  }
+  if (parameter.prior) out << "   " << prior_text(parameter, budget);
   if (!parameter.held && !parameter.prior)
     out << "   range " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4);
   out << '\n';

@@ -181,7 +181,8 @@ std::vector<Cycle> cycles_of(const Frames& frames, const std::vector<double>& T,
     const auto fall = first_fall(T, from, end, noise);
     if (!fall) break;
     const std::size_t low = bottom_of(T, *fall, end, noise);
-    cycles.push_back({frames.time[fall->top], T[fall->top], low + 1 < end ? std::optional(T[low]) : std::nullopt});
+    cycles.push_back(
+        {frames.time[fall->top], T[fall->top], frames.time[low], low + 1 < end ? std::optional(T[low]) : std::nullopt});
     from = low;
     if (low + 1 >= end) break;
   }

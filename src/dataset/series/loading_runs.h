@@ -22,6 +22,7 @@ struct CutTime {
 /// First maximum of T, and the minimum that follows: one of stick and slip.
 struct Cycle {
   double time = 0, T_peak = 0;
+  double time_min = 0;
   std::optional<double> T_min{};
 };
 

@@ -74,7 +74,14 @@ std::vector<Figure> log_figures(const ReducedLog& log) {
     std::vector<double> T;
     for (const double one : frames.T) T.push_back((run.direction * one - run.baseline) / log.force_factor);
     ++number;
+    Series peaks{"maximum of T", Look::squares, color(1), {}}, minima{"minimum behind it", Look::circles, color(2), {}};
+    for (const Cycle& cycle : run.cycles) {
+      peaks.points.emplace_back(cycle.time, cycle.T_peak / log.force_factor);
+      if (cycle.T_min) minima.points.emplace_back(cycle.time_min, *cycle.T_min / log.force_factor);
+    }
     figures.push_back(figure_of(log.runs, run, number, T, "T", log.force_unit));
+    for (Series* marks : {&peaks, &minima})
+      if (!marks->points.empty()) figures.back().series.push_back(std::move(*marks));
     figures.push_back(figure_of(log.runs, run, number, A, "A", log.area_unit));
   }
   return figures;
