@@ -198,6 +198,10 @@ class Loader {
       data_.curves.push_back(printable(runs_.shown(i), std::string::npos));
     if (!data_.has_loads) return;
     data_.curve_loads = runs_.loads();
+    if (reader_->has_time() && 2 * data_.excluded.size() > data_.rows)
+      data_.notes.emplace_back(
+          "the file has a column of times, and most of its rows are no points: if it is a log, mixity runs makes loading "
+          "runs of it");
     if (!reader_->names_runs() && data_.curves.size() > 1) {
       join_noisy_loads(data_);
       shear_ = shear_ranges(data_.points, data_.curves.size());
