@@ -264,10 +264,7 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
                      "starts with '#' is a comment); say which is which: --columns=\"P=1 (mN),T=2 (mN),A=3 (mm^2)\"");
   std::vector<bool> used(headings.size());
   for (const NamedColumn& column : name_columns(path, headings, rules)) {
-    if (column.id == ColumnId::time) {  // of logs
-      holds_time_ = true;
-      continue;
-    }
+    if (column.id == ColumnId::time) continue;  // of logs
     const ColumnKind& kind = kind_of(column.id);
     columns_[static_cast<std::size_t>(column.id)] =
         Column{column.id, column.index, unit_of(column.heading, kind, path, headings.size() == 1, rules.pixel)};

@@ -66,8 +66,6 @@ class Columns {
   bool holds_loads() const { return has(ColumnId::T); }
   /// G_I and G_II.
   bool holds_energies() const { return has(ColumnId::G_I); }
-  /// A time, which no point has: the file may be a log.
-  bool holds_time() const { return holds_time_; }
   /// The axes of an ellipse.
   bool holds_axes() const { return has(ColumnId::a_par) || has(ColumnId::major); }
 
@@ -80,7 +78,6 @@ class Columns {
   std::vector<std::string> ignored_, taken_;
   std::vector<std::pair<std::string, std::string>> misspelt_;
   std::size_t count_ = 0;
-  bool holds_time_ = false;
 };
 
 // ---- What any file with such a header is read by. Each throws InputError that names line and column. ----

@@ -1,5 +1,6 @@
 #include "dataset/dataset.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "dataset/side_by_side.h"
 #include "dataset/table/csv.h"
 #include "dataset/table/table.h"
+#include "dataset/table/vocabulary.h"
 
 namespace mixity {
 namespace {
@@ -26,10 +28,10 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
 }
 
 /// How far from circles elliptic contacts are: the longest axis over the shorter one, and where.
-struct Axes {
+struct EllipseAxes {
   double ratio = 1;
   std::size_t line = 0;
-  void add(const Axes& other) {
+  void add(const EllipseAxes& other) {
     if (other.ratio > ratio) *this = other;
   }
 };
@@ -46,7 +48,7 @@ struct Part {
   Runs runs;
   std::vector<ShearRange> shear;  // of each run
   PointBatch batch;
-  Axes axes;
+  EllipseAxes axes;
 
   void clear() {
     rows = commented = 0;
@@ -198,9 +200,10 @@ class Loader {
       data_.curves.push_back(printable(runs_.shown(i), std::string::npos));
     if (!data_.has_loads) return;
     data_.curve_loads = runs_.loads();
-    if (reader_->has_time() && 2 * data_.excluded.size() > data_.rows)
+    if (2 * data_.excluded.size() > data_.rows && has_times())
       data_.notes.emplace_back(
-          "the file has a column of times, and most of its rows are no points: if it is a log, mixity runs makes loading "
+          "the file has a column of times, and most of its rows are no points: if it is a log, mixity runs makes "
+          "loading "
           "runs of it");
     if (!reader_->names_runs() && data_.curves.size() > 1) {
       join_noisy_loads(data_);
@@ -208,6 +211,12 @@ class Loader {
     }
     finish_shear(shear_, data_);
     if (reader_->has_axes()) finish_axes();
+  }
+
+  bool has_times() const {
+    return std::any_of(data_.ignored_columns.begin(), data_.ignored_columns.end(), [](const std::string& name) {
+      return name == "time" || Vocabulary::shipped().find(name) == ColumnId::time;
+    });
   }
 
   /// Of the singular part of an elliptic punch's pressure K_I^2 at the end of a semi-axis goes with its length (Johnson
@@ -230,7 +239,7 @@ class Loader {
   std::optional<PointReader> reader_;  // made of the first row, before any thread
   Runs runs_;
   std::vector<ShearRange> shear_;  // of each run
-  Axes axes_;
+  EllipseAxes axes_;
   std::size_t commented_ = 0, first_commented_ = 0;
 };
 

@@ -50,8 +50,8 @@ std::string one_line(std::string text) {
   return printable(trim(text), std::string::npos);
 }
 
-constexpr std::array<std::string_view, 7> kTexts{"provenance", "source",  "note",     "columns",
-                                                 "headings",   "decimal", "load_from"};
+constexpr std::array<std::string_view, 7> kTextFields{"provenance", "source",  "note",     "columns",
+                                                      "headings",   "decimal", "load_from"};
 
 std::string si_unit(const Dimension& d) {
   return d == dimension::length            ? " m"
@@ -65,7 +65,9 @@ std::string si_unit(const Dimension& d) {
 /// Says how a file is to be read, rather than what holds for the experiment.
 bool is_reading(std::string_view name) { return name == "pixel" || name == "load"; }
 
-bool is_text(std::string_view name) { return std::find(kTexts.begin(), kTexts.end(), name) != kTexts.end(); }
+bool is_text(std::string_view name) {
+  return std::find(kTextFields.begin(), kTextFields.end(), name) != kTextFields.end();
+}
 
 /// "P=Kanal 3 (mN), T=Kanal 4 (N)": a comma parts two columns where a quantity and "=" follow it. What is wrong, or
 /// empty.
@@ -183,8 +185,8 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
   }
   std::string known;
   for (const Field& field : kFields) known += std::string(field.name) + ", ";
-  for (const std::string_view text_name : kTexts)
-    known += std::string(text_name) + (text_name == kTexts.back() ? "" : ", ");
+  for (const std::string_view text_name : kTextFields)
+    known += std::string(text_name) + (text_name == kTextFields.back() ? "" : ", ");
   return "unknown key " + quoted(name) + " (known: " + known + ")";
 }
 

@@ -13,9 +13,10 @@ namespace {
 
 enum Force { kLoad, kPeak, kMinimum };
 constexpr std::array<std::string_view, 3> kNames{"P", "T_peak", "T_min"};
-constexpr std::array<std::string_view, 3> kNotFinite{"column 'P' is not finite", "column 'T_peak' is not finite",
-                                                     "column 'T_min' is not finite"};
-constexpr std::array<std::string_view, 3> kNegative{"P is not above 0: no area of Hertz", "T_peak < 0", "T_min < 0"};
+constexpr std::array<std::string_view, 3> kForceNotFinite{"column 'P' is not finite", "column 'T_peak' is not finite",
+                                                          "column 'T_min' is not finite"};
+constexpr std::array<std::string_view, 3> kForceNegative{"P is not above 0: no area of Hertz", "T_peak < 0",
+                                                         "T_min < 0"};
 
 class Reader {
  public:
@@ -31,12 +32,12 @@ class Reader {
       if (columns_[q] && number_at(forces_.path, row, *columns_[q], kNames[q], value)) values[q] = value;
     const auto exclude = [&](std::string_view why) { forces_.excluded.push_back({row.line(), why}); };
     for (const Force q : {kLoad, kPeak, kMinimum})
-      if (values[q] && !std::isfinite(*values[q])) return exclude(kNotFinite[q]);
+      if (values[q] && !std::isfinite(*values[q])) return exclude(kForceNotFinite[q]);
     if (!values[kLoad]) return exclude("column 'P' is empty");
     if (!values[kPeak] && !values[kMinimum]) return exclude("neither T_peak nor T_min is given");
-    if (!(*values[kLoad] > 0)) return exclude(kNegative[kLoad]);
+    if (!(*values[kLoad] > 0)) return exclude(kForceNegative[kLoad]);
     for (const Force q : {kPeak, kMinimum})
-      if (values[q] && *values[q] < 0) return exclude(kNegative[q]);
+      if (values[q] && *values[q] < 0) return exclude(kForceNegative[q]);
     PeakForce point{row.line(), *values[kLoad], {}, {}};
     const double area = hertz_area(*values[kLoad] * units_[kLoad].factor);
     if (values[kPeak]) point.peak = *values[kPeak] * units_[kPeak].factor / area / stress_;

@@ -49,7 +49,6 @@ class PointReader {
   /// What was taken for what, where the headings are not the program's own.
   const std::vector<std::string>& taken() const { return columns_.taken(); }
   bool names_runs() const { return columns_.has(ColumnId::curve); }
-  bool has_time() const { return columns_.holds_time(); }
   bool has_axes() const { return columns_.holds_axes(); }
   /// Whether the file has a column of standard errors.
   bool has_errors() const {

@@ -7,13 +7,13 @@
 namespace mixity {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kLikely = 3.841458820694124;  // 95 % of chi^2 of one degree of freedom
 
-/// Sums of readings, from which squares about a mean or a line follow.
-class Sums {
+/// PartialSums of readings, from which squares about a mean or a line follow.
+class PartialSums {
  public:
-  explicit Sums(const std::vector<double>& values, std::size_t begin, std::size_t end) : begin_(begin) {
+  explicit PartialSums(const std::vector<double>& values, std::size_t begin, std::size_t end) : begin_(begin) {
     const std::size_t n = end - begin;
     y_.resize(n + 1);
     yy_.resize(n + 1);
@@ -64,8 +64,8 @@ ChangePoint best(const std::vector<double>& costs, std::size_t offset) {
 std::vector<std::size_t> level_changes(const std::vector<double>& values, double variance, double penalty) {
   const std::size_t n = values.size();
   if (n == 0) return {};
-  const Sums sums(values, 0, n);
-  std::vector<double> cost(n + 1, kInfinity);
+  const PartialSums sums(values, 0, n);
+  std::vector<double> cost(n + 1, kUnbounded);
   std::vector<std::size_t> before(n + 1), candidates{0};
   cost[0] = -penalty;
   for (std::size_t end = 1; end <= n; ++end) {
@@ -91,7 +91,7 @@ std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::
   if (end < begin + 2 * kLeast) return std::nullopt;
   std::vector<double> costs(end - begin + 1 - 2 * kLeast);
   for (const Course& course : courses) {
-    const Sums sums(*course.values, begin, end);
+    const PartialSums sums(*course.values, begin, end);
     for (std::size_t i = 0; i < costs.size(); ++i) {
       const std::size_t cut = begin + kLeast + i;  // the first reading behind
       costs[i] += (sums.about_line(begin, cut) + sums.about_line(cut, end)) / (course.noise * course.noise);
