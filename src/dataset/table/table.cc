@@ -21,10 +21,24 @@ constexpr std::size_t kHeadingLines = 5;               // above the first row of
 struct Line {
   std::size_t number, offset;
   std::vector<std::string> fields;
-  std::vector<FilePlace> places;  // of the fields
   std::string text;
   bool comment;
 };
+
+/// Of its fields. Found when they are asked for: of most lines nobody asks.
+std::vector<FilePlace> places_of(const Line& line, const CsvFormat& format) {
+  std::vector<FilePlace> places;
+  CsvFormat plain = format;
+  plain.comments = false;
+  try {
+    read_rows(line.text, line.number, plain, {}, [&](const CsvRow& row) {
+      for (std::size_t i = 0; i < row.size(); ++i) places.push_back(row.place(i));
+    });
+  } catch (const InputError&) {  // quotes in a comment
+  }
+  places.resize(line.fields.size(), {line.number, 1});
+  return places;
+}
 
 bool is_number(const std::string& field) {
   double value = 0;
@@ -42,20 +56,18 @@ bool holds_numbers(const Line& line) {
 }
 
 /// Empty if the text's quotes forbid it.
-std::vector<Line> split(std::string_view text, const CsvFormat& format) {
+std::vector<Line> split(std::string_view text, std::size_t first_line, const CsvFormat& format) {
   std::vector<Line> lines;
   const auto add = [&](const CsvRow& row, bool comment) {
-    Line line{row.line(), static_cast<std::size_t>(row.raw().data() - text.data()), {}, {}, std::string(row.raw()),
-              comment};
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      line.fields.emplace_back(row[i]);
-      line.places.push_back(row.place(i));
-    }
+    Line line{
+        row.line(), static_cast<std::size_t>(row.raw().data() - text.data()), {}, std::string(row.raw()), comment};
+    for (std::size_t i = 0; i < row.size(); ++i) line.fields.emplace_back(row[i]);
     lines.push_back(std::move(line));
   };
   try {
     read_rows(
-        text, 1, format, {}, [&](const CsvRow& row) { add(row, false); }, [&](const CsvRow& row) { add(row, true); });
+        text, first_line, format, {}, [&](const CsvRow& row) { add(row, false); },
+        [&](const CsvRow& row) { add(row, true); });
   } catch (const InputError&) {
     return {};
   }
@@ -75,10 +87,9 @@ std::vector<std::vector<Heading>> cut_headings(const Line& line, const CsvFormat
   };
   std::vector<std::pair<std::string, std::size_t>> pieces;
   if (format.delimiter != kBlanks) {
-    for (std::size_t i = 0; i < line.fields.size(); ++i) {
-      pieces.emplace_back(line.fields[i], line.places[i].column);
-      if (line.places[i].line != line.number) pieces.back().second = 1;
-    }
+    const std::vector<FilePlace> places = places_of(line, format);
+    for (std::size_t i = 0; i < line.fields.size(); ++i)
+      pieces.emplace_back(line.fields[i], places[i].line == line.number ? places[i].column : 1);
     add(pieces);
     return ways;
   }
@@ -145,10 +156,10 @@ struct Partition {
 };
 
 /// Null if there is no table.
-std::optional<Partition> part_by(const std::string& path, std::string_view text, const CsvFormat& format,
-                                 const ColumnRules& rules) {
+std::optional<Partition> part_by(const std::string& path, std::string_view text, std::size_t first_line,
+                                 const CsvFormat& format, const ColumnRules& rules) {
   Partition made;
-  made.lines = split(text, format);
+  made.lines = split(text, first_line, format);
   std::map<std::size_t, std::size_t> widths;  // and how many rows have them
   for (const Line& line : made.lines)
     if (holds_numbers(line)) ++widths[line.fields.size()];
@@ -178,7 +189,8 @@ std::optional<Partition> part_by(const std::string& path, std::string_view text,
         }
   if (table.headings.empty()) {
     if (rules.mapping.empty()) return std::nullopt;
-    for (const FilePlace& place : made.lines[made.first].places) table.headings.push_back({"", "", {}, true, place});
+    for (const FilePlace& place : places_of(made.lines[made.first], format))
+      table.headings.push_back({"", "", {}, true, place});
     if (count_named(path, table.headings, width, rules) == 0) return std::nullopt;
   } else {
     table.header_line = made.lines[heading_line].number;
@@ -256,7 +268,7 @@ const Reading& better(const std::string& path, const Partition& cut, const Readi
     if (point.doubtful && !point.grouped && cut.table.format.delimiter == ';') return comma;
     const auto [line, field] = point.places[i];
     const Line& row = cut.lines[line];
-    throw InputError(path, row.places[field],
+    throw InputError(path, places_of(row, cut.table.format)[field],
                      "'" + printable(row.fields[field], 40) + "' may be " + shortest(comma.values[i]) +
                          " (decimal comma) or " + shortest(point.values[i]) +
                          " (comma between thousands); say which: --decimal=\",\" or --decimal=\".\"");
@@ -270,12 +282,12 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
                                 const ColumnRules& rules, char decimal) {
   std::string delimiters = ";\t, ";
   std::string_view text = start;
-  std::size_t before = 0, lines_before = 0;  // Excel's "sep=;", which a table may begin with
+  std::size_t before = 0, first_line = 1;  // Excel's "sep=;", which a table may begin with
   if (const std::string_view first = text.substr(0, text.find(line_end));
       first.starts_with("sep=") && first.size() > 4) {
     delimiters = first[4];
     before = std::min(first.size() + 1, text.size());
-    lines_before = 1;
+    first_line = 2;
     text.remove_prefix(before);
   }
   if (text.size() > kLooked) text = text.substr(0, text.rfind(line_end, kLooked) + 1);
@@ -289,17 +301,24 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
     CsvFormat format;
     format.delimiter = delimiter;
     format.line_end = line_end;
-    auto made = part_by(
-        path,
-        text.substr(0, std::max<std::size_t>(end_of_rows(text, format), text.ends_with(line_end) ? 0 : text.size())),
-        format, rules);
+    const std::size_t end = end_of_rows(text, format);
+    auto made = part_by(path, text.substr(0, std::max(end, text.ends_with(line_end) ? std::size_t{0} : text.size())),
+                        first_line, format, rules);
     if (!made) continue;
     if (made->wanted.empty()) {
       if (!unknown) unknown = std::move(made);
       continue;
     }
-    const Reading point = read(*made, '.'), comma = read(*made, ',');
-    Reading chosen = decimal == '.' ? point : decimal == ',' ? comma : better(path, *made, point, comma);
+    // without a comma in any field the decimal sign is a point
+    const bool commas =
+        delimiter == ',' ? text.find('"') != std::string_view::npos : text.find(',') != std::string_view::npos;
+    Reading chosen;
+    if (decimal != 0 || !commas) {
+      chosen = read(*made, decimal == 0 ? '.' : decimal);
+    } else {
+      const Reading point = read(*made, '.'), comma = read(*made, ',');
+      chosen = better(path, *made, point, comma);
+    }
     const bool more = !best || made->wanted.size() > best_cut->wanted.size() ||
                       (made->wanted.size() == best_cut->wanted.size() && chosen.valid > best->valid);
     if (!more) continue;
@@ -314,11 +333,6 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
     table.format.grouped = best->grouped || (decimal != 0 && best->doubtful);
   }
   table.offset += before;
-  table.line += lines_before;
-  if (table.header_line > 0) table.header_line += lines_before;
-  if (table.units_line > 0) table.units_line += lines_before;
-  for (Heading& heading : table.headings) heading.place.line += lines_before;
-  for (std::size_t& line : table.passed_over) line += lines_before;
   return std::move(table);
 }
 
