@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <tuple>
 
 #include "dataset/number_text.h"
+#include "dataset/series/falls.h"
 #include "dataset/series/noise.h"
 
 namespace mixity {
@@ -75,28 +75,6 @@ void check_errors(const Dataset& data, Lines& odd) {
   }
 }
 
-/// Falls of more than `least` between a reading and one before it, each from where it rose to since the last: how many,
-/// and the index of the first reading so far below.
-std::pair<std::size_t, std::size_t> falls(const std::vector<double>& values, double least) {
-  std::size_t count = 0, first = 0;
-  double high = -std::numeric_limits<double>::infinity(), low = 0;
-  bool falling = false;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (falling) {
-      low = std::min(low, values[i]);
-      if (values[i] - low <= least) continue;
-      falling = false;
-      high = values[i];
-    }
-    high = std::max(high, values[i]);
-    if (high - values[i] <= least) continue;
-    if (count++ == 0) first = i;
-    falling = true;
-    low = values[i];
-  }
-  return {count, first};
-}
-
 void check_order(const Dataset& data, Lines& odd) {
   constexpr double kNoise = 8;  // what two readings of a thousand of one value differ by, in standard deviations
   const auto runs = points_by_curve(data);
@@ -117,10 +95,10 @@ void check_order(const Dataset& data, Lines& odd) {
                     rounded(*least * data.display.force_scale, 4) + " to " +
                     rounded(*most * data.display.force_scale, 4) + "; are runs of both directions mixed?");
     const double noise = noise_of(rising);
-    const auto [count, first] = falls(rising, kNoise * noise);
-    if (count > 0)
+    const std::vector<Fall> found = falls(rising, 0, rising.size(), kNoise * noise);
+    if (!found.empty())
       odd.push_back("run " + data.curves[curve] + ": T falls " + (noise > 0 ? "by more than its noise " : "") +
-                    times(count) + ", first at " + data.line_text(points[first]->line) +
+                    times(found.size()) + ", first at " + data.line_text(points[found.front().seen]->line) +
                     "; is unloading, slip or a second run mixed in?");
   }
 }

@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "dataset/input_error.h"
+#include "dataset/metadata.h"
 #include "dataset/printable.h"
 #include "dataset/table/vocabulary.h"
 
@@ -130,10 +131,8 @@ bool is_complete(const std::vector<NamedColumn>& columns, const ColumnRules& rul
 
 }  // namespace
 
-std::optional<ColumnId> column_named(std::string_view name) {
-  for (const ColumnKind& kind : kColumnKinds)
-    if (kind.name == name) return kind.id;
-  return std::nullopt;
+ColumnRules rules_of(const Metadata& metadata) {
+  return {metadata.columns, metadata.headings, metadata.load || !metadata.load_from.empty(), metadata.pixel};
 }
 
 std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,

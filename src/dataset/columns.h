@@ -32,6 +32,9 @@ struct ColumnRules {
   bool log = false;               // the table needs a column of times, and T or A
 };
 
+struct Metadata;
+ColumnRules rules_of(const Metadata& metadata);
+
 /// A heading that names a quantity.
 struct NamedColumn {
   ColumnId id;

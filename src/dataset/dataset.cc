@@ -126,12 +126,8 @@ class Loader {
 
   /// Finds the table. Where there is none the first row is taken for its headings, and what is wrong with it is told.
   void begin() {
-    std::string_view start = file_.start();
-    if (!file_.at_end()) start = start.substr(0, start.rfind(file_.line_end()) + 1);
     const Metadata& metadata = data_.metadata;
-    const ColumnRules rules{metadata.columns, metadata.headings, metadata.load || !metadata.load_from.empty(),
-                            metadata.pixel};
-    const auto table = find_table(data_.path, start, file_.line_end(), rules, metadata.decimal);
+    const auto table = find_table(data_.path, file_.start(), file_.line_end(), rules_of(metadata), metadata.decimal);
     if (file_.encoding() != Encoding::utf8) data_.reading = to_string(file_.encoding());
     if (!table) return;
     reader_.emplace(metadata_path_, table->headings, data_);

@@ -66,10 +66,7 @@ std::optional<double> stated_load(const Dataset& data) {
 }  // namespace
 
 PointReader::PointReader(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data)
-    : load_(stated_load(data)),
-      data_(data),
-      columns_(data.path, headings,
-               {data.metadata.columns, data.metadata.headings, load_.has_value(), data.metadata.pixel}) {
+    : load_(stated_load(data)), data_(data), columns_(data.path, headings, rules_of(data.metadata)) {
   if (columns_.has(ColumnId::P)) load_.reset();
   data_.has_loads = columns_.holds_loads();
   data_.has_energies = columns_.holds_energies();

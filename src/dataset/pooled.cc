@@ -105,15 +105,18 @@ std::vector<std::string> files_of(const std::string& pattern) {
 
 Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& overrides) {
   Metadata constants;
-  for (const RunFile& file : files)
-    if (const std::string problem = add_constants(read_metadata(metadata_path(file.path)), constants); !problem.empty())
+  std::vector<Metadata> stated;
+  for (const RunFile& file : files) {
+    stated.push_back(read_metadata(metadata_path(file.path)));
+    if (const std::string problem = add_constants(stated.back(), constants); !problem.empty())
       throw InputError(metadata_path(file.path), problem);
+  }
   Dataset whole;
   std::size_t lines = 0;
   for (const RunFile& file : files) {
     // how a file is to be read is its own
     Metadata metadata = constants;
-    copy_reading(read_metadata(metadata_path(file.path)), metadata);
+    copy_reading(stated[whole.files.size()], metadata);
     Overrides own = overrides;
     if (!file.load.empty()) own.emplace_back("load", file.load);
     Dataset part = load_dataset(file.path, metadata, own);

@@ -1,5 +1,7 @@
 #include "dataset/toml_file.h"
 
+#include <sstream>
+
 #include "dataset/table/csv.h"
 
 namespace mixity {
@@ -29,6 +31,12 @@ std::string mapping_text(const std::string& path, const toml::table& table) {
     text += (text.empty() ? "" : ",") + std::string(key.str()) + "=" + heading.as_string()->get();
   }
   return text;
+}
+
+std::string toml_text(const std::string& text) {
+  std::ostringstream out;
+  out << toml::value<std::string>(text);
+  return out.str();
 }
 
 }  // namespace mixity

@@ -17,6 +17,9 @@ toml::table read_toml(const std::string& path);
 /// string.
 std::string mapping_text(const std::string& path, const toml::table& table);
 
+/// A text as TOML has it, in quotes.
+std::string toml_text(const std::string& text);
+
 /// Throws an InputError at the place of a node or key.
 template <class Placed>
 [[noreturn]] void fail_at(const std::string& path, const Placed& node, const std::string& message) {

@@ -199,11 +199,6 @@ class Reader {
 FitJob read_fit_definition(const std::string& path) { return Reader(path).read(); }
 
 std::string fit_definition_text(const FitJob& job, const Dataset& data, const std::string& path) {
-  const auto text = [](const std::string& value) {
-    std::ostringstream out;
-    out << toml::value<std::string>(value);
-    return out.str();
-  };
   const auto from_there = [&](const std::string& file) {
     std::error_code none;
     // by the names alone: what is stated beside a link need not stand beside what it leads to
@@ -212,7 +207,7 @@ std::string fit_definition_text(const FitJob& job, const Dataset& data, const st
                                 relative = std::filesystem::canonical(folder, none) == folder
                                                ? whole.lexically_proximate(folder)
                                                : whole;
-    return text((none ? std::filesystem::absolute(file) : relative).string());
+    return toml_text((none ? std::filesystem::absolute(file) : relative).string());
   };
   std::ostringstream out;
   const bool told_apart = std::any_of(job.runs.begin(), job.runs.end(),
@@ -232,21 +227,21 @@ std::string fit_definition_text(const FitJob& job, const Dataset& data, const st
     const auto found = stated.find(std::string(name));
     if (name == "models") {
       out << "models = [";
-      for (std::size_t i = 0; i < job.models.size(); ++i) out << (i == 0 ? "" : ", ") << text(job.models[i]);
+      for (std::size_t i = 0; i < job.models.size(); ++i) out << (i == 0 ? "" : ", ") << toml_text(job.models[i]);
       out << "]\n";
     } else if (found != stated.end()) {
       const bool bare = found->second == "true" || found->second == "false";
-      out << name << " = " << (bare ? found->second : text(found->second)) << '\n';
+      out << name << " = " << (bare ? found->second : toml_text(found->second)) << '\n';
     }
   }
-  if (!job.source.empty()) out << "source = " << text(job.source) << '\n';
+  if (!job.source.empty()) out << "source = " << toml_text(job.source) << '\n';
   if (!job.constants.empty()) out << "\n[constants]\n";
-  for (const auto& [name, value] : job.constants) out << name << " = " << text(value) << '\n';
+  for (const auto& [name, value] : job.constants) out << name << " = " << toml_text(value) << '\n';
   for (const RunFile& run : job.runs) {
     if (!told_apart) break;
     out << "\n[[runs]]\nfile = " << from_there(run.path) << '\n';
-    if (!run.name.empty()) out << "name = " << text(run.name) << '\n';
-    if (!run.load.empty()) out << "load = " << text(run.load) << '\n';
+    if (!run.name.empty()) out << "name = " << toml_text(run.name) << '\n';
+    if (!run.load.empty()) out << "load = " << toml_text(run.load) << '\n';
   }
   for (const auto& [model, numbers] : job.published) {
     if (std::find(job.models.begin(), job.models.end(), model) == job.models.end()) continue;

@@ -13,13 +13,6 @@
 namespace mixity {
 namespace {
 
-/// Text as TOML has it, in quotes.
-std::string in_toml(const std::string& text) {
-  std::ostringstream out;
-  out << toml::value<std::string>(text);
-  return out.str();
-}
-
 /// As many digits as tell readings apart: 1e-6 of the largest is far below any noise.
 std::string reading(double value) { return rounded(value, 7); }
 
@@ -57,7 +50,7 @@ std::string runs_csv(const ReducedLog& log) {
 
 std::string runs_toml(const ReducedLog& log) {
   std::ostringstream out;
-  for (const auto& [name, text] : constants_as_stated(log.metadata)) out << name << " = " << in_toml(text) << '\n';
+  for (const auto& [name, text] : constants_as_stated(log.metadata)) out << name << " = " << toml_text(text) << '\n';
   // what the zeros that were taken off are known to
   if (!log.metadata.load_offset && log.runs.zero_P_error > 0)
     out << "load_offset = \"0 +/- " << rounded(log.runs.zero_P_error / log.force_factor, 2) << ' ' << log.force_unit
@@ -68,8 +61,8 @@ std::string runs_toml(const ReducedLog& log) {
   if (log.metadata.provenance != Provenance::unstated)
     out << "provenance = \"" << to_string(log.metadata.provenance) << "\"\n";
   const std::string made = "runs of " + log.forces.path + ", made by mixity runs";
-  out << "source = " << in_toml(log.metadata.source.empty() ? made : log.metadata.source + "; " + made) << '\n';
-  if (!log.metadata.note.empty()) out << "note = " << in_toml(log.metadata.note) << '\n';
+  out << "source = " << toml_text(log.metadata.source.empty() ? made : log.metadata.source + "; " + made) << '\n';
+  if (!log.metadata.note.empty()) out << "note = " << toml_text(log.metadata.note) << '\n';
   return out.str();
 }
 
@@ -104,7 +97,8 @@ std::string cuts_toml(const ReducedLog& log) {
   out << "# The cuts of " << printable(log.forces.path, std::string::npos)
       << ". Change a time and run again with --cuts=THIS FILE; leave_out = true drops a run.\n";
   for (const LoadingRun& run : log.runs.runs) {
-    out << "\n[[cuts]]\nrun = " << in_toml(run.name) << "\nshear = \"" << time_text(run.shear.time, interval) << " s\"";
+    out << "\n[[cuts]]\nrun = " << toml_text(run.name) << "\nshear = \"" << time_text(run.shear.time, interval)
+        << " s\"";
     if (!run.shear.stated) out << "  # " << cut_text(run.shear, interval);
     out << '\n';
     if (run.onset) {

@@ -10,6 +10,12 @@
 namespace mixity {
 namespace {
 
+double typical_step(const std::vector<double>& time) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
+  return median(steps);
+}
+
 /// Times and areas of pictures: rows with an area, and of rows that repeat the last picture the first.
 struct Pictures {
   std::vector<double> time, A;
@@ -27,9 +33,7 @@ Pictures pictures(const Recording& recording) {
   }
   // An area that is held until the next picture changes in few rows, and there in steps of one length.
   if (changed.A.size() < 3 || 3 * changed.A.size() > all.A.size()) return all;
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < changed.time.size(); ++i) steps.push_back(changed.time[i] - changed.time[i - 1]);
-  const double step = median(steps);
+  const double step = typical_step(changed.time);
   Pictures held;
   for (std::size_t i = 0, k = 0; i < all.time.size(); ++i) {
     const bool change = k < changed.time.size() && all.time[i] == changed.time[k];
@@ -39,12 +43,6 @@ Pictures pictures(const Recording& recording) {
     k += change;
   }
   return held;
-}
-
-double typical_step(const std::vector<double>& time) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
-  return median(steps);
 }
 
 /// Mean of samples from `begin` to before `end`; between samples, if there are none. NaN outside the recording.

@@ -5,14 +5,14 @@
 #include <numeric>
 
 #include "dataset/number_text.h"
+#include "dataset/series/falls.h"
 #include "dataset/series/noise.h"
+#include "dataset/series/onset.h"
 
 namespace mixity {
 namespace {
 
 constexpr std::size_t kBeforeShear = 5;  // frames of the hold that a run keeps: areas without shear
-constexpr double kFall = 8;              // standard deviations of T that a fall exceeds by what noise does not
-constexpr double kLeastFall = 0.01;      // of the rise so far
 
 std::vector<double> part(const std::vector<double>& values, std::size_t begin, std::size_t end) {
   return {values.begin() + static_cast<std::ptrdiff_t>(begin), values.begin() + static_cast<std::ptrdiff_t>(end)};
@@ -87,58 +87,6 @@ Sheared turned(const std::vector<double>& T, Stretch level) {
   return sheared;
 }
 
-/// The first fall that noise does not explain: the largest T before it, and the frame that shows it.
-struct Fall {
-  std::size_t top, seen;
-};
-std::optional<Fall> first_fall(const std::vector<double>& T, std::size_t begin, std::size_t end, double noise) {
-  std::size_t top = begin;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (T[i] > T[top]) top = i;
-    if (T[top] - T[i] > std::max(kFall * noise, kLeastFall * T[top])) return Fall{top, i};
-  }
-  return std::nullopt;
-}
-
-/// The same of a break: three frames below what the line through a dozen before them leads to, in T alone or in T and
-/// A.
-std::optional<Fall> first_break(const std::vector<double>& T, const std::vector<double>& A, std::size_t begin,
-                                std::size_t end, double noise_T, double noise_A) {
-  constexpr std::size_t kBefore = 12, kBehind = 3;
-  constexpr double kAlone = 6, kEach = 3.5, kTogether = 8;  // standard deviations
-  // mean of the readings behind less the line before, and its variance in those of one reading
-  const auto below = [&](const std::vector<double>& y, std::size_t cut) {
-    double sum = 0, slope = 0;
-    constexpr double n = kBefore, xx = n * (n * n - 1) / 12, middle = (n - 1) / 2,
-                     ahead = n - 1 + (kBehind + 1) / 2.0 - middle;
-    for (std::size_t i = 0; i < kBefore; ++i) {
-      const double value = y[cut - kBefore + i];
-      sum += value;
-      slope += (static_cast<double>(i) - middle) * value / xx;
-    }
-    const double expected = sum / n + slope * ahead, variance = 1.0 / kBehind + 1 / n + ahead * ahead / xx;
-    return (expected - mean(y, cut, cut + kBehind)) / std::sqrt(variance);
-  };
-  for (std::size_t cut = begin + kBefore; cut + kBehind <= end; ++cut) {
-    const double by_T = below(T, cut) / noise_T, by_A = below(A, cut) / noise_A;
-    if (!(by_T > kAlone || (by_T > kEach && by_A > kEach && by_T + by_A > kTogether * std::sqrt(2.0)))) continue;
-    const auto top = std::max_element(T.begin() + static_cast<std::ptrdiff_t>(cut - kBehind),
-                                      T.begin() + static_cast<std::ptrdiff_t>(cut + 1));
-    return Fall{static_cast<std::size_t>(top - T.begin()), std::min(cut + kBehind - 1, end - 1)};
-  }
-  return std::nullopt;
-}
-
-/// The deepest frame of a fall: before T rises by more than noise again.
-std::size_t bottom_of(const std::vector<double>& T, const Fall& fall, std::size_t end, double noise) {
-  std::size_t low = fall.seen;
-  for (std::size_t i = fall.seen; i < end; ++i) {
-    if (T[i] < T[low]) low = i;
-    if (T[i] - T[low] > kFall * noise) break;
-  }
-  return low;
-}
-
 CutTime cut_of(const Frames& frames, const ChangePoint& change) {
   const auto behind = [&](std::size_t i) {
     return i + 1 < frames.time.size() ? 0.5 * (frames.time[i] + frames.time[i + 1]) : frames.time[i];
@@ -147,57 +95,13 @@ CutTime cut_of(const Frames& frames, const ChangePoint& change) {
   return {behind(change.at), behind(change.first) - margin, behind(change.last) + margin, false};
 }
 
-/// The last frame before the contact slides, and how well it is known.
-std::optional<ChangePoint> onset_of(const Frames& frames, const std::vector<double>& T, std::size_t shear,
-                                    Stretch level, double noise_T, double noise_A) {
-  constexpr std::size_t kAround = 15;
-  auto fall = first_fall(T, shear, level.end, noise_T);
-  if (const auto sudden = first_break(T, frames.A, shear, level.end, noise_T, noise_A);
-      sudden && (!fall || sudden->seen < fall->seen))
-    fall = sudden;
-  if (fall) {
-    const std::size_t low = bottom_of(T, *fall, level.end, noise_T);
-    const std::size_t begin = std::max(shear, fall->top > kAround ? fall->top - kAround : 0),
-                      end = std::min(level.end, std::max(low + 1, fall->seen + 3));
-    auto found = break_point({{&T, noise_T}, {&frames.A, noise_A}}, begin, std::min(end, fall->seen + kAround));
-    if (!found) found = ChangePoint{fall->top, fall->top, fall->top};
-    // a frame that saw part of the fall belongs to it
-    const auto highest = [&](std::size_t i) {
-      double most = T[i];
-      for (std::size_t k = i > 3 ? i - 3 : 0; k < i; ++k) most = std::max(most, T[k]);
-      return most;
-    };
-    while (found->at > shear + 3 && T[found->at] < highest(found->at) - 3 * noise_T) --found->at;
-    found->first = std::min(found->first, found->at);
-    return found;
-  }
-  return std::nullopt;
-}
-
 std::vector<Cycle> cycles_of(const Frames& frames, const std::vector<double>& T, std::size_t begin, std::size_t end,
                              double noise) {
   std::vector<Cycle> cycles;
-  for (std::size_t from = begin; from < end;) {
-    const auto fall = first_fall(T, from, end, noise);
-    if (!fall) break;
-    const std::size_t low = bottom_of(T, *fall, end, noise);
-    cycles.push_back(
-        {frames.time[fall->top], T[fall->top], frames.time[low], low + 1 < end ? std::optional(T[low]) : std::nullopt});
-    from = low;
-    if (low + 1 >= end) break;
-  }
+  for (const Fall& fall : falls(T, begin, end, kFallOfNoise * noise, kLeastFall))
+    cycles.push_back({frames.time[fall.top], T[fall.top], frames.time[fall.low],
+                      fall.low + 1 < end ? std::optional(T[fall.low]) : std::nullopt});
   return cycles;
-}
-
-/// Adds the phases of a level in which nothing was sheared, or all of them of a run.
-void add_phases(std::vector<Phase>& phases, const LoadingRun& run, std::size_t shear, std::size_t end_of_shear) {
-  const auto add = [&](std::size_t begin, std::size_t end, std::string_view name, std::string_view reason) {
-    if (end > begin) phases.push_back({begin, end, name, reason});
-  };
-  add(run.contact, run.begin, "hold", "before the shear");
-  add(run.begin, shear, "hold", "");
-  add(shear, end_of_shear, "shear", "");
-  add(end_of_shear, run.last, "sliding", "past the onset of sliding");
 }
 
 class Finder {
@@ -272,47 +176,49 @@ class Finder {
     if (cuts.leave_out) return add(level.begin, level.end, "left out", "left out as stated");
     if (!(T[top] > 12 * noise_T)) return add(level.begin, level.end, "hold", "T does not rise above its noise");
     // where T leaves its level: until it has risen to a third of what it reaches before it first falls
-    const auto fall = first_fall(T, level.begin, level.end, noise_T);
+    const auto fall = first_fall(T, level.begin, level.end, kFallOfNoise * noise_T, kLeastFall);
     const std::size_t highest = fall ? fall->top : top;
     std::size_t third = level.begin;
     while (third < highest && T[third] < T[highest] / 3) ++third;
     const auto hinge = hinge_point({&T, noise_T}, level.begin, std::max(third, std::min(level.begin + 8, highest)));
     std::size_t shear = level.begin;
+    std::optional<double> rest;  // T before the shear; null: the level begins sheared
     if (hinge && hinge->slope > 0 && hinge->change.at > level.begin + 2) {
       shear = hinge->change.at + 1;
       run.shear = cut_of(frames, hinge->change);
-      run.baseline = mean(T, level.begin, shear);
+      rest = mean(T, level.begin, shear);
     } else {
       run.shear = {frames.time[level.begin], frames.time[level.begin], frames.time[level.begin], false};
-      run.baseline = std::nan("");  // the level begins sheared
     }
     if (cuts.shear) {
       shear = frame_at(*cuts.shear, level);
       run.shear = {*cuts.shear, *cuts.shear, *cuts.shear, true};
-      if (shear > level.begin) run.baseline = mean(T, level.begin, shear);
+      if (shear > level.begin) rest = mean(T, level.begin, shear);
     }
     std::size_t end = top + 1;
     if (cuts.onset) {
       run.onset = CutTime{*cuts.onset, *cuts.onset, *cuts.onset, true};
       end = frame_at(*cuts.onset, level);
-    } else if (const auto change = onset_of(frames, T, shear, level, noise_T, noise_A_)) {
+    } else if (const auto change = onset_of(T, frames.A, shear, level.end, noise_T, noise_A_)) {
       run.onset = cut_of(frames, *change);
       end = change->at + 1;
     }
     if (end < shear + 3)
       return add(level.begin, level.end, "no run",
                  "fewer than three frames between the start of the shear and its end");
-    run.begin = std::isnan(run.baseline) ? shear : shear - std::min(kBeforeShear, shear - level.begin);
+    run.begin = rest ? shear - std::min(kBeforeShear, shear - level.begin) : shear;
     run.end = end;
-    const double start = frames.T[level.begin] * run.direction - T[level.begin];
-    run.baseline = (std::isnan(run.baseline) ? -start : run.baseline) + start;  // of the T that was read
+    const double start = frames.T[level.begin] * run.direction - T[level.begin], zero = rest.value_or(-start);
+    run.baseline = zero + start;  // of the T that was read
     run.cycles = cycles_of(frames, T, shear, level.end, noise_T);
-    const double read = run.baseline - start;
     for (Cycle& cycle : run.cycles) {
-      cycle.T_peak -= read;
-      if (cycle.T_min) *cycle.T_min -= read;
+      cycle.T_peak -= zero;
+      if (cycle.T_min) *cycle.T_min -= zero;
     }
-    add_phases(found_.phases, run, shear, end);
+    add(run.contact, run.begin, "hold", "before the shear");
+    add(run.begin, shear, "hold", "");
+    add(shear, end, "shear", "");
+    add(end, run.last, "sliding", "past the onset of sliding");
     noise_T_.push_back(noise_T);
     found_.runs.push_back(std::move(run));
   }

@@ -54,11 +54,9 @@ class LogReader {
 
  private:
   void find_columns() {
-    std::string_view start = file_.start();
-    if (!file_.at_end()) start = start.substr(0, start.rfind(file_.line_end()) + 1);
-    ColumnRules rules{metadata_.columns, metadata_.headings, metadata_.load.has_value(), metadata_.pixel};
+    ColumnRules rules = rules_of(metadata_);
     rules.log = true;
-    const auto table = find_table(recording_.path, start, file_.line_end(), rules, metadata_.decimal);
+    const auto table = find_table(recording_.path, file_.start(), file_.line_end(), rules, metadata_.decimal);
     if (!table) throw InputError(recording_.path, "holds no table with headings and rows of numbers");
     recording_.reading = describe(*table);
     for (const NamedColumn& column : name_columns(recording_.path, table->headings, rules)) {

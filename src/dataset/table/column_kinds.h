@@ -72,6 +72,10 @@ inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
 
 inline std::string_view to_string(ColumnId id) { return kColumnKinds[static_cast<std::size_t>(id)].name; }
 /// Null if no quantity has this name.
-std::optional<ColumnId> column_named(std::string_view name);
+inline std::optional<ColumnId> column_named(std::string_view name) {
+  for (const ColumnKind& kind : kColumnKinds)
+    if (kind.name == name) return kind.id;
+  return std::nullopt;
+}
 
 }  // namespace mixity

@@ -116,8 +116,8 @@ class CsvFile {
  public:
   /// Throws InputError if the file cannot be opened.
   explicit CsvFile(const std::string& path, std::size_t block_bytes = std::size_t{1} << 17);
-  /// The file's first lines, a block of them or all; valid until anything else is called. Throws InputError if the file
-  /// cannot be read, is a workbook, or has a first row of more than kMostText bytes.
+  /// The file's first lines, whole ones of a block or all; valid until anything else is called. Throws InputError if
+  /// the file cannot be read, is a workbook, or has a first row of more than kMostText bytes.
   std::string_view start();
   /// What is before this byte of start() is no row; there, rows of this format begin, on this line of the file.
   void begin_at(std::size_t offset, std::size_t line, const CsvFormat& format);

@@ -76,7 +76,8 @@ void CsvFile::begin() {
 
 std::string_view CsvFile::start() {
   begin();
-  return rest_;
+  const std::string_view text = rest_;
+  return at_end_ ? text : text.substr(0, text.rfind(format_.line_end) + 1);
 }
 
 void CsvFile::begin_at(std::size_t offset, std::size_t line, const CsvFormat& format) {

@@ -48,7 +48,7 @@ bool join_groups(std::string_view& rest, char decimal, std::string& plain, Numbe
 bool parse_number(std::string_view text, char decimal, double& value, NumberStyle* style) {
   text = trim(text);
   if (decimal == '.' && parse_number(text, value)) {
-    if (style) *style = {text.find('.') != std::string_view::npos, false, false};
+    if (style) *style = {};
     return true;
   }
   NumberStyle found;
@@ -71,7 +71,6 @@ bool parse_number(std::string_view text, char decimal, double& value, NumberStyl
   plain += rest;
   const std::size_t at = plain.find(decimal, before);
   if (at != std::string::npos) plain[at] = '.';
-  found.decimal = at != std::string::npos;
   if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) return false;
   if (!parse_number(std::string_view(plain), value)) return false;
   if (style) *style = found;

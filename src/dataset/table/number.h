@@ -8,7 +8,6 @@ namespace mixity {
 
 /// How a number was written.
 struct NumberStyle {
-  bool decimal = false;   // with the decimal sign, in a form that the other sign's readers would not have
   bool grouped = false;   // with groups of three digits, as "1,234.5", "1.234,5", "1 234" or "1'234"
   bool doubtful = false;  // the one group could as well be decimals: "1,234"
 };

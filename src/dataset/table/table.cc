@@ -1,7 +1,6 @@
 #include "dataset/table/table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -223,7 +222,7 @@ std::optional<Partition> part_by(const std::string& path, std::string_view text,
 
 /// The numbers that a cut gives with one decimal sign.
 struct Reading {
-  CsvFormat format;
+  char decimal = '.';
   std::size_t valid = 0;                                      // rows
   bool grouped = false, doubtful = false;                     // numbers in groups, surely; perhaps
   std::vector<double> values;                                 // of all rows, NaN where there is none
@@ -231,8 +230,7 @@ struct Reading {
 };
 
 Reading read(const Partition& cut, char decimal) {
-  Reading reading{cut.table.format, 0, false, false, {}, {}};
-  reading.format.decimal = decimal;
+  Reading reading{decimal, 0, false, false, {}, {}};
   for (std::size_t i = cut.first; i < cut.lines.size(); ++i) {
     const Line& line = cut.lines[i];
     if (line.comment) continue;
@@ -329,7 +327,7 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
   if (!best_cut) return std::nullopt;
   Table& table = best_cut->table;
   if (best) {
-    table.format.decimal = best->format.decimal;
+    table.format.decimal = best->decimal;
     table.format.grouped = best->grouped || (decimal != 0 && best->doubtful);
   }
   table.offset += before;
