@@ -1,7 +1,6 @@
 #include "report/runs_files.h"
 
 #include <cmath>
-#include <iomanip>
 #include <map>
 #include <sstream>
 

@@ -12,7 +12,7 @@ namespace mixity {
 namespace {
 
 /// As a gnuplot string in double quotes.
-std::string quoted(std::string_view text) {
+std::string script_string(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -36,7 +36,7 @@ int point_type(Look look) {
   return look == Look::circles ? 6 : look == Look::squares ? 4 : look == Look::triangles ? 8 : 12;
 }
 
-std::string paint(const std::string& color) { return " lc rgb " + quoted(color); }
+std::string paint(const std::string& color) { return " lc rgb " + script_string(color); }
 
 std::string style(Look look, const std::string& color, bool bars) {
   const auto line = [&](const char* width, const char* dashes) {
@@ -103,7 +103,7 @@ std::string logarithmic_tics(char name, double low, double high) {
       for (const int digit : digits) {
         const double value = digit * std::pow(10.0, power);
         if (value < low || value > high) continue;
-        list += (list.empty() ? "" : ", ") + quoted(rounded(value, 3)) + ' ' + shortest(value);
+        list += (list.empty() ? "" : ", ") + script_string(rounded(value, 3)) + ' ' + shortest(value);
         ++count;
       }
     if (count >= 3) return set + '(' + list + ")\n";
@@ -115,7 +115,7 @@ std::string logarithmic_tics(char name, double low, double high) {
 std::string axis_commands(const Figure& figure, bool x) {
   const Axis& axis = x ? figure.x : figure.y;
   const char name = x ? 'x' : 'y';
-  std::string text = std::string("set ") + name + "label " + quoted(axis.label) + '\n';
+  std::string text = std::string("set ") + name + "label " + script_string(axis.label) + '\n';
   if (axis.logarithmic) text += std::string("set logscale ") + name + '\n';
   const Span span = span_of(figure, x);
   double low = axis.low.value_or(span.low), high = axis.high.value_or(span.high);
@@ -156,9 +156,9 @@ std::string plotted(const Figure& figure) {
   for (const Series& series : figure.series) {
     if (series.points.empty()) continue;
     const bool bars = !series.bars.empty(), hover = !series.hover.empty();
-    const std::string source = quoted(figure.name + ".dat") + " index " + std::to_string(index++) + " using ";
+    const std::string source = script_string(figure.name + ".dat") + " index " + std::to_string(index++) + " using ";
     const std::string look = style(series.look, series.color, bars);
-    const std::string title = series.label.empty() ? " notitle" : " title " + quoted(series.label);
+    const std::string title = series.label.empty() ? " notitle" : " title " + script_string(series.label);
     if (bars || !hover) add(source + (bars ? "1:2:3:4:5:6 " : "1:2 ") + look + title);
     if (!hover) continue;
     add(source + "1:2:" + (bars ? "7" : "3") + " with labels hypertext noenhanced point pt " +
@@ -166,7 +166,7 @@ std::string plotted(const Figure& figure) {
     if (!bars && !series.label.empty()) add("keyentry " + look + title);
   }
   for (const auto& [label, look] : figure.key)
-    add("keyentry " + style(look, "#000000", false) + " title " + quoted(label));
+    add("keyentry " + style(look, "#000000", false) + " title " + script_string(label));
   return plot;
 }
 
@@ -228,13 +228,15 @@ std::string figure_script(const Figure& figure) {
       << figure.name
       << ".gp\nreset\nset encoding utf8\nset border 3\nset tics out nomirror scale 0.6\nset errorbars 0.4\nset key "
       << place(figure.key_place) << " Left reverse samplen 2.5";
-  if (!figure.key_title.empty()) out << " title " << quoted(figure.key_title) << " left";
+  if (!figure.key_title.empty()) out << " title " << script_string(figure.key_title) << " left";
   out << '\n' << axis_commands(figure, true) << axis_commands(figure, false);
   // A column of a journal is 8.6 cm wide; text is then 8 pt.
   out << "set terminal svg size " << (figure.wide ? "890,400" : "430,305")
-      << " dynamic font \"Helvetica,13\" background \"#ffffff\"\nset output " << quoted(figure.name + ".svg") << '\n'
+      << " dynamic font \"Helvetica,13\" background \"#ffffff\"\nset output " << script_string(figure.name + ".svg")
+      << '\n'
       << plotted(figure) << "\nset terminal pdfcairo size " << (figure.wide ? "17.8cm,8cm" : "8.6cm,6.1cm")
-      << " font \"Helvetica,8\" fontscale 1\nset output " << quoted(figure.name + ".pdf") << "\nreplot\nset output\n";
+      << " font \"Helvetica,8\" fontscale 1\nset output " << script_string(figure.name + ".pdf")
+      << "\nreplot\nset output\n";
   return out.str();
 }
 
