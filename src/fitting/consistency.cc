@@ -214,8 +214,8 @@ bool slides(const FitResult& fit) {
 /// Of points too few for tests along the runs: far from the curve, and not by noise of other proportions than are taken
 /// for granted, which residuals of neighbours show as well. A wrong model of six points a run makes it 4 to 8.
 bool is_far(const ResidualTests& tests) {
-  constexpr double kFar = 2.5, kFarFromNeighbours = 1.5;
-  return tests.over_scatter.value_or(0) > kFar && tests.over_neighbours.value_or(0) > kFarFromNeighbours;
+  constexpr double kFarOff = 2.5, kFarFromNeighbours = 1.5;
+  return tests.over_scatter.value_or(0) > kFarOff && tests.over_neighbours.value_or(0) > kFarFromNeighbours;
 }
 
 std::string failed_test(const FitResult& fit) {

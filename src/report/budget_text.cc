@@ -15,13 +15,13 @@ std::string percent(double share) { return rounded(100 * share, 2) + "%"; }
 std::string chance(double p) { return p < 1e-4 ? "p < 0.0001" : "p = " + rounded(p, 2); }
 
 std::string uncertain(const Budget& budget) {
-  constexpr double kFar = 3;  // standard errors of a prior
+  constexpr double kFarFromStated = 3;  // standard errors of a prior
   std::string text = "error budget of " + budget.parameter +
                      " (shares of the variance, by the joint covariance): scatter " + percent(*budget.scatter);
   for (const BudgetPart& part : budget.parts) text += ", " + part.constant + " " + percent(part.share);
   std::string separator = "; ";
   for (const BudgetPart& part : budget.parts) {
-    if (!(std::abs(part.pull) > kFar)) continue;
+    if (!(std::abs(part.pull) > kFarFromStated)) continue;
     text += separator + "FAR FROM WHAT WAS STATED: " + part.constant + " by " + rounded(part.pull, 2) +
             " of its standard errors";
     separator = ", ";
