@@ -7,6 +7,7 @@
 #include "dataset/input_error.h"
 #include "dataset/metadata.h"
 #include "dataset/printable.h"
+#include "dataset/table/number.h"
 #include "dataset/table/vocabulary.h"
 
 namespace mixity {
@@ -55,7 +56,8 @@ std::optional<ColumnId> meaning(std::string_view name, const Vocabulary& vocabul
 }
 
 /// A heading by the vocabulary, with its unit found; null if it says nothing that is known.
-std::optional<NamedColumn> read_heading(const Heading& heading, std::size_t index, const Vocabulary& vocabulary) {
+std::optional<NamedColumn> read_heading(const Heading& heading, std::size_t index, const Vocabulary& vocabulary,
+                                        bool with_unit = false) {
   const auto named = [&](std::string_view name, const std::optional<std::string>& unit) -> std::optional<NamedColumn> {
     const auto id = meaning(trim_name(name), vocabulary);
     if (!id || !fits(unit, *id)) return std::nullopt;
@@ -63,7 +65,8 @@ std::optional<NamedColumn> read_heading(const Heading& heading, std::size_t inde
     column.heading.unit = unit;
     return column;
   };
-  if (auto found = named(heading.name, heading.unit)) return found;
+  if (!with_unit)
+    if (auto found = named(heading.name, heading.unit)) return found;
   if (heading.unit && heading.closed) {
     // "Normal force (F_N)": what stands in the brackets is a symbol
     if (!parse_unit(*heading.unit)) return named(heading.name + " " + *heading.unit, std::nullopt);
@@ -86,10 +89,21 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
                           const std::string& wanted) {
   const Heading said = split_heading(wanted, {});
   std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < headings.size() && !found; ++i)
-    if (trim_name(headings[i].text) == said.text) found = i;
-  for (std::size_t i = 0; i < headings.size() && !found; ++i)
-    if (!said.name.empty() && folded(headings[i].name) == folded(said.name) && folded(said.name) != "") found = i;
+  const auto find = [&](const auto& is_it) {
+    for (std::size_t i = 0; i < headings.size(); ++i) {
+      if (!is_it(headings[i])) continue;
+      if (found)
+        throw InputError(path, headings[i].place,
+                         "columns " + std::to_string(*found + 1) + " and " + std::to_string(i + 1) + " are both '" +
+                             wanted + "', which is to be " + std::string(to_string(id)) +
+                             "; say which by its number: --columns=\"" + std::string(to_string(id)) + "=" +
+                             std::to_string(i + 1) + "\"");
+      found = i;
+    }
+  };
+  find([&](const Heading& heading) { return trim_name(heading.text) == said.text; });
+  if (const std::string name = folded(said.name); !found && !name.empty())
+    find([&](const Heading& heading) { return folded(heading.name) == name; });
   const auto number = parse_number(said.name);
   if (!found && number && *number >= 1 && *number <= static_cast<double>(headings.size()) &&
       *number == static_cast<double>(static_cast<std::size_t>(*number)))
@@ -145,8 +159,15 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
   const auto taken = [&](std::size_t index) {
     return holder([&](const NamedColumn& column) { return column.index == index; }) != columns.end();
   };
-  for (const auto& [name, heading] : rules.mapping)
-    columns.push_back(mapped_column(path, headings, *column_named(name), heading));
+  for (const auto& [name, heading] : rules.mapping) {
+    NamedColumn column = mapped_column(path, headings, *column_named(name), heading);
+    if (taken(column.index))
+      throw InputError(path, column.heading.place,
+                       "column " + std::to_string(column.index + 1) + " is mapped to " + name + " and to " +
+                           std::string(to_string(
+                               holder([&](const NamedColumn& other) { return other.index == column.index; })->id)));
+    columns.push_back(std::move(column));
+  }
   const std::size_t mapped = columns.size();
   for (std::size_t i = 0; i < headings.size(); ++i) {
     const auto id = column_named(headings[i].name);
@@ -174,12 +195,35 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
                              std::string(to_string(column->id)) + "; say which: --columns=\"" +
                              std::string(to_string(column->id)) + "=" + headings[i].text + "\"");
     }
+    // "normal force_N" may be a symbol's index; beside headings that end with units it ends with one
+    if (std::any_of(columns.begin(), columns.end(), [](const NamedColumn& column) { return column.heading.unit; }))
+      for (NamedColumn& column : columns)
+        if (!column.heading.unit && !rules.mapping.contains(std::string(to_string(column.id))))
+          if (auto better = read_heading(headings[column.index], column.index, vocabulary, true);
+              better && better->id == column.id)
+            column = std::move(*better);
   }
   // an export may hold both; the radius is then what the area was made of, or the other way round
-  if (has(ColumnId::A) && std::none_of(headings.begin(), headings.end(), [](const Heading& heading) {
-        return column_named(heading.name) == ColumnId::a;
-      }))
-    std::erase_if(columns, [](const NamedColumn& column) { return column.id == ColumnId::a; });
+  const auto is_mapped = [&](ColumnId id) { return rules.mapping.contains(std::string(to_string(id))); };
+  const auto drop = [&](ColumnId id) {
+    if (!is_mapped(id)) std::erase_if(columns, [&](const NamedColumn& column) { return column.id == id; });
+  };
+  const auto unit_stated = [&](ColumnId id) {
+    const auto found = holder([&](const NamedColumn& column) { return column.id == id; });
+    return found != columns.end() && found->heading.unit;
+  };
+  if (has(ColumnId::A) && is_mapped(ColumnId::a))
+    drop(ColumnId::A);
+  else if (has(ColumnId::A) && std::none_of(headings.begin(), headings.end(), [](const Heading& heading) {
+             return column_named(heading.name) == ColumnId::a;
+           }))
+    drop(ColumnId::a);
+  // axes without a unit beside an area with one tell nothing that is needed
+  for (const ColumnId axis : {ColumnId::a_par, ColumnId::a_perp, ColumnId::major, ColumnId::minor})
+    if (unit_stated(ColumnId::A) && has(axis) && !unit_stated(axis)) {
+      for (const ColumnId one : {ColumnId::a_par, ColumnId::a_perp, ColumnId::major, ColumnId::minor}) drop(one);
+      break;
+    }
   std::sort(columns.begin(), columns.end(), [](const auto& one, const auto& other) { return one.index < other.index; });
   return columns;
 }
@@ -244,7 +288,7 @@ bool holds_a_number(const CsvRow& row) {
 bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value) {
   if (row.number(i, value)) return true;
   const std::string_view text = trim_name(row[i]);
-  if (text.empty()) return false;
+  if (text.empty() || is_missing(text)) return false;
   if (text.size() < row[i].size() && parse_number(text, value)) return true;
   throw InputError(path, row.place(i),
                    "column '" + std::string(name) + "': " + "'" + printable(text, 60) + "' is not a number" +
@@ -292,23 +336,28 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   const bool toughness =
       has(ColumnId::psi) || has(ColumnId::mode_ratio) || has(ColumnId::Gc) || has(ColumnId::Gc_over_GIc);
   const bool energies = has(ColumnId::G_I) || has(ColumnId::G_II);
-  const auto fail = [&](const std::string& message) {
+  const auto fail = [&](const std::string& message, ColumnId missing = ColumnId::P) {
     std::string others;
     for (const std::string& name : rules.vocabulary ? ignored_ : std::vector<std::string>{})
       others += (others.empty() ? "'" : ", '") + printable(name, 40) + "'";
+    const std::string unit = missing == ColumnId::A                             ? " (mm^2)"
+                             : missing == ColumnId::P || missing == ColumnId::T ? " (mN)"
+                                                                                : "";
     throw InputError(path, headings.at(0).place.line, 1,
                      message + (others.empty() ? ""
-                                               : "; not understood: " + others + " (--columns=\"P=" +
-                                                     printable(ignored_.front(), 40) + ",...\" says what is what)"));
+                                               : "; not understood: " + others + ". To say which column is " +
+                                                     std::string(to_string(missing)) + ": --columns=\"" +
+                                                     std::string(to_string(missing)) + "=" +
+                                                     printable(ignored_.front(), 40) + unit + "\""));
   };
   const auto exactly_one = [&](ColumnId one, ColumnId other) {
     const std::string names = "'" + std::string(to_string(one)) + "' or '" + std::string(to_string(other)) + "'";
-    if (!has(one) && !has(other)) fail("column " + names + " is missing");
+    if (!has(one) && !has(other)) fail("column " + names + " is missing", one);
     if (has(one) && has(other)) fail("columns " + names + ": one of them, not both");
   };
   const auto all_of = [&](std::initializer_list<ColumnId> ids) {
     for (const ColumnId id : ids)
-      if (!has(id)) fail("column '" + std::string(to_string(id)) + "' is missing");
+      if (!has(id)) fail("column '" + std::string(to_string(id)) + "' is missing", id);
   };
   if (!loads && !toughness && !energies)
     fail(std::string("the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or "

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include "dataset/energies.h"
@@ -76,6 +77,10 @@ struct Part {
     if (reader.has_errors()) errors.push_back(read.errors);
     if (data.has_energies) energies.push_back(read.energies);
   }
+  void leave_out(const CsvRow& row) {
+    ++rows;
+    excluded.push_back({row.line(), "a summary of the rows above: words where they have numbers"});
+  }
   void comment(const PointReader& reader, const CsvRow& row) {
     if (reader.resembles_data(row) && commented++ == 0) first_commented = row.line();
   }
@@ -123,6 +128,7 @@ class Loader {
 
  private:
   static constexpr std::size_t kAlone = std::size_t{1} << 18;
+  static constexpr std::size_t kNoLine = std::numeric_limits<std::size_t>::max();
 
   /// Finds the table. Where there is none the first row is taken for its headings, and what is wrong with it is told.
   void begin() {
@@ -134,13 +140,16 @@ class Loader {
     data_.taken = reader_->taken();
     const std::string how = describe(*table);
     if (how != "commas") data_.reading += (data_.reading.empty() ? "" : ", ") + how;
+    if (table->summary_line > 0 && file_.at_end()) summary_line_ = table->summary_line;
     file_.begin_at(table->offset, table->line, table->format);
   }
 
   void understand(Part& part) {
     part.clear();
     const auto one = [&](const CsvRow& row) {
-      if (reader_)
+      if (row.line() >= summary_line_)
+        part.leave_out(row);
+      else if (reader_)
         part.row(*reader_, data_, row);
       else
         reader_.emplace(metadata_path_, headings_of(row), data_);
@@ -148,7 +157,7 @@ class Loader {
     const auto comment = [&](const CsvRow& row) {
       if (reader_) part.comment(*reader_, row);
     };
-    const CsvWanted* wanted = reader_ ? reader_->wanted() : nullptr;
+    const CsvWanted* wanted = reader_ && summary_line_ == kNoLine ? reader_->wanted() : nullptr;
     if (wanted)
       part.block.rows(
           *wanted, [&](const CsvNumbers& numbers) { part.numbers(*reader_, data_, numbers); }, one, comment);
@@ -236,7 +245,7 @@ class Loader {
   Runs runs_;
   std::vector<ShearRange> shear_;  // of each run
   EllipseAxes axes_;
-  std::size_t commented_ = 0, first_commented_ = 0;
+  std::size_t commented_ = 0, first_commented_ = 0, summary_line_ = kNoLine;
 };
 
 }  // namespace

@@ -158,6 +158,7 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
     if (text.find("{P}") == std::string_view::npos)
       return "load_from is " + quoted(text) +
              "; it must hold {P}, where the load stands in the file's name: \"run_{P}mN\"";
+    metadata.load.reset();
     return metadata.load_from = text, "";
   }
   if (name == "decimal") {
@@ -178,6 +179,11 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
                                 : !name.ends_with("_offset") && name != "load" && !(value > 0))
       return std::string(name) + " is " + quoted(text) +
              (name == "poisson_ratio" ? "; it must lie between 0 and 0.5" : "; it must be positive");
+    if (is_reading(name) && uncertain->standard_error > 0)
+      return std::string(name) + " is " + quoted(text) + "; its error belongs in " +
+             (name == "pixel" ? "area_scale, which has twice that of a length: area_scale = \"1 +/- 2%\""
+                              : "load_offset: load_offset = \"0 +/- 0.5 mN\"");
+    if (name == "load") metadata.load_from.clear();  // what is said last holds
     metadata.*field->value = value;
     metadata.standard_errors.erase(std::string(name));
     if (uncertain->standard_error > 0) metadata.standard_errors.emplace(name, uncertain->standard_error);

@@ -67,13 +67,17 @@ std::vector<std::size_t> nominal_levels(const std::vector<double>& readings) {
   if (!one_load &&
       (distinct.size() <= 4 || (distinct.size() <= kFewSet && readings.size() >= kOfEach * distinct.size())))
     return {};
-  const std::vector<double> ends =
-      one_load ? std::vector<double>{} : behind_gaps(distinct, kGap * scatter(readings, distinct));
+  std::vector<double> ends = behind_gaps(distinct, kGap * scatter(readings, distinct));
   const auto level_of = [&](double reading) {
     return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), reading) - ends.begin());
   };
   std::vector<std::vector<double>> levels(ends.size() + 1);
   for (const double reading : readings) levels[level_of(reading)].push_back(reading);
+  // a reading far from the others is no load by itself where all are nearly one
+  if (one_load && std::any_of(levels.begin(), levels.end(), [](const auto& level) { return level.size() < kOfEach; })) {
+    ends.clear();
+    levels = {readings};
+  }
   bool scatters = false;
   for (const auto& level : levels) {
     if (std::all_of(level.begin(), level.end(), [&](double one) { return one == level[0]; })) continue;
@@ -115,7 +119,7 @@ void join_noisy_loads(Dataset& data) {
     scatter = std::max(scatter, deviation);
     // as many digits as the mean of so many readings has
     const double error = std::max(deviation / std::sqrt(n), 1e-4 * std::abs(mean));
-    const int digits = error > 0 ? static_cast<int>(std::floor(std::log10(std::abs(mean) / error))) : 1;
+    const int digits = error > 0 && mean != 0 ? static_cast<int>(std::floor(std::log10(std::abs(mean) / error))) : 1;
     std::string name = "P=" + rounded(mean * units.force_scale, std::clamp(digits, 1, 6)) +
                        (units.force.empty() ? "" : " " + units.force);
     for (int same = 2; std::find(data.curves.begin(), data.curves.end(), name) != data.curves.end(); ++same)

@@ -50,10 +50,15 @@ double load_in_name(const Dataset& data) {
     while (end < name.size() && (std::isdigit(static_cast<unsigned char>(name[end])) || std::strchr("+-.,", name[end])))
       ++end;
     double value = 0;
+    NumberStyle style;
+    const std::string text = name.substr(first, end - first);
     if (name.compare(end, behind.size(), behind) == 0 && end > first &&
-        (parse_number(name.substr(first, end - first), '.', value) ||
-         parse_number(name.substr(first, end - first), ',', value)))
+        (parse_number(text, '.', value, &style) || parse_number(text, ',', value, &style))) {
+      if (style.doubtful) fail("'" + text + "' in the file's name may be a thousand or a decimal");
+      if (text[0] == '-' && first > 0 && std::isalnum(static_cast<unsigned char>(name[first - 1])))
+        fail("'-' in the file's name may be a sign or part two words; write it into load_from where it parts them");
       return value * unit->factor;
+    }
     if (begin + 1 >= name.size()) break;
   }
   return fail("the file's name states no load");
@@ -67,7 +72,10 @@ std::optional<double> stated_load(const Dataset& data) {
 
 PointReader::PointReader(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data)
     : load_(stated_load(data)), data_(data), columns_(data.path, headings, rules_of(data.metadata)) {
-  if (columns_.has(ColumnId::P)) load_.reset();
+  if (columns_.has(ColumnId::P) && load_) {
+    load_.reset();
+    data_.notes.emplace_back("the load that is stated is not used: the file has a column of loads");
+  }
   data_.has_loads = columns_.holds_loads();
   data_.has_energies = columns_.holds_energies();
   data_.ignored_columns = columns_.ignored();
@@ -125,6 +133,8 @@ void PointReader::add_notes() {
                             : data_.has_energies ? "G_I and G_II have no unit and are taken for G_I/GIc and G_II/GIc"
                                                  : "Gc has no unit and is taken for Gc/GIc";
   if (!constants.empty()) data_.notes.push_back(taken + ": " + constants + " (stated) not used");
+  for (const std::string& one : columns_.taken())
+    if (one.starts_with("sigma_")) data_.notes.push_back("standard errors: " + one);
   for (const auto& [name, quantity] : columns_.misspelt())
     data_.notes.push_back("column '" + name + "' is not used; it is read if it is called '" + quantity + "'");
 }

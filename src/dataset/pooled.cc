@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <set>
 
 namespace mixity {
 namespace {
@@ -59,9 +60,9 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
   const std::size_t first_line = whole.files.back().first_line, first_run = whole.curves.size();
   const std::string name = file.name.empty() ? part.name : printable(file.name, std::string::npos);
   for (std::string& run : part.curves) {
-    run = part.curves.size() == 1 ? name : name + ": " + run;
+    const std::string wanted = run = part.curves.size() == 1 ? name : name + ": " + run;
     for (int same = 2; std::find(whole.curves.begin(), whole.curves.end(), run) != whole.curves.end(); ++same)
-      run = name + " (" + std::to_string(same) + ")";
+      run = wanted + " (" + std::to_string(same) + ")";
     whole.curves.push_back(run);
   }
   add_all(whole.curve_loads, part.curve_loads);
@@ -85,6 +86,13 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
   add_all(whole.excluded, part.excluded);
   whole.rows += part.rows;
   for (const std::string& note : part.notes) whole.notes.push_back(name + ": " + note);
+  if (part.reading != whole.reading)
+    whole.notes.push_back(name + ": read as " + (part.reading.empty() ? "plain CSV" : part.reading));
+  if (part.taken != whole.taken) {
+    std::string taken;
+    for (const std::string& one : part.taken) taken += (taken.empty() ? "" : ", ") + one;
+    whole.notes.push_back(name + ": " + (taken.empty() ? "columns by their own names" : taken));
+  }
   for (const std::string& column : part.ignored_columns)
     if (std::find(whole.ignored_columns.begin(), whole.ignored_columns.end(), column) == whole.ignored_columns.end())
       whole.ignored_columns.push_back(column);
@@ -106,7 +114,12 @@ std::vector<std::string> files_of(const std::string& pattern) {
 Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& overrides) {
   Metadata constants;
   std::vector<Metadata> stated;
+  std::set<std::filesystem::path> seen;
   for (const RunFile& file : files) {
+    std::error_code none;
+    if (const auto path = std::filesystem::weakly_canonical(file.path, none);
+        std::filesystem::is_regular_file(path, none) && !seen.insert(path).second)
+      throw InputError(file.path, "is named twice: its points would count twice");
     stated.push_back(read_metadata(metadata_path(file.path)));
     if (const std::string problem = add_constants(stated.back(), constants); !problem.empty())
       throw InputError(metadata_path(file.path), problem);

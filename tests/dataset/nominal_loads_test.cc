@@ -52,6 +52,12 @@ TEST(NominalLoads, AreTheLevelsOfReadingsInSteps) {
   }
 }
 
+TEST(NominalLoads, ThatLieCloseTogetherAreTwoIfTheirNoiseSaysSo) {
+  EXPECT_EQ(nominal_levels(readings({10, 10.4}, 15, 0.02, 0, 3)).back(), 1u);
+  const Levels one = nominal_levels(readings({10}, 30, 0.2, 0, 3));
+  EXPECT_EQ(*std::max_element(one.begin(), one.end()), 0u);
+}
+
 TEST(NominalLoads, ThatWereSetAreTakenAsTheyStand) {
   EXPECT_EQ(nominal_levels(readings(kLoads, 25, 0, 0, 0)), Levels());
   EXPECT_EQ(nominal_levels(readings(kLoads, 1, 0, 0, 0)), Levels());

@@ -63,6 +63,13 @@ TEST(Pooled, PointsOfAFileCanBeLeftOutByItsName) {
             std::string::npos);
 }
 
+TEST(Pooled, AFileThatIsNamedTwiceIsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("run_1.csv", "P,T,A\n1,0,2\n1,1,1.9\n");
+  EXPECT_EQ(folder.left_out_of(input_error([&] { load_pooled({{path}, {path}}, {}); })),
+            "run_1.csv: is named twice: its points would count twice");
+}
+
 TEST(Pooled, FilesThatContradictEachOtherAreRefused) {
   const TemporaryFolder folder;
   const auto error = [&](const std::string& toml, const std::string& csv) {

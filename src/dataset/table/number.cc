@@ -54,14 +54,17 @@ bool parse_number(std::string_view text, char decimal, double& value, NumberStyl
   NumberStyle found;
   std::string plain;
   std::string_view rest = text;
+  constexpr std::string_view kMinus = "\xE2\x88\x92";  // U+2212, as typesetters have it
   if (rest.starts_with('-') || rest.starts_with('+')) {
     if (rest[0] == '-') plain = "-";
     rest.remove_prefix(1);
+  } else if (rest.starts_with(kMinus)) {
+    plain = "-";
+    rest.remove_prefix(kMinus.size());
   }
   const std::string sign = plain;
   const std::string_view unsigned_text = rest;
   if (!join_groups(rest, decimal, plain, found)) {
-    if (decimal == '.') return false;
     plain = sign;
     rest = unsigned_text;
     found = {};
@@ -71,10 +74,19 @@ bool parse_number(std::string_view text, char decimal, double& value, NumberStyl
   plain += rest;
   const std::size_t at = plain.find(decimal, before);
   if (at != std::string::npos) plain[at] = '.';
+  // Fortran's exponents
+  if (const std::size_t exponent = plain.find_first_of("Dd"); exponent != std::string::npos) plain[exponent] = 'e';
   if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) return false;
   if (!parse_number(std::string_view(plain), value)) return false;
   if (style) *style = found;
   return true;
+}
+
+bool is_missing(std::string_view text) {
+  constexpr std::string_view kTexts[] = {"NA",      "N/A",    "n/a",     "#N/A",   "#NV",  "#NUM!", "#DIV/0!",
+                                         "#VALUE!", "-",      "--",      "null",   "NULL", "None",  "missing",
+                                         "1.#QNAN", "1.#IND", "-1.#IND", "1.#INF", "1.#J"};
+  return std::find(std::begin(kTexts), std::end(kTexts), trim(text)) != std::end(kTexts);
 }
 
 }  // namespace mixity

@@ -16,4 +16,7 @@ struct NumberStyle {
 /// an apostrophe, or a blank (no-break and thin ones, too) may part groups of three digits. Null `style`: not wanted.
 bool parse_number(std::string_view text, char decimal, double& value, NumberStyle* style = nullptr);
 
+/// Whether a text says that there is no number, as spreadsheets and statistics programs have it: "NA", "#N/A", "-".
+bool is_missing(std::string_view text);
+
 }  // namespace mixity

@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t kLooked = std::size_t{1} << 16;  // bytes of the start that are looked at
 constexpr std::size_t kHeadingLines = 5;               // above the first row of numbers, among which the headings are
+constexpr std::size_t kUnitLines = 12;                 // above the headings, among which a row of units may be
+constexpr std::size_t kBegins = 4;                     // places that look like the first row of a table
 
 struct Line {
   std::size_t number, offset;
@@ -44,14 +46,10 @@ bool is_number(const std::string& field) {
   return !trim(field).empty() && (parse_number(field, '.', value) || parse_number(field, ',', value));
 }
 
-/// Two numbers at least, and no more else.
+/// Two numbers at least.
 bool holds_numbers(const Line& line) {
-  std::size_t filled = 0, numbers = 0;
-  for (const std::string& field : line.fields) {
-    filled += !trim(field).empty();
-    numbers += is_number(field);
-  }
-  return !line.comment && numbers >= 2 && 2 * numbers >= filled;
+  const auto numbers = std::count_if(line.fields.begin(), line.fields.end(), is_number);
+  return !line.comment && numbers >= 2;
 }
 
 /// Empty if the text's quotes forbid it.
@@ -90,7 +88,8 @@ std::vector<std::vector<Heading>> cut_headings(const Line& line, const CsvFormat
     for (std::size_t i = 0; i < line.fields.size(); ++i)
       pieces.emplace_back(line.fields[i], places[i].line == line.number ? places[i].column : 1);
     add(pieces);
-    return ways;
+    // one piece above several columns: NumPy's header line has blanks whatever its rows have
+    if (pieces.size() > 1 || line.text.find_first_of(" \t") == std::string::npos) return ways;
   }
   // where blanks part columns: a tab or two blanks between headings, or one outside brackets
   const std::string_view text = line.text;
@@ -111,7 +110,9 @@ std::vector<std::vector<Heading>> cut_headings(const Line& line, const CsvFormat
         if (wide ? tab || blanks > 1 : next != '[' && next != '(') break;
         at += blanks - 1;
       }
-      pieces.emplace_back(text.substr(first, at - first), first + 1);
+      std::string_view piece = text.substr(first, at - first);
+      if (format.delimiter != ',' && piece.ends_with(',')) piece.remove_suffix(1);
+      pieces.emplace_back(piece, first + 1);
       at += blanks;
     }
     add(pieces);
@@ -120,11 +121,12 @@ std::vector<std::vector<Heading>> cut_headings(const Line& line, const CsvFormat
 }
 
 /// How many quantities they name; 0 if there are more of them than rows have fields, unless those behind name nothing,
-/// as LabVIEW's "Comment", and are dropped.
+/// as LabVIEW's "Comment", and are dropped. What blanks part may be one heading of several words.
 std::size_t count_named(const std::string& path, std::vector<Heading>& headings, std::size_t width,
-                        const ColumnRules& rules) {
+                        const ColumnRules& rules, bool blanks) {
   try {
     if (headings.size() > width) {
+      if (blanks) return 0;
       const std::size_t all = name_columns(path, headings, rules).size();
       headings.resize(width);
       if (name_columns(path, headings, rules).size() < all) return 0;
@@ -135,15 +137,51 @@ std::size_t count_named(const std::string& path, std::vector<Heading>& headings,
   }
 }
 
-bool is_row_of_units(const Line& line) {
-  bool any = false;
-  for (const std::string& field : line.fields) {
-    const std::string_view text = without_brackets(field);
-    if (text.empty()) continue;
-    if (!parse_unit(text)) return false;
-    any |= text != "-" && text != "1";
+/// Of a row of units, what stands in a field; empty where that says nothing.
+std::string_view unit_in(const Line& line, std::size_t i) {
+  if (!line.fields.empty() && line.fields[0] == "#") ++i;  // cut off where blanks part columns
+  std::string_view text = i < line.fields.size() ? std::string_view(line.fields[i]) : std::string_view();
+  if (i == 0 && text.starts_with('#')) text.remove_prefix(1);
+  text = without_brackets(text);
+  return text == "-" || text == "1" ? std::string_view() : text;
+}
+
+/// No field is a number, and one of the columns at these places at least has a unit of something measured; of all
+/// columns, if no place is given, half.
+bool is_row_of_units(const Line& line, const std::vector<std::size_t>& wanted) {
+  std::size_t filled = 0, units = 0, measured = 0;
+  for (std::size_t i = 0; i < line.fields.size(); ++i) {
+    const std::string_view text = unit_in(line, i);
+    if (is_number(std::string(text))) return false;
+    if (text.empty() || !(wanted.empty() || std::find(wanted.begin(), wanted.end(), i) != wanted.end())) continue;
+    ++filled;
+    const auto unit = parse_unit(text);
+    units += unit.has_value();
+    measured += unit && unit->dimension != dimension::none;
   }
-  return any;
+  return measured > 0 && (!wanted.empty() || 2 * units >= filled);
+}
+
+/// Gives the headings the units of that row; `wanted` are those that are read. Throws InputError for what is no unit
+/// there, and for one that is not the heading's own.
+void take_units(const std::string& path, const Line& line, const CsvFormat& format,
+                const std::vector<std::size_t>& wanted, std::vector<Heading>& headings) {
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const std::string_view text = unit_in(line, i);
+    if (text.empty()) continue;
+    const auto unit = parse_unit(text);
+    Heading& heading = headings[i];
+    if (std::find(wanted.begin(), wanted.end(), i) != wanted.end()) {
+      const auto fail = [&](const std::string& message) {
+        throw InputError(path, places_of(line, format)[i], "the row of units has '" + printable(text, 40) + message);
+      };
+      if (!unit) fail("' for column '" + heading.text + "', which is no unit that is known");
+      const auto own = heading.unit ? parse_unit(*heading.unit) : std::nullopt;
+      if (own && (own->factor != unit->factor || own->dimension != unit->dimension))
+        fail("' for column '" + heading.text + "', which itself says " + own->text);
+    }
+    if (unit && !heading.unit) heading.unit = text;
+  }
 }
 
 /// A file cut by one separator.
@@ -152,7 +190,30 @@ struct Partition {
   std::size_t first = 0;  // row of numbers
   Table table;
   std::vector<std::size_t> wanted;  // columns of numbers; empty: nothing that is known is named
+  std::optional<std::size_t> runs;  // column that names them
 };
+
+/// The first of the rows at the end that have words where all others have numbers, as ImageJ's "Mean" below its
+/// results; 0 if there are none, or more than a few.
+std::size_t find_summary(const Partition& cut) {
+  constexpr std::size_t kMostRows = 8, kLeastRows = 3;
+  std::size_t first = cut.lines.size();
+  for (std::size_t i = cut.lines.size(); i-- > cut.first && cut.lines.size() - i <= kMostRows;) {
+    const Line& line = cut.lines[i];
+    for (std::size_t k = 0; k < line.fields.size(); ++k) {
+      if (k == cut.runs || std::find(cut.wanted.begin(), cut.wanted.end(), k) != cut.wanted.end()) continue;
+      const std::string_view text = trim(line.fields[k]);
+      if (text.empty() || is_missing(text) || is_number(line.fields[k]) || i < cut.first + kLeastRows) continue;
+      // numbers in all rows above those at the end
+      bool all = true;
+      for (std::size_t row = cut.first; row + kMostRows < cut.lines.size() || row < cut.first + kLeastRows; ++row)
+        all = all && k < cut.lines[row].fields.size() && is_number(cut.lines[row].fields[k]);
+      if (all && holds_numbers(line)) first = i;
+    }
+    if (first != i) break;
+  }
+  return first < cut.lines.size() ? cut.lines[first].number : 0;
+}
 
 /// Null if there is no table.
 std::optional<Partition> part_by(const std::string& path, std::string_view text, std::size_t first_line,
@@ -166,22 +227,33 @@ std::optional<Partition> part_by(const std::string& path, std::string_view text,
   const std::size_t width = std::max_element(widths.begin(), widths.end(), [](const auto& one, const auto& other) {
                               return one.second < other.second;
                             })->first;
-  while (!(holds_numbers(made.lines[made.first]) && made.lines[made.first].fields.size() == width)) ++made.first;
   Table& table = made.table;
   table.format = format;
+  const auto is_row = [&](std::size_t i) {
+    return holds_numbers(made.lines[i]) && made.lines[i].fields.size() == width;
+  };
+  const auto above = [](std::size_t first, std::size_t lines) { return first > lines ? first - lines : 0; };
+  // of the first few places where rows begin ("Samples 39 39 39" stands above the table) that with the best headings
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 0; i < made.lines.size() && begins.size() < kBegins; ++i)
+    if (is_row(i) && (i == 0 || !is_row(i - 1))) begins.push_back(i);
+  made.first = begins.front();
   std::size_t most = 0, heading_line = made.first;
-  const std::size_t top = made.first > kHeadingLines ? made.first - kHeadingLines : 0;
-  for (std::size_t i = made.first; i-- > top;)
-    for (std::vector<Heading>& headings : cut_headings(made.lines[i], format))
-      if (const std::size_t named = count_named(path, headings, width, rules); named > most) {
-        most = named;
-        heading_line = i;
-        table.headings = std::move(headings);
-      }
+  for (const std::size_t first : begins)
+    for (std::size_t i = first; i-- > above(first, kHeadingLines);)
+      for (std::vector<Heading>& headings : cut_headings(made.lines[i], format))
+        if (const std::size_t named = count_named(path, headings, width, rules, format.delimiter == kBlanks);
+            named > most) {
+          most = named;
+          heading_line = i;
+          made.first = first;
+          table.headings = std::move(headings);
+        }
+  const std::size_t top = above(made.first, kHeadingLines);
   if (most == 0)  // a line of words at least
     for (std::size_t i = made.first; i-- > top && table.headings.empty();)
       for (std::vector<Heading>& headings : cut_headings(made.lines[i], format))
-        if (headings.size() >= 2 && headings.size() <= width && !is_row_of_units(made.lines[i]) &&
+        if (headings.size() >= 2 && headings.size() <= width && !is_row_of_units(made.lines[i], {}) &&
             table.headings.empty()) {
           heading_line = i;
           table.headings = std::move(headings);
@@ -190,18 +262,27 @@ std::optional<Partition> part_by(const std::string& path, std::string_view text,
     if (rules.mapping.empty()) return std::nullopt;
     for (const FilePlace& place : places_of(made.lines[made.first], format))
       table.headings.push_back({"", "", {}, true, place});
-    if (count_named(path, table.headings, width, rules) == 0) return std::nullopt;
+    if (count_named(path, table.headings, width, rules, false) == 0) return std::nullopt;
   } else {
     table.header_line = made.lines[heading_line].number;
   }
-  for (std::size_t i = heading_line + 1; i < made.first && table.units_line == 0; ++i) {
-    if (!is_row_of_units(made.lines[i])) continue;
-    table.units_line = made.lines[i].number;
-    for (std::size_t k = 0; k < std::min(table.headings.size(), made.lines[i].fields.size()); ++k) {
-      const std::string_view unit = without_brackets(made.lines[i].fields[k]);
-      if (!table.headings[k].unit && !unit.empty() && unit != "-" && unit != "1") table.headings[k].unit = unit;
+  const auto find_wanted = [&] {
+    std::vector<std::size_t> wanted;
+    try {
+      for (const NamedColumn& column : name_columns(path, table.headings, rules))
+        if (column.id != ColumnId::curve && (rules.log || column.id != ColumnId::time)) wanted.push_back(column.index);
+    } catch (const InputError&) {  // to be thrown again by whoever reads the table
     }
-  }
+    return wanted;
+  };
+  made.wanted = find_wanted();
+  const auto units_from = [&](std::size_t i) {
+    if (table.units_line > 0 || !is_row_of_units(made.lines[i], made.wanted)) return;
+    table.units_line = made.lines[i].number;
+    take_units(path, made.lines[i], format, made.wanted, table.headings);
+  };
+  for (std::size_t i = heading_line + 1; i < made.first; ++i) units_from(i);
+  for (std::size_t i = heading_line; i-- > above(heading_line, kUnitLines) && !made.wanted.empty();) units_from(i);
   // Below them words alone are comments, as Origin has them; any number begins the rows, so that none is passed over.
   std::size_t begin = table.header_line == 0 ? made.first : heading_line + 1;
   for (; begin < made.first; ++begin) {
@@ -212,25 +293,27 @@ std::optional<Partition> part_by(const std::string& path, std::string_view text,
   }
   table.offset = made.lines[begin].offset;
   table.line = made.lines[begin].number;
-  try {
-    for (const NamedColumn& column : name_columns(path, table.headings, rules))
-      if (column.id != ColumnId::curve) made.wanted.push_back(column.index);
-  } catch (const InputError&) {  // to be thrown again by whoever reads the table
-  }
+  made.wanted = find_wanted();
+  for (std::size_t i = 0; i < table.headings.size(); ++i)
+    if (column_named(table.headings[i].name) == ColumnId::curve) made.runs = i;
+  table.summary_line = find_summary(made);
   return made;
 }
 
 /// The numbers that a cut gives with one decimal sign.
 struct Reading {
   char decimal = '.';
-  std::size_t valid = 0;                                      // rows
-  bool grouped = false, doubtful = false;                     // numbers in groups, surely; perhaps
-  std::vector<double> values;                                 // of all rows, NaN where there is none
+  std::size_t valid = 0;                   // rows
+  bool grouped = false, doubtful = false;  // numbers in groups, surely; perhaps
+  std::size_t signs = 0, in_threes = 0,
+              bare = 0;        // numbers with a point or comma, those of them that may be groups, those without
+  std::vector<double> values;  // of all rows, NaN where there is none
   std::vector<std::pair<std::size_t, std::size_t>> places{};  // of the values: line, field
 };
 
 Reading read(const Partition& cut, char decimal) {
-  Reading reading{decimal, 0, false, false, {}, {}};
+  Reading reading;
+  reading.decimal = decimal;
   for (std::size_t i = cut.first; i < cut.lines.size(); ++i) {
     const Line& line = cut.lines[i];
     if (line.comment) continue;
@@ -243,6 +326,10 @@ Reading read(const Partition& cut, char decimal) {
         valid = false;
       reading.grouped |= style.grouped && !style.doubtful;
       reading.doubtful |= style.doubtful;
+      reading.in_threes += style.doubtful;
+      const bool has_sign = k < line.fields.size() && line.fields[k].find_first_of(".,") != std::string::npos;
+      reading.signs += has_sign;
+      reading.bare += !has_sign && value == value;
       reading.values.push_back(value);
       reading.places.emplace_back(i, k);
     }
@@ -252,7 +339,11 @@ Reading read(const Partition& cut, char decimal) {
 }
 
 std::string name_of(char delimiter) {
-  return delimiter == ';' ? "semicolons" : delimiter == '\t' ? "tabs" : delimiter == ',' ? "commas" : "blanks";
+  return delimiter == ';'    ? "semicolons"
+         : delimiter == '|'  ? "bars"
+         : delimiter == '\t' ? "tabs"
+         : delimiter == ','  ? "commas"
+                             : "blanks";
 }
 
 /// Throws if both fit and differ.
@@ -261,15 +352,21 @@ const Reading& better(const std::string& path, const Partition& cut, const Readi
   for (std::size_t i = 0; i < point.values.size(); ++i) {
     const double one = point.values[i], other = comma.values[i];
     if (one == other || (std::isnan(one) && std::isnan(other))) continue;
-    // "1.234" without any comma has a decimal point; where semicolons part columns, "1,234" has a decimal comma
-    if (comma.doubtful && !comma.grouped) return point;
-    if (point.doubtful && !point.grouped && cut.table.format.delimiter == ';') return comma;
+    // "1.234" without any comma has a decimal point; where semicolons part columns, "1,234" has a decimal comma: unless
+    // all have three digits there, and others none, as integers in groups would
+    const auto all_in_threes = [](const Reading& groups) {
+      return groups.in_threes == groups.signs && groups.bare > 0;
+    };
+    if (comma.doubtful && !comma.grouped && !all_in_threes(comma)) return point;
+    if (point.doubtful && !point.grouped && cut.table.format.delimiter == ';' && !all_in_threes(point)) return comma;
     const auto [line, field] = point.places[i];
     const Line& row = cut.lines[line];
+    const std::string& text = row.fields[field];
     throw InputError(path, places_of(row, cut.table.format)[field],
-                     "'" + printable(row.fields[field], 40) + "' may be " + shortest(comma.values[i]) +
-                         " (decimal comma) or " + shortest(point.values[i]) +
-                         " (comma between thousands); say which: --decimal=\",\" or --decimal=\".\"");
+                     "'" + printable(text, 40) + "' may be " + shortest(comma.values[i]) + " (decimal comma) or " +
+                         shortest(point.values[i]) +
+                         (text.find('.') == std::string::npos ? " (comma between thousands)" : " (decimal point)") +
+                         "; say which: --decimal=\",\" or --decimal=\".\"");
   }
   return point;
 }
@@ -278,7 +375,7 @@ const Reading& better(const std::string& path, const Partition& cut, const Readi
 
 std::optional<Table> find_table(const std::string& path, std::string_view start, char line_end,
                                 const ColumnRules& rules, char decimal) {
-  std::string delimiters = ";\t, ";
+  std::string delimiters = ";\t,| ";
   std::string_view text = start;
   std::size_t before = 0, first_line = 1;  // Excel's "sep=;", which a table may begin with
   if (const std::string_view first = text.substr(0, text.find(line_end));
@@ -288,7 +385,8 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
     first_line = 2;
     text.remove_prefix(before);
   }
-  if (text.size() > kLooked) text = text.substr(0, text.rfind(line_end, kLooked) + 1);
+  const bool cut = text.size() > kLooked;
+  if (cut) text = text.substr(0, text.rfind(line_end, kLooked) + 1);
   std::optional<Reading> best;
   std::optional<Partition> best_cut, unknown;
   for (const char delimiter : delimiters) {
@@ -307,9 +405,8 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
       if (!unknown) unknown = std::move(made);
       continue;
     }
-    // without a comma in any field the decimal sign is a point
-    const bool commas =
-        delimiter == ',' ? text.find('"') != std::string_view::npos : text.find(',') != std::string_view::npos;
+    // where commas part columns, the sign of a field without quotes is a point
+    const bool commas = delimiter != ',' || text.find('"') != std::string_view::npos;
     Reading chosen;
     if (decimal != 0 || !commas) {
       chosen = read(*made, decimal == 0 ? '.' : decimal);
@@ -331,6 +428,7 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
     table.format.grouped = best->grouped || (decimal != 0 && best->doubtful);
   }
   table.offset += before;
+  if (cut) table.summary_line = 0;  // the end was not seen
   return std::move(table);
 }
 
@@ -339,6 +437,7 @@ std::string describe(const Table& table) {
   if (table.format.decimal == ',') text += ", decimal commas";
   if (table.format.grouped) text += ", digits in groups of three";
   if (table.units_line > 0) text += ", units in line " + std::to_string(table.units_line);
+  if (table.summary_line > 0) text += ", a summary from line " + std::to_string(table.summary_line) + " left out";
   for (const std::size_t line : table.passed_over) text += ", line " + std::to_string(line) + " passed over";
   if (table.header_line > 1) text += ", headings in line " + std::to_string(table.header_line);
   return text;

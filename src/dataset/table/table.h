@@ -18,6 +18,7 @@ struct Table {
   std::size_t offset = 0, line = 1;  // of the first row below the headings: byte of the text, line of the file
   std::size_t header_line = 0, units_line = 0;  // 0: none
   std::vector<std::size_t> passed_over{};       // lines of words between the headings and the numbers
+  std::size_t summary_line = 0;                 // from there on rows say something of those above; 0: none do
 };
 
 /// How the start of a file (whole lines, or all of it) is to be read: of all separators and decimal signs the pair by

@@ -142,6 +142,74 @@ TEST(Exports, WithARowOfUnits) {
       lines({'\t', kComma, timed}));
 }
 
+TEST(Exports, WithUnitsWhereverTheyStand) {
+  const std::string rows = lines({'\t'});
+  const auto timed = [](const Row& row) { return std::vector<double>{21.5, row[0], row[1], row[2]}; };
+  // a column that is not read may have any unit
+  expect_the_experiment("Temperatur\tP\tT\tA\n°C\tmN\tmN\tmm^2\n" + lines({'\t', Form{}.field, timed}));
+  expect_the_experiment("mN\tmN\tmm^2\nP\tT\tA\n" + rows);
+  expect_the_experiment("# P\tT\tA\n# mN\tmN\tmm^2\n" + rows);
+  expect_the_experiment("# P T A\n# mN mN mm^2\n" + lines({' '}));
+  expect_the_experiment("# P [mN] T [mN] A [mm^2]\n" + rows);  // numpy.savetxt with tabs
+  expect_the_experiment("P [mN], T [mN], A [mm^2]\n" + rows);
+  const auto in_N = [](const Row& row) { return std::vector<double>{1e-3 * row[0], 1e-3 * row[1], 1e-6 * row[2]}; };
+  expect_the_experiment("normal_force_N,shear_force_N,contact_area_m2\n" + lines({',', Form{}.field, in_N}));
+  expect_the_experiment("P_N,T_N,A_m^2\n" + lines({',', Form{}.field, in_N}));
+}
+
+TEST(Exports, WithMoreWordsThanNumbers) {
+  std::string text = "Datum;Uhrzeit;Bediener;Probe;Kamera;P [mN];T [mN];A [mm²];Notiz;Ort\n";
+  std::istringstream rows(german());
+  for (std::string row; std::getline(rows, row);) text += "01.03.2024;12:00:01;AB;PDMS;Basler;" + row + ";x;y\n";
+  expect_the_experiment(text);
+  expect_the_experiment(
+      "LabVIEW Measurement\t\n***End_of_Header***\t\nChannels\t3\t\t\nSamples\t15\t15\t15\n"
+      "X_Value\tP (mN)\tT (mN)\tA (mm^2)\n" +
+      lines({'\t', Form{}.field, [](const Row& row) {
+               return std::vector<double>{0.1, row[0], row[1], row[2]};
+             }}));
+  const auto fortran = [](double value) {
+    std::ostringstream out;
+    out.precision(17);
+    out << std::scientific << value;
+    std::string number = out.str();
+    std::replace(number.begin(), number.end(), 'e', 'D');
+    return number;
+  };
+  expect_the_experiment("P [mN]  T [mN]  A [mm^2]\n" + lines({' ', fortran}));
+  expect_the_experiment("P [mN]|T [mN]|A [mm^2]\n" + lines({'|'}));
+}
+
+TEST(Exports, WithASummaryBelowHaveItLeftOut) {
+  const TemporaryFolder folder;
+  std::string text = " ,P (mN),T (mN),Area (mm^2)\n";
+  std::size_t number = 0;
+  std::istringstream rows(lines({','}));
+  for (std::string row; std::getline(rows, row);) text += std::to_string(++number) + "," + row + "\n";
+  const Dataset data =
+      load_dataset(folder.write("Results.csv", text + "Mean,2.6,3.4,0.34\nSD,1.5,2.5,0.03\n"), kConstants);
+  EXPECT_EQ(data.points.size(), number);
+  ASSERT_EQ(data.excluded.size(), 2u);
+  EXPECT_EQ(data.excluded[0].reason, "a summary of the rows above: words where they have numbers");
+}
+
+TEST(Exports, WithSignsForNoValueHaveTheseRowsExcluded) {
+  const TemporaryFolder folder;
+  for (const char* sign : {"NA", "#N/A", "-", "1.#QNAN", ""}) {
+    const Dataset data = load_dataset(
+        folder.write("a.csv", "P [mN],T [mN],A [mm^2]\n4,0,0.3\n4,1," + std::string(sign) + "\n4,2,0.28\n"),
+        kConstants);
+    EXPECT_EQ(data.points.size(), 2u) << sign;
+    EXPECT_EQ(data.excluded.at(0).reason, "A is empty") << sign;
+  }
+  const Dataset data = load_dataset(folder.write("b.csv",
+                                                 "P [mN],T [mN],A [mm^2]\n\xE2\x88\x92"
+                                                 "0.2,0,0.3\n\xE2\x88\x92"
+                                                 "0.2,1,0.29\n"),
+                                    kConstants);
+  EXPECT_DOUBLE_EQ(data.points.at(0).P * data.contact.value().force_unit(), -0.2e-3);
+}
+
 TEST(Exports, OfColumnsPartedByBlanks) {
   expect_the_experiment("P[mN]  T[mN]  A[mm^2]\n" + lines({' '}));
   expect_the_experiment("P [mN] T [mN] A [mm^2]\n" + lines({' '}));
@@ -211,6 +279,16 @@ TEST(Exports, WithoutALoadTakeItFromTheirNameOrAFlag) {
   EXPECT_DOUBLE_EQ(load_of("run_4.68mN.csv", {{"load_from", "run_{P}mN"}}), 4.68e-3);
   EXPECT_DOUBLE_EQ(load_of("b_-0,2mN_3.csv", {{"load_from", "b_{P}mN"}}), -0.2e-3);
   EXPECT_DOUBLE_EQ(load_of("12uN-7.csv", {{"load_from", "{P}uN"}}), 12e-6);
+  EXPECT_DOUBLE_EQ(load_of("run_2mN.csv", {{"load_from", "run_{P}mN"}, {"load", "3 mN"}}), 3e-3);  // said last
+  const auto refused = [&](const std::string& name, const Overrides& more) {
+    return input_error([&] { load_of(name, more); });
+  };
+  EXPECT_NE(refused("run_7,250mN.csv", {{"load_from", "run_{P}mN"}}).find("may be a thousand or a decimal"),
+            std::string::npos);
+  EXPECT_NE(refused("run-7mN.csv", {{"load_from", "run{P}mN"}}).find("may be a sign or part two words"),
+            std::string::npos);
+  EXPECT_NE(refused("a.csv", {{"load", "3 mN +/- 1 mN"}}).find("its error belongs in load_offset"), std::string::npos);
+  EXPECT_NE(refused("a.csv", {{"pixel", "1.7 um +/- 5%"}}).find("its error belongs in area_scale"), std::string::npos);
   EXPECT_EQ(folder.left_out_of(input_error([&] {
     load_of("run7.csv", {{"load_from", "run_{P}mN"}});
   })),
@@ -231,8 +309,46 @@ TEST(Exports, ThatCanBeReadInTwoWaysAreRefusedWithBoth) {
             "a.csv:1:19: 'Normal force (mN)' and 'Load (mN)' may both be P; say which: --columns=\"P=Load (mN)\"");
   EXPECT_EQ(error("P [mN],T [mN],A [px]\n1,2,3\n2,3,4\n"),
             "a.csv:1:15: column 'A' is in pixels; state the side of one: --pixel=\"1.7 um\", or the key pixel");
+  // integers in groups of three, or three decimals: none of them can be told
+  EXPECT_EQ(error("P [uN];T [uN];A [um^2]\n7.732;0;457.831\n7.732;854;456.212\n"),
+            "a.csv:2:1: '7.732' may be 7732 (decimal comma) or 7.732 (decimal point); say which: --decimal=\",\" or "
+            "--decimal=\".\"");
+  EXPECT_NE(error("P [uN];T [uN];A [um^2]\n7,732;0;457,831\n7,732;854;456,212\n").find("say which: --decimal"),
+            std::string::npos);
+  EXPECT_EQ(error("P [mN],T [mN],A [mm^2]\nN,mN,mm^2\n1,2,3\n2,2,3\n"),
+            "a.csv:2:1: the row of units has 'N' for column 'P [mN]', which itself says mN");
+  EXPECT_EQ(error("P,T,A\nkg,mN,mm^2\n1,2,3\n2,2,3\n"),
+            "a.csv:2:1: the row of units has 'kg' for column 'P', which is no unit that is known");
   EXPECT_EQ(error("PK\x03\x04..."),
             "a.csv: is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)");
+}
+
+TEST(Exports, WithAMappingThatCannotBeAreRefused) {
+  const auto error = [](const std::string& text, const std::string& columns) {
+    return file_error("a.csv", text, [&](const std::string& path) {
+      load_dataset(path, with({{"columns", columns}}));
+    });
+  };
+  const std::string twice = "Force (mN),Force (mN),A (mm^2)\n1,2,3\n2,2,3\n";
+  EXPECT_EQ(error(twice, "P=1,T=1"), "a.csv:1:1: column 1 is mapped to T and to P");
+  EXPECT_EQ(error(twice, "P=Force (mN),T=2"),
+            "a.csv:1:12: columns 1 and 2 are both 'Force (mN)', which is to be P; say which by its number: "
+            "--columns=\"P=2\"");
+  // what is mapped stands over what is understood
+  const TemporaryFolder folder;
+  const Dataset data = load_dataset(
+      folder.write("b.csv", "P [mN],T [mN],area [mm^2],r [mm]\n4,0,25,0.3\n4,1,25,0.29\n"), with({{"columns", "a=r"}}));
+  EXPECT_NEAR(data.points.at(0).A * data.contact.value().area_unit(), std::numbers::pi * 0.09e-6, 1e-18);
+}
+
+TEST(Exports, WithLossesOfAreaDoNotTakeThemForErrors) {
+  const TemporaryFolder folder;
+  const Dataset data = load_dataset(folder.write("a.csv",
+                                                 "P [mN],T [mN],A [mm^2],\xCE\x94"
+                                                 "A [mm^2],dT [mN]\n4,0,0.3,0,1\n4,1,0.29,0.01,1\n"),
+                                    kConstants);
+  EXPECT_TRUE(data.errors.empty());
+  EXPECT_EQ(data.points.size(), 2u);
 }
 
 TEST(Exports, AreSaidHowTheyWereRead) {
