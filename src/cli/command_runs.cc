@@ -8,6 +8,7 @@
 #include "cli/progress.h"
 #include "cli/usage_error.h"
 #include "dataset/input_error.h"
+#include "dataset/series/clocks.h"
 #include "dataset/series/cuts_file.h"
 #include "report/figures/gnuplot.h"
 #include "report/figures/log_figures.h"
@@ -58,7 +59,7 @@ int run_runs(const Arguments& arguments) {
   FrameOptions frame_options;
   frame_options.lag = seconds("lag", FLAGS_lag);
   RunOptions options;
-  options.drift = FLAGS_drift;
+  if (is_set("drift")) options.drift = FLAGS_drift;
   if (!FLAGS_cuts.empty()) options.cuts = read_cuts(FLAGS_cuts);
   ReducedLog log;
   auto [forces, areas] = read_logs(arguments, data_overrides(), log.metadata);
@@ -68,7 +69,7 @@ int run_runs(const Arguments& arguments) {
   log.force_factor = forces.force_factor;
   log.area_unit = pictures.area_unit;
   log.area_factor = pictures.area_factor;
-  log.runs = find_loading_runs(make_frames(forces, pictures, frame_options), log.force_unit, log.force_factor, options);
+  log.runs = find_loading_runs(on_one_clock(forces, pictures, frame_options), log.force_unit, log.force_factor, options);
   for (const auto& [name, cut] : options.cuts)
     if (!cut.leave_out && std::none_of(log.runs.runs.begin(), log.runs.runs.end(),
                                        [&](const LoadingRun& run) { return run.name == name; }))

@@ -40,7 +40,7 @@ DEFINE_string(format, "text", "output format");
 DEFINE_string(out, "", "where to write: a folder (fit, figures), a file (import)");
 DEFINE_string(
     lag, "", "what the clock of the areas is ahead of that of the forces: \"0.12 s\"; else from events that both show");
-DEFINE_bool(drift, false, "take a line through the zeros of T of all runs off T");
+DEFINE_bool(drift, false, "take a line through the zeros of T of all runs off T; left out, where it is sure");
 DEFINE_string(cuts, "", "a TOML that states cuts of runs (cuts.toml, which runs writes)");
 DEFINE_bool(pool, false, "the files are the runs of one data set");
 DEFINE_string(save, "", "write what was just run to this fit definition (TOML)");

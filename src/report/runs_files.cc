@@ -127,7 +127,19 @@ std::string runs_text(const ReducedLog& log) {
   out << "    " << frames.time.size() << " frames, " << rounded(1 / frames.interval, 3) << " a second, "
       << rounded(frames.samples, 3) << " samples of the force in each; lag of the clocks " << rounded(frames.lag, 4)
       << " s (" << frames.lag_source << ")\n";
-  if (found.zero_P != 0) out << "    P reads " << force(found.zero_P, 3) << " out of contact; taken off\n";
+  if (frames.spikes > 0)
+    out << "    " << frames.spikes << (frames.spikes == 1 ? " sample of a force lies" : " samples of forces lie")
+        << " far from those beside and took their median\n";
+  if (found.zero_P_error > 0)
+    out << "    P reads " << force(found.zero_P, 3) << " out of contact; taken off\n";
+  else
+    out << "    too little is read out of contact to tell the zero of P: it is taken as it stands\n";
+  if (found.drift_removed)
+    out << "    the zero of T drifts by " << force(found.drift_T, 2)
+        << " a second from run to run; taken off within runs, too (--drift=false leaves it)\n";
+  if (found.drifts)
+    out << "    the zero of T drifts by " << force(found.drift_T, 2)
+        << " a second from run to run; --drift takes that off within runs, too\n";
   out << "[[Loading runs]]\n";
   if (found.runs.empty()) out << "    none\n";
   for (const LoadingRun& run : found.runs) {

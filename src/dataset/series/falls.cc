@@ -11,6 +11,14 @@ std::size_t bottom(const std::vector<double>& values, std::size_t seen, std::siz
   return low;
 }
 
+std::size_t rising_from(const std::vector<double>& values, std::size_t begin, std::size_t end) {
+  const auto from = values.begin() + static_cast<std::ptrdiff_t>(begin),
+             to = values.begin() + static_cast<std::ptrdiff_t>(end);
+  if (from == to) return begin;
+  const double tenth = 0.1 * *std::max_element(from, to);
+  return static_cast<std::size_t>(std::find_if(from, to, [&](double one) { return one >= tenth; }) - values.begin());
+}
+
 std::optional<Fall> first_fall(const std::vector<double>& values, std::size_t begin, std::size_t end, double least,
                                double share) {
   std::size_t top = begin;

@@ -17,6 +17,8 @@ struct Fall {
 /// there is none.
 std::optional<Fall> first_fall(const std::vector<double>& values, std::size_t begin, std::size_t end, double least,
                                double share = 0);
+/// The first reading of a tenth of the largest in begin..end: what falls before that is no peak.
+std::size_t rising_from(const std::vector<double>& values, std::size_t begin, std::size_t end);
 /// The smallest reading from `seen` on, up to where readings have risen by more than `least`.
 std::size_t bottom(const std::vector<double>& values, std::size_t seen, std::size_t end, double least);
 /// All of them, one after the other.

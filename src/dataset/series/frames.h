@@ -1,7 +1,6 @@
 // Forces and areas of one experiment on one clock: a row for each picture of the contact.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,19 +14,25 @@ struct Frames {
   std::vector<double> time;  // s, of the clock of the areas
   std::vector<double> P, T, A;
   double samples = 1;      // of the force in a frame, as a rule
+  double noise_P = 0;      // N, of one sample
+  std::size_t spikes = 0;  // single samples of the force that lay far off and were replaced
   double lag_error = 0;    // s, standard error
   double lag = 0;          // s: the clock of the forces reads time - lag when that of the areas reads time
-  std::string lag_source;  // "one clock", "stated", "from 5 sudden changes of T"
+  std::vector<double> force_time, force_T;  // every sample of T, on the areas' clock
+  std::string lag_source;  // "one clock", "stated", "from 5 sudden changes of T", "from 5 onsets of sliding"
 };
 
-struct FrameOptions {
-  std::optional<double> lag{};  // s; null: from events
-  double longest_lag = 30;      // s, that is looked for
+/// Times and areas of pictures: rows with an area, and of rows that repeat the last picture the first.
+struct Pictures {
+  std::vector<double> time, A;
 };
+Pictures pictures(const Recording& recording);
 
-/// Brings forces to the frames of the areas. `areas` may be the same recording. Frames without force are left out.
-/// Where the clocks differ the lag is the shift at which sudden changes of T coincide best with falls of the area.
-/// Throws InputError if the two share no time, or nothing tells the lag.
-Frames make_frames(const Recording& forces, const Recording& areas, const FrameOptions& options);
+/// Median step of times.
+double typical_step(const std::vector<double>& time);
+
+/// Brings forces to the frames of the areas, whose clock is ahead of theirs by `lag`. `areas` may be the same
+/// recording. Frames without force are left out. Throws InputError if the two share no time.
+Frames make_frames(const Recording& forces, const Recording& areas, double lag = 0);
 
 }  // namespace mixity

@@ -6,6 +6,7 @@
 
 #include "dataset/number_text.h"
 #include "dataset/series/falls.h"
+#include "dataset/series/levels.h"
 #include "dataset/series/noise.h"
 #include "dataset/series/onset.h"
 
@@ -14,68 +15,13 @@ namespace {
 
 constexpr std::size_t kBeforeShear = 5;  // frames of the hold that a run keeps: areas without shear
 
-std::vector<double> part(const std::vector<double>& values, std::size_t begin, std::size_t end) {
-  return {values.begin() + static_cast<std::ptrdiff_t>(begin), values.begin() + static_cast<std::ptrdiff_t>(end)};
-}
-
-double mean(const std::vector<double>& values, std::size_t begin, std::size_t end) {
-  return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
-                         values.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
-         static_cast<double>(end - begin);
-}
-
-struct Stretch {
-  std::size_t begin, end;
-};
-
-/// Where the area says that there is contact; a lost frame or two do not end it.
-std::vector<Stretch> contacts(const Frames& frames, double noise) {
-  constexpr std::size_t kLost = 3;
-  std::vector<double> sorted = frames.A;
-  std::sort(sorted.begin(), sorted.end());
-  const double largest = sorted[sorted.size() * 95 / 100], least = std::max(0.05 * largest, 5 * noise);
-  std::vector<Stretch> found;
-  for (std::size_t i = 0; i < frames.A.size(); ++i) {
-    if (!(frames.A[i] > least)) continue;
-    if (!found.empty() && i <= found.back().end + kLost)
-      found.back().end = i + 1;
-    else
-      found.push_back({i, i + 1});
-  }
-  return found;
-}
-
-/// Stretches of one load in a contact.
-std::vector<Stretch> levels(const std::vector<double>& P, Stretch contact, double noise, double range) {
-  constexpr std::size_t kShortest = 10;
-  const std::vector<double> inside = part(P, contact.begin, contact.end);
-  const double n = static_cast<double>(inside.size());
-  auto changes = level_changes(inside, noise * noise, 4 * std::log(std::max(n, 2.0)));
-  changes.push_back(inside.size());
-  std::vector<Stretch> found;
-  for (std::size_t k = 0; k + 1 < changes.size(); ++k) {
-    const Stretch one{contact.begin + changes[k], contact.begin + changes[k + 1]};
-    if (one.end - one.begin < kShortest) continue;
-    // what drifts or is moved by the shear remains one level
-    if (!found.empty()) {
-      const double before = mean(P, found.back().begin, found.back().end), here = mean(P, one.begin, one.end);
-      if (std::abs(here - before) <= std::max({6 * noise, 0.03 * std::abs(before), 0.02 * range})) {
-        found.back().end = one.end;
-        continue;
-      }
-    }
-    found.push_back(one);
-  }
-  return found;
-}
-
 /// T of a level, less where it began, in the direction in which it goes further.
 struct Sheared {
   std::vector<double> T;  // of all frames; only those of the level count
   double direction;
 };
 Sheared turned(const std::vector<double>& T, Stretch level) {
-  const double start = median(part(
+  const double start = median(part_of(
       T, level.begin, std::min(level.end, level.begin + std::max<std::size_t>(3, (level.end - level.begin) / 20))));
   double up = 0, down = 0;
   for (std::size_t i = level.begin; i < level.end; ++i) {
@@ -85,6 +31,14 @@ Sheared turned(const std::vector<double>& T, Stretch level) {
   Sheared sheared{T, down > up ? -1.0 : 1.0};
   for (double& one : sheared.T) one = sheared.direction * (one - start);
   return sheared;
+}
+
+/// The straight line through begin..end at reading i.
+double on_line(const std::vector<double>& y, std::size_t begin, std::size_t end, std::size_t i) {
+  const double n = static_cast<double>(end - begin), middle = (n - 1) / 2, mean = mean_of(y, begin, end);
+  double slope = 0;
+  for (std::size_t k = begin; k < end; ++k) slope += (static_cast<double>(k - begin) - middle) * (y[k] - mean);
+  return n < 3 ? mean : mean + slope / (n * (n * n - 1) / 12) * (static_cast<double>(i - begin) - middle);
 }
 
 CutTime cut_of(const Frames& frames, const ChangePoint& change) {
@@ -104,25 +58,59 @@ std::vector<Cycle> cycles_of(const Frames& frames, const std::vector<double>& T,
   return cycles;
 }
 
+/// The onset among the samples of the force, of which a frame holds many; null if they are few, or tell another time.
+std::optional<CutTime> onset_in_samples(const Frames& frames, const ChangePoint& change, std::size_t shear,
+                                        double direction) {
+  constexpr double kEnough = 4;  // samples in a frame
+  constexpr std::size_t kBefore = 8, kFew = 12;
+  const auto& times = frames.force_time;
+  const CutTime rough = cut_of(frames, change);
+  if (frames.samples < kEnough) return std::nullopt;
+  const auto at = [&](double time) {
+    return static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
+  };
+  const std::size_t begin = at(frames.time[std::max(shear, change.at > kBefore ? change.at - kBefore : 0)]),
+                    end = at(rough.time + 3 * frames.interval);
+  if (end < begin + kFew) return std::nullopt;
+  std::vector<double> T = part_of(frames.force_T, begin, end);
+  const double noise = noise_of(T);
+  for (double& one : T) one *= direction;
+  std::size_t last = T.size();
+  if (const auto fall = first_fall(T, 0, T.size(), kFallOfNoise * noise)) last = fall->low + 6;
+  const auto cut = noise > 0 ? break_point({{&T, noise}}, 0, std::min(last, T.size())) : std::nullopt;
+  if (!cut) return std::nullopt;
+  const auto behind = [&](std::size_t i) {
+    return 0.5 * (times[begin + i] + times[std::min(begin + i + 1, times.size() - 1)]);
+  };
+  const double margin = 1.96 * frames.lag_error;
+  const CutTime exact{behind(cut->at), behind(cut->first) - margin, behind(cut->last) + margin, false};
+  return std::abs(exact.time - rough.time) < 3 * frames.interval ? std::optional(exact) : std::nullopt;
+}
+
 class Finder {
  public:
   Finder(Frames frames, const std::string& unit, double factor, const RunOptions& options)
       : unit_(unit), factor_(factor), options_(options) {
     found_.frames = std::move(frames);
+    if (options_.by_shear_alone) still_.resize(found_.frames.A.size());
   }
 
   LoadingRuns find() {
     Frames& frames = found_.frames;
     noise_A_ = std::max(noise_of(frames.A), 1e-12 * *std::max_element(frames.A.begin(), frames.A.end()));
     const auto touching = contacts(frames, noise_A_);
-    take_zero_off(touching);
+    const LoadZero zero = load_zero(frames, touching);
+    found_.zero_P = zero.value;
+    found_.zero_P_error = zero.error;
+    for (double& P : frames.P) P -= zero.value;
+    rest_T_ = zero_of_shear(frames, touching);
     const auto [least, most] = std::minmax_element(frames.P.begin(), frames.P.end());
     const double range = *most - *least, noise_P = std::max({noise_of(frames.P), 1e-3 * range, 1e-9 * std::abs(*most)});
     std::size_t reached = 0;
     for (const Stretch& contact : touching) {
       add(reached, contact.begin, "out of contact", "no contact");
       reached = contact.begin;
-      for (const Stretch& level : levels(frames.P, contact, noise_P, range)) {
+      for (const Stretch& level : load_levels(frames, contact, noise_P, range)) {
         add(reached, level.begin, "approach", "the load changes");
         run(level);
         reached = level.end;
@@ -131,7 +119,8 @@ class Finder {
       reached = contact.end;
     }
     add(reached, frames.time.size(), "out of contact", "no contact");
-    if (options_.drift) take_drift_off();
+    find_drift();
+    if (found_.drift_removed) take_drift_off();
     for (LoadingRun& one : found_.runs) finish(one);
     tell_noise();
     return std::move(found_);
@@ -142,33 +131,36 @@ class Finder {
     if (end > begin) found_.phases.push_back({begin, end, name, reason});
   }
 
-  /// The zero of the load, as read before the first contact.
-  void take_zero_off(const std::vector<Stretch>& touching) {
-    constexpr std::size_t kEnough = 10;
-    Frames& frames = found_.frames;
-    // not the last frames, which may be drawn to contact
-    const std::size_t free = touching.empty() ? 0 : touching.front().begin * 8 / 10;
-    if (free < kEnough) return;
-    const std::vector<double> read = part(frames.P, 0, free);
-    found_.zero_P = median(read);
-    found_.zero_P_error = 1.2533 * noise_of(read) / std::sqrt(static_cast<double>(free));  // of a median
-    for (double& P : frames.P) P -= found_.zero_P;
+  /// T out of contact, or as first read in contact.
+  static double zero_of_shear(const Frames& frames, const std::vector<Stretch>& touching) {
+    std::vector<double> read;
+    std::size_t begin = 0;
+    for (const Stretch& contact : touching) {
+      for (std::size_t i = begin; i < contact.begin; ++i) read.push_back(frames.T[i]);
+      begin = contact.end;
+    }
+    return read.empty() ? frames.T.front() : median(read);
   }
 
   void run(Stretch level) {
     const Frames& frames = found_.frames;
     const Sheared sheared = turned(frames.T, level);
     const std::vector<double>& T = sheared.T;
-    const double noise_T = std::max(noise_of(part(T, level.begin, level.end)), 1e-9);
+    const double noise_T = std::max(noise_of(part_of(T, level.begin, level.end)), 1e-9),
+                 own_noise_A = noise_of(part_of(frames.A, level.begin, level.end)),
+                 noise_A = own_noise_A > 0 ? own_noise_A : noise_A_;
     const std::size_t top =
         static_cast<std::size_t>(std::max_element(T.begin() + static_cast<std::ptrdiff_t>(level.begin),
                                                   T.begin() + static_cast<std::ptrdiff_t>(level.end)) -
                                  T.begin());
+    // a contact that is let go is not sheared: T comes nearer to its zero
+    if (std::abs(frames.T[top] - rest_T_) < std::abs(frames.T[level.begin] - rest_T_) - 12 * noise_T)
+      return add(level.begin, level.end, "no run", "the shear is only taken back");
     LoadingRun run;
     run.contact = level.begin;
     run.last = level.end;
     run.direction = sheared.direction;
-    run.P = mean(frames.P, level.begin, level.end);
+    run.P = mean_of(frames.P, level.begin, level.end);
     run.name = name_of(run.P);
     const auto stated = options_.cuts.find(run.name);
     static const StatedCut kNone;
@@ -176,7 +168,8 @@ class Finder {
     if (cuts.leave_out) return add(level.begin, level.end, "left out", "left out as stated");
     if (!(T[top] > 12 * noise_T)) return add(level.begin, level.end, "hold", "T does not rise above its noise");
     // where T leaves its level: until it has risen to a third of what it reaches before it first falls
-    const auto fall = first_fall(T, level.begin, level.end, kFallOfNoise * noise_T, kLeastFall);
+    const auto fall =
+        first_fall(T, rising_from(T, level.begin, level.end), level.end, kFallOfNoise * noise_T, kLeastFall);
     const std::size_t highest = fall ? fall->top : top;
     std::size_t third = level.begin;
     while (third < highest && T[third] < T[highest] / 3) ++third;
@@ -186,22 +179,29 @@ class Finder {
     if (hinge && hinge->slope > 0 && hinge->change.at > level.begin + 2) {
       shear = hinge->change.at + 1;
       run.shear = cut_of(frames, hinge->change);
-      rest = mean(T, level.begin, shear);
+      rest = mean_of(T, level.begin, shear);
     } else {
       run.shear = {frames.time[level.begin], frames.time[level.begin], frames.time[level.begin], false};
     }
     if (cuts.shear) {
       shear = frame_at(*cuts.shear, level);
       run.shear = {*cuts.shear, *cuts.shear, *cuts.shear, true};
-      if (shear > level.begin) rest = mean(T, level.begin, shear);
+      if (shear > level.begin) rest = mean_of(T, level.begin, shear);
     }
     std::size_t end = top + 1;
     if (cuts.onset) {
       run.onset = CutTime{*cuts.onset, *cuts.onset, *cuts.onset, true};
       end = frame_at(*cuts.onset, level);
-    } else if (const auto change = onset_of(T, frames.A, shear, level.end, noise_T, noise_A_)) {
+    } else if (const auto change = onset_of(T, options_.by_shear_alone ? still_ : frames.A, shear, level.end, noise_T,
+                                            options_.by_shear_alone ? 1 : noise_A)) {
       run.onset = cut_of(frames, *change);
-      end = change->at + 1;
+      // the last frame that may as well be the first to slide is no loss
+      end = change->at + (change->first < change->at ? 0 : 1);
+      if (const auto exact = onset_in_samples(frames, *change, shear, run.direction)) {
+        run.onset = exact;
+        // nor is one that T changes in
+        while (end > shear && frames.time[end - 1] + frames.interval / 2 > exact->time) --end;
+      }
     }
     if (end < shear + 3)
       return add(level.begin, level.end, "no run",
@@ -210,7 +210,8 @@ class Finder {
     run.end = end;
     const double start = frames.T[level.begin] * run.direction - T[level.begin], zero = rest.value_or(-start);
     run.baseline = zero + start;  // of the T that was read
-    run.cycles = cycles_of(frames, T, shear, level.end, noise_T);
+    run.baseline_time = rest ? mean_of(frames.time, level.begin, shear) : run.shear.time;
+    run.cycles = cycles_of(frames, T, rising_from(T, shear, level.end), level.end, noise_T);
     for (Cycle& cycle : run.cycles) {
       cycle.T_peak -= zero;
       if (cycle.T_min) *cycle.T_min -= zero;
@@ -241,12 +242,13 @@ class Finder {
   }
 
   /// A line through the baselines over time, as a drift of the zero within runs.
-  void take_drift_off() {
+  void find_drift() {
+    constexpr double kSure = 4;  // standard errors of the slope
     auto& runs = found_.runs;
+    found_.drift_removed = options_.drift.value_or(false) && runs.size() >= 2;
     if (runs.size() < 2) return;
-    const Frames& frames = found_.frames;
     double t = 0, b = 0, tt = 0, tb = 0;
-    const auto at = [&](const LoadingRun& run) { return run.shear.time; };
+    const auto at = [&](const LoadingRun& run) { return run.baseline_time; };
     const auto base = [&](const LoadingRun& run) { return run.direction * run.baseline; };
     for (const LoadingRun& run : runs) {
       t += at(run) / static_cast<double>(runs.size());
@@ -256,25 +258,34 @@ class Finder {
       tt += (at(run) - t) * (at(run) - t);
       tb += (at(run) - t) * (base(run) - b);
     }
-    const double slope = tb / tt;
-    for (const LoadingRun& run : runs)
-      for (std::size_t i = run.contact; i < run.last; ++i) found_.frames.T[i] -= slope * (frames.time[i] - at(run));
+    found_.drift_T = tb / tt;
+    if (runs.size() < 3) return;
+    double squares = 0;
+    for (const LoadingRun& run : runs) squares += std::pow(base(run) - b - found_.drift_T * (at(run) - t), 2);
+    found_.drift_error =
+        std::max(std::sqrt(squares / static_cast<double>(runs.size() - 2)), median(noise_T_) / 3) / std::sqrt(tt);
+    if (!options_.drift) found_.drift_removed = std::abs(found_.drift_T) > kSure * found_.drift_error;
+  }
+  void take_drift_off() {
+    for (LoadingRun& run : found_.runs) {
+      const auto since = [&](double time) { return found_.drift_T * (time - run.baseline_time); };
+      for (std::size_t i = run.contact; i < run.last; ++i) found_.frames.T[i] -= since(found_.frames.time[i]);
+      for (Cycle& cycle : run.cycles) {
+        cycle.T_peak -= run.direction * since(cycle.time);
+        if (cycle.T_min) *cycle.T_min -= run.direction * since(cycle.time_min);
+      }
+    }
   }
 
   void finish(LoadingRun& run) {
     const Frames& frames = found_.frames;
     for (std::size_t i = run.begin; i < run.end; ++i) run.T.push_back(run.direction * frames.T[i] - run.baseline);
-    const std::vector<double> P = part(frames.P, run.begin, run.end);
-    // A load that is held follows its mean over a second or so; what lies about that is noise of the reading.
+    const std::vector<double> P = part_of(frames.P, run.begin, run.end);
+    // A load that is held follows a line for a second or so; what lies about that is noise of the reading.
     constexpr std::size_t kAround = 25;
-    for (std::size_t i = 0; i < P.size(); ++i) {
-      const std::size_t around = std::min({kAround, i, P.size() - 1 - i});
-      run.smooth_P.push_back(
-          around == kAround || P.size() <= 2 * kAround
-              ? mean(P, i - around, i + around + 1)
-              : mean(P, i < kAround ? 0 : P.size() - 2 * kAround, i < kAround ? 2 * kAround : P.size()));
-    }
-    run.P = mean(P, 0, P.size());
+    for (std::size_t i = 0; i < P.size(); ++i)
+      run.smooth_P.push_back(on_line(P, i - std::min(i, kAround), std::min(P.size(), i + kAround + 1), i));
+    run.P = mean_of(P, 0, P.size());
     double squares = 0;
     for (const double one : P) squares += (one - run.P) * (one - run.P);
     run.scatter_P = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, P.size() - 1)));
@@ -285,9 +296,9 @@ class Finder {
     std::vector<std::vector<double>> T, A;
     for (const LoadingRun& run : found_.runs) {
       T.push_back(run.T);
-      A.push_back(part(found_.frames.A, run.begin, run.end));
+      A.push_back(part_of(found_.frames.A, run.begin, run.end));
     }
-    std::vector<double> zeros;
+    std::vector<double> zeros, wander;
     for (std::size_t k = 0; k < found_.runs.size(); ++k) {
       const LoadingRun& run = found_.runs[k];
       const auto before = static_cast<double>(std::max<std::ptrdiff_t>(
@@ -295,9 +306,15 @@ class Finder {
                  found_.frames.time.begin() - static_cast<std::ptrdiff_t>(run.contact)));
       const double rate =
           run.T.back() / std::max(found_.frames.time[run.end - 1] - run.shear.time, found_.frames.interval);
+      const double since = found_.frames.time[run.end - 1] - run.baseline_time;
       zeros.push_back(std::hypot(noise_T_[k] / std::sqrt(before), rate * found_.frames.lag_error));
+      // at its end, where T and what it says of lambda are largest
+      wander.push_back((found_.drift_removed ? found_.drift_error : std::abs(found_.drift_T)) * since);
     }
-    if (!zeros.empty()) found_.zero_T_error = median(zeros);
+    if (!zeros.empty()) {
+      found_.drifts = median(wander) > median(zeros) && !found_.drift_removed;
+      found_.zero_T_error = std::hypot(median(zeros), median(wander));
+    }
     const NoiseModel of_T = noise_model(T, noise_T_.empty() ? 0 : median(noise_T_)), of_A = noise_model(A, noise_A_);
     for (std::size_t k = 0; k < found_.runs.size(); ++k) {
       LoadingRun& run = found_.runs[k];
@@ -311,6 +328,8 @@ class Finder {
   const RunOptions& options_;
   LoadingRuns found_;
   double noise_A_ = 0;
+  double rest_T_ = 0;            // N
+  std::vector<double> still_;    // an area that says nothing
   std::vector<double> noise_T_;  // of each run
 };
 

@@ -30,6 +30,7 @@ struct LoadingRun {
   std::string name;
   double P = 0, scatter_P = 0;  // N: mean and standard deviation of what was read
   double baseline = 0;          // N, of T before the shear, which was taken off; in the direction of the shear
+  double baseline_time = 0;     // s, where that was read
   double direction = 1;         // of the shear: -1 where T was turned round
   std::size_t contact = 0, begin = 0, end = 0,
               last = 0;          // frames: of the contact; kept, from begin to before end; behind
@@ -53,13 +54,18 @@ struct StatedCut {
 
 struct RunOptions {
   std::map<std::string, StatedCut> cuts{};  // by the name of a run
-  bool drift = false;                       // take a line through the baselines of all runs off T
+  bool by_shear_alone = false;              // the area has no say in where sliding begins
+  std::optional<bool> drift{};              // take a line through the baselines of all runs off T; null: if it is sure
 };
 
 struct LoadingRuns {
   Frames frames;
   double zero_P = 0;                          // N, what was read out of contact and taken off P
   double zero_P_error = 0, zero_T_error = 0;  // N, standard errors: of that; of the zeros of T and of the lag, typical
+  double drift_T = 0;                         // N/s, of the zero of T from run to run
+  double drift_error = 0;                     // N/s, standard error; 0 of two runs
+  bool drift_removed = false;
+  bool drifts = false;  // by more than noise, and it was not taken off
   std::vector<LoadingRun> runs;
   std::vector<Phase> phases;  // of all frames, in order
 };

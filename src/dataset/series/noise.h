@@ -4,9 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace mixity {
+
+inline std::vector<double> part_of(const std::vector<double>& values, std::size_t begin, std::size_t end) {
+  return {values.begin() + static_cast<std::ptrdiff_t>(begin), values.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+inline double mean_of(const std::vector<double>& values, std::size_t begin, std::size_t end) {
+  return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                         values.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+         static_cast<double>(end - begin);
+}
+
+inline constexpr double kOfMedian = 1.4826;  // standard deviation over median of |x|, normal
 
 /// Of at least one.
 inline double median(std::vector<double> values) {
@@ -19,12 +32,30 @@ inline double median(std::vector<double> values) {
 /// trend nor a few jumps move; 0 of so few that these say nothing.
 inline double noise_of(const std::vector<double>& values) {
   constexpr std::size_t kFew = 12;
-  constexpr double kOfMedian = 1.4826;  // standard deviation over median of |x|, normal
   if (values.size() < kFew) return 0;
   std::vector<double> bends;
   for (std::size_t i = 2; i < values.size(); ++i)
     bends.push_back(std::abs(values[i] - 2 * values[i - 1] + values[i - 2]));
   return kOfMedian * median(bends) / std::sqrt(6.0);
+}
+
+/// Replaces single readings that lie far from the median of the five about them by that median (Hampel 1974, J. Am.
+/// Stat. Assoc. 69, 383): what wires catch is no force. Returns how many.
+inline std::size_t remove_spikes(std::vector<double>& values) {
+  constexpr double kSpike = 6;  // standard deviations; of a million readings of noise, none
+  const double noise = noise_of(values);
+  if (!(noise > 0)) return 0;
+  std::size_t removed = 0;
+  const std::vector<double> read = values;
+  for (std::size_t i = 2; i + 2 < read.size(); ++i) {
+    if (std::abs(read[i] - read[i - 1]) <= kSpike * noise || std::abs(read[i] - read[i + 1]) <= kSpike * noise)
+      continue;
+    const double middle = median(part_of(read, i - 2, i + 3));
+    if (!(std::abs(read[i] - middle) > kSpike * noise)) continue;
+    values[i] = middle;
+    ++removed;
+  }
+  return removed;
 }
 
 /// Noise that grows with what is read: variance = constant + relative^2 x^2.

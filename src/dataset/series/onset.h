@@ -18,4 +18,7 @@ inline constexpr double kLeastFall = 0.01;  // of the rise so far
 std::optional<ChangePoint> onset_of(const std::vector<double>& T, const std::vector<double>& A, std::size_t shear,
                                     std::size_t end, double noise_T, double noise_A);
 
+/// The last frame in begin..end before a course leaves, downwards, the parabola that it followed. Null if it does not.
+std::optional<ChangePoint> first_break_below(const Course& course, std::size_t begin, std::size_t end);
+
 }  // namespace mixity

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "dataset/input_error.h"
+#include "dataset/series/clocks.h"
 #include "dataset/series/cuts_file.h"
 #include "dataset/temporary_folder.h"
 
@@ -22,11 +23,16 @@ struct Simulated {
 
 struct Conditions {
   double noise_T = 1e-3, noise_A = 0.01, zero_T = 2e-3, zero_P = 0.3e-3, lag = 0, direction = 1;
+  double bend = 0;        // of T under shear: how much faster than at the mean it rises at first, and slower at last
+  double drift = 0;       // of the zero of T, N/s
+  bool steady = false;    // T keeps its height when the contact slides, and the area falls within a tenth of a second
+  double frames = 50;     // a second
+  std::size_t spike = 0;  // a sample of so many is ten noises off
   unsigned seed = 1;
 };
 
 Simulated simulate(const std::vector<double>& loads, const Conditions& c) {
-  constexpr double kRate = 1000, kFrames = 50;
+  constexpr double kRate = 1000;
   std::mt19937 random(c.seed);
   std::normal_distribution<double> normal;
   Simulated made;
@@ -38,7 +44,9 @@ Simulated simulate(const std::vector<double>& loads, const Conditions& c) {
       const double s = static_cast<double>(i) / static_cast<double>(n);
       made.forces.time.push_back(now + static_cast<double>(i) / kRate);
       made.forces.P.push_back(P(s) + c.zero_P + 1e-4 * normal(random));
-      made.forces.T.push_back(c.direction * T(s) + c.zero_T + c.noise_T * normal(random));
+      const bool spike = c.spike > 0 && made.forces.time.size() % c.spike == 0;
+      made.forces.T.push_back(c.direction * T(s) + c.zero_T + c.drift * made.forces.time.back() +
+                              c.noise_T * (normal(random) + (spike ? 10 : 0)));
       areas.push_back(A(s));
     }
     now += static_cast<double>(n) / kRate;
@@ -53,9 +61,13 @@ Simulated simulate(const std::vector<double>& loads, const Conditions& c) {
     add(1.1, held, zero, [=](double) { return A0; });
     made.shear.push_back(now);
     add(
-        4, held, [=](double s) { return most * s; }, [=](double s) { return A0 * (1 - 0.3 * s * s); });
+        4, held, [=](double s) { return most * s * (1 + c.bend * (1 - s)); },
+        [=](double s) { return A0 * (1 - 0.3 * s * s); });
     made.onset.push_back(now);
-    for (int slip = 0; slip < 3; ++slip) {
+    if (c.steady)
+      add(
+          1, held, [=](double) { return most; }, [=](double s) { return A0 * (0.55 + 0.15 * std::exp(-s / 0.1)); });
+    for (int slip = 0; slip < (c.steady ? 0 : 3); ++slip) {
       const double top = slip == 0 ? most : 0.9 * most;
       add(
           0.004, held, [=](double s) { return top - 0.3 * most * s; }, [=](double) { return 0.6 * A0; });
@@ -68,7 +80,7 @@ Simulated simulate(const std::vector<double>& loads, const Conditions& c) {
     add(
         0.4, [=](double s) { return load * (1 - s); }, zero, [=](double s) { return 0.58 * A0 * (1 - s); });
   }
-  const auto every = static_cast<std::size_t>(kRate / kFrames);
+  const auto every = static_cast<std::size_t>(kRate / c.frames);
   for (std::size_t i = every / 2; i < areas.size(); i += every) {
     made.areas.time.push_back(made.forces.time[i] + c.lag);
     made.areas.A.push_back(std::max(0.0, areas[i] * (1 + c.noise_A * normal(random))));
@@ -79,7 +91,7 @@ Simulated simulate(const std::vector<double>& loads, const Conditions& c) {
 const std::vector<double> kLoads{8e-3, 4e-3, 1e-3};
 
 LoadingRuns find(const Simulated& made, const RunOptions& options = {}, const FrameOptions& frames = {}) {
-  return find_loading_runs(make_frames(made.forces, made.areas, frames), "mN", 1e-3, options);
+  return find_loading_runs(on_one_clock(made.forces, made.areas, frames), "mN", 1e-3, options);
 }
 
 TEST(LoadingRuns, BeginAndEndWhereTheContactIsShearedAndSlides) {
@@ -112,6 +124,87 @@ TEST(LoadingRuns, BeginAndEndWhereTheContactIsShearedAndSlides) {
   }
   EXPECT_GE(shear_held, runs * 88 / 100);  // 95 % are wanted; frames are whole
   EXPECT_GE(onset_held, runs * 88 / 100);
+}
+
+/// Counts runs whose onset is within 1 % of T, and none may keep a frame from behind it.
+std::size_t onsets_within_a_percent(const Simulated& made, const LoadingRuns& found, double lag) {
+  EXPECT_EQ(found.runs.size(), made.onset.size());
+  std::size_t near = 0;
+  for (std::size_t k = 0; k < std::min(found.runs.size(), made.onset.size()); ++k) {
+    const LoadingRun& run = found.runs[k];
+    near += run.onset && std::abs(run.onset->time - lag - made.onset[k]) <= 0.04;
+    EXPECT_LE(found.frames.time[run.end - 1] - lag, made.onset[k] + 1.5 * found.frames.interval);
+  }
+  return near;
+}
+
+TEST(LoadingRuns, AreNotCutWhereTheShearBends) {
+  std::size_t near = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Conditions conditions;
+    conditions.seed = seed;
+    conditions.noise_T = 2e-4;
+    conditions.noise_A = 0.002;
+    conditions.bend = 0.3;
+    const Simulated made = simulate(kLoads, conditions);
+    near += onsets_within_a_percent(made, find(made, {}, {0.0}), 0);
+  }
+  EXPECT_GE(near, 58u);  // 97 % of 60
+}
+
+TEST(LoadingRuns, AreNotCutByADriftOrASpikeInTheHold) {
+  std::size_t near = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Conditions conditions;
+    conditions.seed = seed;
+    conditions.noise_T = 2e-4;
+    conditions.spike = 997;
+    conditions.drift = -3e-4;
+    const Simulated made = simulate(kLoads, conditions);
+    const LoadingRuns found = find(made, {}, {0.0});
+    near += onsets_within_a_percent(made, found, 0);
+    EXPECT_GT(found.frames.spikes, 15u);
+    EXPECT_TRUE(found.drift_removed);
+    EXPECT_NEAR(found.drift_T, -3e-4, 4 * found.drift_error);
+    // T is the shear: at the end of a run, 5 seconds behind where its zero was read
+    for (const LoadingRun& run : found.runs) EXPECT_NEAR(run.T.back(), 0.05 + run.P, 0.02 * (0.05 + run.P));
+  }
+  EXPECT_GE(near, 58u);
+}
+
+TEST(LoadingRuns, OfAFastCameraAreNoPiecesOfRampsOfTheLoad) {
+  Conditions conditions;
+  conditions.frames = 500;
+  const Simulated made = simulate(kLoads, conditions);
+  EXPECT_EQ(onsets_within_a_percent(made, find(made, {}, {0.0}), 0), 3u);
+}
+
+TEST(LoadingRuns, EndWhereSteadySlidingBegins) {
+  std::size_t near = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Conditions conditions;
+    conditions.seed = seed;
+    conditions.steady = true;
+    conditions.noise_A = 0.003;
+    conditions.noise_T = 1e-4;
+    conditions.lag = -1.21;
+    const Simulated made = simulate({8e-3, 7e-3, 6e-3}, conditions);
+    const LoadingRuns found = find(made);
+    EXPECT_NEAR(found.frames.lag, -1.21, 0.04) << seed;  // two frames
+    EXPECT_LE(std::abs(found.frames.lag + 1.21), 4 * found.frames.lag_error) << seed;
+    near += onsets_within_a_percent(made, found, found.frames.lag);
+  }
+  EXPECT_GE(near, 58u);
+}
+
+TEST(LoadingRuns, TakeTheirLoadOnItsCourse) {
+  Simulated made = simulate({8e-3}, {});
+  for (std::size_t i = 0; i < made.forces.P.size(); ++i)  // while it is sheared the load rises by 2 %
+    made.forces.P[i] += 1.6e-4 * std::clamp((made.forces.time[i] - made.shear[0]) / 4, 0.0, 1.0);
+  const LoadingRuns found = find(made, {}, {0.0});
+  const LoadingRun& run = found.runs.at(0);
+  // 1e-4 N of noise in a sample, 20 in a frame, 26 frames and more: four standard errors of a line's end
+  EXPECT_NEAR(run.smooth_P.back(), 8e-3 + 1.6e-4, 4 * 2 * 1e-4 / std::sqrt(20 * 26));
 }
 
 TEST(LoadingRuns, ThatAreShearedTheOtherWayAreTurnedRound) {
@@ -160,8 +253,8 @@ TEST(LoadingRuns, EveryFrameHasAPhase) {
 TEST(Frames, OfClocksThatNothingTiesTogetherAreRefused) {
   Simulated made = simulate(kLoads, {});
   std::fill(made.forces.T.begin(), made.forces.T.end(), 0.0);
-  EXPECT_NE(input_error([&] { make_frames(made.forces, made.areas, {}); }).find("state it: --lag"), std::string::npos);
-  EXPECT_EQ(make_frames(made.forces, made.areas, {0.2}).lag, 0.2);
+  EXPECT_NE(input_error([&] { on_one_clock(made.forces, made.areas, {}); }).find("state it: --lag"), std::string::npos);
+  EXPECT_EQ(on_one_clock(made.forces, made.areas, {0.2}).lag, 0.2);
 }
 
 TEST(Frames, OfOneFileAreItsRowsWithAnArea) {
@@ -170,11 +263,25 @@ TEST(Frames, OfOneFileAreItsRowsWithAnArea) {
   for (int i = 0; i < 100; ++i)
     text += std::to_string(0.01 * i) + "," + std::to_string(i) + ",0.001," + (i % 10 == 5 ? "0.3" : "") + "\n";
   const Recording log = read_recording(folder.write("log.csv", text), {});
-  const Frames frames = make_frames(log, log, {});
+  const Frames frames = make_frames(log, log);
   ASSERT_EQ(frames.time.size(), 10u);
   EXPECT_NEAR(frames.interval, 0.1, 1e-12);
   EXPECT_NEAR(frames.P[4], 44.5e-3, 1e-12);  // the mean of 40 to 49
-  EXPECT_EQ(frames.lag_source, "one clock");
+  EXPECT_EQ(on_one_clock(log, log, {}).lag_source, "one clock");
+}
+
+TEST(Frames, OfAreasThatAreHeldAreOneForEachPicture) {
+  Recording log;  // 30 pictures a second in a log of 1000 rows: 33 or 34 rows each
+  for (int i = 0; i < 2000; ++i) {
+    log.time.push_back(1e-3 * i);
+    log.P.push_back(1e-3);
+    log.T.push_back(1e-3);
+    log.A.push_back(1e-7 * (1 + i * 30 / 1000));
+  }
+  EXPECT_EQ(pictures(log).time.size(), 60u);
+  for (double& A : log.A)
+    if (A > 3.05e-6 && A < 3.35e-6) A = 3.1e-6;  // three pictures of one area are three
+  EXPECT_EQ(pictures(log).time.size(), 60u);
 }
 
 TEST(Cuts, ThatCannotBeUnderstoodAreRefusedWithTheirPlace) {
