@@ -191,16 +191,16 @@ class Finder {
     std::size_t end = top + 1;
     if (cuts.onset) {
       run.onset = CutTime{*cuts.onset, *cuts.onset, *cuts.onset, true};
-      end = frame_at(*cuts.onset, level);
+      end = frames_before(*cuts.onset, shear, frame_at(*cuts.onset, level));
     } else if (const auto change = onset_of(T, options_.by_shear_alone ? still_ : frames.A, shear, level.end, noise_T,
                                             options_.by_shear_alone ? 1 : noise_A)) {
       run.onset = cut_of(frames, *change);
-      // the last frame that may as well be the first to slide is no loss
-      end = change->at + (change->first < change->at ? 0 : 1);
       if (const auto exact = onset_in_samples(frames, *change, shear, run.direction)) {
         run.onset = exact;
-        // nor is one that T changes in
-        while (end > shear && frames.time[end - 1] + frames.interval / 2 > exact->time) --end;
+        end = frames_before(exact->time, shear, change->at + 1);
+      } else {
+        // the last frame that may as well be the first to slide is no loss
+        end = change->at + (change->first < change->at ? 0 : 1);
       }
     }
     if (end < shear + 3)
@@ -228,6 +228,12 @@ class Finder {
     const auto& times = found_.frames.time;
     const auto at = static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
     return std::clamp(at, level.begin, level.end);
+  }
+
+  /// The end of the frames that are over at that time.
+  std::size_t frames_before(double time, std::size_t begin, std::size_t end) const {
+    while (end > begin && found_.frames.time[end - 1] + found_.frames.interval / 2 > time) --end;
+    return end;
   }
 
   std::string name_of(double P) const {
