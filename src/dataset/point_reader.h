@@ -46,6 +46,7 @@ class PointReader {
   /// The same points as read() makes of each row, if it makes one.
   void read(const CsvNumbers& rows, PointBatch& batch) const;
 
+  const Columns& columns() const { return columns_; }
   /// What was taken for what, where the headings are not the program's own.
   const std::vector<std::string>& taken() const { return columns_.taken(); }
   bool names_runs() const { return columns_.has(ColumnId::curve); }

@@ -34,8 +34,8 @@ struct ShearRange {
 /// Of each of so many runs.
 std::vector<ShearRange> shear_ranges(const std::vector<Point>& points, std::size_t runs);
 
-/// Once all points are read: asks for the zero of T where a run rises through it from below; turns runs round that are sheared the other way (T -> -T), and notes which and how many
-/// points lie below zero then. `ranges`: of each run.
+/// Once all points are read: asks for the zero of T where a run rises through it from below; turns runs round that are
+/// sheared the other way (T -> -T), and notes which and how many points lie below zero then. `ranges`: of each run.
 void finish_shear(const std::vector<ShearRange>& ranges, Dataset& data);
 
 }  // namespace mixity

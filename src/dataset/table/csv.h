@@ -44,6 +44,7 @@ class CsvRow {
  private:
   friend struct CsvParser;
   friend class CsvNumbers;
+  friend class ArrayRows;
   void begin(std::string_view line, std::size_t number, const CsvFormat& format);
   /// One more line of the same text, right behind the last.
   void add(std::string_view line);
@@ -79,10 +80,13 @@ class CsvNumbers {
 
  private:
   friend class NumberRows;
+  friend class ArrayRows;
   std::size_t first_line_ = 1, size_ = 0;
   std::vector<std::array<double, kMost>> numbers_;
   std::vector<std::array<std::string_view, kMost>> texts_;
   std::array<const char*, kMost + 1> begins_;  // of each row in the file's text, and of what follows
+  std::function<std::string(std::size_t)> write_{};  // row i as text, where it was never written; else empty
+  mutable std::string written_;
   CsvFormat format_;
   mutable CsvRow row_;
 };

@@ -46,6 +46,11 @@ const char* read_number(const char* const begin, const char* end, char decimal, 
 }  // namespace
 
 const CsvRow& CsvNumbers::row(std::size_t i) const {
+  if (write_) {
+    written_ = write_(i);
+    row_.split(written_, line(i), format_);
+    return row_;
+  }
   const auto length = static_cast<std::size_t>(begins_[i + 1] - begins_[i]);
   row_.split({begins_[i], length}, line(i), format_);
   return row_;
