@@ -11,9 +11,6 @@
 namespace mixity::cli {
 namespace {
 
-/// How far curves that run to infinite T are drawn, in multiples of their natural scale.
-constexpr double kFarthest = 10;
-
 std::size_t point_count() {
   if (FLAGS_points < 2 || FLAGS_points > 10000000) throw UsageError("flag '--points' must lie between 2 and 10000000");
   return static_cast<std::size_t>(FLAGS_points);
@@ -28,7 +25,7 @@ void print_at_load(const Parameters<Model>& p, const OutputUnits& units) {
     throw UsageError("flag '--load': no contact exists below the pull-off load -3 pi/2 R G_Ic");
 
   const EquilibriumCurve<Model> curve(p, load.dimensionless);
-  const auto ranges = drawable_ranges(curve, kFarthest * shear_scale(curve));
+  const auto ranges = drawable_ranges(curve, kFarthestDrawn * shear_scale(curve));
   std::vector<CurvePoint> points;
   if (is_set("chord"))
     points = sample_adaptive(curve, ranges, number_from("chord", FLAGS_chord, 1e-9));

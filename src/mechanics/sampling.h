@@ -10,6 +10,9 @@
 
 namespace mixity {
 
+/// How far curves that run to infinite T are drawn, in multiples of their natural scale.
+inline constexpr double kFarthestDrawn = 10;
+
 /// phi range of one piece that is worth drawing: to its end, or where it runs to infinity as far as T <= T_most. On a
 /// sliver of a piece (model a, P just below 0) it stops before, where the roundings of phi and y hide T by 1e-4 T_most.
 struct PhiRange {
