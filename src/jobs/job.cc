@@ -127,11 +127,12 @@ bool can_be_believed(const JobResult& result) {
 }
 
 JobResult run(const FitJob& job, const Progress& progress) {
-  JobResult result{job,
-                   job.runs.empty() ? load_dataset(job.data_path, job.constants) : load_pooled(job.runs, job.constants),
-                   {},
-                   {},
-                   {}};
+  return run(job, job.runs.empty() ? load_dataset(job.data_path, job.constants) : load_pooled(job.runs, job.constants),
+             progress);
+}
+
+JobResult run(const FitJob& job, Dataset data, const Progress& progress) {
+  JobResult result{job, std::move(data), {}, {}, {}};
   exclude(result.data, job.exclusion);
   const std::size_t models = job.models.size();
   Meter meter(progress, costs(job, result.data));

@@ -68,5 +68,7 @@ inline Objective objective_of(const JobResult& result) {
 /// Fits models side by side, on as many threads as the machine has. Tells `progress`, from any of them, how much is
 /// done. Throws what load_dataset, exclude and fit_model throw.
 JobResult run(const FitJob& job, const Progress& progress = {});
+/// The same of a data set that is there already; the job's paths and constants are not used.
+JobResult run(const FitJob& job, Dataset data, const Progress& progress = {});
 
 }  // namespace mixity

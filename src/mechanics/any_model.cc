@@ -99,6 +99,14 @@ std::vector<std::string> parameter_names(std::string_view model) {
   return names;
 }
 
+std::vector<std::pair<double, double>> parameter_bounds(std::string_view model) {
+  std::vector<std::pair<double, double>> bounds;
+  with_model(model, [&](auto instance) {
+    for (const ParameterInfo& info : decltype(instance)::parameters) bounds.emplace_back(info.lower, info.upper);
+  });
+  return bounds;
+}
+
 std::string parameters_problem(std::string_view model, std::span<const double> parameters) {
   std::string problem = "no model is called '" + std::string(model) + "'";
   with_model(model, [&](auto instance) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mechanics/equilibrium.h"
@@ -24,6 +25,9 @@ struct Values {
 
 /// "lambda", or "r" and "m". Empty if no model has this key.
 std::vector<std::string> parameter_names(std::string_view model);
+
+/// Least and largest value of each.
+std::vector<std::pair<double, double>> parameter_bounds(std::string_view model);
 
 /// Why these are no model with its parameters: no such key, another number of values, one out of its range, no law
 /// with a unique equilibrium. Empty if they are.

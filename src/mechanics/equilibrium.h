@@ -37,7 +37,7 @@ struct StableBranch {
   bool ends_in_fold;  // otherwise y_bottom is Hertz (0) or an asymptote
 };
 
-enum class EquilibriumStatus { ok, no_equilibrium, invalid };
+enum class EquilibriumStatus : unsigned char { ok, no_equilibrium, invalid };
 
 struct Equilibrium {
   EquilibriumStatus status;

@@ -15,6 +15,7 @@
 #include "dataset/pooled.h"         // load_pooled: of several files
 #include "fitting/comparison.h"     // compare_models, per_curve
 #include "fitting/fit.h"            // fit_model, FitOptions, FitResult
+#include "fitting/prediction.h"     // predict_areas_of: areas of a fit, with their errors
 #include "mechanics/any_model.h"    // areas, toughness_ratios, tangential_loads, folds_of, regime_of, curve_of
 #include "mechanics/contact.h"      // Contact: units of dimensionless quantities; JKR, Hertz
 #include "mechanics/measurement.h"  // phase angle and toughness of a measured point

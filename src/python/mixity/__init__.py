@@ -1,0 +1,65 @@
+"""Fits mode-mixity models to soft adhesive contacts that lose area under shear.
+
+>>> import mixity
+>>> data = mixity.Dataset(P=[4.68] * 6, T=[0, 10, 20, 30, 40, 50], A=[0.395, 0.393, 0.386, 0.375, 0.357, 0.331],
+...                       units={"P": "mN", "T": "mN", "A": "mm^2"},
+...                       radius="9.42 mm", modulus="2.133 MPa +/- 3%", toughness="27 mJ/m^2")
+>>> fits = mixity.fit(data, models="c")
+>>> fits["c"].status
+'ok'
+>>> round(fits["c"].params["lambda"].value, 4)
+0.0089
+
+Quantities are floats in SI, strings with units as the program takes them ("2.133 +/- 0.1 MPa"), or pint quantities.
+What cannot be understood raises :class:`InputError` with the program's sentence.
+"""
+
+from ._core import InputError, version
+from ._data import Dataset, from_frame, read
+from ._fits import Fit, Fits, Parameter, fit
+from ._mechanics import (
+    STATUS,
+    area,
+    curve,
+    displacement,
+    folds,
+    models,
+    phase_angle,
+    regime,
+    tangential_load,
+    toughness,
+)
+
+__all__ = [
+    "STATUS",
+    "Dataset",
+    "Fit",
+    "Fits",
+    "InputError",
+    "Parameter",
+    "__version__",
+    "area",
+    "curve",
+    "displacement",
+    "fit",
+    "folds",
+    "from_frame",
+    "models",
+    "phase_angle",
+    "read",
+    "regime",
+    "tangential_load",
+    "toughness",
+]
+
+
+__version__: str = version()
+
+
+def __getattr__(name):
+    # what needs more than NumPy is imported when it is asked for
+    if name in ("lmfit", "scipy", "plots"):
+        import importlib
+
+        return importlib.import_module(f".{name}", __name__)
+    raise AttributeError(f"module 'mixity' has no attribute '{name}'")

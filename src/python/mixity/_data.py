@@ -1,0 +1,199 @@
+"""Data sets: from arrays, frames and files."""
+
+import os
+
+import numpy as np
+
+from . import _core
+from ._units import constant_text, in_si, is_pint, si_unit
+
+_COLUMNS = (
+    "P T A a a_par a_perp major minor psi mode_ratio Gc Gc_over_GIc G_I G_II sigma_T sigma_A sigma_Gc sigma_GI sigma_GII"
+).split()
+
+
+def _made(make, arguments):
+    try:
+        return make(*arguments)
+    except _core.InputError as error:
+        # a constant is no flag here
+        text = str(error)
+        raise _core.InputError(text[2:] if text.startswith("--") else text) from None
+
+
+def _column(name, values, units):
+    if is_pint(values):
+        return f"{name} [{si_unit(name)}]", np.ascontiguousarray(in_si(name, values), dtype=np.float64)
+    array = np.ascontiguousarray(values, dtype=np.float64)
+    if array.ndim != 1:
+        raise _core.InputError(f"arrays: column '{name}' must have one dimension, not {array.ndim}")
+    if units is None:
+        unit = ""
+    elif units == "SI":
+        unit = si_unit(name)
+    else:
+        unit = units.get(name, si_unit(name))
+    return (f"{name} [{unit}]" if unit else name), array
+
+
+class Dataset:
+    """Measured points of one experiment, ready to fit.
+
+    Parameters
+    ----------
+    P, T, A : array_like, shape (n,)
+        Normal load, tangential load, contact area; or other columns of the program by their names: ``a`` (radius),
+        ``a_par`` and ``a_perp``, ``psi`` with ``Gc`` or ``Gc_over_GIc``, ``G_I`` with ``G_II``, and standard errors
+        ``sigma_T``, ``sigma_A``, ... Values that are not finite, and areas <= 0, are left out and listed in
+        ``excluded``.
+    runs : array_like of str or int, shape (n,), optional
+        The loading run of each point; else points of one load are one.
+    units : dict, "SI" or None
+        Units of the columns, as in ``{"P": "mN", "A": "mm^2"}``; SI for those that are not named. None: dimensionless
+        in the sense of the paper (loads in R G_Ic, areas in (R/xi)^2).
+    name : str
+        Shown in texts and messages.
+    **constants
+        ``radius``, ``modulus`` (plane strain) or ``youngs_modulus`` and ``poisson_ratio``, ``toughness``, and the
+        others of the program's TOML: texts with units and errors, floats in SI, pairs (value, standard error), or pint
+        quantities.
+
+    Raises
+    ------
+    InputError
+        For what the program refuses of a file with these columns, in its words. Row i is called line i + 2.
+    """
+
+    def __init__(self, *, runs=None, units="SI", name="data", **given):
+        columns = []
+        for column in _COLUMNS:
+            if column in given:
+                columns.append(_column(column, given.pop(column), units))
+        if runs is not None:
+            columns.append(("curve", [str(run) for run in runs]))
+        stated = [(key, constant_text(key, value)) for key, value in given.items() if value is not None]
+        self._core = _made(_core.from_arrays, (name, columns, stated))
+        self._source = ("arrays", (name, columns, stated))
+
+    @classmethod
+    def _of(cls, core, source):
+        made = cls.__new__(cls)
+        made._core = core
+        made._source = source
+        return made
+
+    # A data set is what it was made from.
+    def __reduce__(self):
+        return _again, self._source
+
+    def __len__(self):
+        return len(self._core)
+
+    def __repr__(self):
+        runs = len(self._core.curves)
+        return f"<mixity.Dataset '{self.name}': {len(self)} points in {runs} {'run' if runs == 1 else 'runs'}>"
+
+    @property
+    def name(self):
+        return self._core.name
+
+    @property
+    def notes(self):
+        """What of the data is passed over or not taken as it stands: sentences."""
+        return self._core.notes
+
+    @property
+    def runs(self):
+        """Names of the loading runs."""
+        return self._core.curves
+
+    @property
+    def excluded(self):
+        """[(line, reason)] of rows that are no points."""
+        return self._core.excluded
+
+    @property
+    def units(self):
+        """Units in which loads and areas are shown and returned: {"force": "mN", "area": "mm^2"}; empty texts if
+        dimensionless."""
+        return {"force": self._core.force_unit_text, "area": self._core.area_unit_text}
+
+    @property
+    def P(self):
+        """Normal loads of the points, shape (n,), in units["force"]."""
+        return self._core.column("P") * self._core.force_scale
+
+    @property
+    def T(self):
+        """Tangential loads, shape (n,), in units["force"]."""
+        return self._core.column("T") * self._core.force_scale
+
+    @property
+    def A(self):
+        """Areas, shape (n,), in units["area"]."""
+        return self._core.column("A") * self._core.area_scale
+
+    @property
+    def psi(self):
+        """Phase angles [rad], shape (n,); NaN where the area does not exceed that of Hertz."""
+        return self._core.column("psi")
+
+    @property
+    def toughness_ratio(self):
+        """G_c/G_Ic, shape (n,); NaN where there is no phase angle."""
+        return self._core.column("f")
+
+    @property
+    def run_of_point(self):
+        """Indices into ``runs``, shape (n,)."""
+        return self._core.column("curve").astype(int)
+
+
+def _again(kind, arguments):
+    return Dataset._of(_made(_core.from_arrays if kind == "arrays" else _core.read, arguments), (kind, arguments))
+
+
+def from_frame(frame, columns=None, *, runs=None, units="SI", name="frame", **constants):
+    """A data set from a pandas DataFrame, or anything with named columns.
+
+    Parameters
+    ----------
+    frame : DataFrame
+    columns : dict, optional
+        What is what: ``{"P": "Normal force", "T": "Friction", "A": "Area"}``. Left out: columns of the program's own names.
+    runs : str or array_like, optional
+        The column that names runs, or the names.
+    units, name, **constants
+        As of :class:`Dataset`.
+    """
+    names = columns or {column: column for column in _COLUMNS if column in frame}
+    missing = [heading for heading in names.values() if heading not in frame]
+    if missing:
+        raise _core.InputError(f"{name}: has no column '{missing[0]}'; there are {', '.join(map(str, frame))}")
+    if isinstance(runs, str):
+        runs = frame[runs]
+    elif runs is None and "curve" in frame:
+        runs = frame["curve"]
+    given = {column: np.asarray(frame[heading]) for column, heading in names.items()}
+    return Dataset(**given, runs=runs, units=units, name=name, **constants)
+
+
+def read(path, **constants):
+    """Reads a data file as the program does, with the TOML beside it.
+
+    Parameters
+    ----------
+    path : str, path, or list of them
+        A CSV or another export of a table; a pattern such as ``"run_*.csv"``, or several files, are one data set.
+    **constants
+        Over those that the TOML states: as of :class:`Dataset`, and how to read the file (``columns``, ``decimal``, ``pixel``,
+        ``load``, ``load_from``, ``headings``).
+    """
+    paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
+    files = [file for one in paths for file in _core.files_of(os.fspath(one))]
+    stated = []
+    for key, value in constants.items():
+        if key == "columns" and isinstance(value, dict):
+            value = ",".join(f"{column}={heading}" for column, heading in value.items())
+        stated.append((key, constant_text(key, value)))
+    return _again("file", (files, stated))

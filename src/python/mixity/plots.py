@@ -1,0 +1,120 @@
+"""Figures of fits on matplotlib axes, in the styles of the report. Each function draws on ``ax``, or on new axes, and
+returns them."""
+
+import numpy as np
+
+from . import _mechanics
+from ._core import parameter_names
+
+# Of the report: told apart without colour, too.
+_STYLE = {"a": ("#0072b2", "--"), "b": ("#d55e00", "-."), "c": ("#009e73", "-"), "bk": ("#cc79a7", ":")}
+_POINTS = {"linestyle": "none", "marker": "o", "fillstyle": "none", "color": "0.3", "markersize": 4}
+
+
+def _axes(ax):
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt
+
+    axes = plt.subplots(constrained_layout=True)[1]
+    axes.spines[["top", "right"]].set_visible(False)
+    return axes
+
+
+def _label(name, unit):
+    unit = unit.replace("^2", "²")
+    return f"{name} [{unit}]" if unit else name
+
+
+def _lam(fit):
+    return tuple(fit.params[name].value for name in parameter_names(fit.model))
+
+
+def area(fit, ax=None):
+    """A(T) of each run: points, the model with its 95 % band, and where it jumps."""
+    ax = _axes(ax)
+    data = fit.data
+    colour, line = _STYLE.get(fit.model, ("k", "-"))
+    P, T, A, run = data.P, data.T, data.A, data.run_of_point
+    ax.plot(T, A, label="data", **_POINTS)
+    for i in range(len(data.runs)):
+        load = np.median(P[run == i])
+        jumps = fit.folds(load)
+        end = jumps[0]["T"] if jumps else 1.1 * np.max(T[run == i])
+        # closer towards the fold, where the curve is steep
+        shear = end * (1 - np.linspace(1, 0, 200) ** 2) * (1 - 1e-12)
+        A_fit, low, high = fit.area(load, shear)
+        ax.fill_between(shear, low, high, color=colour, alpha=0.25, linewidth=0)
+        ax.plot(shear, A_fit, line, color=colour, label=f"model {fit.model}" if i == 0 else None)
+        if jumps:
+            ax.plot(jumps[0]["T"], jumps[0]["A"], "s", color=colour, label="jump" if i == 0 else None)
+    ax.set_xlabel(_label("T", data.units["force"]))
+    ax.set_ylabel(_label("A", data.units["area"]))
+    ax.legend(frameon=False)
+    return ax
+
+
+def toughness(fit, ax=None):
+    """f(psi): points, the model, and the band of its first parameter's interval."""
+    ax = _axes(ax)
+    data = fit.data
+    colour, line = _STYLE.get(fit.model, ("k", "-"))
+    psi = np.linspace(0, np.nanmax(data.psi) * 1.01, 300)
+    ax.plot(np.degrees(data.psi), data.toughness_ratio, label="data", **_POINTS)
+    lam = _lam(fit)
+    interval = next(iter(fit.params.values())).interval
+    if interval and None not in interval:
+        low, high = (_mechanics.toughness(fit.model, (end, *lam[1:]), psi) for end in interval)
+        ax.fill_between(np.degrees(psi), low, high, color=colour, alpha=0.25, linewidth=0)
+    ax.plot(np.degrees(psi), _mechanics.toughness(fit.model, lam, psi), line, color=colour, label=f"model {fit.model}")
+    ax.set_yscale("log")
+    ax.set_xlabel("psi [deg]")
+    ax.set_ylabel("G_c/G_Ic")
+    ax.legend(frameon=False)
+    return ax
+
+
+def residuals(fit, ax=None):
+    """Residuals against T, or against psi where there are no loads."""
+    ax = _axes(ax)
+    data = fit.data
+    loads = data._core.has_loads
+    x = data.T if loads else np.degrees(data.psi)
+    ax.axhline(0, color="0.7", linewidth=1)
+    ax.plot(x[fit.used_points], fit.residuals, **_POINTS)
+    ax.set_xlabel(_label("T", data.units["force"]) if loads else "psi [deg]")
+    ax.set_ylabel("residual [standard errors]" if fit.objective == "curve" else "residual")
+    return ax
+
+
+def profile(fit, parameter="lambda", ax=None):
+    """The profile likelihood of a parameter: how the cost rises when it is held there, and the level of the interval."""
+    ax = _axes(ax)
+    one = fit.params[parameter]
+    x, rise, level = fit._fits._results.profile(fit._index, parameter)
+    if not len(x):
+        raise ValueError(f"'{parameter}' is held, at a bound or not identifiable: there is no profile to draw")
+    ax.plot(x, rise, color=_STYLE.get(fit.model, ("k", "-"))[0])
+    ax.axhline(level, color="0.6", linestyle="--")
+    ax.set_xlabel(_label(parameter, one.unit))
+    ax.set_ylabel("rise of the cost [variances]")
+    return ax
+
+
+def budget(fit, ax=None):
+    """The variance of the first parameter: scatter, and what is not known of each constant."""
+    ax = _axes(ax)
+    found = fit.budget
+    if not found or found["scatter"] is None:
+        raise ValueError("this fit has no budget: no parameter of it is free and inside its bounds")
+    parts = [("scatter", found["scatter"]), *((part["constant"], part["share"]) for part in found["parts"])]
+    left = 0.0
+    for i, (name, share) in enumerate(parts):
+        ax.barh(0, share, left=left, color=f"{0.35 + 0.5 * i / max(1, len(parts) - 1):.2f}", edgecolor="white", label=name)
+        left += share
+    ax.set_yticks([])
+    ax.set_ylim(-1, 1)
+    ax.set_xlim(0, 1)
+    ax.set_xlabel(f"share of the variance of {found['parameter']}")
+    ax.legend(frameon=False, ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1))
+    return ax

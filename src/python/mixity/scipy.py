@@ -1,0 +1,80 @@
+"""Residuals and their derivatives for ``scipy.optimize``, for those who keep their own scripts."""
+
+import numpy as np
+
+from . import _mechanics
+
+
+def residuals(model, P, T, A, *, sigma=None, contact=None):
+    """A residual function of a model's parameters, and its Jacobian.
+
+    Parameters
+    ----------
+    model : str
+    P, T, A : array_like, shape (n,)
+        Dimensionless, or SI with ``contact``.
+    sigma : array_like, optional
+        Standard errors of A; else residuals are in the unit of A.
+
+    Returns
+    -------
+    fun, jac : callables
+        ``fun(x)``: shape (n,), the model's area less A; beyond the last equilibrium the area there. ``jac(x)``: shape
+        (n, p), from central differences of the smooth inverse T(A); 0 where T is, and beyond the fold.
+
+    Examples
+    --------
+    >>> import numpy as np, mixity
+    >>> T = np.linspace(0, 20, 30)
+    >>> fun, jac = mixity.scipy.residuals("c", 2.0, T, mixity.area("c", 0.15, 2.0, T))
+    >>> from scipy.optimize import least_squares
+    >>> float(np.round(least_squares(fun, [0.1], jac, bounds=(0, 1)).x[0], 10))
+    0.15
+    """
+    units = _mechanics._Units(contact)
+    P, T, A = np.broadcast_arrays(
+        np.asarray(P, float) / units.force, np.abs(np.asarray(T, float)) / units.force, np.asarray(A, float) / units.area
+    )
+    weight = 1.0 if sigma is None else units.area / np.asarray(sigma, float)
+    scale = units.area if sigma is None else weight
+
+    def fun(x):
+        return scale * (areas_to_the_fold(model, x, P, T) - A)
+
+    def jac(x):
+        return np.column_stack([scale * slope for slope in slopes(model, x, P, T)])
+
+    return fun, jac
+
+
+def areas_to_the_fold(model, x, P, T):
+    """Areas; beyond the last equilibrium that at it, so that a minimiser sees no NaN. Dimensionless."""
+    lam = tuple(map(float, x))
+    A, status = _mechanics.area(model, lam, P, T, return_status=True)
+    for load in np.unique(P[status == 1]):
+        beyond = (status == 1) & (P == load)
+        folds = [fold for fold in _mechanics.folds(model, lam, load) if fold["met_on"] == "loading"]
+        A[beyond] = folds[-1]["A"] if folds else 0.0
+    return A
+
+
+def slopes(model, x, P, T):
+    """dA/dx for each parameter: dA/dx = -(dT/dx at constant A)/(dT/dA), both of the inverse T(A), which is smooth."""
+    lam = [float(one) for one in x]
+    A, status = _mechanics.area(model, tuple(lam), P, T, return_status=True)
+    found = []
+    step_A = 1e-6 * A
+    rise = (
+        _mechanics.tangential_load(model, tuple(lam), P, A + step_A)
+        - _mechanics.tangential_load(model, tuple(lam), P, A - step_A)
+    ) / (2 * step_A)
+    for k in range(len(lam)):
+        step = 1e-6 * max(abs(lam[k]), 1e-6)
+        above, below = ([*lam[:k], lam[k] + sign * step, *lam[k + 1 :]] for sign in (1, -1))
+        by_x = (
+            _mechanics.tangential_load(model, tuple(above), P, A) - _mechanics.tangential_load(model, tuple(below), P, A)
+        ) / (2 * step)
+        with np.errstate(all="ignore"):
+            slope = -by_x / rise
+        found.append(np.where((status == 0) & (T > 0) & np.isfinite(slope), slope, 0.0))
+    return found

@@ -1,0 +1,199 @@
+"""What a notebook meets: data sets, fits, arrays, errors, pickles."""
+
+import doctest
+import importlib
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import mixity
+
+
+def test_data_sets_take_units_floats_pairs_and_pint(data):
+    si = dict(P=data.P * 1e-3, T=data.T * 1e-3, A=data.A * 1e-6)
+    constants = dict(radius=9.42e-3, modulus=(2.133e6, 0.06399e6), toughness=0.027)
+    same = mixity.Dataset(**si, **constants)
+    # units are powers of ten, whose products round
+    np.testing.assert_allclose(same.P * 1e3, data.P, rtol=1e-14)
+    assert mixity.fit(same, "c")["c"].params["lambda"].value == pytest.approx(
+        mixity.fit(data, "c")["c"].params["lambda"].value, rel=1e-9
+    )
+    unit = pytest.importorskip("pint").UnitRegistry()
+    quantities = mixity.Dataset(
+        P=data.P * unit.mN, T=data.T * unit.mN, A=data.A * unit.mm**2, radius=9.42 * unit.mm, modulus="2.133 MPa", toughness=27 * unit.mJ / unit.m**2
+    )
+    np.testing.assert_allclose(quantities.A, data.A * 1e-6, rtol=1e-14)
+
+
+def test_frames(data):
+    frame = pytest.importorskip("pandas").DataFrame({"N": data.P, "Q": data.T, "area": data.A, "which": data.run_of_point})
+    made = mixity.from_frame(
+        frame, {"P": "N", "T": "Q", "A": "area"}, runs="which", units={"P": "mN", "T": "mN", "A": "mm^2"},
+        radius="9.42 mm", modulus="2.133 MPa", toughness="27 mJ/m^2",
+    )
+    assert made.runs == ["0", "1"]
+    np.testing.assert_array_equal(made.A, data.A)
+    with pytest.raises(mixity.InputError, match="has no column 'X'; there are N, Q, area, which"):
+        mixity.from_frame(frame, {"P": "X"})
+
+
+def test_refusals_are_sentences(data):
+    for ask, sentence in [
+        (lambda: mixity.Dataset(P=[1], T=[1, 2], A=[1, 2], units=None), "column 'T' has 2 rows, 'P' has 1"),
+        (lambda: mixity.Dataset(P=[1.0], T=[1.0], A=[1.0]), "needs radius"),
+        (lambda: mixity.Dataset(P=[1.0], T=[1.0], A=[1.0], radius="9 kg"), "^radius: radius is \"9 kg\"; it must be a number with a unit"),
+        (lambda: mixity.Dataset(P=[[1.0]], T=[1.0], A=[1.0]), "must have one dimension"),
+        (lambda: mixity.Dataset(P=[1.0], T=[1.0], A=[1.0], colour="red"), "unknown key"),
+        (lambda: mixity.fit(data, models="x"), "unknown model 'x'"),
+        (lambda: mixity.fit(data, confidence=2), "confidence"),
+        (lambda: mixity.fit(data, nonsense=2), "nonsense"),
+        (lambda: mixity.folds("c", 2.0, 1.0), "outside its range"),
+        (lambda: mixity.read("nowhere.csv"), "cannot be opened"),
+    ]:
+        with pytest.raises((mixity.InputError, ValueError), match=sentence):
+            ask()
+    with pytest.raises(TypeError, match="must be a mixity.Dataset"):
+        mixity.fit([1, 2, 3])
+    assert issubclass(mixity.InputError, ValueError)
+
+
+def test_rows_that_are_no_points_are_listed():
+    made = mixity.Dataset(P=[1, 1, 1], T=[0, np.nan, 2], A=[8, 7, -1], units=None)
+    assert len(made) == 1
+    assert made.excluded == [(3, "T is not finite"), (4, "A <= 0")]
+
+
+def test_a_fit_says_what_it_knows(data):
+    fits = mixity.fit(data)
+    fit = fits["c"]
+    parameter = fit.params["lambda"]
+    low, high = parameter.interval
+    assert low < parameter.value < high and parameter.stderr > 0
+    assert parameter.budget["scatter"] + sum(part["share"] for part in parameter.budget["parts"]) == pytest.approx(1)
+    assert fit.residuals.shape == fit.used_points.shape == (10,)
+    assert list(fits) == ["a", "b", "c"] and len(fits) == 3
+    assert "lambda" in str(fits) and "<table>" in fits._repr_html_()
+    assert fits["a"].suspect is None or "far better" in fits["a"].suspect
+    with pytest.raises(KeyError):
+        fits["bk"]
+
+
+def test_bands_hold_the_curve_as_often_as_they_say():
+    # of 400 experiments, each with a scatter of A that is stated
+    random = np.random.default_rng(3)
+    contact = dict(radius="9.42 mm", modulus="2.133 MPa", toughness="27 mJ/m^2")
+    numbers = (9.42e-3, 2.133e6, 27e-3)
+    P, T = np.full(25, 4.68e-3), np.linspace(0, 50e-3, 25)
+    A = mixity.area("c", 0.008, P, T, contact=numbers)
+    at = mixity.area("c", 0.008, 4.68e-3, 45e-3, contact=numbers)
+    held = 0
+    for _ in range(400):
+        data = mixity.Dataset(P=P, T=T, A=A + 2e-9 * random.standard_normal(25), sigma_A=np.full(25, 2e-9), sigma_T=np.full(25, 1e-9), **contact)
+        fit = mixity.fit(data, "c", checks=False, compare=False)["c"]
+        _, low, high = fit.area(4.68e-3, 45e-3)
+        held += low <= at <= high
+    # 95 % of 400 are 380; three standard deviations of the binomial are 13
+    assert 367 <= held <= 393
+
+
+def test_fits_and_data_pickle(data):
+    fits = mixity.fit(data, "ac", sigma_A="1%", sigma_T="1%")
+    again = pickle.loads(pickle.dumps(fits))
+    assert again.to_dict() == fits.to_dict()
+    assert pickle.loads(pickle.dumps(data)).P.tolist() == data.P.tolist()
+
+
+def test_arrays_broadcast_without_copies_where_they_can():
+    T = np.linspace(0, 10, 5)
+    A, status = mixity.area("c", np.array([[0.1], [0.2]]), 2.0, T, return_status=True)
+    assert A.shape == status.shape == (2, 5)
+    assert A[1, 3] == mixity.area("c", 0.2, 2.0, T[3])
+    assert isinstance(mixity.area("c", 0.2, 2.0, 3.0), float)
+    out = np.empty(5)
+    assert mixity.area("c", 0.2, 2.0, T, out=out) is out
+    with pytest.raises(ValueError, match="contiguous"):
+        mixity.area("c", 0.2, 2.0, T, out=np.empty(10)[::2])
+    A, status = mixity.area("c", [0.2, 2.0, 0.2], [2.0, 2.0, -9.0], [100.0, 1.0, 1.0], return_status=True)
+    assert np.isnan(A).all() and [mixity.STATUS[s] for s in status] == ["no_equilibrium", "invalid", "no_equilibrium"]
+    assert mixity.area("bk", (3.0, 2.3), 2.0, T).shape == (5,)
+
+
+def test_ctrl_c_ends_a_bootstrap(data):
+    # two lakhs of refits take seconds
+    timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
+    begin = time.monotonic()
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        mixity.fit(data, "c", bootstrap=200000)
+    assert time.monotonic() - begin < 5
+
+
+def test_progress_is_told_and_its_errors_arrive(data):
+    told = []
+    mixity.fit(data, "c", bootstrap=200, progress=told.append)
+    assert told and told[-1] == pytest.approx(1) and all(0 <= share <= 1 for share in told)
+
+    def fails(_):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        mixity.fit(data, "c", bootstrap=200, progress=fails)
+
+
+@pytest.mark.parametrize("name", ["", "._data", "._fits", "._mechanics", ".scipy", ".lmfit"])
+def test_examples_in_docstrings(name):
+    if name in (".scipy", ".lmfit"):
+        pytest.importorskip(name[1:])
+    tried = doctest.testmod(importlib.import_module("mixity" + name), optionflags=doctest.ELLIPSIS)
+    assert tried.failed == 0
+
+
+def test_figures(data):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    fit = mixity.fit(data, "c")["c"]
+    for draw in (fit.plot_area, fit.plot_toughness, fit.plot_residuals, fit.plot_profile, fit.plot_budget):
+        axes = plt.figure().gca()
+        assert draw(ax=axes) is axes
+        assert axes.get_xlabel()
+        plt.close("all")
+
+
+def test_derivatives_are_those_of_the_area():
+    pytest.importorskip("scipy")
+    T = np.linspace(0, 17, 20)
+    for model, x in (("a", [0.4]), ("b", [0.3]), ("c", [0.15]), ("bk", [3.0, 2.3])):
+        fun, jac = mixity.scipy.residuals(model, 2.0, T, np.zeros(20))
+        slopes = jac(x)
+        for k in range(len(x)):
+            step = 1e-5 * x[k]
+            above, below = (fun([*x[:k], x[k] + s * step, *x[k + 1 :]]) for s in (1, -1))
+            by_differences = (above - below) / (2 * step)
+            # both are differences: of 1e-6 in T(A), of 1e-5 here
+            np.testing.assert_allclose(slopes[1:, k], by_differences[1:], rtol=1e-5, atol=1e-8 * np.abs(by_differences).max())
+
+
+def test_types_are_complete(tmp_path):
+    pytest.importorskip("mypy")
+    script = tmp_path / "uses.py"
+    script.write_text("import mixity\nfits = mixity.fit(mixity.read('a.csv'), models='c')\nprint(fits['c'].status)\n")
+    package = importlib.import_module("mixity").__path__[0]
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--ignore-missing-imports", str(script), package], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stdout
+
+
+def test_import_needs_numpy_alone():
+    code = "import sys, numpy; before = set(sys.modules); import mixity; print(sorted(m.split('.')[0] for m in set(sys.modules) - before))"
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    for heavy in ("scipy", "matplotlib", "pandas", "lmfit", "pint"):
+        assert f"'{heavy}'" not in found
