@@ -26,9 +26,17 @@ void explain_program() {
                 << rounded(parameter.upper, 4);
     std::cout << '\n';
   });
-  std::cout << "\nmixity help COMMAND lists the flags of a command; mixity --version prints the version.\n\n"
+  std::cout << "\nmixity help COMMAND lists the flags of a command; mixity --version prints the version. mixity help "
+               "man and\n"
+               "mixity help completion print the manual page and the completion of bash.\n\n"
                "Exit codes: 0 fine, 1 a fit did not end ok, 2 bad usage, 3 bad input, 4 output cannot be written,\n"
                "5 a fault of mixity itself.\n";
+}
+
+gflags::CommandLineFlagInfo flag_info(std::string_view flag) {
+  gflags::CommandLineFlagInfo info;
+  gflags::GetCommandLineFlagInfo(std::string(flag).c_str(), &info);
+  return info;
 }
 
 void explain(const Command& command) {
@@ -36,13 +44,61 @@ void explain(const Command& command) {
   if (command.flags.empty()) return;
   std::cout << "\nFlags\n";
   for (const std::string_view flag : command.flags) {
-    gflags::CommandLineFlagInfo info;
-    gflags::GetCommandLineFlagInfo(std::string(flag).c_str(), &info);
+    const auto info = flag_info(flag);
     std::cout << "  --" << flag << std::string(flag.size() < 15 ? 16 - flag.size() : 1, ' ') << info.description;
     if (flag == "format") std::cout << ": " << formats_text(command);
     if (!info.default_value.empty()) std::cout << " (default " << info.default_value << ')';
     std::cout << '\n';
   }
+}
+
+/// Text for roff: a hyphen that is one, no line that begins as a request.
+std::string roff(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '-' || c == '\\') escaped += '\\';
+    if (escaped.empty() && (c == '.' || c == '\'')) escaped += "\\&";
+    escaped += c;
+  }
+  return escaped;
+}
+
+void print_manual_page() {
+  std::cout << ".TH MIXITY 1 \"\" \"mixity " MIXITY_VERSION
+               "\"\n.SH NAME\nmixity \\- fits mode\\-mixity models to soft adhesive contacts that lose area under "
+               "shear\n.SH SYNOPSIS\n.B mixity\n.I COMMAND\n[flags] [files]\n.SH COMMANDS\n";
+  for (const Command& command : commands()) {
+    std::cout << ".SS " << roff(command.name) << "\n.B mixity\n"
+              << roff(command.usage) << "\n.PP\n"
+              << roff(command.summary) << '\n';
+    for (const std::string_view flag : command.flags) {
+      const auto info = flag_info(flag);
+      std::cout << ".TP\n.B \\-\\-" << roff(flag) << '\n' << roff(info.description);
+      if (flag == "format") std::cout << ": " << roff(formats_text(command));
+      if (!info.default_value.empty()) std::cout << " (default " << roff(info.default_value) << ')';
+      std::cout << '\n';
+    }
+  }
+  std::cout << ".SH EXIT STATUS\n0 fine, 1 a fit did not end ok, 2 bad usage, 3 bad input, 4 output cannot be written, "
+               "5 a fault of mixity itself.\n";
+}
+
+void print_completion() {
+  std::string names;
+  for (const Command& command : commands()) names += std::string(command.name) + " ";
+  std::cout << "# Completion of mixity for bash: commands, their flags, files.\n_mixity() {\n"
+               "  local word=${COMP_WORDS[COMP_CWORD]} flags=\n"
+               "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    COMPREPLY=($(compgen -W \""
+            << names << "--version\" -- \"$word\"))\n    return\n  fi\n  case ${COMP_WORDS[1]} in\n";
+  for (const Command& command : commands()) {
+    std::cout << "    " << command.name << ") flags=\"";
+    if (command.name == "help") std::cout << names;
+    for (const std::string_view flag : command.flags)
+      std::cout << "--" << flag << (flag_info(flag).type == "bool" ? " " : "= ");
+    std::cout << "\" ;;\n";
+  }
+  std::cout << "  esac\n  COMPREPLY=($(compgen -W \"$flags\" -- \"$word\"))\n"
+               "  [[ ${COMPREPLY-} == *= ]] && compopt -o nospace\n}\ncomplete -o default -F _mixity mixity\n";
 }
 
 }  // namespace
@@ -52,6 +108,8 @@ int run_help(const Arguments& arguments) {
     explain_program();
     return kFine;
   }
+  if (arguments[0] == "man") return print_manual_page(), kFine;
+  if (arguments[0] == "completion") return print_completion(), kFine;
   const Command* command = find_command(arguments[0]);
   if (!command) throw UsageError("unknown command '" + arguments[0] + "' (see mixity help)");
   explain(*command);

@@ -35,6 +35,21 @@ TEST(Program, HelpOnACommandNamesItsFlags) {
   }
 }
 
+TEST(Program, ItsManualPageAndCompletionHaveEveryCommandAndFlag) {
+  const std::string page = run_program({"help", "man"}).out, completion = run_program({"help", "completion"}).out;
+  const std::string help = run_program({"help"}).out;
+  EXPECT_TRUE(page.starts_with(".TH MIXITY 1"));
+  for (const std::string command : {"fit", "report", "predict", "curve", "instability", "map", "sahli", "figures",
+                                    "check", "runs", "import", "help"}) {
+    ASSERT_NE(help.find("\n  " + command + " "), std::string::npos) << command;
+    EXPECT_NE(page.find("\n.SS " + command + "\n"), std::string::npos) << command;
+    EXPECT_NE(completion.find("\n    " + command + ") flags="), std::string::npos) << command;
+  }
+  EXPECT_NE(page.find("\n.B \\-\\-lambda_prior\n"), std::string::npos);
+  EXPECT_NE(completion.find(" --lambda_prior= "), std::string::npos);
+  EXPECT_NE(completion.find(" --pool "), std::string::npos);  // takes no value
+}
+
 TEST(Program, TheVersionIsOneLine) {
   const ProgramResult result = run_program({"--version"});
   EXPECT_EQ(result.exit_code, 0);

@@ -21,4 +21,25 @@ install(FILES ${PROJECT_BINARY_DIR}/mixity.pc DESTINATION ${CMAKE_INSTALL_LIBDIR
 
 if(MIXITY_PROGRAM)
   install(TARGETS mixity RUNTIME)
+  # written by the program from its table of commands
+  foreach(text man completion)
+    add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/mixity.${text}
+      COMMAND mixity help ${text} > ${PROJECT_BINARY_DIR}/mixity.${text} DEPENDS mixity)
+  endforeach()
+  add_custom_target(mixity_texts ALL DEPENDS ${PROJECT_BINARY_DIR}/mixity.man ${PROJECT_BINARY_DIR}/mixity.completion)
+  install(FILES ${PROJECT_BINARY_DIR}/mixity.man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME mixity.1)
+  install(FILES ${PROJECT_BINARY_DIR}/mixity.completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+    RENAME mixity)
 endif()
+
+# cpack -G DEB, in the build's folder.
+set(CPACK_PACKAGE_CONTACT "mixity developers")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_STRIP_FILES ON)
+include(CPack)

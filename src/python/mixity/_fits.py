@@ -9,6 +9,9 @@ from . import _core
 from ._data import Dataset
 
 
+_KEYS = frozenset(_core.model_keys())
+
+
 def _option_text(value):
     if isinstance(value, str):
         return value
@@ -24,9 +27,8 @@ def _option_text(value):
 def _model_keys(models):
     if not isinstance(models, str) or "," in models:
         return models
-    keys = _core.model_keys()
     # "abc" are three
-    return models if models in keys or not all(key in keys for key in models) else ",".join(models)
+    return models if models in _KEYS or not all(key in _KEYS for key in models) else ",".join(models)
 
 
 def fit(data, models="abc", *, objective=None, free=None, progress=None, **options):

@@ -87,7 +87,7 @@ def area(model, lam, P, T, *, contact=None, out=None, return_status=False):
     y**2 + T**2 = 8 pi a**3 f(psi), psi = atan2(T, y), y = 4/3 a**3 - P [1]_.
 
     .. [1] Papangelo & Ciavarella, "On mixed-mode fracture mechanics models for contact area reduction under shear load
-       in soft materials", J. Mech. Phys. Solids 124 (2019).
+       in soft materials", J. Mech. Phys. Solids (2019).
 
     Examples
     --------
