@@ -2,6 +2,7 @@
 
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
+#include "cli/plan_flags.h"
 
 namespace mixity::cli {
 
@@ -55,6 +56,18 @@ std::span<const Command> commands() {
       {"runs", run_runs, "runs LOG.csv [AREAS.csv] [--out=DIR] [--lag=L] [--drift] [--cuts=CUTS.toml] [flags]",
        "Turns a log of forces and areas over time into loading runs: points to be fitted, peaks, figures of the cuts.",
        with_metadata_flags({"out", "lag", "drift", "cuts"})},
+      {"design",
+       run_design,
+       "design --model=KEY --lambda=L [--loads=P1,P2] [--load_range=P1,P2] [--runs=N] [--wanted=2%] [--experiments=N] "
+       "[flags]",
+       "Foretells the error of lambda and the odds between models of a planned experiment, and finds the loads that "
+       "tell "
+       "most.",
+       with_plan_flags({"models", "load_range", "runs", "goal", "wanted", "experiments", "format"}),
+       {"text", "csv"}},
+      {"simulate", run_simulate,
+       "simulate --model=KEY --lambda=L --loads=P1,P2 [--seed=N] [--index=N] [--out=DATA.csv] [flags]",
+       "Makes an experiment of a plan: the model, and noise from a seed.", with_plan_flags({"index", "out"})},
       {"import",
        run_import,
        "import EXPORT.csv --x=\"T [mN]\" --y=\"A [mm^2]\" --loads=\"P1,P2,... mN\" [--out=DATA.csv]",

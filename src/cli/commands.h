@@ -18,6 +18,8 @@ int run_instability(const Arguments& arguments);
 int run_map(const Arguments& arguments);
 int run_sahli(const Arguments& arguments);
 int run_figures(const Arguments& arguments);
+int run_design(const Arguments& arguments);
+int run_simulate(const Arguments& arguments);
 int run_check(const Arguments& arguments);
 int run_runs(const Arguments& arguments);
 int run_import(const Arguments& arguments);

@@ -43,6 +43,13 @@ DEFINE_string(
 DEFINE_bool(drift, false, "take a line through the zeros of T of all runs off T; left out, where it is sure");
 DEFINE_string(cuts, "", "a TOML that states cuts of runs (cuts.toml, which runs writes)");
 DEFINE_bool(pool, false, "the files are the runs of one data set");
+DEFINE_string(reach, "0.9", "the longest T of a run, as a share of that at which the contact jumps");
+DEFINE_string(runs, "", "how many more runs to find the best loads for");
+DEFINE_string(goal, "error", "what these are to serve: error (of lambda) or model (telling models apart)");
+DEFINE_string(wanted, "",
+              "an error of lambda, 2% or 0.0001: how many runs it takes, and how many 95% odds between models");
+DEFINE_string(experiments, "", "so many experiments are simulated and fitted, as a check of what is expected");
+DEFINE_string(index, "0", "number of the experiment in the stream of the seed");
 DEFINE_string(save, "", "write what was just run to this fit definition (TOML)");
 DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(lambda, "", "mode-mixity parameter lambda");

@@ -12,6 +12,12 @@
 DECLARE_string(format);
 DECLARE_string(out);
 DECLARE_string(save);
+DECLARE_string(reach);
+DECLARE_string(runs);
+DECLARE_string(goal);
+DECLARE_string(wanted);
+DECLARE_string(experiments);
+DECLARE_string(models);
 DECLARE_bool(pool);
 DECLARE_string(lag);
 DECLARE_bool(drift);

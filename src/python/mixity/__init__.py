@@ -29,6 +29,7 @@ from ._mechanics import (
     tangential_load,
     toughness,
 )
+from ._studies import Plan, campaign, design, simulate
 
 __all__ = [
     "STATUS",
@@ -37,9 +38,12 @@ __all__ = [
     "Fits",
     "InputError",
     "Parameter",
+    "Plan",
     "__version__",
     "area",
+    "campaign",
     "curve",
+    "design",
     "displacement",
     "fit",
     "folds",
@@ -48,6 +52,7 @@ __all__ = [
     "phase_angle",
     "read",
     "regime",
+    "simulate",
     "tangential_load",
     "toughness",
 ]

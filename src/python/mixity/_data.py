@@ -150,6 +150,9 @@ class Dataset:
 
 
 def _again(kind, arguments):
+    if kind == "simulated":
+        plan, seed, index = arguments
+        return plan.simulate(seed, index)
     return Dataset._of(_made(_core.from_arrays if kind == "arrays" else _core.read, arguments), (kind, arguments))
 
 

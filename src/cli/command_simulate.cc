@@ -1,0 +1,45 @@
+// mixity simulate: an experiment of a plan, as a data set to try things with.
+#include <iostream>
+#include <sstream>
+
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/flags.h"
+#include "cli/plan_flags.h"
+#include "cli/usage_error.h"
+#include "dataset/number_text.h"
+#include "dataset/table/csv.h"
+#include "dataset/toml_file.h"
+#include "report/output_file.h"
+#include "studies/simulate.h"
+
+namespace mixity::cli {
+
+int run_simulate(const Arguments& arguments) {
+  require_flags_only("simulate", arguments);
+  const Plan plan = plan_from_flags(true);
+  const Dataset data = simulate(plan, count_from("seed", 0), count_from("index", 0));
+  std::ostringstream table;
+  table << "curve,P [mN],T [mN],A [mm^2],sigma_T [mN],sigma_A [mm^2]\n";
+  const double force = data.display.force_scale, area = data.display.area_scale;
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const Point& point = data.points[i];
+    table << csv_field(data.curves[point.curve]) << ',' << shortest(point.P * force) << ',' << shortest(point.T * force)
+          << ',' << shortest(point.A * area) << ',' << shortest(data.errors[i].T * force) << ','
+          << shortest(data.errors[i].A * area) << '\n';
+  }
+  if (FLAGS_out.empty()) {
+    std::cout << table.str();
+    return kFine;
+  }
+  if (!FLAGS_out.ends_with(".csv")) throw UsageError("flag '--out' is '" + FLAGS_out + "'; it must end in .csv");
+  std::string constants;
+  for (const auto& [name, text] : constants_as_stated(plan.constants))
+    constants += name + " = " + toml_text(text) + "\n";
+  constants += "provenance = \"reconstructed\"\nsource = " + toml_text(command_line()) + "\n";
+  write_files({{FLAGS_out, table.str()}, {metadata_path(FLAGS_out), constants}}, {});
+  std::cout << "Written to " << FLAGS_out << " and " << metadata_path(FLAGS_out) << '\n';
+  return kFine;
+}
+
+}  // namespace mixity::cli

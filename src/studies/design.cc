@@ -1,0 +1,174 @@
+#include "studies/design.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+
+#include "dataset/side_by_side.h"
+#include "fitting/comparison.h"
+#include "fitting/fit.h"
+#include "studies/simulate.h"
+
+namespace mixity {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+std::vector<std::string> without(const std::vector<std::string>& models, const std::string& own) {
+  std::vector<std::string> rivals = models;
+  std::erase(rivals, own);
+  return rivals;
+}
+
+const FittedParameter& first_of_model(const FitResult& fit) { return fit.parameters.front(); }
+
+/// The smaller the better.
+double cost(const Expectation& expected, Goal goal) {
+  return goal == Goal::error ? expected.standard_error.value_or(kInfinite) : -expected.least_chi2();
+}
+
+}  // namespace
+
+double Expectation::Rival::odds() const { return std::exp(std::min(0.5 * chi2, 709.0)); }
+
+double Expectation::least_chi2() const {
+  double least = kInfinite;
+  for (const Rival& rival : rivals) least = std::min(least, rival.chi2);
+  return least;
+}
+
+Expectation expect(const Plan& plan, const std::vector<std::string>& rivals) {
+  const Dataset data = simulate(plan, 0, std::nullopt);
+  FitOptions options = value_only({});
+  Expectation expected;
+  const FitResult own = fit_model(data, plan.model, options);
+  if (own.status != FitStatus::not_identifiable) expected.standard_error = first_of_model(own).stderr_;
+  for (const std::string& model : without(rivals, plan.model)) {
+    const FitResult fit = fit_model(data, model, options);
+    if (has_all_values(fit)) expected.rivals.push_back({model, fit.sum_of_squares});
+  }
+  return expected;
+}
+
+std::vector<LoadCandidate> next_loads(const Plan& plan, double least, double most, std::size_t candidates,
+                                      const std::vector<std::string>& rivals) {
+  std::vector<LoadCandidate> found(std::max<std::size_t>(candidates, 2));
+  std::atomic<std::size_t> next = 0;
+  side_by_side(processors(), [&] {
+    for (std::size_t i; (i = next++) < found.size();) {
+      found[i].load = least + (most - least) * static_cast<double>(i) / static_cast<double>(found.size() - 1);
+      Plan with = plan;
+      with.loads.push_back(found[i].load);
+      found[i].expected = expect(with, rivals);
+    }
+  });
+  return found;
+}
+
+Plan best_plan(const Plan& plan, double least, double most, std::size_t runs, Goal goal,
+               const std::vector<std::string>& rivals) {
+  constexpr std::size_t kCandidates = 25;
+  constexpr double kHelps = 1e-3;  // of the cost: exchanges that gain less are noise of the grid
+  const std::vector<std::string> others = goal == Goal::error ? std::vector<std::string>{} : rivals;
+  Plan best = plan;
+  const auto best_next = [&](const Plan& with) {
+    const auto candidates = next_loads(with, least, most, kCandidates, others);
+    return *std::min_element(candidates.begin(), candidates.end(), [&](const auto& one, const auto& other) {
+      return cost(one.expected, goal) < cost(other.expected, goal);
+    });
+  };
+  double reached = kInfinite;
+  for (std::size_t k = 0; k < runs; ++k) {
+    const LoadCandidate next = best_next(best);
+    best.loads.push_back(next.load);
+    reached = cost(next.expected, goal);
+  }
+  for (bool helped = runs > 1; helped;) {
+    helped = false;
+    for (std::size_t k = plan.loads.size(); k < best.loads.size(); ++k) {
+      Plan rest = best;
+      rest.loads.erase(rest.loads.begin() + static_cast<std::ptrdiff_t>(k));
+      const LoadCandidate next = best_next(rest);
+      const double now = cost(next.expected, goal);
+      if (!(now < reached - kHelps * std::abs(reached))) continue;
+      best.loads[k] = next.load;
+      reached = now;
+      helped = true;
+    }
+  }
+  std::sort(best.loads.begin() + static_cast<std::ptrdiff_t>(plan.loads.size()), best.loads.end());
+  return best;
+}
+
+Outcome try_plan(const Plan& plan, std::uint64_t seed, std::size_t experiments, const std::vector<std::string>& rivals,
+                 const Progress& progress) {
+  if (const std::string problem = problem_of(plan); !problem.empty()) throw std::invalid_argument(problem);
+  const std::vector<std::string> others = without(rivals, plan.model);
+  struct One {
+    std::optional<double> value, standard_error;
+    bool ok = false, covered = false, decided = false;
+  };
+  std::vector<One> all(experiments);
+  std::atomic<std::size_t> next = 0, done = 0;
+  std::mutex telling;
+  side_by_side(processors(), [&] {
+    for (std::size_t i; (i = next++) < experiments;) {
+      const Dataset data = simulate(plan, seed, i);
+      FitOptions options;
+      options.checks = !others.empty();
+      std::vector<FitResult> fits{fit_model(data, plan.model, options)};
+      const FittedParameter& parameter = first_of_model(fits[0]);
+      One& one = all[i];
+      one.value = parameter.value;
+      one.standard_error = parameter.stderr_;
+      one.ok = fits[0].status == FitStatus::ok;
+      if (parameter.interval) {
+        const auto& [low, high] = std::pair(parameter.interval->low, parameter.interval->high);
+        const double truth = plan.parameters[0];
+        one.covered = (!low || *low <= truth) && (!high || truth <= *high);
+      }
+      if (!others.empty()) {
+        for (const std::string& model : others) fits.push_back(fit_model(data, model, options));
+        double right = 0, sum = 0, most = -kInfinite;
+        for (const FitResult& fit : fits)
+          if (fit.evidence) most = std::max(most, fit.evidence->evidence.log_evidence);
+        for (const FitResult& fit : fits)
+          if (fit.evidence) sum += std::exp(fit.evidence->evidence.log_evidence - most);
+        if (fits[0].evidence) right = std::exp(fits[0].evidence->evidence.log_evidence - most) / sum;
+        one.decided = right > 0.95;
+      }
+      if (progress) {
+        const std::lock_guard lock(telling);
+        progress(static_cast<double>(++done) / static_cast<double>(experiments));
+      }
+    }
+  });
+  Outcome outcome;
+  outcome.experiments = experiments;
+  double squares = 0, errors = 0, covered = 0, decided = 0;
+  for (const One& one : all) {
+    outcome.ok += one.ok;
+    decided += one.decided;
+    if (!one.value || !one.standard_error) continue;
+    ++outcome.with_value;
+    outcome.mean += *one.value;
+    errors += *one.standard_error;
+    covered += one.covered;
+  }
+  const double n = static_cast<double>(outcome.with_value);
+  if (outcome.with_value > 0) {
+    outcome.mean /= n;
+    outcome.mean_standard_error = errors / n;
+    outcome.covered = covered / n;
+  }
+  for (const One& one : all)
+    if (one.value && one.standard_error) squares += std::pow(*one.value - outcome.mean, 2);
+  if (outcome.with_value > 1) outcome.spread = std::sqrt(squares / (n - 1));
+  if (!others.empty() && experiments > 0) outcome.decided = decided / static_cast<double>(experiments);
+  return outcome;
+}
+
+}  // namespace mixity

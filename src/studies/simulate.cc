@@ -1,0 +1,144 @@
+#include "studies/simulate.h"
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/seed_seq.hpp>
+#include <cmath>
+#include <stdexcept>
+
+#include "dataset/arrays.h"
+#include "dataset/number_text.h"
+#include "mechanics/any_model.h"
+#include "mechanics/contact.h"
+
+namespace mixity {
+namespace {
+
+constexpr double kMilli = 1e-3;  // experiments are in mN and mm^2
+
+Contact contact_of(const Metadata& constants) {
+  return {*constants.radius, *constants.plane_strain_modulus(), *constants.toughness};
+}
+
+/// The longest T of a stable contact, dimensionless; of one that never jumps the natural scale of T.
+double longest_shear(const Plan& plan, double P) {
+  const auto folds = folds_of(plan.model, plan.parameters, P, {Control::Kind::load}).folds;
+  for (const Fold& fold : folds)
+    if (fold.place.maximum) return fold.T;
+  const auto regime = regime_of(plan.model, plan.parameters, P).regime;
+  return regime && std::isfinite(regime->T_end) ? regime->T_end : 3 * circle_radius(P);
+}
+
+std::uint32_t low(std::uint64_t word) { return static_cast<std::uint32_t>(word); }
+std::uint32_t high(std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32); }
+
+/// Standard normal numbers of one experiment; zeros where there is none.
+class Chance {
+ public:
+  Chance(std::uint64_t seed, std::optional<std::uint64_t> index) : any_(index.has_value()) {
+    const auto words = {low(seed), high(seed), low(index.value_or(0)), high(index.value_or(0))};
+    boost::random::seed_seq sequence(words);
+    random_.seed(sequence);
+  }
+  double operator()() { return any_ ? normal_(random_) : 0; }
+
+ private:
+  bool any_;
+  boost::random::mt19937_64 random_;
+  boost::random::normal_distribution<double> normal_;
+};
+
+/// Standard errors of values, in their unit (mN or mm^2).
+double error_of(const StatedError& stated, double value, double unit) {
+  return stated.unit.text == "%" ? std::abs(value) * stated.si() : stated.si() / unit;
+}
+
+}  // namespace
+
+std::string problem_of(const Plan& plan) {
+  if (auto problem = parameters_problem(plan.model, plan.parameters); !problem.empty()) return problem;
+  const Metadata& constants = plan.constants;
+  if (!constants.radius || !constants.plane_strain_modulus() || !constants.toughness)
+    return "radius, modulus and toughness must be stated";
+  if (!contact_of(constants).usable()) return "radius, modulus and toughness together are out of range";
+  if (plan.loads.empty()) return "a plan needs a load";
+  for (const double load : plan.loads)
+    if (!(above_pull_off(load / contact_of(constants).force_unit()) > 0)) return "a load lies at or below pull-off";
+  if (plan.points < 3) return "a run needs three points";
+  if (!(plan.reach > 0 && plan.reach <= 1)) return "reach must lie above 0 and be at most 1";
+  const auto fits = [](const StatedError& error, const Dimension& dimension) {
+    return error.value > 0 && (error.unit.text == "%" || error.unit.dimension == dimension);
+  };
+  if (!fits(plan.sigma_T, dimension::force)) return "sigma_T must be a percentage or a force, above 0";
+  if (!fits(plan.sigma_A, dimension::area)) return "sigma_A must be a percentage or an area, above 0";
+  return "";
+}
+
+Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64_t> index) {
+  if (const std::string problem = problem_of(plan); !problem.empty()) throw std::invalid_argument(problem);
+  const Metadata& stated = plan.constants;
+  Chance chance(seed, index);
+  const auto factor = [&](std::string_view name, double value) {
+    return std::exp(stated.standard_error(name) / value * chance());
+  };
+  const Contact nominal = contact_of(stated);
+  Contact true_contact = nominal;
+  true_contact.radius *= factor("radius", nominal.radius);
+  true_contact.modulus *= std::exp(stated.modulus_error() * chance());
+  true_contact.toughness *= factor("toughness", nominal.toughness);
+  // what is to be added to a reading, and what an area is to be multiplied by
+  const auto offset = [&](std::string_view name, std::optional<double> value) {
+    return value.value_or(0) + stated.standard_error(name) * chance();
+  };
+  const double load_offset = offset("load_offset", stated.load_offset),
+               shear_offset = offset("shear_offset", stated.shear_offset),
+               area_offset = offset("area_offset", stated.area_offset),
+               area_scale = stated.area_scale.value_or(1) * factor("area_scale", stated.area_scale.value_or(1));
+
+  std::vector<double> P, T, A, sigma_T, sigma_A;
+  std::vector<std::string> runs;
+  const double mm2 = kMilli * kMilli;
+  for (std::size_t k = 0; k < plan.loads.size(); ++k) {
+    // the apparatus is steered by its readings: the true load is what was wanted and the offset
+    const double load = (plan.loads[k] + load_offset) / true_contact.force_unit();
+    const double longest =
+        plan.reach * longest_shear(plan, plan.loads[k] / nominal.force_unit()) * nominal.force_unit();
+    std::vector<Values> parameters;
+    for (const double& value : plan.parameters) parameters.push_back({&value, 0});
+    std::vector<double> shears(plan.points), areas_found(plan.points);
+    std::vector<EquilibriumStatus> status(plan.points);
+    for (std::size_t i = 0; i < plan.points; ++i)
+      shears[i] = longest * static_cast<double>(i) / static_cast<double>(plan.points - 1) / true_contact.force_unit();
+    areas(plan.model, parameters, {&load, 0}, {shears.data(), 1}, areas_found, status);
+    for (std::size_t i = 0; i < plan.points; ++i) {
+      if (status[i] != EquilibriumStatus::ok) continue;  // it has jumped, and is no point
+      const double shear = shears[i] * true_contact.force_unit() / kMilli - shear_offset / kMilli,
+                   area = (areas_found[i] * true_contact.area_unit() / area_scale - area_offset) / mm2;
+      // errors are those of what is wanted, so that noise does not weigh points by itself
+      const double dT = error_of(plan.sigma_T, std::max(shear, longest / kMilli / static_cast<double>(plan.points)),
+                                 kMilli),
+                   dA = error_of(plan.sigma_A, area, mm2);
+      P.push_back(plan.loads[k] / kMilli);
+      T.push_back(shear + dT * chance());
+      A.push_back(area + dA * chance());
+      sigma_T.push_back(dT);
+      sigma_A.push_back(dA);
+      runs.push_back("P=" + rounded(plan.loads[k] / kMilli, 4) + " mN" +
+                     (k > 0 ? ", run " + std::to_string(k + 1) : ""));
+    }
+  }
+  Metadata metadata = stated;
+  metadata.provenance = Provenance::reconstructed;
+  metadata.source = "simulated: model " + plan.model;
+  const std::string name = index ? "experiment " + std::to_string(*index) + " of seed " + std::to_string(seed) : "plan";
+  return make_dataset(name,
+                      {{"P [mN]", P},
+                       {"T [mN]", T},
+                       {"A [mm^2]", A},
+                       {"sigma_T [mN]", sigma_T},
+                       {"sigma_A [mm^2]", sigma_A},
+                       {"curve", {}, runs}},
+                      metadata);
+}
+
+}  // namespace mixity
