@@ -9,6 +9,7 @@
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
+#include "cli/shard.h"
 #include "cli/usage_error.h"
 #include "jobs/fit_definition.h"
 #include "report/fit_csv.h"
@@ -52,7 +53,9 @@ void require_definition_path(const std::string& path) {
 
 int run_fit(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("fit needs a data CSV or a fit definition (see mixity help fit)");
-  const std::vector<FitJob> jobs = jobs_for(arguments);
+  if (!FLAGS_shard.empty() && FLAGS_pool) throw UsageError("flag '--shard' parts data sets; with --pool there is one");
+  const Arguments mine = shard_of(arguments);
+  const std::vector<FitJob> jobs = jobs_for(mine);
   if (!FLAGS_save.empty() && jobs.size() > 1)
     throw UsageError("flag '--save' is of one data set: a definition names one");
   if (!FLAGS_save.empty()) require_definition_path(FLAGS_save);

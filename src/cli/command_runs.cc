@@ -69,7 +69,8 @@ int run_runs(const Arguments& arguments) {
   log.force_factor = forces.force_factor;
   log.area_unit = pictures.area_unit;
   log.area_factor = pictures.area_factor;
-  log.runs = find_loading_runs(on_one_clock(forces, pictures, frame_options), log.force_unit, log.force_factor, options);
+  log.runs =
+      find_loading_runs(on_one_clock(forces, pictures, frame_options), log.force_unit, log.force_factor, options);
   for (const auto& [name, cut] : options.cuts)
     if (!cut.leave_out && std::none_of(log.runs.runs.begin(), log.runs.runs.end(),
                                        [&](const LoadingRun& run) { return run.name == name; }))

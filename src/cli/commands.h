@@ -20,6 +20,7 @@ int run_sahli(const Arguments& arguments);
 int run_figures(const Arguments& arguments);
 int run_design(const Arguments& arguments);
 int run_simulate(const Arguments& arguments);
+int run_merge(const Arguments& arguments);
 int run_check(const Arguments& arguments);
 int run_runs(const Arguments& arguments);
 int run_import(const Arguments& arguments);

@@ -50,6 +50,8 @@ DEFINE_string(wanted, "",
               "an error of lambda, 2% or 0.0001: how many runs it takes, and how many 95% odds between models");
 DEFINE_string(experiments, "", "so many experiments are simulated and fitted, as a check of what is expected");
 DEFINE_string(index, "0", "number of the experiment in the stream of the seed");
+DEFINE_string(shard, "",
+              "fit a part of the files only: i/n, every n-th from the i-th on (mixity merge puts parts together)");
 DEFINE_string(save, "", "write what was just run to this fit definition (TOML)");
 DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(lambda, "", "mode-mixity parameter lambda");

@@ -12,6 +12,7 @@
 DECLARE_string(format);
 DECLARE_string(out);
 DECLARE_string(save);
+DECLARE_string(shard);
 DECLARE_string(reach);
 DECLARE_string(runs);
 DECLARE_string(goal);

@@ -40,7 +40,7 @@ TEST(Program, ItsManualPageAndCompletionHaveEveryCommandAndFlag) {
   const std::string help = run_program({"help"}).out;
   EXPECT_TRUE(page.starts_with(".TH MIXITY 1"));
   for (const std::string command : {"fit", "report", "predict", "curve", "instability", "map", "sahli", "figures",
-                                    "check", "runs", "import", "help"}) {
+                                    "check", "runs", "design", "simulate", "merge", "import", "help"}) {
     ASSERT_NE(help.find("\n  " + command + " "), std::string::npos) << command;
     EXPECT_NE(page.find("\n.SS " + command + "\n"), std::string::npos) << command;
     EXPECT_NE(completion.find("\n    " + command + ") flags="), std::string::npos) << command;

@@ -1,0 +1,23 @@
+// mixity merge: what `mixity fit --shard=i/n --format=json` made of the parts of a list becomes one document.
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/flags.h"
+#include "cli/usage_error.h"
+#include "report/merge_json.h"
+#include "report/output_file.h"
+
+namespace mixity::cli {
+
+int run_merge(const Arguments& arguments) {
+  if (arguments.empty()) throw UsageError("merge needs JSON files of mixity fit, in the order of their shards");
+  const std::string merged = merge_json(arguments);
+  if (FLAGS_out.empty())
+    std::cout << merged;
+  else
+    write_files({{FLAGS_out, merged}}, arguments);
+  return kFine;
+}
+
+}  // namespace mixity::cli

@@ -1,0 +1,62 @@
+// mixity design and mixity simulate as a user meets them.
+#include <gtest/gtest.h>
+
+#include "cli/run_program.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity::cli {
+namespace {
+
+Words with_plan(Words words, const std::string& loads = "--loads=1,4 mN") {
+  words.insert(words.end(), {"--model=c", "--lambda=0.01", "--radius=9.42 mm", "--modulus=2.133 MPa +/- 3%",
+                             "--toughness=27 mJ/m^2"});
+  if (!loads.empty()) words.push_back(loads);
+  return words;
+}
+
+TEST(DesignCommand, SaysWhatAPlanTellsAndWhichLoadsTellMost) {
+  const ProgramResult result =
+      run_program(with_plan({"design", "--load_range=0.5,10 mN", "--runs=2", "--wanted=5%", "--experiments=50"}));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const char* part : {"[[Plan]]", "expected standard error of lambda", "against model b: chi^2", "[[Next load]]",
+                           "best for lambda:", "[[Best 2 loads for lambda]]", "evenly spaced loads:", "[[Runs needed]]",
+                           "[[50 simulated experiments at", "the right model has a probability above 95% in"})
+    EXPECT_NE(result.out.find(part), std::string::npos) << part << result.out;
+}
+
+TEST(DesignCommand, ListsCandidatesAsCsv) {
+  const auto lines = lines_of(run_program(with_plan({"design", "--load_range=0.5,10 mN", "--format=csv"})).out);
+  ASSERT_EQ(lines.size(), 22u);
+  EXPECT_EQ(lines[0], "load [mN],standard_error,chi2_a,chi2_b");
+  EXPECT_TRUE(lines[1].starts_with("0.5,0.0"));
+}
+
+TEST(DesignCommand, RefusesWhatCannotBePlanned) {
+  for (const auto& [words, message] : std::vector<std::pair<Words, std::string>>{
+           {with_plan({"design"}, ""), "flag '--loads' is missing"},
+           {with_plan({"design"}, "--loads=1,4"), "needs a unit such as mN"},
+           {with_plan({"design", "--runs=2"}), "flag '--load_range' is missing"},
+           {with_plan({"design", "--load_range=10,1 mN"}), "it must be two loads"},
+           {with_plan({"design", "--goal=fame"}), "it must be error or model"},
+           {with_plan({"design", "--reach=2"}), "reach must lie above 0"},
+           {with_plan({"design", "--sigma_A=2 mN"}), "sigma_A must be a percentage or an area"},
+           {with_plan({"design", "--experiments=1"}), "it must be a whole number from 2 on"}}) {
+    const ProgramResult result = run_program(words);
+    EXPECT_EQ(result.exit_code, 2) << message;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+  }
+}
+
+TEST(SimulateCommand, WritesAnExperimentThatCanBeFitted) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("x.csv");
+  ASSERT_EQ(run_program(with_plan({"simulate", "--seed=3", "--out=" + path})).exit_code, 0);
+  const ProgramResult fit = run_program({"fit", path, "--models=c"});
+  EXPECT_EQ(fit.exit_code, 0) << fit.out;
+  EXPECT_NE(fit.out.find("reconstructed"), std::string::npos);
+  EXPECT_EQ(run_program(with_plan({"simulate", "--seed=3"})).out, content_of(path));
+  EXPECT_NE(run_program(with_plan({"simulate", "--seed=4"})).out, content_of(path));
+}
+
+}  // namespace
+}  // namespace mixity::cli
