@@ -73,7 +73,8 @@ std::optional<NamedColumn> read_heading(const Heading& heading, std::size_t inde
     // "F_N (cell 2) [mN]", with a name that is none before the first bracket
     return named(without_brackets(heading.text), heading.unit);
   }
-  const std::string_view text = heading.text;
+  std::string_view text = heading.text;
+  while (text.ends_with('_')) text.remove_suffix(1);  // what MATLAB makes of a closing bracket
   for (const std::string_view sign : {"/", " in ", " en ", ",", "_", " "}) {
     const std::size_t at = text.rfind(sign);
     if (at == std::string_view::npos || at == 0) continue;

@@ -68,6 +68,15 @@ std::optional<int> take_power(std::string_view& factor) {
       factor.remove_suffix(std::string_view(superscript).size());
       return power;
     }
+  // Origin's markup: mm\+(2)
+  if (const std::size_t raised = factor.find("\\+("); raised != std::string_view::npos && factor.ends_with(')')) {
+    int power = 0;
+    const char* const last = factor.data() + factor.size() - 1;
+    const auto [end, error] = std::from_chars(factor.data() + raised + 3, last, power);
+    if (error != std::errc() || end != last || power == 0 || std::abs(power) > 9) return std::nullopt;
+    factor = factor.substr(0, raised);
+    return power;
+  }
   std::size_t digits = factor.size();
   while (digits > 0 && factor[digits - 1] >= '0' && factor[digits - 1] <= '9') --digits;
   if (digits == factor.size() || digits == 0) return 1;

@@ -77,7 +77,7 @@ std::vector<std::vector<Heading>> cut_headings(const Line& line, const CsvFormat
   const auto add = [&](const std::vector<std::pair<std::string, std::size_t>>& pieces) {  // text, column
     std::vector<Heading> headings;
     for (const auto& [text, column] : pieces) headings.push_back(split_heading(text, {line.number, column}));
-    if (!headings.empty() && headings.front().text.starts_with('#'))
+    if (!headings.empty() && headings.front().text.find_first_of("#%") == 0)
       headings.front() = split_heading(headings.front().text.substr(1), headings.front().place);
     while (!headings.empty() && headings.back().text.empty()) headings.pop_back();
     if (!headings.empty()) ways.push_back(std::move(headings));
@@ -93,7 +93,7 @@ std::vector<std::vector<Heading>> cut_headings(const Line& line, const CsvFormat
   }
   // where blanks part columns: a tab or two blanks between headings, or one outside brackets
   const std::string_view text = line.text;
-  const std::size_t begin = text.find_first_not_of("# \t");
+  const std::size_t begin = text.find_first_not_of("#% \t");
   for (const bool wide : {true, false}) {
     pieces.clear();
     int open = 0;
@@ -193,8 +193,18 @@ struct Partition {
   std::optional<std::size_t> runs;  // column that names them
 };
 
-/// The first of the rows at the end that have words where all others have numbers, as ImageJ's "Mean" below its
-/// results; 0 if there are none, or more than a few.
+/// What a row is called that says something of all above it.
+bool names_a_summary(std::string_view text) {
+  const std::string bare = folded(text);
+  for (const std::string_view name :
+       {"mean", "average", "median", "sd", "std", "stdev", "stddev", "min", "minimum", "max", "maximum", "sum",
+        "mittelwert", "standardabweichung", "moyenne", "ecarttype", "media", "promedio", "desviacion"})
+    if (bare == name) return true;
+  return false;
+}
+
+/// The first of the rows at the end that have words where all others have numbers, or are called so, as ImageJ's "Mean"
+/// below its results; 0 if there are none, or more than a few.
 std::size_t find_summary(const Partition& cut) {
   constexpr std::size_t kMostRows = 8, kLeastRows = 3;
   std::size_t first = cut.lines.size();
@@ -205,10 +215,10 @@ std::size_t find_summary(const Partition& cut) {
       const std::string_view text = trim(line.fields[k]);
       if (text.empty() || is_missing(text) || is_number(line.fields[k]) || i < cut.first + kLeastRows) continue;
       // numbers in all rows above those at the end
-      bool all = true;
+      bool all = !names_a_summary(text);
       for (std::size_t row = cut.first; row + kMostRows < cut.lines.size() || row < cut.first + kLeastRows; ++row)
         all = all && k < cut.lines[row].fields.size() && is_number(cut.lines[row].fields[k]);
-      if (all && holds_numbers(line)) first = i;
+      if ((all || names_a_summary(text)) && holds_numbers(line)) first = i;
     }
     if (first != i) break;
   }

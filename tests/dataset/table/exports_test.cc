@@ -155,6 +155,9 @@ TEST(Exports, WithUnitsWhereverTheyStand) {
   const auto in_N = [](const Row& row) { return std::vector<double>{1e-3 * row[0], 1e-3 * row[1], 1e-6 * row[2]}; };
   expect_the_experiment("normal_force_N,shear_force_N,contact_area_m2\n" + lines({',', Form{}.field, in_N}));
   expect_the_experiment("P_N,T_N,A_m^2\n" + lines({',', Form{}.field, in_N}));
+  expect_the_experiment("P_mN_,T_mN_,A_mm2_\n" + lines({','}));                               // MATLAB's writetable
+  expect_the_experiment("% P [mN] T [mN] A [mm^2]\n" + lines({' '}));                         // and its own comments
+  expect_the_experiment("Normal load\tShear load\tContact area\nmN\tmN\tmm\\+(2)\n" + rows);  // Origin
 }
 
 TEST(Exports, WithMoreWordsThanNumbers) {
@@ -190,6 +193,12 @@ TEST(Exports, WithASummaryBelowHaveItLeftOut) {
       load_dataset(folder.write("Results.csv", text + "Mean,2.6,3.4,0.34\nSD,1.5,2.5,0.03\n"), kConstants);
   EXPECT_EQ(data.points.size(), number);
   ASSERT_EQ(data.excluded.size(), 2u);
+  std::string labelled = "Label,P (mN),T (mN),Area (mm^2)\n";
+  std::istringstream again(lines({','}));
+  for (std::string row; std::getline(again, row);) labelled += "img," + row + "\n";
+  EXPECT_EQ(
+      load_dataset(folder.write("b.csv", labelled + "Mean,2.6,3.4,0.34\nMax,4,7,0.4\n"), kConstants).points.size(),
+      number);
   EXPECT_EQ(data.excluded[0].reason, "a summary of the rows above: words where they have numbers");
 }
 
