@@ -52,6 +52,17 @@ def test_chosen_loads_are_better(plan):
     assert set(expected[0]["chi2"]) == {"a", "b"}
 
 
+def test_a_plan_draws_what_each_load_would_tell(plan):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    axes = plt.figure().gca()
+    assert plan.plot_loads(0.5e-3, 10e-3, ax=axes) is axes
+    assert len(axes.lines) == 1 and "error" in axes.get_ylabel()
+    plt.close("all")
+
+
 def test_a_plan_that_cannot_be_is_refused():
     with pytest.raises(mixity.InputError, match="pull-off"):
         mixity.Plan("c", 0.01, [-1.0], **CONSTANTS)

@@ -68,6 +68,12 @@ class Plan:
         """[(load [N], expectation of the plan with it)] for one more run between two loads [N]."""
         return self._core.next_loads(least, most, candidates, list(rivals))
 
+    def plot_loads(self, least, most, rivals="abc", ax=None):
+        """The error of lambda and the odds between models with one more run, against its load; on matplotlib axes."""
+        from . import plots
+
+        return plots.loads(self, least, most, rivals, ax)
+
     def best(self, least, most, runs, goal="error", rivals="abc"):
         """The plan with so many more runs at the loads that serve best: goal "error" of lambda, or "model"."""
         if goal not in ("error", "model"):

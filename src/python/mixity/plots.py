@@ -118,3 +118,23 @@ def budget(fit, ax=None):
     ax.set_xlabel(f"share of the variance of {found['parameter']}")
     ax.legend(frameon=False, ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1))
     return ax
+
+
+def loads(plan, least, most, rivals="abc", ax=None):
+    """Of a plan with one more run, against its load [mN]: the expected error of lambda in percent, and on an axis of its own
+    the odds against the model that is hardest to tell from the plan's, as a power of ten."""
+    ax = _axes(ax)
+    candidates = plan.next_loads(least, most, 41, rivals)
+    load = [1e3 * one for one, _ in candidates]
+    guess = plan._given[1][0]
+    error = [np.nan if found["standard_error"] is None else 100 * found["standard_error"] / guess for _, found in candidates]
+    ax.plot(load, error, "-", color=_STYLE["c"][0], label="error of lambda")
+    ax.set_xlabel("load of the next run [mN]")
+    ax.set_ylabel("expected error of lambda [%]")
+    odds = [min(found["chi2"].values(), default=np.nan) / (2 * np.log(10)) for _, found in candidates]
+    if np.isfinite(odds).any():
+        right = ax.twinx()
+        right.plot(load, odds, "--", color=_STYLE["b"][0], label="odds")
+        right.set_ylabel("odds against the nearest model [power of ten]")
+        right.legend(*(sum(pair, []) for pair in zip(ax.get_legend_handles_labels(), right.get_legend_handles_labels())), frameon=False)
+    return ax
