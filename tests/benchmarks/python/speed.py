@@ -1,9 +1,11 @@
 """How fast the Python package is beside SciPy and lmfit, in one run: tools/python speed. Medians; ratios are what counts."""
 
+import functools
 import statistics
 import subprocess
 import sys
 import time
+from concurrent.futures import ProcessPoolExecutor
 
 import lmfit
 import numpy as np
@@ -107,4 +109,33 @@ def main():
     print(f"| import beside NumPy | {statistics.median(loads) * 1e3:.3g} ms | | | 100 ms |")
 
 
-main()
+    campaign()
+
+
+def one(plan, index):
+    return mixity.fit(plan.simulate(1, index), checks=False, compare=False)["c"].params["lambda"].value
+
+
+def campaign():
+    """Simulated experiments with three fits each: the cost of a task, and what a second processor brings."""
+    plan = mixity.Plan("c", 0.01, [1e-3, 4e-3], radius="9.42 mm", modulus="2.133 MPa +/- 3%", toughness="27 mJ/m^2")
+    work = functools.partial(one, plan)
+    count = 600
+    begin = time.perf_counter()
+    plain = [work(i) for i in range(count)]
+    alone = time.perf_counter() - begin
+    begin = time.perf_counter()
+    assert mixity.campaign(work, count) == plain
+    here = time.perf_counter() - begin
+    with ProcessPoolExecutor(2) as pool:
+        mixity.campaign(work, 4, pool, chunk=1)  # the workers have started
+        begin = time.perf_counter()
+        assert mixity.campaign(work, count, pool) == plain
+        two = time.perf_counter() - begin
+    print(f"| campaign of {count} experiments, three fits each, one process | {count / here:.0f} a second | a loop {count / alone:.0f} | "
+          f"{100 * (here / alone - 1):.1f} % more time | 5 % |")
+    print(f"| the same on two processes | {count / two:.0f} a second | {count / two / 2:.0f} a core | {100 * (2 * two / here - 1):.1f} % more processor time | 5 % |")
+
+
+if __name__ == "__main__":
+    main()
