@@ -66,7 +66,9 @@ TEST(Pooled, PointsOfAFileCanBeLeftOutByItsName) {
 TEST(Pooled, AFileThatIsNamedTwiceIsRefused) {
   const TemporaryFolder folder;
   const std::string path = folder.write("run_1.csv", "P,T,A\n1,0,2\n1,1,1.9\n");
-  EXPECT_EQ(folder.left_out_of(input_error([&] { load_pooled({{path}, {path}}, {}); })),
+  EXPECT_EQ(folder.left_out_of(input_error([&] {
+    load_pooled({{path}, {path}}, {});
+  })),
             "run_1.csv: is named twice: its points would count twice");
 }
 

@@ -63,7 +63,8 @@ TEST(FitStatisticsJson, HasTheKeysOfItsSchema) {
   }
   ASSERT_EQ(data["comparison"].size(), 2);
   for (const Json& entry : data["comparison"])
-    EXPECT_EQ(keys(entry), (Names{"aicc", "bic", "loo_beyond_fold", "loo_curves", "loo_rmse_area", "model", "probability", "weight"}));
+    EXPECT_EQ(keys(entry), (Names{"aicc", "bic", "loo_beyond_fold", "loo_curves", "loo_rmse_area", "model",
+                                  "probability", "weight"}));
   ASSERT_EQ(data["per_curve"].size(), 2);
   for (const Json& entry : data["per_curve"]) {
     EXPECT_EQ(keys(entry), (Names{"curves", "fitted", "model", "test", "untested"}));

@@ -84,7 +84,7 @@ class CsvNumbers {
   std::size_t first_line_ = 1, size_ = 0;
   std::vector<std::array<double, kMost>> numbers_;
   std::vector<std::array<std::string_view, kMost>> texts_;
-  std::array<const char*, kMost + 1> begins_;  // of each row in the file's text, and of what follows
+  std::array<const char*, kMost + 1> begins_;        // of each row in the file's text, and of what follows
   std::function<std::string(std::size_t)> write_{};  // row i as text, where it was never written; else empty
   mutable std::string written_;
   CsvFormat format_;

@@ -100,8 +100,9 @@ struct BenzeggaghKenane {
     return {value, S(2) * y * g, S(2) * g - S(4) * eta * q * mode.C * ((eta - S(1)) - (eta + S(1)) * q) / (f * f * f)};
   }
 
-  /// 1 - (r - 1) B^(eta-1) at B -> 0: 1 for eta > 1, 2 - r for eta = 1. For eta < 1 the limit is infinite: with r < 1 the
-  /// area falls faster than T^2; with r > 1 no equilibrium is unique, and the law leaves the axis of mode I upwards.
+  /// 1 - (r - 1) B^(eta-1) at B -> 0: 1 for eta > 1, 2 - r for eta = 1. For eta < 1 the limit is infinite: with r < 1
+  /// the area falls faster than T^2; with r > 1 no equilibrium is unique, and the law leaves the axis of mode I
+  /// upwards.
   static double small_shear(const std::array<double, 2>& p) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     if (p[1] > 1 || p[0] == 1) return 1;
