@@ -1,0 +1,81 @@
+// Data sets.
+#include <cmath>
+
+#include "dataset/arrays.h"
+#include "dataset/pooled.h"
+#include "python/bindings.h"
+
+namespace mixity {
+
+void bind_data(nb::module_& m) {
+  nb::class_<Dataset>(m, "Dataset")
+      .def_ro("name", &Dataset::name)
+      .def_ro("path", &Dataset::path)
+      .def_ro("notes", &Dataset::notes)
+      .def_ro("curves", &Dataset::curves)
+      .def_ro("reading", &Dataset::reading)
+      .def_ro("taken", &Dataset::taken)
+      .def_ro("has_loads", &Dataset::has_loads)
+      .def_prop_ro("dimensional", [](const Dataset& d) { return d.contact.has_value(); })
+      .def_prop_ro("force_unit_text", [](const Dataset& d) { return d.display.force; })
+      .def_prop_ro("area_unit_text", [](const Dataset& d) { return d.display.area; })
+      .def_prop_ro("force_scale", [](const Dataset& d) { return d.display.force_scale; })
+      .def_prop_ro("area_scale", [](const Dataset& d) { return d.display.area_scale; })
+      .def_prop_ro("force_unit", [](const Dataset& d) { return d.contact ? d.contact->force_unit() : 1.0; })
+      .def_prop_ro("area_unit", [](const Dataset& d) { return d.contact ? d.contact->area_unit() : 1.0; })
+      .def_prop_ro("displacement_unit",
+                   [](const Dataset& d) { return d.contact ? d.contact->displacement_unit() : 1.0; })
+      .def_prop_ro("excluded",
+                   [](const Dataset& d) {
+                     std::vector<std::pair<std::size_t, std::string>> all;
+                     for (const Excluded& one : d.excluded) all.emplace_back(d.line_in_file(one.line), one.reason);
+                     return all;
+                   })
+      .def("column",
+           [](const Dataset& d, const std::string& name) {
+             std::vector<double> values;
+             for (std::size_t i = 0; i < d.points.size(); ++i) {
+               const Point& point = d.points[i];
+               const auto toughness = name == "psi" || name == "f" ? d.toughness(i) : std::nullopt;
+               values.push_back(name == "P"       ? point.P
+                                : name == "T"     ? point.T
+                                : name == "A"     ? point.A
+                                : name == "line"  ? static_cast<double>(point.line)
+                                : name == "curve" ? static_cast<double>(point.curve)
+                                : !toughness      ? std::nan("")
+                                : name == "psi"   ? phase_angle(toughness->mixity)
+                                                  : toughness->ratio);
+             }
+             return numpy_of(std::move(values));
+           })
+      .def("__len__", [](const Dataset& d) { return d.points.size(); });
+  m.def("read", [](const std::vector<std::string>& paths, const Stated& constants) {
+    const nb::gil_scoped_release released;
+    if (paths.size() == 1) return load_dataset(paths[0], constants);
+    std::vector<RunFile> files;
+    for (const std::string& path : paths) files.push_back({path});
+    return load_pooled(files, constants);
+  });
+  m.def("files_of", &files_of);
+  m.def("from_arrays", [](const std::string& name, const std::vector<std::pair<std::string, nb::object>>& columns,
+                          const Stated& constants) {
+    std::vector<Numbers> numbers;
+    std::vector<std::vector<std::string>> texts;
+    numbers.reserve(columns.size());
+    texts.reserve(columns.size());
+    std::vector<ArrayColumn> all;
+    for (const auto& [heading, values] : columns) {
+      ArrayColumn& column = all.emplace_back(ArrayColumn{heading});
+      if (Numbers read; nb::try_cast(values, read)) {
+        numbers.push_back(read);
+        column.numbers = {numbers.back().data(), numbers.back().size()};
+      } else {
+        column.texts = texts.emplace_back(nb::cast<std::vector<std::string>>(values));
+      }
+    }
+    const nb::gil_scoped_release released;
+    return make_dataset(name, all, constants);
+  });
+}
+
+}  // namespace mixity

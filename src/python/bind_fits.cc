@@ -1,0 +1,87 @@
+// Fits and what they say.
+#include <cmath>
+
+#include "fitting/fit.h"
+#include "fitting/prediction.h"
+#include "jobs/job.h"
+#include "jobs/job_options.h"
+#include "python/bindings.h"
+#include "report/fit_json.h"
+#include "report/fit_text.h"
+
+namespace mixity {
+namespace {
+
+JobResult fit(const Dataset& data, const Stated& options, const nb::object& progress) {
+  FitJob job;
+  job.data_path = data.path;
+  for (const auto& [name, text] : options)
+    if (const std::string problem = set_option(job, name, text); !problem.empty()) throw InputError(name, problem);
+  if (const auto both = contradiction(job)) throw InputError(both->option, both->problem);
+  Watch watch(progress);
+  const nb::gil_scoped_release released;
+  return run(job, data, [&](double share) { watch(share); });
+}
+
+}  // namespace
+
+void bind_fits(nb::module_& m) {
+  nb::class_<JobResult>(m, "Results")
+      .def("json", [](const JobResult& result) { return to_json({result}); })
+      .def("text", [](const JobResult& result) { return to_text(result); })
+      .def("options",
+           [](const JobResult& result) { return Stated(result.job.stated.begin(), result.job.stated.end()); })
+      .def("models", [](const JobResult& result) { return result.job.models; })
+      .def("residuals", [](const JobResult& result, std::size_t i) { return numpy_of(result.fits.at(i).residuals); })
+      .def("used",
+           [](const JobResult& result, std::size_t i) {
+             const auto& used = result.fits.at(i).used;
+             return numpy_of({used.begin(), used.end()});
+           })
+      .def("profile",
+           [](const JobResult& result, std::size_t i, const std::string& name) {
+             FitOptions options = result.job.options;
+             options.profile_points = 60;
+             options.checks = false;
+             options.bootstrap.replicates = 0;
+             const FitResult fit = [&] {
+               const nb::gil_scoped_release released;
+               return fit_model(result.data, result.job.models.at(i), options);
+             }();
+             std::vector<double> x, rise;
+             double level = std::nan("");
+             for (const FittedParameter& parameter : fit.parameters)
+               if (parameter.name == name && parameter.profile) {
+                 level = parameter.profile->level;
+                 for (const auto& [at, cost] : parameter.profile->points) {
+                   x.push_back(at);
+                   rise.push_back(cost);
+                 }
+               }
+             return nb::make_tuple(numpy_of(x), numpy_of(rise), level);
+           })
+      .def("areas", [](const JobResult& result, std::size_t i, const Numbers& P, const Numbers& T) {
+        std::vector<AreaPrediction> found;
+        {
+          const nb::gil_scoped_release released;
+          found = predict_areas_of(result.data, result.fits.at(i), result.job.options, {P.data(), P.size()},
+                                   {T.data(), T.size()});
+        }
+        std::vector<double> A(P.size(), std::nan("")), error(P.size(), std::nan("")), status(P.size(), 2);
+        for (std::size_t k = 0; k < found.size(); ++k) {
+          status[k] = static_cast<double>(found[k].status);
+          if (found[k].status != EquilibriumStatus::ok) continue;
+          A[k] = found[k].A;
+          error[k] = found[k].standard_error.value_or(std::nan(""));
+        }
+        return nb::make_tuple(numpy_of(A), numpy_of(error), numpy_of(status));
+      });
+  m.def("fit", &fit, "data"_a, "options"_a, "progress"_a.none());
+  m.def("option_names", [] {
+    std::vector<std::string> names;
+    for (const std::string_view name : kJobOptions) names.emplace_back(name);
+    return names;
+  });
+}
+
+}  // namespace mixity

@@ -1,0 +1,127 @@
+// The models for arrays.
+#include <cmath>
+
+#include "dataset/input_error.h"
+#include "fitting/options.h"
+#include "mechanics/any_model.h"
+#include "mechanics/measurement.h"
+#include "python/bindings.h"
+
+namespace mixity {
+namespace {
+
+/// One number for all, or one for each.
+Values values_of(const Numbers& numbers) { return {numbers.data(), numbers.size() == 1 ? 0 : 1}; }
+std::vector<Values> all_values(const std::vector<Numbers>& parameters) {
+  std::vector<Values> all;
+  for (const Numbers& one : parameters) all.push_back(values_of(one));
+  return all;
+}
+std::span<double> span_of(const Output& out) { return {out.data(), out.size()}; }
+
+nb::dict shown(const Fold& fold) {
+  nb::dict one;
+  one["T"] = fold.T;
+  one["u"] = fold.u;
+  one["A"] = fold.A;
+  one["psi"] = fold.psi;
+  one["control"] = std::string(to_string(fold.control.kind));
+  one["met_on"] = fold.place.maximum ? "loading" : "reversal";
+  one["jumps_to"] = std::string(to_string(fold.jumps_to));
+  one["area_after"] = fold.area_after;
+  one["area_lost"] = fold.area_lost;
+  return one;
+}
+
+Control control_of(const std::string& kind, double stiffness) {
+  if (kind == "load") return {Control::Kind::load};
+  if (kind == "displacement") return {Control::Kind::displacement};
+  if (kind == "stiffness" && stiffness > 0) return {Control::Kind::stiffness, stiffness};
+  throw InputError("control",
+                   "is '" + kind + "'; it must be load, displacement, or stiffness with one that is positive");
+}
+
+void require(const std::string& problem) {
+  if (!problem.empty()) throw InputError("parameters", problem);
+}
+
+}  // namespace
+
+void bind_mechanics(nb::module_& m) {
+  m.def("model_keys", &model_keys);
+  m.def("parameter_names", [](const std::string& model) { return parameter_names(model); });
+  m.def("parameter_bounds", [](const std::string& model) { return parameter_bounds(model); });
+  m.def("areas", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
+                    const Numbers& T, const Output& A, const Codes& status) {
+    const std::vector<Values> all = all_values(parameters);
+    const nb::gil_scoped_release released;
+    areas(model, all, values_of(P), values_of(T), span_of(A),
+          {reinterpret_cast<EquilibriumStatus*>(status.data()), status.size()});
+  });
+  m.def("toughness_ratios",
+        [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& psi, const Output& f) {
+          const std::vector<Values> all = all_values(parameters);
+          const nb::gil_scoped_release released;
+          toughness_ratios(model, all, values_of(psi), span_of(f));
+        });
+  m.def("tangential_loads", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
+                               const Numbers& A, const Output& T) {
+    const std::vector<Values> all = all_values(parameters);
+    const nb::gil_scoped_release released;
+    tangential_loads(model, all, values_of(P), values_of(A), span_of(T));
+  });
+  m.def("phase_angles", [](const Numbers& P, const Numbers& T, const Numbers& A, const Output& psi, const Output& f) {
+    const nb::gil_scoped_release released;
+    const Values loads = values_of(P), shears = values_of(T), sizes = values_of(A);
+    for (std::size_t i = 0; i < psi.size(); ++i) {
+      const auto point = toughness_of_area(loads[i], std::abs(shears[i]), sizes[i]);
+      psi.data()[i] = point ? phase_angle(point->mixity) : std::nan("");
+      f.data()[i] = point ? point->ratio : std::nan("");
+    }
+  });
+  m.def("folds", [](const std::string& model, const std::vector<double>& parameters, double P,
+                    const std::string& control, double stiffness) {
+    const FoldsOrProblem found = folds_of(model, parameters, P, control_of(control, stiffness));
+    require(found.problem);
+    nb::list list;
+    for (const Fold& fold : found.folds) list.append(shown(fold));
+    return list;
+  });
+  m.def(
+      "regime",
+      [](const std::string& model, const std::vector<double>& parameters, double P, std::optional<double> tau0) {
+        const RegimeOrProblem found = regime_of(model, parameters, P, tau0);
+        require(found.problem);
+        nb::dict one;
+        one["regime"] = static_cast<int>(found.regime->regime);
+        one["fracture"] = static_cast<int>(found.regime->fracture);
+        one["T_end"] = found.regime->T_end;
+        one["T_strength"] = found.regime->T_strength;
+        one["jumps_to"] =
+            found.regime->jumps_to ? std::optional(std::string(to_string(*found.regime->jumps_to))) : std::nullopt;
+        return one;
+      },
+      "model"_a, "parameters"_a, "P"_a, "tau0"_a.none());
+  m.def("curve", [](const std::string& model, const std::vector<double>& parameters, double P, std::size_t points) {
+    const CurveOrProblem found = curve_of(model, parameters, P, points);
+    require(found.problem);
+    nb::dict columns;
+    const auto column = [&](const char* name, double CurvePoint::*of) {
+      std::vector<double> values;
+      for (const CurvePoint& point : found.points) values.push_back(point.*of);
+      columns[name] = numpy_of(std::move(values));
+    };
+    column("phi", &CurvePoint::phi);
+    column("T", &CurvePoint::T);
+    column("A", &CurvePoint::A);
+    column("a", &CurvePoint::a);
+    column("u", &CurvePoint::u);
+    column("y", &CurvePoint::y);
+    column("psi", &CurvePoint::psi);
+    column("f", &CurvePoint::f);
+    column("dT", &CurvePoint::dT);
+    return columns;
+  });
+}
+
+}  // namespace mixity

@@ -1,0 +1,68 @@
+// What the parts of the module share: arrays, and a watch over work that takes long.
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace mixity {
+
+using Numbers = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using Output = nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using Codes = nb::ndarray<std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+/// Names and texts, as of constants and options.
+using Stated = std::vector<std::pair<std::string, std::string>>;
+
+/// Hands an array over to Python.
+inline nb::ndarray<nb::numpy, double> numpy_of(std::vector<double> values) {
+  auto* const owned = new std::vector<double>(std::move(values));
+  const nb::capsule owner(owned, [](void* p) noexcept { delete static_cast<std::vector<double>*>(p); });
+  return nb::ndarray<nb::numpy, double>(owned->data(), {owned->size()}, owner);
+}
+
+struct Interrupted {};
+
+/// Calls Python's callback, and asks for Ctrl-C, on the thread that Python waits on; others only stop when it says so.
+class Watch {
+ public:
+  explicit Watch(nb::object callback) : callback_(std::move(callback)), main_(std::this_thread::get_id()) {}
+  void operator()(double share) {
+    if (stop_) throw Interrupted();
+    if (std::this_thread::get_id() != main_) return;
+    const nb::gil_scoped_acquire gil;
+    try {
+      if (PyErr_CheckSignals() != 0) throw nb::python_error();
+      if (!callback_.is_none()) callback_(share);
+    } catch (...) {
+      stop_ = true;
+      throw;
+    }
+  }
+
+ private:
+  nb::object callback_;
+  std::thread::id main_;
+  std::atomic<bool> stop_ = false;
+};
+
+void bind_mechanics(nb::module_& m);
+void bind_data(nb::module_& m);
+void bind_fits(nb::module_& m);
+void bind_studies(nb::module_& m);
+
+}  // namespace mixity
