@@ -2,15 +2,13 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "dataset/table/column_kinds.h"
-#include "dataset/table/heading.h"
+#include "dataset/column_names.h"
 #include "dataset/units.h"
 
 namespace mixity {
@@ -20,33 +18,6 @@ struct Column {
   std::size_t index;  // 0-based position in the row
   Unit unit;
 };
-
-/// What is said beside a table of how to read it.
-struct ColumnRules {
-  std::map<std::string, std::string>
-      mapping{};                  // quantity -> heading, with or without its unit, or the column's number
-  std::string headings{};         // a TOML that adds to the vocabulary; empty: none
-  bool load_stated = false;       // the table needs no column P
-  std::optional<double> pixel{};  // m, the side of one
-  bool vocabulary = true;         // false: the program's own names alone
-  bool log = false;               // the table needs a column of times, and T or A
-};
-
-struct Metadata;
-ColumnRules rules_of(const Metadata& metadata);
-
-/// A heading that names a quantity.
-struct NamedColumn {
-  ColumnId id;
-  std::size_t index;
-  Heading heading;  // with its unit, wherever that stands: "F_N / mN", "Reibkraft in N", "A_mm2"
-};
-
-/// Those that do, in their order, each quantity once. By `rules.mapping`; else by the program's own names; and if these
-/// make no complete set, by the vocabulary, where the unit fits. Throws InputError for a mapping to a column that is
-/// not there, and for two headings that name one quantity.
-std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,
-                                      const ColumnRules& rules);
 
 class Columns {
  public:

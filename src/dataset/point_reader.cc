@@ -317,8 +317,7 @@ std::string_view PointReader::read_toughness(const CsvRow& row, ReadPoint& read)
   double mixity = 0, Gc = 0;
   if (const auto unusable = number(row, by_angle ? ColumnId::psi : ColumnId::mode_ratio, mixity); !unusable.empty())
     return unusable;
-  // the double next to pi/2 is what 90 degrees become
-  if (mixity < 0 || mixity > (by_angle ? 1.5707963267948968 : 1))
+  if (mixity < 0 || mixity > (by_angle ? kLargestPhaseAngle : 1))
     return by_angle ? "psi outside 0..90 degrees" : "mode_ratio outside 0..1";
   ToughnessPoint& point = read.converted;
   point.mixity = by_angle ? mixity_from_angle(mixity) : mixity_from_mode_ratio(mixity);

@@ -70,7 +70,8 @@ inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
     {ColumnId::time, "time", dimension::time, false},
 }};
 
-inline std::string_view to_string(ColumnId id) { return kColumnKinds[static_cast<std::size_t>(id)].name; }
+inline const ColumnKind& kind_of(ColumnId id) { return kColumnKinds[static_cast<std::size_t>(id)]; }
+inline std::string_view to_string(ColumnId id) { return kind_of(id).name; }
 /// Null if no quantity has this name.
 inline std::optional<ColumnId> column_named(std::string_view name) {
   for (const ColumnKind& kind : kColumnKinds)
