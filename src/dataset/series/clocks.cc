@@ -9,6 +9,7 @@
 #include "dataset/series/loading_runs.h"
 #include "dataset/series/noise.h"
 #include "dataset/series/onset.h"
+#include "dataset/series/readings.h"
 
 namespace mixity {
 namespace {
@@ -18,10 +19,25 @@ constexpr double kSure = 6, kSureNear = 4;  // standard deviations: of few shift
 constexpr double kNearly = 0.85;            // of the best shift: what is no less tells nothing
 constexpr double kApart = 3;                // frames
 
-/// Times at which T changes suddenly: by more than noise and ramps change it in two steps.
-std::vector<double> sudden_changes(const std::vector<double>& time, const std::vector<double>& T) {
+/// Means over steps of so much time from the first reading on; of a step without any, that of the one before.
+std::vector<double> means_over(const std::vector<double>& time, const std::vector<double>& values, double step) {
+  std::vector<double> means;
+  std::size_t i = 0;
+  for (double t = time.front(); t < time.back(); t += step) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (; i < time.size() && time[i] < t + step; ++i, ++count) sum += values[i];
+    means.push_back(count > 0 ? sum / static_cast<double>(count) : means.empty() ? values.front() : means.back());
+  }
+  return means;
+}
+
+/// Times at which T changes suddenly: means over so much time by more than noise and ramps change them in
+/// two steps.
+std::vector<double> sudden_changes(const Frames& frames, double step) {
   constexpr double kSudden = 6;  // standard deviations
   constexpr std::size_t kBeside = 10;
+  const std::vector<double> T = means_over(frames.force_time, frames.force_T, step);
   std::vector<double> change(T.size());
   for (std::size_t k = 1; k + 1 < T.size(); ++k) change[k] = std::abs(T[k + 1] - T[k - 1]);
   const double noise = noise_of(T) * std::sqrt(2.0);
@@ -30,8 +46,8 @@ std::vector<double> sudden_changes(const std::vector<double>& time, const std::v
     if (!(change[k] > kSudden * noise)) continue;
     const auto first = change.begin() + static_cast<std::ptrdiff_t>(k - kBeside), behind = first + 2 * kBeside + 1;
     if (change[k] < *std::max_element(first, behind) || !(change[k] > 4 * median({first, behind}))) continue;
-    if (found.empty() || time[k] > found.back() + 0.5 * static_cast<double>(kBeside) * (time[1] - time[0]))
-      found.push_back(time[k]);
+    const double time = frames.force_time.front() + (static_cast<double>(k) + 0.5) * step;
+    if (found.empty() || time > found.back() + 0.5 * static_cast<double>(kBeside) * step) found.push_back(time);
   }
   return found;
 }
@@ -111,18 +127,7 @@ std::optional<double> lag_by_load(const std::vector<double>& time, const std::ve
                                   double interval, double longest) {
   constexpr double kCorrelated = 0.6, kOutOfContact = 0.15;  // share of the time
   const double step = std::max(interval / 2, 0.01);
-  const auto on_grid = [&](const std::vector<double>& times, const std::vector<double>& values) {
-    std::vector<double> grid;
-    std::size_t i = 0;
-    for (double t = times.front(); t < times.back(); t += step) {
-      double sum = 0;
-      std::size_t count = 0;
-      for (; i < times.size() && times[i] < t + step; ++i, ++count) sum += values[i];
-      grid.push_back(count > 0 ? sum / static_cast<double>(count) : grid.empty() ? values.front() : grid.back());
-    }
-    return grid;
-  };
-  std::vector<double> load = on_grid(time, P), area = on_grid(shown.time, shown.A), sorted = load;
+  std::vector<double> load = means_over(time, P, step), area = means_over(shown.time, shown.A, step), sorted = load;
   const auto zero = sorted.begin() + static_cast<std::ptrdiff_t>(kOutOfContact * static_cast<double>(sorted.size()));
   std::nth_element(sorted.begin(), zero, sorted.end());
   const double rest = *zero;
@@ -151,29 +156,6 @@ std::optional<double> lag_by_load(const std::vector<double>& time, const std::ve
     }
   }
   return best > kCorrelated * scale ? std::optional(lag) : std::nullopt;
-}
-
-/// Means of T over steps of so much time.
-struct MeanShear {
-  std::vector<double> time, T;
-};
-MeanShear means_of(const Frames& frames, double step) {
-  MeanShear means;
-  const std::vector<double>& time = frames.force_time;
-  double next = time.front() + step, sum = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    if (time[i] >= next && count > 0) {
-      means.time.push_back(next - step / 2);
-      means.T.push_back(sum / static_cast<double>(count));
-      sum = 0;
-      count = 0;
-      next += step * std::floor(1 + (time[i] - next) / step);
-    }
-    sum += frames.force_T[i];
-    ++count;
-  }
-  return means;
 }
 
 /// The shift at which the area leaves its course where T alone says that contacts begin to slide: for onsets without a
@@ -226,9 +208,8 @@ Frames on_one_clock(const Recording& forces, const Recording& areas, const Frame
   // of means over a fifth of a frame, or where noise hides a fall then, over half of one or all of it
   std::optional<Lag> found;
   for (const double share : {0.2, 0.5, 1.0}) {
-    const MeanShear means = means_of(rough, std::max(share * rough.interval, typical_step(forces.time)));
-    const auto one =
-        lag_of(sudden_changes(means.time, means.T), shown, rough.interval, range, near ? kSureNear : kSure);
+    const double step = std::max(share * rough.interval, typical_step(forces.time));
+    const auto one = lag_of(sudden_changes(rough, step), shown, rough.interval, range, near ? kSureNear : kSure);
     if (one && (!found || one->sureness > 1.3 * found->sureness)) found = one;
   }
   std::string source;

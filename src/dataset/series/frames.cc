@@ -8,6 +8,7 @@
 #include "dataset/input_error.h"
 #include "dataset/number_text.h"
 #include "dataset/series/noise.h"
+#include "dataset/series/readings.h"
 
 namespace mixity {
 double typical_step(const std::vector<double>& time) {

@@ -5,20 +5,9 @@
 
 #include "dataset/series/change_points.h"
 #include "dataset/series/noise.h"
+#include "dataset/series/readings.h"
 
 namespace mixity {
-namespace {
-
-/// Change along a straight line through readings, from the first to the last.
-double rise_of(const std::vector<double>& y) {
-  const double n = static_cast<double>(y.size()), middle = (n - 1) / 2;
-  double slope = 0;
-  for (std::size_t i = 0; i < y.size(); ++i) slope += (static_cast<double>(i) - middle) * y[i];
-  return slope / (n * (n * n - 1) / 12) * (n - 1);
-}
-
-}  // namespace
-
 std::vector<Stretch> contacts(const Frames& frames, double noise) {
   constexpr std::size_t kLost = 3;
   std::vector<double> sorted = frames.A;
@@ -60,9 +49,9 @@ std::vector<Stretch> load_levels(const Frames& frames, Stretch contact, double n
     found.push_back(one);
   }
   std::erase_if(found, [&](const Stretch& level) {
-    const std::vector<double> P = part_of(frames.P, level.begin, level.end);
+    const StraightLine P = line_through(frames.P, level.begin, level.end);
     return frames.time[level.end - 1] - frames.time[level.begin] < kShortest ||
-           std::abs(rise_of(P)) > moved(mean_of(P, 0, P.size()));
+           std::abs(P.slope * static_cast<double>(level.end - level.begin - 1)) > moved(P.mean);
   });
   return found;
 }

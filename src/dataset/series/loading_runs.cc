@@ -9,6 +9,7 @@
 #include "dataset/series/levels.h"
 #include "dataset/series/noise.h"
 #include "dataset/series/onset.h"
+#include "dataset/series/readings.h"
 
 namespace mixity {
 namespace {
@@ -31,14 +32,6 @@ Sheared turned(const std::vector<double>& T, Stretch level) {
   Sheared sheared{T, down > up ? -1.0 : 1.0};
   for (double& one : sheared.T) one = sheared.direction * (one - start);
   return sheared;
-}
-
-/// The straight line through begin..end at reading i.
-double on_line(const std::vector<double>& y, std::size_t begin, std::size_t end, std::size_t i) {
-  const double n = static_cast<double>(end - begin), middle = (n - 1) / 2, mean = mean_of(y, begin, end);
-  double slope = 0;
-  for (std::size_t k = begin; k < end; ++k) slope += (static_cast<double>(k - begin) - middle) * (y[k] - mean);
-  return n < 3 ? mean : mean + slope / (n * (n * n - 1) / 12) * (static_cast<double>(i - begin) - middle);
 }
 
 CutTime cut_of(const Frames& frames, const ChangePoint& change) {
@@ -290,7 +283,7 @@ class Finder {
     // A load that is held follows a line for a second or so; what lies about that is noise of the reading.
     constexpr std::size_t kAround = 25;
     for (std::size_t i = 0; i < P.size(); ++i)
-      run.smooth_P.push_back(on_line(P, i - std::min(i, kAround), std::min(P.size(), i + kAround + 1), i));
+      run.smooth_P.push_back(line_through(P, i - std::min(i, kAround), std::min(P.size(), i + kAround + 1)).at(i));
     run.P = mean_of(P, 0, P.size());
     double squares = 0;
     for (const double one : P) squares += (one - run.P) * (one - run.P);

@@ -1,62 +1,19 @@
 // The noise of readings that follow a smooth course.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace mixity {
 
-inline std::vector<double> part_of(const std::vector<double>& values, std::size_t begin, std::size_t end) {
-  return {values.begin() + static_cast<std::ptrdiff_t>(begin), values.begin() + static_cast<std::ptrdiff_t>(end)};
-}
-
-inline double mean_of(const std::vector<double>& values, std::size_t begin, std::size_t end) {
-  return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
-                         values.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
-         static_cast<double>(end - begin);
-}
-
-inline constexpr double kOfMedian = 1.4826;  // standard deviation over median of |x|, normal
-
-/// Of at least one.
-inline double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Standard deviation of readings about a smooth course, by the median of their second differences, which neither a
 /// trend nor a few jumps move; 0 of so few that these say nothing.
-inline double noise_of(const std::vector<double>& values) {
-  constexpr std::size_t kFew = 12;
-  if (values.size() < kFew) return 0;
-  std::vector<double> bends;
-  for (std::size_t i = 2; i < values.size(); ++i)
-    bends.push_back(std::abs(values[i] - 2 * values[i - 1] + values[i - 2]));
-  return kOfMedian * median(bends) / std::sqrt(6.0);
-}
+double noise_of(const std::vector<double>& values);
 
 /// Replaces single readings that lie far from the median of the five about them by that median (Hampel 1974, J. Am.
 /// Stat. Assoc. 69, 383): what wires catch is no force. Returns how many.
-inline std::size_t remove_spikes(std::vector<double>& values) {
-  constexpr double kSpike = 6;  // standard deviations; of a million readings of noise, none
-  const double noise = noise_of(values);
-  if (!(noise > 0)) return 0;
-  std::size_t removed = 0;
-  const std::vector<double> read = values;
-  for (std::size_t i = 2; i + 2 < read.size(); ++i) {
-    if (std::abs(read[i] - read[i - 1]) <= kSpike * noise || std::abs(read[i] - read[i + 1]) <= kSpike * noise)
-      continue;
-    const double middle = median(part_of(read, i - 2, i + 3));
-    if (!(std::abs(read[i] - middle) > kSpike * noise)) continue;
-    values[i] = middle;
-    ++removed;
-  }
-  return removed;
-}
+std::size_t remove_spikes(std::vector<double>& values);
 
 /// Noise that grows with what is read: variance = constant + relative^2 x^2.
 struct NoiseModel {
@@ -66,47 +23,6 @@ struct NoiseModel {
 
 /// Of second differences of courses that one apparatus has read, by weighted least squares of their squares on those of
 /// the readings; what lies far above that (a jump) is left out. `otherwise`: where they are too few.
-inline NoiseModel noise_model(const std::vector<std::vector<double>>& courses, double otherwise) {
-  constexpr double kJump = 25;  // times the variance
-  constexpr std::size_t kFew = 30;
-  constexpr int kRounds = 6;
-  std::vector<double> squares, size;
-  std::vector<double> noises;
-  for (const std::vector<double>& y : courses) {
-    for (std::size_t i = 2; i < y.size(); ++i) {
-      squares.push_back(std::pow(y[i] - 2 * y[i - 1] + y[i - 2], 2) / 6);
-      size.push_back(y[i - 1] * y[i - 1]);
-    }
-    if (const double noise = noise_of(y); noise > 0) noises.push_back(noise);
-  }
-  NoiseModel model{otherwise * otherwise, 0};
-  if (squares.size() < kFew || noises.empty()) return model;
-  model.constant = std::pow(median(noises), 2);
-  for (int round = 0; round < kRounds; ++round) {
-    double n = 0, x = 0, xx = 0, y = 0, xy = 0;  // weighted by the variance of a square, which goes with its square
-    for (std::size_t i = 0; i < squares.size(); ++i) {
-      const double expected = std::pow(model.at(std::sqrt(size[i])), 2);
-      if (!(expected > 0) || squares[i] > kJump * expected) continue;
-      const double w = 1 / (expected * expected);
-      n += w;
-      x += w * size[i];
-      xx += w * size[i] * size[i];
-      y += w * squares[i];
-      xy += w * size[i] * squares[i];
-    }
-    const double spread = n * xx - x * x;
-    double slope = spread > 1e-12 * n * xx ? (n * xy - x * y) / spread : 0;
-    double level = (y - slope * x) / n;
-    if (slope < 0) {
-      slope = 0;
-      level = y / n;
-    } else if (level < 0) {
-      level = 0;
-      slope = xy / xx;
-    }
-    model = {level, std::sqrt(slope)};
-  }
-  return model;
-}
+NoiseModel noise_model(const std::vector<std::vector<double>>& courses, double otherwise);
 
 }  // namespace mixity

@@ -60,7 +60,7 @@ class LogReader {
     if (!table) throw InputError(recording_.path, "holds no table with headings and rows of numbers");
     recording_.reading = describe(*table);
     for (const NamedColumn& column : name_columns(recording_.path, table->headings, rules)) {
-      const ColumnKind& kind = kColumnKinds[static_cast<std::size_t>(column.id)];
+      const ColumnKind& kind = kind_of(column.id);
       std::vector<double>* const values = values_of(column.id);
       if (!values) continue;
       const Unit unit = unit_of(column.heading, kind, recording_.path, false, metadata_.pixel);

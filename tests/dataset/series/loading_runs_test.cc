@@ -138,38 +138,40 @@ std::size_t onsets_within_a_percent(const Simulated& made, const LoadingRuns& fo
   return near;
 }
 
-TEST(LoadingRuns, AreNotCutWhereTheShearBends) {
+/// Of twenty logs, three runs each, 97 % of the onsets. `look` sees each log and what was found.
+template <class Look>
+void expect_onsets_found(Conditions conditions, const std::vector<double>& loads, const FrameOptions& frames,
+                         Look look) {
   std::size_t near = 0;
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    Conditions conditions;
-    conditions.seed = seed;
-    conditions.noise_T = 2e-4;
-    conditions.noise_A = 0.002;
-    conditions.bend = 0.3;
-    const Simulated made = simulate(kLoads, conditions);
-    near += onsets_within_a_percent(made, find(made, {}, {0.0}), 0);
+  for (conditions.seed = 0; conditions.seed < 20; ++conditions.seed) {
+    const Simulated made = simulate(loads, conditions);
+    const LoadingRuns found = find(made, {}, frames);
+    near += onsets_within_a_percent(made, found, found.frames.lag);
+    look(found);
   }
-  EXPECT_GE(near, 58u);  // 97 % of 60
+  EXPECT_GE(near, 58u);
+}
+
+TEST(LoadingRuns, AreNotCutWhereTheShearBends) {
+  Conditions conditions;
+  conditions.noise_T = 2e-4;
+  conditions.noise_A = 0.002;
+  conditions.bend = 0.3;
+  expect_onsets_found(conditions, kLoads, {0.0}, [](const LoadingRuns&) {});
 }
 
 TEST(LoadingRuns, AreNotCutByADriftOrASpikeInTheHold) {
-  std::size_t near = 0;
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    Conditions conditions;
-    conditions.seed = seed;
-    conditions.noise_T = 2e-4;
-    conditions.spike = 997;
-    conditions.drift = -3e-4;
-    const Simulated made = simulate(kLoads, conditions);
-    const LoadingRuns found = find(made, {}, {0.0});
-    near += onsets_within_a_percent(made, found, 0);
+  Conditions conditions;
+  conditions.noise_T = 2e-4;
+  conditions.spike = 997;
+  conditions.drift = -3e-4;
+  expect_onsets_found(conditions, kLoads, {0.0}, [](const LoadingRuns& found) {
     EXPECT_GT(found.frames.spikes, 15u);
     EXPECT_TRUE(found.drift_removed);
     EXPECT_NEAR(found.drift_T, -3e-4, 4 * found.drift_error);
     // T is the shear: at the end of a run, 5 seconds behind where its zero was read
     for (const LoadingRun& run : found.runs) EXPECT_NEAR(run.T.back(), 0.05 + run.P, 0.02 * (0.05 + run.P));
-  }
-  EXPECT_GE(near, 58u);
+  });
 }
 
 TEST(LoadingRuns, OfAFastCameraAreNoPiecesOfRampsOfTheLoad) {
@@ -180,21 +182,15 @@ TEST(LoadingRuns, OfAFastCameraAreNoPiecesOfRampsOfTheLoad) {
 }
 
 TEST(LoadingRuns, EndWhereSteadySlidingBegins) {
-  std::size_t near = 0;
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    Conditions conditions;
-    conditions.seed = seed;
-    conditions.steady = true;
-    conditions.noise_A = 0.003;
-    conditions.noise_T = 1e-4;
-    conditions.lag = -1.21;
-    const Simulated made = simulate({8e-3, 7e-3, 6e-3}, conditions);
-    const LoadingRuns found = find(made);
-    EXPECT_NEAR(found.frames.lag, -1.21, 0.04) << seed;  // two frames
-    EXPECT_LE(std::abs(found.frames.lag + 1.21), 4 * found.frames.lag_error) << seed;
-    near += onsets_within_a_percent(made, found, found.frames.lag);
-  }
-  EXPECT_GE(near, 58u);
+  Conditions conditions;
+  conditions.steady = true;
+  conditions.noise_A = 0.003;
+  conditions.noise_T = 1e-4;
+  conditions.lag = -1.21;
+  expect_onsets_found(conditions, {8e-3, 7e-3, 6e-3}, {}, [](const LoadingRuns& found) {
+    EXPECT_NEAR(found.frames.lag, -1.21, 0.04);  // two frames
+    EXPECT_LE(std::abs(found.frames.lag + 1.21), 4 * found.frames.lag_error);
+  });
 }
 
 TEST(LoadingRuns, TakeTheirLoadOnItsCourse) {
