@@ -33,9 +33,8 @@ std::string loads_text(const std::vector<double>& loads, std::size_t from = 0) {
   return text + " mN";
 }
 
-std::string odds_text(double chi2) {
-  const double odds = std::exp(0.5 * chi2);
-  return std::isinf(odds) || odds > 1e6 ? "more than 10^6" : rounded(odds, 2);
+std::string odds_text(const Expectation::Rival& rival) {
+  return rival.odds() > 1e6 ? "more than 10^6" : rounded(rival.odds(), 2);
 }
 
 void print_expectation(const Plan& plan, const Expectation& expected) {
@@ -43,7 +42,7 @@ void print_expectation(const Plan& plan, const Expectation& expected) {
             << error_text(plan, expected.standard_error) << '\n';
   for (const Expectation::Rival& rival : expected.rivals)
     std::cout << "    against model " << rival.model << ": chi^2 " << rounded(rival.chi2, 3) << ", odds "
-              << odds_text(rival.chi2) << '\n';
+              << odds_text(rival) << '\n';
 }
 
 struct Range {
@@ -54,6 +53,77 @@ Range range_of_loads() {
   if (ends.size() != 2 || ends[0].unit.dimension != dimension::force || !(ends[0].si() < ends[1].si()))
     throw UsageError("flag '--load_range' is '" + FLAGS_load_range + "'; it must be two loads, \"0.5,10 mN\"");
   return {ends[0].si(), ends[1].si()};
+}
+
+void print_as_csv(const std::vector<LoadCandidate>& candidates) {
+  std::cout << "load [mN],standard_error";
+  if (!candidates.empty())
+    for (const Expectation::Rival& rival : candidates[0].expected.rivals) std::cout << ",chi2_" << rival.model;
+  std::cout << '\n';
+  for (const LoadCandidate& one : candidates) {
+    std::cout << shortest(one.load / kMilli) << ','
+              << (one.expected.standard_error ? shortest(*one.expected.standard_error) : "");
+    for (const Expectation::Rival& rival : one.expected.rivals) std::cout << ',' << shortest(rival.chi2);
+    std::cout << '\n';
+  }
+}
+
+void print_candidates(const Plan& plan, const std::vector<LoadCandidate>& candidates, const std::string& name) {
+  std::cout << "[[Next load]]\n    load [mN]   error of " << name << "            least chi^2 of other models\n";
+  for (const LoadCandidate& one : candidates)
+    std::cout << "    " << std::left << std::setw(12) << rounded(one.load / kMilli, 4)
+              << std::setw(10 + 12 + static_cast<int>(name.size())) << error_text(plan, one.expected.standard_error)
+              << rounded(one.expected.least_chi2(), 3) << '\n';
+  const auto best = [&](Goal goal) {
+    return std::min_element(
+               candidates.begin(), candidates.end(),
+               [&](const auto& one, const auto& other) { return one.expected.cost(goal) < other.expected.cost(goal); })
+        ->load;
+  };
+  std::cout << "    best for " << name << ": " << loads_text({best(Goal::error)})
+            << "; best to tell models apart: " << loads_text({best(Goal::model)}) << '\n';
+}
+
+void print_best(const Plan& plan, const Plan& chosen, const Range& range, Goal goal,
+                const std::vector<std::string>& rivals, const std::string& name) {
+  const std::size_t n = chosen.loads.size() - plan.loads.size();
+  std::cout << "[[Best " << n << " loads for " << (goal == Goal::error ? name : "telling models apart") << "]]\n    "
+            << loads_text(chosen.loads, plan.loads.size()) << '\n';
+  print_expectation(chosen, expect(chosen, rivals));
+  Plan even = plan;
+  for (std::size_t k = 0; k < n; ++k)
+    even.loads.push_back(
+        std::lerp(range.least, range.most, n == 1 ? 0.5 : static_cast<double>(k) / static_cast<double>(n - 1)));
+  std::cout << "    evenly spaced loads: " << error_text(plan, expect(even, {}).standard_error) << '\n';
+}
+
+void print_runs_needed(const Plan& plan, const Range& range, const std::vector<std::string>& rivals) {
+  const auto wanted = parse_quantity(FLAGS_wanted);
+  if (!wanted || wanted->unit.dimension != dimension::none || !(wanted->value > 0))
+    throw UsageError("flag '--wanted' is '" + FLAGS_wanted + "'; it must be an error such as 2% or 0.0001");
+  const double error = wanted->unit.text == "%" ? wanted->si() * plan.parameters[0] : wanted->si();
+  const auto runs_until = [&](Goal goal, double cost) {
+    const std::vector<std::string> others = goal == Goal::error ? std::vector<std::string>{} : rivals;
+    for (std::size_t runs = 1; runs <= kMostRuns; ++runs)
+      if (expect(best_plan(plan, range.least, range.most, runs, goal, others), others).cost(goal) <= cost)
+        return std::to_string(runs);
+    return "more than " + std::to_string(kMostRuns);
+  };
+  std::cout << "[[Runs needed]]\n    for an error of " << rounded(error, 3) << ": " << runs_until(Goal::error, error)
+            << "; for 95% odds against every other model: " << runs_until(Goal::model, -2 * std::log(kSureOdds))
+            << '\n';
+}
+
+void print_outcome(const Plan& plan, const std::vector<std::string>& rivals, const std::string& name) {
+  if (plan.loads.empty()) throw UsageError("flag '--experiments' needs loads: --loads, or --runs to find some");
+  const Outcome outcome =
+      try_plan(plan, count_from("seed", 0), count_from("experiments", 2), rivals, progress_line("experiments"));
+  std::cout << "[[" << outcome.experiments << " simulated experiments at " << loads_text(plan.loads) << "]]\n    "
+            << name << " scatters by " << rounded(outcome.spread, 3) << ", stated "
+            << rounded(outcome.mean_standard_error, 3) << "; 95% intervals hold the truth in "
+            << rounded(100 * outcome.covered, 3) << "%\n";
+  if (outcome.decided)
+    std::cout << "    the right model has a probability above 95% in " << rounded(100 * *outcome.decided, 3) << "%\n";
 }
 
 }  // namespace
@@ -70,21 +140,9 @@ int run_design(const Arguments& arguments) {
   if ((is_set("runs") || is_set("wanted")) && !searches)
     throw UsageError("flag '--load_range' is missing: between which loads runs may be, \"0.5,10 mN\"");
   const Range range = searches ? range_of_loads() : Range{0, 0};
-  const auto candidates =
-      searches ? next_loads(plan, range.least, range.most, kCandidates, rivals) : std::vector<LoadCandidate>{};
-  if (FLAGS_format == "csv") {
-    std::cout << "load [mN],standard_error";
-    for (const auto& rival : candidates.empty() ? std::vector<Expectation::Rival>{} : candidates[0].expected.rivals)
-      std::cout << ",chi2_" << rival.model;
-    std::cout << '\n';
-    for (const LoadCandidate& one : candidates) {
-      std::cout << shortest(one.load / kMilli) << ','
-                << (one.expected.standard_error ? shortest(*one.expected.standard_error) : "");
-      for (const auto& rival : one.expected.rivals) std::cout << ',' << shortest(rival.chi2);
-      std::cout << '\n';
-    }
-    return kFine;
-  }
+  std::vector<LoadCandidate> candidates;
+  if (searches) candidates = next_loads(plan, range.least, range.most, kCandidates, rivals);
+  if (FLAGS_format == "csv") return print_as_csv(candidates), kFine;
   const std::string name = parameter_names(plan.model)[0];
   std::cout << "[[Plan]]\n    model " << plan.model << ", " << name << " = " << shortest(plan.parameters[0])
             << "; runs of " << plan.points << " points up to " << rounded(100 * plan.reach, 3) << "% of the jump\n";
@@ -92,69 +150,14 @@ int run_design(const Arguments& arguments) {
     std::cout << "    loads " << loads_text(plan.loads) << '\n';
     print_expectation(plan, expect(plan, rivals));
   }
-  if (searches) {
-    std::cout << "[[Next load]]\n    load [mN]   error of " << name << "            least chi^2 of other models\n";
-    for (const LoadCandidate& one : candidates)
-      std::cout << "    " << std::left << std::setw(12) << rounded(one.load / kMilli, 4)
-                << std::setw(10 + 12 + static_cast<int>(name.size())) << error_text(plan, one.expected.standard_error)
-                << rounded(one.expected.least_chi2(), 3) << '\n';
-    const auto by_error = std::min_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-      return a.expected.standard_error.value_or(1e300) < b.expected.standard_error.value_or(1e300);
-    });
-    const auto by_model = std::max_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-      return a.expected.least_chi2() < b.expected.least_chi2();
-    });
-    std::cout << "    best for " << name << ": " << loads_text({by_error->load})
-              << "; best to tell models apart: " << loads_text({by_model->load}) << '\n';
-  }
+  if (searches) print_candidates(plan, candidates, name);
   Plan chosen = plan;
   if (is_set("runs")) {
     chosen = best_plan(plan, range.least, range.most, count_from("runs", 1), goal, rivals);
-    std::cout << "[[Best " << FLAGS_runs << " loads for " << (goal == Goal::error ? name : "telling models apart")
-              << "]]\n    " << loads_text(chosen.loads, plan.loads.size()) << '\n';
-    print_expectation(chosen, expect(chosen, rivals));
-    Plan even = plan;
-    const std::size_t n = count_from("runs", 1);
-    for (std::size_t k = 0; k < n; ++k)
-      even.loads.push_back(n == 1 ? 0.5 * (range.least + range.most)
-                                  : range.least + (range.most - range.least) * static_cast<double>(k) /
-                                                      static_cast<double>(n - 1));
-    std::cout << "    evenly spaced loads: " << error_text(plan, expect(even, {}).standard_error) << '\n';
+    print_best(plan, chosen, range, goal, rivals, name);
   }
-  if (is_set("wanted")) {
-    const auto wanted = parse_quantity(FLAGS_wanted);
-    if (!wanted || wanted->unit.dimension != dimension::none || !(wanted->value > 0))
-      throw UsageError("flag '--wanted' is '" + FLAGS_wanted + "'; it must be an error such as 2% or 0.0001");
-    const double error = wanted->unit.text == "%" ? wanted->si() * plan.parameters[0] : wanted->si();
-    std::optional<std::size_t> for_error, for_odds;
-    for (std::size_t runs = 1; runs <= kMostRuns && !(for_error && for_odds); ++runs) {
-      if (!for_error) {
-        const auto found = expect(best_plan(plan, range.least, range.most, runs, Goal::error, {}), {}).standard_error;
-        if (found && *found <= error) for_error = runs;
-      }
-      if (!for_odds) {
-        const double chi2 =
-            expect(best_plan(plan, range.least, range.most, runs, Goal::model, rivals), rivals).least_chi2();
-        if (0.5 * chi2 >= std::log(kSureOdds)) for_odds = runs;
-      }
-    }
-    const auto runs_text = [](const std::optional<std::size_t>& runs) {
-      return runs ? std::to_string(*runs) : "more than " + std::to_string(kMostRuns);
-    };
-    std::cout << "[[Runs needed]]\n    for an error of " << rounded(error, 3) << ": " << runs_text(for_error)
-              << "; for 95% odds against every other model: " << runs_text(for_odds) << '\n';
-  }
-  if (is_set("experiments")) {
-    if (chosen.loads.empty()) throw UsageError("flag '--experiments' needs loads: --loads, or --runs to find some");
-    const Outcome outcome =
-        try_plan(chosen, count_from("seed", 0), count_from("experiments", 2), rivals, progress_line("experiments"));
-    std::cout << "[[" << outcome.experiments << " simulated experiments at " << loads_text(chosen.loads) << "]]\n    "
-              << name << " scatters by " << rounded(outcome.spread, 3) << ", stated "
-              << rounded(outcome.mean_standard_error, 3) << "; 95% intervals hold the truth in "
-              << rounded(100 * outcome.covered, 3) << "%\n";
-    if (outcome.decided)
-      std::cout << "    the right model has a probability above 95% in " << rounded(100 * *outcome.decided, 3) << "%\n";
-  }
+  if (is_set("wanted")) print_runs_needed(plan, range, rivals);
+  if (is_set("experiments")) print_outcome(chosen, rivals, name);
   return kFine;
 }
 

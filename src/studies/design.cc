@@ -25,19 +25,18 @@ std::vector<std::string> without(const std::vector<std::string>& models, const s
 
 const FittedParameter& first_of_model(const FitResult& fit) { return fit.parameters.front(); }
 
-/// The smaller the better.
-double cost(const Expectation& expected, Goal goal) {
-  return goal == Goal::error ? expected.standard_error.value_or(kInfinite) : -expected.least_chi2();
-}
-
 }  // namespace
 
-double Expectation::Rival::odds() const { return std::exp(std::min(0.5 * chi2, 709.0)); }
+double Expectation::Rival::odds() const { return std::exp(0.5 * chi2); }
 
 double Expectation::least_chi2() const {
   double least = kInfinite;
   for (const Rival& rival : rivals) least = std::min(least, rival.chi2);
   return least;
+}
+
+double Expectation::cost(Goal goal) const {
+  return goal == Goal::error ? standard_error.value_or(kInfinite) : -least_chi2();
 }
 
 Expectation expect(const Plan& plan, const std::vector<std::string>& rivals) {
@@ -77,14 +76,14 @@ Plan best_plan(const Plan& plan, double least, double most, std::size_t runs, Go
   const auto best_next = [&](const Plan& with) {
     const auto candidates = next_loads(with, least, most, kCandidates, others);
     return *std::min_element(candidates.begin(), candidates.end(), [&](const auto& one, const auto& other) {
-      return cost(one.expected, goal) < cost(other.expected, goal);
+      return one.expected.cost(goal) < other.expected.cost(goal);
     });
   };
   double reached = kInfinite;
   for (std::size_t k = 0; k < runs; ++k) {
     const LoadCandidate next = best_next(best);
     best.loads.push_back(next.load);
-    reached = cost(next.expected, goal);
+    reached = next.expected.cost(goal);
   }
   for (bool helped = runs > 1; helped;) {
     helped = false;
@@ -92,7 +91,7 @@ Plan best_plan(const Plan& plan, double least, double most, std::size_t runs, Go
       Plan rest = best;
       rest.loads.erase(rest.loads.begin() + static_cast<std::ptrdiff_t>(k));
       const LoadCandidate next = best_next(rest);
-      const double now = cost(next.expected, goal);
+      const double now = next.expected.cost(goal);
       if (!(now < reached - kHelps * std::abs(reached))) continue;
       best.loads[k] = next.load;
       reached = now;
@@ -132,13 +131,7 @@ Outcome try_plan(const Plan& plan, std::uint64_t seed, std::size_t experiments, 
       }
       if (!others.empty()) {
         for (const std::string& model : others) fits.push_back(fit_model(data, model, options));
-        double right = 0, sum = 0, most = -kInfinite;
-        for (const FitResult& fit : fits)
-          if (fit.evidence) most = std::max(most, fit.evidence->evidence.log_evidence);
-        for (const FitResult& fit : fits)
-          if (fit.evidence) sum += std::exp(fit.evidence->evidence.log_evidence - most);
-        if (fits[0].evidence) right = std::exp(fits[0].evidence->evidence.log_evidence - most) / sum;
-        one.decided = right > 0.95;
+        one.decided = probabilities(fits)[0].value_or(0) > 0.95;
       }
       if (progress) {
         const std::lock_guard lock(telling);

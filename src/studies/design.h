@@ -10,6 +10,8 @@
 
 namespace mixity {
 
+enum class Goal { error, model };  // the least error of the parameter; the largest least chi^2 of the rivals
+
 /// Of a plan, before it is done.
 struct Expectation {
   /// Of the model's first parameter, by the Fisher information of all points with what is known of the constants
@@ -26,12 +28,12 @@ struct Expectation {
   std::vector<Rival> rivals;
   /// Of the least chi^2 of the rivals; infinite without any.
   double least_chi2() const;
+  /// The smaller the better: the standard error, infinite where there is none; or less the least chi^2.
+  double cost(Goal goal) const;
 };
 
 /// `rivals`: keys of models; the plan's own is left out. Throws std::invalid_argument where problem_of names one.
 Expectation expect(const Plan& plan, const std::vector<std::string>& rivals);
-
-enum class Goal { error, model };  // the least error of the parameter; the largest least chi^2 of the rivals
 
 /// Which load is best for one more run: candidates from `least` to `most` [N], evenly in load, each with the
 /// expectation of the plan with it.
