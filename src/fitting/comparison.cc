@@ -40,23 +40,25 @@ std::optional<double> squared_area_errors(const Dataset& data, const std::vector
   return sum;
 }
 
-/// Of models that were fitted to all of the points.
-void set_probabilities(const std::vector<FitResult>& fits, std::size_t points, std::vector<ComparedModel>& compared) {
-  double highest = -std::numeric_limits<double>::infinity(), sum = 0;
+}  // namespace
+
+std::vector<std::optional<double>> probabilities(const std::vector<FitResult>& fits) {
+  std::size_t points = 0;
+  for (const FitResult& one : fits) points = std::max(points, one.used.size());
   const auto comparable = [&](const FitResult& one) { return one.used.size() == points; };
+  std::vector<std::optional<double>> found(fits.size());
+  double highest = -std::numeric_limits<double>::infinity(), sum = 0;
   for (const FitResult& one : fits) {
     if (!comparable(one)) continue;
-    if (!one.evidence) return;
+    if (!one.evidence) return found;
     highest = std::max(highest, one.evidence->evidence.log_evidence);
   }
   for (const FitResult& one : fits)
     if (comparable(one)) sum += std::exp(one.evidence->evidence.log_evidence - highest);
   for (std::size_t i = 0; i < fits.size(); ++i)
-    if (comparable(fits[i]))
-      compared[i].probability = std::exp(fits[i].evidence->evidence.log_evidence - highest) / sum;
+    if (comparable(fits[i])) found[i] = std::exp(fits[i].evidence->evidence.log_evidence - highest) / sum;
+  return found;
 }
-
-}  // namespace
 
 std::optional<Information> information(const FitResult& fit) {
   if (!has_all_values(fit) || fit.residuals.empty() || !(fit.sum_of_squares > 0)) return std::nullopt;
@@ -140,7 +142,8 @@ std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector
     if (entry.aicc) sum += std::exp(0.5 * (lowest - *entry.aicc));
   for (ComparedModel& entry : compared)
     if (entry.aicc) entry.weight = std::exp(0.5 * (lowest - *entry.aicc)) / sum;
-  set_probabilities(fits, most, compared);
+  const auto probable = probabilities(fits);
+  for (std::size_t i = 0; i < fits.size(); ++i) compared[i].probability = probable[i];
   return compared;
 }
 

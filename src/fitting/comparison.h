@@ -37,12 +37,15 @@ struct LeftOut {
 /// one of them yields no value, or one for which the law defines no equilibrium.
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options);
 
+/// By the evidence, all models equally probable beforehand; null of fits of fewer points than others, and of all unless
+/// each that is left has an evidence.
+std::vector<std::optional<double>> probabilities(const std::vector<FitResult>& fits);
+
 struct ComparedModel {
   std::string model;
   std::optional<double> aicc, bic, weight;  // null where the fit used other points than the rest, or has no value
   std::optional<LeftOut> left_out;
-  /// By the evidence, all models equally probable beforehand; null unless all models of these points have one.
-  std::optional<double> probability{};
+  std::optional<double> probability{};  // see probabilities
 };
 
 /// All fits of one data set. Akaike weights exp(-d/2)/sum over the models whose AICc is comparable.

@@ -12,18 +12,12 @@ namespace mixity {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
 template <class Model>
 Parameters<Model> parameters_at(std::span<const Values> parameters, std::size_t i) {
   Parameters<Model> p;
   for (std::size_t k = 0; k < p.size(); ++k) p[k] = parameters[k][i];
   return p;
-}
-
-template <class Model>
-bool in_bounds(const Parameters<Model>& p) {
-  for (std::size_t k = 0; k < p.size(); ++k)
-    if (!(p[k] >= Model::parameters[k].lower && p[k] <= Model::parameters[k].upper)) return false;
-  return true;
 }
 
 template <class Model>
@@ -49,7 +43,7 @@ std::string with_contact(std::string_view model, std::span<const double> paramet
   return problem;
 }
 
-/// For each model, with `n` rows of parameters that are as many as it has; else everything is NaN.
+/// Calls use(instance) for the model of this key if so many parameters are its own; false if there is none.
 template <class Use>
 bool with_rows(std::string_view model, std::span<const Values> parameters, Use use) {
   bool fits = false;
@@ -137,8 +131,7 @@ void toughness_ratios(std::string_view model, std::span<const Values> parameters
     using Model = decltype(instance);
     for (std::size_t i = 0; i < f.size(); ++i) {
       const auto p = parameters_at<Model>(parameters, i);
-      // the double next to pi/2 is what 90 degrees become
-      if (!(psi[i] >= 0 && psi[i] <= 1.5707963267948968) || !in_bounds<Model>(p)) continue;
+      if (!(psi[i] >= 0 && psi[i] <= kLargestPhaseAngle) || !in_bounds<Model>(p)) continue;
       f[i] = std::exp(Model::log_toughness(p, mixity_from_angle(psi[i])).value);
     }
   });

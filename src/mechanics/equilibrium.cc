@@ -7,9 +7,7 @@ namespace mixity {
 
 template <class Model>
 std::string_view contact_obstacle(const Parameters<Model>& p, double P) {
-  for (std::size_t i = 0; i < p.size(); ++i)
-    if (!(p[i] >= Model::parameters[i].lower && p[i] <= Model::parameters[i].upper))
-      return "a model parameter lies outside its range";
+  if (!in_bounds<Model>(p)) return "a model parameter lies outside its range";
   if (!(std::abs(P) <= kLargestLoad)) return "the load is not a number below 1e150";
   return Model::equilibrium_domain(p);
 }

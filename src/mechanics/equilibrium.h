@@ -48,6 +48,14 @@ struct Equilibrium {
 /// Largest T for which the formulas are guaranteed not to overflow.
 inline constexpr double kLargestLoad = 1e150;
 
+/// Whether each parameter lies in the range of the published law.
+template <class Model>
+bool in_bounds(const Parameters<Model>& p) {
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (!(p[i] >= Model::parameters[i].lower && p[i] <= Model::parameters[i].upper)) return false;
+  return true;
+}
+
 /// Empty if these define a contact; otherwise why not: parameters out of range or outside the domain of the law, load
 /// not finite.
 template <class Model>

@@ -48,6 +48,9 @@ Mixity<S> mixity_from_loads(const S& y, const S& T) {
   return {steep ? smaller : larger, steep ? larger : smaller};
 }
 
+/// 90 degrees as they come from degrees: the double behind the one nearest to pi/2.
+inline constexpr double kLargestPhaseAngle = 1.5707963267948968;
+
 /// From the phase angle psi [rad] in [0, pi/2]. The double nearest to pi/2 means pi/2.
 inline Mixity<double> mixity_from_angle(double psi) {
   const double c = std::cos(psi);
