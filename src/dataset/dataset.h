@@ -51,6 +51,10 @@ inline constexpr std::string_view kNoPhaseAngle =
 /// Why a point whose numbers made dimensionless no double can hold well has none.
 inline constexpr std::string_view kOutOfRangeRatio = "the toughness ratio is out of range";
 
+/// An offset is one force or one area, which runs shown as on another sphere have not in common.
+inline constexpr const char* kNoOffsets =
+    "its runs are on several spheres: offsets of load, shear and area can be neither stated nor fitted";
+
 struct Excluded {
   std::size_t line;
   std::string_view reason;  // a fixed text: a file may have millions of excluded rows
@@ -74,6 +78,7 @@ struct Dataset {
   Metadata metadata;
   bool has_loads = false;                 // (P, T, A) rather than (psi, Gc)
   bool has_energies = false;              // (G_I, G_II) rather than (psi, Gc)
+  bool several_spheres = false;           // runs were measured on others than `contact` and are shown as on it
   bool toughness_known = true;            // false: energies in a unit without G_Ic; the largest G_I is 1
   std::optional<Contact> contact;         // null if the data are dimensionless or (psi, f)
   std::size_t rows = 0;                   // data rows in the file: points + excluded

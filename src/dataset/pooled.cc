@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <set>
+
+#include "dataset/number_text.h"
 
 namespace mixity {
 namespace {
@@ -52,6 +55,17 @@ void add_all(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
+/// A run on another sphere is one on the whole's, by its dimensionless quantities.
+void note_sphere(const Dataset& part, const std::string& name, Dataset& whole) {
+  if (!part.contact || part.contact->radius == whole.contact->radius) return;
+  whole.several_spheres = true;
+  const double times = whole.contact->radius / part.contact->radius;
+  whole.notes.push_back(name + ": on a sphere of " + rounded(part.contact->radius * 1e3, 6) +
+                        " mm; shown as on one of " + rounded(whole.contact->radius * 1e3, 6) +
+                        " mm, where the same contact has " + rounded(times, 4) + " times the load and shear and " +
+                        rounded(std::cbrt(times * times * times * times), 4) + " times the area");
+}
+
 /// The runs of a file become some of the whole.
 void add(Dataset part, const RunFile& file, Dataset& whole) {
   if (!part.has_loads) throw InputError(part.path, "holds no loads; only runs with P, T and A make one data set");
@@ -59,6 +73,7 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
     throw InputError(part.path, "is dimensionless where others have units, or the other way round");
   const std::size_t first_line = whole.files.back().first_line, first_run = whole.curves.size();
   const std::string name = file.name.empty() ? part.name : printable(file.name, std::string::npos);
+  note_sphere(part, name, whole);
   for (std::string& run : part.curves) {
     const std::string wanted = run = part.curves.size() == 1 ? name : name + ": " + run;
     for (int same = 2; std::find(whole.curves.begin(), whole.curves.end(), run) != whole.curves.end(); ++same)
@@ -124,6 +139,10 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
     if (const std::string problem = add_constants(stated.back(), constants); !problem.empty())
       throw InputError(metadata_path(file.path), problem);
   }
+  Metadata common = constants;
+  apply_overrides(overrides, common);
+  // what is uncertain of the radius is a share of it, that of every sphere
+  const double uncertain = common.radius ? common.standard_error("radius") / *common.radius : 0;
   Dataset whole;
   std::size_t lines = 0;
   for (const RunFile& file : files) {
@@ -132,7 +151,10 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
     copy_reading(stated[whole.files.size()], metadata);
     Overrides own = overrides;
     if (!file.load.empty()) own.emplace_back("load", file.load);
+    if (!file.sphere.empty()) own.emplace_back("radius", file.sphere);
     Dataset part = load_dataset(file.path, metadata, own);
+    if (!file.sphere.empty() && uncertain > 0)
+      part.metadata.standard_errors["radius"] = uncertain * *part.metadata.radius;
     if (whole.files.empty()) {
       whole.path = part.path;
       whole.has_loads = part.has_loads;
@@ -150,6 +172,9 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
     lines += last;
   }
   whole.name = common_name(files);
+  const Metadata& of = whole.metadata;
+  if (whole.several_spheres && (of.load_offset || of.shear_offset || of.area_offset))
+    throw InputError(whole.path, kNoOffsets);
   return whole;
 }
 

@@ -53,6 +53,9 @@ void require_what_is_asked(const Dataset& data, const FitOptions& options, Objec
       std::any_of(options.free.begin(), options.free.end(), [](Constant c) { return c != kToughness; }))
     refuse("the toughness is the only constant that can be free without loads and areas (columns P, T, A); this file " +
            std::string("has ") + columns);
+  if (data.several_spheres &&
+      std::any_of(options.free.begin(), options.free.end(), [](Constant c) { return c >= kLoadOffset; }))
+    refuse(kNoOffsets);
   if (data.has_energies && !curve && !options.free.empty())
     refuse("with energies (G_I, G_II), the toughness can be free under --objective=curve");
   if (!data.toughness_known && !(energies && !options.free.empty()))

@@ -98,15 +98,20 @@ class Reader {
           run.name = text(value, "name");
         else if (key == "load")
           run.load = text(value, "load");
+        else if (key == "sphere")
+          run.sphere = text(value, "sphere");
         else
-          fail(key,
-               "unknown key \"" + std::string(key.str()) + "\" (known: file, name, load)" +
-                   (key == "sphere" || key == "radius" ? "; runs with several spheres are several data sets" : ""));
+          fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: file, name, load, sphere)");
       }
       if (run.path.empty()) fail(entry, "a run needs a file");
       Metadata scratch;
       if (const std::string problem = run.load.empty() ? "" : set_field(scratch, "load", run.load); !problem.empty())
         fail(entry, problem);
+      if (const std::string problem = run.sphere.empty() ? "" : set_field(scratch, "radius", run.sphere);
+          !problem.empty())
+        fail(entry, problem);
+      if (scratch.standard_error("radius") > 0)
+        fail(entry, "the standard error of a sphere is that of the radius, a percentage of all: state it there");
       job.runs.push_back(run);
     }
     if (job.runs.empty()) fail(node, "runs names no file");
@@ -210,8 +215,9 @@ std::string fit_definition_text(const FitJob& job, const Dataset& data, const st
     return toml_text((none ? std::filesystem::absolute(file) : relative).string());
   };
   std::ostringstream out;
-  const bool told_apart = std::any_of(job.runs.begin(), job.runs.end(),
-                                      [](const RunFile& run) { return !run.name.empty() || !run.load.empty(); });
+  const bool told_apart = std::any_of(job.runs.begin(), job.runs.end(), [](const RunFile& run) {
+    return !run.name.empty() || !run.load.empty() || !run.sphere.empty();
+  });
   if (job.runs.empty()) {
     out << "data = " << from_there(job.data_path) << '\n';
   } else if (!told_apart) {
@@ -242,6 +248,7 @@ std::string fit_definition_text(const FitJob& job, const Dataset& data, const st
     out << "\n[[runs]]\nfile = " << from_there(run.path) << '\n';
     if (!run.name.empty()) out << "name = " << toml_text(run.name) << '\n';
     if (!run.load.empty()) out << "load = " << toml_text(run.load) << '\n';
+    if (!run.sphere.empty()) out << "sphere = " << toml_text(run.sphere) << '\n';
   }
   for (const auto& [model, numbers] : job.published) {
     if (std::find(job.models.begin(), job.models.end(), model) == job.models.end()) continue;

@@ -47,6 +47,34 @@ TEST(Pooled, ARunMayBeNamedAndLoadedByItsEntry) {
   EXPECT_DOUBLE_EQ(data.curve_loads[1], 3 * data.curve_loads[0]);
 }
 
+TEST(Pooled, ARunOnAnotherSphereIsTheSameContactAtOtherScale) {
+  const TemporaryFolder folder;
+  // on an eighth of the radius: forces 1/8, areas (1/8)^(4/3) = 1/16
+  const std::string one = folder.write("a.csv", "P [mN],T [mN],A [mm^2],sigma_A [mm^2]\n8,4,0.32,0.016\n"),
+                    other = folder.write("b.csv", "P [mN],T [mN],A [mm^2],sigma_A [mm^2]\n1,0.5,0.02,0.001\n");
+  folder.write("a.toml", "radius = \"8 mm +/- 2%\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n");
+  const Dataset data = load_pooled({{one}, {other, "", "", "1 mm"}});
+  ASSERT_EQ(data.points.size(), 2u);
+  // cbrt and a division round
+  EXPECT_NEAR(data.points[1].P, data.points[0].P, 1e-14 * data.points[0].P);
+  EXPECT_NEAR(data.points[1].T, data.points[0].T, 1e-14 * data.points[0].T);
+  EXPECT_NEAR(data.points[1].A, data.points[0].A, 1e-13 * data.points[0].A);
+  EXPECT_NEAR(data.errors[1].A, data.errors[0].A, 1e-13 * data.errors[0].A);
+  EXPECT_TRUE(data.several_spheres);
+  ASSERT_EQ(data.notes.size(), 1u);
+  EXPECT_EQ(
+      data.notes[0],
+      "b: on a sphere of 1 mm; shown as on one of 8 mm, where the same contact has 8 times the load and shear and "
+      "16 times the area");
+  // the share of the radius that is uncertain is that of every sphere, the first as well
+  const Dataset turned = load_pooled({{other, "", "", "1 mm"}, {one}});
+  EXPECT_DOUBLE_EQ(turned.metadata.standard_error("radius"), 0.02e-3);
+  EXPECT_NE(input_error([&] {
+              load_pooled({{one}, {other, "", "", "1 mm"}}, {{"shear_offset", "0 +/- 0.1 mN"}});
+            }).find("on several spheres: offsets"),
+            std::string::npos);
+}
+
 TEST(Pooled, PointsOfAFileCanBeLeftOutByItsName) {
   const TemporaryFolder folder;
   std::vector<RunFile> files;
