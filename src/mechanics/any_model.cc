@@ -7,6 +7,7 @@
 #include "mechanics/batch.h"
 #include "mechanics/contact.h"
 #include "mechanics/sampling.h"
+#include "mechanics/sensitivity.h"
 
 namespace mixity {
 namespace {
@@ -123,6 +124,20 @@ void areas(std::string_view model, std::span<const Values> parameters, Values P,
   if (with_rows(model, parameters, fill)) return;
   std::fill(A.begin(), A.end(), kNaN);
   std::fill(status.begin(), status.end(), EquilibriumStatus::invalid);
+}
+
+void area_slopes(std::string_view model, std::span<const Values> parameters, Values P, Values T,
+                 std::span<const double> A, std::span<const std::span<double>> slopes) {
+  for (const std::span<double> of_one : slopes) std::fill(of_one.begin(), of_one.end(), kNaN);
+  with_rows(model, parameters, [&](auto instance) {
+    using Model = decltype(instance);
+    for (std::size_t i = 0; i < A.size(); ++i) {
+      const double y = edge_load(radius_from_area(A[i]), P[i]);
+      if (!(y >= 0)) continue;
+      const auto gradient = equilibrium_gradient<Model>(parameters_at<Model>(parameters, i), P[i], std::abs(T[i]), y);
+      for (std::size_t k = 0; k < slopes.size(); ++k) slopes[k][i] = -gradient.parameters[k] / gradient.A;
+    }
+  });
 }
 
 void toughness_ratios(std::string_view model, std::span<const Values> parameters, Values psi, std::span<double> f) {

@@ -40,6 +40,11 @@ std::string parameters_problem(std::string_view model, std::span<const double> p
 void areas(std::string_view model, std::span<const Values> parameters, Values P, Values T, std::span<double> A,
            std::span<EquilibriumStatus> status);
 
+/// Derivatives of these areas: slopes[k][i] = dA[i]/d parameter k = -F_k/F_A of the equilibrium's gradient
+/// (sensitivity.h), each of A's length. NaN where A[i] is; not finite on a fold, where dA/dT is not either.
+void area_slopes(std::string_view model, std::span<const Values> parameters, Values P, Values T,
+                 std::span<const double> A, std::span<const std::span<double>> slopes);
+
 /// f = G_c/G_Ic at phase angles psi [rad], 0..pi/2; NaN outside, and for parameters out of range. May be infinite at
 /// pi/2.
 void toughness_ratios(std::string_view model, std::span<const Values> parameters, Values psi, std::span<double> f);

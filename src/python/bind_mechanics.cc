@@ -58,6 +58,14 @@ void bind_mechanics(nb::module_& m) {
     areas(model, all, values_of(P), values_of(T), span_of(A),
           {reinterpret_cast<EquilibriumStatus*>(status.data()), status.size()});
   });
+  m.def("area_slopes", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
+                          const Numbers& T, const Numbers& A, const std::vector<Output>& slopes) {
+    const std::vector<Values> all = all_values(parameters);
+    std::vector<std::span<double>> out;
+    for (const Output& one : slopes) out.push_back(span_of(one));
+    const nb::gil_scoped_release released;
+    area_slopes(model, all, values_of(P), values_of(T), {A.data(), A.size()}, out);
+  });
   m.def("toughness_ratios",
         [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& psi, const Output& f) {
           const std::vector<Values> all = all_values(parameters);

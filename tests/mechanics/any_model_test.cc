@@ -73,6 +73,42 @@ TEST(AnyModel, TakesOneValueForAllOrOneForEach) {
   }
 }
 
+TEST(AnyModel, HasTheSlopesOfItsAreas) {
+  const double P = 2, m = 1.3;
+  const std::vector<double> T{0, 3, -8, 12, 500};
+  for (const std::string model : {"a", "b", "c", "bk"}) {
+    const std::vector<double> p = model == "bk" ? std::vector{1.8, m} : std::vector{0.15};
+    const auto at = [&](const std::vector<double>& values) {
+      std::vector<Values> all;
+      for (const double& one : values) all.push_back({&one, 0});
+      std::vector<double> A(T.size());
+      std::vector<EquilibriumStatus> status(T.size());
+      areas(model, all, {&P, 0}, {T.data(), 1}, A, status);
+      return A;
+    };
+    std::vector<Values> all;
+    for (const double& one : p) all.push_back({&one, 0});
+    std::vector<std::vector<double>> slopes(p.size(), std::vector<double>(T.size()));
+    const std::vector<std::span<double>> out(slopes.begin(), slopes.end());
+    const std::vector<double> A = at(p);
+    area_slopes(model, all, {&P, 0}, {T.data(), 1}, A, out);
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      const double h = 1e-5;
+      std::vector<double> above = p, below = p;
+      above[k] += h;
+      below[k] -= h;
+      const std::vector<double> more = at(above), less = at(below);
+      EXPECT_EQ(slopes[k][0], 0) << model;
+      for (std::size_t i = 0; i < T.size(); ++i) {
+        ASSERT_EQ(std::isnan(slopes[k][i]), std::isnan(A[i])) << model;
+        // central differences are right to h^2
+        if (std::isnan(A[i])) continue;
+        EXPECT_NEAR(slopes[k][i], (more[i] - less[i]) / (2 * h), 1e-6) << model << ' ' << i;
+      }
+    }
+  }
+}
+
 TEST(AnyModel, HasTheToughnessOfItsFormula) {
   const double lambda = 0.3, half_pi = std::acos(0.0);
   const std::vector<double> psi{0, 0.4, half_pi, -0.1, 1.6};

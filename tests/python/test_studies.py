@@ -1,7 +1,10 @@
 """Plans, simulated experiments, and campaigns on other processes."""
 
 import functools
+import pathlib
 import pickle
+import subprocess
+import sys
 import time
 from concurrent.futures import ProcessPoolExecutor
 
@@ -106,3 +109,17 @@ def test_campaigns_lose_nothing_when_a_worker_is_killed(plan):
                 return future
 
         assert mixity.campaign(work, 60, Killer(), chunk=3) == here
+
+
+def test_calibrate_says_the_same_on_one_process_and_on_two():
+    tool = pathlib.Path(__file__).parents[2] / "tools/calibrate"
+    told = [
+        subprocess.run(
+            [sys.executable, tool, "--models=c", "--lambdas=0.15", "--replicates=6", "--compare-replicates=2", f"--jobs={jobs}"],
+            capture_output=True, text=True, check=True,
+        ).stdout
+        for jobs in (1, 2)
+    ]
+    assert told[0] == told[1]
+    rows = [line.split("|") for line in told[0].splitlines() if line.startswith("|     c")]
+    assert len(rows) == 6 and all(row[4].strip() in ("6", "2") for row in rows)

@@ -6,7 +6,24 @@ import lmfit
 import numpy as np
 
 from . import _core
-from .scipy import areas_to_the_fold
+from .scipy import areas_to_the_fold, slopes
+
+
+class _Area(lmfit.Model):
+    """Gives leastsq, lmfit's default, the engine's derivatives."""
+
+    def fit(self, data, params=None, weights=None, method="leastsq", fit_kws=None, **given):
+        tied = params is not None and any(one.expr for one in params.values())
+        if method == "leastsq" and not tied:
+            fit_kws = {"Dfun": self._slopes_of_residual, "col_deriv": False, **(fit_kws or {})}
+        return super().fit(data, params, weights, method, fit_kws=fit_kws, **given)
+
+    def _slopes_of_residual(self, params, data, weights, *, P, T, **_):
+        """Of what lmfit minimises, data less model."""
+        x = [params[name].value for name in self.param_names]
+        by_name = dict(zip(self.param_names, slopes(self.key, x, *self.loads(P, T))))
+        columns = np.column_stack([-self.area_unit * by_name[name] for name in params if params[name].vary])
+        return columns if weights is None else columns * np.reshape(weights, (-1, 1))
 
 
 def model(key, *, contact=None):
@@ -20,7 +37,7 @@ def model(key, *, contact=None):
 
     Notes
     -----
-    Beyond the last equilibrium the area there counts, so that a minimiser sees no NaN. For intervals that hold what is
+    The engine's derivatives serve lmfit's default method, leastsq. Beyond the last equilibrium the area there counts, so that a minimiser sees no NaN. For intervals that hold what is
     not known of the constants, and for a verdict, use :func:`mixity.fit`.
 
     Examples
@@ -37,16 +54,19 @@ def model(key, *, contact=None):
     units = _mechanics._Units(contact)
     names = [_python_name(name) for name in _core.parameter_names(key)]
 
+    def loads(P, T):
+        return np.broadcast_arrays(np.asarray(P, float) / units.force, np.abs(np.asarray(T, float)) / units.force)
+
     def area(P, T, **parameters):
         x = [parameters[name] for name in names]
-        loads, shears = np.broadcast_arrays(np.asarray(P, float) / units.force, np.abs(np.asarray(T, float)) / units.force)
-        return units.area * areas_to_the_fold(key, x, loads, shears)
+        return units.area * areas_to_the_fold(key, x, *loads(P, T))
 
     # lmfit takes the names of parameters from the signature
     area.__signature__ = inspect.Signature(
         [inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD) for name in ("P", "T", *names)]
     )
-    made = lmfit.Model(area, independent_vars=["P", "T"], name=f"mixity {key}")
+    made = _Area(area, independent_vars=["P", "T"], name=f"mixity {key}")
+    made.key, made.loads, made.area_unit = key, loads, units.area
     for name, (low, high) in zip(names, _core.parameter_bounds(key)):
         made.set_param_hint(name, min=low, max=high)
     return made

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from . import _mechanics
+from . import _core, _mechanics
 
 
 def residuals(model, P, T, A, *, sigma=None, contact=None):
@@ -20,7 +20,7 @@ def residuals(model, P, T, A, *, sigma=None, contact=None):
     -------
     fun, jac : callables
         ``fun(x)``: shape (n,), the model's area less A; beyond the last equilibrium the area there. ``jac(x)``: shape
-        (n, p), from central differences of the smooth inverse T(A); 0 where T is, and beyond the fold.
+        (n, p), the engine's derivatives dA/dx = -F_x/F_A of the equilibrium F = 0; 0 on and beyond the fold.
 
     Examples
     --------
@@ -59,22 +59,10 @@ def areas_to_the_fold(model, x, P, T):
 
 
 def slopes(model, x, P, T):
-    """dA/dx for each parameter: dA/dx = -(dT/dx at constant A)/(dT/dA), both of the inverse T(A), which is smooth."""
-    lam = [float(one) for one in x]
-    A, status = _mechanics.area(model, tuple(lam), P, T, return_status=True)
-    found = []
-    step_A = 1e-6 * A
-    rise = (
-        _mechanics.tangential_load(model, tuple(lam), P, A + step_A)
-        - _mechanics.tangential_load(model, tuple(lam), P, A - step_A)
-    ) / (2 * step_A)
-    for k in range(len(lam)):
-        step = 1e-6 * max(abs(lam[k]), 1e-6)
-        above, below = ([*lam[:k], lam[k] + sign * step, *lam[k + 1 :]] for sign in (1, -1))
-        by_x = (
-            _mechanics.tangential_load(model, tuple(above), P, A) - _mechanics.tangential_load(model, tuple(below), P, A)
-        ) / (2 * step)
-        with np.errstate(all="ignore"):
-            slope = -by_x / rise
-        found.append(np.where((status == 0) & (T > 0) & np.isfinite(slope), slope, 0.0))
-    return found
+    """dA/dx for each parameter at dimensionless loads; 0 on and beyond the fold, where the areas above do not depend on
+    it smoothly."""
+    lam = [np.array([float(one)]) for one in x]
+    A = _mechanics.area(model, tuple(map(float, x)), P, T)
+    found = [np.empty(A.size) for _ in lam]
+    _core.area_slopes(model, lam, np.ascontiguousarray(P).ravel(), np.ascontiguousarray(T).ravel(), A.ravel(), found)
+    return [np.where(np.isfinite(slope), slope, 0.0).reshape(A.shape) for slope in found]
