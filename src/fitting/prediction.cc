@@ -1,6 +1,5 @@
 #include "fitting/prediction.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -9,15 +8,58 @@
 namespace mixity {
 namespace {
 
-/// Free parameters with standard errors, in the order of FitResult::correlations; empty if one has none.
-std::vector<std::size_t> uncertain_parameters(const FitResult& fit) {
-  std::vector<std::size_t> free;
-  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
-    if (fit.parameters[k].held) continue;
-    if (!fit.parameters[k].stderr_) return {};
-    free.push_back(k);
+/// What a fold of the contact is as measured, where constants were fitted.
+Fold measured(Fold fold, const Constants& c) {
+  const ConstantsScale scale(c);
+  fold.T = fold.T / scale.force - scale.shear_offset;
+  fold.A = scale.measured_area(fold.A);
+  fold.u *= std::exp(c[kRadius] + 2.0 / 3 * (c[kToughness] - c[kModulus] - c[kRadius]));  // R/xi^2
+  fold.area_after = fold.area_after > 0 ? scale.measured_area(fold.area_after) : 0;
+  return fold;
+}
+
+/// The folds under one control; says why there is no curve.
+template <class Model>
+std::vector<Fold> folds_at(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
+                           Control control, std::string& problem) {
+  const Candidate<Model> candidate = fitted_candidate<Model>(data, fit, options);
+  const Constants& c = candidate.constants;
+  const double load = ConstantsScale(c).load(P);
+  const LoadedContact<Model> contact(candidate.parameters, load);
+  problem = contact.obstacle();
+  if (problem.empty() && !contact.in_contact()) problem = "no contact exists below the pull-off load -3 pi/2 R G_Ic";
+  if (!problem.empty()) return {};
+  control.stiffness /= std::exp(2.0 / 3 * (c[kModulus] + c[kRadius]) + c[kToughness] / 3);  // of xi^2 G_Ic
+  std::vector<Fold> folds;
+  for (const Fold& fold : find_folds(EquilibriumCurve<Model>(candidate.parameters, load), control))
+    folds.push_back(measured(fold, c));
+  return folds;
+}
+
+template <class Model>
+FoldsPrediction predict_folds(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
+                              const std::vector<Control>& controls) {
+  FoldsPrediction predicted;
+  for (const Control control : controls) {
+    const std::vector<Fold> folds = folds_at<Model>(data, fit, options, P, control, predicted.problem);
+    if (!predicted.problem.empty()) return predicted;
+    const std::vector<Derived> numbers = propagate(fit, [&](const FitResult& near) {
+      std::string ignored;
+      const std::vector<Fold> same = folds_at<Model>(data, near, options, P, control, ignored);
+      std::vector<std::optional<double>> values(3 * folds.size());
+      // a fold that appears or goes within a thousandth of a standard error has no derivative
+      for (std::size_t i = 0; same.size() == folds.size() && i < folds.size(); ++i) {
+        values[3 * i] = same[i].T;
+        values[3 * i + 1] = same[i].u;
+        values[3 * i + 2] = same[i].A;
+      }
+      return values;
+    });
+    for (std::size_t i = 0; i < folds.size(); ++i)
+      predicted.folds.push_back({control, folds[i].place.maximum, numbers[3 * i], numbers[3 * i + 1],
+                                 numbers[3 * i + 2], folds[i].psi, folds[i].jumps_to, folds[i].area_after});
   }
-  return free;
+  return predicted;
 }
 
 template <class Model>
@@ -29,51 +71,25 @@ std::vector<AreaPrediction> predict(const Dataset& data, const FitResult& fit, c
     for (std::size_t i = 0; i < P.size(); ++i) areas.push_back(predicted.at(P[i], T[i]));
     return areas;
   };
+  const std::vector<Derived> numbers = propagate(fit, [&](const FitResult& with) {
+    std::vector<std::optional<double>> values;
+    for (const PredictedArea& area : at_all(with))
+      values.push_back(area.state == PredictedArea::State::equilibrium ? std::optional(area.value) : std::nullopt);
+    return values;
+  });
   std::vector<AreaPrediction> predictions;
   for (const PredictedArea& area : at_all(fit)) {
-    const bool ok = area.state == PredictedArea::State::equilibrium;
-    predictions.push_back({ok                                              ? EquilibriumStatus::ok
-                           : area.state == PredictedArea::State::undefined ? EquilibriumStatus::invalid
-                                                                           : EquilibriumStatus::no_equilibrium,
-                           ok ? area.value : 0});
-  }
-  const std::vector<std::size_t> free = uncertain_parameters(fit);
-  if (free.empty()) return predictions;
-  constexpr double kStep = 1e-3;  // standard errors
-  // derivatives times standard errors, [parameter][point]; beyond the fold on one side, the other one tells
-  std::vector<std::vector<double>> slopes;
-  for (const std::size_t k : free) {
-    const FittedParameter& parameter = fit.parameters[k];
-    const auto moved = [&](double steps) {
-      FitResult one = fit;
-      one.parameters[k].value =
-          std::clamp(*parameter.value + steps * kStep * *parameter.stderr_, parameter.lower, parameter.upper);
-      return std::pair(at_all(one), (*one.parameters[k].value - *parameter.value) / *parameter.stderr_);
-    };
-    const auto [below, down] = moved(-1);
-    const auto [above, up] = moved(1);
-    std::vector<double>& slope = slopes.emplace_back();
-    for (std::size_t i = 0; i < P.size(); ++i) {
-      const bool low = below[i].state == PredictedArea::State::equilibrium,
-                 high = above[i].state == PredictedArea::State::equilibrium;
-      const double A = predictions[i].A, from = low ? below[i].value : A, to = high ? above[i].value : A,
-                   width = (high ? up : 0) - (low ? down : 0);
-      slope.push_back(width > 0 ? (to - from) / width : 0);
-    }
-  }
-  const std::size_t p = free.size();
-  for (std::size_t i = 0; i < P.size(); ++i) {
-    if (predictions[i].status != EquilibriumStatus::ok) continue;
-    double variance = 0;
-    for (std::size_t k = 0; k < p; ++k)
-      for (std::size_t l = 0; l < p; ++l)
-        variance += slopes[k][i] * slopes[l][i] *
-                    (k == l                             ? 1
-                     : fit.correlations.size() == p * p ? fit.correlations[k * p + l]
-                                                        : 0);
-    predictions[i].standard_error = std::sqrt(std::max(variance, 0.0));
+    const Derived& number = numbers[predictions.size()];
+    const EquilibriumStatus none =
+        area.state == PredictedArea::State::undefined ? EquilibriumStatus::invalid : EquilibriumStatus::no_equilibrium;
+    predictions.push_back(
+        {number.value ? EquilibriumStatus::ok : none, number.value.value_or(0), number.standard_error});
   }
   return predictions;
+}
+
+void require(bool known, const FitResult& fit) {
+  if (!known) throw std::invalid_argument("no model is called '" + fit.model + "'");
 }
 
 }  // namespace
@@ -82,9 +98,19 @@ std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResul
                                              std::span<const double> P, std::span<const double> T) {
   if (!has_all_values(fit)) return {};
   std::vector<AreaPrediction> predictions;
-  if (!with_model(fit.model, [&](auto model) { predictions = predict<decltype(model)>(data, fit, options, P, T); }))
-    throw std::invalid_argument("no model is called '" + fit.model + "'");
+  require(with_model(fit.model, [&](auto model) { predictions = predict<decltype(model)>(data, fit, options, P, T); }),
+          fit);
   return predictions;
+}
+
+FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
+                                 const std::vector<Control>& controls) {
+  if (!has_all_values(fit)) return {{}, "the fit has no values"};
+  FoldsPrediction predicted;
+  require(with_model(fit.model,
+                     [&](auto model) { predicted = predict_folds<decltype(model)>(data, fit, options, P, controls); }),
+          fit);
+  return predicted;
 }
 
 }  // namespace mixity

@@ -1,12 +1,15 @@
-// What a fit says of areas at any loads, with what it does not know.
+// What a fit says of areas, and of jumps, at any loads, with what it does not know (propagation.h).
 #pragma once
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "fitting/propagation.h"
 #include "fitting/result.h"
 #include "mechanics/equilibrium.h"
+#include "mechanics/folds.h"
 
 namespace mixity {
 
@@ -18,10 +21,28 @@ struct AreaPrediction {
   std::optional<double> standard_error{};
 };
 
-/// At loads as they are read (offsets that were fitted are added to them); `options` are those of the fit. To first
-/// order (delta method): the area's derivatives by central differences, a thousandth of a standard error wide, on the
-/// covariance of the fit. Empty if the fit has no values. Throws std::invalid_argument for a model that is none.
+/// At loads as they are read (offsets that were fitted are added to them); `options` are those of the fit. Empty if the
+/// fit has no values. Throws std::invalid_argument for a model that is none.
 std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResult& fit, const FitOptions& options,
                                              std::span<const double> P, std::span<const double> T);
+
+/// A fold as it would be measured, with standard errors; dimensionless.
+struct FoldPrediction {
+  Control control;
+  bool on_loading;  // else on reversal
+  Derived T, u, A;
+  double psi;  // [rad], at the fit itself
+  Jump jumps_to;
+  double area_after;  // 0 off contact
+};
+
+/// Folds at a load as it is read, under each of the controls, in the order in which they are met (find_folds). The
+/// stiffness of a control is in units of xi^2 G_Ic of the data set's own constants.
+struct FoldsPrediction {
+  std::vector<FoldPrediction> folds{};
+  std::string problem{};  // why there is no curve: no value, no contact, no law
+};
+FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
+                                 const std::vector<Control>& controls);
 
 }  // namespace mixity
