@@ -1,10 +1,12 @@
-// mixity curve: the whole equilibrium curve at a normal load, or a(P) at a tangential load, as CSV.
+// mixity curve: the whole equilibrium curve at a normal load, or a(P) at a tangential load, as CSV; of a fit A(T) with
+// its band, up to where the contact jumps.
 #include <cmath>
 #include <iostream>
 
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
+#include "cli/fitted_contact.h"
 #include "mechanics/constant_shear.h"
 #include "mechanics/sampling.h"
 
@@ -70,7 +72,13 @@ void print_at_shear(const Parameters<Model>& p, const OutputUnits& units) {
 }  // namespace
 
 int run_curve(const Arguments& arguments) {
-  require_flags_only("curve", arguments);
+  if (!arguments.empty()) {
+    if (is_set("shear") || is_set("chord"))
+      throw UsageError("flags '--shear' and '--chord' are of a contact by itself");
+    const FittedContact fitted("curve", arguments);
+    fitted.print_areas([&](const Load& P) { return fitted.shears_to_the_jump(P, point_count()); });
+    return fitted.exit_code();
+  }
   require_model("model", FLAGS_model);
   if (is_set("load") == is_set("shear"))
     throw UsageError("curve needs either --load (A against T) or --shear (a against P)");

@@ -1,36 +1,100 @@
 // mixity instability: every fold of the equilibrium curve, under load and displacement control and, if asked for,
-// through a loading apparatus of given stiffness.
+// through a loading apparatus of given stiffness; of given parameters, or of what is fitted to data.
 #include <iostream>
 
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
-#include "mechanics/equilibrium.h"
+#include "cli/fitted_contact.h"
+#include "mechanics/any_model.h"
 #include "report/instability_text.h"
 
 namespace mixity::cli {
+namespace {
+
+const std::string kStiffness = "N/m";
+
+/// Load, displacement, and the stiffness of the flag, dimensionless.
+std::vector<Control> controls(const std::optional<Contact>& contact) {
+  std::vector<Control> list{{Control::Kind::load}, {Control::Kind::displacement}};
+  if (!is_set("stiffness")) return list;
+  const auto given = parse_quantity(FLAGS_stiffness);
+  const bool bare = given && given->unit.text.empty();
+  if (!given || (!bare && given->unit.dimension != parse_unit(kStiffness)->dimension))
+    throw UsageError("flag '--stiffness' is '" + FLAGS_stiffness + "'; it must be " +
+                     (contact ? "a stiffness such as \"1200 N/m\"" : "a number"));
+  if (bare == contact.has_value())
+    throw UsageError(contact ? "flag '--stiffness' needs a unit, such as N/m"
+                             : "flag '--stiffness' has a unit; that needs --radius, --modulus and --toughness");
+  const double stiffness = contact ? given->si() / contact->stiffness_unit() : given->value;
+  if (!(stiffness >= 1e-150 && stiffness <= 1e150)) throw UsageError("flag '--stiffness' must be above 0");
+  list.push_back({Control::Kind::stiffness, stiffness});
+  return list;
+}
+
+template <class Model>
+InstabilityReport of_flags() {
+  const Parameters<Model> p = parameters_from_flags<Model>();
+  const OutputUnits shown = output_units();
+  const Load load = load_from("load", FLAGS_load, shown);
+  InstabilityReport report{std::string(Model::info.key), {}};
+  if (shown.contact)
+    report.units = {shown.force,
+                    shown.area(),
+                    shown.length,
+                    kStiffness,
+                    shown.force_scale,
+                    shown.area_scale,
+                    shown.displacement_scale,
+                    shown.contact->stiffness_unit()};
+  for (std::size_t i = 0; i < p.size(); ++i)
+    report.parameters.push_back({std::string(Model::parameters[i].name), {p[i]}});
+  InstabilityReport::AtLoad at{load.shown, {}};
+  for (const Control& control : controls(shown.contact)) {
+    const FoldsOrProblem found = folds_of(Model::info.key, p, load.dimensionless, control);
+    if (!found.problem.empty()) throw UsageError(found.problem);
+    for (const Fold& fold : found.folds)
+      at.predicted.folds.push_back(
+          {control, fold.place.maximum, {fold.T}, {fold.u}, {fold.A}, fold.psi, fold.jumps_to, fold.area_after});
+  }
+  report.loads.push_back(std::move(at));
+  return report;
+}
+
+InstabilityReport of_fit(const FittedContact& fitted) {
+  const Dataset& data = fitted.data();
+  const FitResult& fit = fitted.fit();
+  InstabilityReport report{fit.model, {}, data.name + ", status " + std::string(to_string(fit.status))};
+  if (data.contact)
+    report.units = {data.display.force,
+                    data.display.area,
+                    "um",
+                    kStiffness,
+                    data.display.force_scale,
+                    data.display.area_scale,
+                    data.contact->displacement_unit() * 1e6,
+                    data.contact->stiffness_unit()};
+  for (const FittedParameter& one : fit.parameters)
+    if (one.unit.empty() && one.value && !one.prior) report.parameters.push_back({one.name, {one.value, one.stderr_}});
+  for (const Load& load : fitted.loads())
+    report.loads.push_back({load.shown, fitted.folds(load, controls(data.contact))});
+  return report;
+}
+
+void print(const InstabilityReport& report) {
+  std::cout << (FLAGS_format == "json" ? to_json(report) : to_text(report));
+}
+
+}  // namespace
 
 int run_instability(const Arguments& arguments) {
-  require_flags_only("instability", arguments);
+  if (!arguments.empty()) {
+    const FittedContact fitted("instability", arguments);
+    print(of_fit(fitted));
+    return fitted.exit_code();
+  }
   require_model("model", FLAGS_model);
-  with_model(FLAGS_model, [](auto model) {
-    using Model = decltype(model);
-    const Parameters<Model> p = parameters_from_flags<Model>();
-    const double load = number_from("load", FLAGS_load, -1e150);
-    const LoadedContact<Model> contact(p, load);
-    if (!contact.obstacle().empty()) throw UsageError(std::string(contact.obstacle()));
-    if (!contact.in_contact()) throw UsageError("flag '--load': no contact exists below the pull-off load -3 pi/2");
-
-    std::vector<Control> controls{{Control::Kind::load}, {Control::Kind::displacement}};
-    if (is_set("stiffness"))
-      controls.push_back({Control::Kind::stiffness, number_from("stiffness", FLAGS_stiffness, 1e-150)});
-    InstabilityReport report{std::string(Model::info.key), {}, load, {}};
-    for (std::size_t i = 0; i < p.size(); ++i) report.parameters.emplace_back(Model::parameters[i].name, p[i]);
-    const EquilibriumCurve<Model> curve(p, load);
-    for (const Control& control : controls)
-      for (const Fold& fold : find_folds(curve, control)) report.folds.push_back(fold);
-    std::cout << (FLAGS_format == "json" ? to_json(report) : to_text(report));
-  });
+  with_model(FLAGS_model, [](auto model) { print(of_flags<decltype(model)>()); });
   return kFine;
 }
 

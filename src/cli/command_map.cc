@@ -5,6 +5,7 @@
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
 #include "mechanics/regimes.h"
+#include "report/rounding.h"
 
 namespace mixity::cli {
 namespace {
@@ -13,6 +14,35 @@ struct Range {
   double low, high;
   double at(int i) const { return i + 1 < FLAGS_grid ? low + (high - low) * i / (FLAGS_grid - 1) : high; }
 };
+
+/// Two rising loads, as shown.
+Range load_range(const OutputUnits& units) {
+  constexpr double kPullOff = -4.71238898038469, kLargest = 1e8;
+  const bool given = is_set("load_range");
+  const std::vector<Load> ends = loads_from("load_range", FLAGS_load_range, given ? units : OutputUnits{});
+  if (ends.size() == 2 && ends[0].dimensionless >= kPullOff && ends[0].dimensionless < ends[1].dimensionless &&
+      ends[1].dimensionless <= kLargest) {
+    const double unit = given ? 1 : units.force_scale;
+    return {ends[0].shown * unit, ends[1].shown * unit};
+  }
+  const auto shown = [&](double load) { return rounded(load * units.force_scale, 15) + unit_text(units.force); };
+  throw UsageError("flag '--load_range' is '" + FLAGS_load_range + "'; it must be two rising loads from " +
+                   shown(kPullOff) + " to " + shown(kLargest));
+}
+
+/// tau0 in units of E*/xi.
+std::optional<double> strength(const OutputUnits& units) {
+  if (!is_set("tau0")) return std::nullopt;
+  const auto given = parse_quantity(FLAGS_tau0);
+  const bool bare = given && given->unit.text.empty(), fits = given && given->unit.dimension == dimension::stress;
+  if (!given || !(units.contact ? fits : bare))
+    throw UsageError("flag '--tau0' is '" + FLAGS_tau0 + "'; it must be " +
+                     (units.contact ? "a stress such as \"0.43 MPa\""
+                                    : "a number; with a unit it needs --radius, --modulus and --toughness"));
+  const double tau0 = units.contact ? given->si() / units.contact->stress_unit() : given->value;
+  if (!(tau0 >= 1e-150 && tau0 <= 1e150)) throw UsageError("flag '--tau0' must be above 0");
+  return tau0;
+}
 
 Range range_from(const std::string& flag, const std::string& text, double lowest, double highest) {
   const std::vector<std::string> items = split_list(flag, text);
@@ -27,38 +57,39 @@ Range range_from(const std::string& flag, const std::string& text, double lowest
 std::string finite_or_empty(double value) { return std::isfinite(value) ? shortest(value) : std::string(); }
 
 template <class Model>
-void print_grid(const Range& loads, const Range& lambdas, std::optional<double> tau0) {
-  std::cout << "P,lambda,regime,fracture,T_end,jumps_to,T_strength\n";
+void print_grid(const Range& loads, const Range& lambdas, std::optional<double> tau0, const OutputUnits& units) {
+  std::cout << units.header("P", units.force) << ",lambda,regime,fracture," << units.header("T_end", units.force)
+            << ",jumps_to," << units.header("T_strength", units.force) << '\n';
   for (int i = 0; i < FLAGS_grid; ++i)
     for (int j = 0; j < FLAGS_grid; ++j) {
       const double P = loads.at(i), lambda = lambdas.at(j);
-      const RegimeReport report = classify<Model>({lambda}, P, tau0);
+      const RegimeReport report = classify<Model>({lambda}, P / units.force_scale, tau0);
       std::cout << shortest(P) << ',' << shortest(lambda) << ',' << static_cast<int>(report.regime) << ','
-                << static_cast<int>(report.fracture) << ',' << finite_or_empty(report.T_end) << ','
+                << static_cast<int>(report.fracture) << ',' << finite_or_empty(report.T_end * units.force_scale) << ','
                 << (report.jumps_to ? to_string(*report.jumps_to) : "") << ','
-                << (report.T_strength ? shortest(*report.T_strength) : "") << '\n';
+                << (report.T_strength ? shortest(*report.T_strength * units.force_scale) : "") << '\n';
     }
 }
 
 /// The lines between regimes inside the ranges, as points.
 template <class Model>
-void print_boundaries(const Range& loads, const Range& lambdas) {
+void print_boundaries(const Range& loads, const Range& lambdas, const OutputUnits& units) {
   const auto inside = [](const Range& range, double x) { return x >= range.low && x <= range.high; };
   const auto line = [&](std::string_view name, double P, double lambda) {
     if (inside(loads, P) && inside(lambdas, lambda))
       std::cout << name << ',' << shortest(P) << ',' << shortest(lambda) << '\n';
   };
-  std::cout << "boundary,P,lambda\n";
+  std::cout << "boundary," << units.header("P", units.force) << ",lambda\n";
   for (int i = 0; i < FLAGS_grid; ++i) {
     if constexpr (std::is_same_v<Model, Johnson>)
-      line("jump", loads.at(i), model_a_jump_boundary(loads.at(i)).lambda);
+      line("jump", loads.at(i), model_a_jump_boundary(loads.at(i) / units.force_scale).lambda);
     else if constexpr (std::is_same_v<Model, WatersGuduru>)
-      line("jump", model_b_critical_load(lambdas.at(i)), lambdas.at(i));
+      line("jump", model_b_critical_load(lambdas.at(i)) * units.force_scale, lambdas.at(i));
   }
   // Where a jump ends off contact rather than on Hertz: no Hertz contact exists at P <= 0.
   for (int i = 0; i < FLAGS_grid; ++i) {
     if constexpr (std::is_same_v<Model, Johnson>) {
-      if (loads.at(i) <= 0) line("off_contact", loads.at(i), model_a_closing_lambda(loads.at(i)));
+      if (loads.at(i) <= 0) line("off_contact", loads.at(i), model_a_closing_lambda(loads.at(i) / units.force_scale));
     } else if (lambdas.at(i) > 0) {
       line("off_contact", 0, lambdas.at(i));
     }
@@ -71,16 +102,17 @@ int run_map(const Arguments& arguments) {
   require_flags_only("map", arguments);
   require_model("model", FLAGS_model);
   if (FLAGS_grid < 2 || FLAGS_grid > 10000) throw UsageError("flag '--grid' must lie between 2 and 10000");
-  std::optional<double> tau0;
   if (is_set("tau0") && FLAGS_boundaries) throw UsageError("flags '--tau0' and '--boundaries': give one of them");
-  if (is_set("tau0")) tau0 = number_from("tau0", FLAGS_tau0, 1e-150);
+  const OutputUnits units = output_units();
+  const std::optional<double> tau0 = strength(units);
   with_model(FLAGS_model, [&](auto model) {
     using Model = decltype(model);
     if constexpr (parameter_count<Model> == 1) {
-      const Range loads = range_from("load_range", FLAGS_load_range, -4.71238898038469, 1e8);
+      const Range loads = load_range(units);
       const Range lambdas =
           range_from("lambda_range", FLAGS_lambda_range, Model::parameters[0].lower, Model::parameters[0].upper);
-      FLAGS_boundaries ? print_boundaries<Model>(loads, lambdas) : print_grid<Model>(loads, lambdas, tau0);
+      FLAGS_boundaries ? print_boundaries<Model>(loads, lambdas, units)
+                       : print_grid<Model>(loads, lambdas, tau0, units);
     } else {
       throw UsageError("map is over load and lambda; model " + std::string(Model::info.key) + " has other parameters");
     }

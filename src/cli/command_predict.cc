@@ -1,9 +1,10 @@
-// mixity predict: one model, one normal load, areas at a list of tangential loads.
+// mixity predict: areas at a list of tangential loads; of one model at one normal load, or of a fit with its band.
 #include <iostream>
 
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
+#include "cli/fitted_contact.h"
 #include "mechanics/prediction.h"
 
 namespace mixity::cli {
@@ -43,7 +44,12 @@ void predict() {
 }  // namespace
 
 int run_predict(const Arguments& arguments) {
-  require_flags_only("predict", arguments);
+  if (!arguments.empty()) {
+    const FittedContact fitted("predict", arguments);
+    const std::vector<Load> shears = fitted.loads_of("shear", FLAGS_shear);
+    fitted.print_areas([&](const Load&) { return shears; });
+    return fitted.exit_code();
+  }
   require_model("model", FLAGS_model);
   with_model(FLAGS_model, [](auto model) { predict<decltype(model)>(); });
   return kFine;

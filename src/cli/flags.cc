@@ -69,9 +69,12 @@ DEFINE_int32(points, 201, "number of points, uniform in phi");
 DEFINE_string(
     chord, "",
     "instead of --points: as few points as keep straight lines within this fraction of the ranges of T and A");
-DEFINE_string(stiffness, "", "stiffness k of the loading apparatus; adds the folds it sees");
-DEFINE_string(tau0, "", "shear strength of the interface, dimensionless (tau0 xi/E*): sliding at T = tau0 A competes");
-DEFINE_string(load_range, "-4,40", "smallest and largest normal load of the map");
+DEFINE_string(stiffness, "",
+              "stiffness k of the loading apparatus, such as \"1200 N/m\", or dimensionless; adds the folds it sees");
+DEFINE_string(tau0, "",
+              "shear strength of the interface, such as \"0.43 MPa\", or dimensionless (tau0 xi/E*): sliding at T = "
+              "tau0 A competes");
+DEFINE_string(load_range, "-4,40", "smallest and largest normal load: \"0.5, 10 mN\", or dimensionless");
 DEFINE_string(lambda_range, "0,1", "smallest and largest lambda of the map");
 DEFINE_int32(grid, 41, "points of the map along each axis");
 DEFINE_bool(boundaries, false, "print the exact boundaries between regimes instead of the grid");

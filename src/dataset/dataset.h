@@ -55,6 +55,9 @@ inline constexpr std::string_view kOutOfRangeRatio = "the toughness ratio is out
 inline constexpr const char* kNoOffsets =
     "its runs are on several spheres: offsets of load, shear and area can be neither stated nor fitted";
 
+/// A note.
+inline constexpr const char* kLoadNotUsed = "the load that is stated is not used: the file has a column of loads";
+
 struct Excluded {
   std::size_t line;
   std::string_view reason;  // a fixed text: a file may have millions of excluded rows

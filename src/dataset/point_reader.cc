@@ -74,7 +74,7 @@ PointReader::PointReader(const std::string& metadata_path, const std::vector<Hea
     : load_(stated_load(data)), data_(data), columns_(data.path, headings, rules_of(data.metadata)) {
   if (columns_.has(ColumnId::P) && load_) {
     load_.reset();
-    data_.notes.emplace_back("the load that is stated is not used: the file has a column of loads");
+    data_.notes.emplace_back(kLoadNotUsed);
   }
   data_.has_loads = columns_.holds_loads();
   data_.has_energies = columns_.holds_energies();

@@ -14,7 +14,8 @@
 namespace mixity {
 
 /// An area as it would be measured, and its standard error from those of the fitted parameters and constants; null
-/// where these are not known (a parameter at a bound, not identifiable). Dimensionless, as Point has them.
+/// where these are not known (a parameter at a bound, not identifiable), and so close to a jump that a standard error
+/// of a parameter takes the contact beyond it. Dimensionless, as Point has them.
 struct AreaPrediction {
   EquilibriumStatus status;  // no_equilibrium: beyond the last one, or below pull-off; then A is 0
   double A = 0;

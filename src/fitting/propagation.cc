@@ -26,6 +26,7 @@ std::vector<Derived> propagate(const FitResult& fit, const Follows& follows) {
   if (free.empty()) return numbers;
   constexpr double kStep = 1e-3;            // standard errors
   std::vector<std::vector<double>> slopes;  // derivatives times standard errors, [parameter][number]
+  std::vector<bool> linear(numbers.size(), true);
   for (const std::size_t k : free) {
     const FittedParameter& parameter = fit.parameters[k];
     const auto moved = [&](double steps) {
@@ -34,6 +35,10 @@ std::vector<Derived> propagate(const FitResult& fit, const Follows& follows) {
           std::clamp(*parameter.value + steps * kStep * *parameter.stderr_, parameter.lower, parameter.upper);
       return std::pair(follows(one), (*one.parameters[k].value - *parameter.value) / *parameter.stderr_);
     };
+    for (const double whole : {-1 / kStep, 1 / kStep}) {
+      const auto there = moved(whole).first;
+      for (std::size_t i = 0; i < numbers.size(); ++i) linear[i] = linear[i] && there[i];
+    }
     const auto [below, down] = moved(-1);
     const auto [above, up] = moved(1);
     std::vector<double>& slope = slopes.emplace_back();
@@ -48,7 +53,7 @@ std::vector<Derived> propagate(const FitResult& fit, const Follows& follows) {
     return k == l ? 1 : fit.correlations.size() == p * p ? fit.correlations[k * p + l] : 0;
   };
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (!numbers[i].value) continue;
+    if (!numbers[i].value || !linear[i]) continue;
     double variance = 0;
     for (std::size_t k = 0; k < p; ++k)
       for (std::size_t l = 0; l < p; ++l) variance += slopes[k][i] * slopes[l][i] * correlation(k, l);

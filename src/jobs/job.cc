@@ -5,7 +5,6 @@
 #include <cmath>
 #include <mutex>
 #include <numeric>
-
 #include "dataset/number_text.h"
 #include "dataset/side_by_side.h"
 #include "fitting/consistency.h"
@@ -120,6 +119,26 @@ void tell_outdone(JobResult& result) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> by_merit(const JobResult& result) {
+  constexpr double kClose = 0.01;  // of the largest weight
+  std::vector<double> weights;
+  for (const FitResult& fit : result.fits) {
+    const auto entry = std::find_if(result.comparison.begin(), result.comparison.end(),
+                                    [&](const ComparedModel& one) { return one.model == fit.model; });
+    weights.push_back(!has_all_values(fit) ? -1 : entry == result.comparison.end() ? 0 : entry->weight.value_or(0));
+  }
+  const double largest = weights.empty() ? 0 : *std::max_element(weights.begin(), weights.end());
+  const auto doubted = [&](std::size_t i) {  // among those that are close
+    return weights[i] < kClose * largest ? 2 : result.fits[i].status != FitStatus::ok ? 1 : 0;
+  };
+  std::vector<std::size_t> order(result.fits.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return doubted(i) != doubted(j) ? doubted(i) < doubted(j) : weights[i] > weights[j];
+  });
+  return order;
+}
 
 bool can_be_believed(const JobResult& result) {
   return std::all_of(result.fits.begin(), result.fits.end(),

@@ -60,6 +60,11 @@ struct JobResult {
 /// Whether every fit can be believed, or is of a model that another one, which can, leaves far behind.
 bool can_be_believed(const JobResult& result);
 
+/// Indices of the fits, the one that describes the data best first: of those whose AICc weight is at least a hundredth
+/// of the largest one that can be believed, then by weight, those without a value last; by their order where nothing
+/// tells them apart.
+std::vector<std::size_t> by_merit(const JobResult& result);
+
 /// What the job's fits are made with.
 inline Objective objective_of(const JobResult& result) {
   return result.job.options.objective.value_or(default_objective(result.data));

@@ -1,51 +1,119 @@
 #include "report/instability_text.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "report/rounding.h"
 
 namespace mixity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Row = std::vector<std::string>;
+
+std::string number_text(const Derived& number, double scale) {
+  if (!number.value) return "-";
+  if (!number.standard_error || *number.standard_error == 0) return rounded(*number.value * scale, 8);
+  const RoundedToError shown = rounded_to_error(*number.value * scale, *number.standard_error * scale);
+  return shown.value + " +/- " + shown.error;
+}
+
+/// The same columns for all loads.
+std::string table_text(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths;
+  for (const Row& row : rows) {
+    widths.resize(row.size());
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size() + 2);
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    text += "    ";
+    for (std::size_t k = 0; k < row.size(); ++k) text += k + 1 < row.size() ? padded(row[k], widths[k]) : row[k];
+    text += '\n';
+  }
+  return text;
+}
+
+std::string control_text(const Control& control, const InstabilityUnits& units) {
+  std::string text(to_string(control.kind));
+  if (control.kind == Control::Kind::stiffness) text += " " + rounded(control.stiffness * units.stiffness_scale, 4);
+  return text;
+}
+
+Json folds_json(const FoldsPrediction& predicted, const InstabilityUnits& units, bool errors) {
+  Json folds = Json::array();
+  for (const FoldPrediction& fold : predicted.folds) {
+    Json entry = {{"control", to_string(fold.control.kind)}};
+    if (fold.control.kind == Control::Kind::stiffness)
+      entry["stiffness"] = fold.control.stiffness * units.stiffness_scale;
+    entry["met_on"] = fold.on_loading ? "loading" : "reversal";
+    const auto add = [&](const std::string& name, const Derived& number, double scale) {
+      entry[name] = *number.value * scale;
+      if (errors) entry[name + "_stderr"] = number.standard_error ? Json(*number.standard_error * scale) : Json();
+    };
+    add("T", fold.T, units.force_scale);
+    add("u", fold.u, units.displacement_scale);
+    add("A", fold.A, units.area_scale);
+    entry["psi"] = fold.psi;
+    entry["jumps_to"] = to_string(fold.jumps_to);
+    entry["area_lost"] = (*fold.A.value - fold.area_after) * units.area_scale;
+    folds.push_back(entry);
+  }
+  return folds;
+}
+
+}  // namespace
 
 std::string to_text(const InstabilityReport& report) {
-  std::ostringstream out;
-  out << "[[Instabilities]] model " << report.model;
-  for (const auto& [name, value] : report.parameters) out << ", " << name << " = " << shortest(value);
-  out << ", P = " << shortest(report.load) << " (dimensionless)\n";
-  if (report.folds.empty())
-    out << "    none: A falls steadily as T or u grows\n";
-  else
-    out << "    control        met on      T             u             A             psi [rad]   jumps to       area "
-           "lost\n";
-  for (const Fold& fold : report.folds) {
-    std::string control(to_string(fold.control.kind));
-    if (fold.control.kind == Control::Kind::stiffness) control += " " + rounded(fold.control.stiffness, 4);
-    out << "    " << padded(control, 15) << padded(fold.place.maximum ? "loading" : "reversal", 12)
-        << padded(rounded(fold.T, 8), 14) << padded(rounded(fold.u, 8), 14) << padded(rounded(fold.A, 8), 14)
-        << padded(rounded(fold.psi, 7), 12) << padded(std::string(to_string(fold.jumps_to)), 15)
-        << rounded(fold.area_lost, 8) << '\n';
+  const InstabilityUnits& units = report.units;
+  std::string text = "[[Instabilities]] model " + report.model;
+  for (const auto& [name, number] : report.parameters) text += ", " + name + " = " + number_text(number, 1);
+  text += (report.source.empty() ? "" : ", " + report.source) + (units.force.empty() ? " (dimensionless)\n" : "\n");
+  const std::string load = bracketed("P", units.force);
+  std::vector<Row> rows{{load, "control", "met on", bracketed("T", units.force), bracketed("u", units.displacement),
+                         bracketed("A", units.area), "psi [rad]", "jumps to", bracketed("area lost", units.area)}};
+  std::string without;
+  for (const InstabilityReport::AtLoad& one : report.loads) {
+    const FoldsPrediction& predicted = one.predicted;
+    if (predicted.folds.empty())
+      without += "    " + load + " = " + rounded(one.load, 6) + ": " +
+                 (predicted.problem.empty() ? "none, A falls steadily as T or u grows" : predicted.problem) + '\n';
+    for (const FoldPrediction& fold : predicted.folds)
+      rows.push_back({rounded(one.load, 6), control_text(fold.control, units), fold.on_loading ? "loading" : "reversal",
+                      number_text(fold.T, units.force_scale), number_text(fold.u, units.displacement_scale),
+                      number_text(fold.A, units.area_scale), rounded(fold.psi, 7),
+                      std::string(to_string(fold.jumps_to)),
+                      rounded((*fold.A.value - fold.area_after) * units.area_scale, 8)});
   }
-  return out.str();
+  return text + (rows.size() > 1 ? table_text(rows) : "") + without;
 }
 
 std::string to_json(const InstabilityReport& report) {
-  nlohmann::ordered_json document = {{"model", report.model}};
-  for (const auto& [name, value] : report.parameters) document[name] = value;
-  document["load"] = report.load;
-  nlohmann::ordered_json folds = nlohmann::ordered_json::array();
-  for (const Fold& fold : report.folds) {
-    nlohmann::ordered_json entry = {{"control", to_string(fold.control.kind)}};
-    if (fold.control.kind == Control::Kind::stiffness) entry["stiffness"] = fold.control.stiffness;
-    entry["met_on"] = fold.place.maximum ? "loading" : "reversal";
-    entry["T"] = fold.T;
-    entry["u"] = fold.u;
-    entry["A"] = fold.A;
-    entry["psi"] = fold.psi;
-    entry["jumps_to"] = to_string(fold.jumps_to);
-    entry["area_lost"] = fold.area_lost;
-    folds.push_back(entry);
+  const InstabilityUnits& units = report.units;
+  const bool fitted = !report.source.empty();
+  Json document = {{"model", report.model}}, parameters = Json::object();
+  if (fitted) document["source"] = report.source;
+  for (const auto& [name, number] : report.parameters) {
+    if (!fitted) document[name] = *number.value;
+    parameters[name] = {{"value", *number.value},
+                        {"stderr", number.standard_error ? Json(*number.standard_error) : Json()}};
   }
-  document["folds"] = folds;
+  if (fitted) document["parameters"] = parameters;
+  if (!units.force.empty())
+    document["units"] = {{"force", units.force},
+                         {"displacement", units.displacement},
+                         {"area", units.area},
+                         {"stiffness", units.stiffness}};
+  Json loads = Json::array();
+  for (const InstabilityReport::AtLoad& one : report.loads) {
+    Json entry = {{"load", one.load}, {"folds", folds_json(one.predicted, units, fitted)}};
+    if (!one.predicted.problem.empty()) entry["problem"] = one.predicted.problem;
+    loads.push_back(entry);
+  }
+  if (fitted)
+    document["loads"] = loads;
+  else
+    document.update(loads.at(0));
   return document.dump(2) + "\n";
 }
 

@@ -1,25 +1,40 @@
-// The folds of one equilibrium curve as text and JSON. Dimensionless.
+// The folds of equilibrium curves as text and JSON: dimensionless, or in a reader's units with standard errors.
 #pragma once
 
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "mechanics/folds.h"
+#include "fitting/prediction.h"
 
 namespace mixity {
 
-struct InstabilityReport {
-  std::string model;
-  std::vector<std::pair<std::string, double>> parameters;
-  double load;
-  std::vector<Fold> folds;
+/// Units by name, empty if dimensionless; shown = dimensionless * scale.
+struct InstabilityUnits {
+  std::string force{}, area{}, displacement{}, stiffness{};
+  double force_scale = 1, area_scale = 1, displacement_scale = 1, stiffness_scale = 1;
 };
 
+struct InstabilityReport {
+  std::string model;
+  std::vector<std::pair<std::string, Derived>> parameters;
+  std::string source{};  // "mergel2018, status ok": what was fitted; empty: parameters were given
+  InstabilityUnits units{};
+  struct AtLoad {
+    double load;  // as shown
+    FoldsPrediction predicted;
+  };
+  std::vector<AtLoad> loads{};
+};
+
+/// A table for each load.
 std::string to_text(const InstabilityReport& report);
 
-/// {model, lambda (or the model's own parameters), load, folds: [{control, stiffness (if that is the control), met_on
-/// ("loading" or "reversal"), T, u, A, psi, jumps_to, area_lost}]}, full precision.
+/// Of given parameters: {model, lambda (or the model's own parameters), units (if there are some), load, folds:
+/// [{control, stiffness (if that is the control), met_on ("loading" or "reversal"), T, u, A, psi, jumps_to,
+/// area_lost}]}. Of a fit: {model, source, parameters: {name: {value, stderr}}, units, loads: [{load, folds, problem
+/// (if there are none)}]}, where T, u and A have T_stderr, u_stderr, A_stderr beside them, null where they are not
+/// known. Full precision.
 std::string to_json(const InstabilityReport& report);
 
 }  // namespace mixity

@@ -1,0 +1,116 @@
+#include "cli/fitted_contact.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include "cli/exit_code.h"
+#include "cli/fit_flags.h"
+#include "cli/flags.h"
+#include "cli/quantity_list.h"
+#include "cli/usage_error.h"
+#include "dataset/input_error.h"
+#include "dataset/number_text.h"
+#include "mechanics/prediction.h"
+#include "report/rounding.h"
+
+namespace mixity::cli {
+namespace {
+
+JobResult fitted(const std::string& command, const Arguments& arguments) {
+  if (arguments.size() != 1) throw UsageError(command + " takes one data CSV or fit definition");
+  const std::string& path = arguments[0];
+  for (const char* flag : {"lambda", "parameters", "units"})
+    if (is_set(flag))
+      throw UsageError("flag '--" + std::string(flag) + "' is of a contact by itself; " + path + " is fitted");
+  FitJob job = job_for(path);
+  if (is_set("model")) {
+    require_model("model", FLAGS_model);
+    job.models = {FLAGS_model};
+  }
+  JobResult result = run(job);
+  const Dataset& data = result.data;
+  if (!data.has_loads) throw InputError(data.path, "holds no loads and areas, which this is about");
+  if (is_set("load") && std::find(data.notes.begin(), data.notes.end(), kLoadNotUsed) != data.notes.end())
+    throw UsageError("flag '--load': " + path + " has its own loads; state others by --loads");
+  return result;
+}
+
+}  // namespace
+
+FittedContact::FittedContact(const std::string& command, const Arguments& arguments)
+    : result_(fitted(command, arguments)), best_(by_merit(result_).front()) {
+  if (is_set("loads")) {
+    loads_ = loads_of("loads", FLAGS_loads);
+    return;
+  }
+  std::vector<double> of_runs = data().curve_loads;
+  std::sort(of_runs.begin(), of_runs.end(), std::greater<>());
+  of_runs.erase(std::unique(of_runs.begin(), of_runs.end()), of_runs.end());
+  for (const double load : of_runs) loads_.push_back({load, load * data().display.force_scale});
+}
+
+std::vector<Load> FittedContact::loads_of(const std::string& flag, const std::string& text) const {
+  std::vector<Load> loads;
+  const Dataset& of = data();
+  const double unit = of.contact ? of.contact->force_unit() / of.display.force_scale : 1;  // of the data, in SI
+  for (const Quantity& load : quantity_list(flag, text)) {
+    const bool bare = load.unit.text.empty();
+    if (!bare && (!of.contact || load.unit.dimension != dimension::force))
+      throw UsageError("flag '--" + flag + "' must be " +
+                       (of.contact ? "forces such as \"3, 8 mN\"" : "numbers: the data are dimensionless"));
+    // 4 mN stay 4 mN
+    const double shown = bare || load.unit.text == of.display.force ? load.value : load.si() / unit;
+    loads.push_back({shown / of.display.force_scale, shown});
+  }
+  return loads;
+}
+
+FoldsPrediction FittedContact::folds(const Load& P, const std::vector<Control>& controls) const {
+  return predict_folds_of(data(), fit(), result_.job.options, P.dimensionless, controls);
+}
+
+std::vector<Load> FittedContact::shears_to_the_jump(const Load& P, std::size_t points) const {
+  double last = 0;
+  for (const Point& point : data().points) last = std::max(last, point.shear());
+  for (const FoldPrediction& fold : folds(P, {{Control::Kind::load}}).folds)
+    if (fold.on_loading) {
+      last = *fold.T.value;
+      break;
+    }
+  std::vector<Load> shears;
+  for (std::size_t i = 0; i < points; ++i) {
+    const double T = last * static_cast<double>(i) / static_cast<double>(points - 1);
+    shears.push_back({T, T * data().display.force_scale});
+  }
+  return shears;
+}
+
+void FittedContact::print_areas(const std::function<std::vector<Load>(const Load& P)>& shears) const {
+  const DisplayUnits& units = data().display;
+  std::cout << bracketed("P", units.force) << ',' << bracketed("T", units.force) << ',' << bracketed("A", units.area)
+            << ',' << bracketed("A_stderr", units.area) << ",status\n";
+  for (const Load& load : loads_) {
+    const std::vector<Load> at = shears(load);
+    const std::vector<double> P(at.size(), load.dimensionless);
+    std::vector<double> T;
+    for (const Load& shear : at) T.push_back(shear.dimensionless);
+    const std::vector<AreaPrediction> areas = predict_areas_of(data(), fit(), result_.job.options, P, T);
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      const AreaPrediction& area = areas[i];
+      std::cout << shortest(load.shown) << ',' << shortest(at[i].shown) << ',';
+      if (area.status == EquilibriumStatus::ok) std::cout << shortest(area.A * units.area_scale);
+      std::cout << ',';
+      if (area.standard_error) std::cout << shortest(*area.standard_error * units.area_scale);
+      std::cout << ',' << to_string(area.status) << '\n';
+    }
+  }
+}
+
+int FittedContact::exit_code() const {
+  if (fit().status == FitStatus::ok) return kFine;
+  std::cerr << "mixity: " << data().shown_path() << ": model " << fit().model << " is " << to_string(fit().status)
+            << (fit().message.empty() ? "" : ": " + fit().message) << '\n';
+  return kFitNotOk;
+}
+
+}  // namespace mixity::cli
