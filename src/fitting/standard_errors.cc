@@ -10,6 +10,41 @@
 namespace mixity {
 namespace {
 
+/// The slope of A against T about a point of a run that is sorted by T: of the line through the points within a
+/// twentieth of the run to either side, by number and by T, and one more. Of nearer neighbours it would be noise where
+/// points are dense.
+class Slopes {
+ public:
+  Slopes(const Dataset& data, const std::vector<std::size_t>& run) : sums_(run.size() + 1) {
+    for (const std::size_t i : run) T_.push_back(data.points[i].shear());
+    const double T0 = T_[T_.size() / 2], A0 = data.points[run[run.size() / 2]].A;  // sums of differences keep digits
+    for (std::size_t k = 0; k < run.size(); ++k) {
+      const double T = T_[k] - T0, A = data.points[run[k]].A - A0;
+      const Sums& before = sums_[k];
+      sums_[k + 1] = {before.T + T, before.A + A, before.TT + T * T, before.TA + T * A};
+    }
+  }
+
+  double at(std::size_t k) const {
+    const std::size_t beside = T_.size() / 20;
+    const double reach = (T_.back() - T_.front()) / 20;
+    const auto begin = static_cast<std::size_t>(std::lower_bound(T_.begin(), T_.end(), T_[k] - reach) - T_.begin()),
+               end = static_cast<std::size_t>(std::upper_bound(T_.begin(), T_.end(), T_[k] + reach) - T_.begin());
+    const std::size_t first = std::min(begin, k - std::min(k, beside)), last = std::max(end, k + beside + 1);
+    const Sums &low = sums_[first - std::min<std::size_t>(first, 1)], &high = sums_[std::min(last + 1, T_.size())];
+    const auto n = static_cast<double>(&high - &low);
+    const double T = high.T - low.T, A = high.A - low.A, spread = high.TT - low.TT - T * T / n;
+    return spread > 0 ? (high.TA - low.TA - T * A / n) / spread : 0;
+  }
+
+ private:
+  struct Sums {
+    double T = 0, A = 0, TT = 0, TA = 0;
+  };
+  std::vector<double> T_;
+  std::vector<Sums> sums_;  // of the points before
+};
+
 /// Relative error common to T and A. The middle one of three neighbours in T lies off their chord by
 /// e = A - w A_before - (1-w) A_after, whose variance is s^2 times the sum below; the median over all of them is not
 /// moved by the few near an instability, where the curve itself bends. Null with fewer than three.
@@ -29,11 +64,13 @@ std::optional<double> relative_scatter(const Dataset& data) {
     std::sort(run.begin(), run.end(), [&](std::size_t i, std::size_t j) {
       return std::tuple(data.points[i].shear(), i) < std::tuple(data.points[j].shear(), j);
     });
+    if (run.size() < 3) continue;
+    const Slopes slopes(data, run);
     for (std::size_t i = 1; i + 1 < run.size(); ++i) {
       const Point &low = data.points[run[i - 1]], &mid = data.points[run[i]], &high = data.points[run[i + 1]];
       const double width = high.shear() - low.shear();
       if (!(width > 0)) continue;
-      const double w = (high.shear() - mid.shear()) / width, slope = (high.A - low.A) / width;
+      const double w = (high.shear() - mid.shear()) / width, slope = slopes.at(i);
       const double e = mid.A - w * low.A - (1 - w) * high.A;
       const auto variance = [&](const Point& q) { return q.A * q.A + slope * slope * q.T * q.T; };
       ratios.push_back(e * e / (variance(mid) + w * w * variance(low) + (1 - w) * (1 - w) * variance(high)));

@@ -67,6 +67,29 @@ TEST(StandardErrors, TakeTAsExactWhereOnlyAHasOneAndOneAxisCounts) {
   EXPECT_TRUE(errors.absolute());
 }
 
+/// However densely T is sampled, and where it is stepped: readings that differ by less than their noise.
+TEST(StandardErrors, EstimatedFromTheScatterDoNotDependOnTheSampling) {
+  const double P = 4, last = 0.9 * shear_to_lose_area<PapangeloCiavarella>({0.01}, P);
+  const LoadedContact<PapangeloCiavarella> contact({0.01}, P);
+  const auto estimate = [&](std::size_t steps, std::size_t readings) {
+    SeededNoise noise(5, 0.01), jitter(6, 1e-4);
+    Dataset data = empty_runs();
+    data.curves.push_back("one");
+    data.curve_loads.push_back(P);
+    for (std::size_t k = 0; k < steps * readings; ++k) {
+      const double T = last * static_cast<double>(k / readings) / static_cast<double>(steps - 1);
+      const double A = area_from_radius(radius_from_edge_load(contact.at(T).y, P)) * (1 + noise());
+      data.points.push_back({k + 2, 0, P, T * (1 + jitter()), A});
+    }
+    return *standard_errors(data, {}, {}).scatter;
+  };
+  // areas alone are noisy here, so that the error common to both axes is a little less; the median of n values is known
+  // to 1.2/sqrt(2 n) of itself
+  for (const std::size_t n : {100u, 400u, 1600u, 20000u}) EXPECT_NEAR(estimate(n, 1), 0.0095, 0.0016) << n;
+  EXPECT_NEAR(estimate(10, 6), 0.0095, 0.0035);
+  EXPECT_NEAR(estimate(10, 200), 0.0095, 0.0015);
+}
+
 /// An exact T that nobody stated made lambda ten of its errors wrong.
 TEST(StandardErrors, EstimateThatOfTFromTheScatterForBothAxesWhereOnlyAHasOne) {
   SeededNoise noise(7, 0.01);
