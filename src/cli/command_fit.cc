@@ -34,7 +34,7 @@ void write_folder(const std::string& folder, const std::vector<JobResult>& resul
     add(stem + "_curves.csv", curves_csv(result));
   }
   add("fits.csv", fits_csv(results));
-  add("fits.json", to_json(results));
+  add("fits.json", to_json(results, FLAGS_shard));
   add("fits.txt", text);
   write_files(files, inputs);
 }
@@ -76,7 +76,9 @@ int run_fit(const Arguments& arguments) {
   if (!FLAGS_save.empty())
     write_files({{FLAGS_save, fit_definition_text(results[0].job, results[0].data, FLAGS_save)}},
                 files_read(results[0].job));
-  std::cout << (FLAGS_format == "json" ? to_json(results) : FLAGS_format == "csv" ? fits_csv(results) : text);
+  std::cout << (FLAGS_format == "json"  ? to_json(results, FLAGS_shard)
+                : FLAGS_format == "csv" ? fits_csv(results)
+                                        : text);
   return all_ok ? kFine : kFitNotOk;
 }
 

@@ -11,7 +11,7 @@
 namespace mixity::cli {
 
 int run_merge(const Arguments& arguments) {
-  if (arguments.empty()) throw UsageError("merge needs JSON files of mixity fit, in the order of their shards");
+  if (arguments.empty()) throw UsageError("merge needs the JSON files of all shards of mixity fit");
   const std::string merged = merge_json(arguments);
   if (FLAGS_out.empty())
     std::cout << merged;

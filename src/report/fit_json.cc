@@ -110,10 +110,13 @@ std::string json_text(const Json& document) {
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string to_json(const std::vector<JobResult>& results) {
+std::string to_json(const std::vector<JobResult>& results, const std::string& shard) {
   Json datasets = Json::array();
   for (const JobResult& result : results) datasets.push_back(dataset_json(result));
-  return json_text({{"schema", "mixity-fit-1"}, {"version", MIXITY_VERSION}, {"datasets", datasets}});
+  Json document{{"schema", "mixity-fit-1"}, {"version", MIXITY_VERSION}};
+  if (!shard.empty()) document["shard"] = shard;
+  document["datasets"] = std::move(datasets);
+  return json_text(document);
 }
 
 }  // namespace mixity

@@ -9,6 +9,7 @@
 namespace mixity {
 
 /// {schema, version, datasets: [...]}, indented, with a final newline.
-std::string to_json(const std::vector<JobResult>& results);
+/// `shard`: "2/10", of a part of a list; empty: the whole.
+std::string to_json(const std::vector<JobResult>& results, const std::string& shard = {});
 
 }  // namespace mixity

@@ -35,9 +35,20 @@ TEST_F(Shards, MergedAreTheDocumentOfAll) {
   for (const char* shard : {"1/3", "2/3", "3/3"})
     parts.push_back(folder_.write("part" + std::string(1, shard[0]) + ".json", fit(shard).out));
   EXPECT_EQ(run_program(parts).out, whole);
-  const ProgramResult turned = run_program({"merge", parts[3], parts[1], parts[2]});
-  EXPECT_EQ(turned.exit_code, 3);
-  EXPECT_NE(turned.err.find("name all shards in their order"), std::string::npos);
+  EXPECT_EQ(run_program({"merge", parts[3], parts[1], parts[2]}).out, whole);  // in whatever order
+  const auto refused = [&](const Words& names) {
+    Words words{"merge"};
+    words.insert(words.end(), names.begin(), names.end());
+    const ProgramResult result = run_program(words);
+    EXPECT_EQ(result.exit_code, 3);
+    return result.err;
+  };
+  EXPECT_NE(refused({parts[1], parts[3]}).find("shard 2/3: is missing"), std::string::npos);
+  EXPECT_NE(refused({parts[1], parts[2]}).find("shard 3/3: is missing"), std::string::npos);
+  EXPECT_NE(refused({parts[1], parts[2], parts[2], parts[3]}).find("is shard 2, as "), std::string::npos);
+  EXPECT_NE(refused({parts[1], folder_.write("other.json", fit("2/2").out)}).find("is one of 2 shards"),
+            std::string::npos);
+  EXPECT_NE(refused({folder_.write("whole.json", whole)}).find("does not say which shard it is"), std::string::npos);
 }
 
 TEST_F(Shards, OfAnArrayOfTasksAreMerged) {
