@@ -127,6 +127,7 @@ std::vector<std::string> files_of(const std::string& pattern) {
 }
 
 Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& overrides) {
+  if (files.empty()) throw InputError("files", "are none: a data set needs one at least");
   Metadata constants;
   std::vector<Metadata> stated;
   std::set<std::filesystem::path> seen;

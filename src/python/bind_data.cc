@@ -23,6 +23,7 @@ void bind_data(nb::module_& m) {
       .def_prop_ro("area_scale", [](const Dataset& d) { return d.display.area_scale; })
       .def_prop_ro("force_unit", [](const Dataset& d) { return d.contact ? d.contact->force_unit() : 1.0; })
       .def_prop_ro("area_unit", [](const Dataset& d) { return d.contact ? d.contact->area_unit() : 1.0; })
+      .def_prop_ro("stiffness_unit", [](const Dataset& d) { return d.contact ? d.contact->stiffness_unit() : 1.0; })
       .def_prop_ro("displacement_unit",
                    [](const Dataset& d) { return d.contact ? d.contact->displacement_unit() : 1.0; })
       .def_prop_ro("excluded",

@@ -23,11 +23,29 @@ JobResult fit(const Dataset& data, const Stated& options, const nb::object& prog
   return run(job, data, [&](double share) { watch(share); });
 }
 
+nb::dict shown(const FoldPrediction& fold) {
+  nb::dict one;
+  const auto add = [&](const char* name, const char* error, const Derived& number) {
+    one[name] = *number.value;
+    one[error] = number.standard_error;
+  };
+  add("T", "T_stderr", fold.T);
+  add("u", "u_stderr", fold.u);
+  add("A", "A_stderr", fold.A);
+  one["psi"] = fold.psi;
+  one["control"] = std::string(to_string(fold.control.kind));
+  one["met_on"] = fold.on_loading ? "loading" : "reversal";
+  one["jumps_to"] = std::string(to_string(fold.jumps_to));
+  one["area_after"] = fold.area_after;
+  one["area_lost"] = *fold.A.value - fold.area_after;
+  return one;
+}
+
 }  // namespace
 
 void bind_fits(nb::module_& m) {
-  nb::class_<JobResult>(m, "Results")
-      .def("json", [](const JobResult& result) { return to_json({result}); })
+  auto results = nb::class_<JobResult>(m, "Results");
+  results.def("json", [](const JobResult& result) { return to_json({result}); })
       .def("text", [](const JobResult& result) { return to_text(result); })
       .def("options",
            [](const JobResult& result) { return Stated(result.job.stated.begin(), result.job.stated.end()); })
@@ -76,6 +94,18 @@ void bind_fits(nb::module_& m) {
         }
         return nb::make_tuple(numpy_of(A), numpy_of(error), numpy_of(status));
       });
+  results.def("folds",
+              [](const JobResult& result, std::size_t i, double P, const std::string& control, double stiffness) {
+                const Control by = control_of(control, stiffness);
+                const FoldsPrediction found = [&] {
+                  const nb::gil_scoped_release released;
+                  return predict_folds_of(result.data, result.fits.at(i), result.job.options, P, {by});
+                }();
+                if (!found.problem.empty()) throw InputError("folds", found.problem);
+                nb::list list;
+                for (const FoldPrediction& fold : found.folds) list.append(shown(fold));
+                return list;
+              });
   m.def("fit", &fit, "data"_a, "options"_a, "progress"_a.none());
   m.def("option_names", [] {
     std::vector<std::string> names;

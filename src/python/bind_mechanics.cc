@@ -33,6 +33,12 @@ nb::dict shown(const Fold& fold) {
   return one;
 }
 
+void require(const std::string& problem) {
+  if (!problem.empty()) throw InputError("parameters", problem);
+}
+
+}  // namespace
+
 Control control_of(const std::string& kind, double stiffness) {
   if (kind == "load") return {Control::Kind::load};
   if (kind == "displacement") return {Control::Kind::displacement};
@@ -40,12 +46,6 @@ Control control_of(const std::string& kind, double stiffness) {
   throw InputError("control",
                    "is '" + kind + "'; it must be load, displacement, or stiffness with one that is positive");
 }
-
-void require(const std::string& problem) {
-  if (!problem.empty()) throw InputError("parameters", problem);
-}
-
-}  // namespace
 
 void bind_mechanics(nb::module_& m) {
   m.def("model_keys", &model_keys);

@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/folds.h"
+
 namespace nb = nanobind;
 using namespace nb::literals;
 
@@ -34,6 +36,9 @@ inline nb::ndarray<nb::numpy, double> numpy_of(std::vector<double> values) {
   const nb::capsule owner(owned, [](void* p) noexcept { delete static_cast<std::vector<double>*>(p); });
   return nb::ndarray<nb::numpy, double>(owned->data(), {owned->size()}, owner);
 }
+
+/// From the arguments of folds(); throws InputError.
+Control control_of(const std::string& kind, double stiffness);
 
 struct Interrupted {};
 

@@ -6,9 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "cli/run_program.h"
+#include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
 namespace {
@@ -61,11 +64,11 @@ TEST(InstabilityCommand, KeepsColumnsApartHoweverLongTheirNumbers) {
       run_program({"instability", "--model=c", "--lambda=0.15", "--load=-4.7123889", "--stiffness=0.001234"});
   std::size_t seen = 0;
   for (const std::string& line : lines_of(result.out)) {
-    if (!line.starts_with("    stiffness")) continue;
+    if (line.find(" stiffness ") == std::string::npos) continue;
     ++seen;
     std::istringstream words(line);
-    // the control is two words, and eight columns follow
-    EXPECT_EQ(std::distance(std::istream_iterator<std::string>(words), {}), 9) << line;
+    // the load, the control in two words, and seven columns
+    EXPECT_EQ(std::distance(std::istream_iterator<std::string>(words), {}), 10) << line;
   }
   EXPECT_GT(seen, 0u) << result.out << result.err;
 }
@@ -86,6 +89,57 @@ TEST(InstabilityCommand, NamesTheJumpOfEachKind) {
   EXPECT_EQ(a["folds"][0]["jumps_to"], "lower_branch");
   EXPECT_EQ(a["folds"][1]["jumps_to"], "upper_branch");
   EXPECT_LT(a["folds"][1]["area_lost"].get<double>(), 0);
+}
+
+/// The same contact with and without units, and as it is fitted to areas that it has.
+TEST(InstabilityCommand, SpeaksInTheUnitsOfTheConstantsOrOfTheData) {
+  const Words constants{"--radius=9.42 mm", "--modulus=2.133 MPa", "--toughness=27 mJ/m^2"};
+  const auto with = [&](Words words) {
+    words.insert(words.end(), constants.begin(), constants.end());
+    return words;
+  };
+  const double force = 9.42 * 27e-3, xi = std::cbrt(2.133e6 * 9.42e-3 / 27e-3);  // mN
+  const Json bare = json_of({"instability", "--model=c", "--lambda=0.01", "--load=" + std::to_string(4 / force),
+                             "--stiffness=" + std::to_string(1200 / (xi * xi * 27e-3)), "--format=json"}),
+             in_units = json_of(with({"instability", "--model=c", "--lambda=0.01", "--load=4 mN", "--units=mN,um",
+                                      "--stiffness=1200 N/m", "--format=json"}));
+  EXPECT_EQ(in_units["units"]["displacement"], "um");
+  ASSERT_EQ(in_units["folds"].size(), 3u);
+  const double um = 9.42e3 / (xi * xi);
+  for (std::size_t i = 0; i < 3; ++i) {  // the numbers of the bare command are cut at six decimals
+    EXPECT_NEAR(in_units["folds"][i]["T"].get<double>(), force * bare["folds"][i]["T"].get<double>(), 1e-5);
+    EXPECT_NEAR(in_units["folds"][i]["u"].get<double>(), um * bare["folds"][i]["u"].get<double>(), 1e-4);
+  }
+  EXPECT_NEAR(in_units["folds"][2]["stiffness"].get<double>(), 1200, 1e-9);
+
+  const TemporaryFolder folder;
+  std::string csv = "P [mN],T [mN],A [mm^2]\n";
+  const ProgramResult areas = run_program(with({"predict", "--model=c", "--lambda=0.01", "--load=4 mN",
+                                                "--shear=0,10,15,20,25,30,33,36,38 mN", "--units=mN,mm"}));
+  for (const std::string& line : lines_of(areas.out)) {
+    std::vector<std::string> cells;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+    // a thousandth up and down in turn: exact areas would have no errors to speak of
+    if (cells[0] == "4")
+      csv += "4," + cells[1] + ',' + std::to_string(std::stod(cells[4]) * (csv.size() % 2 ? 1.001 : 0.999)) + '\n';
+  }
+  const std::string data = folder.write("run.csv", csv);
+  const Json fitted = json_of(with({"instability", data, "--models=c", "--checks=false", "--format=json"}));
+  const Json& fold = fitted["loads"][0]["folds"][0];
+  EXPECT_DOUBLE_EQ(fitted["loads"][0]["load"].get<double>(), 4);
+  EXPECT_EQ(fitted["units"]["force"], "mN");
+  EXPECT_GT(fold["T_stderr"].get<double>(), 0);
+  EXPECT_NEAR(fold["T"].get<double>(), in_units["folds"][0]["T"].get<double>(), 4 * fold["T_stderr"].get<double>());
+  const ProgramResult beyond =
+      run_program(with({"predict", data, "--models=c", "--checks=false", "--loads=4 mN", "--shear=10,500 mN"}));
+  EXPECT_EQ(lines_of(beyond.out).at(0), "P [mN],T [mN],A [mm^2],A_stderr [mm^2],status");
+  EXPECT_TRUE(lines_of(beyond.out).at(2).ends_with(",,,no_equilibrium")) << beyond.out;
+  expect_refused(with({"instability", data, "--loads=4 mm"}), 2, "flag '--loads' must be forces such as \"3, 8 mN\"");
+  expect_refused(with({"instability", data, "--load=4 mN"}), 2,
+                 "flag '--load': " + data + " has its own loads; state others by --loads");
+  expect_refused({"instability", "--model=c", "--lambda=0.1", "--load=1", "--stiffness=1 N/m"}, 2,
+                 "flag '--stiffness' has a unit; that needs --radius, --modulus and --toughness");
 }
 
 TEST(InstabilityCommand, NamesTheParametersOfBk) {

@@ -182,6 +182,117 @@ def test_derivatives_are_those_of_the_area():
             np.testing.assert_allclose(slopes[:, k], by_differences, rtol=1e-7, atol=1e-8 * np.abs(by_differences).max())
 
 
+CONSTANTS = dict(radius=9.42e-3, modulus=2.133e6, toughness=0.027)
+CONTACT = tuple(CONSTANTS.values())
+
+
+def noisy(lam=0.01):
+    P, T = np.repeat([2e-3, 4e-3], 12), np.tile(np.linspace(0, 30e-3, 12), 2)
+    return P, T, mixity.area("c", lam, P, T, contact=CONTACT) * (1 + 0.01 * np.random.default_rng(1).standard_normal(24))
+
+
+def test_what_a_mask_hides_is_no_point():
+    P, T, A = noisy()
+    hidden = np.ma.array(np.where(np.arange(24) == 20, 0.7 * A, A), mask=np.arange(24) == 20)
+    data = mixity.Dataset(P=P, T=T, A=hidden, **CONSTANTS)
+    assert [line for line, _ in data.excluded] == [22]
+    keep = np.arange(24) != 20
+    alone = mixity.Dataset(P=P[keep], T=T[keep], A=A[keep], **CONSTANTS)
+    value = [mixity.fit(one, "c", checks=False)["c"].params["lambda"].value for one in (data, alone)]
+    assert value[0] == value[1]
+
+
+def test_a_data_set_owns_its_numbers():
+    P, T, A = noisy()
+    fits = mixity.fit(mixity.Dataset(P=P, T=T, A=A, **CONSTANTS), "c", checks=False)
+    A *= 1.2
+    again = pickle.loads(pickle.dumps(fits))
+    assert again["c"].params["lambda"].value == fits["c"].params["lambda"].value
+    fits.to_dict()["datasets"].clear()
+    assert fits.to_dict()["datasets"]
+
+
+@pytest.mark.parametrize(
+    "call, sentence",
+    [
+        (lambda P, T, A: mixity.Dataset(P=P, T=T, A=A, units={"p": "mN"}, **CONSTANTS), "'p' is no column"),
+        (lambda P, T, A: mixity.Dataset(P=P, T=T, A=A, units="mN", **CONSTANTS), "units must be a dict"),
+        (lambda P, T, A: mixity.Dataset(P=P, T=T, A=A, sigma_A="1%", **CONSTANTS), "an option of fit"),
+        (lambda P, T, A: mixity.Dataset(P=P, T=T, A=A, sigmaA=A, **CONSTANTS), "'sigmaA' is no column"),
+        (lambda P, T, A: mixity.Dataset(P=P, T=T, A=["x"] * 24, **CONSTANTS), "'A' holds no numbers"),
+        (lambda P, T, A: mixity.read([]), "needs one at least"),
+        (lambda P, T, A: mixity.area("C", 0.1, 2.0, 3.0), "there is no model 'C'"),
+        (lambda P, T, A: mixity.area("bk", 0.1, 2.0, 3.0), "a tuple of 2, not 1"),
+        (lambda P, T, A: mixity.area("c", 0.1, 2, 3, contact=(-1, 2, 3)), "all above 0"),
+        (lambda P, T, A: mixity.fit(mixity.Dataset(P=P, T=T, A=A, **CONSTANTS), "c", modulus="2 MPa"), "mixity.Dataset(modulus="),
+        (lambda P, T, A: mixity.Plan("c", 0.1, [1e-3], sigma_T=0.01, **CONSTANTS), "must be a text"),
+        (lambda P, T, A: mixity.Plan("c", 0.1, [1e-3], points=2.5, **CONSTANTS), "must be a whole number"),
+        (lambda P, T, A: mixity.Plan("c", 0.1, [1e-3], **CONSTANTS).experiments(1), "needs two at least"),
+    ],
+)
+def test_what_cannot_be_gets_a_sentence(call, sentence):
+    with pytest.raises(mixity.InputError) as error:
+        call(*noisy())
+    assert sentence in str(error.value)
+
+
+def test_options_may_be_numbers_of_numpy():
+    P, T, A = noisy()
+    data = mixity.Dataset(P=P, T=T, A=A, **CONSTANTS)
+    one = mixity.fit(data, "c", confidence=np.float64(0.9), exclude=np.array([3, 4]), checks=np.bool_(False))["c"]
+    other = mixity.fit(data, "c", confidence=0.9, exclude=[3, 4], checks=False)["c"]
+    assert one.to_dict() == other.to_dict()
+    assert mixity.fit(data, "c", exclude=[])["c"].params["lambda"].value == mixity.fit(data, "c")["c"].params["lambda"].value
+
+
+def test_folds_of_a_fit_follow_its_constants():
+    P = np.repeat([1e-3, 4e-3], 25)
+    end = np.repeat([mixity.folds("c", 0.15, load, contact=CONTACT)[0]["T"] for load in (1e-3, 4e-3)], 25)
+    T = np.tile(np.linspace(0, 0.95, 25), 2) * end
+    A = mixity.area("c", 0.15, P, T, contact=CONTACT) * (1 + 0.002 * np.random.default_rng(2).standard_normal(50))
+    data = mixity.Dataset(P=P, T=T, A=A, radius=CONTACT[0], modulus=CONTACT[1], toughness=1.25 * CONTACT[2])
+    for free in ("toughness", "radius", "load_offset"):
+        fit = mixity.fit(data, "c", free=[free], checks=False)["c"]
+        jump = fit.folds(4e-3)[0]
+        assert np.isfinite(fit.area(4e-3, jump["T"] * (1 - 1e-6))[0]) and np.isnan(fit.area(4e-3, jump["T"] * (1 + 1e-6))[0])
+    truth = mixity.folds("c", 0.15, 4e-3, contact=CONTACT)[0]["T"]
+    jump = mixity.fit(data, "c", free=["toughness"], checks=False)["c"].folds(4e-3)[0]
+    assert abs(jump["T"] - truth) < 4 * jump["T_stderr"]
+
+
+def test_pint_quantities_keep_their_unit():
+    pint = pytest.importorskip("pint")
+    Q = pint.UnitRegistry().Quantity
+    P, T, A = noisy()
+    data = mixity.Dataset(P=P * 1e3, T=T * 1e3, A=A * 1e6, units={"P": "mN", "T": "mN", "A": "mm^2"}, **CONSTANTS)
+    fit = mixity.fit(data, "c", checks=False)["c"]
+    assert fit.area(Q(4e-3, "N"), Q(10e-3, "N"))[0] == pytest.approx(fit.area(4, 10)[0], rel=1e-14)
+    assert mixity.area("c", 0.1, Q(2.0, "mN"), Q(3.0, "mN"), contact=CONTACT) == mixity.area("c", 0.1, 2e-3, 3e-3, contact=CONTACT)
+    with pytest.raises(mixity.InputError, match="has a unit"):
+        mixity.area("c", 0.1, Q(2.0, "mN"), 3.0)
+    with pytest.raises(mixity.InputError, match="must be in N"):
+        mixity.Dataset(P=Q(P, "m"), T=T, A=A, **CONSTANTS)
+
+
+def test_lmfit_leaves_bounds_and_minds_expressions():
+    pytest.importorskip("lmfit")
+    T = np.linspace(0, 20, 30)
+    A = mixity.area("c", 0.15, 2.0, T) * (1 + 0.01 * np.random.default_rng(3).standard_normal(30))
+    law = mixity.lmfit.model("c")
+    for start in ({}, {"lambda_": 0.0}, {"lambda_": 1.0}):
+        assert law.fit(A, P=2.0, T=T, **start).params["lambda_"].value == pytest.approx(0.143, abs=0.002)
+    tied = mixity.lmfit.model("bk")
+    tied.set_param_hint("eta", expr="r*2/3")
+    T, data = np.linspace(0, 10, 30), mixity.area("bk", (1.8, 1.2), 2.0, np.linspace(0, 10, 30))
+    data = data * (1 + 0.002 * np.random.default_rng(3).standard_normal(30))
+    ours, theirs = (tied.fit(data, P=2.0, T=T, r=1.5, method=method) for method in ("leastsq", "least_squares"))
+    assert ours.params["r"].value == pytest.approx(theirs.params["r"].value, rel=1e-3)
+    assert ours.params["r"].stderr == pytest.approx(theirs.params["r"].stderr, rel=1e-2)
+    grid = law.fit(A.reshape(5, 6), P=2.0, T=np.linspace(0, 20, 30).reshape(5, 6), weights=np.ones((5, 6)), lambda_=0.3)
+    assert grid.params["lambda_"].value == pytest.approx(0.143, abs=0.002)
+    assert law.eval(P=2.0, T=100.0, lambda_=0.1) > 0
+
+
 def test_lmfit_is_given_the_derivatives():
     pytest.importorskip("lmfit")
     contact = (9.42e-3, 2.133e6, 27e-3)

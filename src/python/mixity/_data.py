@@ -5,7 +5,7 @@ import os
 import numpy as np
 
 from . import _core
-from ._units import constant_text, in_si, is_pint, si_unit
+from ._units import constant_text, is_pint, plain_array, si_unit
 
 _COLUMNS = (
     "P T A a a_par a_perp major minor psi mode_ratio Gc Gc_over_GIc G_I G_II sigma_T sigma_A sigma_Gc sigma_GI sigma_GII"
@@ -22,17 +22,14 @@ def _made(make, arguments):
 
 
 def _column(name, values, units):
-    if is_pint(values):
-        return f"{name} [{si_unit(name)}]", np.ascontiguousarray(in_si(name, values), dtype=np.float64)
-    array = np.ascontiguousarray(values, dtype=np.float64)
+    if isinstance(values, str):
+        raise _core.InputError(f"arrays: column '{name}' is the text '{values}'; a percentage is an option of fit({name}=...)")
+    with_units = is_pint(values) or (isinstance(values, (list, tuple)) and len(values) > 0 and all(map(is_pint, values)))
+    # its own: what its owner does to the array later is not done to the data set
+    array = np.array(plain_array(name, values), order="C")
     if array.ndim != 1:
         raise _core.InputError(f"arrays: column '{name}' must have one dimension, not {array.ndim}")
-    if units is None:
-        unit = ""
-    elif units == "SI":
-        unit = si_unit(name)
-    else:
-        unit = units.get(name, si_unit(name))
+    unit = si_unit(name) if with_units or units == "SI" else "" if units is None else units.get(name, si_unit(name))
     return (f"{name} [{unit}]" if unit else name), array
 
 
@@ -47,7 +44,7 @@ class Dataset:
         ``sigma_T``, ``sigma_A``, ... Values that are not finite, and areas <= 0, are left out and listed in
         ``excluded``.
     runs : array_like of str or int, shape (n,), optional
-        The loading run of each point; else points of one load are one.
+        The loading run of each point; points of one load are one where none is named (None, NaN).
     units : dict, "SI" or None
         Units of the columns, as in ``{"P": "mN", "A": "mm^2"}``; SI for those that are not named. None: dimensionless
         in the sense of the paper (loads in R G_Ic, areas in (R/xi)^2).
@@ -65,12 +62,18 @@ class Dataset:
     """
 
     def __init__(self, *, runs=None, units="SI", name="data", **given):
-        columns = []
-        for column in _COLUMNS:
-            if column in given:
-                columns.append(_column(column, given.pop(column), units))
+        there = {column: given.pop(column) for column in _COLUMNS if column in given}
+        there = {column: values for column, values in there.items() if values is not None}
+        if isinstance(units, dict):
+            unknown = [key for key in units if key not in there]
+            if unknown:
+                raise _core.InputError(f"units: '{unknown[0]}' is no column; there are {', '.join(there)}")
+        elif units not in (None, "SI"):
+            raise _core.InputError("units must be a dict such as {'P': 'mN', 'A': 'mm^2'}, \"SI\", or None: dimensionless")
+        name = str(name)
+        columns = [_column(column, values, units) for column, values in there.items()]
         if runs is not None:
-            columns.append(("curve", [str(run) for run in runs]))
+            columns.append(("curve", ["" if run is None or run != run else str(run) for run in runs]))
         stated = [(key, constant_text(key, value)) for key, value in given.items() if value is not None]
         self._core = _made(_core.from_arrays, (name, columns, stated))
         self._source = ("arrays", (name, columns, stated))
@@ -174,6 +177,8 @@ def from_frame(frame, columns=None, *, runs=None, units="SI", name="frame", **co
     if missing:
         raise _core.InputError(f"{name}: has no column '{missing[0]}'; there are {', '.join(map(str, frame))}")
     if isinstance(runs, str):
+        if runs not in frame:
+            raise _core.InputError(f"{name}: has no column '{runs}'; there are {', '.join(map(str, frame))}")
         runs = frame[runs]
     elif runs is None and "curve" in frame:
         runs = frame["curve"]
@@ -196,6 +201,8 @@ def read(path, **constants):
     files = [file for one in paths for file in _core.files_of(os.fspath(one))]
     stated = []
     for key, value in constants.items():
+        if value is None:
+            continue
         if key == "columns" and isinstance(value, dict):
             value = ",".join(f"{column}={heading}" for column, heading in value.items())
         stated.append((key, constant_text(key, value)))

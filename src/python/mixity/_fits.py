@@ -1,5 +1,6 @@
 """Fits and what they say."""
 
+import copy
 import html
 import json
 
@@ -7,19 +8,24 @@ import numpy as np
 
 from . import _core
 from ._data import Dataset
+from ._units import is_pint, plain_array, si_names
 
 
 _KEYS = frozenset(_core.model_keys())
 
 
 def _option_text(value):
+    if isinstance(value, (np.generic, np.ndarray)):
+        value = value.tolist()
     if isinstance(value, str):
         return value
     if isinstance(value, bool):
         return "true" if value else "false"
+    if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
+        return str(int(value))
     if isinstance(value, dict):
-        return ",".join(f"{key}={float(one)!r}" if one is not None else key for key, one in value.items())
-    if isinstance(value, (list, tuple, set)):
+        return ",".join(key if one is None else f"{key}={_option_text(one)}" for key, one in value.items())
+    if isinstance(value, (list, tuple, set, range)):
         return ",".join(map(_option_text, value))
     return repr(value)
 
@@ -64,8 +70,11 @@ def fit(data, models="abc", *, objective=None, free=None, progress=None, **optio
         raise TypeError("data must be a mixity.Dataset: Dataset(P=..., T=..., A=...), from_frame(...) or read(...)")
     stated = [("models", _option_text(_model_keys(models)))]
     for name, value in {"objective": objective, "free": free, **options}.items():
-        if value is not None:
-            stated.append((name, _option_text(value)))
+        if name in si_names() and name not in _core.option_names():
+            raise _core.InputError(f"{name}: is no option of a fit: state it in mixity.Dataset({name}=...), or in mixity.read")
+        text = None if value is None else _option_text(value)
+        if text is not None and not (text == "" and not isinstance(value, str)):  # an empty list is none
+            stated.append((name, text))
     bar = None
     if progress is True:
         try:
@@ -164,7 +173,9 @@ class Fit:
             experiment among them), without the scatter of a new measurement.
         """
         core = self.data._core
-        P, T = np.broadcast_arrays(np.asarray(P, float) / core.force_scale, np.asarray(T, float) / core.force_scale)
+        if not 0 < confidence < 1:
+            raise _core.InputError(f"confidence is {confidence}; it must lie between 0 and 1")
+        P, T = np.broadcast_arrays(self._load("P", P), self._load("T", T))
         A, error, _ = self._fits._results.areas(
             self._index, np.ascontiguousarray(P).reshape(-1), np.ascontiguousarray(T).reshape(-1)
         )
@@ -172,23 +183,38 @@ class Fit:
         half = _normal_quantile(0.5 + confidence / 2) * error
         return A, A - half, A + half
 
-    def folds(self, P, control="load"):
-        """Where the fitted contact loses stability at load P; see :func:`mixity.folds`. Units of the data, u in m."""
-        from . import _mechanics
-
+    def _load(self, name, loads):
+        """Dimensionless, of loads in the data's unit or of pint quantities."""
         core = self.data._core
-        lam = tuple(self.params[name].value for name in _core.parameter_names(self.model))
-        found = _mechanics.folds(self.model, lam, np.asarray(P, float) / core.force_scale, control=control)
+        array = plain_array(name, loads)
+        if not is_pint(loads):
+            return array / core.force_scale
+        if not core.force_unit_text:
+            raise _core.InputError(f"'{name}' has a unit, but the data are dimensionless")
+        return array / core.force_unit
+
+    def folds(self, P, control="load", stiffness=0.0):
+        """Where the fitted contact loses stability at load P (in ``data.units["force"]``), as it would be read.
+
+        Returns
+        -------
+        list of dict
+            As of :func:`mixity.folds`, in the units of the data, u in m; with T_stderr, u_stderr and A_stderr from the
+            covariance of the fit, constants of the experiment among them (None where they are not known). ``stiffness`` of
+            control "stiffness" is in N/m, of dimensionless data k/(xi^2 G_Ic).
+        """
+        core = self.data._core
+        found = self._fits._results.folds(self._index, float(self._load("P", P)), control, stiffness / core.stiffness_unit)
         for fold in found:
-            fold["T"] *= core.force_scale
-            for key in ("A", "area_after", "area_lost"):
-                fold[key] *= core.area_scale
-            fold["u"] *= core.displacement_unit
+            for key in ("T", "T_stderr", "A", "A_stderr", "area_after", "area_lost", "u", "u_stderr"):
+                if fold[key] is not None:
+                    scale = core.force_scale if key[0] == "T" else core.displacement_unit if key[0] == "u" else core.area_scale
+                    fold[key] *= scale
         return found
 
     def to_dict(self):
         """This fit's part of the program's JSON."""
-        return self._fields
+        return copy.deepcopy(self._fields)
 
     def __repr__(self):
         values = ", ".join(repr(one)[1:-1] for one in self.params.values())
@@ -240,7 +266,7 @@ class Fits:
 
     def to_dict(self):
         """The program's JSON (schema mixity-fit-1) of this data set and its fits."""
-        return self._document
+        return copy.deepcopy(self._document)
 
     def keys(self):
         return self._results.models()

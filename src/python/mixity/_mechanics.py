@@ -3,6 +3,7 @@
 import numpy as np
 
 from . import _core
+from ._units import is_pint, plain_array
 
 #: What the status arrays mean.
 STATUS = ("ok", "no_equilibrium", "invalid")
@@ -18,14 +19,21 @@ class _Units:
         self.force = self.area = self.displacement = self.stress = 1.0
         if contact is None:
             return
-        radius, modulus, toughness = contact
+        try:
+            radius, modulus, toughness = map(float, contact)
+        except (TypeError, ValueError):
+            radius = modulus = toughness = 0.0
+        if not (0 < radius < np.inf and 0 < modulus < np.inf and 0 < toughness < np.inf):
+            raise _core.InputError(f"contact is {contact!r}; it must be (radius [m], modulus [Pa], toughness [J/m^2]), all above 0")
         xi = np.cbrt(modulus * radius / toughness)
         self.force, self.area = radius * toughness, (radius / xi) ** 2
         self.displacement, self.stress = radius / xi**2, modulus / xi
 
 
-def _scaled(value, unit):
-    value = np.asarray(value, dtype=np.float64)
+def _scaled(name, value, unit, contact):
+    if is_pint(value) and contact is None:
+        raise _core.InputError(f"'{name}' has a unit; that needs contact=(radius, modulus, toughness)")
+    value = plain_array(name, value)
     return value if unit == 1.0 else value / unit
 
 
@@ -39,9 +47,15 @@ def _flat(arrays):
     return shape, flat
 
 
-def _parameters(lam):
+def _parameters(model, lam):
     """One array for each parameter: of a model with several, a tuple of them."""
-    return [np.asarray(one, dtype=np.float64) for one in (lam if isinstance(lam, tuple) else (lam,))]
+    names = _core.parameter_names(model)
+    if not names:
+        raise _core.InputError(f"there is no model '{model}'; there are {', '.join(_core.model_keys())}")
+    given = lam if isinstance(lam, tuple) else (lam,)
+    if len(given) != len(names):
+        raise _core.InputError(f"model '{model}' has the parameters ({', '.join(names)}), a tuple of {len(names)}, not {len(given)}")
+    return [plain_array(name, one) for name, one in zip(names, given)]
 
 
 def _output(out, shape):
@@ -95,8 +109,8 @@ def area(model, lam, P, T, *, contact=None, out=None, return_status=False):
     [20.774557, 20.352272, 18.840051]
     """
     units = _Units(contact)
-    parameters = _parameters(lam)
-    shape, flat = _flat([*parameters, _scaled(P, units.force), _scaled(T, units.force)])
+    parameters = _parameters(model, lam)
+    shape, flat = _flat([*parameters, _scaled("P", P, units.force, contact), _scaled("T", T, units.force, contact)])
     A = _output(out, shape)
     status = np.empty(shape, dtype=np.uint8)
     _core.areas(model, flat[:-2], flat[-2], flat[-1], A.reshape(-1), status.reshape(-1))
@@ -107,7 +121,7 @@ def area(model, lam, P, T, *, contact=None, out=None, return_status=False):
 
 def toughness(model, lam, psi):
     """f = G_c/G_Ic at phase angles psi [rad], 0..pi/2; NaN outside and for ``lam`` out of range."""
-    parameters = _parameters(lam)
+    parameters = _parameters(model, lam)
     shape, flat = _flat([*parameters, np.asarray(psi, dtype=np.float64)])
     f = np.empty(shape)
     _core.toughness_ratios(model, flat[:-1], flat[-1], f.reshape(-1))
@@ -120,8 +134,8 @@ def tangential_load(model, lam, P, A, *, contact=None):
     NaN where there is none: an area above that of JKR, or not above that of Hertz. Units as of :func:`area`.
     """
     units = _Units(contact)
-    parameters = _parameters(lam)
-    shape, flat = _flat([*parameters, _scaled(P, units.force), _scaled(A, units.area)])
+    parameters = _parameters(model, lam)
+    shape, flat = _flat([*parameters, _scaled("P", P, units.force, contact), _scaled("A", A, units.area, contact)])
     T = np.empty(shape)
     _core.tangential_loads(model, flat[:-2], flat[-2], flat[-1], T.reshape(-1))
     return _shown(T * units.force)
@@ -133,15 +147,15 @@ def displacement(model, lam, P, T, *, contact=None):
     NaN where :func:`area` is.
     """
     units = _Units(contact)
-    T = _scaled(T, units.force)
-    A = area(model, lam, _scaled(P, units.force), T)
+    T = _scaled("T", T, units.force, contact)
+    A = area(model, lam, _scaled("P", P, units.force, contact), T)
     return 0.75 * np.abs(T) / np.sqrt(A / np.pi) * units.displacement
 
 
 def phase_angle(P, T, A, *, contact=None):
     """(psi [rad], G_c/G_Ic) that a measured area says of the interface; NaN where it does not exceed that of Hertz."""
     units = _Units(contact)
-    shape, flat = _flat([_scaled(P, units.force), _scaled(T, units.force), _scaled(A, units.area)])
+    shape, flat = _flat([_scaled("P", P, units.force, contact), _scaled("T", T, units.force, contact), _scaled("A", A, units.area, contact)])
     psi, f = np.empty(shape), np.empty(shape)
     _core.phase_angles(*flat, psi.reshape(-1), f.reshape(-1))
     return _shown(psi), _shown(f)

@@ -1,8 +1,17 @@
 """Planned experiments, simulated ones, and campaigns of many on one machine or several."""
 
+import numpy as np
+
 from . import _core
 from ._data import Dataset, _made
-from ._units import constant_text
+from ._fits import _model_keys
+from ._units import constant_text, plain_array
+
+
+def _keys(models):
+    """"abc", "bk", "a,bk" or a list as a list of keys."""
+    keys = _model_keys(models)
+    return [key.strip() for key in keys.split(",") if key.strip()] if isinstance(keys, str) else list(keys)
 
 
 class Plan:
@@ -35,7 +44,13 @@ class Plan:
     def __init__(self, model, lam, loads=(), *, points=25, reach=0.9, sigma_T="1%", sigma_A="1%", **constants):
         parameters = [float(one) for one in (lam if isinstance(lam, tuple) else (lam,))]
         stated = [(key, constant_text(key, value)) for key, value in constants.items()]
-        self._given = (model, parameters, stated, [float(load) for load in loads], int(points), float(reach), sigma_T, sigma_A)
+        if points != int(points) or points < 1:
+            raise _core.InputError(f"points is {points}; it must be a whole number above 0")
+        for name, error in (("sigma_T", sigma_T), ("sigma_A", sigma_A)):
+            if not isinstance(error, str):
+                raise _core.InputError(f"{name} is {error!r}; it must be a text such as \"1%\" or \"0.2 mN\"")
+        loads = np.atleast_1d(plain_array("P", loads)).tolist()
+        self._given = (model, parameters, stated, loads, int(points), float(reach), sigma_T, sigma_A)
         self._core = _made(_core.Plan, self._given)
 
     def __reduce__(self):
@@ -62,11 +77,11 @@ class Plan:
         The error is that of the Fisher information with the constants as nuisance parameters (Ds-optimality, Silvey
         1980); chi2/2 is the expected logarithm of the odds against a rival (Atkinson & Fedorov 1975).
         """
-        return self._core.expect(list(rivals))
+        return self._core.expect(_keys(rivals))
 
     def next_loads(self, least, most, candidates=21, rivals="abc"):
         """[(load [N], expectation of the plan with it)] for one more run between two loads [N]."""
-        return self._core.next_loads(least, most, candidates, list(rivals))
+        return self._core.next_loads(least, most, candidates, _keys(rivals))
 
     def plot_loads(self, least, most, rivals="abc", ax=None):
         """The error of lambda and the odds between models with one more run, against its load; on matplotlib axes."""
@@ -78,12 +93,14 @@ class Plan:
         """The plan with so many more runs at the loads that serve best: goal "error" of lambda, or "model"."""
         if goal not in ("error", "model"):
             raise ValueError("goal must be 'error' or 'model'")
-        return self.with_loads(self._core.best(least, most, runs, goal == "model", list(rivals)).loads)
+        return self.with_loads(self._core.best(least, most, runs, goal == "model", _keys(rivals)).loads)
 
     def experiments(self, count, seed=1, rivals="", progress=None):
         """Simulates and fits so many experiments: mean and spread of lambda, the mean stated standard error, the share of
         95 % intervals that hold the truth, and of experiments that decide for the right model (with rivals)."""
-        return self._core.experiments(seed, count, list(rivals), progress)
+        if count < 2:
+            raise _core.InputError(f"experiments is {count}; a spread needs two at least")
+        return self._core.experiments(seed, int(count), _keys(rivals), progress or None)
 
 
 def _plan_again(given):
@@ -128,6 +145,8 @@ def campaign(function, count, executor=None, chunk=None):
     """
     if executor is None:
         return _some(function, range(count))
-    size = chunk or max(1, -(-count // 64))
+    if chunk is not None and (chunk != int(chunk) or chunk < 1):
+        raise ValueError(f"chunk is {chunk}; it must be a whole number above 0")
+    size = int(chunk) if chunk else max(1, -(-count // 64))
     tasks = [executor.submit(_some, function, range(i, min(i + size, count))) for i in range(0, count, size)]
     return [result for task in tasks for result in task.result()]

@@ -1,5 +1,9 @@
 """Quantities as the program takes them: texts with units."""
 
+import numpy as np
+
+from . import _core
+
 _SI = {
     "P": "N",
     "T": "N",
@@ -38,6 +42,27 @@ def si_unit(name):
     return _SI.get(name, "")
 
 
+def plain_array(name, value):
+    """Doubles of any shape: pint quantities in SI, what a mask hides as NaN; a copy where there is nothing to convert."""
+    if is_pint(value):
+        value = in_si(name, value)
+    elif isinstance(value, (list, tuple)) and len(value) > 0 and all(map(is_pint, value)):
+        value = [in_si(name, one) for one in value]
+    try:
+        if np.ma.isMaskedArray(value):
+            return value.astype(np.float64).filled(np.nan)
+        if np.iscomplexobj(value):
+            raise ValueError("complex numbers")
+        return np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise _core.InputError(f"'{name}' holds no numbers: {error}") from None
+
+
+def si_names():
+    """Names of columns and constants that have a unit."""
+    return _SI.keys()
+
+
 def is_pint(value):
     return hasattr(value, "magnitude") and hasattr(value, "to")
 
@@ -45,17 +70,32 @@ def is_pint(value):
 def in_si(name, quantity):
     """Magnitude of a pint quantity in the SI unit of that name."""
     unit = si_unit(name)
-    return quantity.to(_PINT.get(unit, unit) or "dimensionless").magnitude
+    try:
+        return quantity.to(_PINT.get(unit, unit) or "dimensionless").magnitude
+    except Exception as error:  # pint's own, which this package does not import
+        raise _core.InputError(f"'{name}' must be in {unit or 'no unit'}: {error}") from None
 
 
 def constant_text(name, value):
     """A constant as a text: strings stay, floats are SI, a pair is a value and its standard error."""
     if isinstance(value, str):
         return value
-    if isinstance(value, (tuple, list)) and len(value) == 2:
-        one, error = (in_si(name, v) if is_pint(v) else v for v in value)
-        unit = si_unit(name)
-        return f"{float(one)!r} {unit} +/- {float(error)!r} {unit}".replace("  ", " ").strip()
-    if is_pint(value):
-        value = in_si(name, value)
-    return f"{float(value)!r} {si_unit(name)}".strip()
+    parts = value if isinstance(value, (tuple, list)) else (value,)
+    texts = []
+    for part in parts:
+        if isinstance(part, str):
+            texts.append(part)
+            continue
+        try:
+            if isinstance(part, (bool, np.bool_)):
+                raise TypeError("a truth value is none")
+            texts.append(f"{float(in_si(name, part) if is_pint(part) else part)!r} {si_unit(name)}".strip())
+        except (TypeError, ValueError):
+            texts = []
+            break
+    if len(texts) not in (1, 2):
+        raise _core.InputError(
+            f"'{name}' is no column, and as a constant it must be a number in SI, a text such as \"9.42 mm +/- 1%\", a pair of "
+            "value and standard error, or a pint quantity"
+        )
+    return " +/- ".join(texts)

@@ -13,8 +13,20 @@ class _Area(lmfit.Model):
     """Gives leastsq, lmfit's default, the engine's derivatives."""
 
     def fit(self, data, params=None, weights=None, method="leastsq", fit_kws=None, **given):
-        tied = params is not None and any(one.expr for one in params.values())
-        if method == "leastsq" and not tied:
+        params = self.make_params() if params is None else params.copy()
+        for name in [name for name in given if name in params]:
+            value = given.pop(name)
+            if isinstance(value, lmfit.Parameter):
+                params[name] = lmfit.Parameter(name, value.value, value.vary, value.min, value.max, value.expr)
+            else:
+                params[name].set(value=value)
+        vary = [one for one in params.values() if one.vary]
+        for one in vary:  # at a bound the derivative in lmfit's own variable is zero, and nothing moves
+            inside = 1e-3 * (one.max - one.min)
+            if np.isfinite(inside):
+                one.set(value=min(max(one.value, one.min + inside), one.max - inside))
+        ours = vary and all(one.name in self.param_names for one in vary) and not any(one.expr for one in params.values())
+        if method == "leastsq" and ours:
             fit_kws = {"Dfun": self._slopes_of_residual, "col_deriv": False, **(fit_kws or {})}
         return super().fit(data, params, weights, method, fit_kws=fit_kws, **given)
 
@@ -22,8 +34,10 @@ class _Area(lmfit.Model):
         """Of what lmfit minimises, data less model."""
         x = [params[name].value for name in self.param_names]
         by_name = dict(zip(self.param_names, slopes(self.key, x, *self.loads(P, T))))
-        columns = np.column_stack([-self.area_unit * by_name[name] for name in params if params[name].vary])
-        return columns if weights is None else columns * np.reshape(weights, (-1, 1))
+        columns = [np.broadcast_to(by_name[name], np.shape(data)) for name in params if params[name].vary]
+        return np.column_stack([
+            np.ravel(-self.area_unit * one * (1.0 if weights is None else weights)) for one in columns
+        ])
 
 
 def model(key, *, contact=None):
@@ -52,6 +66,8 @@ def model(key, *, contact=None):
     from . import _mechanics
 
     units = _mechanics._Units(contact)
+    if key not in _core.model_keys():
+        raise _core.InputError(f"there is no model '{key}'; there are {', '.join(_core.model_keys())}")
     names = [_python_name(name) for name in _core.parameter_names(key)]
 
     def loads(P, T):
@@ -68,7 +84,7 @@ def model(key, *, contact=None):
     made = _Area(area, independent_vars=["P", "T"], name=f"mixity {key}")
     made.key, made.loads, made.area_unit = key, loads, units.area
     for name, (low, high) in zip(names, _core.parameter_bounds(key)):
-        made.set_param_hint(name, min=low, max=high)
+        made.set_param_hint(name, value=low + 0.1 * (min(high, 10.0) - low), min=low, max=high)
     return made
 
 

@@ -50,19 +50,21 @@ def residuals(model, P, T, A, *, sigma=None, contact=None):
 def areas_to_the_fold(model, x, P, T):
     """Areas; beyond the last equilibrium that at it, so that a minimiser sees no NaN. Dimensionless."""
     lam = tuple(map(float, x))
-    A, status = _mechanics.area(model, lam, P, T, return_status=True)
+    shape = np.broadcast_shapes(np.shape(P), np.shape(T))
+    A, status = map(np.atleast_1d, _mechanics.area(model, lam, P, T, return_status=True))
+    P = np.broadcast_to(P, A.shape)
     for load in np.unique(P[status == 1]):
         beyond = (status == 1) & (P == load)
         folds = [fold for fold in _mechanics.folds(model, lam, load) if fold["met_on"] == "loading"]
         A[beyond] = folds[-1]["A"] if folds else 0.0
-    return A
+    return A.reshape(shape)
 
 
 def slopes(model, x, P, T):
     """dA/dx for each parameter at dimensionless loads; 0 on and beyond the fold, where the areas above do not depend on
     it smoothly."""
     lam = [np.array([float(one)]) for one in x]
-    A = _mechanics.area(model, tuple(map(float, x)), P, T)
+    A = np.atleast_1d(_mechanics.area(model, tuple(map(float, x)), P, T))
     found = [np.empty(A.size) for _ in lam]
     _core.area_slopes(model, lam, np.ascontiguousarray(P).ravel(), np.ascontiguousarray(T).ravel(), A.ravel(), found)
-    return [np.where(np.isfinite(slope), slope, 0.0).reshape(A.shape) for slope in found]
+    return [np.where(np.isfinite(slope), slope, 0.0).reshape(np.shape(A)) for slope in found]
