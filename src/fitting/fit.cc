@@ -104,12 +104,24 @@ class Fitter {
     }
     judge(x);
     if (checked() && p > 0) tell_consistency();
+    doubt_what_is_unknown();
     return result_;
   }
 
  private:
   void tell(double fraction) const {
     if (options_.progress) options_.progress(fraction);
+  }
+
+  /// A value with an error beyond its whole range is none.
+  void doubt_what_is_unknown() {
+    for (const FittedParameter& one : result_.parameters) {
+      if (result_.status != FitStatus::ok || !one.stderr_ || !(*one.stderr_ > one.upper - one.lower)) continue;
+      result_.status = FitStatus::suspect;
+      result_.message =
+          "the data do not tell " + one.name +
+          ": its standard error exceeds its whole range; check the sizes and units of sigma_T and sigma_A";
+    }
   }
 
   bool checked() const { return purpose_ == Purpose::shown && options_.checks; }

@@ -249,5 +249,17 @@ TEST(Weighted, LinearScaleWeighsTheDifferenceItself) {
   EXPECT_LT(std::abs(slope), 1e-6 * std::sqrt(size * fit.sum_of_squares));
 }
 
+/// As of errors of 0.01 that stand in a column of another unit than their areas.
+TEST(Status, OfAValueWhoseErrorExceedsItsRangeIsNotOk) {
+  SeededNoise noise(4, 0.001);
+  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {1, 4}, 12, 0.8, [&] { return noise(); });
+  FitOptions options;
+  options.sigma_A = parse_quantity("1000000%");
+  options.sigma_T = parse_quantity("0%");
+  const FitResult fit = fit_model(data, "c", options);
+  EXPECT_EQ(fit.status, FitStatus::suspect);
+  EXPECT_NE(fit.message.find("exceeds its whole range"), std::string::npos) << fit.message;
+}
+
 }  // namespace
 }  // namespace mixity
