@@ -1,4 +1,5 @@
 // mixity report: fits, and everything that can be shown of them.
+#include <algorithm>
 #include <iostream>
 
 #include "cli/commands.h"
@@ -24,6 +25,8 @@ int run_report(const Arguments& arguments) {
     const auto before = static_cast<double>(results.size());
     results.push_back(run_for_report(job, stretch(progress, share * before, share * (before + 1))));
   }
+  // contacts first: they have jumps to foretell
+  std::stable_partition(results.begin(), results.end(), [](const JobResult& one) { return one.data.has_loads; });
   tell_names_apart(results);
   std::vector<ReportedData> data;
   data.reserve(results.size());

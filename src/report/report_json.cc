@@ -1,5 +1,6 @@
 #include "report/report_json.h"
 
+#include "report/answer.h"
 #include "report/fit_statistics_json.h"
 #include "report/fit_table.h"
 #include "report/versions.h"
@@ -54,6 +55,20 @@ Json peaks_json(const std::optional<PeakForces>& peaks, const std::vector<Predic
           {"excluded", excluded_json(peaks->excluded, nullptr)}};
 }
 
+Json answer_json(const JobResult& result) {
+  const Answer answer = answer_of(result);
+  if (!answer.fit) return {};
+  Json jumps = Json::array();
+  for (const PredictedJump& jump : answer.jumps)
+    jumps.push_back({{"P", jump.P},
+                     {"T", number_or_null(jump.T.value)},
+                     {"T_stderr", number_or_null(jump.T.standard_error)},
+                     {"A", number_or_null(jump.A.value)},
+                     {"A_stderr", number_or_null(jump.A.standard_error)},
+                     {"largest_T", jump.largest_T}});
+  return {{"model", answer.fit->model}, {"result", answer.result}, {"jumps", jumps}, {"cannot_say", answer.cannot_say}};
+}
+
 /// `svg`: those of this entry's figures and further ones; moves on past them.
 Json entry_json(const ReportEntry& entry, std::vector<std::string>::const_iterator& svg) {
   Json json = dataset_json(entry.data->result);
@@ -63,13 +78,14 @@ Json entry_json(const ReportEntry& entry, std::vector<std::string>::const_iterat
     for (const Figure& figure : group.figures) {
       Json files = Json::array();
       const bool drawn = !(svg++)->empty();
-      for (const char* ending : {".dat", ".gp", ".svg", ".pdf"})
+      for (const char* ending : {".dat", ".gp", ".svg", ".pdf", ".png"})
         if (drawn || ending[1] == 'd' || ending[1] == 'g') files.push_back("figures/" + figure.name + ending);
       figures.push_back(
           {{"name", figure.name}, {"title", figure.title}, {"caption", figure.caption}, {"files", files}});
     }
   for (const MissingFigure& figure : entry.figures.left_out)
     left_out.push_back({{"figure", figure.what}, {"reason", figure.why}});
+  json["answer"] = answer_json(entry.data->result);
   json["settings"] = settings;
   json["findings"] = findings(entry.data->result);
   json["assumptions"] = assumptions(entry.data->result);

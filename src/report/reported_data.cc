@@ -23,6 +23,16 @@ JobResult run_for_report(FitJob job, const Progress& progress) {
       job.options.progress = stretch(progress, before, before + share);
       result.per_curve.push_back(fit_per_curve(result.data, model, job.options));
     }
+  // the best model first, in every table and figure
+  std::vector<FitResult> fits;
+  std::vector<PerCurve> per_curve;
+  for (const std::size_t i : by_merit(result)) {
+    for (PerCurve& one : result.per_curve)
+      if (one.model == result.fits[i].model) per_curve.push_back(std::move(one));
+    fits.push_back(std::move(result.fits[i]));
+  }
+  result.fits = std::move(fits);
+  result.per_curve = std::move(per_curve);
   if (progress) progress(1);
   return result;
 }

@@ -12,6 +12,7 @@
 namespace mixity {
 
 /// Runs a job with what the figures need beyond `fit`: cost profiles, and each run by itself where there are several.
+/// The fit that describes the data best comes first.
 JobResult run_for_report(FitJob job, const Progress& progress = {});
 
 struct ReportedData {

@@ -1,6 +1,7 @@
 #include "report/summary_markdown.h"
 
 #include "dataset/printable.h"
+#include "report/answer.h"
 #include "report/budget_text.h"
 #include "report/fit_table.h"
 #include "report/versions.h"
@@ -32,6 +33,22 @@ std::string data_set(const ReportEntry& entry) {
   if (data.metadata.provenance == Provenance::reconstructed) text += " " + std::string(kReconstructedNotice);
   text += "\n\n" + std::to_string(data.rows) + " data rows, " + std::to_string(data.points.size()) + " used, " +
           std::to_string(data.excluded.size()) + " excluded.\n\n";
+  const Answer answer = answer_of(result);
+  if (answer.fit) {
+    text += "**" + escaped(answer.result) + "**, " + escaped(answer.model) + ".";
+    if (!answer.interval.empty()) text += " " + answer.interval + ".";
+    if (!answer.doubt.empty()) text += " **" + escaped(with_powers(answer.doubt)) + ".**";
+    text += "\n\n";
+    const auto rows = jump_table(answer, data);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      std::vector<std::string> cells;
+      for (const std::string& cell : rows[i]) cells.push_back(with_powers(cell));
+      text += table_line(cells) + (i == 0 ? "|---|---|---|---|\n" : "");
+    }
+    if (!rows.empty()) text += "\n";
+    for (const std::string& sentence : answer.cannot_say) text += "- " + escaped(sentence) + "\n";
+    if (!answer.cannot_say.empty()) text += "\n";
+  }
   for (const std::string& sentence : findings(result)) text += escaped(with_powers(sentence)) + "\n";
   if (!findings(result).empty()) text += "\n";
   const FitTable table = fit_table(result);

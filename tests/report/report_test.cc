@@ -58,8 +58,18 @@ TEST_F(Report, JsonHoldsTheFitsAsFitDoes) {
   for (const char* name : {"mergel2018", "waters_guduru2010"}) {
     const JobResult fitted = run(read_fit_definition(MIXITY_ROOT "/fits/" + std::string(name) + ".toml"));
     const Json fit = Json::parse(to_json({fitted}))["datasets"][0];
-    for (const char* key : {"path", "name", "provenance", "notice", "points", "excluded", "fits", "comparison"})
+    for (const char* key : {"path", "name", "provenance", "notice", "points", "excluded", "comparison"})
       EXPECT_EQ(report["datasets"][i][key], fit[key]) << name << ' ' << key;
+    // the same fits, the best of them first
+    const auto of_model = [](const Json& fits, const std::string& model) {
+      for (const Json& one : fits)
+        if (one["model"] == model) return one;
+      return Json();
+    };
+    const Json& fits = report["datasets"][i]["fits"];
+    ASSERT_EQ(fits.size(), fit["fits"].size());
+    EXPECT_EQ(fits[0]["model"], report["datasets"][i]["answer"]["model"]);
+    for (const Json& one : fit["fits"]) EXPECT_TRUE(of_model(fits, one["model"]) == one) << name << ' ' << one["model"];
     ++i;
   }
 }

@@ -72,7 +72,8 @@ DataFigures data_figures(const ReportedData& reported) {
   add(residual_figures(reported), "residuals", no_value);
   group("What the models predict");
   add(behaviour_figures(reported), "displacement and radius curves", load_reason("no tangential load is above 0"));
-  add(regime_figures(reported), "regime map", load_reason("no fitted model has lambda as its only parameter"));
+  add(regime_figures(reported, figures.left_out), "regime map",
+      load_reason("no fitted model has lambda as its only parameter and more than one regime"));
   group("Other laws");
   add(sahli_figures(reported), "alpha against A0",
       data.has_loads ? "fewer than two runs have a falling parabola" : no_loads);

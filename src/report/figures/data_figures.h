@@ -50,8 +50,8 @@ std::vector<Figure> run_figures(const ReportedData& data);
 std::vector<Figure> left_out_figures(const ReportedData& data);
 /// u(T), A(u) (Fig. 6) and a(P) (Fig. 4) at the fitted parameters.
 std::vector<Figure> behaviour_figures(const ReportedData& data);
-/// What becomes of a contact over load and lambda, with the data's loads.
-std::vector<Figure> regime_figures(const ReportedData& data);
+/// What becomes of a contact over load and lambda, with the data's loads; a map that is one regime is left out.
+std::vector<Figure> regime_figures(const ReportedData& data, std::vector<MissingFigure>& left_out);
 /// alpha against A0 with the exponents -5/4 and -3/2.
 std::vector<Figure> sahli_figures(const ReportedData& data);
 /// T/A_Hertz against P at peak and minimum (Fig. 11), with the jump that each model predicts. `stem`: what the name

@@ -224,19 +224,40 @@ std::string figure_data(const Figure& figure) {
 
 std::string figure_script(const Figure& figure) {
   std::ostringstream out;
-  out << "# " << figure.title << "\n# Draws " << figure.name << ".svg and " << figure.name << ".pdf: gnuplot "
-      << figure.name
-      << ".gp\nreset\nset encoding utf8\nset border 3\nset tics out nomirror scale 0.6\nset errorbars 0.4\nset key "
-      << place(figure.key_place) << " Left reverse samplen 2.5";
-  if (!figure.key_title.empty()) out << " title " << script_string(figure.key_title) << " left";
-  out << '\n' << axis_commands(figure, true) << axis_commands(figure, false);
-  // A column of a journal is 8.6 cm wide; text is then 8 pt.
-  out << "set terminal svg size " << (figure.wide ? "890,400" : "430,305")
-      << " dynamic font \"Helvetica,13\" background \"#ffffff\"\nset output " << script_string(figure.name + ".svg")
-      << '\n'
-      << plotted(figure) << "\nset terminal pdfcairo size " << (figure.wide ? "17.8cm,8cm" : "8.6cm,6.1cm")
+  const std::string plot = plotted(figure);
+  const auto key = [&](KeyPlace place_of_key, const char* size) {
+    out << "set key " << place(place_of_key) << " Left reverse " << size;
+    if (!figure.key_title.empty()) out << " title " << script_string(figure.key_title) << " left";
+    out << '\n';
+  };
+  const auto svg = [&](const char* size, const std::string& name) {
+    out << "set terminal svg size " << size << " dynamic font \"Helvetica,13\" background \"#ffffff\"\nset output "
+        << script_string(name + ".svg") << '\n'
+        << plot << '\n';
+  };
+  out << "# " << figure.title << "\n# Draws " << figure.name << ".svg, .pdf and .png: gnuplot " << figure.name
+      << ".gp\nreset\nset encoding utf8\nset border 3\nset tics out nomirror scale 0.6\nset errorbars 0.4\n"
+      << axis_commands(figure, true) << axis_commands(figure, false);
+  key(figure.key_place, "samplen 2.5");
+  svg(figure.wide ? "890,400" : "430,305", figure.name);
+  // A column of a journal is 8.6 cm wide; text is then 8 pt. Less than 9 cm high gnuplot would put the key of eight
+  // runs into two columns, in place of the figure. gnuplot has 96 dots an inch, and 300 are wanted.
+  out << "set terminal pdfcairo size " << (figure.wide ? "17.8cm,9.2cm" : "8.6cm,6.1cm")
       << " font \"Helvetica,8\" fontscale 1\nset output " << script_string(figure.name + ".pdf")
-      << "\nreplot\nset output\n";
+      << "\nreplot\nset terminal pngcairo size " << (figure.wide ? "2102,1087" : "1016,720")
+      << " font \"Helvetica,8\" fontscale 3.125 linewidth 3.125 pointscale 3.125\nset output "
+      << script_string(figure.name + ".png") << "\nreplot\n";
+  if (figure.wide) {  // for a phone
+    // gnuplot takes long labels for longer than they are, and would find no room for a second column
+    std::size_t longest = 0;
+    for (const Series& series : figure.series) longest = std::max(longest, series.label.size());
+    for (const auto& entry : figure.key) longest = std::max(longest, entry.first.size());
+    key(KeyPlace::above, longest > 20 ? "samplen 1 vertical maxrows 7 width -8 font \",10\""
+                                      : "samplen 1 vertical maxrows 7 font \",10\"");
+    if (!figure.x.logarithmic) out << "set xtics auto\n";
+    svg("430,460", figure.name + "_narrow");
+  }
+  out << "set output\n";
   return out.str();
 }
 

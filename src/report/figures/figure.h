@@ -63,7 +63,8 @@ std::string plain(std::string_view text);
 /// Blocks of "x y [x_low x_high y_low y_high] ["hover"]", one for each series, under its name; gnuplot counts them by
 /// `index`.
 std::string figure_data(const Figure& figure);
-/// Draws NAME.svg and NAME.pdf from NAME.dat, all in the folder gnuplot is started in.
+/// Draws NAME.svg, NAME.pdf, NAME.png (300 dots an inch) and, of a wide figure, NAME_narrow.svg from NAME.dat, all in
+/// the folder gnuplot is started in.
 std::string figure_script(const Figure& figure);
 
 }  // namespace mixity

@@ -99,6 +99,7 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
     scripts.push_back(figure.name + ".gp");
   }
   drawn.svg.resize(figures.size());
+  drawn.narrow.resize(figures.size());
   if (figures.empty()) return drawn;
   // What gnuplot drew, or nothing if the file does not end as one does: gnuplot does not tell of a full disk.
   const auto whole = [&](const std::string& file, std::string_view end) -> std::string {
@@ -115,16 +116,18 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
     progress(static_cast<double>(begun) / static_cast<double>(figures.size()));
   };
   if (!run_gnuplot(scripts, scratch.path(), progress ? count : std::function<void()>())) {
-    drawn.missing = "gnuplot is not installed: no SVG and PDF; the scripts draw them (gnuplot NAME.gp)";
+    drawn.missing = "gnuplot is not installed: no SVG, PDF and PNG; the scripts draw them (gnuplot NAME.gp)";
     return drawn;
   }
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const Figure& figure = figures[i];
-    std::string svg, pdf;
+    std::string svg, narrow, pdf, png;
     const auto is_drawn = [&] {
       svg = whole(figure.name + ".svg", "</svg>");
+      narrow = figure.wide ? whole(figure.name + "_narrow.svg", "</svg>") : std::string();
       pdf = whole(figure.name + ".pdf", "%%EOF");
-      return !svg.empty() && !pdf.empty();
+      png = whole(figure.name + ".png", "IEND\xae\x42\x60\x82");
+      return !svg.empty() && narrow.empty() != figure.wide && !pdf.empty() && !png.empty();
     };
     // A script that fails takes with it those that the same program would have drawn next.
     if (!is_drawn() && !(run_gnuplot({figure.name + ".gp"}, scratch.path()) && is_drawn())) {
@@ -134,6 +137,11 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
     drawn.svg[i] = readable_svg(svg, figure);
     drawn.files.push_back({folder + '/' + figure.name + ".svg", drawn.svg[i]});
     drawn.files.push_back({folder + '/' + figure.name + ".pdf", pdf});
+    drawn.files.push_back({folder + '/' + figure.name + ".png", png});
+    if (!figure.wide) continue;
+    Figure small = figure;
+    small.name += "_narrow";  // its ids are its own
+    drawn.narrow[i] = readable_svg(narrow, small);
   }
   return drawn;
 }

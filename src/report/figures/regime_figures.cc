@@ -109,7 +109,8 @@ class RegimeMap {
     tau0_ = stated_strength(data_);
   }
 
-  Figure draw() const {
+  /// Null, and why it is left out, if the map is one regime.
+  std::optional<Figure> draw(std::vector<MissingFigure>& left_out) const {
     Figure figure{reported_.stem + "_regimes_" + fit_.model,
                   "What becomes of the contact over load and lambda, model " + fit_.model,
                   {units_.P(), P_low_ * units_.force, P_high_ * units_.force},
@@ -123,7 +124,13 @@ class RegimeMap {
     }
     static constexpr std::array<std::size_t, 4> kTint{6, 3, 1, 7};
     std::array<bool, 5> named{};
-    for (const Region& region : regions(loads, columns)) {
+    const std::list<Region> all = regions(loads, columns);
+    if (all.size() == 1) {
+      left_out.push_back({"regime map of model " + fit_.model,
+                          "one regime everywhere: " + std::string(regime_text(all.front().regime)).substr(2)});
+      return std::nullopt;
+    }
+    for (const Region& region : all) {
       const auto number = static_cast<std::size_t>(region.regime);
       Series series{named[number] ? "" : regime_text(region.regime), Look::band, color(kTint[number - 1]), {}};
       named[number] = true;
@@ -172,13 +179,14 @@ class RegimeMap {
 
 }  // namespace
 
-std::vector<Figure> regime_figures(const ReportedData& reported) {
+std::vector<Figure> regime_figures(const ReportedData& reported, std::vector<MissingFigure>& left_out) {
   std::vector<Figure> figures;
   if (!reported.result.data.has_loads || reported.result.data.curve_loads.empty()) return figures;
   for (const FitResult* fit : fits_with_values(reported.result))
     with_model(fit->model, [&](auto chosen) {
       using Model = decltype(chosen);
-      if constexpr (parameter_count<Model> == 1) figures.push_back(RegimeMap<Model>(reported, *fit).draw());
+      if constexpr (parameter_count<Model> == 1)
+        if (auto figure = RegimeMap<Model>(reported, *fit).draw(left_out)) figures.push_back(std::move(*figure));
     });
   return figures;
 }

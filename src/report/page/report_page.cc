@@ -1,6 +1,5 @@
 #include "report/page/report_page.h"
 
-#include <algorithm>
 #include <map>
 #include <pugixml.hpp>
 #include <sstream>
@@ -9,39 +8,21 @@
 #include "report/budget_text.h"
 #include "report/figures/svg.h"
 #include "report/fit_table.h"
+#include "report/page/answer_section.h"
+#include "report/page/html.h"
 #include "report/page/style.h"
 #include "report/versions.h"
 
 namespace mixity {
 namespace {
 
-constexpr std::size_t kExcludedOpen = 8;  // more than these are folded away
-
-pugi::xml_node add(pugi::xml_node parent, const char* element, const std::string& text = {},
-                   const char* css_class = nullptr) {
-  pugi::xml_node node = parent.append_child(element);
-  if (css_class) node.append_attribute("class").set_value(css_class);
-  if (!text.empty()) node.text().set(text.c_str());
-  return node;
-}
-
-/// Appends text after what is already in the node.
-void add_text(pugi::xml_node node, const std::string& text) {
-  node.append_child(pugi::node_pcdata).set_value(text.c_str());
-}
-
-void add_link(pugi::xml_node node, const std::string& target, const std::string& text) {
-  add(node, "a", text).append_attribute("href").set_value(target.c_str());
-}
-
-void add_list(pugi::xml_node parent, const std::vector<std::string>& items) {
-  pugi::xml_node list = add(parent, "ul");
-  for (const std::string& item : items) add(list, "li", item);
-}
-
 class Page {
  public:
-  explicit Page(const ReportContent& content) : content_(content) {}
+  explicit Page(const ReportContent& content) : content_(content) {
+    for (const ReportEntry& entry : content.entries)
+      for (const FigureGroup& group : entry.figures.groups)
+        for (const Figure& figure : group.figures) place_.emplace(figure.name, place_.size());
+  }
 
   std::string text() {
     pugi::xml_node html = add(document_, "html");
@@ -86,26 +67,45 @@ class Page {
     pugi::xml_node heading = add(section, "h2", data.name, &entry == &content_.entries.front() ? "first" : nullptr);
     heading.append_attribute("id").set_value(entry.data->stem.c_str());
     add_provenance(section, data);
-    add_fits(section, result);
-    add_budgets(section, result);
+    const Answer answer = answer_of(result);
+    const Figure* const leading = leading_figure(entry, answer);
+    add_answer(section, answer, data, [&](pugi::xml_node parent) {
+      if (leading) add_figure(parent, *leading, true);
+    });
+    add_fits(add_folded(section, result.fits.size() > 1 ? "All models" : "The fit"), result);
+    add_budgets(add_folded(section, "Error budget and consistency"), result);
     for (const FigureGroup& group : entry.figures.groups) {
-      add(section, "h3", group.title);
-      pugi::xml_node figures = add(section, "div", {}, "figures");
-      for (const Figure& figure : group.figures) add_figure(figures, figure);
+      pugi::xml_node figures;
+      for (const Figure& figure : group.figures) {
+        if (&figure == leading) continue;
+        if (!figures) figures = add(add_folded(section, group.title), "div", {}, "figures");
+        add_figure(figures, figure);
+      }
     }
-    add_excluded(section, result);
-    add(section, "h3", "What was assumed");
-    add_list(section, assumptions(result));
-    pugi::xml_node settings = add(section, "dl");
+    add_excluded(add_folded(section, "Points left out"), result);
+    pugi::xml_node made = add_folded(section, "Data, assumptions and settings");
+    add_source(made, data);
+    add_list(made, assumptions(result));
+    pugi::xml_node settings = add(made, "dl");
     for (const auto& [name, value] : fit_settings(result)) {
       add(settings, "dt", name);
       add(settings, "dd", value);
     }
     if (entry.figures.left_out.empty()) return;
-    add(section, "h3", "Figures left out");
     std::vector<std::string> reasons;
     for (const MissingFigure& figure : entry.figures.left_out) reasons.push_back(figure.what + ": " + figure.why);
-    add_list(section, reasons);
+    add_list(add_folded(section, "Figures left out"), reasons);
+  }
+
+  /// A(T) of the best model; without loads the toughness.
+  static const Figure* leading_figure(const ReportEntry& entry, const Answer& answer) {
+    if (!answer.fit) return nullptr;
+    const std::string& stem = entry.data->stem;
+    for (const std::string& name : {stem + "_area_" + answer.fit->model, stem + "_toughness"})
+      for (const FigureGroup& group : entry.figures.groups)
+        for (const Figure& figure : group.figures)
+          if (figure.name == name) return &figure;
+    return nullptr;
   }
 
   static void add_provenance(pugi::xml_node section, const Dataset& data) {
@@ -116,6 +116,9 @@ class Page {
       add_text(banner, "Nothing says where these data come from; state it in the TOML beside the file.");
     if (data.metadata.provenance == Provenance::digitised)
       add_text(banner, "Read off a figure: errors of reading are part of the scatter.");
+  }
+
+  static void add_source(pugi::xml_node section, const Dataset& data) {
     std::string counts = std::to_string(data.rows) + " data rows, " + std::to_string(data.points.size()) + " used, " +
                          std::to_string(data.excluded.size()) + " excluded";
     if (data.has_loads)
@@ -130,7 +133,7 @@ class Page {
   static void add_fits(pugi::xml_node section, const JobResult& result) {
     for (const std::string& sentence : findings(result)) add(section, "p", with_powers(sentence));
     const FitTable fits = fit_table(result);
-    pugi::xml_node table = add(add(section, "div", {}, "scroll"), "table");
+    pugi::xml_node table = add(section, "table", {}, "fits");
     pugi::xml_node head = add(add(table, "thead"), "tr");
     for (const std::string& name : fits.headings) add(head, "th", name).append_attribute("scope").set_value("col");
     pugi::xml_node body = add(table, "tbody");
@@ -139,6 +142,8 @@ class Page {
       for (std::size_t column = 0; column < row.size(); ++column) {
         pugi::xml_node cell = add(line, column == 0 ? "th" : "td", {}, row[column].alert ? "alert" : nullptr);
         if (column == 0) cell.append_attribute("scope").set_value("row");
+        if (row[column].lines.empty()) continue;
+        cell.append_attribute("data-label").set_value(fits.headings[column].c_str());
         for (const std::string& text : row[column].lines) add(cell, "div", with_powers(text));
       }
     }
@@ -146,7 +151,6 @@ class Page {
 
   /// What the errors are made of and whether the data are consistent.
   static void add_budgets(pugi::xml_node section, const JobResult& result) {
-    add(section, "h3", "Error budget and consistency");
     if (result.unsheared) add(section, "p", with_powers(unsheared_sentence(*result.unsheared)) + ".");
     for (const FitResult& fit : result.fits) {
       std::vector<std::string> lines = budget_and_consistency(fit, result.data);
@@ -157,16 +161,20 @@ class Page {
     }
   }
 
-  void add_figure(pugi::xml_node parent, const Figure& figure) {
-    pugi::xml_node node = add(parent, "figure", {}, figure.wide ? "wide" : nullptr);
-    const std::string& svg = content_.drawn.svg.at(figure_++);
-    if (svg.empty()) {
-      add(node, "p", "Not drawn.", "soft");
-    } else {
+  /// `beside`: text, where it is never wide.
+  void add_figure(pugi::xml_node parent, const Figure& figure, bool beside = false) {
+    pugi::xml_node node = add(parent, "figure", {}, figure.wide && !beside ? "wide" : nullptr);
+    const std::size_t place = place_.at(figure.name);
+    const std::string &svg = content_.drawn.svg.at(place), &narrow = content_.drawn.narrow.at(place);
+    const auto plot = [&](const std::string& text, const char* css_class) {
       pugi::xml_document drawn;
-      drawn.load_string(inline_svg(svg).c_str());
-      add(node, "div", {}, "plot").append_copy(drawn.document_element());
-    }
+      drawn.load_string(inline_svg(text).c_str());
+      add(node, "div", {}, css_class).append_copy(drawn.document_element());
+    };
+    if (svg.empty()) add(node, "p", "Not drawn.", "soft");
+    const bool one = beside || narrow.empty();  // for screens of any width
+    if (!svg.empty()) plot(beside && !narrow.empty() ? narrow : svg, one ? "plot" : "plot broad");
+    if (!one) plot(narrow, "plot narrow");
     pugi::xml_node caption = add(node, "figcaption");
     add(caption, "strong", with_powers(figure.title) + ". ");
     add_text(caption, with_powers(figure.caption) + " ");
@@ -178,13 +186,13 @@ class Page {
     if (!svg.empty()) {
       link(".svg", "SVG");
       link(".pdf", "PDF");
+      link(".png", "PNG");
     }
     link(".dat", "data");
     link(".gp", "script");
   }
 
   static void add_excluded(pugi::xml_node section, const JobResult& result) {
-    add(section, "h3", "Points left out");
     std::vector<std::string> lines;
     for (const Excluded& point : result.data.excluded)
       lines.push_back(result.data.line_text(point.line) + ": " + std::string(point.reason));
@@ -198,15 +206,10 @@ class Page {
                       (without.size() == 1 ? ", model " + names + " only: " : ", models " + names + ": ") +
                       std::string(point.second));
     }
-    if (lines.empty()) {
+    if (lines.empty())
       add(section, "p", "None.");
-    } else if (lines.size() <= kExcludedOpen) {
+    else
       add_list(section, lines);
-    } else {
-      pugi::xml_node folded = add(section, "details");
-      add(folded, "summary", std::to_string(lines.size()) + " points");
-      add_list(folded, lines);
-    }
   }
 
   void add_reproduction(pugi::xml_node footer) const {
@@ -240,7 +243,7 @@ class Page {
 
   const ReportContent& content_;
   pugi::xml_document document_;
-  std::size_t figure_ = 0;  // of all, in the order they were drawn
+  std::map<std::string, std::size_t> place_;  // of a figure among all, by name
 };
 
 }  // namespace

@@ -31,13 +31,24 @@ code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em
 .soft { color: var(--soft); }
 .banner { background: var(--warn); border-left: 5px solid var(--color-5); padding: .6rem .9rem; margin: .6rem 0; max-width: 48rem; }
 .alert { color: var(--alert); font-weight: 600; }
-.scroll { overflow-x: auto; margin: .8rem 0; }
-.scroll th, .scroll td { min-width: 5rem; }
+.answer { display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1fr); gap: 1.2rem; align-items: start; margin: 1rem 0; }
+.answer > div:only-child { grid-column: 1 / -1; }
+.answer p { overflow-wrap: anywhere; }
+.result { font-size: clamp(1.2rem, 6vw, 1.7rem); line-height: 1.25; font-weight: 600; margin: 0 0 .5rem; }
+.bar { display: flex; height: 1rem; border-radius: 3px; overflow: hidden; }
+.bar span, .key span::before { background: var(--part); }
+.bar span { min-width: 1px; }
+.key { font-size: .88rem; }
+.key span { white-space: nowrap; margin-right: .8rem; }
+.key span::before { content: ""; display: inline-block; width: .7em; height: .7em; margin-right: .35em; }
+.jumps { margin: 1.2rem 0; }
+.jumps td { white-space: nowrap; }
+caption { text-align: left; font-weight: 600; padding-bottom: .3rem; }
 table { border-collapse: collapse; font-size: .92rem; }
 th, td { text-align: left; vertical-align: top; padding: .35rem .8rem .35rem 0; border-bottom: 1px solid var(--line); font-variant-numeric: tabular-nums; }
 th { font-weight: 600; }
 thead th { vertical-align: bottom; }
-td:nth-child(2) div, td:nth-child(5) div { white-space: nowrap; }
+.fits { margin: .8rem 0; }
 th div + div { font-weight: 400; color: var(--soft); }
 .figures { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 1.2rem; }
 figure { margin: 0; border: 1px solid var(--line); border-radius: 6px; padding: .6rem; break-inside: avoid; min-width: 0; }
@@ -49,12 +60,24 @@ figcaption strong { color: var(--ink); }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .15rem 1rem; margin: .5rem 0; max-width: 48rem; }
 dt { color: var(--soft); }
 dd { margin: 0; overflow-wrap: anywhere; }
-details { margin: .6rem 0; }
+.part { border-top: 1px solid var(--line); }
+.part > summary { font-weight: 600; padding: .6rem 0; }
+.part[open] { padding-bottom: 1rem; }
 summary { cursor: pointer; }
+.narrow { display: none; }
 @media (max-width: 46rem) {
   .figures { grid-template-columns: minmax(0, 1fr); }
-  figure.wide .plot { overflow-x: auto; }
-  figure.wide svg { min-width: 40rem; }
+  .answer { grid-template-columns: minmax(0, 1fr); }
+  .broad { display: none; }
+  .narrow { display: block; }
+  .fits, .fits tbody, .fits tr, .fits td, .fits th { display: block; border: 0; padding: 0; }
+  .fits thead { display: none; }
+  .fits tr { border-top: 1px solid var(--line); padding: .6rem 0; }
+  .fits td:not([data-label]) { display: none; }
+  .fits td { display: grid; grid-template-columns: 9rem 1fr; gap: 0 .6rem; padding: .15rem 0; overflow-wrap: anywhere; }
+  .fits td::before { content: attr(data-label); color: var(--soft); grid-row: 1 / span 9; }
+  .fits td div { grid-column: 2; }
+  .jumps th, .jumps td { padding-right: .5rem; }
   dl { grid-template-columns: 1fr; }
   dt { margin-top: .3rem; }
 }
@@ -63,9 +86,10 @@ summary { cursor: pointer; }
     --color-2: #0072b2; --color-3: #009e73; --color-4: #cc79a7; --color-5: #e69f00; --color-6: #56b4e9; --color-7: #7f7f7f; }
   body { max-width: none; padding: 0; font-size: 10pt; }
   nav, .files { display: none; }
+  ::details-content { content-visibility: visible; block-size: auto; }
+  summary { list-style: none; }
   h2 { break-before: page; }
   h2.first { break-before: auto; }
-  .scroll { overflow: visible; }
   table { font-size: 8pt; }
 }
 )css";

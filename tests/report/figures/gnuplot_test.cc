@@ -47,13 +47,14 @@ std::set<std::string> paths(const DrawnFigures& drawn) {
 TEST(Gnuplot, DrawsSvgAndPdfBesideTheScript) {
   const DrawnFigures drawn = draw_figures({example("one"), example("two")}, "f");
   EXPECT_EQ(drawn.missing, "");
-  EXPECT_EQ(paths(drawn), (std::set<std::string>{"f/one.dat", "f/one.gp", "f/one.svg", "f/one.pdf", "f/two.dat",
-                                                 "f/two.gp", "f/two.svg", "f/two.pdf"}));
+  EXPECT_EQ(paths(drawn), (std::set<std::string>{"f/one.dat", "f/one.gp", "f/one.svg", "f/one.pdf", "f/one.png",
+                                                 "f/two.dat", "f/two.gp", "f/two.svg", "f/two.pdf", "f/two.png"}));
   EXPECT_FALSE(std::filesystem::exists("f"));  // writing them is for others
   ASSERT_EQ(drawn.svg.size(), 2u);
   EXPECT_EQ(contents(drawn)["f/two.svg"], drawn.svg[1]);
   EXPECT_NE(drawn.svg[0].find("T [mN]"), std::string::npos);
   EXPECT_EQ(contents(drawn)["f/one.pdf"].substr(0, 5), "%PDF-");
+  EXPECT_EQ(contents(drawn)["f/one.png"].substr(1, 3), "PNG");
 }
 
 TEST(Gnuplot, TellsHowManyFiguresItHasBegun) {

@@ -118,7 +118,8 @@ TEST(SahliFigures, ReferenceLinesHaveTheirExponents) {
 
 TEST(RegimeFigures, ShowTheRegimeThatTheClassificationGives) {
   const ReportedData reported = reported_data(shipped("mergel2018"), "m");
-  const std::vector<Figure> drawn = regime_figures(reported);
+  std::vector<MissingFigure> left_out;
+  const std::vector<Figure> drawn = regime_figures(reported, left_out);
   ASSERT_EQ(drawn.size(), 3u);
   // Of model c without a strength every contact jumps; with it, small lambda slides first: two regions.
   const Figure& c = figure_named(drawn, "m_regimes_c");

@@ -49,11 +49,22 @@ TEST(ReportPage, SaysFirstWhereTheDataComeFrom) {
   EXPECT_NE(text.find(std::string(kReconstructedNotice)), std::string::npos) << text;
 }
 
+TEST(ReportPage, LeadsWithTheResultOfTheBestModelAndItsJumps) {
+  const JobResult result = shipped("mergel2018");
+  const ReportedData data{result, "mergel2018", {}, {}, {}};
+  const Parsed page(report_page(content_of(data)));
+  EXPECT_EQ(text_of(page.first("//p[@class='result']")), "λ = 0.002306 ± 0.000011");
+  const auto rows = page.all("//table[@class='jumps']/tbody/tr");
+  ASSERT_EQ(rows.size(), 8u);
+  EXPECT_EQ(text_of(rows[0].node()), "7.732 136.26 ± 0.32 0.3268 137");
+  EXPECT_EQ(page.all("//details[@open]").size(), 0u);
+}
+
 TEST(ReportPage, HoldsTheFitTable) {
   const ReportedData data{shipped("mergel2018"), "mergel2018", {}, {}, {}};
   const Parsed page(report_page(content_of(data)));
   const FitTable table = fit_table(shipped("mergel2018"));
-  const auto cells = page.all("//tbody/tr/*");
+  const auto cells = page.all("//table[@class='fits']/tbody/tr/*");
   ASSERT_EQ(cells.size(), table.rows.size() * table.headings.size());
   std::size_t i = 0;
   for (const auto& row : table.rows)
@@ -86,9 +97,9 @@ TEST(ReportPage, ListsEveryExcludedPointWithItsReason) {
   result.fits[0].excluded = {{30, "infinite toughness"}};
   const ReportedData data{result, "example", {}, {}, {}};
   const Parsed page(report_page(content_of(data)));
-  EXPECT_EQ(page.all("//details//li").size(), 33u);
-  EXPECT_EQ(text_of(page.first("//details/summary")), "33 points");
-  EXPECT_NE(text_of(page.first("//details")).find("line 30, model c only: infinite toughness"), std::string::npos);
+  const pugi::xml_node points = page.first("//details[summary='Points left out']");
+  EXPECT_EQ(points.select_nodes(".//li").size(), 33u);
+  EXPECT_NE(text_of(points).find("line 30, model c only: infinite toughness"), std::string::npos);
 }
 
 TEST(ReportPage, ForeignTextIsNotMarkup) {
@@ -110,13 +121,14 @@ TEST(ReportPage, ShowsEveryFigureOnceWithLinksToItsFiles) {
     for (const Figure& figure : group.figures) {
       names.insert(figure.name);
       content.drawn.svg.push_back("<svg viewBox=\"0 0 1 1\"><desc>" + figure.name + "</desc></svg>");
+      content.drawn.narrow.emplace_back();
     }
   const Parsed page(report_page(content));
   EXPECT_EQ(page.all("//figure").size(), names.size());
   for (const pugi::xpath_node& node : page.all("//figure")) {
     const std::string name = node.node().select_node(".//desc").node().text().get();
     EXPECT_TRUE(names.erase(name)) << name;
-    for (const char* ending : {".svg", ".pdf", ".dat", ".gp"})
+    for (const char* ending : {".svg", ".pdf", ".png", ".dat", ".gp"})
       EXPECT_TRUE(node.node().select_node((".//a[@href='figures/" + name + ending + "']").c_str())) << name << ending;
   }
   EXPECT_NE(text_of(page.first("//main")).find("regime map: the data are (psi, Gc)"), std::string::npos);
@@ -128,6 +140,7 @@ TEST(ReportPage, WithoutDrawingsSaysSoAndLinksScriptsAndData) {
   content.entries[0].figures = data_figures(data);
   content.drawn.missing = "gnuplot is not installed";
   content.drawn.svg.resize(4);
+  content.drawn.narrow.resize(4);
   const Parsed page(report_page(content));
   EXPECT_EQ(text_of(page.first("//header/p[@class='banner']")), "gnuplot is not installed");
   EXPECT_TRUE(page.first("//a[@href='figures/w_toughness.gp']"));
