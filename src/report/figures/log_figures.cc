@@ -10,7 +10,7 @@ namespace {
 
 /// Frames shown beside a run, as a share of its length.
 constexpr double kBeside = 0.25;
-constexpr std::size_t kMostPoints = 1500;
+constexpr std::size_t kMostShown = 1500;
 
 struct ShownFrames {
   std::size_t begin, end;
@@ -49,7 +49,7 @@ Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t nu
   shade(kept_from, kept_to, "kept", color(2));
   shade(kept_to, frames.time[end - 1], run.onset ? "sliding, not kept" : "not kept", color(5));
   Series course{"", Look::circles, "#333333", {}};
-  const std::size_t step = std::max<std::size_t>(1, (end - begin) / kMostPoints);
+  const std::size_t step = std::max<std::size_t>(1, (end - begin) / kMostShown);
   for (std::size_t i = begin; i < end; i += step) course.points.emplace_back(frames.time[i], values[i]);
   figure.series.push_back(std::move(course));
   const auto mark = [&](const CutTime& cut, const std::string& label) {
