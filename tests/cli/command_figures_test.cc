@@ -17,7 +17,7 @@ TEST(Figures, OfThePaperAreListedAndThere) {
   std::istringstream lines(result.out);
   std::size_t files = 0;
   for (std::string file; std::getline(lines, file); ++files) EXPECT_NE(content_of(file), "") << file;
-  EXPECT_EQ(files, 44u);  // eleven figures: data, script, SVG, PDF
+  EXPECT_EQ(files, 55u);  // eleven figures: data, script, SVG, PDF, PNG
 }
 
 TEST(Figures, WithoutAPlaceToGoAreBadUsage) {

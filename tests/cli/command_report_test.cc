@@ -103,7 +103,7 @@ TEST(Report, HasItsAnglesAndAreasWhereAPointHasNoPhaseAngle) {
   for (const char* figure : {"toughness", "residuals_psi", "residuals_T", "area_models"})
     EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/run_" + std::string(figure) + ".dat"))) << figure;
   const std::string page = content_of(folder.path("out/report.html"));
-  for (const char* words : {"8 data rows, 8 used, 0 excluded", "line 6, models a, c: y &lt;= 0"})
+  for (const char* words : {"8 data rows, 8 used, 0 excluded", "line 6, models c, a: y &lt;= 0"})
     EXPECT_NE(page.find(words), std::string::npos) << words;
 }
 
