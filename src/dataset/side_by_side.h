@@ -10,8 +10,12 @@
 
 namespace mixity {
 
-/// Processors of the machine; 1 where that is not known. Asked once: the system opens a file to answer.
+/// Processors of the machine; 1 where that is not known, and in a browser, which gives no threads here. Asked once: the
+/// system opens a file to answer.
 inline std::size_t processors() {
+#ifdef __EMSCRIPTEN__
+  return 1;
+#endif
   static const std::size_t count = std::max(1u, std::thread::hardware_concurrency());
   return count;
 }

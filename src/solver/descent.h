@@ -15,6 +15,10 @@ namespace mixity {
 std::optional<Minimum> descend(const Problem& problem, const std::vector<double>& start,
                                const SolverOptions& options = {});
 
+/// The same by Ceres, in a file of its own: where there is no Ceres, another one stands for it (explorer).
+std::optional<Minimum> descend_with_ceres(const Problem& problem, const std::vector<double>& start,
+                                          const SolverOptions& options);
+
 /// The version of Ceres.
 std::string_view solver_version();
 

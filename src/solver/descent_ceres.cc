@@ -1,0 +1,84 @@
+#include <ceres/ceres.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/descent.h"
+#include "solver/polish.h"
+
+namespace mixity {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+/// The residuals times `scale`: Ceres damps its steps as if J'J were at least 1e-6, which is all of the
+/// size of a step where psi is small.
+class CeresAdapter final : public ceres::CostFunction {
+ public:
+  CeresAdapter(const Problem& problem, double scale) : problem_(problem), scale_(scale) {
+    set_num_residuals(static_cast<int>(problem.residual_count()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.parameters().size()));
+  }
+  bool Evaluate(const double* const* x, double* residuals, double** jacobians) const override {
+    const std::size_t n = problem_.residual_count(), p = problem_.parameters().size();
+    const bool wanted = jacobians && jacobians[0];
+    if (!problem_.evaluate({x[0], p}, {residuals, n}, {wanted ? jacobians[0] : nullptr, wanted ? n * p : 0}))
+      return false;
+    for (std::size_t i = 0; i < n; ++i) residuals[i] *= scale_;
+    for (std::size_t i = 0; wanted && i < n * p; ++i) jacobians[0][i] *= scale_;
+    return true;
+  }
+
+ private:
+  const Problem& problem_;
+  double scale_;
+};
+
+}  // namespace
+
+std::optional<Minimum> descend_with_ceres(const Problem& problem, const std::vector<double>& start,
+                                          const SolverOptions& options) {
+  Vector x = Eigen::Map<const Vector>(start.data(), static_cast<Eigen::Index>(start.size()));
+  Linearised at;
+  if (!linearise(problem, x, options, at)) return std::nullopt;
+
+  // Below 1e-17 a parameter moves no residual by a rounding, over all of its range.
+  const double slope = at.J.colwise().norm().maxCoeff();
+  CeresAdapter cost(problem, slope > 1e-17 && slope < 1 ? 1 / slope : 1);
+  ceres::Problem::Options ownership;
+  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem ceres_problem(ownership);
+  ceres_problem.AddResidualBlock(&cost, nullptr, x.data());
+  for (int k = 0; k < x.size(); ++k) {
+    const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
+    if (std::isfinite(parameter.lower)) ceres_problem.SetParameterLowerBound(x.data(), k, parameter.lower);
+    if (std::isfinite(parameter.upper)) ceres_problem.SetParameterUpperBound(x.data(), k, parameter.upper);
+  }
+  ceres::Solver::Options settings;
+  settings.linear_solver_type = ceres::DENSE_QR;
+  settings.max_num_iterations = options.most_iterations_shown;
+  // An absolute gradient tolerance would call small residuals converged at once; whether the end is a minimum is
+  // judged afterwards, free of scale.
+  settings.gradient_tolerance = 0;
+  settings.parameter_tolerance = options.ceres_step;
+  settings.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  const double rounding = residual_rounding(problem);
+  for (const double change : {options.ceres_cost_change, std::numeric_limits<double>::epsilon()}) {
+    // Where rounding is all that is left of the gradient, no step lowers the cost, of which Ceres would complain.
+    if (!(at.stationarity > (at.J.cols() == 1 ? options.kernel_stationary : options.newton_stationary))) break;
+    settings.function_tolerance = change;
+    std::copy(start.begin(), start.end(), x.begin());
+    ceres::Solve(settings, &ceres_problem, &summary);
+    if (!linearise(problem, x, options, at)) return std::nullopt;
+    // Undamped, the next step would lower the cost by the square of this, far more than what stopped Ceres: it creeps.
+    if (at.stationarity <= 100 * std::sqrt(change) || is_stationary(at, rounding, options)) break;
+  }
+  return polished(problem, x, at, options);
+}
+
+std::string_view solver_version() { return CERES_VERSION_STRING; }
+
+}  // namespace mixity
