@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dataset/number_text.h"
+#include "dataset/units.h"
 
 namespace mixity {
 namespace {
@@ -31,7 +32,7 @@ Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t nu
   figure.name = "run_" + std::to_string(number) + "_" + quantity;
   figure.title = plain(run.name);
   figure.x = {"t [s]", frames.time[begin], frames.time[end - 1]};
-  figure.y = {quantity + " [" + plain(unit) + "]"};
+  figure.y = {quantity + " [" + (parse_unit(unit) ? unit : plain(unit)) + "]"};
   const auto [least, most] = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(begin),
                                                  values.begin() + static_cast<std::ptrdiff_t>(end));
   const double room = 0.06 * (*most - *least), low = *least - room, high = *most + room;
