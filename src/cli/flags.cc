@@ -65,7 +65,7 @@ DEFINE_string(x, "", "header of the column on the x axis, with its unit: \"T [mN
 DEFINE_string(y, "", "header of the column on the y axis, with its unit: \"A [mm^2]\"");
 DEFINE_string(loads, "", "normal load of each data set, in order: \"7.7,3.8 mN\"");
 
-DEFINE_int32(points, 201, "number of points, uniform in phi");
+DEFINE_int32(points, 201, "number of points, uniform in phi; of a planned run, from T = 0 at even steps (there 25)");
 DEFINE_string(
     chord, "",
     "instead of --points: as few points as keep straight lines within this fraction of the ranges of T and A");

@@ -162,7 +162,8 @@ void tangential_loads(std::string_view model, std::span<const Values> parameters
       if (!contact_obstacle<Model>(p, P[i]).empty() || above_pull_off(P[i]) < 0 || !(A[i] > 0)) continue;
       const double y = edge_load(radius_from_area(A[i]), P[i]), S0 = circle_radius(P[i]), v = y - 3 * pi<double>();
       if (!(y > 0) || !(std::abs(v) <= S0 * (1 + 8 * std::numeric_limits<double>::epsilon()))) continue;
-      T[i] = tangential_load<Model>(p, y, std::sqrt(std::max(0.0, (S0 - v) * (S0 + v))));
+      const double found = tangential_load<Model>(p, y, std::sqrt(std::max(0.0, (S0 - v) * (S0 + v))));
+      if (std::isfinite(found)) T[i] = found;
     }
   });
 }

@@ -50,7 +50,8 @@ void area_slopes(std::string_view model, std::span<const Values> parameters, Val
 void toughness_ratios(std::string_view model, std::span<const Values> parameters, Values psi, std::span<double> f);
 
 /// T >= 0 at which an equilibrium of the load P[i] has the area A[i], stable or not: the inverse of `areas` on its
-/// stable branch. NaN where there is none: an area above that of JKR, at or below that of Hertz.
+/// stable branch. NaN where there is none: an area above that of JKR, at or below that of Hertz, or
+/// one that no finite T leaves.
 void tangential_loads(std::string_view model, std::span<const Values> parameters, Values P, Values A,
                       std::span<double> T);
 
