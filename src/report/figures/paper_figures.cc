@@ -5,6 +5,7 @@
 
 #include "dataset/number_text.h"
 #include "mechanics/constant_shear.h"
+#include "mechanics/folds.h"
 #include "mechanics/sampling.h"
 
 namespace mixity {
@@ -61,6 +62,18 @@ Figure radius_against_load(const std::string& name, const std::vector<double>& s
     figure.series.push_back(std::move(stable));
     figure.series.push_back(std::move(unstable));
   }
+  Series jkr{"JKR, T = 0", Look::dash_dots, color(7), {}}, hertz{"Hertz", Look::dotted, color(7), {}};
+  for (std::size_t i = 0; i <= kPoints; ++i) {
+    const double P = *figure.x.high * static_cast<double>(i) / kPoints, pull_off = -1.5 * pi<double>();
+    const double further = pull_off + (*figure.x.high - pull_off) * static_cast<double>(i) / kPoints;
+    jkr.points.emplace_back(further, jkr_radius(further));
+    hertz.points.emplace_back(P, hertz_radius(P));
+  }
+  figure.series.push_back(std::move(jkr));
+  figure.series.push_back(std::move(hertz));
+  figure.caption =
+      "Equilibrium y^2 + T^2 = 8 pi a^3 f(psi) at constant T, between its limits: JKR (no shear) and Hertz "
+      "(no adhesion). Stable where P rises with a.";
   return figure;
 }
 
@@ -82,6 +95,27 @@ void add_curves(Figure& figure, double lambda, const std::vector<double>& loads,
   }
 }
 
+/// Where the contacts jump: triangles under load control, diamonds under displacement control, which lie beyond what is
+/// stable under load.
+template <class Model>
+void add_jumps(Figure& figure, double lambda, const std::vector<double>& loads, const Projected& project,
+               bool stable_only) {
+  for (const auto& [kind, look] :
+       {std::pair(Control::Kind::load, Look::triangles), std::pair(Control::Kind::displacement, Look::diamonds)}) {
+    if (stable_only && kind == Control::Kind::displacement) continue;
+    Series marks{"", look, model_color(Model::info.key), {}};
+    for (const double P : loads)
+      for (const Fold& fold : find_folds(EquilibriumCurve<Model>({lambda}, P), {kind})) {
+        CurvePoint at{};
+        at.T = fold.T;
+        at.u = fold.u;
+        at.A = fold.A;
+        if (fold.place.maximum) marks.points.push_back(project(at));
+      }
+    if (!marks.points.empty()) figure.series.push_back(std::move(marks));
+  }
+}
+
 /// Models a, b and c at the same lambda.
 Figure curves(const std::string& name, const std::string& title, double lambda, const std::vector<double>& loads,
               double T_most, Axis x, Axis y, const Projected& project, bool stable_only = false) {
@@ -90,6 +124,19 @@ Figure curves(const std::string& name, const std::string& title, double lambda, 
   add_curves<PapangeloCiavarella>(figure, lambda, loads, T_most, project, stable_only);
   add_curves<Johnson>(figure, lambda, loads, T_most, project, stable_only);
   add_curves<WatersGuduru>(figure, lambda, loads, T_most, project, stable_only);
+  add_jumps<PapangeloCiavarella>(figure, lambda, loads, project, stable_only);
+  add_jumps<Johnson>(figure, lambda, loads, project, stable_only);
+  add_jumps<WatersGuduru>(figure, lambda, loads, project, stable_only);
+  figure.key.emplace_back("jump, load controlled", Look::triangles);
+  if (!stable_only) figure.key.emplace_back("jump, displacement controlled", Look::diamonds);
+  figure.caption =
+      "Equilibrium y^2 + T^2 = 8 pi a^3 f(psi), u = 3 T/(4 a). Triangles: T_T = sqrt(3 pi (3 pi + 2 P)/lambda) of "
+      "model c, and "
+      "the folds of a and b. Diamonds: the fold in u. The paper prints u_u and A_u of the plus branch; the fold lies "
+      "on "
+      "the minus branch: u_u = (3/4)^(2/3) T_u/(3 pi + P - sqrt(S0^2 - lambda T_u^2))^(1/3). Models a and b follow "
+      "their "
+      "own equations here.";
   return figure;
 }
 

@@ -53,7 +53,12 @@ TEST(PaperFigures, RadiusAgainstLoadIsInEquilibriumAtItsShear) {
   for (const auto& [name, model] : {std::pair("fig4a", 'a'), std::pair("fig4b", 'b'), std::pair("fig4c", 'c')}) {
     double T = 0;
     for (const Series& series : figure(name).series) {
-      if (!series.label.empty()) T = stated(series);  // what is unstable follows
+      if (series.label.starts_with("JKR")) T = 0;
+      if (series.label == "Hertz") {
+        for (const auto& [P, a] : series.points) EXPECT_NEAR(4.0 / 3 * a * a * a, P, 1e-13 * P + 1e-300);
+        continue;
+      }
+      if (series.label.starts_with("T = ")) T = stated(series);  // what is unstable follows
       for (const auto& [P, a] : series.points) {
         // y = 4/3 a^3 - P loses what it is smaller than P by
         if (4.0 / 3 * a * a * a - P < 1e-2) continue;
@@ -72,8 +77,8 @@ TEST(PaperFigures, AreasAreInEquilibriumAtTheirLoad) {
   for (const auto& [name, loads, models, lambda_ac, lambda_b] :
        {Case{"fig6_A_T", 4, 3, 0.15, 0.15}, {"fig8", 8, 3, 0.0023, 0.0023}, {"fig10", 4, 2, 0.2331, 0.30}}) {
     const Figure& drawn = figure(name);
-    ASSERT_EQ(drawn.series.size(), loads * models);
-    for (std::size_t i = 0; i < drawn.series.size(); ++i) {
+    ASSERT_GE(drawn.series.size(), loads * models);  // and the jumps
+    for (std::size_t i = 0; i < loads * models; ++i) {
       const double P = stated(drawn.series[i % loads]);  // the first model's labels name the loads
       ASSERT_GT(drawn.series[i].points.size(), 50u);
       for (const auto& [T, A] : drawn.series[i].points) {
@@ -89,12 +94,38 @@ TEST(PaperFigures, AreasAreInEquilibriumAtTheirLoad) {
 
 TEST(PaperFigures, DisplacementsAreThoseOfTheirLoadsAndRadii) {
   const Figure &by_T = figure("fig6_u_T"), &areas = figure("fig6_A_T");
-  for (std::size_t i = 0; i < by_T.series.size(); ++i)
+  ASSERT_EQ(by_T.series.size(), areas.series.size());
+  for (std::size_t i = 0; i < by_T.series.size(); ++i)  // curves and jumps
     for (std::size_t k = 0; k < by_T.series[i].points.size(); ++k) {
       const auto [T, u] = by_T.series[i].points[k];
       const double a = std::sqrt(areas.series[i].points[k].second / kPi);
       EXPECT_NEAR(u, 0.75 * T / a, 1e-12 * u + 1e-300);  // a few roundings
     }
+}
+
+/// Model c's closed forms: T_T, A_T of load control; T_u of displacement control and, on the minus branch, u_u.
+TEST(PaperFigures, JumpsOfModelCAreThoseOfTheClosedForms) {
+  const Figure &areas = figure("fig6_A_T"), &displacements = figure("fig6_u_T");
+  const auto marks = [](const Figure& drawn, Look look) {
+    for (const Series& series : drawn.series)
+      if (series.look == look) return series.points;  // those of model c come first
+    return Series{}.points;
+  };
+  const double loads[] = {-1, 1, 3, 5}, lambda = 0.15;
+  const auto triangles = marks(areas, Look::triangles), diamonds = marks(displacements, Look::diamonds);
+  ASSERT_EQ(triangles.size(), 4u);
+  ASSERT_EQ(diamonds.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double P = loads[i], S0_squared = 9 * kPi * kPi + 6 * kPi * P;
+    EXPECT_NEAR(triangles[i].first, std::sqrt(3 * kPi * (3 * kPi + 2 * P) / lambda), 1e-11);
+    EXPECT_NEAR(triangles[i].second, kPi * std::pow(0.75, 2.0 / 3) * std::pow(3 * kPi + P, 2.0 / 3), 1e-11);
+    const double inner = 3 * std::pow(3 * kPi + P, 2) * (3 * kPi * kPi + 2 * kPi * P + 3 * P * P);
+    const double T_u = 0.5 * std::sqrt(1.5 * (S0_squared - 3 * P * P + std::sqrt(inner)) / lambda);
+    EXPECT_NEAR(diamonds[i].first, T_u, 1e-11 * T_u);
+    const double u_u =
+        std::pow(0.75, 2.0 / 3) * T_u / std::cbrt(3 * kPi + P - std::sqrt(S0_squared - lambda * T_u * T_u));
+    EXPECT_NEAR(diamonds[i].second, u_u, 1e-10 * u_u);
+  }
 }
 
 TEST(PaperFigures, HaveDistinctNamesAndNamedAxes) {
