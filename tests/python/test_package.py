@@ -268,8 +268,11 @@ def test_pint_quantities_keep_their_unit():
     fit = mixity.fit(data, "c", checks=False)["c"]
     assert fit.area(Q(4e-3, "N"), Q(10e-3, "N"))[0] == pytest.approx(fit.area(4, 10)[0], rel=1e-14)
     assert mixity.area("c", 0.1, Q(2.0, "mN"), Q(3.0, "mN"), contact=CONTACT) == mixity.area("c", 0.1, 2e-3, 3e-3, contact=CONTACT)
-    with pytest.raises(mixity.InputError, match="has a unit"):
-        mixity.area("c", 0.1, Q(2.0, "mN"), 3.0)
+    several = [Q(4e-3, "N"), Q(3.0, "mN")]
+    assert fit.area(several, [Q(10e-3, "N"), Q(8.0, "mN")])[0] == pytest.approx(fit.area([4, 3], [10, 8])[0], rel=1e-14)
+    for loads in (Q(2.0, "mN"), several):
+        with pytest.raises(mixity.InputError, match="has a unit"):
+            mixity.area("c", 0.1, loads, 3.0)
     with pytest.raises(mixity.InputError, match="must be in N"):
         mixity.Dataset(P=Q(P, "m"), T=T, A=A, **CONSTANTS)
 

@@ -5,7 +5,7 @@ import os
 import numpy as np
 
 from . import _core
-from ._units import constant_text, is_pint, plain_array, si_unit
+from ._units import carries_units, constant_text, plain_array, si_unit
 
 _COLUMNS = (
     "P T A a a_par a_perp major minor psi mode_ratio Gc Gc_over_GIc G_I G_II sigma_T sigma_A sigma_Gc sigma_GI sigma_GII"
@@ -24,12 +24,11 @@ def _made(make, arguments):
 def _column(name, values, units):
     if isinstance(values, str):
         raise _core.InputError(f"arrays: column '{name}' is the text '{values}'; a percentage is an option of fit({name}=...)")
-    with_units = is_pint(values) or (isinstance(values, (list, tuple)) and len(values) > 0 and all(map(is_pint, values)))
     # its own: what its owner does to the array later is not done to the data set
     array = np.array(plain_array(name, values), order="C")
     if array.ndim != 1:
         raise _core.InputError(f"arrays: column '{name}' must have one dimension, not {array.ndim}")
-    unit = si_unit(name) if with_units or units == "SI" else "" if units is None else units.get(name, si_unit(name))
+    unit = si_unit(name) if carries_units(values) or units == "SI" else "" if units is None else units.get(name, si_unit(name))
     return (f"{name} [{unit}]" if unit else name), array
 
 

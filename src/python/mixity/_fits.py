@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _core
 from ._data import Dataset
-from ._units import is_pint, plain_array, si_names
+from ._units import carries_units, plain_array, si_names
 
 
 _KEYS = frozenset(_core.model_keys())
@@ -187,7 +187,7 @@ class Fit:
         """Dimensionless, of loads in the data's unit or of pint quantities."""
         core = self.data._core
         array = plain_array(name, loads)
-        if not is_pint(loads):
+        if not carries_units(loads):
             return array / core.force_scale
         if not core.force_unit_text:
             raise _core.InputError(f"'{name}' has a unit, but the data are dimensionless")

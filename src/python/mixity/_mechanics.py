@@ -3,7 +3,7 @@
 import numpy as np
 
 from . import _core
-from ._units import is_pint, plain_array
+from ._units import carries_units, plain_array
 
 #: What the status arrays mean.
 STATUS = ("ok", "no_equilibrium", "invalid")
@@ -31,7 +31,7 @@ class _Units:
 
 
 def _scaled(name, value, unit, contact):
-    if is_pint(value) and contact is None:
+    if carries_units(value) and contact is None:
         raise _core.InputError(f"'{name}' has a unit; that needs contact=(radius, modulus, toughness)")
     value = plain_array(name, value)
     return value if unit == 1.0 else value / unit

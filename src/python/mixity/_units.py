@@ -43,11 +43,9 @@ def si_unit(name):
 
 
 def plain_array(name, value):
-    """Doubles of any shape: pint quantities in SI, what a mask hides as NaN; a copy where there is nothing to convert."""
-    if is_pint(value):
-        value = in_si(name, value)
-    elif isinstance(value, (list, tuple)) and len(value) > 0 and all(map(is_pint, value)):
-        value = [in_si(name, one) for one in value]
+    """Doubles of any shape: pint quantities in SI, what a mask hides as NaN; no copy where there is nothing to convert."""
+    if carries_units(value):
+        value = in_si(name, value) if is_pint(value) else [in_si(name, one) for one in value]
     try:
         if np.ma.isMaskedArray(value):
             return value.astype(np.float64).filled(np.nan)
@@ -65,6 +63,11 @@ def si_names():
 
 def is_pint(value):
     return hasattr(value, "magnitude") and hasattr(value, "to")
+
+
+def carries_units(value):
+    """Whether it is a pint quantity, or a list of them: what plain_array returns in SI."""
+    return is_pint(value) or (isinstance(value, (list, tuple)) and len(value) > 0 and all(map(is_pint, value)))
 
 
 def in_si(name, quantity):

@@ -71,7 +71,9 @@ def model(key, *, contact=None):
     names = [_python_name(name) for name in _core.parameter_names(key)]
 
     def loads(P, T):
-        return np.broadcast_arrays(np.asarray(P, float) / units.force, np.abs(np.asarray(T, float)) / units.force)
+        return np.broadcast_arrays(
+            _mechanics._scaled("P", P, units.force, contact), np.abs(_mechanics._scaled("T", T, units.force, contact))
+        )
 
     def area(P, T, **parameters):
         x = [parameters[name] for name in names]

@@ -33,7 +33,9 @@ def residuals(model, P, T, A, *, sigma=None, contact=None):
     """
     units = _mechanics._Units(contact)
     P, T, A = np.broadcast_arrays(
-        np.asarray(P, float) / units.force, np.abs(np.asarray(T, float)) / units.force, np.asarray(A, float) / units.area
+        _mechanics._scaled("P", P, units.force, contact),
+        np.abs(_mechanics._scaled("T", T, units.force, contact)),
+        _mechanics._scaled("A", A, units.area, contact),
     )
     weight = 1.0 if sigma is None else units.area / np.asarray(sigma, float)
     scale = units.area if sigma is None else weight
