@@ -19,8 +19,7 @@ std::span<const Command> commands() {
        with_fit_flags({"out"})},
       {"predict", run_predict,
        "predict DATA.csv|FIT.toml [--loads=P1,P2] --shear=T1,T2,... | --model=KEY --lambda=L --load=P "
-       "--shear=T1,T2,... "
-       "[flags]",
+       "--shear=T1,T2,... [flags]",
        "Predicts the contact area at given loads; of a fit with standard errors.",
        with_fit_flags({"model", "lambda", "parameters", "loads", "shear", "units"})},
       {"curve", run_curve,

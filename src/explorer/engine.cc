@@ -43,8 +43,8 @@ void areas_at(const std::string& model, const std::vector<double>& parameters, d
   areas(model, all, {&P, 0}, {at(T), 1}, {at(A), n}, status);
 }
 
-/// Puts a file where `fit` finds it: the TOML beside a data file. Texts that come from files are bytes, a character
-/// each.
+/// Puts a file where `fit` finds it: the TOML beside a data file. Files are passed as Uint8Array: a text of JavaScript
+/// would become UTF-8.
 void write_file(const std::string& name, const std::string& content) {
   std::ofstream("/" + name, std::ios::binary) << content;
 }
