@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <numeric>
 
 #include "dataset/side_by_side.h"
@@ -68,9 +69,10 @@ class CurveObjective final : public ModelProblem<Model> {
 
   /// Arrays of a block: the points as scaled, and their distances with derivatives.
   struct Workspace {
-    explicit Workspace(std::size_t n) : values(n * (9 + parameter_count<Model>)), size(n) {}
-    std::span<double> array(std::size_t which, std::size_t n) { return {values.data() + which * size, n}; }
-    std::vector<double> values;
+    explicit Workspace(std::size_t n)
+        : values(std::make_unique_for_overwrite<double[]>(n * (9 + parameter_count<Model>))), size(n) {}
+    std::span<double> array(std::size_t which, std::size_t n) { return {values.get() + which * size, n}; }
+    std::unique_ptr<double[]> values;
     std::size_t size;
   };
 
@@ -108,7 +110,7 @@ class CurveObjective final : public ModelProblem<Model> {
       sigma_A[i] = scale.area * point.sigma_A;
       if (!(A[i] > 0)) return false;
     }
-    CurveDistances out{array(5), array(6), array(7), array(8), {workspace.values.data() + 9 * workspace.size, n * p}};
+    CurveDistances out{array(5), array(6), array(7), array(8), {workspace.values.get() + 9 * workspace.size, n * p}};
     if (!places.empty()) {
       out.place_T = places.subspan(begin, n);
       out.place_A = places.subspan(points_.size() + begin, n);

@@ -67,7 +67,8 @@ class Fitter {
       result_.message = too_few_points(distinct, prepared_.used.size(), unknown);
       return result_;
     }
-    if (prepared_.objective == Objective::curve && data_.has_loads && starting_.near.empty()) fit_as_the_paper();
+    const bool as_the_paper = purpose_ == Purpose::shown || (p > 0 && starting_.near.empty());
+    if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper) fit_as_the_paper();
     // how the time is shared, roughly: up to the minimum, and up to what is resampled
     const double found = options_.profile_points > 0 ? 0.1 : 0.4,
                  fitted = options_.bootstrap.replicates > 0 || options_.influence ? 0.1 : 1;

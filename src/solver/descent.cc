@@ -11,18 +11,6 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-/// For one descent: each evaluation has the memory of the last.
-class Remembering final : public WrappedProblem {
- public:
-  using WrappedProblem::WrappedProblem;
-  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
-    return problem_.evaluate_again(x, residuals, jacobian, memory_);
-  }
-
- private:
-  mutable std::vector<double> memory_;
-};
-
 /// Gauss-Newton's last steps gain little where the residuals are large; Newton's do.
 std::optional<Minimum> descend_with_kernel(const Problem& problem, const std::vector<double>& start,
                                            const SolverOptions& options) {
@@ -30,10 +18,11 @@ std::optional<Minimum> descend_with_kernel(const Problem& problem, const std::ve
   patient.most_iterations = options.most_iterations_shown;
   const auto minimum = Kernel(problem, patient).descend(start);
   if (!minimum || start.size() == 1) return minimum;
+  const Remembering near(problem);
   const Vector x = Eigen::Map<const Vector>(minimum->x.data(), static_cast<Eigen::Index>(start.size()));
   Linearised at;
-  if (!linearise(problem, x, options, at)) return std::nullopt;
-  return polished(problem, x, at, options);
+  if (!linearise(near, x, options, at)) return std::nullopt;
+  return polished(near, x, at, options);
 }
 
 }  // namespace

@@ -115,6 +115,27 @@ class WrappedProblem : public Problem {
   const Problem& problem_;
 };
 
+/// Each evaluation has the memory of the last: of one thread, where values follow each other closely.
+class Remembering final : public WrappedProblem {
+ public:
+  using WrappedProblem::WrappedProblem;
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    return problem_.evaluate_again(x, residuals, jacobian, memory_);
+  }
+  bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
+                      std::vector<double>& /*another's*/) const override {
+    return evaluate(x, residuals, jacobian);
+  }
+  bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override {
+    return problem_.evaluate_roughly(x, residuals);
+  }
+  std::vector<double> curvatures(std::span<const double> x) const override { return problem_.curvatures(x); }
+  std::size_t scan_density(std::size_t searched) const override { return problem_.scan_density(searched); }
+
+ private:
+  mutable std::vector<double> memory_;
+};
+
 /// What rounding of model and data puts into |r|, whatever the parameters: some eps |data|.
 inline double residual_rounding(const Problem& problem) {
   return 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();

@@ -14,6 +14,9 @@
 namespace mixity {
 namespace {
 
+constexpr int kMostRounds = 50;    // of a minimum and the unit of its residuals
+constexpr double kSettled = 1e-9;  // relative, of that unit
+
 bool lower(const Minimum& one, const Minimum& other) { return one.sum_of_squares < other.sum_of_squares; }
 
 /// The minima that descents ended at, each once.
@@ -145,19 +148,43 @@ Verdict solve(const Problem& problem, const StartingPoints& starting, const Solv
 
 SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& starting, const SolverOptions& options) {
   const std::size_t n = data.residual_count(), unknown = data.parameters().size() - prior_count(data);
-  double unit = 1;
-  Verdict verdict = solve(ProblemWithPriors(data), starting, options);
+  const Remembering nearby(data);
+  const Problem& of_data = starting.near.empty() ? data : static_cast<const Problem&>(nearby);
+  const auto at_unit = [&](double unit, const StartingPoints& from, const SolverOptions& with) {
+    return SolvedWithPriors{solve(ProblemWithPriors(of_data, unit), from, with), unit};
+  };
+  if (data.known_errors() || n <= unknown) return at_unit(1, starting, options);
   std::vector<double> residuals(n);
-  for (int i = 0; i < 50 && !data.known_errors() && n > unknown && !verdict.best.x.empty(); ++i) {
-    const auto square = sum_of_squares(data, verdict.best.x, residuals);
-    if (!square || !(*square > 0)) break;
-    const double before = unit;
-    unit = std::sqrt(*square / static_cast<double>(n - unknown));
-    const StartingPoints near{verdict.best.x};
-    verdict = solve(ProblemWithPriors(data, unit), i == 0 ? starting : near, options);
-    if (std::abs(unit - before) <= 1e-9 * unit) break;
+  const auto unit_at = [&](const std::vector<double>& x) {
+    const auto square = x.empty() ? std::nullopt : sum_of_squares(of_data, x, residuals);
+    return square ? std::sqrt(*square / static_cast<double>(n - unknown)) : 0.0;
+  };
+  // Most of the way by the kernel, which is not judged.
+  SolverOptions quick = options;
+  quick.engine = Engine::kernel;
+  quick.stationary = quick.kernel_stationary_of_several = 1e-6;  // the cost's error is its square
+  const auto settle = [&](std::vector<double> x) {
+    double unit = unit_at(x);
+    for (int i = 0; i < kMostRounds && unit > 0; ++i) {
+      const auto minimum = Kernel(ProblemWithPriors(nearby, unit), quick).descend(x);
+      if (!minimum || !minimum->stationary) break;
+      x = minimum->x;
+      const double there = unit_at(x);
+      if (!(there > 0) || std::abs(there - unit) <= kSettled * unit) break;
+      unit = there;
+    }
+    return unit;
+  };
+  std::vector<double> x = starting.near.empty() ? at_unit(1, starting, quick).verdict.best.x : starting.near;
+  std::optional<SolvedWithPriors> found;
+  for (int i = 0; i < kMostRounds; ++i) {
+    const double unit = settle(x);
+    if (!(unit > 0)) break;
+    found = at_unit(unit, i == 0 ? starting : StartingPoints{x}, options);
+    x = found->verdict.best.x;
+    if (std::abs(unit_at(x) - unit) <= kSettled * unit) break;
   }
-  return {std::move(verdict), unit};
+  return found ? std::move(*found) : at_unit(1, starting, options);
 }
 
 }  // namespace mixity
