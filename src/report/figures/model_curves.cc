@@ -50,8 +50,9 @@ DrawnCurve curve_of(const JobResult& result, const FitResult& fit, double load, 
   for (const Control::Kind kind : {Control::Kind::load, Control::Kind::displacement})
     for (const Fold& fold : find_folds(curve, {kind}))
       if (fold.place.maximum)
-        drawn.folds.push_back(
-            {kind, shown.T(fold.T), shown.A(fold.A), shown.u(fold.u), std::string(to_string(fold.jumps_to))});
+        drawn.folds.push_back({kind, shown.T(fold.T), shown.A(fold.A), shown.u(fold.u),
+                               std::string(to_string(fold.jumps_to)),
+                               fold.area_after > 0 ? shown.A(fold.area_after) : 0});
   return drawn;
 }
 

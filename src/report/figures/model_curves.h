@@ -21,6 +21,7 @@ struct DrawnFold {
   Control::Kind control;
   double T, A, u;
   std::string jumps_to;
+  double area_after;  // 0 off contact
 };
 
 /// An equilibrium curve from T = 0, with the folds met on loading under load and displacement control. Empty where
