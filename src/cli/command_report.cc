@@ -1,5 +1,6 @@
 // mixity report: fits, and everything that can be shown of them.
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include "cli/commands.h"
@@ -12,6 +13,22 @@
 #include "report/report.h"
 
 namespace mixity::cli {
+namespace {
+
+/// The explorer's page where an installation or a build has it (tools/explorer); empty if neither does.
+std::string explorer() {
+  std::error_code unread;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unread);
+  if (unread) return {};
+  for (const char* place : {"../share/mixity/explorer.html", "../../explorer/explorer.html"})
+    if (const auto path = (program.parent_path() / place).lexically_normal();
+        std::filesystem::is_regular_file(path, unread))
+      return path.string();
+  return {};
+}
+
+}  // namespace
+
 int run_report(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("report needs a data CSV or a fit definition (see mixity help report)");
   if (FLAGS_out.empty()) throw UsageError("report needs --out=DIR");
@@ -32,7 +49,8 @@ int run_report(const Arguments& arguments) {
   data.reserve(results.size());
   std::set<std::string> taken;
   for (const JobResult& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
-  const WrittenReport written = write_report(results, data, FLAGS_out, {command_line(), stretch(progress, kFits, 1)});
+  const WrittenReport written =
+      write_report(results, data, FLAGS_out, {command_line(), stretch(progress, kFits, 1), explorer()});
   if (!written.missing.empty()) std::cerr << "mixity: " << written.missing << '\n';
   std::cout << written.page << '\n';
   for (const JobResult& result : results)

@@ -8,29 +8,25 @@
 #include <span>
 #include <string>
 
-#include "jobs/job.h"
+#include "explorer/drawing.h"
+#include "explorer/experiment.h"
+#include "jobs/fit_definition.h"
 #include "jobs/job_options.h"
 #include "mechanics/any_model.h"
 #include "report/answer.h"
 #include "report/fit_json.h"
+#include "report/used_csv.h"
 
-namespace mixity {
+namespace mixity::explorer {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string guarded(const std::function<std::string()>& work) {
+std::string guarded(const std::function<Json()>& work) {
+  const auto text = [](const Json& told) { return told.dump(-1, ' ', false, Json::error_handler_t::replace); };
   try {
-    return work();
+    return text(work());
   } catch (const std::exception& error) {
-    return Json{{"error", error.what()}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return text({{"error", error.what()}});
   }
-}
-
-std::vector<Values> all_values(const std::vector<double>& parameters) {
-  std::vector<Values> all;
-  for (const double& one : parameters) all.push_back({&one, 0});
-  return all;
 }
 
 double* at(std::uintptr_t address) { return reinterpret_cast<double*>(address); }
@@ -38,42 +34,55 @@ double* at(std::uintptr_t address) { return reinterpret_cast<double*>(address); 
 /// Areas at n loads T, both arrays of doubles in the module's memory; NaN where there is no equilibrium.
 void areas_at(const std::string& model, const std::vector<double>& parameters, double P, std::uintptr_t T,
               std::uintptr_t A, std::size_t n) {
-  const std::vector<Values> all = all_values(parameters);
+  std::vector<Values> all;
+  for (const double& one : parameters) all.push_back({&one, 0});
   std::vector<EquilibriumStatus> status(n);
   areas(model, all, {&P, 0}, {at(T), 1}, {at(A), n}, status);
 }
 
-/// Puts a file where `fit` finds it: the TOML beside a data file. Files are passed as Uint8Array: a text of JavaScript
-/// would become UTF-8.
+/// Puts a file where `read` and `fit` find it: the TOML beside a data file. Files are passed as Uint8Array: a text of
+/// JavaScript would become UTF-8.
 void write_file(const std::string& name, const std::string& content) {
   std::ofstream("/" + name, std::ios::binary) << content;
 }
 
-/// Fits a data file, whole as it was dropped on the page, with constants and options by their names.
-/// {"fits": schema mixity-fit-1, "answer": {...}, "taken": [...], "reading": ...}.
-std::string fit_file(const std::string& name, const std::string& content, const std::string& constants,
-                     const std::string& options) {
+/// Constants of the experiment and options by their names, each a text: {"radius": "9.42 mm"}, {"models": "c"}.
+FitJob job_of(const std::string& name, const std::string& constants, const std::string& options) {
+  const Json chosen = Json::parse(options), stated = Json::parse(constants);
+  FitJob job;
+  job.data_path = "/" + name;
+  for (const auto& [key, text] : chosen.items())
+    if (const std::string problem = set_option(job, key, text.get<std::string>()); !problem.empty())
+      throw InputError(key, problem);
+  for (const auto& [key, text] : stated.items()) job.constants.emplace_back(key, text.get<std::string>());
+  return job;
+}
+
+/// A file that was written, as it is understood (experiment.h).
+std::string read_file(const std::string& name, const std::string& constants) {
+  return guarded([&] { return as_read(load_dataset("/" + name, job_of(name, constants, "{}").constants)); });
+}
+
+/// A fit of a file that was written.
+/// {"fits": schema mixity-fit-1, "answer": {...}, "drawn": (experiment.h), "definition": "fits/NAME.toml", "used":
+/// CSV}.
+std::string fit_file(const std::string& name, const std::string& constants, const std::string& options) {
   return guarded([&] {
-    write_file(name, content);
-    const Json chosen = Json::parse(options), stated = Json::parse(constants);
-    FitJob job;
-    job.data_path = "/" + name;
-    for (const auto& [key, text] : chosen.items())
-      if (const std::string problem = set_option(job, key, text.get<std::string>()); !problem.empty())
-        throw InputError(key, problem);
-    for (const auto& [key, text] : stated.items()) job.constants.emplace_back(key, text.get<std::string>());
-    const JobResult result = run(job);
-    const Answer answer = answer_of(result);
-    Json told{{"fits", Json::parse(to_json({result}))},
-              {"reading", result.data.reading},
-              {"taken", result.data.taken},
-              {"answer",
-               {{"result", answer.result},
-                {"model", answer.model},
-                {"doubt", answer.doubt},
-                {"cannot_say", answer.cannot_say}}}};
-    return told.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const JobResult result = run(job_of(name, constants, options));
+    return Json{{"fits", Json::parse(to_json({result}))},
+                {"answer", as_told(answer_of(result), result.data)},
+                {"drawn", as_drawn(result)},
+                {"definition", fit_definition_text(result.job, result.data, "/fit.toml")},
+                {"used", used_csv(result.data)}};
   });
+}
+
+std::string draw(const std::string& request) {
+  return guarded([&] { return drawn_models(Json::parse(request)); });
+}
+
+std::string map_of(const std::string& request) {
+  return guarded([&] { return regime_map(Json::parse(request)); });
 }
 
 }  // namespace
@@ -81,10 +90,13 @@ std::string fit_file(const std::string& name, const std::string& content, const 
 EMSCRIPTEN_BINDINGS(mixity) {
   emscripten::register_vector<double>("Doubles");
   emscripten::function("areas", &areas_at);
-  emscripten::function("fit", &fit_file);
   emscripten::function("write", &write_file);
+  emscripten::function("read", &read_file);
+  emscripten::function("fit", &fit_file);
+  emscripten::function("draw", &draw);
+  emscripten::function("map", &map_of);
   emscripten::function(
       "version", +[] { return std::string(MIXITY_VERSION); });
 }
 
-}  // namespace mixity
+}  // namespace mixity::explorer

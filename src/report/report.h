@@ -13,6 +13,7 @@ namespace mixity {
 struct ReportSettings {
   std::string command;  // that makes this report again
   Progress progress{};
+  std::string explorer{};  // path of the explorer's page, to be written beside with the data; empty: none
 };
 
 /// One data set with its figures.
@@ -32,9 +33,9 @@ struct WrittenReport {
   std::string missing;  // what could not be drawn, and why; empty if nothing
 };
 
-/// Writes report.html, summary.md, results.json, fits.csv, residuals.csv, curves.csv and figures/ into the folder, the
-/// page last. `data` refers to `results`, one each. Throws OutputError with the files of the last report in place, also
-/// if a file of data would be written over.
+/// Writes report.html, summary.md, results.json, fits.csv, residuals.csv, curves.csv, figures/ and, if there is one,
+/// explorer.html into the folder, the page last. `data` refers to `results`, one each. Throws OutputError with the
+/// files of the last report in place, also if a file of data would be written over.
 WrittenReport write_report(const std::vector<JobResult>& results, const std::vector<ReportedData>& data,
                            const std::string& folder, const ReportSettings& settings);
 

@@ -50,6 +50,16 @@ TEST_F(Report, HasAPageASummaryAndTables) {
                                           "curves.csv", "figures"}));
 }
 
+TEST_F(Report, HasTheExplorerBesideItAndALinkWhereThereIsOne) {
+  TemporaryFolder folder;
+  const std::string shell = folder.write("shell.html", "<script type=\"application/json\" id=\"data\">null</script>");
+  const std::vector<ReportedData> data{reported_data((*results_)[0], "x")};
+  write_report(*results_, data, folder.path("report"), {"mixity", {}, shell});
+  EXPECT_NE(read_file(folder.path("report/explorer.html")).find("mergel2018.csv"), std::string::npos);
+  EXPECT_NE(read_file(folder.path("report/report.html")).find("href=\"explorer.html\""), std::string::npos);
+  EXPECT_EQ(content("report.html").find("explorer.html"), std::string::npos);
+}
+
 TEST_F(Report, JsonHoldsTheFitsAsFitDoes) {
   const Json report = Json::parse(content("results.json"));
   EXPECT_EQ(report["schema"], "mixity-report-1");

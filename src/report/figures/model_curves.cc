@@ -12,7 +12,6 @@ namespace mixity {
 namespace {
 
 constexpr double kChord = 2e-4;  // of the curve's size: a hundredth of a line's width
-constexpr std::size_t kRadiusPoints = 400;
 
 /// From the model's numbers to those of the reader's axes.
 class Shown {
@@ -57,7 +56,7 @@ DrawnCurve curve_of(const JobResult& result, const FitResult& fit, double load, 
 }
 
 template <class Model>
-DrawnRadii radii_of(const JobResult& result, const FitResult& fit, double T, double P_most) {
+DrawnRadii radii_of(const JobResult& result, const FitResult& fit, double T, double P_most, std::size_t points) {
   const Candidate<Model> candidate = fitted_candidate<Model>(result.data, fit, result.job.options);
   const Shown shown(result.data, candidate.constants);
   DrawnRadii drawn;
@@ -66,8 +65,8 @@ DrawnRadii radii_of(const JobResult& result, const FitResult& fit, double T, dou
   const double shear = shown.scale().shear(T), load = shown.scale().load(P_most);
   // Far enough that the load passes P_most: y of JKR there, which shear only lowers
   const double largest = 1.05 * (3 * pi<double>() + circle_radius(std::max(load, 0.0)));
-  for (std::size_t i = 1; i <= kRadiusPoints; ++i) {
-    const double part = static_cast<double>(i) / kRadiusPoints;
+  for (std::size_t i = 1; i <= points; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(points);
     const ConstantShearPoint q = constant_shear_point<Model>(candidate.parameters, shear, largest * part * part);
     if (!std::isfinite(q.P) || q.P > load) continue;
     const bool stable = q.dP_dy > 0;
@@ -86,9 +85,9 @@ DrawnCurve drawn_curve(const JobResult& result, const FitResult& fit, double loa
   return drawn;
 }
 
-DrawnRadii drawn_radii(const JobResult& result, const FitResult& fit, double T, double P_most) {
+DrawnRadii drawn_radii(const JobResult& result, const FitResult& fit, double T, double P_most, std::size_t points) {
   DrawnRadii drawn;
-  with_model(fit.model, [&](auto model) { drawn = radii_of<decltype(model)>(result, fit, T, P_most); });
+  with_model(fit.model, [&](auto model) { drawn = radii_of<decltype(model)>(result, fit, T, P_most, points); });
   return drawn;
 }
 

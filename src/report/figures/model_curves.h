@@ -40,7 +40,8 @@ DrawnCurve drawn_curve(const JobResult& result, const FitResult& fit, double loa
 struct DrawnRadii {
   std::vector<std::pair<double, double>> stable, unstable;
 };
-DrawnRadii drawn_radii(const JobResult& result, const FitResult& fit, double T, double P_most);
+DrawnRadii drawn_radii(const JobResult& result, const FitResult& fit, double T, double P_most,
+                       std::size_t points = 400);
 
 /// f(psi) at the ends of so many even steps of psi from 0 to last_psi, where it does not exceed `most`.
 std::vector<std::pair<double, double>> drawn_toughness(const Dataset& data, const FitResult& fit, double last_psi,

@@ -43,6 +43,11 @@ class Page {
       for (const ReportEntry& entry : content_.entries)
         add_link(nav, "#" + entry.data->stem, entry.data->result.data.name);
     }
+    if (!content_.settings.explorer.empty()) {
+      pugi::xml_node ask = add(header, "p", {}, "files");
+      add_link(ask, "explorer.html", "Ask these data in the browser");
+      add_text(ask, ": other constants, other loads, points left out, a file of your own.");
+    }
     if (!content_.drawn.missing.empty()) add(header, "p", content_.drawn.missing, "banner");
     pugi::xml_node main = add(body, "main");
     for (const ReportEntry& entry : content_.entries) add_data_set(main, entry);

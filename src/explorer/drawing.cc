@@ -1,0 +1,139 @@
+#include "explorer/drawing.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "mechanics/any_model.h"
+#include "report/figures/drawn_units.h"
+#include "report/figures/model_curves.h"
+#include "report/figures/regime_regions.h"
+
+namespace mixity::explorer {
+namespace {
+
+constexpr double kMilli = 1e-3, kSquareMilli = 1e-6;
+constexpr std::size_t kPoints = 100;  // of a curve that is drawn while a slider moves
+
+/// A data set without points, which says what the constants and units are.
+Dataset of_constants(const Json& request) {
+  Dataset data;
+  const Contact contact{request.at("radius"), request.at("modulus"), request.at("toughness")};
+  if (!in_range(contact.radius) || !in_range(contact.modulus) || !in_range(contact.toughness) || !contact.usable())
+    throw std::invalid_argument("radius, modulus and toughness must be positive numbers");
+  data.contact = contact;
+  data.has_loads = true;
+  data.metadata.radius = contact.radius;
+  data.metadata.modulus = contact.modulus;
+  data.metadata.toughness = contact.toughness;
+  data.display = {"mN", "mm^2", "mJ/m^2", contact.force_unit() / kMilli, contact.area_unit() / kSquareMilli, 1};
+  return data;
+}
+
+FitResult as_chosen(const std::string& model, const std::vector<double>& parameters) {
+  FitResult fit;
+  fit.model = model;
+  fit.status = FitStatus::ok;
+  const std::vector<std::string> names = parameter_names(model);
+  const auto bounds = parameter_bounds(model);
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    fit.parameters.push_back({names[k], parameters[k], {}, bounds[k].first, bounds[k].second});
+  return fit;
+}
+
+Json curve(const DrawnCurve& drawn) {
+  Json T = Json::array(), A = Json::array(), u = Json::array(), stable = Json::array();
+  for (const DrawnPoint& q : drawn.points) {
+    T.push_back(q.T);
+    A.push_back(q.A);
+    u.push_back(q.u);
+    stable.push_back(q.stable);
+  }
+  return {{"T", T}, {"A", A}, {"u", u}, {"stable", stable}};
+}
+
+/// The stable state at the load and shear.
+Json state(const std::string& model, const std::vector<double>& parameters, const DisplayUnits& units, double P,
+           double T) {
+  std::vector<Values> values;
+  for (const double& one : parameters) values.push_back({&one, 0});
+  double A = 0;
+  EquilibriumStatus status{};
+  areas(model, values, {&P, 0}, {&T, 0}, {&A, 1}, {&status, 1});
+  if (status != EquilibriumStatus::ok) return nullptr;
+  Json told{{"A", A * units.area_scale}};
+  if (const auto toughness = toughness_of_area(P, T, A)) {
+    told["psi"] = toughness->psi();
+    told["f"] = toughness->ratio;
+  }
+  return told;
+}
+
+}  // namespace
+
+Json drawn_models(const Json& request) {
+  JobResult result{{}, of_constants(request), {}, {}, {}};
+  const DisplayUnits& units = result.data.display;
+  const double P = request.at("P").get<double>() / units.force_scale,
+               T = std::abs(request.at("T").get<double>()) / units.force_scale,
+               T_most = request.at("T_most").get<double>() / units.force_scale,
+               P_most = request.at("P_most").get<double>() / units.force_scale;
+  Json all = Json::array();
+  for (const Json& one : request.at("models")) {
+    const std::string model = one.at("model");
+    const auto parameters = one.at("parameters").get<std::vector<double>>();
+    const RegimeOrProblem regime = regime_of(model, parameters, P);
+    if (!regime.problem.empty()) {
+      all.push_back({{"model", model}, {"problem", regime.problem}});
+      continue;
+    }
+    const FitResult fit = as_chosen(model, parameters);
+    const DrawnCurve drawn = drawn_curve(result, fit, P, T_most);
+    Json folds = Json::array();
+    for (const DrawnFold& fold : drawn.folds)
+      folds.push_back({{"control", to_string(fold.control)},
+                       {"T", fold.T},
+                       {"A", fold.A},
+                       {"u", fold.u},
+                       {"jumps_to", fold.jumps_to},
+                       {"area_after", fold.area_after}});
+    const DrawnRadii radii = drawn_radii(result, fit, T, P_most, kPoints);
+    all.push_back({{"model", model},
+                   {"curve", curve(drawn)},
+                   {"folds", folds},
+                   {"radii", {{"stable", radii.stable}, {"unstable", radii.unstable}}},
+                   {"toughness", drawn_toughness(result.data, fit, 0.5 * pi<double>(), 1e3, kPoints)},
+                   {"state", state(model, parameters, units, P, T)},
+                   {"regime", std::string(regime_text(regime.regime->regime))}});
+  }
+  return all;
+}
+
+Json regime_map(const Json& request) {
+  constexpr int kColumns = 96;
+  const Dataset data = of_constants(request);
+  const double unit = data.display.force_scale;
+  const std::string model = request.at("model");
+  const double low = request.at("P_low").get<double>() / unit, high = request.at("P_high").get<double>() / unit,
+               first = request.at("lambda_low"), last = request.at("lambda_high");
+  std::optional<double> tau0;
+  if (request.contains("tau0") && !request.at("tau0").is_null())
+    tau0 = request.at("tau0").get<double>() / data.contact->stress_unit();
+  if (!(low < high) || !(first > 0 && first < last) || parameter_names(model).size() != 1)
+    throw std::invalid_argument("no map: two loads, two positive lambda and a model of one parameter are wanted");
+  std::vector<double> loads;
+  for (int i = 0; i <= kColumns; ++i) loads.push_back(low + (high - low) * i / kColumns);
+  const auto lambda_at = [&](double part) { return part < 1 ? first * std::pow(last / first, part) : last; };
+  const auto regime_at = [&](double part, double load) {
+    const double lambda = lambda_at(part);
+    return regime_of(model, {&lambda, 1}, load, tau0).regime->regime;
+  };
+  Json all = Json::array();
+  for (const RegimeRegion& region : regime_regions(loads, regime_at)) {
+    Json outline = Json::array();
+    for (const auto& [load, part] : region.outline) outline.push_back({load * unit, lambda_at(part)});
+    all.push_back({{"regime", std::string(regime_text(region.regime))}, {"outline", outline}});
+  }
+  return all;
+}
+
+}  // namespace mixity::explorer

@@ -1,0 +1,123 @@
+#include "explorer/experiment.h"
+
+#include <algorithm>
+
+#include "fitting/prediction.h"
+#include "mechanics/any_model.h"
+#include "report/figures/model_curves.h"
+
+namespace mixity::explorer {
+namespace {
+
+constexpr std::size_t kMostExcluded = 20;  // that a page lists
+
+Json runs_of(const Dataset& data) {
+  Json runs = Json::array();
+  const auto by_run = points_by_curve(data);
+  for (std::size_t run = 0; run < by_run.size(); ++run) {
+    Json lines = Json::array(), T = Json::array(), A = Json::array();
+    for (const std::size_t i : by_run[run]) {
+      lines.push_back(data.points[i].line);
+      T.push_back(data.points[i].T * data.display.force_scale);
+      A.push_back(data.points[i].A * data.display.area_scale);
+    }
+    runs.push_back({{"name", data.curves[run]},
+                    {"P", data.curve_loads[run] * data.display.force_scale},
+                    {"lines", lines},
+                    {"T", T},
+                    {"A", A}});
+  }
+  return runs;
+}
+
+/// The model's areas at a run's load up to a tangential load, with a band of one standard error.
+Json band_of(const JobResult& result, const FitResult& fit, double load, double T_most) {
+  constexpr int kSteps = 40;
+  std::vector<double> P(kSteps + 1, load), T;
+  for (int i = 0; i <= kSteps; ++i) T.push_back(T_most * i / kSteps);
+  Json band = Json::array();
+  const DisplayUnits& units = result.data.display;
+  const auto areas = predict_areas_of(result.data, fit, result.job.options, P, T);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    if (areas[i].standard_error)
+      band.push_back({T[i] * units.force_scale, (areas[i].A - *areas[i].standard_error) * units.area_scale,
+                      (areas[i].A + *areas[i].standard_error) * units.area_scale});
+  return band;
+}
+
+Json model_of(const JobResult& result, const FitResult& fit, bool best) {
+  const Dataset& data = result.data;
+  Json drawn{{"model", fit.model}};
+
+  drawn["toughness"] = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e3, 120);
+  if (!data.has_loads) return drawn;
+  const auto by_run = points_by_curve(data);
+  Json runs = Json::array();
+  for (std::size_t run = 0; run < by_run.size(); ++run) {
+    double largest = 0;
+    for (const std::size_t i : by_run[run]) largest = std::max(largest, data.points[i].shear());
+    const DrawnCurve curve = drawn_curve(result, fit, data.curve_loads[run], 1.4 * largest);
+    Json stable = Json::array(), unstable = Json::array(), folds = Json::array();
+    for (const DrawnPoint& q : curve.points) (q.stable && unstable.empty() ? stable : unstable).push_back({q.T, q.A});
+    for (const DrawnFold& fold : curve.folds)
+      if (fold.control == Control::Kind::load) folds.push_back({fold.T, fold.A});
+    runs.push_back({{"P", data.curve_loads[run] * data.display.force_scale},
+                    {"curve", stable},
+                    {"unstable", unstable},
+                    {"band", best ? band_of(result, fit, data.curve_loads[run], 1.4 * largest) : Json::array()},
+                    {"folds", folds}});
+  }
+  drawn["runs"] = std::move(runs);
+  return drawn;
+}
+
+}  // namespace
+
+Json as_read(const Dataset& data) {
+  Json told{{"reading", data.reading},
+            {"taken", data.taken},
+            {"ignored", data.ignored_columns},
+            {"notes", data.notes},
+            {"points", data.points.size()},
+            {"rows", data.rows},
+            {"units", {{"force", data.display.force}, {"area", data.display.area}}},
+            {"provenance", to_string(data.metadata.provenance)}};
+  Json excluded = Json::array(), constants = Json::object();
+  for (std::size_t i = 0; i < std::min(data.excluded.size(), kMostExcluded); ++i)
+    excluded.push_back({{"line", data.excluded[i].line}, {"reason", data.excluded[i].reason}});
+  for (const auto& [name, text] : constants_as_stated(data.metadata)) constants[name] = text;
+  told["excluded"] = excluded;
+  told["constants"] = constants;
+  if (data.has_loads) {
+    told["runs"] = runs_of(data);
+    return told;
+  }
+  Json lines = Json::array(), psi = Json::array(), f = Json::array();
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    lines.push_back(data.points[i].line);
+    psi.push_back(data.converted[i].psi());
+    f.push_back(data.converted[i].ratio);
+  }
+  told["energies"] = {{"lines", lines}, {"psi", psi}, {"f", f}};
+  return told;
+}
+
+Json as_told(const Answer& answer, const Dataset& data) {
+  Json budget = Json::array();
+  for (const auto& [name, part] : answer.budget) budget.push_back({name, part});
+  return {{"result", answer.result},        {"model", answer.model}, {"interval", answer.interval},
+          {"doubt", answer.doubt},          {"budget", budget},      {"jumps", jump_table(answer, data)},
+          {"cannot_say", answer.cannot_say}};
+}
+
+Json as_drawn(const JobResult& result) {
+  Json models = Json::array();
+  for (const std::size_t i : by_merit(result))
+    if (has_all_values(result.fits[i])) models.push_back(model_of(result, result.fits[i], models.empty()));
+  Json drawn{{"models", models}};
+  if (const auto& contact = result.data.contact)
+    drawn["contact"] = {{"radius", contact->radius}, {"modulus", contact->modulus}, {"toughness", contact->toughness}};
+  return drawn;
+}
+
+}  // namespace mixity::explorer

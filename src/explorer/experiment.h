@@ -1,0 +1,28 @@
+// A data set and its fit as a page shows them, in the units of the file.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "jobs/job.h"
+#include "report/answer.h"
+
+namespace mixity::explorer {
+
+using Json = nlohmann::ordered_json;
+
+/// How a file was understood: {"reading", "taken": ["P from 'Normalkraft'"], "ignored", "notes", "excluded": [{"line",
+/// "reason"}], "constants": {"radius": "0.00942 m"}, "units": {"force", "area"}, "runs": [{"name", "P", "lines", "T",
+/// "A"}]}; without loads "points": {"lines", "psi", "f"} in place of runs.
+Json as_read(const Dataset& data);
+
+/// {"result", "model", "interval", "doubt", "budget": [[name, part]], "jumps": [[text]], "cannot_say"}, as the report
+/// leads with.
+Json as_told(const Answer& answer, const Dataset& data);
+
+/// {"contact": {"radius": m, "modulus": Pa, "toughness": J/m^2}, "models": [{"model", "runs": [{"P", "curve": [[T, A]],
+/// "unstable", "band": [[T, low, high]], "folds": [[T, A]]}], "toughness": [[psi, f]]}]}, the model that describes the
+/// data best first. Bands of one standard error, of that model alone.
+Json as_drawn(const JobResult& result);
+
+}  // namespace mixity::explorer

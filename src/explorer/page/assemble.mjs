@@ -1,0 +1,28 @@
+// One file of the page: node assemble.mjs ENGINE.js OUT.html, with node_modules beside OUT.html.
+import {createRequire} from 'node:module';
+import {readFileSync, writeFileSync} from 'node:fs';
+import {dirname, resolve} from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {gzipSync} from 'node:zlib';
+
+const [engine, out] = process.argv.slice(2).map(path => resolve(path));
+const here = dirname(fileURLToPath(import.meta.url)), root = resolve(here, '../../..');
+const text = path => readFileSync(resolve(here, path), 'utf8');
+const modules = resolve(dirname(out), 'node_modules');
+const esbuild = createRequire(resolve(modules, 'x.js'))('esbuild');
+
+const bundled = await esbuild.build({
+  entryPoints: [resolve(here, 'main.js')], bundle: true, minify: true, write: false, format: 'iife', target: 'es2022',
+  nodePaths: [modules], legalComments: 'inline',
+  define: {SAMPLE_CSV: JSON.stringify(text('../../../data/mergel2018.csv')), SAMPLE_TOML: JSON.stringify(text('../../../data/mergel2018.toml'))},
+});
+// the report's style, light, dark and printed, is the page's
+const style = /R"css\(([\s\S]*?)\)css"/.exec(text('../../report/page/style.h'))[1] + text('style.css');
+const parts = {
+  STYLE: style,
+  SCRIPT: bundled.outputFiles[0].text.replaceAll('</script', '<\\/script'),
+  ENGINE: gzipSync(readFileSync(engine), {level: 9}).toString('base64'),
+};
+const page = text('index.html').replace(/\/\*(STYLE|SCRIPT|ENGINE)\*\//g, (_, name) => parts[name]);
+writeFileSync(out, page);
+console.log(`${out}: ${(page.length / 1e6).toFixed(2)} MB`);

@@ -1,0 +1,103 @@
+// Figures by Apache ECharts: axes, hover, zoom, drag, SVG and PNG. What is drawn comes from the engine.
+import * as echarts from 'echarts/core';
+import {CustomChart, LineChart, ScatterChart} from 'echarts/charts';
+import {DataZoomInsideComponent, GraphicComponent, GridComponent, LegendComponent, TooltipComponent} from 'echarts/components';
+import {CanvasRenderer, SVGRenderer} from 'echarts/renderers';
+
+echarts.use([CustomChart, LineChart, ScatterChart, DataZoomInsideComponent, GraphicComponent, GridComponent,
+  LegendComponent, TooltipComponent, CanvasRenderer, SVGRenderer]);
+
+const charts = new Set();
+const token = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+export const color = i => token(`--color-${i}`);
+export const colorOfModel = {a: 1, b: 2, c: 3};
+
+export const shown = (value, digits = 4) => value === 0 ? '0' : Number(value.toPrecision(digits)).toString();
+
+function axis(name, extra) {
+  return {
+    type: 'value', name, nameLocation: 'middle', nameGap: 28, scale: true,
+    nameTextStyle: {color: token('--ink')}, axisLabel: {color: token('--soft'), hideOverlap: true, formatter: value => shown(value)},
+    axisLine: {show: true, lineStyle: {color: token('--soft')}}, axisTick: {show: true},
+    splitLine: {lineStyle: {color: token('--line')}}, ...extra,
+  };
+}
+
+/// A figure in the element `id` with axes of these names: {x: {name, min, ...}, y: {...}}.
+export function figure(id, axes, more = {}) {
+  const element = document.getElementById(id);
+  const chart = echarts.init(element, null, {renderer: 'canvas'});
+  const entry = {chart, axes, more};
+  const frame = () => ({
+    animation: false, textStyle: {fontFamily: getComputedStyle(document.body).fontFamily},
+    grid: {left: 62, right: 16, top: 34, bottom: 46, ...more.grid},
+    legend: {top: 0, textStyle: {color: token('--ink')}, type: 'scroll', itemGap: 14, pageTextStyle: {color: token('--ink')}, pageIconColor: token('--ink'), pageIconInactiveColor: token('--line'), ...more.legend},
+    tooltip: {trigger: 'item', confine: true, formatter: told},
+    dataZoom: [{type: 'inside', xAxisIndex: 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'},
+      {type: 'inside', yAxisIndex: 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'}],
+    xAxis: axis(axes.x.name, axes.x), yAxis: axes.y2
+      ? [axis(axes.y.name, {nameGap: 44, ...axes.y}), axis(axes.y2.name, {nameGap: 44, ...axes.y2, splitLine: {show: false}})]
+      : axis(axes.y.name, {nameGap: 44, ...axes.y}),
+  });
+  entry.frame = () => chart.setOption(frame());
+  entry.frame();
+  chart.getZr().on('dblclick', () => chart.dispatchAction({type: 'dataZoom', batch: [0, 1].map(i => ({dataZoomIndex: i, start: 0, end: 100}))}));
+  new ResizeObserver(() => { chart.resize(); if (entry.resized) entry.resized(); }).observe(element);
+  charts.add(entry);
+  entry.draw = (series, label, extra = {}) => {
+    chart.setOption({...extra, series}, {replaceMerge: ['series']});
+    element.setAttribute('aria-label', label);
+  };
+  return entry;
+}
+
+function told({seriesName, value, data}) {
+  if (data && data.hover) return data.hover;
+  return Array.isArray(value) ? `${seriesName}<br>${value.map(v => shown(v, 5)).join(', ')}` : seriesName;
+}
+
+export const line = (id, name, data, color, type = 'solid', extra = {}) =>
+  ({id, name, type: 'line', data, showSymbol: false, silent: true, color, lineStyle: {type, width: 2, color}, ...extra});
+export const marks = (id, name, data, color, symbol, extra = {}) =>
+  ({id, name, type: 'scatter', data, symbol, symbolSize: 9, color, itemStyle: {color: 'transparent', borderColor: color, borderWidth: 1.6}, ...extra});
+
+/// Filled outlines: [{name, outline, color, opacity}].
+export function areas(list) {
+  return list.map(({name, outline, color, opacity = .25}, i) => ({
+    id: `area-${i}`, name, type: 'custom', silent: true, color, data: [[outline[0][0], outline[0][1]]], encode: {x: 0, y: 1}, z: 0, clip: true,
+    renderItem: (_, api) => ({type: 'polygon', shape: {points: outline.map(p => api.coord(p))}, style: {fill: color, opacity}}),
+  }));
+}
+
+/// A dashed line at x that can be dragged; `moved(x)` is told where to.
+export function handle(entry, id, x, moved) {
+  const {chart} = entry;
+  const place = chart.convertToPixel({xAxisIndex: 0}, x);
+  const height = chart.getHeight(), bottom = 46, top = 34;
+  return {
+    id, type: 'line', draggable: 'horizontal', x: place, y: 0, z: 100, cursor: 'ew-resize',
+    shape: {x1: 0, y1: top, x2: 0, y2: height - bottom}, style: {stroke: token('--alert'), lineWidth: 2, lineDash: [5, 4], lineCap: 'butt'},
+    ignore: !Number.isFinite(place),
+    ondragend() { moved(chart.convertFromPixel({xAxisIndex: 0}, this.x)); },
+  };
+}
+
+/// The figure as a file's text or bytes, on white.
+export function svgOf(entry) {
+  const {chart} = entry;
+  const twin = echarts.init(null, null, {renderer: 'svg', ssr: true, width: chart.getWidth(), height: chart.getHeight()});
+  twin.setOption({...chart.getOption(), graphic: [], backgroundColor: token('--paper'), animation: false});
+  const text = twin.renderToSVGString();
+  twin.dispose();
+  return text;
+}
+export const pngOf = entry =>
+  fetch(entry.chart.getDataURL({type: 'png', pixelRatio: 3, backgroundColor: token('--paper'), excludeComponents: ['graphic']})).then(r => r.blob());
+
+/// Called when the colours change: light, dark.
+export function onTheme(redraw) {
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+    for (const entry of charts) entry.frame();
+    redraw();
+  });
+}

@@ -1,0 +1,23 @@
+// The engine: its script is in the page, compressed.
+
+/// The engine's functions, each with a text of JSON answered as an object, or throwing the engine's sentence.
+export async function loadEngine() {
+  const packed = Uint8Array.from(atob(document.getElementById('engine').textContent.trim()), c => c.charCodeAt(0));
+  const script = document.createElement('script');
+  script.textContent = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
+  document.head.append(script);
+  const engine = await window.mixity();
+  const asked = text => {
+    const told = JSON.parse(text);
+    if (told.error) throw new Error(told.error.replace(/^\//, ''));
+    return told;
+  };
+  return {
+    version: engine.version(),
+    draw: request => asked(engine.draw(JSON.stringify(request))),
+    map: request => asked(engine.map(JSON.stringify(request))),
+    write: (name, bytes) => engine.write(name, bytes),
+    read: (name, constants) => asked(engine.read(name, JSON.stringify(constants))),
+    fit: (name, constants, options) => asked(engine.fit(name, JSON.stringify(constants), JSON.stringify(options))),
+  };
+}

@@ -1,0 +1,42 @@
+import {onTheme} from './charts.js';
+import {loadEngine} from './engine.js';
+import {Experiment} from './experiment.js';
+import {Models} from './models.js';
+import {read} from './state.js';
+import {sample} from './sample.js';
+
+const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
+
+async function start() {
+  const engine = await loadEngine();
+  document.getElementById('version').textContent = engine.version;
+  const models = new Models(engine, read());
+  const experiment = new Experiment(engine, models);
+  onTheme(() => {
+    models.redraw();
+    if (experiment.told) { experiment.drawPoints(); experiment.drawRun(); }
+  });
+  document.getElementById('sample').addEventListener('click', () => experiment.take(...sample()));
+  // what a report holds: its data and what stands beside them
+  const reported = JSON.parse(document.getElementById('data').textContent) ?? [];
+  const take = one => experiment.take({name: one.name, bytes: bytesOf(one.content)}, {bytes: bytesOf(one.toml)}, one);
+  if (reported.length) take(reported[0]);
+  const choice = document.getElementById('reported');
+  choice.hidden = reported.length < 2;
+  for (const one of reported) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.textContent = one.name;
+    button.addEventListener('click', () => take(one));
+    choice.append(' ', button);
+  }
+  window.explorer = {engine, models, experiment};  // for those who look behind the page
+}
+
+start().catch(error => {
+  const told = document.createElement('p');
+  told.className = 'banner';
+  told.setAttribute('role', 'alert');
+  told.textContent = `The engine could not be started: ${error.message}. A browser of 2023 or later is needed.`;
+  document.querySelector('main').prepend(told);
+});

@@ -1,0 +1,214 @@
+// The sliders, and what the models say at them.
+import {areas, color, colorOfModel, figure, line, marks, shown} from './charts.js';
+import {quantities, write} from './state.js';
+
+const models = ['a', 'b', 'c'];
+const tintOfRegime = {1: 6, 2: 3, 3: 1, 4: 7};
+
+export class Models {
+  constructor(engine, state) {
+    this.engine = engine;
+    this.state = state;
+    this.figures = {
+      area: figure('chart-area', {x: {name: 'T (mN)', min: 0}, y: {name: 'A (mm²)', min: 0}}),
+      toughness: figure('chart-toughness', {x: {name: 'ψ (rad)', min: 0, max: 1.58}, y: {name: 'Gc/GIc', type: 'log', min: 1, max: 1000}}),
+      displacement: figure('chart-displacement', {x: {name: 'u (µm)', min: 0}, y: {name: 'T (mN)', min: 0}}),
+      radius: figure('chart-radius', {x: {name: 'P (mN)'}, y: {name: 'a (mm)', min: 0}}),
+      map: figure('chart-map', {x: {name: 'P (mN)'}, y: {name: 'λ', type: 'log', min: 1e-5, max: 1}}),
+    };
+    this.turn = Object.keys(this.figures);
+    this.makeSliders();
+    this.mapModel = document.getElementById('map-model');
+    this.mapModel.value = state.map;
+    this.mapModel.addEventListener('change', () => { state.map = this.mapModel.value; this.redraw(); });
+    this.redraw();
+  }
+
+  makeSliders() {
+    const form = document.getElementById('sliders');
+    form.addEventListener('submit', event => event.preventDefault());
+    this.controls = {};
+    for (const q of quantities) {
+      const box = document.createElement('div');
+      box.className = q.model ? 'slider model' : 'slider';
+      if (q.model) box.style.setProperty('--own', `var(--color-${colorOfModel[q.key]})`);
+      const id = `slider-${q.key}`;
+      box.innerHTML = `<label for="${id}">${q.label.replace('_Ic', '<sub>Ic</sub>')}</label>
+        <span class="value"><input type="number" step="any" aria-label="${q.label}${q.unit ? ` in ${q.unit}` : ''}"> ${q.unit ?? ''}</span>
+        <input type="range" id="${id}" min="0" max="1000" step="1">`;
+      if (q.model) {
+        const label = document.createElement('label');
+        label.innerHTML = '<input type="checkbox"> drawn';
+        const box2 = label.firstChild;
+        box2.checked = !this.state.off.has(q.key);
+        box2.setAttribute('aria-label', `model ${q.key} drawn`);
+        box2.addEventListener('change', () => { this.state.off[box2.checked ? 'delete' : 'add'](q.key); this.redraw(); });
+        box.append(label);
+      }
+      const [number, range] = [box.querySelector('input[type=number]'), box.querySelector('input[type=range]')];
+      range.addEventListener('input', () => this.set(q, q.logarithmic
+        ? q.low * (q.high / q.low) ** (range.value / 1000) : q.low + (q.high - q.low) * range.value / 1000, number));
+      number.addEventListener('change', () => {
+        const value = Number(number.value);
+        if (number.value !== '' && Number.isFinite(value) && (!q.logarithmic || value > 0)) this.set(q, q.model ? Math.min(value, q.high) : value);
+        else this.show(q);
+      });
+      this.controls[q.key] = {number, range};
+      form.append(box);
+      this.show(q);
+    }
+  }
+
+  /// The state of a quantity on its slider and in its field.
+  show(q) {
+    const value = this.state[q.key], {number, range} = this.controls[q.key];
+    number.value = shown(value, 5);
+    range.value = 1000 * (q.logarithmic ? Math.log(value / q.low) / Math.log(q.high / q.low) : (value - q.low) / (q.high - q.low));
+    range.setAttribute('aria-valuetext', `${shown(value)} ${q.unit ?? ''}`);
+  }
+
+  set(q, value) {
+    this.state[q.key] = Number(value.toPrecision(4));
+    this.show(q);
+    this.schedule();
+  }
+
+  /// From a fit: {P, R, ...}.
+  take(values) {
+    for (const q of quantities)
+      if (Number.isFinite(values[q.key])) {
+        this.state[q.key] = values[q.key];
+        this.show(q);
+      }
+    this.redraw();
+  }
+
+  schedule() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => { this.waiting = false; this.redraw(); });
+  }
+
+  constants() {
+    const {R, E, G} = this.state;
+    return {radius: R * 1e-3, modulus: E * 1e6, toughness: G * 1e-3};
+  }
+
+  /// Asks the engine, and draws figures as long as a frame lasts; those that are left follow in the next ones.
+  redraw() {
+    const begin = performance.now();
+    const {state} = this;
+    clearTimeout(this.saving);
+    this.saving = setTimeout(() => write(state), 150);
+    const wanted = models.filter(m => !state.off.has(m));
+    const T_most = Math.max(2 * Math.abs(state.T), 1), P_most = Math.max(2 * Math.abs(state.P), 5);
+    try {
+      this.all = this.engine.draw({...this.constants(), P: state.P, T: state.T, T_most, P_most, models: wanted.map(m => ({model: m, parameters: [state[m]]}))});
+    } catch (error) {
+      document.getElementById('says').textContent = error.message;
+      return;
+    }
+    document.getElementById('says').textContent = this.all.map(one => this.sentence(one)).join(' ');
+    this.stale = new Set(Object.keys(this.figures));
+    this.drawSome(begin);
+  }
+
+  /// In turn, those in view first, so that none waits while a slider moves.
+  drawSome(begin) {
+    const inView = name => { const box = this.figures[name].chart.getDom().getBoundingClientRect(); return box.bottom > 0 && box.top < innerHeight; };
+    const turn = [...this.turn.filter(inView), ...this.turn.filter(name => !inView(name))];
+    for (const name of turn) {
+      if (!this.stale.has(name)) continue;
+      if (name === 'map') this.drawMap();
+      else this.drawCurve(name);
+      this.stale.delete(name);
+      this.turn.push(this.turn.splice(this.turn.indexOf(name), 1)[0]);
+      if (performance.now() - begin > 8) break;
+    }
+    this.time = performance.now() - begin;
+    if (!this.stale.size || this.following) return;
+    this.following = true;
+    requestAnimationFrame(() => { this.following = false; this.drawSome(performance.now()); });
+  }
+
+  drawCurve(name) {
+    const {state, all} = this, there = all.filter(one => !one.problem), names = there.map(one => `model ${one.model}`);
+    const what = {
+      area: `Contact area against tangential load at P = ${shown(state.P)} mN`,
+      toughness: 'Toughness against phase angle',
+      displacement: `Tangential load against displacement at P = ${shown(state.P)} mN`,
+      radius: `Contact radius against normal load at T = ${shown(state.T)} mN`,
+    }[name];
+    this.figures[name].draw(there.flatMap(one => this[name](one, `model ${one.model}`, color(colorOfModel[one.model]))),
+      `${what} for ${names.join(', ') || 'no model'}`, {legend: {data: names}});
+  }
+
+  /// Solid up to the first place where the contact is not stable, dashed from there.
+  twoParts(one, name, own, x, y) {
+    const turn = one.curve.stable.indexOf(false), end = turn < 0 ? x.length : turn;
+    const along = (from, to) => x.slice(from, to).map((value, i) => [value, y[from + i]]);
+    return [line(`${one.model}-stable`, name, along(0, end), own), line(`${one.model}-unstable`, name, along(Math.max(end - 1, 0), x.length), own, 'dashed')];
+  }
+
+  folds(one, name, own, place) {
+    return ['load', 'displacement'].map(control => marks(`${one.model}-${control}`, name, one.folds.filter(fold => fold.control === control).map(fold => ({
+      value: place(fold),
+      hover: `model ${one.model} jumps under ${control} control:<br>T = ${shown(fold.T)} mN, A = ${shown(fold.A)} mm², u = ${shown(fold.u)} µm<br>to ${fold.jumps_to}`,
+    })), own, control === 'load' ? 'triangle' : 'diamond'));
+  }
+
+  here(one, name, own, place) {
+    return marks(`${one.model}-here`, name, place ? [place] : [], own, 'circle', {itemStyle: {color: own}});
+  }
+
+  area(one, name, own) {
+    const jump = one.folds.find(fold => fold.control === 'load');
+    return [...this.twoParts(one, name, own, one.curve.T, one.curve.A), ...this.folds(one, name, own, fold => [fold.T, fold.A]),
+      line(`${one.model}-jump`, name, jump ? [[jump.T, jump.A], [jump.T, jump.area_after]] : [], own, 'dotted'),
+      this.here(one, name, own, one.state && [Math.abs(this.state.T), one.state.A])];
+  }
+
+  toughness(one, name, own) {
+    return [line(`${one.model}-law`, name, one.toughness.map(([psi, f]) => [psi, Math.max(f, 1)]), own),
+      this.here(one, name, own, one.state && one.state.psi !== undefined && [one.state.psi, one.state.f])];
+  }
+
+  displacement(one, name, own) {
+    return [...this.twoParts(one, name, own, one.curve.u, one.curve.T), ...this.folds(one, name, own, fold => [fold.u, fold.T])];
+  }
+
+  radius(one, name, own) {
+    return [line(`${one.model}-stable`, name, one.radii.stable, own), line(`${one.model}-unstable`, name, one.radii.unstable, own, 'dashed'),
+      this.here(one, name, own, one.state && [this.state.P, Math.sqrt(one.state.A / Math.PI)])];
+  }
+
+  /// Regions depend on the model and the constants alone, and are asked for once.
+  drawMap() {
+    const {state} = this, model = state.map;
+    const pull_off = -1.5 * Math.PI * state.R * state.G * 1e-3, P_high = Math.max(2 * state.P, -4 * pull_off);
+    const request = {...this.constants(), model, P_low: .999 * pull_off, P_high: Number(P_high.toPrecision(2)), lambda_low: 1e-5, lambda_high: quantities.find(q => q.key === model).high};
+    const key = JSON.stringify(request);
+    if (this.mapKey !== key) {
+      this.mapKey = key;
+      const regions = this.engine.map(request);
+      this.regions = areas(regions.map(({regime, outline}) => ({name: regime, outline, color: color(tintOfRegime[regime[0]])})));
+      this.regimes = [...new Set(regions.map(one => one.regime))];
+    }
+    const one = this.regimes.length === 1;
+    document.getElementById('map-says').textContent = one ? `: one regime everywhere, ${this.regimes[0].slice(2)}.` : '';
+    document.getElementById('chart-map').hidden = one;
+    if (one) return;
+    const here = state.off.has(model) ? [] : [[state.P, state[model]]];
+    this.figures.map.draw([...this.regions, marks('here', `model ${model} here`, here, color(0), 'circle', {itemStyle: {color: color(0)}})],
+      `Regimes of model ${model} by load and lambda: ${this.regimes.join(', ')}`,
+      {legend: {data: this.regimes}, xAxis: {min: request.P_low, max: request.P_high}, yAxis: {max: request.lambda_high}});
+  }
+
+  sentence(one) {
+    if (one.problem) return `Model ${one.model}: ${one.problem}.`;
+    const {state} = this, jump = one.folds.find(fold => fold.control === 'load');
+    const here = one.state ? `A = ${shown(one.state.A)} mm²` : 'no contact in equilibrium';
+    return `Model ${one.model} (λ = ${shown(state[one.model])}): ${here} at T = ${shown(state.T)} mN; ` +
+      (jump ? `jumps at T = ${shown(jump.T)} mN from ${shown(jump.A)} to ${shown(jump.area_after)} mm².` : `${one.regime.slice(2)}.`);
+  }
+}

@@ -1,0 +1,33 @@
+// What the sliders say, and the page's address, which holds it.
+
+/// With the range of each slider; λ ends where its model does. Loads in mN, R in mm, E* in MPa, G_Ic in mJ/m^2.
+export const quantities = [
+  {key: 'P', label: 'normal load P', unit: 'mN', low: -1, high: 20, value: 4},
+  {key: 'T', label: 'tangential load T', unit: 'mN', low: 0, high: 300, value: 60},
+  {key: 'R', label: 'sphere radius R', unit: 'mm', low: .01, high: 100, value: 9.42, logarithmic: true},
+  {key: 'E', label: 'modulus E*', unit: 'MPa', low: .01, high: 1000, value: 2.133, logarithmic: true},
+  {key: 'G', label: 'toughness G_Ic', unit: 'mJ/m²', low: .1, high: 10000, value: 27, logarithmic: true},
+  {key: 'a', label: 'λ of model a', low: 1e-5, high: 1, value: .15, logarithmic: true, model: true},
+  {key: 'b', label: 'λ of model b', low: 1e-5, high: 2, value: .03, logarithmic: true, model: true},
+  {key: 'c', label: 'λ of model c', low: 1e-5, high: 1, value: .0023, logarithmic: true, model: true},
+];
+
+export function read() {
+  const state = {off: new Set()};
+  const stated = new URLSearchParams(location.hash.slice(1));
+  for (const q of quantities) {
+    const value = Number(stated.get(q.key));
+    state[q.key] = stated.has(q.key) && Number.isFinite(value) ? value : q.value;
+  }
+  for (const key of (stated.get('without') ?? '').split('')) state.off.add(key);
+  state.map = ['a', 'b', 'c'].includes(stated.get('map')) ? stated.get('map') : 'b';
+  return state;
+}
+
+export function write(state) {
+  const stated = new URLSearchParams();
+  for (const q of quantities) stated.set(q.key, String(state[q.key]));
+  if (state.off.size) stated.set('without', [...state.off].sort().join(''));
+  stated.set('map', state.map);
+  history.replaceState(null, '', '#' + stated);
+}

@@ -1,0 +1,68 @@
+#include "report/page/explorer_page.h"
+
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "report/used_csv.h"
+
+namespace mixity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string base64(const std::string& bytes) {
+  using namespace boost::archive::iterators;
+  using Digits = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+  std::string text(Digits(bytes.begin()), Digits(bytes.end()));
+  return text.append((3 - bytes.size() % 3) % 3, '=');
+}
+
+std::string content_of(const std::string& path) {
+  std::ostringstream out;
+  out << std::ifstream(path, std::ios::binary).rdbuf();
+  return out.str();
+}
+
+Json as_embedded(const JobResult& result) {
+  const FitJob& job = result.job;
+  Json constants = Json::object(), options = Json::object();
+  for (const auto& [name, text] : job.runs.empty() ? job.constants : constants_as_stated(result.data.metadata))
+    constants[name] = text;
+  // what the page fits at once: without what takes long
+  for (const auto& [name, text] : job.stated)
+    if (name != "bootstrap" && name != "influence" && name != "per" && name != "threads") options[name] = text;
+  Json models = Json::array();
+  for (const std::string& model : job.models) models.push_back(model);
+  if (!job.runs.empty())
+    return {{"name", result.data.name + ".csv"},
+            {"content", base64(used_csv(result.data))},
+            {"toml", ""},
+            {"constants", constants},
+            {"options", options},
+            {"models", models}};
+  return {{"name", job.data_path.substr(job.data_path.find_last_of('/') + 1)},
+          {"content", base64(content_of(job.data_path))},
+          {"toml", base64(content_of(metadata_path(job.data_path)))},
+          {"constants", constants},
+          {"options", options},
+          {"models", models}};
+}
+
+}  // namespace
+
+std::string explorer_page(std::string shell, const ReportContent& content) {
+  static constexpr std::string_view kPlace = "<script type=\"application/json\" id=\"data\">null</script>";
+  const std::size_t at = shell.find(kPlace);
+  if (at == std::string::npos) return {};
+  Json data = Json::array();
+  for (const ReportEntry& entry : content.entries) data.push_back(as_embedded(entry.data->result));
+  std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+  for (std::size_t i = 0; (i = text.find('<', i)) != std::string::npos;) text.replace(i, 1, "\\u003c");
+  shell.replace(at + kPlace.size() - std::string_view("null</script>").size(), 4, text);
+  return shell;
+}
+
+}  // namespace mixity

@@ -1,0 +1,198 @@
+// The page as a person uses it, in headless Chromium: its numbers against the program's, its speed, its files.
+'use strict';
+const fs = require('fs');
+const os = require('os');
+const path = require('path');
+const {execFileSync} = require('child_process');
+const root = path.resolve(__dirname, '../..');
+const built = path.join(root, 'build/explorer');
+const {chromium} = require(path.join(built, 'node_modules/playwright-core'));
+const program = path.join(root, 'build/release/src/mixity');
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'mixity-explorer-'));
+const shots = process.env.MIXITY_SHOTS;  // a folder for pictures of the page
+const failures = [];
+const expect = (holds, message) => { if (!holds) failures.push(message); };
+
+function run(words, where = folder) {
+  try {
+    return execFileSync(program, words, {cwd: where, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']});
+  } catch (ended) {  // 1: a fit that cannot be believed
+    return ended.stdout;
+  }
+}
+const fitsOf = text => JSON.parse(text).datasets[0].fits;
+const near = (one, other, part) => Math.abs(one - other) <= part * Math.abs(other);
+
+async function saved(page, what) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${what}]`)]);
+  const file = path.join(folder, download.suggestedFilename());
+  await download.saveAs(file);
+  return file;
+}
+
+/// One file, in the export of a European Excel, without constants: they are asked for.
+async function dropAndFit(page) {
+  const rows = fs.readFileSync(path.join(root, 'data/mergel2018.csv'), 'utf8').trim().split('\n').filter(row => !row.startsWith('#')).slice(1).map(row => row.split(','));
+  const text = 'Normalkraft;Tangentialkraft;Kontaktfläche\r\nmN;mN;mm²\r\n' + rows.map(row => row.slice(-3).join(';').replaceAll('.', ',')).join('\r\n') + '\r\n';
+  const bytes = Buffer.concat([Buffer.from([0xff, 0xfe]), Buffer.from(text, 'utf16le')]);
+  const file = path.join(folder, 'messung.csv');
+  fs.writeFileSync(file, bytes);
+  const transfer = await page.evaluateHandle(data => {
+    const list = new DataTransfer();
+    list.items.add(new File([Uint8Array.from(data)], 'messung.csv'));
+    return list;
+  }, [...bytes]);
+  await page.dispatchEvent('#drop', 'drop', {dataTransfer: transfer});
+  await page.waitForSelector('#trouble:not([hidden])');
+  expect(/radius/.test(await page.textContent('#trouble')), `without constants: ${await page.textContent('#trouble')}`);
+  expect(/Normalkraft/.test(await page.textContent('#taken')), 'the columns are shown before the constants are known');
+  await page.fill('[name=radius]', '9.42 mm');
+  await page.fill('[name=modulus]', '2.133 MPa +/- 2%');
+  await page.fill('[name=toughness]', '27 mJ/m^2');
+  await page.click('#constants button');
+  await page.waitForSelector('.result', {timeout: 5000}).catch(async () => { throw new Error('no result: ' + await page.textContent('#trouble') + await page.textContent('#taken')); });
+  return file;
+}
+
+const flags = ['--radius=9.42 mm', '--modulus=2.133 MPa +/- 2%', '--toughness=27 mJ/m^2', '--format=json'];
+
+async function main() {
+  const browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox']});
+  const page = await browser.newPage({viewport: {width: 1280, height: 900}, acceptDownloads: true});
+  const told = [];
+  page.on('console', message => told.push(message.text()));
+  page.on('pageerror', error => told.push(error.message));
+  page.on('request', request => { if (/^https?:/.test(request.url())) told.push(`asks for ${request.url()}`); });
+  const address = 'file://' + path.join(built, 'explorer.html');
+  const begin = Date.now();
+  await page.goto(address);
+  await page.waitForFunction(() => window.explorer);
+  const opened = Date.now() - begin;
+  const size = fs.statSync(path.join(built, 'explorer.html')).size;
+  expect(size < 3e6, `${size} bytes`);
+
+  // sliders: by keyboard, within a frame, in the address
+  await page.focus('#slider-c');
+  for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowRight');
+  await page.waitForTimeout(100);
+  const c = await page.inputValue('#slider-c');
+  expect((await page.evaluate(() => location.hash)).includes('c='), 'the address holds the sliders');
+  expect(/Model c \(λ = /.test(await page.textContent('#says')), `says: ${await page.textContent('#says')}`);
+  // what a step of a slider takes of a frame, and how long until every figure has followed
+  const redraws = await page.evaluate(async () => {
+    const frames = [], all = [], {models} = window.explorer;
+    for (let i = 0; i < 31; ++i) {
+      models.state.T = 50 + i;
+      const begin = performance.now();
+      models.redraw();
+      frames.push(models.time);
+      while (models.stale.size) {
+        await new Promise(requestAnimationFrame);
+        frames.push(models.time);
+      }
+      all.push(performance.now() - begin);
+    }
+    const middle = list => list.sort((x, y) => x - y)[Math.floor(list.length / 2)];
+    return [middle(frames), middle(all)];
+  });
+  // no time of the machine's own in a test: what is slow by an order of magnitude
+  expect(redraws[0] < 160, `a redraw takes ${redraws[0]} ms`);
+  const says = JSON.parse(run(['instability', '--model=c', `--lambda=${await page.evaluate(() => window.explorer.models.state.c)}`, '--load=4 mN', '--radius=9.42 mm', '--modulus=2.133 MPa', '--toughness=27 mJ/m^2', '--format=json']));
+  const jump = await page.evaluate(() => {
+    const {engine, models} = window.explorer;
+    return engine.draw({...models.constants(), P: 4, T: 50, T_most: 400, P_most: 10, models: [{model: 'c', parameters: [models.state.c]}]})[0].folds.find(fold => fold.control === 'load');
+  });
+  const text = JSON.stringify(says);
+  expect([...text.matchAll(/"T":\s*([0-9.e+-]+)/g)].some(match => near(jump.T, Number(match[1]), 1e-12) || near(jump.T * 1e-3, Number(match[1]), 1e-12)), `the jump at T = ${jump.T} mN is not the program's: ${text.slice(0, 400)}`);
+  if (shots) await page.screenshot({path: path.join(shots, 'models.png'), fullPage: true});
+
+  // a file of one's own
+  const file = await dropAndFit(page);
+  const ours = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);
+  const theirs = fitsOf(run(['fit', file, ...flags]));
+  const same = (one, other, where) => {
+    expect(one.status === other.status, `${where} ${one.model}: ${one.status}, not ${other.status}`);
+    expect(near(one.parameters.lambda.value, other.parameters.lambda.value, 1e-9), `${where} ${one.model}: ${one.parameters.lambda.value}, not ${other.parameters.lambda.value}`);
+    expect(near(one.parameters.lambda.stderr, other.parameters.lambda.stderr, 1e-6), `${where} ${one.model}: errors`);
+  };
+  ours.forEach((fit, i) => same(fit, theirs[i], 'dropped'));
+  if (shots) await page.screenshot({path: path.join(shots, 'fit.png'), fullPage: true});
+
+  // cropped, by field and by dragging
+  await page.selectOption('#run', '2');
+  const before = await page.evaluate(() => window.explorer.experiment.kept[2][1]);
+  await page.fill('#crop-last', String(before - 2));
+  await page.dispatchEvent('#crop-last', 'change');
+  const place = await page.evaluate(() => {
+    const entry = window.explorer.experiment.runFigure, box = document.getElementById('chart-run');
+    box.scrollIntoView({block: 'center'});
+    const kept = window.explorer.experiment.kept[2];
+    const at = box.getBoundingClientRect(), x = k => at.left + entry.chart.convertToPixel({xAxisIndex: 0}, k + 1.5);
+    return {from: x(kept[1]), to: x(kept[1] - 3), y: at.top + at.height / 2};
+  });
+  await page.mouse.move(place.from, place.y);
+  await page.mouse.down();
+  for (let i = 1; i <= 8; ++i) await page.mouse.move(place.from + (place.to - place.from) * i / 8, place.y);
+  await page.mouse.up();
+  await page.waitForTimeout(200);
+  const after = await page.evaluate(() => window.explorer.experiment.kept[2][1]);
+  expect(after === before - 6, `dragged to ${after}, not ${before - 6}`);
+  const cropped = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);
+  if (shots) await page.screenshot({path: path.join(shots, 'cropped.png'), fullPage: true});
+
+  // what is saved, the program runs to the same numbers
+  const [toml, used, json, svg, png] = [await saved(page, 'toml'), await saved(page, 'used'), await saved(page, 'fit'), await saved(page, 'svg'), await saved(page, 'png')];
+  const again = fitsOf(run(['fit', toml, '--format=json']));
+  cropped.forEach((fit, i) => same(fit, again[i], 'definition'));
+  fitsOf(run(['fit', used, ...flags])).forEach((fit, i) => same(cropped[i], fit, 'data as used'));
+  expect(fitsOf(fs.readFileSync(json, 'utf8')).length === cropped.length, 'the fit as JSON');
+  expect(/^<svg[^]*<path/.test(fs.readFileSync(svg, 'utf8')), 'an SVG with curves');
+  expect(fs.readFileSync(png).subarray(1, 4).toString() === 'PNG', 'a PNG');
+  const fitted = await page.evaluate(() => {
+    const {engine, experiment} = window.explorer, times = [];
+    for (let i = 0; i < 9; ++i) {
+      const begin = performance.now();
+      engine.fit(experiment.name, experiment.constants(), {models: 'c'});
+      times.push(performance.now() - begin);
+    }
+    return [times.sort((x, y) => x - y)[4], experiment.told.points, experiment.time];
+  });
+
+  // one wrong file: its sentence
+  await page.setInputFiles('#file', {name: 'wrong.csv', mimeType: 'text/csv', buffer: Buffer.from('P [mN],T [mN],A [mm^2]\n1,2,x\n')});
+  await page.waitForFunction(() => /wrong.csv:2:5/.test(document.getElementById('trouble').textContent));
+
+  // every shipped set: data and constants together
+  for (const name of ['mergel2018', 'waters_guduru2010', 'as4_peek_mmb']) {
+    await page.setInputFiles('#file', ['csv', 'toml'].map(ending => path.join(root, 'data', `${name}.${ending}`)));
+    await page.waitForFunction(wanted => window.explorer.experiment.result && document.getElementById('read-title').textContent.startsWith(wanted), name);
+    const fits = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);
+    const known = fitsOf(run(['fit', path.join(root, 'data', `${name}.csv`), '--models=a,b,c', '--format=json']));
+    fits.forEach((fit, i) => {
+      const value = fit.parameters.lambda?.value, wanted = known[i].parameters.lambda?.value;
+      expect(fit.status === known[i].status && (value === wanted || near(value, wanted, 1e-9)), `${name} ${fit.model}: ${value} ${fit.status}, not ${wanted} ${known[i].status}`);
+    });
+  }
+
+  // phone to wide: nothing scrolls sideways
+  for (const width of [360, 390, 768, 1280, 1920])
+    for (const colorScheme of ['light', 'dark']) {
+      await page.setViewportSize({width, height: 800});
+      await page.emulateMedia({colorScheme});
+      await page.waitForTimeout(150);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      expect(wide <= width, `${width} px: the page is ${wide} wide`);
+      if (shots) await page.screenshot({path: path.join(shots, `page_${width}_${colorScheme}.png`), fullPage: true});
+    }
+  const unnamed = await page.evaluate(() => [...document.querySelectorAll('input, select, button')].filter(one => !(one.labels?.length || one.getAttribute('aria-label') || one.textContent.trim())).map(one => one.outerHTML));
+  expect(unnamed.length === 0, `controls without a name: ${unnamed}`);
+  expect(told.length === 0, `the console says: ${told.join('; ')}`);
+  console.log(`opened in ${opened} ms, ${(size / 1e6).toFixed(2)} MB; a slider's step of three models ${redraws[0].toFixed(1)} ms a frame, all figures in ${redraws[1].toFixed(0)} ms; fit of model c to ${fitted[1]} points with its interval and tests ${fitted[0].toFixed(0)} ms, of three models ${fitted[2].toFixed(0)} ms`);
+  await browser.close();
+}
+
+main().catch(error => failures.push(error.stack)).then(() => {
+  failures.forEach(one => console.log(one));
+  fs.rmSync(folder, {recursive: true});
+  process.exit(failures.length ? 1 : 0);
+});

@@ -1,0 +1,61 @@
+// What of a report's data the explorer is given.
+#include "report/page/explorer_page.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/archive/iterators/binary_from_base64.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <nlohmann/json.hpp>
+
+#include "dataset/table/csv.h"
+#include "report/example_results.h"
+
+namespace mixity {
+namespace {
+
+constexpr char kShell[] = "<p>before</p><script type=\"application/json\" id=\"data\">null</script><p>behind</p>";
+
+std::string from_base64(std::string text) {
+  using namespace boost::archive::iterators;
+  using Bytes = transform_width<binary_from_base64<std::string::const_iterator>, 8, 6>;
+  while (text.ends_with('=')) text.pop_back();
+  return {Bytes(text.begin()), Bytes(text.end())};
+}
+
+/// The JSON between the shell's own text.
+nlohmann::json embedded(const JobResult& result) {
+  const ReportedData data = reported_data(result, "x");
+  const std::string page = explorer_page(kShell, {{}, {{&data, {}}}, {}});
+  const std::size_t begin = page.find("id=\"data\">") + 10, end = page.find("</script>");
+  EXPECT_TRUE(page.starts_with("<p>before</p>")) << page.substr(0, 80);
+  EXPECT_TRUE(page.ends_with("</script><p>behind</p>"));
+  return nlohmann::json::parse(page.substr(begin, end - begin));
+}
+
+TEST(ExplorerPage, HoldsTheFileAndWhatStandsBesideItByteForByte) {
+  const auto data = embedded(shipped("mergel2018"));
+  ASSERT_EQ(data.size(), 1u);
+  EXPECT_EQ(data[0]["name"], "mergel2018.csv");
+  EXPECT_EQ(from_base64(data[0]["content"]), read_file(MIXITY_ROOT "/data/mergel2018.csv"));
+  EXPECT_EQ(from_base64(data[0]["toml"]), read_file(MIXITY_ROOT "/data/mergel2018.toml"));
+}
+
+TEST(ExplorerPage, HasTheJobsOptionsAndConstantsAndCannotBeEndedByThem) {
+  JobResult result = shipped("mergel2018");
+  result.job.models = {"c"};
+  result.job.stated = {{"exclude", "7"}, {"bootstrap", "500"}};
+  result.job.constants = {{"note", "</script><script>"}};
+  const auto data = embedded(result);
+  EXPECT_EQ(data[0]["models"], nlohmann::json({"c"}));
+  EXPECT_EQ(data[0]["options"], nlohmann::json({{"exclude", "7"}}));  // not what takes long
+  EXPECT_EQ(data[0]["constants"]["note"], "</script><script>");
+}
+
+TEST(ExplorerPage, IsNoneWithoutAPlaceForData) {
+  const JobResult result = shipped("mergel2018");
+  const ReportedData data = reported_data(result, "x");
+  EXPECT_EQ(explorer_page("<p>something else</p>", {{}, {{&data, {}}}, {}}), "");
+}
+
+}  // namespace
+}  // namespace mixity
