@@ -1,7 +1,10 @@
 #include "explorer/experiment.h"
 
 #include <algorithm>
+#include <tuple>
 
+#include "dataset/number_text.h"
+#include "dataset/units.h"
 #include "fitting/prediction.h"
 #include "mechanics/any_model.h"
 #include "report/figures/model_curves.h"
@@ -71,6 +74,13 @@ Json model_of(const JobResult& result, const FitResult& fit, bool best) {
   return drawn;
 }
 
+/// "2.133 MPa +/- 0.1 MPa": short, for a field of a form.
+std::string as_typed(double value, double error, const std::string& unit) {
+  const ReadableUnit shown = readable_unit(value, unit);
+  const auto text = [&](double one, int digits) { return rounded(one * shown.factor, digits) + " " + shown.unit; };
+  return text(value, 10) + (error > 0 ? " +/- " + text(error, 4) : "");
+}
+
 }  // namespace
 
 Json as_read(const Dataset& data) {
@@ -81,11 +91,16 @@ Json as_read(const Dataset& data) {
             {"points", data.points.size()},
             {"rows", data.rows},
             {"units", {{"force", data.display.force}, {"area", data.display.area}}},
-            {"provenance", to_string(data.metadata.provenance)}};
+            {"notice", data.metadata.provenance == Provenance::reconstructed ? kReconstructedNotice : ""}};
   Json excluded = Json::array(), constants = Json::object();
   for (std::size_t i = 0; i < std::min(data.excluded.size(), kMostExcluded); ++i)
     excluded.push_back({{"line", data.excluded[i].line}, {"reason", data.excluded[i].reason}});
-  for (const auto& [name, text] : constants_as_stated(data.metadata)) constants[name] = text;
+  const Metadata& stated = data.metadata;
+  for (const auto& [name, text] : constants_as_stated(stated)) constants[name] = {{"exact", text}, {"shown", text}};
+  for (const auto& [name, value, unit] :
+       {std::tuple("radius", stated.radius, "m"), std::tuple("modulus", stated.modulus, "Pa"),
+        std::tuple("toughness", stated.toughness, "J/m^2")})
+    if (value) constants[name]["shown"] = as_typed(*value, stated.standard_error(name), unit);
   told["excluded"] = excluded;
   told["constants"] = constants;
   if (data.has_loads) {

@@ -61,7 +61,10 @@ export class Experiment {
     $('columns').value = '';
     $('read').hidden = false;
     $('downloads').hidden = $('others').hidden = true;
-    for (const field of $('constants').querySelectorAll('input:not([type=checkbox])')) field.value = stated.constants?.[field.name] ?? '';
+    for (const field of $('constants').querySelectorAll('input:not([type=checkbox])')) {
+      field.value = stated.constants?.[field.name] ?? '';
+      delete field.dataset.shown;
+    }
     this.more = Object.fromEntries(Object.entries(stated.constants ?? {}).filter(([name]) => !$('constants').elements[name]));
     this.readAgain(true);
   }
@@ -74,7 +77,7 @@ export class Experiment {
 
   constants() {
     const stated = {...this.more};
-    for (const field of $('constants').querySelectorAll('input:not([type=checkbox])')) if (field.value.trim()) stated[field.name] = field.value.trim();
+    for (const field of $('constants').querySelectorAll('input:not([type=checkbox])')) if (field.value.trim()) stated[field.name] = field.value === field.dataset.shown ? field.dataset.exact : field.value.trim();
     const columns = $('columns').value.trim();
     return columns ? {...stated, columns} : stated;
   }
@@ -90,7 +93,9 @@ export class Experiment {
     const {told} = this;
     for (const [name, text] of Object.entries(told.constants)) {
       const field = $('constants').elements[name];
-      if (field && !field.value) field.value = text;
+      if (!field || field.value) continue;
+      field.value = field.dataset.shown = text.shown;
+      field.dataset.exact = text.exact;
     }
     this.showRead(true);
     this.kept = told.runs ? told.runs.map(run => [0, run.lines.length - 1]) : [];
@@ -122,7 +127,8 @@ export class Experiment {
   showRead(whole) {
     const {told} = this;
     $('read-title').textContent = `${this.name}: ${told.points} of ${told.rows} rows${told.runs ? `, ${told.runs.length} run${told.runs.length === 1 ? '' : 's'}` : ''}`;
-    const sentences = [...told.taken];
+    const sentences = told.notice ? [told.notice] : [];
+    sentences.push(...told.taken);
     if (told.reading) sentences.push(`read as ${told.reading}`);
     if (told.runs) sentences.push(`loads in ${told.units.force || 'no unit'}, areas in ${told.units.area || 'no unit'}`);
     if (told.ignored.length) sentences.push(`not used: ${told.ignored.join(', ')}`);
