@@ -1,4 +1,4 @@
-// mixity figures: figures that need no data.
+// mixity figures: the paper's, with data or without.
 #include <iostream>
 
 #include "cli/commands.h"
@@ -12,10 +12,11 @@
 namespace mixity::cli {
 
 int run_figures(const Arguments& arguments) {
-  require_flags_only("figures", arguments);
   if (!FLAGS_paper || FLAGS_out.empty())
     throw UsageError("figures needs --paper and --out=DIR (see mixity help figures)");
-  const DrawnFigures drawn = draw_figures(paper_figures(), FLAGS_out, progress_line("figures"));
+  std::vector<Dataset> data;
+  for (const std::string& path : arguments) data.push_back(load_dataset(path));
+  const DrawnFigures drawn = draw_figures(paper_figures(data), FLAGS_out, progress_line("figures"));
   write_files(drawn.files);
   for (const OutputFile& file : drawn.files) std::cout << file.path << '\n';
   if (!drawn.missing.empty()) std::cerr << "mixity: " << drawn.missing << '\n';

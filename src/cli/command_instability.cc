@@ -6,6 +6,7 @@
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
 #include "cli/fitted_contact.h"
+#include "cli/quantity_list.h"
 #include "mechanics/any_model.h"
 #include "report/instability_text.h"
 
@@ -18,16 +19,8 @@ const std::string kStiffness = "N/m";
 std::vector<Control> controls(const std::optional<Contact>& contact) {
   std::vector<Control> list{{Control::Kind::load}, {Control::Kind::displacement}};
   if (!is_set("stiffness")) return list;
-  const auto given = parse_quantity(FLAGS_stiffness);
-  const bool bare = given && given->unit.text.empty();
-  if (!given || (!bare && given->unit.dimension != parse_unit(kStiffness)->dimension))
-    throw UsageError("flag '--stiffness' is '" + FLAGS_stiffness + "'; it must be " +
-                     (contact ? "a stiffness such as \"1200 N/m\"" : "a number"));
-  if (bare == contact.has_value())
-    throw UsageError(contact ? "flag '--stiffness' needs a unit, such as N/m"
-                             : "flag '--stiffness' has a unit; that needs --radius, --modulus and --toughness");
-  const double stiffness = contact ? given->si() / contact->stiffness_unit() : given->value;
-  if (!(stiffness >= 1e-150 && stiffness <= 1e150)) throw UsageError("flag '--stiffness' must be above 0");
+  const double stiffness = positive_quantity("stiffness", FLAGS_stiffness, kStiffness,
+                                             contact ? std::optional(contact->stiffness_unit()) : std::nullopt);
   list.push_back({Control::Kind::stiffness, stiffness});
   return list;
 }

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
+#include "cli/quantity_list.h"
 #include "mechanics/regimes.h"
 #include "report/rounding.h"
 
@@ -33,15 +34,8 @@ Range load_range(const OutputUnits& units) {
 /// tau0 in units of E*/xi.
 std::optional<double> strength(const OutputUnits& units) {
   if (!is_set("tau0")) return std::nullopt;
-  const auto given = parse_quantity(FLAGS_tau0);
-  const bool bare = given && given->unit.text.empty(), fits = given && given->unit.dimension == dimension::stress;
-  if (!given || !(units.contact ? fits : bare))
-    throw UsageError("flag '--tau0' is '" + FLAGS_tau0 + "'; it must be " +
-                     (units.contact ? "a stress such as \"0.43 MPa\""
-                                    : "a number; with a unit it needs --radius, --modulus and --toughness"));
-  const double tau0 = units.contact ? given->si() / units.contact->stress_unit() : given->value;
-  if (!(tau0 >= 1e-150 && tau0 <= 1e150)) throw UsageError("flag '--tau0' must be above 0");
-  return tau0;
+  return positive_quantity("tau0", FLAGS_tau0, "MPa",
+                           units.contact ? std::optional(units.contact->stress_unit()) : std::nullopt);
 }
 
 Range range_from(const std::string& flag, const std::string& text, double lowest, double highest) {

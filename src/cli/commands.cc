@@ -48,8 +48,9 @@ std::span<const Command> commands() {
        {"text", "csv"}},
       {"figures",
        run_figures,
-       "figures --paper --out=DIR",
-       "Draws figures that need no data: those of Papangelo & Ciavarella (2019), from the equations.",
+       "figures --paper --out=DIR [DATA.csv ...]",
+       "Draws the figures of Papangelo & Ciavarella (2019) from the equations, with the points of data where it has "
+       "some.",
        {"paper", "out"}},
       {"check", run_check, "check DATA.csv ... [flags]",
        "Says what was understood of a data set, and what looks odd in it.", with_metadata_flags({"pool"})},

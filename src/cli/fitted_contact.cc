@@ -72,11 +72,7 @@ FoldsPrediction FittedContact::folds(const Load& P, const std::vector<Control>& 
 std::vector<Load> FittedContact::shears_to_the_jump(const Load& P, std::size_t points) const {
   double last = 0;
   for (const Point& point : data().points) last = std::max(last, point.shear());
-  for (const FoldPrediction& fold : folds(P, {{Control::Kind::load}}).folds)
-    if (fold.on_loading) {
-      last = *fold.T.value;
-      break;
-    }
+  if (const auto jump = predict_jump_of(data(), fit(), result_.job.options, P.dimensionless)) last = *jump->T.value;
   std::vector<Load> shears;
   for (std::size_t i = 0; i < points; ++i) {
     const double T = last * static_cast<double>(i) / static_cast<double>(points - 1);

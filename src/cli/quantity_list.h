@@ -1,6 +1,7 @@
 // Lists of quantities on the command line: "0, 5, 10 mN".
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,20 @@ inline std::vector<Quantity> quantity_list(const std::string& flag, const std::s
   for (Quantity& quantity : list)
     if (quantity.unit.text.empty()) quantity.unit = list.back().unit;
   return list;
+}
+
+/// A quantity above 0 of the dimension of `unit`, in parts of `size` [SI]; without a size a bare number.
+inline double positive_quantity(const std::string& flag, const std::string& text, const std::string& unit,
+                                std::optional<double> size) {
+  const std::string is = "flag '--" + flag + "' is '" + text + "'; it must be ";
+  const auto given = parse_quantity(text);
+  const bool bare = given && given->unit.text.empty();
+  if (!given || (size ? bare || given->unit.dimension != parse_unit(unit)->dimension : !bare))
+    throw UsageError(is + (size ? "a quantity with its unit, such as " + unit
+                                : "a number; a unit needs --radius, --modulus and --toughness"));
+  const double value = size ? given->si() / *size : given->value;
+  if (!(value >= 1e-150 && value <= 1e150)) throw UsageError("flag '--" + flag + "' must be above 0");
+  return value;
 }
 
 }  // namespace mixity::cli

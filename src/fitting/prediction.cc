@@ -113,4 +113,11 @@ FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, cons
   return predicted;
 }
 
+std::optional<FoldPrediction> predict_jump_of(const Dataset& data, const FitResult& fit, const FitOptions& options,
+                                              double P) {
+  for (FoldPrediction& fold : predict_folds_of(data, fit, options, P, {{Control::Kind::load}}).folds)
+    if (fold.on_loading) return std::move(fold);
+  return std::nullopt;
+}
+
 }  // namespace mixity

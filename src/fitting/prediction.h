@@ -46,4 +46,8 @@ struct FoldsPrediction {
 FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
                                  const std::vector<Control>& controls);
 
+/// The first of them that is met on loading under load control: where the contact jumps. Null if it does not.
+std::optional<FoldPrediction> predict_jump_of(const Dataset& data, const FitResult& fit, const FitOptions& options,
+                                              double P);
+
 }  // namespace mixity

@@ -51,13 +51,9 @@ std::vector<PredictedJump> jumps(const JobResult& result, const FitResult& fit) 
     return number;
   };
   for (const std::size_t run : runs)
-    for (const FoldPrediction& fold :
-         predict_folds_of(data, fit, result.job.options, data.curve_loads[run], {{Control::Kind::load}}).folds) {
-      if (!fold.on_loading) continue;
-      list.push_back({data.curve_loads[run] * units.force_scale, scaled(fold.T, units.force_scale),
-                      scaled(fold.A, units.area_scale), largest[run] * units.force_scale});
-      break;
-    }
+    if (const auto jump = predict_jump_of(data, fit, result.job.options, data.curve_loads[run]))
+      list.push_back({data.curve_loads[run] * units.force_scale, scaled(jump->T, units.force_scale),
+                      scaled(jump->A, units.area_scale), largest[run] * units.force_scale});
   return list;
 }
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fitting/predicted_area.h"
-#include "mechanics/folds.h"
+#include "fitting/prediction.h"
 #include "report/figures/model_curves.h"
 
 namespace mixity {
@@ -12,19 +11,8 @@ namespace {
 
 /// Where the contact jumps under load control, measured and dimensionless; null if it does not, or has no values.
 std::optional<double> jump(const JobResult& result, const FitResult& fit, double load) {
-  std::optional<double> T;
-  with_model(fit.model, [&](auto chosen) {
-    using Model = decltype(chosen);
-    const Candidate<Model> candidate = fitted_candidate<Model>(result.data, fit, result.job.options);
-    const ConstantsScale scale(candidate.constants);
-    const LoadedContact<Model> contact(candidate.parameters, scale.load(load));
-    if (!contact.obstacle().empty() || !contact.in_contact()) return;
-    const EquilibriumCurve<Model> curve(candidate.parameters, scale.load(load));
-    if (curve.uncoupled()) return;
-    for (const FoldPlace& place : locate_folds(curve, {Control::Kind::load}, 1))
-      if (place.maximum) T = place.T / scale.force - scale.shear_offset;
-  });
-  return T;
+  const auto predicted = predict_jump_of(result.data, fit, result.job.options, load);
+  return predicted ? predicted->T.value : std::nullopt;
 }
 
 /// The first peak at each load, by load.

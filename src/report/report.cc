@@ -32,7 +32,7 @@ WrittenReport write_report(const std::vector<JobResult>& results, const std::vec
     for (std::string& input : files_read(one.result.job)) inputs.push_back(std::move(input));
   std::vector<Figure> figures;
   for (const ReportedData& one : data) {
-    content.entries.push_back({&one, data_figures(one)});
+    content.entries.push_back({&one, data_figures(one), answer_of(one.result)});
     for (const FigureGroup& group : content.entries.back().figures.groups)
       figures.insert(figures.end(), group.figures.begin(), group.figures.end());
     advance(0.3 * static_cast<double>(content.entries.size()) / static_cast<double>(data.size()));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "report/answer.h"
 #include "report/figures/data_figures.h"
 #include "report/figures/gnuplot.h"
 #include "report/reported_data.h"
@@ -20,6 +21,7 @@ struct ReportSettings {
 struct ReportEntry {
   const ReportedData* data;
   DataFigures figures;
+  Answer answer{};
 };
 
 struct ReportContent {

@@ -55,8 +55,7 @@ Json peaks_json(const std::optional<PeakForces>& peaks, const std::vector<Predic
           {"excluded", excluded_json(peaks->excluded, nullptr)}};
 }
 
-Json answer_json(const JobResult& result) {
-  const Answer answer = answer_of(result);
+Json answer_json(const Answer& answer) {
   if (!answer.fit) return {};
   Json jumps = Json::array();
   for (const PredictedJump& jump : answer.jumps)
@@ -85,7 +84,7 @@ Json entry_json(const ReportEntry& entry, std::vector<std::string>::const_iterat
     }
   for (const MissingFigure& figure : entry.figures.left_out)
     left_out.push_back({{"figure", figure.what}, {"reason", figure.why}});
-  json["answer"] = answer_json(entry.data->result);
+  json["answer"] = answer_json(entry.answer);
   json["settings"] = settings;
   json["findings"] = findings(entry.data->result);
   json["assumptions"] = assumptions(entry.data->result);

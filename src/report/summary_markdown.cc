@@ -33,7 +33,7 @@ std::string data_set(const ReportEntry& entry) {
   if (data.metadata.provenance == Provenance::reconstructed) text += " " + std::string(kReconstructedNotice);
   text += "\n\n" + std::to_string(data.rows) + " data rows, " + std::to_string(data.points.size()) + " used, " +
           std::to_string(data.excluded.size()) + " excluded.\n\n";
-  const Answer answer = answer_of(result);
+  const Answer& answer = entry.answer;
   if (answer.fit) {
     text += "**" + escaped(answer.result) + "**, " + escaped(answer.model) + ".";
     if (!answer.interval.empty()) text += " " + answer.interval + ".";

@@ -17,7 +17,18 @@ TEST(Figures, OfThePaperAreListedAndThere) {
   std::istringstream lines(result.out);
   std::size_t files = 0;
   for (std::string file; std::getline(lines, file); ++files) EXPECT_NE(content_of(file), "") << file;
-  EXPECT_EQ(files, 55u);  // eleven figures: data, script, SVG, PDF, PNG
+  EXPECT_EQ(files, 70u);  // fourteen figures: data, script, SVG, PDF, PNG
+}
+
+TEST(Figures, HaveThePointsOfDataThatAreNamed) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"figures", "--paper", MIXITY_ROOT "/data/mergel2018.csv",
+                                            MIXITY_ROOT "/data/waters_guduru2010.csv", "--out", folder.path()});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const char* name : {"fig7", "fig8a", "fig8c", "fig9"})
+    EXPECT_NE(content_of(folder.path(std::string(name) + ".dat")).find("data, reconstructed"), std::string::npos)
+        << name;
+  EXPECT_EQ(content_of(folder.path("fig3.dat")).find("reconstructed"), std::string::npos);
 }
 
 TEST(Figures, WithoutAPlaceToGoAreBadUsage) {

@@ -138,8 +138,9 @@ TEST(InstabilityCommand, SpeaksInTheUnitsOfTheConstantsOrOfTheData) {
   expect_refused(with({"instability", data, "--loads=4 mm"}), 2, "flag '--loads' must be forces such as \"3, 8 mN\"");
   expect_refused(with({"instability", data, "--load=4 mN"}), 2,
                  "flag '--load': " + data + " has its own loads; state others by --loads");
-  expect_refused({"instability", "--model=c", "--lambda=0.1", "--load=1", "--stiffness=1 N/m"}, 2,
-                 "flag '--stiffness' has a unit; that needs --radius, --modulus and --toughness");
+  expect_refused(
+      {"instability", "--model=c", "--lambda=0.1", "--load=1", "--stiffness=1 N/m"}, 2,
+      "flag '--stiffness' is '1 N/m'; it must be a number; a unit needs --radius, --modulus and --toughness");
 }
 
 TEST(InstabilityCommand, NamesTheParametersOfBk) {

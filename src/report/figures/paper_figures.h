@@ -1,14 +1,17 @@
-// The figures of Papangelo & Ciavarella (2019) from the equations alone, without any data.
+// The figures of Papangelo & Ciavarella (2019) from the equations, and with data where these are given.
 #pragma once
 
+#include <vector>
+
+#include "dataset/dataset.h"
 #include "report/figures/figure.h"
 
 namespace mixity {
 
-/// Figure 3 (f against psi), 4 (a against P at constant T, a panel for each model), 6 (T, A and u of whole equilibrium
-/// curves), and the model curves of 7, 8 (Mergel et al.) and 9 (Waters & Guduru). Dimensionless, as printed there.
-/// Models a and b follow their own equations in 6, not those of c. Figure 10 is not among them: the paper's constants
-/// of that experiment are not known here.
-std::vector<Figure> paper_figures();
+/// Figure 3 (f against psi), 4 (a against P at constant T, a panel for each model), 5 (what becomes of a contact), 6
+/// (T, A and u of whole equilibrium curves), 7, 8 (Mergel et al., a panel for each model), 9 (Waters & Guduru) and 10.
+/// Dimensionless, as printed there. Models a and b follow their own equations in 6, not those of c. Points of data sets
+/// with loads and constants stand in 7 and 8, those of (psi, G_c) in 9.
+std::vector<Figure> paper_figures(const std::vector<Dataset>& data = {});
 
 }  // namespace mixity

@@ -72,7 +72,7 @@ class Page {
     pugi::xml_node heading = add(section, "h2", data.name, &entry == &content_.entries.front() ? "first" : nullptr);
     heading.append_attribute("id").set_value(entry.data->stem.c_str());
     add_provenance(section, data);
-    const Answer answer = answer_of(result);
+    const Answer& answer = entry.answer;
     const Figure* const leading = leading_figure(entry, answer);
     add_answer(section, answer, data, [&](pugi::xml_node parent) {
       if (leading) add_figure(parent, *leading, true);

@@ -1,0 +1,219 @@
+#include "report/figures/paper_curves.h"
+
+#include <cmath>
+#include <functional>
+
+#include "dataset/number_text.h"
+#include "mechanics/folds.h"
+#include "mechanics/sampling.h"
+
+namespace mixity {
+namespace {
+
+template <class Model>
+Look look_of() {
+  return model_line(Model::info.key);
+}
+
+const std::vector<std::pair<std::string, Look>> kModelKey{
+    {"a", Look::dash_dot}, {"b", Look::dashed}, {"c", Look::solid}};
+
+using Projected = std::function<std::pair<double, double>(const CurvePoint&)>;
+
+/// Whole equilibrium curves of one model, a colour for each load; only c names the loads.
+template <class Model>
+void add_curves(Figure& figure, double lambda, const std::vector<double>& loads, double T_most,
+                const Projected& project, bool stable_only) {
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const EquilibriumCurve<Model> curve({lambda}, loads[k]);
+    Series series{look_of<Model>() == Look::solid ? "P = " + shortest(loads[k]) : "", look_of<Model>(), color(k), {}};
+    for (const CurvePoint& q : sample_uniform(curve, {drawable_ranges(curve, T_most).front()}, kPaperPoints)) {
+      if (stable_only && q.dT < 0) break;
+      series.points.push_back(project(q));
+      if (q.T > T_most) break;
+    }
+    figure.series.push_back(std::move(series));
+  }
+}
+
+/// Where the contacts jump: triangles under load control, diamonds under displacement control, which lie beyond what is
+/// stable under load.
+template <class Model>
+void add_jumps(Figure& figure, double lambda, const std::vector<double>& loads, const Projected& project) {
+  for (const auto& [kind, look] :
+       {std::pair(Control::Kind::load, Look::triangles), std::pair(Control::Kind::displacement, Look::diamonds)}) {
+    Series marks{"", look, model_color(Model::info.key), {}};
+    for (const double P : loads)
+      for (const Fold& fold : find_folds(EquilibriumCurve<Model>({lambda}, P), {kind})) {
+        CurvePoint at{};
+        at.T = fold.T;
+        at.u = fold.u;
+        at.A = fold.A;
+        if (fold.place.maximum) marks.points.push_back(project(at));
+      }
+    if (!marks.points.empty()) figure.series.push_back(std::move(marks));
+  }
+}
+
+/// Models a, b and c at the same lambda.
+Figure curves(const std::string& name, const std::string& title, double lambda, const std::vector<double>& loads,
+              double T_most, Axis x, Axis y, const Projected& project) {
+  Figure figure{name, title, std::move(x), std::move(y), {}, kModelKey, KeyPlace::beside};
+  figure.wide = true;
+  add_curves<PapangeloCiavarella>(figure, lambda, loads, T_most, project, false);
+  add_curves<Johnson>(figure, lambda, loads, T_most, project, false);
+  add_curves<WatersGuduru>(figure, lambda, loads, T_most, project, false);
+  add_jumps<PapangeloCiavarella>(figure, lambda, loads, project);
+  add_jumps<Johnson>(figure, lambda, loads, project);
+  add_jumps<WatersGuduru>(figure, lambda, loads, project);
+  figure.key.emplace_back("jump, load controlled", Look::triangles);
+  figure.key.emplace_back("jump, displacement controlled", Look::diamonds);
+  figure.caption =
+      "Equilibrium y^2 + T^2 = 8 pi a^3 f(psi), u = 3 T/(4 a). Triangles: T_T = sqrt(3 pi (3 pi + 2 P)/lambda) of "
+      "model c, and "
+      "the folds of a and b. Diamonds: the fold in u. The paper prints u_u and A_u of the plus branch; the fold lies "
+      "on "
+      "the minus branch: u_u = (3/4)^(2/3) T_u/(3 pi + P - sqrt(S0^2 - lambda T_u^2))^(1/3). Models a and b follow "
+      "their "
+      "own equations here.";
+  return figure;
+}
+
+/// The four ways a contact can end under shear, at one load.
+Figure behaviours() {
+  constexpr double kLoad = 8, kStrength = 4, kMost = 120;
+  Figure figure{"fig5",
+                "Fig. 5: what becomes of a contact under shear, P/(R G_{Ic}) = 8",
+                {kPaperT, 0.0, kMost},
+                {kPaperA, 0.0, 30.0},
+                {},
+                {},
+                KeyPlace::beside};
+  figure.wide = true;
+  const auto add = [&](auto model, double lambda, const char* label, std::size_t i) {
+    using Model = decltype(model);
+    const EquilibriumCurve<Model> curve({lambda}, kLoad);
+    Series series{label, look_of<Model>(), color(i), {}};
+    for (const CurvePoint& q : sample_uniform(curve, {drawable_ranges(curve, kMost).front()}, kPaperPoints)) {
+      if (q.dT < 0 || q.T > kMost) break;
+      series.points.emplace_back(q.T, q.A);
+    }
+    figure.series.push_back(std::move(series));
+  };
+  add(Johnson{}, 0.5, "1 shrinks, never to Hertz (a, λ = 0.5)", 6);
+  add(WatersGuduru{}, 0.15, "2 shrinks to Hertz (b, λ = 0.15)", 3);
+  add(PapangeloCiavarella{}, 0.15, "3 jumps (c, λ = 0.15)", 1);
+  const double hertz = area_from_radius(hertz_radius(kLoad));
+  figure.series.push_back(
+      {"4 slides first, T = τ_0 A", Look::dash_dots, color(7), {{0, 0}, {kMost, kMost / kStrength}}});
+  figure.series.push_back({"Hertz", Look::dotted, color(0), {{0, hertz}, {kMost, hertz}}});
+  figure.caption =
+      "Stable branches. Model a with lambda < 1 ends on y^2 g = 6 pi (y + P) with g = 1/(1 - lambda), above Hertz; b "
+      "above "
+      "P = (3 pi/2)/(k cos(pi lambda/4))^2, k = 1 - lambda/2, reaches Hertz; c jumps at T_T = sqrt(3 pi (3 pi + 2 "
+      "P)/lambda); "
+      "an interface of strength tau0 slides where its line is met first.";
+  return figure;
+}
+
+const std::vector<double> kMergelLoads{30.4, 15.0, 11.5, 6.2, 3.7, 2.0, -0.23, -1.79};
+constexpr Contact kMergel{9.42e-3, 2.133e6, 27e-3};
+constexpr double kMergelStrength = 0.43e6;  // Pa
+
+/// Fig. 8: one model beside the data, the strength of the interface, the phase angle 3 pi/8 and the locus of the jump.
+template <class Model>
+Figure areas_of_mergel(const std::string& name, const std::vector<Dataset>& data) {
+  constexpr double kMost = 600;
+  Figure figure{name,
+                "Fig. 8: contact area against tangential load (Mergel et al. 2018), model " +
+                    std::string(Model::info.key) + ", λ = 0.0023",
+                {kPaperT, 0.0, kMost},
+                {kPaperA, 0.0, 45.0},
+                {},
+                {},
+                KeyPlace::beside};
+  figure.wide = true;
+  Series angle{"ψ = 3π/8", Look::circles, color(1), {}};
+  for (std::size_t k = 0; k < kMergelLoads.size(); ++k) {
+    const EquilibriumCurve<Model> curve({kMergelLambda}, kMergelLoads[k]);
+    Series series{"P = " + shortest(kMergelLoads[k]), look_of<Model>(), color(k), {}};
+    const CurvePoint* last = nullptr;
+    const auto points = sample_uniform(curve, {drawable_ranges(curve, kMost).front()}, kPaperPoints);
+    for (const CurvePoint& q : points) {
+      if (q.dT < 0 || q.T > kMost) break;
+      series.points.emplace_back(q.T, q.A);
+      const double wanted = 0.375 * pi<double>();
+      if (last && last->psi < wanted && q.psi >= wanted) angle.points.emplace_back(q.T, q.A);
+      last = &q;
+    }
+    figure.series.push_back(std::move(series));
+  }
+  for (const Dataset& one : data) {
+    if (!one.has_loads || !one.contact) continue;
+    Series points{data_label(one), Look::squares, color(0), {}};
+    for (const Point& point : one.points) points.points.emplace_back(point.shear(), point.A);
+    figure.series.push_back(std::move(points));
+  }
+  Series locus{"locus of the jump", Look::dotted, color(0), {}};
+  for (int i = 0; i <= 60; ++i) {
+    const double P = -1.5 * pi<double>() * 0.98 + (32 + 1.5 * pi<double>()) * i / 60;
+    for (const Fold& fold : find_folds(EquilibriumCurve<Model>({kMergelLambda}, P), {Control::Kind::load})) {
+      if (!fold.place.maximum) continue;
+      locus.points.emplace_back(fold.T, fold.A);
+      break;
+    }
+  }
+  if (!angle.points.empty()) figure.series.push_back(std::move(angle));
+  if (locus.points.size() > 1) figure.series.push_back(std::move(locus));
+  const double strength = kMergelStrength / kMergel.stress_unit();
+  figure.series.push_back({"sliding, T = τ_0 A", Look::dash_dots, color(7), {{0, 0}, {kMost, kMost / strength}}});
+  figure.caption =
+      "Stable branches of y^2 + T^2 = 8 pi a^3 f(psi) with tau0 = 0.43 MPa; circles where psi = 3 pi/8. The locus is "
+      "A_T(T_T) over all loads; of model c A_T = pi (3/4 (3 pi + P))^(2/3) at T_T = sqrt(3 pi (3 pi + 2 P)/lambda).";
+  return figure;
+}
+
+}  // namespace
+
+std::string data_label(const Dataset& data) {
+  return data.metadata.provenance == Provenance::unstated ? "data"
+                                                          : "data, " + std::string(to_string(data.metadata.provenance));
+}
+
+std::vector<Figure> paper_behaviours() {
+  std::vector<Figure> figures{behaviours()};
+  const std::vector<double> loads{-1, 1, 3, 5};
+  const Axis T{kPaperT, 0.0, 60.0}, u{"u ξ^2/R", 0.0, 20.0}, A{kPaperA, 0.0, 25.0};
+  const auto area = [](const CurvePoint& q) { return std::pair(q.T, q.A); };
+  figures.push_back(curves("fig6_u_T", "Fig. 6: tangential displacement against tangential load, λ = 0.15", 0.15, loads,
+                           60, T, u, [](const CurvePoint& q) { return std::pair(q.T, q.u); }));
+  figures.push_back(
+      curves("fig6_A_T", "Fig. 6: contact area against tangential load, λ = 0.15", 0.15, loads, 60, T, A, area));
+  figures.push_back(curves("fig6_A_u", "Fig. 6: contact area against tangential displacement, λ = 0.15", 0.15, loads,
+                           120, u, A, [](const CurvePoint& q) { return std::pair(q.u, q.A); }));
+  return figures;
+}
+
+std::vector<Figure> paper_areas_of_mergel(const std::vector<Dataset>& data) {
+  return {areas_of_mergel<Johnson>("fig8a", data), areas_of_mergel<WatersGuduru>("fig8b", data),
+          areas_of_mergel<PapangeloCiavarella>("fig8c", data)};
+}
+
+Figure paper_areas_of_waters() {
+  const std::vector<double> loads{-1, 1, 3, 5};
+  const auto area = [](const CurvePoint& q) { return std::pair(q.T, q.A); };
+  // The paper's loads are those of the experiment, whose constants it does not give: those of Fig. 6 stand for them.
+  Figure fig10;
+  fig10.name = "fig10";
+  fig10.title = "Fig. 10: contact area against tangential load, b with λ = 0.30, c with λ = 0.2331 (loads chosen here)";
+  fig10.x = {kPaperT, 0.0, 30.0};
+  fig10.y = {kPaperA, 0.0, 25.0};
+  fig10.key = {{"b", Look::dashed}, {"c", Look::solid}};
+  fig10.key_place = KeyPlace::beside;
+  fig10.wide = true;
+  add_curves<PapangeloCiavarella>(fig10, 0.2331, loads, 30, area, true);
+  add_curves<WatersGuduru>(fig10, 0.30, loads, 30, area, true);
+  return fig10;
+}
+
+}  // namespace mixity

@@ -1,0 +1,27 @@
+// What the parts of the paper's figures share; paper_figures.h is for others.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dataset/dataset.h"
+#include "report/figures/figure.h"
+
+namespace mixity {
+
+// What the paper writes with a tilde, spelt out.
+inline const std::string kPaperT = "T/(R G_{Ic})", kPaperA = "A ξ^2/R^2";
+inline constexpr double kMergelLambda = 0.0023;
+inline constexpr std::size_t kPaperPoints = 400;  // a curve: no corner shows
+
+/// Of the measured points, for the key: "data, reconstructed".
+std::string data_label(const Dataset& data);
+
+/// Figures 5 and 6.
+std::vector<Figure> paper_behaviours();
+/// Figure 8, a panel for each model, with the points of data that have loads and constants.
+std::vector<Figure> paper_areas_of_mergel(const std::vector<Dataset>& data);
+/// Figure 10.
+Figure paper_areas_of_waters();
+
+}  // namespace mixity
