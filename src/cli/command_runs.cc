@@ -94,6 +94,8 @@ int run_runs(const Arguments& arguments) {
     files.push_back({folder + "fit.toml", "data = \"runs.csv\"\npeaks = \"peaks.csv\"\n"});
     std::vector<std::string> inputs(arguments.begin(), arguments.end());
     for (const std::string& path : arguments) inputs.push_back(metadata_path(path));
+    for (const std::string& kept : keep_former(files))
+      std::cerr << "mixity: what was there is kept as " << kept << '\n';
     write_files(files, inputs);
     if (!drawn.missing.empty()) std::cerr << "mixity: " << drawn.missing << '\n';
   }

@@ -37,7 +37,9 @@ int run_simulate(const Arguments& arguments) {
   for (const auto& [name, text] : constants_as_stated(plan.constants))
     constants += name + " = " + toml_text(text) + "\n";
   constants += "provenance = \"reconstructed\"\nsource = " + toml_text(command_line()) + "\n";
-  write_files({{FLAGS_out, table.str()}, {metadata_path(FLAGS_out), constants}}, {});
+  std::vector<OutputFile> files{{FLAGS_out, table.str()}, {metadata_path(FLAGS_out), constants}};
+  for (const std::string& kept : keep_former(files)) std::cerr << "mixity: what was there is kept as " << kept << '\n';
+  write_files(files);
   std::cout << "Written to " << FLAGS_out << " and " << metadata_path(FLAGS_out) << '\n';
   return kFine;
 }

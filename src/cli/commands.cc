@@ -36,7 +36,7 @@ std::span<const Command> commands() {
        {"text", "json"}},
       {"map",
        run_map,
-       "map --model=KEY [--load_range=P1,P2] [--lambda_range=L1,L2] [--tau0=S] [--boundaries]",
+       "map --model=KEY [--load_range=P1,P2] [--lambda_range=L1,L2] [--tau0=S|--boundaries]",
        "Classifies what becomes of a sheared contact over normal load and lambda, as CSV.",
        {"model", "load_range", "lambda_range", "grid", "tau0", "boundaries", "units", "radius", "modulus",
         "youngs_modulus", "poisson_ratio", "toughness"}},

@@ -12,6 +12,7 @@ OutputUnits output_units() {
   require_whole_modulus(metadata, {}, overrides);
   const auto modulus = metadata.plane_strain_modulus();
   const int given = metadata.radius.has_value() + modulus.has_value() + metadata.toughness.has_value();
+  if (is_set("loads")) throw UsageError("flag '--loads' is of a data file; a contact by itself has one --load");
   if (given == 0 && is_set("units")) throw UsageError("flag '--units' needs --radius, --modulus and --toughness");
   if (given == 0) return {};
   if (given < 3) throw UsageError("a dimensional prediction needs all of --radius, --modulus and --toughness");

@@ -59,6 +59,7 @@ void Collector::finish(const PointReader& reader, const std::string& metadata_pa
     join_noisy_loads(data_);
     shear_ = shear_ranges(data_.points, data_.curves.size());
   }
+  take_mean_loads(data_);
   finish_shear(shear_, data_);
   if (reader.has_axes()) finish_axes();
 }

@@ -91,7 +91,7 @@ struct Dataset {
   std::vector<PointEnergies> energies;    // of each point, if the file holds energies
   std::vector<Excluded> excluded;
   std::vector<std::string> curves;  // names of the loading runs: the curve column, or one per load
-  std::vector<double> curve_loads;  // dimensionless load of each run's first point; empty without loads
+  std::vector<double> curve_loads;  // dimensionless load of each run, the mean of its readings; empty without loads
   std::vector<bool> turned;         // of each run: its shear was turned round; empty: of none
   std::vector<std::string> ignored_columns;
   std::string reading;             // how the file was read, where that is not plain: "UTF-16LE, tabs, decimal commas"

@@ -18,7 +18,7 @@ std::string_view to_string(Provenance provenance);
 
 /// The sentence every output shows beside reconstructed data.
 inline constexpr std::string_view kReconstructedNotice =
-    "reconstructed data: generated from a published fit, not measured. Recovering lambda from them tests the "
+    "reconstructed data: generated from a model, not measured. Recovering lambda from them tests the "
     "program, not the physics.";
 
 /// Names and texts as given on a command line, in order: {"radius", "9.42 mm"}.

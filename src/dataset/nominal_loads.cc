@@ -133,4 +133,17 @@ void join_noisy_loads(Dataset& data) {
                        " runs by their level, each point with the load that was read");
 }
 
+void take_mean_loads(Dataset& data) {
+  const auto by_run = points_by_curve(data);
+  for (std::size_t run = 0; run < by_run.size(); ++run) {
+    double sum = 0;
+    bool varies = false;
+    for (const std::size_t i : by_run[run]) {
+      sum += data.points[i].P;
+      varies |= data.points[i].P != data.points[by_run[run].front()].P;
+    }
+    if (varies) data.curve_loads[run] = sum / static_cast<double>(by_run[run].size());
+  }
+}
+
 }  // namespace mixity

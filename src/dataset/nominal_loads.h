@@ -17,4 +17,7 @@ std::vector<std::size_t> nominal_levels(const std::vector<double>& readings);
 /// load that was read. Adds a note if readings scatter.
 void join_noisy_loads(Dataset& data);
 
+/// Gives each run the mean of the loads that its points read; where all read the same, that itself.
+void take_mean_loads(Dataset& data);
+
 }  // namespace mixity

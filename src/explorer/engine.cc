@@ -43,14 +43,14 @@ void areas_at(const std::string& model, const std::vector<double>& parameters, d
 /// Puts a file where `read` and `fit` find it: the TOML beside a data file. Files are passed as Uint8Array: a text of
 /// JavaScript would become UTF-8.
 void write_file(const std::string& name, const std::string& content) {
-  std::ofstream("/" + name, std::ios::binary) << content;
+  std::ofstream(name, std::ios::binary) << content;
 }
 
 /// Constants of the experiment and options by their names, each a text: {"radius": "9.42 mm"}, {"models": "c"}.
 FitJob job_of(const std::string& name, const std::string& constants, const std::string& options) {
   const Json chosen = Json::parse(options), stated = Json::parse(constants);
   FitJob job;
-  job.data_path = "/" + name;
+  job.data_path = name;
   for (const auto& [key, text] : chosen.items())
     if (const std::string problem = set_option(job, key, text.get<std::string>()); !problem.empty())
       throw InputError(key, problem);
@@ -60,7 +60,7 @@ FitJob job_of(const std::string& name, const std::string& constants, const std::
 
 /// A file that was written, as it is understood (experiment.h).
 std::string read_file(const std::string& name, const std::string& constants) {
-  return guarded([&] { return as_read(load_dataset("/" + name, job_of(name, constants, "{}").constants)); });
+  return guarded([&] { return as_read(load_dataset(name, job_of(name, constants, "{}").constants)); });
 }
 
 /// A fit of a file that was written.
@@ -72,7 +72,7 @@ std::string fit_file(const std::string& name, const std::string& constants, cons
     return Json{{"fits", Json::parse(to_json({result}))},
                 {"answer", as_told(answer_of(result), result.data)},
                 {"drawn", as_drawn(result)},
-                {"definition", fit_definition_text(result.job, result.data, "/fit.toml")},
+                {"definition", fit_definition_text(result.job, result.data, "fit.toml")},
                 {"used", used_csv(result.data)}};
   });
 }

@@ -102,6 +102,7 @@ Json as_read(const Dataset& data) {
         std::tuple("toughness", stated.toughness, "J/m^2")})
     if (value) constants[name]["shown"] = as_typed(*value, stated.standard_error(name), unit);
   told["excluded"] = excluded;
+  told["excluded_count"] = data.excluded.size();
   told["constants"] = constants;
   if (data.has_loads) {
     told["runs"] = runs_of(data);

@@ -11,10 +11,10 @@ namespace mixity::explorer {
 
 using Json = nlohmann::ordered_json;
 
-/// How a file was understood: {"reading", "taken": ["P from 'Normalkraft'"], "ignored", "notes", "excluded": [{"line",
-/// "reason"}], "constants": {"radius": {"exact": "0.00942 m", "shown": "9.42 mm"}}, "notice": of reconstructed data,
-/// "units": {"force", "area"}, "runs": [{"name", "P", "lines", "T", "A"}]}; without loads "energies": {"lines", "psi",
-/// "f"} in place of runs.
+/// How a file was understood: {"reading", "taken": ["P from 'Normalkraft'"], "ignored", "notes", "excluded_count",
+/// "excluded": [{"line", "reason"}], "constants": {"radius": {"exact": "0.00942 m", "shown": "9.42 mm"}}, "notice": of
+/// reconstructed data, "units": {"force", "area"}, "runs": [{"name", "P", "lines", "T", "A"}]}; without loads
+/// "energies": {"lines", "psi", "f"} in place of runs.
 Json as_read(const Dataset& data);
 
 /// {"result", "model", "interval", "doubt", "budget": [[name, part]], "jumps": [[text]], "cannot_say"}, as the report

@@ -37,11 +37,13 @@ using Refit = std::function<FitResult(const FitOptions& options, const std::vect
                                       const std::vector<FittedParameter>* near)>;
 
 /// What explains best why tests of this fit fail, and the remedy, in one sentence: a constant of the experiment that is
-/// wrong, points past the onset of sliding, errors that are too small, a model that is wrong. Empty if none fails.
+/// wrong, points past the onset of sliding, errors that are too small, a model that is wrong. Empty if none fails. Of a
+/// model that another one leaves far behind only a constant that explains everything is of interest.
 struct Diagnosis {
   std::string reason;
   std::optional<double> explained{};  // the cost with the constant free that explains all
 };
-Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit);
+Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
+                   bool left_behind);
 
 }  // namespace mixity

@@ -69,8 +69,7 @@ class CurveObjective final : public ModelProblem<Model> {
 
   /// Arrays of a block: the points as scaled, and their distances with derivatives.
   struct Workspace {
-    explicit Workspace(std::size_t n)
-        : values(new double[n * (9 + parameter_count<Model>)]), size(n) {}
+    explicit Workspace(std::size_t n) : values(new double[n * (9 + parameter_count<Model>)]), size(n) {}
     std::span<double> array(std::size_t which, std::size_t n) { return {values.get() + which * size, n}; }
     std::unique_ptr<double[]> values;
     std::size_t size;

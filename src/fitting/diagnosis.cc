@@ -205,9 +205,9 @@ struct Suspects {
 };
 
 Suspects suspects(const Dataset& data, const FitResult& fit, const FitOptions& options, const Points& points,
-                  const Refit& refit) {
+                  const Refit& refit, bool left_behind) {
   constexpr std::size_t kSome = 50;
-  Suspects all{exact_constants(fit), data.has_loads};
+  Suspects all{exact_constants(fit), data.has_loads && !left_behind};
   const Points some = thinned(points, kSome);
   if (points.size() < 2 * kSome) return all;
   if (const FitResult whole = refit(options, some, &fit.parameters); !found(whole) || explains(data, whole)) return all;
@@ -215,7 +215,7 @@ Suspects suspects(const Dataset& data, const FitResult& fit, const FitOptions& o
   Suspects left{{}, false};
   for (const Freed& one : tried)
     if (explains(data, one.fit)) left.constants.push_back(one.constant);
-  if (left.constants.empty() && !tried.empty()) left.constants.push_back(best_of(tried)->constant);
+  if (left.constants.empty() && !tried.empty() && !left_behind) left.constants.push_back(best_of(tried)->constant);
   if (!all.sliding) return left;
   const std::optional<Cut> cut = before_sliding(data, fit, options, some, 1, refit);
   left.sliding = cut && explains(data, cut->fit);
@@ -224,19 +224,21 @@ Suspects suspects(const Dataset& data, const FitResult& fit, const FitOptions& o
 
 }  // namespace
 
-Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit) {
+Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
+                   bool left_behind) {
   const std::string failed = failed_test(fit);
   if (failed.empty() || !fit.budget || fit.loss_scale > 0) return {failed};
   constexpr std::size_t kEnough = 5000;  // to tell one cause from another
   const Points points = thinned(fit.used, kEnough);
   const FitResult whole = points.size() == fit.used.size() ? fit : refit(options, points, &fit.parameters);
   if (!found(whole)) return {failed};
-  const Suspects tried = suspects(data, fit, options, points, refit);
+  const Suspects tried = suspects(data, fit, options, points, refit, left_behind);
   const std::vector<Freed> list = freed_one_by_one(tried.constants, fit, options, points, refit);
   const Freed* const freed = best_of(list);
   if (freed && explains(data, freed->fit) && is_better(whole, freed->fit, fit.budget->independent))
     return {constant_text(*freed, whole),
             points.size() == fit.used.size() ? std::optional(freed->fit.sum_of_squares) : std::nullopt};
+  if (left_behind) return {failed};
   const std::optional<Cut> cut =
       tried.sliding ? before_sliding(data, fit, options, points, kFew, refit) : std::optional<Cut>();
   if (cut && explains(data, cut->fit))

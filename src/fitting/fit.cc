@@ -55,7 +55,10 @@ class Fitter {
     problem_ = make_problem<Model>(data_, options_, prepared_);
     describe();
     if (near) starting_.near = solver_values(*problem_, *near);
-    if (purpose_ != Purpose::shown) solver_.engine = Engine::kernel;
+    if (purpose_ != Purpose::shown) {
+      solver_.engine = Engine::kernel;
+      solver_.last_digits = false;
+    }
     if (purpose_ == Purpose::tried) solver_.most_iterations_shown = solver_.most_iterations;
   }
 
@@ -281,15 +284,7 @@ class Fitter {
                         result_.status == FitStatus::multimodal;
     if (!judged || result_.residuals.empty() || !(result_.sum_of_squares > rounding * rounding)) return;
     result_.consistency = test_consistency(data_, result_);
-    const Refit refit = [this](const FitOptions& options, const std::vector<std::size_t>& points,
-                               const std::vector<FittedParameter>* near) {
-      return Fitter(data_, options, Purpose::tried, &points, near).run();
-    };
-    const auto [reason, explained] = diagnose(data_, result_, value_only(options_), refit);
-    if (reason.empty()) return;
-    result_.explained = explained;
-    if (result_.status == FitStatus::ok) result_.status = FitStatus::suspect;
-    result_.message += (result_.message.empty() ? "" : "; ") + reason;
+    if (result_.status == FitStatus::ok && !failed_test(result_).empty()) result_.status = FitStatus::suspect;
   }
 
   /// Goodness of fit in the fitted space and of the predicted areas.
@@ -335,9 +330,28 @@ FitResult fit(const Dataset& data, std::string_view model, const FitOptions& opt
 
 }  // namespace
 
+FitResult fit_and_test(const Dataset& data, std::string_view model, const FitOptions& options,
+                       const std::vector<std::size_t>* points) {
+  return fit(data, model, options, Purpose::shown, points, nullptr);
+}
+
+void find_cause(const Dataset& data, FitResult& result, const FitOptions& options, bool left_behind) {
+  if (!result.consistency) return;
+  const Refit refit = [&](const FitOptions& with, const std::vector<std::size_t>& points,
+                          const std::vector<FittedParameter>* near) {
+    return fit(data, result.model, with, Purpose::tried, &points, near);
+  };
+  const auto [reason, explained] = diagnose(data, result, value_only(options), refit, left_behind);
+  if (reason.empty()) return;
+  result.explained = explained;
+  result.message += (result.message.empty() ? "" : "; ") + reason;
+}
+
 FitResult fit_model(const Dataset& data, std::string_view model, const FitOptions& options,
                     const std::vector<std::size_t>* points) {
-  return fit(data, model, options, Purpose::shown, points, nullptr);
+  FitResult result = fit_and_test(data, model, options, points);
+  find_cause(data, result, options);
+  return result;
 }
 
 FitResult refit_model(const Dataset& data, const FitResult& whole, const FitOptions& options,

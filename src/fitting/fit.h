@@ -14,6 +14,12 @@ namespace mixity {
 FitResult fit_model(const Dataset& data, std::string_view model, const FitOptions& options = {},
                     const std::vector<std::size_t>* points = nullptr);
 
+/// The two steps of it. After the first a fit whose tests fail is `suspect` and does not say why; the second finds what
+/// explains it (consistency.h), or nothing to say. `left_behind`: by another model, which makes most causes idle.
+FitResult fit_and_test(const Dataset& data, std::string_view model, const FitOptions& options,
+                       const std::vector<std::size_t>* points = nullptr);
+void find_cause(const Dataset& data, FitResult& fit, const FitOptions& options, bool left_behind = false);
+
 /// Values alone, of almost the same data as `whole`, from the minimum of which it starts; from anywhere if that leads
 /// nowhere, or if `whole` has a parameter without a standard error. The same exceptions.
 FitResult refit_model(const Dataset& data, const FitResult& whole, const FitOptions& options,

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <numeric>
+
 #include "dataset/number_text.h"
 #include "dataset/side_by_side.h"
 #include "fitting/consistency.h"
@@ -90,52 +92,63 @@ void tell_unsheared(JobResult& result) {
     }
 }
 
+/// The fit that can be believed and leaves all others far behind by every criterion; null if there is none.
+const ComparedModel* winner(const JobResult& result) {
+  constexpr double kNearlyCertain = 0.999;  // AICc weight
+  if (!preferences(result.comparison).agree()) return nullptr;
+  for (const ComparedModel& one : result.comparison) {
+    const auto fit = std::find_if(result.fits.begin(), result.fits.end(),
+                                  [&](const FitResult& other) { return other.model == one.model; });
+    if (one.weight.value_or(0) > kNearlyCertain && fit->status == FitStatus::ok) return &one;
+  }
+  return nullptr;
+}
+
 /// A fit that cannot be believed because another model is right says so, and so does one that passes its tests and is
 /// left far behind. Not where a constant that is wrong would explain the points as well.
 void tell_outdone(JobResult& result) {
-  constexpr double kNearlyCertain = 0.999, kNearlyNone = 1e-6;  // AICc weights
-  constexpr double kMuchBetter = 10;                            // in AICc
-  if (!preferences(result.comparison).agree()) return;
-  for (const ComparedModel& best : result.comparison) {
-    const auto fit = std::find_if(result.fits.begin(), result.fits.end(),
-                                  [&](const FitResult& one) { return one.model == best.model; });
-    if (!(best.weight.value_or(0) > kNearlyCertain) || fit->status != FitStatus::ok) continue;
-    for (FitResult& other : result.fits) {
-      const auto own = std::find_if(result.comparison.begin(), result.comparison.end(),
-                                    [&](const ComparedModel& one) { return one.model == other.model; });
-      const bool left_behind = other.status == FitStatus::ok && own->weight.value_or(1) < kNearlyNone;
-      if (other.status != FitStatus::suspect && !left_behind) continue;
-      const auto explained = information_explained(other);
-      if (explained && explained->aicc && best.aicc && *explained->aicc < *best.aicc + kMuchBetter) {
-        other.message += "; model " + best.model + " would explain the points as well";
-        continue;
-      }
-      other.status = FitStatus::suspect;
-      other.outdone_by = best.model;
-      other.message = "model " + best.model + " describes these points far better (AICc weight above " +
-                      shortest(kNearlyCertain) + ")";
+  constexpr double kNearlyNone = 1e-6;  // AICc weight
+  constexpr double kMuchBetter = 10;    // in AICc
+  const ComparedModel* const best = winner(result);
+  if (!best) return;
+  for (FitResult& other : result.fits) {
+    if (other.model == best->model) continue;
+    const auto own = std::find_if(result.comparison.begin(), result.comparison.end(),
+                                  [&](const ComparedModel& one) { return one.model == other.model; });
+    const bool left_behind = other.status == FitStatus::ok && own->weight.value_or(1) < kNearlyNone;
+    if (other.status != FitStatus::suspect && !left_behind) continue;
+    const auto explained = information_explained(other);
+    if (explained && explained->aicc && best->aicc && *explained->aicc < *best->aicc + kMuchBetter) {
+      other.message += "; model " + best->model + " would explain the points as well";
+      continue;
     }
+    other.status = FitStatus::suspect;
+    other.outdone_by = best->model;
+    other.message = "model " + best->model + " describes these points far better (AICc weight above 0.999)";
   }
 }
 
 }  // namespace
 
 std::vector<std::size_t> by_merit(const JobResult& result) {
-  constexpr double kClose = 0.01;  // of the largest weight
-  std::vector<double> weights;
+  constexpr double kClose = 9.2;  // in AICc: a hundredth of the weight
+  constexpr double kFar = std::numeric_limits<double>::max();
+  std::vector<double> above;  // AICc, of which weights far down are no more than 0
+  double least = kFar;
   for (const FitResult& fit : result.fits) {
     const auto entry = std::find_if(result.comparison.begin(), result.comparison.end(),
                                     [&](const ComparedModel& one) { return one.model == fit.model; });
-    weights.push_back(!has_all_values(fit) ? -1 : entry == result.comparison.end() ? 0 : entry->weight.value_or(0));
+    const double known = entry == result.comparison.end() ? 0 : entry->aicc.value_or(kFar / 2);
+    above.push_back(has_all_values(fit) ? known : kFar);
+    least = std::min(least, above.back());
   }
-  const double largest = weights.empty() ? 0 : *std::max_element(weights.begin(), weights.end());
-  const auto doubted = [&](std::size_t i) {  // among those that are close
-    return weights[i] < kClose * largest ? 2 : result.fits[i].status != FitStatus::ok ? 1 : 0;
-  };
   std::vector<std::size_t> order(result.fits.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto doubted = [&](std::size_t i) {  // among those that are close
+    return above[i] > least + kClose ? 2 : result.fits[i].status != FitStatus::ok ? 1 : 0;
+  };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return doubted(i) != doubted(j) ? doubted(i) < doubted(j) : weights[i] > weights[j];
+    return doubted(i) != doubted(j) ? doubted(i) < doubted(j) : above[i] < above[j];
   });
   return order;
 }
@@ -170,7 +183,7 @@ JobResult run(const FitJob& job, Dataset data, const Progress& progress) {
   };
   result.fits.resize(models);
   for_each_of_the_models([&](std::size_t i) {
-    part(i, [&](const FitOptions& options) { result.fits[i] = fit_model(result.data, job.models[i], options); });
+    part(i, [&](const FitOptions& options) { result.fits[i] = fit_and_test(result.data, job.models[i], options); });
   });
   for (FitResult& fit : result.fits)
     if (!job.options.checks)
@@ -178,6 +191,9 @@ JobResult run(const FitJob& job, Dataset data, const Progress& progress) {
   part(models, [&](const FitOptions& options) {
     if (job.compare && models > 1) result.comparison = compare_models(result.data, result.fits, options);
   });
+  // what explains a failed test costs more than the fit: of models that are left behind not more than is needed
+  const bool decided = winner(result) != nullptr;
+  for_each_of_the_models([&](std::size_t i) { find_cause(result.data, result.fits[i], job.options, decided); });
   if (job.options.checks) result.unsheared = test_unsheared(result.data, job.options);
   tell_unsheared(result);
   tell_outdone(result);

@@ -67,6 +67,21 @@ std::string reach(const std::vector<PredictedJump>& jumps) {
                          : "";
 }
 
+/// Where the interface slides before the contact jumps.
+std::string sliding(const Dataset& data, const std::vector<PredictedJump>& jumps) {
+  const auto strength = stated_strength(data);
+  if (!strength) return {};
+  const DisplayUnits& units = data.display;
+  std::string loads;
+  for (const PredictedJump& jump : jumps)
+    if (*jump.T.value / units.force_scale > *strength * *jump.A.value / units.area_scale)
+      loads += (loads.empty() ? "" : ", ") + rounded(jump.P, 4);
+  return loads.empty() ? ""
+                       : "The jumps take no account of the stated shear strength: T = τ0 A is met before, and the "
+                         "interface slides first, at P = " +
+                             loads + unit_text(units.force) + ".";
+}
+
 /// Constants without a standard error whose influence outweighs the stated error.
 std::string exact_constants(const FitResult& fit) {
   const FittedParameter* const parameter = leading_parameter(fit);
@@ -81,7 +96,7 @@ std::string exact_constants(const FitResult& fit) {
   if (!worst) return {};
   return "The error holds nothing of " + names + ", taken as exact: 5 % more " + worst->constant + " would move " +
          parameter_symbol(parameter->name) + " by " + rounded(std::abs(*worst->effect) / *parameter->stderr_, 2) +
-         " of its standard errors. State theirs (modulus = \"2.1 +/- 0.1 MPa\").";
+         " of its standard errors. State theirs, as in " + worst->constant + " = \"VALUE +/- ERROR\".";
 }
 
 std::string rivals(const JobResult& result) {
@@ -91,6 +106,14 @@ std::string rivals(const JobResult& result) {
     if (one.weight.value_or(0) > 0.05)
       text += (text.empty() ? "" : ", ") + one.model + " " + rounded(100 * *one.weight, 2) + " %";
   return text.find(',') == std::string::npos ? "" : "Which model is right: the AICc weights are " + text + ".";
+}
+
+/// Every value of its range fits, as far as is known.
+bool is_unknown(const FittedParameter& one) {
+  constexpr double kWhole = 0.99;
+  if (one.stderr_ || !one.interval) return false;
+  const double low = one.interval->low.value_or(one.lower), high = one.interval->high.value_or(one.upper);
+  return high - low > kWhole * (one.upper - one.lower);
 }
 
 }  // namespace
@@ -109,6 +132,8 @@ Answer answer_of(const JobResult& result) {
                      with_error({one.value, one.stderr_}) + unit_text(one.unit);
   }
   const FittedParameter* const leading = leading_parameter(fit);
+  if (leading && is_unknown(*leading))
+    answer.result = parameter_symbol(leading->name) + " is not determined by these data";
   if (leading && leading->interval && leading->interval->low && leading->interval->high) {
     const FittedParameter one = readable(*leading);
     const double width = *one.interval->high - *one.interval->low;
@@ -123,7 +148,8 @@ Answer answer_of(const JobResult& result) {
     for (const BudgetPart& part : fit.budget->parts) answer.budget.emplace_back(part.constant, part.share);
   }
   if (result.data.has_loads) answer.jumps = jumps(result, fit);
-  for (std::string sentence : {rivals(result), exact_constants(fit), reach(answer.jumps)})
+  for (std::string sentence :
+       {rivals(result), exact_constants(fit), reach(answer.jumps), sliding(result.data, answer.jumps)})
     if (!sentence.empty()) answer.cannot_say.push_back(std::move(sentence));
   return answer;
 }

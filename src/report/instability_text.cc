@@ -77,7 +77,11 @@ std::string to_text(const InstabilityReport& report) {
     const FoldsPrediction& predicted = one.predicted;
     if (predicted.folds.empty())
       without += "    " + load + " = " + rounded(one.load, 6) + ": " +
-                 (predicted.problem.empty() ? "none, A falls steadily as T or u grows" : predicted.problem) + '\n';
+                 (predicted.problem.empty() ? "none" : predicted.problem) + '\n';
+    if (std::any_of(predicted.folds.begin(), predicted.folds.end(),
+                    [&](const FoldPrediction& fold) { return report.slides_before(fold); }))
+      without += "    " + load + " = " + rounded(one.load, 6) +
+                 ": the interface slides first, as T = tau0 A is met before with the stated shear strength\n";
     for (const FoldPrediction& fold : predicted.folds)
       rows.push_back({rounded(one.load, 6), control_text(fold.control, units), fold.on_loading ? "loading" : "reversal",
                       number_text(fold.T, units.force_scale), number_text(fold.u, units.displacement_scale),
@@ -104,12 +108,16 @@ std::string to_json(const InstabilityReport& report) {
                          {"displacement", units.displacement},
                          {"area", units.area},
                          {"stiffness", units.stiffness}};
-  Json loads = Json::array();
+  Json loads = Json::array(), sliding = Json::array();
   for (const InstabilityReport::AtLoad& one : report.loads) {
     Json entry = {{"load", one.load}, {"folds", folds_json(one.predicted, units, fitted)}};
     if (!one.predicted.problem.empty()) entry["problem"] = one.predicted.problem;
     loads.push_back(entry);
+    if (std::any_of(one.predicted.folds.begin(), one.predicted.folds.end(),
+                    [&](const FoldPrediction& fold) { return report.slides_before(fold); }))
+      sliding.push_back(one.load);
   }
+  if (report.shear_strength) document["slides_first"] = sliding;
   if (fitted)
     document["loads"] = loads;
   else

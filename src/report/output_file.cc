@@ -12,7 +12,9 @@
 #include <cstring>
 #include <deque>
 #include <filesystem>
+#include <fstream>
 #include <map>
+#include <sstream>
 
 #include "dataset/printable.h"
 
@@ -199,6 +201,20 @@ void write_files(const std::vector<OutputFile>& files, const std::vector<std::st
   for (const StagedFile& file : staged) file.write_if_direct();
   const Uninterrupted renaming;
   for (StagedFile& file : staged) file.put_in_place();
+}
+
+std::vector<std::string> keep_former(std::vector<OutputFile>& files) {
+  std::vector<std::string> kept;
+  for (std::size_t i = 0, n = files.size(); i < n; ++i) {
+    std::error_code unread;
+    if (!files[i].path.ends_with(".toml") || !std::filesystem::is_regular_file(files[i].path, unread)) continue;
+    std::ostringstream former;
+    former << std::ifstream(files[i].path, std::ios::binary).rdbuf();
+    if (former.str() == files[i].content) continue;
+    kept.push_back(files[i].path + ".old");
+    files.push_back({kept.back(), former.str()});
+  }
+  return kept;
 }
 
 void write_file(const std::string& path, const std::string& content) { write_files({{path, content}}); }

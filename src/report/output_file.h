@@ -29,6 +29,9 @@ struct OutputFile {
 /// or device is written to. Throws OutputError, with nothing left behind; so, too, if one of the files is, by whatever
 /// name, one of `inputs`, or two of them are one.
 void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs = {});
+/// Adds NAME.old with what a TOML of these holds now, where that differs: somebody may have edited it. Returns the
+/// names.
+std::vector<std::string> keep_former(std::vector<OutputFile>& files);
 void write_file(const std::string& path, const std::string& content);
 
 }  // namespace mixity

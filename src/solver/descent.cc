@@ -17,7 +17,7 @@ std::optional<Minimum> descend_with_kernel(const Problem& problem, const std::ve
   SolverOptions patient = options;
   patient.most_iterations = options.most_iterations_shown;
   const auto minimum = Kernel(problem, patient).descend(start);
-  if (!minimum || start.size() == 1) return minimum;
+  if (!minimum || start.size() == 1 || (minimum->stationary && !options.last_digits)) return minimum;
   const Remembering near(problem);
   const Vector x = Eigen::Map<const Vector>(minimum->x.data(), static_cast<Eigen::Index>(start.size()));
   Linearised at;

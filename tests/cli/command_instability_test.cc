@@ -149,5 +149,17 @@ TEST(InstabilityCommand, NamesTheParametersOfBk) {
   EXPECT_EQ(keys_of(report), (std::set<std::string>{"model", "r", "eta", "load", "folds"}));
 }
 
+TEST(InstabilityCommand, SaysWhereTheInterfaceSlidesBeforeItJumps) {
+  const std::string data = MIXITY_ROOT "/data/mergel2018.csv";
+  const ProgramResult told = run_program({"instability", data, "--shear_strength=0.1 MPa", "--loads=4 mN"});
+  EXPECT_NE(told.out.find("the interface slides first"), std::string::npos) << told.out;
+  const auto json = nlohmann::json::parse(
+      run_program({"instability", data, "--shear_strength=0.1 MPa", "--loads=4 mN", "--format=json"}).out);
+  EXPECT_EQ(json["slides_first"], nlohmann::json({4.0}));
+  const auto strong = nlohmann::json::parse(
+      run_program({"instability", data, "--shear_strength=10 MPa", "--loads=4 mN", "--format=json"}).out);
+  EXPECT_EQ(strong["slides_first"], nlohmann::json::array());
+}
+
 }  // namespace
 }  // namespace mixity::cli

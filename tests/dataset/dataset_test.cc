@@ -154,7 +154,7 @@ TEST(Dataset, RunsAreThoseOfTheCurveColumnElseOnePerLoad) {
   const Dataset named = load_text("curve,P,T,A\nx,1,0,20\ny,1,0,20\nx,5,1,25\n");
   EXPECT_EQ(named.curves, (std::vector<std::string>{"x", "y"}));
   EXPECT_EQ(named.points[2].curve, 0);
-  EXPECT_EQ(named.curve_loads, (std::vector<double>{1, 1}));
+  EXPECT_EQ(named.curve_loads, (std::vector<double>{3, 1}));
   const Dataset by_load = load_text("P,T,A\n5,0,25\n1,0,20\n5,1,24\n");
   EXPECT_EQ(by_load.curve_loads, (std::vector<double>{5, 1}));
   EXPECT_EQ(by_load.points[2].curve, 0);

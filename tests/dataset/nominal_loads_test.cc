@@ -84,5 +84,13 @@ TEST(NominalLoads, AreRunsWhosePointsKeepTheLoadThatWasRead) {
   EXPECT_EQ(data.notes.at(0).substr(0, 30), "readings of P scatter by up to");
 }
 
+TEST(RunLoads, AreTheMeanOfWhatWasReadInWhateverOrder) {
+  const Dataset falling = load_text("curve,P,T,A\nx,4.4,0,20\nx,4,1,19\nx,3.6,2,18\ny,0.1,0,9\ny,0.1,1,9\ny,0.1,2,9\n"),
+                rising = load_text("curve,P,T,A\nx,3.6,2,18\nx,4,1,19\nx,4.4,0,20\ny,0.1,0,9\ny,0.1,1,9\ny,0.1,2,9\n");
+  EXPECT_DOUBLE_EQ(falling.curve_loads[0], 4);
+  EXPECT_DOUBLE_EQ(rising.curve_loads[0], 4);
+  EXPECT_EQ(falling.curve_loads[1], 0.1);  // to the bit where all read the same
+}
+
 }  // namespace
 }  // namespace mixity

@@ -48,6 +48,19 @@ TEST(OutputFile, ADeviceThatIsFullLeavesTheOthersAsTheyWere) {
   EXPECT_EQ(files_in(folder.path()), 1u);
 }
 
+TEST(OutputFile, ATomlThatSomebodyMayHaveEditedIsKept) {
+  const TemporaryFolder folder;
+  const std::string edited = folder.write("runs.toml", "modulus = \"2.1 MPa +/- 5%\"\n");
+  folder.write("runs.csv", "old\n");
+  std::vector<OutputFile> files{{edited, "modulus = \"2.1 MPa\"\n"}, {folder.path("runs.csv"), "new\n"}};
+  EXPECT_EQ(keep_former(files), std::vector<std::string>{edited + ".old"});
+  write_files(files);
+  EXPECT_EQ(read_file(edited + ".old"), "modulus = \"2.1 MPa +/- 5%\"\n");
+  EXPECT_EQ(read_file(edited), "modulus = \"2.1 MPa\"\n");
+  files.resize(2);
+  EXPECT_TRUE(keep_former(files).empty());  // as it is to be
+}
+
 TEST(OutputFile, KeepsItsPermissions) {
   const TemporaryFolder folder;
   const std::string file = folder.write("private", "old");

@@ -34,15 +34,17 @@ export function figure(id, axes, more = {}) {
     legend: {top: 0, textStyle: {color: token('--ink')}, type: 'scroll', itemGap: 14, pageTextStyle: {color: token('--ink')}, pageIconColor: token('--ink'), pageIconInactiveColor: token('--line'), ...more.legend},
     tooltip: {trigger: 'item', confine: true, formatter: told},
     dataZoom: [{type: 'inside', xAxisIndex: 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'},
-      {type: 'inside', yAxisIndex: 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'}],
+      {type: 'inside', yAxisIndex: axes.y2 ? [0, 1] : 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'}],
     xAxis: axis(axes.x.name, axes.x), yAxis: axes.y2
       ? [axis(axes.y.name, {nameGap: 44, ...axes.y}), axis(axes.y2.name, {nameGap: 44, ...axes.y2, splitLine: {show: false}})]
       : axis(axes.y.name, {nameGap: 44, ...axes.y}),
   });
   entry.frame = () => chart.setOption(frame());
   entry.frame();
-  chart.getZr().on('dblclick', () => chart.dispatchAction({type: 'dataZoom', batch: [0, 1].map(i => ({dataZoomIndex: i, start: 0, end: 100}))}));
-  new ResizeObserver(() => { chart.resize(); if (entry.resized) entry.resized(); }).observe(element);
+  entry.showAll = () => chart.dispatchAction({type: 'dataZoom', batch: [0, 1].map(i => ({dataZoomIndex: i, start: 0, end: 100}))});
+  chart.getZr().on('dblclick', entry.showAll);
+  chart.on('datazoom', () => entry.resized?.());
+  new ResizeObserver(() => { chart.resize(); entry.resized?.(); }).observe(element);
   charts.add(entry);
   entry.draw = (series, label, extra = {}) => {
     chart.setOption({...extra, series}, {replaceMerge: ['series']});
@@ -69,7 +71,7 @@ export function areas(list) {
   }));
 }
 
-/// A dashed line at x that can be dragged; `moved(x)` is told where to.
+/// A dashed line at x that can be dragged; `moved(x)` is told where to, unless it hardly moved.
 export function handle(entry, id, x, moved) {
   const {chart} = entry;
   const place = chart.convertToPixel({xAxisIndex: 0}, x);
@@ -78,11 +80,14 @@ export function handle(entry, id, x, moved) {
     id, type: 'line', draggable: 'horizontal', x: place, y: 0, z: 100, cursor: 'ew-resize',
     shape: {x1: 0, y1: top, x2: 0, y2: height - bottom}, style: {stroke: token('--alert'), lineWidth: 2, lineDash: [5, 4], lineCap: 'butt'},
     ignore: !Number.isFinite(place),
-    ondragend() { moved(chart.convertFromPixel({xAxisIndex: 0}, this.x)); },
+    ondragend() {
+      if (Math.abs(this.x - place) < 3) entry.resized?.();
+      else moved(chart.convertFromPixel({xAxisIndex: 0}, this.x));
+    },
   };
 }
 
-/// The figure as a file's text or bytes, on white.
+/// The figure as a file's text or bytes, in the page's colours.
 export function svgOf(entry) {
   const {chart} = entry;
   const twin = echarts.init(null, null, {renderer: 'svg', ssr: true, width: chart.getWidth(), height: chart.getHeight()});

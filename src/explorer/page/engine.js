@@ -9,7 +9,8 @@ export async function loadEngine() {
   const engine = await window.mixity();
   const asked = text => {
     const told = JSON.parse(text);
-    if (told.error) throw new Error(told.error.replace(/^\//, ''));
+    // what is said of flags is said of fields here
+    if (told.error) throw new Error(told.error.replace(/: state it in .* or by a flag \(--\w+=\.\.\.\)/, '').replace(/^--(\w+): /, ''));
     return told;
   };
   return {

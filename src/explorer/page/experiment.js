@@ -25,7 +25,10 @@ export class Experiment {
     this.runFigure = figure('chart-run', {x: {name: 'point'}, y: {name: 'T'}, y2: {name: 'A'}}, {grid: {right: 62}});
     this.fitFigure.resized = this.runFigure.resized = () => this.placeHandles();
     const drop = $('drop');
-    $('file').addEventListener('change', event => this.open([...event.target.files]));
+    $('file').addEventListener('change', event => {
+      const files = [...event.target.files];
+      this.open(files).then(() => { event.target.value = ''; });
+    });
     for (const [name, over] of [['dragover', true], ['dragleave', false], ['drop', false]])
       document.addEventListener(name, event => {
         event.preventDefault();
@@ -34,9 +37,10 @@ export class Experiment {
       });
     $('constants').addEventListener('submit', event => { event.preventDefault(); this.readAgain(true); });
     $('columns').addEventListener('change', () => this.readAgain(true));
-    for (const box of document.querySelectorAll('input[name=model]')) box.addEventListener('change', () => this.result && this.fit());
+    for (const box of document.querySelectorAll('input[name=model]')) box.addEventListener('change', () => this.whole && this.fit());
     $('run').addEventListener('change', () => this.drawRun());
-    for (const id of ['crop-first', 'crop-last']) $(id).addEventListener('change', () => this.crop(id === 'crop-first' ? 0 : 1, Number($(id).value) - 1));
+    for (const id of ['crop-first', 'crop-last'])
+      $(id).addEventListener('change', () => this.crop(id === 'crop-first' ? 0 : 1, $(id).value === '' ? NaN : Math.round(Number($(id).value)) - 1));
     for (const button of document.querySelectorAll('[data-save]')) button.addEventListener('click', () => this.save(button.dataset.save));
   }
 
@@ -46,27 +50,45 @@ export class Experiment {
     const bytes = await Promise.all(files.map(async file => ({name: file.name, bytes: new Uint8Array(await file.arrayBuffer())})));
     const data = bytes.filter(file => !/\.toml$/i.test(file.name));
     if (data.length !== 1) return this.trouble(data.length ? 'One file of data at a time: the program pools several (mixity fit run_*.csv --pool).' : 'That is a TOML alone: drop the data with it.');
-    this.take(data[0], bytes.find(file => /\.toml$/i.test(file.name)));
+    const toml = bytes.find(file => /\.toml$/i.test(file.name));
+    if (toml && /^\s*data\s*=/m.test(new TextDecoder().decode(toml.bytes)))
+      return this.trouble(`${toml.name} is a definition of a fit, which the program runs: mixity fit ${toml.name}. Drop the data without it.`);
+    this.take(data[0], toml);
   }
 
   /// `stated`: constants, options and models that come with the data.
   take(data, toml, stated = {}) {
-    this.name = data.name.replace(/[^\w.\-]/g, '_');
+    this.name = data.name.replaceAll('/', '_');
     this.engine.write(this.name, data.bytes);
     this.engine.write(this.name.replace(/(\.[A-Za-z]\w*)?$/, '.toml'), toml ? toml.bytes : new Uint8Array());
     this.options = stated.options ?? {};
     if (stated.models) for (const box of document.querySelectorAll('input[name=model]')) box.checked = stated.models.includes(box.value);
-    this.told = this.result = null;
-    $('told').innerHTML = '';
+    this.told = null;
+    this.more = {};
+    this.forget();
+    for (const entry of [this.fitFigure, this.runFigure]) entry.showAll();
     $('columns').value = '';
     $('read').hidden = false;
-    $('downloads').hidden = $('others').hidden = true;
     for (const field of $('constants').querySelectorAll('input:not([type=checkbox])')) {
       field.value = stated.constants?.[field.name] ?? '';
       delete field.dataset.shown;
     }
     this.more = Object.fromEntries(Object.entries(stated.constants ?? {}).filter(([name]) => !$('constants').elements[name]));
     this.readAgain(true);
+  }
+
+  /// Nothing of what was fitted stays on the page.
+  forget() {
+    clearTimeout(this.fitting);
+    this.result = null;
+    this.whole = false;
+    this.kept = [];
+    $('told').innerHTML = $('run').innerHTML = $('busy').textContent = $('caption-fit').textContent = '';
+    $('downloads').hidden = $('others').hidden = $('crop').hidden = true;
+    for (const entry of [this.fitFigure, this.runFigure]) {
+      entry.draw([], 'Nothing is drawn', {legend: {data: []}});
+      entry.chart.setOption({graphic: []}, {replaceMerge: ['graphic']});
+    }
   }
 
   trouble(sentence) {
@@ -88,18 +110,25 @@ export class Experiment {
     try {
       this.told = this.engine.read(this.name, this.constants());
     } catch (error) {
+      this.forget();
       return this.notRead(error.message);
     }
     const {told} = this;
+    this.whole = true;
     for (const [name, text] of Object.entries(told.constants)) {
       const field = $('constants').elements[name];
+      if (!field) this.more[name] = text.exact;  // of a TOML: what is saved must hold it, too
       if (!field || field.value) continue;
       field.value = field.dataset.shown = text.shown;
       field.dataset.exact = text.exact;
     }
     this.showRead(true);
-    this.kept = told.runs ? told.runs.map(run => [0, run.lines.length - 1]) : [];
+    const lines = JSON.stringify(told.runs?.map(run => run.lines));
+    if (lines !== this.lines || !this.kept.length) this.kept = told.runs ? told.runs.map(run => [0, run.lines.length - 1]) : [];
+    this.lines = lines;
+    const selected = this.selected();
     $('run').innerHTML = (told.runs ?? []).map((run, i) => `<option value="${i}">${escape(run.name || `P = ${shown(run.P)}`)}</option>`).join('');
+    if (selected < this.kept.length) $('run').value = String(selected);
     $('crop').hidden = !told.runs;
     this.drawPoints();
     this.drawRun();
@@ -120,7 +149,7 @@ export class Experiment {
       return;
     }
     this.showRead(false);
-    this.trouble(`${sentence} — fill in what is empty below and press Fit.`);
+    this.trouble(`${sentence}: fill in the sphere and the constants above, with their units, and press Fit.`);
     $('constants').querySelector('input:placeholder-shown')?.focus();
   }
 
@@ -133,7 +162,9 @@ export class Experiment {
     if (told.runs) sentences.push(`loads in ${told.units.force || 'no unit'}, areas in ${told.units.area || 'no unit'}`);
     if (told.ignored.length) sentences.push(`not used: ${told.ignored.join(', ')}`);
     if (whole) sentences.push(...told.notes);
+    for (const [name, text] of Object.entries(whole ? told.constants : {})) if (!$('constants').elements[name]) sentences.push(`${name} = ${text.shown}`);
     if (whole) for (const one of told.excluded) sentences.push(`line ${one.line} left out: ${one.reason}`);
+    if (whole && told.excluded_count > told.excluded.length) sentences.push(`and ${told.excluded_count - told.excluded.length} more lines`);
     $('taken').innerHTML = list(sentences);
   }
 
@@ -141,12 +172,12 @@ export class Experiment {
     return [...document.querySelectorAll('input[name=model]:checked')].map(box => box.value);
   }
 
-  /// At once; with many points after a word that it takes a while.
+  /// After a word that it takes a while, which the browser must have shown.
   fit() {
     clearTimeout(this.fitting);
-    if (!this.told || !this.chosen().length) return;
-    if (this.told.points < 1000) return this.fitNow();
-    $('told').textContent = 'Fitting …';
+    if (!this.whole) return;
+    if (!this.chosen().length) return this.trouble('Choose a model.');
+    $('busy').textContent = 'Fitting …';
     this.fitting = setTimeout(() => this.fitNow(), 30);
   }
 
@@ -161,9 +192,11 @@ export class Experiment {
       this.result = this.engine.fit(this.name, this.constants(), options);
     } catch (error) {
       this.result = null;
-      $('told').innerHTML = '';
+      $('told').innerHTML = $('busy').textContent = '';
+      $('downloads').hidden = $('others').hidden = true;
       return this.trouble(error.message);
     }
+    $('busy').textContent = '';
     this.time = performance.now() - begin;
     this.trouble('');
     this.showAnswer();
@@ -177,9 +210,9 @@ export class Experiment {
     const bar = answer.budget.length ? `<p>What the error comes from:</p><div class="bar" role="img" aria-label="${answer.budget.map(([name, part]) => `${name} ${shown(100 * part, 2)} %`).join(', ')}">` +
       answer.budget.map(([, part], i) => `<span style="--part:var(--color-${i + 1});flex:${part}"></span>`).join('') + '</div><p class="key">' +
       answer.budget.map(([name, part], i) => `<span style="--part:var(--color-${i + 1})">${escape(name)} ${shown(100 * part, 2)} %</span>`).join(' ') + '</p>' : '';
-    const table = answer.jumps.length ? '<table class="jumps"><caption>Where the contact jumps, predicted</caption><thead><tr>' + answer.jumps[0].map(cell => `<th scope="col">${escape(cell)}</th>`).join('') + '</tr></thead><tbody>' +
-      answer.jumps.slice(1).map(row => `<tr>${row.map(cell => `<td>${escape(cell)}</td>`).join('')}</tr>`).join('') + '</tbody></table>' : '';
-    $('told').innerHTML = `<p class="result">${escape(answer.result || 'No value was found')}</p><p>${escape(answer.model)}</p><p>${escape(answer.interval)}</p>` +
+    const table = answer.jumps.length ? '<div class="scroll"><table class="jumps"><caption>Where the contact jumps, ± one standard error</caption><thead><tr>' + answer.jumps[0].map(cell => `<th scope="col">${escape(cell)}</th>`).join('') + '</tr></thead><tbody>' +
+      answer.jumps.slice(1).map(row => `<tr>${row.map(cell => `<td>${escape(cell)}</td>`).join('')}</tr>`).join('') + '</tbody></table></div>' : '';
+    $('told').innerHTML = `<p class="result">${escape(answer.result || `No value was found${fits.datasets[0].fits[0].message ? `: ${fits.datasets[0].fits[0].message}` : ''}`)}</p><p>${escape(answer.model)}</p><p>${escape(answer.interval)}</p>` +
       (answer.doubt ? `<p class="banner"><strong class="alert">${escape(answer.doubt)}</strong></p>` : answer.result ? '<p>Status: ok, its tests found nothing amiss.</p>' : '') + bar + table +
       (answer.cannot_say.length ? `<h3>What the data cannot say</h3><ul>${list(answer.cannot_say)}</ul>` : '');
     const compared = Object.fromEntries((fits.datasets[0].comparison ?? []).map(one => [one.model, one]));
@@ -201,12 +234,13 @@ export class Experiment {
 
   drawPoints() {
     const {told} = this, best = this.result?.drawn.models[0], series = [];
+    if (!this.whole) return;
     if (!told.runs) return this.drawEnergies(best);
     const {force, area} = told.units;
     told.runs.forEach((run, i) => {
-      const own = color(i % 8), [first, last] = this.kept[i], fitted = best?.runs.find(one => Math.abs(one.P - run.P) <= 1e-9 * Math.abs(run.P));
+      const own = color(i % 7), [first, last] = this.kept[i], fitted = best?.runs.find(one => Math.abs(one.P - run.P) <= 1e-9 * Math.abs(run.P));
       const name = inBrackets(`P = ${shown(run.P)}`, '');
-      const hover = k => `line ${run.lines[k]}, ${run.name || name}<br>T = ${shown(run.T[k], 5)}, A = ${shown(run.A[k], 5)}`;
+      const hover = k => `line ${run.lines[k]}, ${escape(run.name || name)}<br>T = ${shown(run.T[k], 5)}, A = ${shown(run.A[k], 5)}`;
       const points = run.T.map((T, k) => ({value: [Math.abs(T), run.A[k]], hover: hover(k), k}));
       series.push(marks(`points-${i}`, name, points.filter(p => p.k >= first && p.k <= last), own, 'circle', {symbolSize: 6}));
       series.push(marks(`out-${i}`, name, points.filter(p => p.k < first || p.k > last), color(7), 'circle', {symbolSize: 5, itemStyle: {color: color(7), opacity: .5}}));
@@ -219,19 +253,19 @@ export class Experiment {
     });
     this.fitFigure.draw(series, `Measured areas of ${told.runs.length} runs against tangential load${best ? ` and model ${best.model}` : ''}`,
       {legend: {data: told.runs.map(run => `P = ${shown(run.P)}`)}, xAxis: {name: inBrackets('T', force), type: 'value', min: 0, max: null}, yAxis: {name: inBrackets('A', area), min: 0, max: null}});
-    $('caption-fit').textContent = best ? `Measured areas, and model ${best.model} with a band of one standard error; triangles mark its jumps. Grey points are left out. Shift and the wheel zoom, a double click shows all.` : 'Measured areas.';
+    $('caption-fit').textContent = best ? `${this.told.notice ? 'Reconstructed' : 'Measured'} areas, and model ${best.model} with a band of one standard error; triangles mark its jumps. Grey points are left out. Shift and the wheel zoom, a double click shows all.` : `${this.told.notice ? 'Reconstructed' : 'Measured'} areas.`;
     this.placeHandles();
   }
 
   drawEnergies(best) {
     const {psi, f} = this.told.energies;
-    const series = [marks('points', 'measured', psi.map((x, i) => [x, f[i]]), color(0), 'circle')];
+    const series = [marks('points', this.told.notice ? 'reconstructed' : 'measured', psi.map((x, i) => [x, f[i]]), color(0), 'circle')];
     const most = 1.5 * Math.max(...f);
     for (const model of this.result?.drawn.models ?? []) series.push(line(`law-${model.model}`, `model ${model.model}`, model.toughness.filter(([, y]) => y <= most), color(colorOfModel[model.model] ?? 4), model === best ? 'solid' : 'dashed'));
     this.fitFigure.draw(series, 'Measured toughness against phase angle, and the models',
       {legend: {data: series.map(one => one.name)}, xAxis: {name: 'ψ (rad)', min: 0, max: 1.58}, yAxis: {name: 'Gc/GIc', min: 0, max: null}});
     this.fitFigure.chart.setOption({graphic: []}, {replaceMerge: ['graphic']});
-    $('caption-fit').textContent = 'Measured toughness and the laws of the models.';
+    $('caption-fit').textContent = `${this.told.notice ? 'Reconstructed' : 'Measured'} toughness and the laws of the models.`;
   }
 
   selected() {
@@ -259,13 +293,17 @@ export class Experiment {
     const run = this.told?.runs?.[this.selected()];
     if (!run || !this.kept?.length) return;
     const [first, last] = this.kept[this.selected()];
-    const nearest = T => run.T.reduce((best, value, k) => Math.abs(Math.abs(value) - T) < Math.abs(Math.abs(run.T[best]) - T) ? k : best, 0);
+    // of points at the same T that which is nearer to where the run ended
+    const off = (k, T) => Math.abs(Math.abs(run.T[k]) - T) + 1e-9 * Math.abs(T) * Math.abs(k - last);
+    const nearest = T => run.T.reduce((best, _, k) => off(k, T) < off(best, T) ? k : best, last);
     this.runFigure.chart.setOption({graphic: [handle(this.runFigure, 'first', first + .5, x => this.crop(0, Math.round(x - .5))), handle(this.runFigure, 'last', last + 1.5, x => this.crop(1, Math.round(x - 1.5)))]});
     this.fitFigure.chart.setOption({graphic: [handle(this.fitFigure, 'last', Math.abs(run.T[last]), T => this.crop(1, nearest(T)))]});
   }
 
   crop(end, k) {
-    const run = this.selected(), kept = this.kept[run], most = this.told.runs[run].T.length - 1;
+    const run = this.selected(), kept = this.kept[run];
+    if (!kept) return;
+    const most = this.told.runs[run].T.length - 1;
     kept[end] = Math.min(Math.max(Number.isFinite(k) ? k : kept[end], end === 0 ? 0 : kept[0]), end === 0 ? kept[1] : most);
     this.fit();
     this.drawPoints();
@@ -273,6 +311,7 @@ export class Experiment {
   }
 
   async save(what) {
+    if (!this.result) return;
     const stem = this.name.replace(/\.[^.]*$/, '');
     const files = {
       used: () => [`${stem}_used.csv`, 'text/csv', this.result.used],

@@ -1,6 +1,6 @@
 // The sliders, and what the models say at them.
 import {areas, color, colorOfModel, figure, line, marks, shown} from './charts.js';
-import {quantities, write} from './state.js';
+import {quantities, read, valid, write} from './state.js';
 
 const models = ['a', 'b', 'c'];
 const tintOfRegime = {1: 6, 2: 3, 3: 1, 4: 7};
@@ -18,6 +18,13 @@ export class Models {
     };
     this.turn = Object.keys(this.figures);
     this.makeSliders();
+    addEventListener('hashchange', () => {
+      const {map, off, ...values} = read();
+      Object.assign(state, {map, off});
+      this.mapModel.value = map;
+      for (const model of models) document.querySelector(`[aria-label='model ${model} drawn']`).checked = !off.has(model);
+      this.take(values);
+    });
     this.mapModel = document.getElementById('map-model');
     this.mapModel.value = state.map;
     this.mapModel.addEventListener('change', () => { state.map = this.mapModel.value; this.redraw(); });
@@ -49,8 +56,8 @@ export class Models {
       range.addEventListener('input', () => this.set(q, q.logarithmic
         ? q.low * (q.high / q.low) ** (range.value / 1000) : q.low + (q.high - q.low) * range.value / 1000, number));
       number.addEventListener('change', () => {
-        const value = Number(number.value);
-        if (number.value !== '' && Number.isFinite(value) && (!q.logarithmic || value > 0)) this.set(q, q.model ? Math.min(value, q.high) : value);
+        const value = valid(q, number.value);
+        if (value !== null) this.set(q, value);
         else this.show(q);
       });
       this.controls[q.key] = {number, range};
@@ -68,7 +75,7 @@ export class Models {
   }
 
   set(q, value) {
-    this.state[q.key] = Number(value.toPrecision(4));
+    this.state[q.key] = Number(value.toPrecision(6));
     this.show(q);
     this.schedule();
   }
@@ -207,7 +214,8 @@ export class Models {
   sentence(one) {
     if (one.problem) return `Model ${one.model}: ${one.problem}.`;
     const {state} = this, jump = one.folds.find(fold => fold.control === 'load');
-    const here = one.state ? `A = ${shown(one.state.A)} mm²` : 'no contact in equilibrium';
+    const beyond = jump ? `beyond its jump, A = ${shown(jump.area_after)} mm² if it slides at that` : 'beyond its last equilibrium';
+    const here = one.state ? `A = ${shown(one.state.A)} mm²` : beyond;
     return `Model ${one.model} (λ = ${shown(state[one.model])}): ${here} at T = ${shown(state.T)} mN; ` +
       (jump ? `jumps at T = ${shown(jump.T)} mN from ${shown(jump.A)} to ${shown(jump.area_after)} mm².` : `${one.regime.slice(2)}.`);
   }

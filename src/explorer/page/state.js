@@ -12,12 +12,20 @@ export const quantities = [
   {key: 'c', label: 'λ of model c', low: 1e-5, high: 1, value: .0023, logarithmic: true, model: true},
 ];
 
+/// A text as a value of this quantity; null if it is none. Beyond its slider by a factor of a thousand at most.
+export function valid(q, text) {
+  const value = Number(text), span = Math.max(Math.abs(q.low), q.high);
+  if (text === null || text.trim() === '' || !Number.isFinite(value)) return null;
+  if (q.model) return value > 0 && value <= q.high ? value : null;
+  if (q.logarithmic) return value >= 1e-3 * q.low && value <= 1e3 * q.high ? value : null;
+  return Math.abs(value) <= 1e3 * span ? value : null;
+}
+
 export function read() {
   const state = {off: new Set()};
   const stated = new URLSearchParams(location.hash.slice(1));
   for (const q of quantities) {
-    const value = Number(stated.get(q.key));
-    state[q.key] = stated.has(q.key) && Number.isFinite(value) ? value : q.value;
+    state[q.key] = valid(q, stated.get(q.key)) ?? q.value;
   }
   for (const key of (stated.get('without') ?? '').split('')) state.off.add(key);
   state.map = ['a', 'b', 'c'].includes(stated.get('map')) ? stated.get('map') : 'b';

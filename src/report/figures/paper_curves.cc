@@ -105,7 +105,7 @@ Figure behaviours() {
   add(PapangeloCiavarella{}, 0.15, "3 jumps (c, λ = 0.15)", 1);
   const double hertz = area_from_radius(hertz_radius(kLoad));
   figure.series.push_back(
-      {"4 slides first, T = τ_0 A", Look::dash_dots, color(7), {{0, 0}, {kMost, kMost / kStrength}}});
+      {"4 slides first, T = τ_0 A (τ_0 ξ/E^* = 4)", Look::dash_dots, color(7), {{0, 0}, {kMost, kMost / kStrength}}});
   figure.series.push_back({"Hertz", Look::dotted, color(0), {{0, hertz}, {kMost, hertz}}});
   figure.caption =
       "Stable branches. Model a with lambda < 1 ends on y^2 g = 6 pi (y + P) with g = 1/(1 - lambda), above Hertz; b "
@@ -164,12 +164,15 @@ Figure areas_of_mergel(const std::string& name, const std::vector<Dataset>& data
     }
   }
   if (!angle.points.empty()) figure.series.push_back(std::move(angle));
-  if (locus.points.size() > 1) figure.series.push_back(std::move(locus));
+  const bool jumps = locus.points.size() > 1;
+  if (jumps) figure.series.push_back(std::move(locus));
   const double strength = kMergelStrength / kMergel.stress_unit();
   figure.series.push_back({"sliding, T = τ_0 A", Look::dash_dots, color(7), {{0, 0}, {kMost, kMost / strength}}});
   figure.caption =
-      "Stable branches of y^2 + T^2 = 8 pi a^3 f(psi) with tau0 = 0.43 MPa; circles where psi = 3 pi/8. The locus is "
-      "A_T(T_T) over all loads; of model c A_T = pi (3/4 (3 pi + P))^(2/3) at T_T = sqrt(3 pi (3 pi + 2 P)/lambda).";
+      "Stable branches of y^2 + T^2 = 8 pi a^3 f(psi) with tau0 = 0.43 MPa; circles where psi = 3 pi/8. " +
+      std::string(jumps ? "The locus is A_T(T_T) over all loads; of model c A_T = pi (3/4 (3 pi + P))^(2/3) at T_T = "
+                          "sqrt(3 pi (3 pi + 2 P)/lambda)."
+                        : "This model does not jump at this lambda.");
   return figure;
 }
 

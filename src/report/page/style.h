@@ -42,7 +42,6 @@ code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em
 .key span { white-space: nowrap; margin-right: .8rem; }
 .key span::before { content: ""; display: inline-block; width: .7em; height: .7em; margin-right: .35em; }
 .jumps { margin: 1.2rem 0; }
-.jumps td { white-space: nowrap; }
 caption { text-align: left; font-weight: 600; padding-bottom: .3rem; }
 table { border-collapse: collapse; font-size: .92rem; }
 th, td { text-align: left; vertical-align: top; padding: .35rem .8rem .35rem 0; border-bottom: 1px solid var(--line); font-variant-numeric: tabular-nums; }
@@ -65,9 +64,11 @@ dd { margin: 0; overflow-wrap: anywhere; }
 .part[open] { padding-bottom: 1rem; }
 summary { cursor: pointer; }
 .narrow { display: none; }
+@media (max-width: 64rem) {
+  .answer { grid-template-columns: minmax(0, 1fr); }
+}
 @media (max-width: 46rem) {
   .figures { grid-template-columns: minmax(0, 1fr); }
-  .answer { grid-template-columns: minmax(0, 1fr); }
   .broad { display: none; }
   .narrow { display: block; }
   .fits, .fits tbody, .fits tr, .fits td, .fits th { display: block; border: 0; padding: 0; }
@@ -77,7 +78,8 @@ summary { cursor: pointer; }
   .fits td { display: grid; grid-template-columns: 9rem 1fr; gap: 0 .6rem; padding: .15rem 0; overflow-wrap: anywhere; }
   .fits td::before { content: attr(data-label); color: var(--soft); grid-row: 1 / span 9; }
   .fits td div { grid-column: 2; }
-  .jumps th, .jumps td { padding-right: .5rem; }
+  .jumps { font-size: .85rem; }
+  .jumps th, .jumps td { padding-right: .4rem; }
   dl { grid-template-columns: 1fr; }
   dt { margin-top: .3rem; }
 }
