@@ -174,6 +174,39 @@ async function main() {
     });
   }
 
+  // a name as people give them, and what comes to nothing: no former result stays
+  const named = 'Messung Öl "2" & <b>.csv';
+  fs.copyFileSync(path.join(root, 'data/mergel2018.csv'), path.join(folder, named));
+  await page.setInputFiles('#file', {name: named, mimeType: 'text/csv', buffer: fs.readFileSync(path.join(folder, named))});
+  await page.fill('[name=radius]', '9.42 mm');
+  await page.fill('[name=modulus]', '2.133 MPa');
+  await page.fill('[name=toughness]', '27 mJ/m^2');
+  await page.click('#constants button');
+  await page.waitForSelector('.result');
+  const found = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);
+  fitsOf(run(['fit', await saved(page, 'toml'), '--format=json'])).forEach((fit, i) => same(found[i], fit, 'a name with blanks and quotes'));
+  await page.fill('[name=modulus]', 'abc');
+  await page.click('#constants button');
+  await page.waitForFunction(() => /abc/.test(document.getElementById('trouble').textContent));
+  expect(await page.locator('.result').count() === 0 && !(await page.isVisible('#downloads')), 'a wrong constant leaves the former result');
+  await page.fill('[name=modulus]', '2.133 MPa');
+  await page.click('#constants button');
+  await page.waitForSelector('.result');
+
+  // a zoom takes the lines with it; bad values in the address count for nothing
+  const onLine = await page.evaluate(() => {
+    const entry = window.explorer.experiment.runFigure;
+    entry.chart.dispatchAction({type: 'dataZoom', dataZoomIndex: 0, start: 0, end: 50});
+    const line = entry.chart.getOption().graphic[0].elements.find(one => one.id === 'first');
+    const there = entry.chart.convertToPixel({xAxisIndex: 0}, .5);
+    entry.showAll();
+    return Math.abs(line.x - there);
+  });
+  expect(onLine < 1, `zoomed, the crop line is ${onLine} px off`);
+  await page.evaluate(() => { location.hash = 'c=-1&E=abc&R=0&P=5'; });
+  await page.waitForFunction(() => window.explorer.models.state.P === 5);
+  expect(await page.evaluate(() => window.explorer.models.state.E === 2.133 && window.explorer.models.state.c > 0), 'bad values in the address are taken');
+
   // phone to wide: nothing scrolls sideways
   for (const width of [360, 390, 768, 1280, 1920])
     for (const colorScheme of ['light', 'dark']) {
