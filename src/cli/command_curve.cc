@@ -54,12 +54,12 @@ void print_at_shear(const Parameters<Model>& p, const OutputUnits& units) {
   if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
     throw UsageError("flag '--shear': T must lie between 0 and 1e150");
   if (const auto domain = Model::equilibrium_domain(p); !domain.empty()) throw UsageError(std::string(domain));
+  const std::size_t n = point_count();
   // From the unstable end to twice the edge load at which the load is that of Hertz a hundred times over
   const double largest = 40 * pi<double>() + shear.dimensionless;
   std::cout << units.header("P", units.force) << ',' << units.header("T", units.force) << ','
             << units.header("y", units.force) << ',' << units.header("a", units.length) << ','
             << units.header("A", units.area()) << ",stable\n";
-  const std::size_t n = point_count();
   for (std::size_t i = 1; i <= n; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(n);
     const ConstantShearPoint q = constant_shear_point<Model>(p, shear.dimensionless, largest * part * part);
@@ -75,8 +75,9 @@ int run_curve(const Arguments& arguments) {
   if (!arguments.empty()) {
     if (is_set("shear") || is_set("chord"))
       throw UsageError("flags '--shear' and '--chord' are of a contact by itself");
+    const std::size_t points = point_count();
     const FittedContact fitted("curve", arguments);
-    fitted.print_areas([&](const Load& P) { return fitted.shears_to_the_jump(P, point_count()); });
+    fitted.print_areas([&](const Load& P) { return fitted.shears_to_the_jump(P, points); });
     return fitted.exit_code();
   }
   require_model("model", FLAGS_model);

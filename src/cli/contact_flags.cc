@@ -1,5 +1,7 @@
 #include "cli/contact_flags.h"
 
+#include <iostream>
+
 #include "cli/quantity_list.h"
 #include "dataset/metadata.h"
 
@@ -21,6 +23,8 @@ OutputUnits output_units() {
   const auto length = names.size() == 2 ? parse_unit(names[1]) : std::nullopt;
   if (!force || !length || force->dimension != dimension::force || length->dimension != dimension::length)
     throw UsageError("flag '--units' is '" + FLAGS_units + "'; it must be a force and a length, such as mN,mm");
+  if (!metadata.standard_errors.empty())
+    std::cerr << "mixity: standard errors of constants need a fit to be carried over (DATA.csv in place of a model)\n";
   const Contact contact{*metadata.radius, *modulus, *metadata.toughness};
   if (!contact.usable()) throw UsageError("--radius, --modulus and --toughness together are out of range");
   const double metre = 1 / length->factor;

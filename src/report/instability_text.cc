@@ -36,7 +36,8 @@ std::string table_text(const std::vector<Row>& rows) {
 
 std::string control_text(const Control& control, const InstabilityUnits& units) {
   std::string text(to_string(control.kind));
-  if (control.kind == Control::Kind::stiffness) text += " " + rounded(control.stiffness * units.stiffness_scale, 4);
+  if (control.kind == Control::Kind::stiffness)
+    text += " " + rounded(control.stiffness * units.stiffness_scale, 4) + unit_text(units.stiffness);
   return text;
 }
 

@@ -73,7 +73,9 @@ Figure curves(const std::string& name, const std::string& title, double lambda, 
       "model c, and "
       "the folds of a and b. Diamonds: the fold in u. The paper prints u_u and A_u of the plus branch; the fold lies "
       "on "
-      "the minus branch: u_u = (3/4)^(2/3) T_u/(3 pi + P - sqrt(S0^2 - lambda T_u^2))^(1/3). Models a and b follow "
+      "the minus branch: u_u = (3/4)^(2/3) T_u/(3 pi + P - sqrt(S0^2 - lambda T_u^2))^(1/3). Beyond a mark the contact "
+      "is "
+      "not stable under that control. Models a and b follow "
       "their "
       "own equations here.";
   return figure;
@@ -216,6 +218,9 @@ Figure paper_areas_of_waters() {
   fig10.wide = true;
   add_curves<PapangeloCiavarella>(fig10, 0.2331, loads, 30, area, true);
   add_curves<WatersGuduru>(fig10, 0.30, loads, 30, area, true);
+  fig10.caption =
+      "Stable branches of y^2 + T^2 = 8 pi a^3 f(psi). The paper draws the loads of the experiment, whose constants it "
+      "does not give: these loads are those of Fig. 6.";
   return fig10;
 }
 

@@ -49,7 +49,7 @@ Figure radius_against_load(const std::string& name, const std::vector<double>& s
     figure.series.push_back(std::move(stable));
     figure.series.push_back(std::move(unstable));
   }
-  Series jkr{"JKR, T = 0", Look::dash_dots, color(7), {}}, hertz{"Hertz", Look::dotted, color(7), {}};
+  Series jkr{"JKR, T = 0", Look::dash_dots, color(7), {}}, hertz{"Hertz", Look::dashed, color(7), {}};
   for (std::size_t i = 0; i <= kPaperPoints; ++i) {
     const double P = *figure.x.high * static_cast<double>(i) / kPaperPoints, pull_off = -1.5 * pi<double>();
     const double further = pull_off + (*figure.x.high - pull_off) * static_cast<double>(i) / kPaperPoints;
@@ -59,8 +59,8 @@ Figure radius_against_load(const std::string& name, const std::vector<double>& s
   figure.series.push_back(std::move(jkr));
   figure.series.push_back(std::move(hertz));
   figure.caption =
-      "Equilibrium y^2 + T^2 = 8 pi a^3 f(psi) at constant T, between its limits: JKR (no shear) and Hertz "
-      "(no adhesion). Stable where P rises with a.";
+      "Equilibrium y^2 + T^2 = 8 pi a^3 f(psi) at constant T, beside JKR (no shear) and Hertz (no adhesion). "
+      "Stable where P rises with a.";
   return figure;
 }
 
@@ -92,6 +92,9 @@ std::vector<Figure> paper_figures(const std::vector<Dataset>& data) {
   const auto toughness = [&](const char* name, const char* title, const Axis& x, const Axis& y,
                              std::vector<Series> series) {
     figures.push_back(Figure{name, title, x, y, std::move(series), {}, KeyPlace::top_left});
+    figures.back().caption =
+        "f = 1 + (1 - lambda) tan^2(psi) of model a, 1 + tan^2((1 - lambda/2) psi) of b, "
+        "1/(1 + (lambda - 1) sin^2(psi)) of c.";
   };
   toughness("fig3", "Fig. 3: toughness ratio against phase angle, λ = 0.15", psi, f(0, 10, false), every_model(0.15));
 
