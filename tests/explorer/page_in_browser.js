@@ -124,7 +124,7 @@ async function main() {
   await page.fill('#crop-last', String(before - 2));
   await page.dispatchEvent('#crop-last', 'change');
   const place = await page.evaluate(() => {
-    const entry = window.explorer.experiment.runFigure, box = document.getElementById('chart-run');
+    const entry = window.explorer.experiment.figures.run, box = document.getElementById('chart-run');
     box.scrollIntoView({block: 'center'});
     const kept = window.explorer.experiment.kept[2];
     const at = box.getBoundingClientRect(), x = k => at.left + entry.chart.convertToPixel({xAxisIndex: 0}, k + 1.5);
@@ -195,7 +195,7 @@ async function main() {
 
   // a zoom takes the lines with it; bad values in the address count for nothing
   const onLine = await page.evaluate(() => {
-    const entry = window.explorer.experiment.runFigure;
+    const entry = window.explorer.experiment.figures.run;
     entry.chart.dispatchAction({type: 'dataZoom', dataZoomIndex: 0, start: 0, end: 50});
     const line = entry.chart.getOption().graphic[0].elements.find(one => one.id === 'first');
     const there = entry.chart.convertToPixel({xAxisIndex: 0}, .5);

@@ -1,11 +1,9 @@
 // A file of the reader's own: read, confirmed, cropped, fitted, saved.
-import {areas, color, colorOfModel, figure, handle, line, marks, pngOf, shown, svgOf} from './charts.js';
+import {answerHtml, escape, list, modelsHtml} from './answer.js';
+import {pngOf, shown, svgOf} from './charts.js';
+import {FitFigures} from './fit_figures.js';
 
 const $ = id => document.getElementById(id);
-const escape = text => text.replace(/[&<>"]/g, c => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[c]);
-const list = sentences => sentences.map(one => `<li>${escape(one)}</li>`).join('');
-const inBrackets = (name, unit) => unit ? `${name} (${unit.replace('^2', '²')})` : name;
-
 /// "4,7-9" of line numbers.
 function ranges(lines) {
   const parts = [];
@@ -21,9 +19,7 @@ export class Experiment {
   constructor(engine, models) {
     this.engine = engine;
     this.models = models;
-    this.fitFigure = figure('chart-fit', {x: {name: 'T', min: 0}, y: {name: 'A', min: 0}});
-    this.runFigure = figure('chart-run', {x: {name: 'point'}, y: {name: 'T'}, y2: {name: 'A'}}, {grid: {right: 62}});
-    this.fitFigure.resized = this.runFigure.resized = () => this.placeHandles();
+    this.figures = new FitFigures(this);
     const drop = $('drop');
     $('file').addEventListener('change', event => {
       const files = [...event.target.files];
@@ -38,7 +34,7 @@ export class Experiment {
     $('constants').addEventListener('submit', event => { event.preventDefault(); this.readAgain(true); });
     $('columns').addEventListener('change', () => this.readAgain(true));
     for (const box of document.querySelectorAll('input[name=model]')) box.addEventListener('change', () => this.whole && this.fit());
-    $('run').addEventListener('change', () => this.drawRun());
+    $('run').addEventListener('change', () => this.figures.drawRun());
     for (const id of ['crop-first', 'crop-last'])
       $(id).addEventListener('change', () => this.crop(id === 'crop-first' ? 0 : 1, $(id).value === '' ? NaN : Math.round(Number($(id).value)) - 1));
     for (const button of document.querySelectorAll('[data-save]')) button.addEventListener('click', () => this.save(button.dataset.save));
@@ -66,7 +62,7 @@ export class Experiment {
     this.told = null;
     this.more = {};
     this.forget();
-    for (const entry of [this.fitFigure, this.runFigure]) entry.showAll();
+    this.figures.showAll();
     $('columns').value = '';
     $('read').hidden = false;
     for (const field of $('constants').querySelectorAll('input:not([type=checkbox])')) {
@@ -83,12 +79,9 @@ export class Experiment {
     this.result = null;
     this.whole = false;
     this.kept = [];
-    $('told').innerHTML = $('run').innerHTML = $('busy').textContent = $('caption-fit').textContent = '';
+    $('told').innerHTML = $('run').innerHTML = $('busy').textContent = '';
     $('downloads').hidden = $('others').hidden = $('crop').hidden = true;
-    for (const entry of [this.fitFigure, this.runFigure]) {
-      entry.draw([], 'Nothing is drawn', {legend: {data: []}});
-      entry.chart.setOption({graphic: []}, {replaceMerge: ['graphic']});
-    }
+    this.figures.clear();
   }
 
   trouble(sentence) {
@@ -130,8 +123,7 @@ export class Experiment {
     $('run').innerHTML = (told.runs ?? []).map((run, i) => `<option value="${i}">${escape(run.name || `P = ${shown(run.P)}`)}</option>`).join('');
     if (selected < this.kept.length) $('run').value = String(selected);
     $('crop').hidden = !told.runs;
-    this.drawPoints();
-    this.drawRun();
+    this.figures.draw();
     if (andFit) this.fit();
   }
 
@@ -200,27 +192,13 @@ export class Experiment {
     this.time = performance.now() - begin;
     this.trouble('');
     this.showAnswer();
-    this.drawPoints();
-    this.drawRun();
+    this.figures.draw();
     this.tellModels();
   }
 
   showAnswer() {
-    const {answer, fits} = this.result;
-    const bar = answer.budget.length ? `<p>What the error comes from:</p><div class="bar" role="img" aria-label="${answer.budget.map(([name, part]) => `${name} ${shown(100 * part, 2)} %`).join(', ')}">` +
-      answer.budget.map(([, part], i) => `<span style="--part:var(--color-${i + 1});flex:${part}"></span>`).join('') + '</div><p class="key">' +
-      answer.budget.map(([name, part], i) => `<span style="--part:var(--color-${i + 1})">${escape(name)} ${shown(100 * part, 2)} %</span>`).join(' ') + '</p>' : '';
-    const table = answer.jumps.length ? '<div class="scroll"><table class="jumps"><caption>Where the contact jumps, ± one standard error</caption><thead><tr>' + answer.jumps[0].map(cell => `<th scope="col">${escape(cell)}</th>`).join('') + '</tr></thead><tbody>' +
-      answer.jumps.slice(1).map(row => `<tr>${row.map(cell => `<td>${escape(cell)}</td>`).join('')}</tr>`).join('') + '</tbody></table></div>' : '';
-    $('told').innerHTML = `<p class="result">${escape(answer.result || `No value was found${fits.datasets[0].fits[0].message ? `: ${fits.datasets[0].fits[0].message}` : ''}`)}</p><p>${escape(answer.model)}</p><p>${escape(answer.interval)}</p>` +
-      (answer.doubt ? `<p class="banner"><strong class="alert">${escape(answer.doubt)}</strong></p>` : answer.result ? '<p>Status: ok, its tests found nothing amiss.</p>' : '') + bar + table +
-      (answer.cannot_say.length ? `<h3>What the data cannot say</h3><ul>${list(answer.cannot_say)}</ul>` : '');
-    const compared = Object.fromEntries((fits.datasets[0].comparison ?? []).map(one => [one.model, one]));
-    $('models').innerHTML = '<table class="fits"><thead><tr><th>model</th><th>parameters</th><th>status</th><th>AICc weight</th></tr></thead><tbody>' + fits.datasets[0].fits.map(fit => {
-      const values = Object.entries(fit.parameters).map(([name, p]) => `${name.replace('lambda', 'λ')} = ${p.value === null ? 'unknown' : shown(p.value, 5)}${p.stderr ? ` ± ${shown(p.stderr, 2)}` : ''}${p.unit ? ` ${p.unit}` : ''}`);
-      const weight = compared[fit.model]?.weight ?? compared[fit.model]?.akaike_weight;
-      return `<tr><th scope="row">${fit.model}</th><td data-label="parameters">${values.map(v => `<div>${escape(v)}</div>`).join('')}</td><td data-label="status">${escape(fit.status)}${fit.message ? `: ${escape(fit.message)}` : ''}</td><td data-label="AICc weight">${weight === undefined || weight === null ? '' : shown(weight, 3)}</td></tr>`;
-    }).join('') + '</tbody></table>';
+    $('told').innerHTML = answerHtml(this.result);
+    $('models').innerHTML = modelsHtml(this.result);
     $('downloads').hidden = $('others').hidden = false;
   }
 
@@ -232,72 +210,8 @@ export class Experiment {
     this.models.take(values);
   }
 
-  drawPoints() {
-    const {told} = this, best = this.result?.drawn.models[0], series = [];
-    if (!this.whole) return;
-    if (!told.runs) return this.drawEnergies(best);
-    const {force, area} = told.units;
-    told.runs.forEach((run, i) => {
-      const own = color(i % 7), [first, last] = this.kept[i], fitted = best?.runs.find(one => Math.abs(one.P - run.P) <= 1e-9 * Math.abs(run.P));
-      const name = inBrackets(`P = ${shown(run.P)}`, '');
-      const hover = k => `line ${run.lines[k]}, ${escape(run.name || name)}<br>T = ${shown(run.T[k], 5)}, A = ${shown(run.A[k], 5)}`;
-      const points = run.T.map((T, k) => ({value: [Math.abs(T), run.A[k]], hover: hover(k), k}));
-      series.push(marks(`points-${i}`, name, points.filter(p => p.k >= first && p.k <= last), own, 'circle', {symbolSize: 6}));
-      series.push(marks(`out-${i}`, name, points.filter(p => p.k < first || p.k > last), color(7), 'circle', {symbolSize: 5, itemStyle: {color: color(7), opacity: .5}}));
-      if (!fitted) return;
-      series.push(line(`curve-${i}`, name, fitted.curve, own), line(`unstable-${i}`, name, fitted.unstable, own, 'dashed'), marks(`jump-${i}`, name, fitted.folds, own, 'triangle', {symbolSize: 11}));
-      if (fitted.band.length > 1) {
-        const [band] = areas([{name, outline: [...fitted.band.map(([T, low]) => [T, low]), ...[...fitted.band].reverse().map(([T, , high]) => [T, high])], color: own, opacity: .3}]);
-        series.push({...band, id: `band-${i}`});
-      }
-    });
-    this.fitFigure.draw(series, `Measured areas of ${told.runs.length} runs against tangential load${best ? ` and model ${best.model}` : ''}`,
-      {legend: {data: told.runs.map(run => `P = ${shown(run.P)}`)}, xAxis: {name: inBrackets('T', force), type: 'value', min: 0, max: null}, yAxis: {name: inBrackets('A', area), min: 0, max: null}});
-    $('caption-fit').textContent = best ? `${this.told.notice ? 'Reconstructed' : 'Measured'} areas, and model ${best.model} with a band of one standard error; triangles mark its jumps. Grey points are left out. Shift and the wheel zoom, a double click shows all.` : `${this.told.notice ? 'Reconstructed' : 'Measured'} areas.`;
-    this.placeHandles();
-  }
-
-  drawEnergies(best) {
-    const {psi, f} = this.told.energies;
-    const series = [marks('points', this.told.notice ? 'reconstructed' : 'measured', psi.map((x, i) => [x, f[i]]), color(0), 'circle')];
-    const most = 1.5 * Math.max(...f);
-    for (const model of this.result?.drawn.models ?? []) series.push(line(`law-${model.model}`, `model ${model.model}`, model.toughness.filter(([, y]) => y <= most), color(colorOfModel[model.model] ?? 4), model === best ? 'solid' : 'dashed'));
-    this.fitFigure.draw(series, 'Measured toughness against phase angle, and the models',
-      {legend: {data: series.map(one => one.name)}, xAxis: {name: 'ψ (rad)', min: 0, max: 1.58}, yAxis: {name: 'Gc/GIc', min: 0, max: null}});
-    this.fitFigure.chart.setOption({graphic: []}, {replaceMerge: ['graphic']});
-    $('caption-fit').textContent = `${this.told.notice ? 'Reconstructed' : 'Measured'} toughness and the laws of the models.`;
-  }
-
   selected() {
     return Number($('run').value || 0);
-  }
-
-  drawRun() {
-    const run = this.told?.runs?.[this.selected()];
-    if (!run) return;
-    const [first, last] = this.kept[this.selected()], {force, area} = this.told.units;
-    $('crop-first').value = first + 1;
-    $('crop-last').value = last + 1;
-    $('crop-first').max = $('crop-last').max = run.T.length;
-    const style = (k, own) => k < first || k > last ? {color: color(7), borderColor: color(7), opacity: .5} : {color: 'transparent', borderColor: own};
-    const series = (id, name, values, own, axis, symbol) => marks(id, name, values.map((y, k) => ({value: [k + 1, y], itemStyle: style(k, own), hover: `line ${run.lines[k]}<br>${name} = ${shown(y, 5)}`})), own, symbol, {yAxisIndex: axis, symbolSize: 6});
-    this.runFigure.draw([series('T', inBrackets('T', force), run.T, color(1), 0, 'rect'), series('A', inBrackets('A', area), run.A, color(2), 1, 'circle')],
-      `Tangential load and area of run ${run.name} point by point`,
-      {legend: {data: [inBrackets('T', force), inBrackets('A', area)]}, xAxis: {name: 'point, in the order of the file', min: 0, max: run.T.length + 1},
-        yAxis: [{name: inBrackets('T', force)}, {name: inBrackets('A', area)}]});
-    this.placeHandles();
-  }
-
-  /// Two on the run, one for its end on the figure of all runs.
-  placeHandles() {
-    const run = this.told?.runs?.[this.selected()];
-    if (!run || !this.kept?.length) return;
-    const [first, last] = this.kept[this.selected()];
-    // of points at the same T that which is nearer to where the run ended
-    const off = (k, T) => Math.abs(Math.abs(run.T[k]) - T) + 1e-9 * Math.abs(T) * Math.abs(k - last);
-    const nearest = T => run.T.reduce((best, _, k) => off(k, T) < off(best, T) ? k : best, last);
-    this.runFigure.chart.setOption({graphic: [handle(this.runFigure, 'first', first + .5, x => this.crop(0, Math.round(x - .5))), handle(this.runFigure, 'last', last + 1.5, x => this.crop(1, Math.round(x - 1.5)))]});
-    this.fitFigure.chart.setOption({graphic: [handle(this.fitFigure, 'last', Math.abs(run.T[last]), T => this.crop(1, nearest(T)))]});
   }
 
   crop(end, k) {
@@ -306,8 +220,7 @@ export class Experiment {
     const most = this.told.runs[run].T.length - 1;
     kept[end] = Math.min(Math.max(Number.isFinite(k) ? k : kept[end], end === 0 ? 0 : kept[0]), end === 0 ? kept[1] : most);
     this.fit();
-    this.drawPoints();
-    this.drawRun();
+    this.figures.draw();
   }
 
   async save(what) {
@@ -317,8 +230,8 @@ export class Experiment {
       used: () => [`${stem}_used.csv`, 'text/csv', this.result.used],
       fit: () => [`${stem}_fit.json`, 'application/json', JSON.stringify(this.result.fits, null, 2) + '\n'],
       toml: () => [`${stem}_fit.toml`, 'application/toml', this.result.definition],
-      svg: () => [`${stem}.svg`, 'image/svg+xml', svgOf(this.fitFigure)],
-      png: async () => [`${stem}.png`, 'image/png', await pngOf(this.fitFigure)],
+      svg: () => [`${stem}.svg`, 'image/svg+xml', svgOf(this.figures.all)],
+      png: async () => [`${stem}.png`, 'image/png', await pngOf(this.figures.all)],
     };
     const [name, type, content] = await files[what]();
     const link = document.createElement('a');

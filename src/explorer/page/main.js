@@ -14,7 +14,7 @@ async function start() {
   const experiment = new Experiment(engine, models);
   onTheme(() => {
     models.redraw();
-    if (experiment.told) { experiment.drawPoints(); experiment.drawRun(); }
+    experiment.figures.draw();
   });
   document.getElementById('sample').addEventListener('click', () => experiment.take(...sample()));
   // what a report holds: its data and what stands beside them

@@ -1,0 +1,46 @@
+// What a fit says, as HTML: the answer first, then every model.
+import {shown} from './charts.js';
+
+export const escape = text => text.replace(/[&<>"]/g, c => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[c]);
+export const list = sentences => sentences.map(one => `<li>${escape(one)}</li>`).join('');
+
+const percent = part => `${shown(100 * part, 2)} %`;
+
+function budget(parts) {
+  if (!parts.length) return '';
+  const own = i => `--part:var(--color-${i + 1})`;
+  return `<p>What the error comes from:</p>
+    <div class="bar" role="img" aria-label="${parts.map(([name, part]) => `${escape(name)} ${percent(part)}`).join(', ')}">${parts.map(([, part], i) => `<span style="${own(i)};flex:${part}"></span>`).join('')}</div>
+    <p class="key">${parts.map(([name, part], i) => `<span style="${own(i)}">${escape(name)} ${percent(part)}</span>`).join(' ')}</p>`;
+}
+
+function jumps([headings, ...rows]) {
+  if (!rows.length) return '';
+  return `<div class="scroll"><table class="jumps"><caption>Where the contact jumps, ± one standard error</caption>
+    <thead><tr>${headings.map(cell => `<th scope="col">${escape(cell)}</th>`).join('')}</tr></thead>
+    <tbody>${rows.map(row => `<tr>${row.map(cell => `<td>${escape(cell)}</td>`).join('')}</tr>`).join('')}</tbody></table></div>`;
+}
+
+export function answerHtml({answer, fits}) {
+  const why = fits.datasets[0].fits[0].message;
+  const status = answer.doubt ? `<p class="banner"><strong class="alert">${escape(answer.doubt)}</strong></p>` : answer.result ? '<p>Status: ok, its tests found nothing amiss.</p>' : '';
+  return `<p class="result">${escape(answer.result || `No value was found${why ? `: ${why}` : ''}`)}</p>` +
+    [answer.model, answer.interval].filter(Boolean).map(line => `<p>${escape(line)}</p>`).join('') + status + budget(answer.budget) + jumps(answer.jumps) +
+    (answer.cannot_say.length ? `<h3>What the data cannot say</h3><ul>${list(answer.cannot_say)}</ul>` : '');
+}
+
+/// A table, the model that describes the data best first.
+export function modelsHtml({fits, drawn}) {
+  const {comparison = [], fits: all} = fits.datasets[0], best = drawn.models.map(one => one.model);
+  const place = fit => (best.includes(fit.model) ? best.indexOf(fit.model) : best.length);
+  const parameter = ([name, p]) => `${name.replace('lambda', 'λ')} = ${p.value === null ? 'unknown' : shown(p.value, 5)}${p.stderr ? ` ± ${shown(p.stderr, 2)}` : ''}${p.unit ? ` ${p.unit}` : ''}`;
+  const row = fit => {
+    const weight = comparison?.find(one => one.model === fit.model)?.weight;
+    return `<tr><th scope="row">${escape(fit.model)}</th>
+      <td data-label="parameters">${Object.entries(fit.parameters).map(one => `<div>${escape(parameter(one))}</div>`).join('')}</td>
+      <td data-label="status">${escape(fit.status)}${fit.message ? `: ${escape(fit.message)}` : ''}</td>
+      <td data-label="AICc weight">${typeof weight === 'number' ? shown(weight, 3) : ''}</td></tr>`;
+  };
+  return `<table class="fits"><thead><tr><th>model</th><th>parameters</th><th>status</th><th>AICc weight</th></tr></thead>
+    <tbody>${[...all].sort((one, other) => place(one) - place(other)).map(row).join('')}</tbody></table>`;
+}
