@@ -76,7 +76,7 @@ Json model_of(const JobResult& result, const FitResult& fit, bool best) {
 
 /// "2.133 MPa +/- 0.1 MPa": short, for a field of a form.
 std::string as_typed(double value, double error, const std::string& unit) {
-  const ReadableUnit shown = readable_unit(value, unit);
+  const ReadableUnit shown = unit == "N" ? ReadableUnit{1e3, "mN"} : readable_unit(value, unit);
   const auto text = [&](double one, int digits) { return rounded(one * shown.factor, digits) + " " + shown.unit; };
   return text(value, 10) + (error > 0 ? " +/- " + text(error, 4) : "");
 }
@@ -99,7 +99,8 @@ Json as_read(const Dataset& data) {
   for (const auto& [name, text] : constants_as_stated(stated)) constants[name] = {{"exact", text}, {"shown", text}};
   for (const auto& [name, value, unit] :
        {std::tuple("radius", stated.radius, "m"), std::tuple("modulus", stated.modulus, "Pa"),
-        std::tuple("toughness", stated.toughness, "J/m^2")})
+        std::tuple("toughness", stated.toughness, "J/m^2"), std::tuple("shear_strength", stated.shear_strength, "Pa"),
+        std::tuple("load_offset", stated.load_offset, "N"), std::tuple("shear_offset", stated.shear_offset, "N")})
     if (value) constants[name]["shown"] = as_typed(*value, stated.standard_error(name), unit);
   told["excluded"] = excluded;
   told["excluded_count"] = data.excluded.size();
