@@ -132,14 +132,14 @@ void tell_outdone(JobResult& result) {
 
 std::vector<std::size_t> by_merit(const JobResult& result) {
   constexpr double kClose = 9.2;  // in AICc: a hundredth of the weight
-  constexpr double kFar = std::numeric_limits<double>::max();
+  constexpr double kWorst = std::numeric_limits<double>::max();
   std::vector<double> above;  // AICc, of which weights far down are no more than 0
-  double least = kFar;
+  double least = kWorst;
   for (const FitResult& fit : result.fits) {
     const auto entry = std::find_if(result.comparison.begin(), result.comparison.end(),
                                     [&](const ComparedModel& one) { return one.model == fit.model; });
-    const double known = entry == result.comparison.end() ? 0 : entry->aicc.value_or(kFar / 2);
-    above.push_back(has_all_values(fit) ? known : kFar);
+    const double known = entry == result.comparison.end() ? 0 : entry->aicc.value_or(kWorst / 2);
+    above.push_back(has_all_values(fit) ? known : kWorst);
     least = std::min(least, above.back());
   }
   std::vector<std::size_t> order(result.fits.size());
