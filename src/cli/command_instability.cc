@@ -8,6 +8,7 @@
 #include "cli/fitted_contact.h"
 #include "cli/quantity_list.h"
 #include "mechanics/any_model.h"
+#include "report/figures/model_curves.h"
 #include "report/instability_text.h"
 
 namespace mixity::cli {
@@ -67,8 +68,7 @@ InstabilityReport of_fit(const FittedContact& fitted) {
                     data.display.area_scale,
                     data.contact->displacement_unit() * 1e6,
                     data.contact->stiffness_unit()};
-  if (data.contact && data.metadata.shear_strength)
-    report.shear_strength = *data.metadata.shear_strength / data.contact->stress_unit();
+  report.shear_strength = stated_strength(data);
   for (const FittedParameter& one : fit.parameters)
     if (one.unit.empty() && one.value && !one.prior) report.parameters.push_back({one.name, {one.value, one.stderr_}});
   for (const Load& load : fitted.loads())

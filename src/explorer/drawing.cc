@@ -115,9 +115,6 @@ Json regime_map(const Json& request) {
   const std::string model = request.at("model");
   const double low = request.at("P_low").get<double>() / unit, high = request.at("P_high").get<double>() / unit,
                first = request.at("lambda_low"), last = request.at("lambda_high");
-  std::optional<double> tau0;
-  if (request.contains("tau0") && !request.at("tau0").is_null())
-    tau0 = request.at("tau0").get<double>() / data.contact->stress_unit();
   if (!(low < high) || !(first > 0 && first < last) || parameter_names(model).size() != 1)
     throw std::invalid_argument("no map: two loads, two positive lambda and a model of one parameter are wanted");
   std::vector<double> loads;
@@ -125,7 +122,7 @@ Json regime_map(const Json& request) {
   const auto lambda_at = [&](double part) { return part < 1 ? first * std::pow(last / first, part) : last; };
   const auto regime_at = [&](double part, double load) {
     const double lambda = lambda_at(part);
-    return regime_of(model, {&lambda, 1}, load, tau0).regime->regime;
+    return regime_of(model, {&lambda, 1}, load).regime->regime;
   };
   Json all = Json::array();
   for (const RegimeRegion& region : regime_regions(loads, regime_at)) {

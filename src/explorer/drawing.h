@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 /// std::invalid_argument for constants that are none.
 Json drawn_models(const Json& request);
 
-/// {constants as above, "model", "P_low", "P_high", "lambda_low", "lambda_high", "tau0": Pa or null}: regions over the
+/// {constants as above, "model", "P_low", "P_high", "lambda_low", "lambda_high"}: regions over the
 /// load and ln lambda, [{"regime": text, "outline": [[P, lambda]]}].
 Json regime_map(const Json& request);
 

@@ -51,7 +51,6 @@ Json band_of(const JobResult& result, const FitResult& fit, double load, double 
 Json model_of(const JobResult& result, const FitResult& fit, bool best) {
   const Dataset& data = result.data;
   Json drawn{{"model", fit.model}};
-
   drawn["toughness"] = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e3, 120);
   if (!data.has_loads) return drawn;
   const auto by_run = points_by_curve(data);

@@ -92,9 +92,10 @@ void tell_unsheared(JobResult& result) {
     }
 }
 
+constexpr double kNearlyCertain = 0.999;  // an AICc weight
+
 /// The fit that can be believed and leaves all others far behind by every criterion; null if there is none.
 const ComparedModel* winner(const JobResult& result) {
-  constexpr double kNearlyCertain = 0.999;  // AICc weight
   if (!preferences(result.comparison).agree()) return nullptr;
   for (const ComparedModel& one : result.comparison) {
     const auto fit = std::find_if(result.fits.begin(), result.fits.end(),
@@ -124,7 +125,8 @@ void tell_outdone(JobResult& result) {
     }
     other.status = FitStatus::suspect;
     other.outdone_by = best->model;
-    other.message = "model " + best->model + " describes these points far better (AICc weight above 0.999)";
+    other.message = "model " + best->model + " describes these points far better (AICc weight above " +
+                    shortest(kNearlyCertain) + ")";
   }
 }
 

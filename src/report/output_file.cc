@@ -12,11 +12,10 @@
 #include <cstring>
 #include <deque>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "dataset/printable.h"
+#include "dataset/table/csv.h"
 
 namespace mixity {
 namespace {
@@ -208,11 +207,10 @@ std::vector<std::string> keep_former(std::vector<OutputFile>& files) {
   for (std::size_t i = 0, n = files.size(); i < n; ++i) {
     std::error_code unread;
     if (!files[i].path.ends_with(".toml") || !std::filesystem::is_regular_file(files[i].path, unread)) continue;
-    std::ostringstream former;
-    former << std::ifstream(files[i].path, std::ios::binary).rdbuf();
-    if (former.str() == files[i].content) continue;
+    std::string former = read_file(files[i].path);
+    if (former == files[i].content) continue;
     kept.push_back(files[i].path + ".old");
-    files.push_back({kept.back(), former.str()});
+    files.push_back({kept.back(), std::move(former)});
   }
   return kept;
 }

@@ -1,8 +1,6 @@
 #include "report/report.h"
 
-#include <fstream>
-#include <sstream>
-
+#include "dataset/table/csv.h"
 #include "report/fit_csv.h"
 #include "report/output_file.h"
 #include "report/page/explorer_page.h"
@@ -11,15 +9,6 @@
 #include "report/summary_markdown.h"
 
 namespace mixity {
-namespace {
-
-std::string shell_of(const std::string& path) {
-  std::ostringstream out;
-  if (!path.empty()) out << std::ifstream(path, std::ios::binary).rdbuf();
-  return out.str();
-}
-
-}  // namespace
 
 WrittenReport write_report(const std::vector<JobResult>& results, const std::vector<ReportedData>& data,
                            const std::string& folder, const ReportSettings& settings) {
@@ -45,8 +34,8 @@ WrittenReport write_report(const std::vector<JobResult>& results, const std::vec
   files.push_back({folder + "/curves.csv", curves_table(results)});
   files.push_back({folder + "/results.json", report_json(content)});
   files.push_back({folder + "/summary.md", summary_markdown(content)});
-  if (std::string shell = shell_of(settings.explorer); !shell.empty())
-    files.push_back({folder + "/explorer.html", explorer_page(std::move(shell), content)});
+  if (!settings.explorer.empty())
+    files.push_back({folder + "/explorer.html", explorer_page(read_file(settings.explorer), content)});
   files.push_back({folder + "/report.html", report_page(content)});
   write_files(files, inputs);
   advance(1);

@@ -2,10 +2,10 @@
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
-#include <fstream>
+#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "dataset/table/csv.h"
 #include "report/used_csv.h"
 
 namespace mixity {
@@ -20,10 +20,10 @@ std::string base64(const std::string& bytes) {
   return text.append((3 - bytes.size() % 3) % 3, '=');
 }
 
-std::string content_of(const std::string& path) {
-  std::ostringstream out;
-  out << std::ifstream(path, std::ios::binary).rdbuf();
-  return out.str();
+/// Of a file that need not be there.
+std::string content_if_any(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::exists(path, none) ? read_file(path) : "";
 }
 
 Json as_embedded(const JobResult& result) {
@@ -44,8 +44,8 @@ Json as_embedded(const JobResult& result) {
             {"options", options},
             {"models", models}};
   return {{"name", job.data_path.substr(job.data_path.find_last_of('/') + 1)},
-          {"content", base64(content_of(job.data_path))},
-          {"toml", base64(content_of(metadata_path(job.data_path)))},
+          {"content", base64(read_file(job.data_path))},
+          {"toml", base64(content_if_any(metadata_path(job.data_path)))},
           {"constants", constants},
           {"options", options},
           {"models", models}};
