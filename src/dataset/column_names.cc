@@ -162,7 +162,13 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
     const auto before = holder([&](const NamedColumn& column) { return column.id == *id; });
     if (before != columns.end() && before < columns.begin() + static_cast<std::ptrdiff_t>(mapped)) continue;
     if (before != columns.end())
-      throw InputError(path, headings[i].place, "column '" + headings[i].name + "' stands twice");
+      throw InputError(path, headings[i].place,
+                       "column '" + headings[i].name + "' stands twice" +
+                           (rules.vocabulary ? ", in columns " + std::to_string(before->index + 1) + " and " +
+                                                   std::to_string(i + 1) + "; --columns=\"" + headings[i].name + "=" +
+                                                   std::to_string(i + 1) +
+                                                   "\" says which; runs beside each other are to stand below each other"
+                                             : ""));
     columns.push_back({*id, i, headings[i]});
   }
   if (rules.vocabulary && !is_complete(columns, rules)) {

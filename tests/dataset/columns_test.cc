@@ -44,6 +44,18 @@ TEST(Columns, MayHaveNoBreakSpacesAroundTheirNames) {
   EXPECT_EQ(columns.find(ColumnId::T)->unit.text, "mN");
 }
 
+TEST(Columns, AreNamedByTheWordsOfANameInAnyOrderAndInTeX) {
+  for (const char* header : {"Area reale di contatto (mm^2),Carico normale (mN),Forza di attrito (mN)",
+                             "area of the contact (mm^2),Force normal (mN),Force of friction (mN)",
+                             "$A$ (mm$^{2}$),$F_N$ (mN),$F_{T}$ [mN]"}) {
+    const Columns columns = columns_of(header);
+    EXPECT_EQ(columns.find(ColumnId::A)->index, 0) << header;
+    EXPECT_EQ(columns.find(ColumnId::P)->index, 1) << header;
+    EXPECT_EQ(columns.find(ColumnId::T)->index, 2) << header;
+    EXPECT_EQ(columns.find(ColumnId::A)->unit.dimension, dimension::area) << header;
+  }
+}
+
 TEST(Columns, WithoutAUnitAreDimensionless) {
   const Columns columns = columns_of("P,T,a");
   EXPECT_EQ(columns.find(ColumnId::a)->unit.dimension, dimension::none);
@@ -99,8 +111,12 @@ TEST(Columns, AHeaderThatCannotBeUsedIsRefusedWithItsPlace) {
            {"P,T,A,a", "1:1: columns 'A' or 'a': one of them, not both"},
            {"psi,mode_ratio,Gc", "1:1: columns 'psi' or 'mode_ratio': one of them, not both"},
            {"P,T,A,psi", "1:1: the header mixes loads (P, T, A) with toughness (psi, Gc); give one set"},
-           {"P,T,T,A", "1:5: column 'T' stands twice"},
-           {"P [N],T [N],A [m^2],P (mN)", "1:21: column 'P' stands twice"},
+           {"P,T,T,A",
+            "1:5: column 'T' stands twice, in columns 2 and 3; --columns=\"T=3\" says which; runs beside each other "
+            "are to stand below each other"},
+           {"P [N],T [N],A [m^2],P (mN)",
+            "1:21: column 'P' stands twice, in columns 1 and 4; --columns=\"P=4\" says which; runs beside each other "
+            "are to stand below each other"},
            {"P [N],T [mm],A [m^2]", "1:7: unit 'mm' of column 'T' does not fit; wanted " + force},
            {"P [foo],T,A", "1:1: 'foo' of column 'P' is no unit; wanted " + force},
            {"P [],T,A", "1:1: '' of column 'P' is no unit; wanted " + force},

@@ -2,8 +2,11 @@
 
 #include <utf8proc.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <memory>
+#include <set>
 
 #include "dataset/trim.h"
 
@@ -25,8 +28,11 @@ std::string_view trim_name(std::string_view text) {
 }
 
 Heading split_heading(std::string_view whole, FilePlace place) {
-  const std::string_view text = trim_name(whole);
-  Heading heading{std::string(text), std::string(text), {}, true, place};
+  std::string plain(trim_name(whole));
+  Heading heading{plain, {}, {}, true, place};
+  std::erase_if(plain, [](char sign) { return sign == '$' || sign == '{' || sign == '}'; });  // "$F_N$ (mm$^{2}$)"
+  const std::string_view text = trim_name(plain);
+  heading.name = text;
   const std::size_t open = text.find_first_of("[(");
   if (open == std::string_view::npos) return heading;
   heading.name = trim_name(text.substr(0, open));
@@ -65,6 +71,21 @@ std::string folded(std::string_view name) {
     at += length;
   }
   return kept;
+}
+
+std::string sorted_words(std::string_view name) {
+  static const std::set<std::string, std::less<>> joints{"of", "the", "a",   "de",    "du",  "des", "la",  "le", "l",
+                                                         "d",  "di",  "del", "della", "der", "die", "das", "el"};
+  std::set<std::string> words;
+  while (!name.empty()) {
+    const std::size_t end = std::min(name.find_first_of(" _-'./"), name.size());
+    std::string word = folded(name.substr(0, end));
+    if (!word.empty() && !joints.contains(word)) words.insert(std::move(word));
+    name.remove_prefix(std::min(end + 1, name.size()));
+  }
+  std::string joined;
+  for (const std::string& word : words) joined += (joined.empty() ? "" : " ") + word;
+  return joined;
 }
 
 std::string_view without_brackets(std::string_view text) {

@@ -13,8 +13,8 @@ namespace mixity {
 /// "T [mN]", "T (mN)" or "T".
 struct Heading {
   std::string text;                 // as it stands
-  std::string name;                 // before the first bracket
-  std::optional<std::string> unit;  // as written in the last bracket; null without brackets
+  std::string name;                 // before the first bracket, without TeX's $ and braces
+  std::optional<std::string> unit;  // as written in the last bracket, without these; null without brackets
   bool closed = true;               // false of an opening bracket that is not closed at the heading's end
   FilePlace place;
 };
@@ -28,6 +28,10 @@ std::string_view trim_name(std::string_view text);
 /// What two spellings of a name have in common: letters and digits, in lower case, without accents. Empty if the text
 /// is no UTF-8.
 std::string folded(std::string_view name);
+
+/// The words of a name, folded, in the order of the alphabet and without articles and prepositions: "area reale di
+/// contatto" and "area di contatto reale" have the same.
+std::string sorted_words(std::string_view name);
 
 /// The text between the brackets around it; itself if there are none.
 std::string_view without_brackets(std::string_view text);

@@ -12,8 +12,9 @@ extern const char* const kShippedHeadings;  // data/headings.toml, made into a s
 std::optional<ColumnId> Vocabulary::find(std::string_view name) const {
   if (const auto symbol = symbols_.find(name); symbol != symbols_.end()) return symbol->second;
   const std::string bare = folded(name);
-  const auto found = bare.empty() ? names_.end() : names_.find(bare);
-  return found == names_.end() ? std::nullopt : std::optional(found->second);
+  if (const auto found = bare.empty() ? names_.end() : names_.find(bare); found != names_.end()) return found->second;
+  const auto found = words_.find(sorted_words(name));
+  return found == words_.end() ? std::nullopt : found->second;
 }
 
 const Vocabulary& Vocabulary::shipped() {
@@ -49,6 +50,10 @@ void Vocabulary::add(const std::string& path, const toml::table& table) {
         const auto [at, is_new] = (symbols ? symbols_ : names_).try_emplace(name, *id);
         if (!is_new && at->second != *id)
           fail_at(path, entry, "\"" + text + "\" already is a name of " + std::string(to_string(at->second)));
+        if (symbols) continue;
+        // words that name two quantities in two orders name none out of order
+        const auto [same, first] = words_.try_emplace(sorted_words(text), *id);
+        if (!first && same->second != id) same->second = std::nullopt;
       }
     }
   }

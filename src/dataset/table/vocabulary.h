@@ -26,7 +26,8 @@ class Vocabulary {
  private:
   void add(const std::string& path, const toml::table& table);
 
-  std::map<std::string, ColumnId, std::less<>> symbols_, names_;  // as they stand; folded
+  std::map<std::string, ColumnId, std::less<>> symbols_, names_;       // as they stand; folded
+  std::map<std::string, std::optional<ColumnId>, std::less<>> words_;  // of the names; null: of two quantities
 };
 
 }  // namespace mixity
