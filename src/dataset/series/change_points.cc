@@ -10,6 +10,12 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kLikely = 3.841458820694124;  // 95 % of chi^2 of one degree of freedom
 
+/// level + slope x, x counted from the first reading.
+struct Line {
+  double level, slope;
+  double at(std::size_t x) const { return level + slope * static_cast<double>(x); }
+};
+
 /// PartialSums of readings, from which squares about a mean or a line follow.
 class PartialSums {
  public:
@@ -36,6 +42,21 @@ class PartialSums {
     const double n = static_cast<double>(j - i), y = y_[j] - y_[i], middle = static_cast<double>(i) + (n - 1) / 2;
     const double xy = xy_[j] - xy_[i] - middle * y, xx = n * (n * n - 1) / 12;
     return std::max(0.0, yy_[j] - yy_[i] - y * y / n - xy * xy / xx);
+  }
+  /// The least squares' line through from..to.
+  Line line(std::size_t from, std::size_t to) const {
+    const auto [i, j] = range(from, to);
+    const double n = static_cast<double>(j - i), y = y_[j] - y_[i], middle = static_cast<double>(i) + (n - 1) / 2;
+    const double slope = (xy_[j] - xy_[i] - middle * y) / (n * (n * n - 1) / 12);
+    return {y / n - slope * middle, slope};
+  }
+  double about_given(const Line& line, std::size_t from, std::size_t to) const {
+    const auto [i, j] = range(from, to);
+    const double n = static_cast<double>(j - i), first = static_cast<double>(i), x = n * (first + (n - 1) / 2);
+    const double xx = n * first * (first + n - 1) + (n - 1) * n * (2 * n - 1) / 6;
+    return std::max(0.0, yy_[j] - yy_[i] - 2 * line.level * (y_[j] - y_[i]) - 2 * line.slope * (xy_[j] - xy_[i]) +
+                             n * line.level * line.level + 2 * line.level * line.slope * x +
+                             line.slope * line.slope * xx);
   }
 
  private:
@@ -98,6 +119,27 @@ std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::
     }
   }
   return best(costs, begin + kLeast - 1);
+}
+
+ChangePoint beginning_of_fall(const Course& course, std::size_t begin, std::size_t end, const ChangePoint& about,
+                              std::size_t reach) {
+  constexpr std::size_t kLeast = 3;
+  const PartialSums sums(*course.values, begin, end);
+  const std::size_t middle = about.at + 1, first = std::max(middle, begin + kLeast + reach) - reach,
+                    last = std::min(middle + reach, end - kLeast);
+  std::vector<double> costs;
+  for (std::size_t fall = first; fall <= last; ++fall) {
+    const double before = sums.about_line(begin, fall);
+    const double top = sums.line(begin, fall).at(fall - 1 - begin);
+    double least = kUnbounded;
+    for (std::size_t low = std::max(fall, middle); low <= last; ++low) {
+      const double slope = (sums.line(low, end).at(low - begin) - top) / static_cast<double>(low - fall + 1);
+      const Line between{top - slope * static_cast<double>(fall - 1 - begin), slope};
+      least = std::min(least, sums.about_given(between, fall, low) + sums.about_line(low, end));
+    }
+    costs.push_back((before + least) / (course.noise * course.noise));
+  }
+  return best(costs, first - 1);
 }
 
 std::optional<Hinge> hinge_point(const Course& course, std::size_t begin, std::size_t end) {

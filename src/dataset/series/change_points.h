@@ -27,6 +27,12 @@ struct Course {
 /// meet. Null if fewer than three readings are on either side.
 std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::size_t begin, std::size_t end);
 
+/// Where in begin..end a course leaves a line and falls or rises along a second to a third: the cut behind the first,
+/// where break_point finds the middle of the second if noise hides that it takes time. Nearer than `reach` readings to
+/// `about`, which is of break_point.
+ChangePoint beginning_of_fall(const Course& course, std::size_t begin, std::size_t end, const ChangePoint& about,
+                              std::size_t reach);
+
 /// Where in begin..end a course that was level begins to rise or fall along a straight line; also its level before.
 struct Hinge {
   ChangePoint change;

@@ -56,6 +56,7 @@ std::optional<CutTime> onset_in_samples(const Frames& frames, const ChangePoint&
                                         double direction) {
   constexpr double kEnough = 4;  // samples in a frame
   constexpr std::size_t kBefore = 8, kFew = 12;
+  constexpr std::size_t kLongestFall = 400;  // samples; frames see a longer one
   const auto& times = frames.force_time;
   const CutTime rough = cut_of(frames, change);
   if (frames.samples < kEnough) return std::nullopt;
@@ -70,8 +71,10 @@ std::optional<CutTime> onset_in_samples(const Frames& frames, const ChangePoint&
   for (double& one : T) one *= direction;
   std::size_t last = T.size();
   if (const auto fall = first_fall(T, 0, T.size(), kFallOfNoise * noise)) last = fall->low + 6;
-  const auto cut = noise > 0 ? break_point({{&T, noise}}, 0, std::min(last, T.size())) : std::nullopt;
+  const std::size_t end_of_fall = std::min(last, T.size());
+  auto cut = noise > 0 ? break_point({{&T, noise}}, 0, end_of_fall) : std::nullopt;
   if (!cut) return std::nullopt;
+  cut = beginning_of_fall({&T, noise}, 0, end_of_fall, *cut, kLongestFall);
   const auto behind = [&](std::size_t i) {
     return 0.5 * (times[begin + i] + times[std::min(begin + i + 1, times.size() - 1)]);
   };

@@ -95,5 +95,26 @@ TEST(Noise, OfASmoothCourseIsWhatScatters) {
   EXPECT_EQ(noise_of({1, 2, 3}), 0);
 }
 
+// 10 kHz of a load cell that is noisier than what one sample falls by: the break of two lines is the fall's middle.
+TEST(ChangePoints, AFallBeginsWhereItDoesThoughNoiseHidesThatItTakesTime) {
+  constexpr std::size_t kBefore = 1600, kFalling = 40, kBehind = 300;
+  constexpr double kNoise = 5, kFall = 20;
+  int held = 0, held_by_the_middle = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    Values y = noise(kBefore + kFalling + kBehind, kNoise, seed);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      y[i] += 0.002 * static_cast<double>(i);
+      if (i >= kBefore) y[i] -= kFall * std::min(1.0, static_cast<double>(i - kBefore + 1) / kFalling);
+    }
+    const ChangePoint middle = *break_point({{&y, kNoise}}, 0, y.size());
+    const ChangePoint top = beginning_of_fall({&y, kNoise}, 0, y.size(), middle, 400);
+    const auto holds = [&](const ChangePoint& cut) { return cut.first <= kBefore - 1 && kBefore - 1 <= cut.last; };
+    held += holds(top);
+    held_by_the_middle += holds(middle);
+  }
+  EXPECT_GE(held, 177);  // of 200 at 95 %: 190, less four standard deviations
+  EXPECT_LT(held_by_the_middle, 20);
+}
+
 }  // namespace
 }  // namespace mixity
