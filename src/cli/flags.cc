@@ -23,7 +23,7 @@ DEFINE_string(free, "",
               "shear_offset, area_offset");
 DEFINE_string(exclude, "", "lines of the data file to leave out: \"17,40-58\"");
 DEFINE_string(leave_out, "", "runs to leave out, by name or load: \"4.68 mN\"");
-DEFINE_bool(checks, true, "error budget, tests of consistency and evidence; without them no fit is called suspect");
+DEFINE_bool(checks, true, "tests of consistency and evidence; without them no fit is called suspect");
 DEFINE_string(interval, "profile", "confidence intervals: profile or none");
 DEFINE_int32(bootstrap, 0, "refits of resampled points for bootstrap intervals");
 DEFINE_string(resample, "points", "what the bootstrap draws: points within their runs, or whole runs (curves)");

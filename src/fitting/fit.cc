@@ -96,10 +96,8 @@ class Fitter {
         result_.known_errors = problem_->known_errors();
         result_.free_parameters = unknown;  // each of the others brings a residual of its own
         result_.sum_of_squares *= unit_ * unit_;
-        if (deeper.empty() && checked()) {
-          tell_budget(x, verdict);
-          tell_evidence(verdict);
-        }
+        if (deeper.empty() && purpose_ == Purpose::shown) tell_budget(x, verdict);
+        if (deeper.empty() && checked()) tell_evidence(verdict);
         if (deeper.empty() || again == kMostRestarts) break;
         starting_.guesses.push_back(deeper);
       }

@@ -48,7 +48,7 @@ struct FitOptions {
   std::optional<double> loss_scale{};  // in standard errors; null: the loss's usual one
   bool intervals = true;
   double confidence = 0.95;
-  bool checks = true;  // the error budget, the tests of consistency and the evidence; without them nothing is suspect
+  bool checks = true;  // the tests of consistency and the evidence; without them nothing is suspect
   RangePrior lambda_prior =
       RangePrior::uniform;         // of evidence and credible interval; lambda, or a model's first parameter
   BootstrapOptions bootstrap{};    // with replicates = 0: none
