@@ -21,8 +21,11 @@ export function valid(q, text) {
   return Math.abs(value) <= 1e3 * span ? value : null;
 }
 
+let known = location.hash;  // the address as this page read or wrote it last
+
 export function read() {
   const state = {off: new Set()};
+  known = location.hash;
   const stated = new URLSearchParams(location.hash.slice(1));
   for (const q of quantities) {
     state[q.key] = valid(q, stated.get(q.key)) ?? q.value;
@@ -32,10 +35,13 @@ export function read() {
   return state;
 }
 
+/// Unless somebody has just changed the address, which is then to be read first.
 export function write(state) {
+  if (location.hash !== known) return;
   const stated = new URLSearchParams();
   for (const q of quantities) stated.set(q.key, String(state[q.key]));
   if (state.off.size) stated.set('without', [...state.off].sort().join(''));
   stated.set('map', state.map);
   history.replaceState(null, '', '#' + stated);
+  known = location.hash;
 }
