@@ -5,6 +5,7 @@
 #include "cli/flags.h"
 #include "cli/usage_error.h"
 #include "dataset/number_text.h"
+#include "jobs/laws.h"
 #include "mechanics/registry.h"
 
 namespace mixity::cli {
@@ -26,6 +27,14 @@ void explain_program() {
                 << rounded(parameter.upper, 4);
     std::cout << '\n';
   });
+  for (const ShippedLaw& law : shipped_laws()) {
+    std::cout << "  " << law.key << std::string(law.key.size() < 13 ? 13 - law.key.size() : 1, ' ') << law.name << ": "
+              << law.shown;
+    for (const LawParameter& one : law.parameters)
+      std::cout << ", " << one.name << " in " << rounded(one.lower, 4) << ".." << rounded(one.upper, 4);
+    std::cout << '\n';
+  }
+  std::cout << "  your own     --law=\"mine: 1 + (1-l)*tan(psi)^2; l=0..1\", or [laws.mine] in a definition\n";
   std::cout << "\nmixity help COMMAND lists the flags of a command; mixity --version prints the version. mixity help "
                "man and\n"
                "mixity help completion print the manual page and the completion of bash.\n\n"

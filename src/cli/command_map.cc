@@ -50,16 +50,24 @@ Range range_from(const std::string& flag, const std::string& text, double lowest
 
 std::string finite_or_empty(double value) { return std::isfinite(value) ? shortest(value) : std::string(); }
 
+/// Over loads and the parameter of number `axis`; the others are those of `p`.
 template <class Model>
-void print_grid(const Range& loads, const Range& lambdas, std::optional<double> tau0, const OutputUnits& units) {
-  std::cout << units.header("P", units.force) << ",lambda,regime,fracture," << units.header("T_end", units.force)
-            << ",jumps_to," << units.header("T_strength", units.force) << '\n';
+void print_grid(const Range& loads, Parameters<Model> p, std::size_t axis, const Range& values,
+                std::optional<double> tau0, const OutputUnits& units) {
+  std::cout << units.header("P", units.force) << ',' << Model::parameters[axis].name << ",regime,fracture,"
+            << units.header("T_end", units.force) << ",jumps_to," << units.header("T_strength", units.force) << '\n';
   for (int i = 0; i < FLAGS_grid; ++i)
     for (int j = 0; j < FLAGS_grid; ++j) {
-      const double P = loads.at(i), lambda = lambdas.at(j);
-      const RegimeReport report = classify<Model>({lambda}, P / units.force_scale, tau0);
-      std::cout << shortest(P) << ',' << shortest(lambda) << ',' << static_cast<int>(report.regime) << ','
-                << static_cast<int>(report.fracture) << ',' << finite_or_empty(report.T_end * units.force_scale) << ','
+      const double P = loads.at(i);
+      p[axis] = values.at(j);
+      std::cout << shortest(P) << ',' << shortest(p[axis]) << ',';
+      if (!Model::equilibrium_domain(p).empty()) {  // no unique equilibrium
+        std::cout << ",,,,\n";
+        continue;
+      }
+      const RegimeReport report = classify<Model>(p, P / units.force_scale, tau0);
+      std::cout << static_cast<int>(report.regime) << ',' << static_cast<int>(report.fracture) << ','
+                << finite_or_empty(report.T_end * units.force_scale) << ','
                 << (report.jumps_to ? to_string(*report.jumps_to) : "") << ','
                 << (report.T_strength ? shortest(*report.T_strength * units.force_scale) : "") << '\n';
     }
@@ -101,15 +109,25 @@ int run_map(const Arguments& arguments) {
   const std::optional<double> tau0 = strength(units);
   with_model(FLAGS_model, [&](auto model) {
     using Model = decltype(model);
-    if constexpr (parameter_count<Model> == 1) {
-      const Range loads = load_range(units);
-      const Range lambdas =
-          range_from("lambda_range", FLAGS_lambda_range, Model::parameters[0].lower, Model::parameters[0].upper);
-      FLAGS_boundaries ? print_boundaries<Model>(loads, lambdas, units)
-                       : print_grid<Model>(loads, lambdas, tau0, units);
-    } else {
-      throw UsageError("map is over load and lambda; model " + std::string(Model::info.key) + " has other parameters");
-    }
+    std::size_t axis = 0;
+    if (is_set("axis"))
+      while (axis < parameter_count<Model> && Model::parameters[axis].name != FLAGS_axis) ++axis;
+    if (axis == parameter_count<Model>)
+      throw UsageError("flag '--axis': model " + std::string(Model::info.key) + " has no parameter '" + FLAGS_axis +
+                       "'");
+    const Parameters<Model> others = parameters_from_flags<Model>(axis);
+    const Range loads = load_range(units);
+    const ParameterInfo& info = Model::parameters[axis];
+    const bool usual = info.name == "lambda" || is_set("lambda_range");
+    const Range values =
+        usual ? range_from("lambda_range", FLAGS_lambda_range, info.lower, info.upper) : Range{info.lower, info.upper};
+    constexpr bool has_boundaries = std::is_same_v<Model, Johnson> || std::is_same_v<Model, WatersGuduru> ||
+                                    std::is_same_v<Model, PapangeloCiavarella>;
+    if (FLAGS_boundaries && !has_boundaries)
+      throw UsageError("flag '--boundaries': those of model " + std::string(Model::info.key) + " have no closed form");
+    if constexpr (has_boundaries)
+      if (FLAGS_boundaries) return print_boundaries<Model>(loads, values, units);
+    print_grid<Model>(loads, others, axis, values, tau0, units);
   });
   return kFine;
 }

@@ -2,6 +2,7 @@
 
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
+#include "cli/law_flags.h"
 #include "cli/plan_flags.h"
 
 namespace mixity::cli {
@@ -34,17 +35,16 @@ std::span<const Command> commands() {
        "Lists every fold: where the contact jumps, what to, and the area lost; of a fit with standard errors.",
        with_fit_flags({"model", "lambda", "parameters", "loads", "stiffness", "format", "units"}),
        {"text", "json"}},
-      {"map",
-       run_map,
-       "map --model=KEY [--load_range=P1,P2] [--lambda_range=L1,L2] [--tau0=S|--boundaries]",
-       "Classifies what becomes of a sheared contact over normal load and lambda, as CSV.",
-       {"model", "load_range", "lambda_range", "grid", "tau0", "boundaries", "units", "radius", "modulus",
-        "youngs_modulus", "poisson_ratio", "toughness"}},
+      {"map", run_map,
+       "map --model=KEY [--load_range=P1,P2] [--lambda_range=L1,L2] [--axis=NAME] [--tau0=S|--boundaries]",
+       "Classifies what becomes of a sheared contact over normal load and lambda or another parameter, as CSV.",
+       with_law_flags({"model", "load_range", "lambda_range", "axis", "parameters", "grid", "tau0", "boundaries",
+                       "units", "radius", "modulus", "youngs_modulus", "poisson_ratio", "toughness"})},
       {"sahli",
        run_sahli,
        "sahli DATA.csv [--upto=0.5] [--model=c] [--format=csv] [flags]",
        "Fits A = A0 - alpha T^2 to each loading run, and the power law of alpha against A0.",
-       with_metadata_flags({"upto", "model", "lambda", "parameters", "format"}),
+       with_metadata_flags(with_law_flags({"upto", "model", "lambda", "parameters", "format"})),
        {"text", "csv"}},
       {"figures",
        run_figures,

@@ -46,14 +46,16 @@ Load load_from(const std::string& flag, const std::string& text, const OutputUni
 /// --parameters and --lambda by name.
 std::map<std::string, std::string> parameter_texts();
 
-/// The parameters of a model, all of them given and in range; throws UsageError otherwise.
+/// The parameters of a model, all of them given and in range, except that of this number, which stays 0; throws
+/// UsageError otherwise.
 template <class Model>
-Parameters<Model> parameters_from_flags() {
+Parameters<Model> parameters_from_flags(std::optional<std::size_t> except = {}) {
   std::map<std::string, std::string> given = parameter_texts();
   Parameters<Model> p{};
   for (std::size_t i = 0; i < p.size(); ++i) {
     const ParameterInfo& info = Model::parameters[i];
     const std::string name(info.name);
+    if (i == except) continue;
     const auto found = given.find(name);
     if (found == given.end())
       throw UsageError("model " + std::string(Model::info.key) + " needs " +

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 
 #include "cli/flags.h"
+#include "cli/law_flags.h"
 #include "cli/usage_error.h"
 #include "dataset/printable.h"
 #include "jobs/fit_definition.h"
@@ -33,6 +35,7 @@ FitJob job_for(const std::string& path) {
     job = read_fit_definition(path);
   else
     job.data_path = path;
+  for (const std::string& note : job.law_notes) std::cerr << "mixity: " << note << '\n';
   const auto refuse = [](const std::string& option, const std::string& problem) {
     throw UsageError("flag '--" + option + "' " + problem);
   };
@@ -41,6 +44,8 @@ FitJob job_for(const std::string& path) {
     if (const std::string problem = set_option(job, option, value_of(option)); !problem.empty())
       refuse(std::string(option), problem);
   }
+  if (!job.stated.contains("models"))
+    job.models.insert(job.models.end(), laws_of_flags().begin(), laws_of_flags().end());
   if (const auto wrong = contradiction(job)) refuse(wrong->option, wrong->problem);
   replace(job.constants, data_overrides());
   return job;
@@ -71,7 +76,7 @@ std::vector<FitJob> jobs_for(const std::vector<std::string>& arguments) {
 std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags) {
   flags.insert(flags.end(), kJobOptions.begin(), kJobOptions.end());
   flags.push_back("pool");
-  return with_metadata_flags(std::move(flags));
+  return with_metadata_flags(with_law_flags(std::move(flags)));
 }
 
 void tell_names_apart(std::vector<JobResult>& results) {

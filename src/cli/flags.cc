@@ -7,6 +7,7 @@
 #include "dataset/number_text.h"
 #include "dataset/units.h"
 #include "fitting/fit.h"
+#include "jobs/laws.h"
 
 DEFINE_string(models, "a,b,c", "models to fit, comma-separated (mixity help lists them)");
 DEFINE_string(
@@ -42,6 +43,12 @@ DEFINE_string(
     lag, "", "what the clock of the areas is ahead of that of the forces: \"0.12 s\"; else from events that both show");
 DEFINE_bool(drift, false, "take a line through the zeros of T of all runs off T; left out, where it is sure");
 DEFINE_string(cuts, "", "a TOML that states cuts of runs (cuts.toml, which runs writes)");
+DEFINE_string(
+    law, "",
+    "a law of one's own: \"mine: 1 + (1-l)*tan(psi)^2; l=0..1\", of psi, B = sin^2 psi, t = tan psi, or an equation "
+    "in K_I and K_II; several are parted by |");
+DEFINE_string(laws, "", "a TOML of laws in the form of data/laws.toml");
+DEFINE_string(axis, "", "the parameter that the map is over beside the load; empty: the model's first");
 DEFINE_bool(pool, false, "the files are the runs of one data set");
 DEFINE_string(reach, "0.9", "the longest T of a run, as a share of that at which the contact jumps");
 DEFINE_string(runs, "", "how many more runs to find the best loads for");
@@ -223,8 +230,9 @@ Overrides metadata_overrides() {
 }
 
 void require_model(const std::string& flag, const std::string& key) {
+  provide_law(key);
   std::string known;
-  for (const std::string& candidate : model_keys()) {
+  for (const std::string& candidate : known_models()) {
     if (candidate == key) return;
     known += (known.empty() ? "" : ", ") + candidate;
   }

@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/flags.h"
+#include "cli/law_flags.h"
 #include "cli/usage_error.h"
 #include "dataset/input_error.h"
 #include "dataset/printable.h"
@@ -32,7 +33,9 @@ int run(const Arguments& words) {
   if (!command) throw UsageError("unknown command '" + name + "' (see mixity help)");
   for (const std::string& word : words)
     if (word == "--help" || word == "-h") return run_help({name});
-  return command->run(parse_flags(*command, {words.begin() + 1, words.end()}));
+  const Arguments arguments = parse_flags(*command, {words.begin() + 1, words.end()});
+  define_laws_of_flags();
+  return command->run(arguments);
 }
 
 int fail(const std::string& message, int code) {

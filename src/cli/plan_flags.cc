@@ -2,6 +2,7 @@
 
 #include "cli/contact_flags.h"
 #include "cli/flags.h"
+#include "cli/law_flags.h"
 #include "cli/quantity_list.h"
 #include "cli/usage_error.h"
 #include "mechanics/any_model.h"
@@ -48,7 +49,7 @@ Plan plan_from_flags(bool needs_loads) {
 std::vector<std::string_view> with_plan_flags(std::vector<std::string_view> flags) {
   flags.insert(flags.end(),
                {"model", "lambda", "parameters", "loads", "points", "reach", "sigma_T", "sigma_A", "seed"});
-  return with_metadata_flags(std::move(flags));
+  return with_metadata_flags(with_law_flags(std::move(flags)));
 }
 
 std::size_t count_from(const std::string& flag, std::size_t least) {

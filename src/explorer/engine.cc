@@ -12,6 +12,7 @@
 #include "explorer/experiment.h"
 #include "jobs/fit_definition.h"
 #include "jobs/job_options.h"
+#include "jobs/laws.h"
 #include "mechanics/any_model.h"
 #include "report/answer.h"
 #include "report/fit_json.h"
@@ -77,6 +78,22 @@ std::string fit_file(const std::string& name, const std::string& constants, cons
   });
 }
 
+/// A law as the flag --law has it. {"model": key, "shown", "parameters": [{"name", "lower", "upper", "start"}],
+/// "warnings": [text]}.
+std::string define(const std::string& text) {
+  return guarded([&] {
+    const DefinedLaw defined = define_law_text("law", text);
+    const LawDefinition& law = defined.law->definition();
+    Json parameters = Json::array();
+    for (const LawParameter& one : law.parameters)
+      parameters.push_back({{"name", one.name}, {"lower", one.lower}, {"upper", one.upper}, {"start", one.start}});
+    return Json{{"model", law.key},
+                {"shown", defined.law->shown()},
+                {"parameters", parameters},
+                {"warnings", defined.warnings}};
+  });
+}
+
 std::string draw(const std::string& request) {
   return guarded([&] { return drawn_models(Json::parse(request)); });
 }
@@ -93,6 +110,7 @@ EMSCRIPTEN_BINDINGS(mixity) {
   emscripten::function("write", &write_file);
   emscripten::function("read", &read_file);
   emscripten::function("fit", &fit_file);
+  emscripten::function("define", &define);
   emscripten::function("draw", &draw);
   emscripten::function("map", &map_of);
   emscripten::function(

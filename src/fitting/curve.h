@@ -77,12 +77,14 @@ class CurveObjective final : public ModelProblem<Model> {
 
   bool all_blocks(std::span<const double> x, Search search, std::span<double> residuals, std::span<double> jacobian,
                   std::span<double> places) const {
+    [[maybe_unused]] const auto entered_here = choice_.enter_model();
     Candidate<Model> at = this->candidate(x);
     if constexpr (requires { Model::continuous(at.parameters); }) at.parameters = Model::continuous(at.parameters);
     const std::size_t n = points_.size(), blocks = (n + kBlock - 1) / kBlock;
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> defined = true;
     const auto work = [&] {
+      [[maybe_unused]] const auto entered = choice_.enter_model();
       Workspace workspace(std::min(n, kBlock));
       for (std::size_t block; defined && (block = next++) < blocks;)
         if (!one_block(at, block * kBlock, std::min(n, (block + 1) * kBlock), search, workspace, residuals, jacobian,

@@ -94,6 +94,7 @@ class EnergyObjective final : public ModelProblem<Model> {
   }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    [[maybe_unused]] const auto entered = choice_.enter_model();
     const EnergyLaw<Model> law(this->candidate(x).parameters);
     const std::size_t width = parameters_.size(), model = choice_.size();
     bool finite = true;

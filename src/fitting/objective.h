@@ -47,6 +47,8 @@ class FreeChoice {
   const std::vector<std::size_t>& model() const { return model_; }       // indices of free model parameters
   const std::vector<Constant>& constants() const { return constants_; }  // after them
   std::size_t size() const { return parameters_.size(); }
+  /// To be held while the model is used: a fit's refits run on threads of their own.
+  auto enter_model() const { return model_of_visit_.enter(); }
 
   Candidate<Model> candidate(std::span<const double> x) const {
     Candidate<Model> result = base_;
@@ -65,6 +67,7 @@ class FreeChoice {
   }
 
  private:
+  [[no_unique_address]] ModelOfVisit<Model> model_of_visit_{};
   Candidate<Model> base_;
   std::vector<std::size_t> model_;
   std::vector<Constant> constants_;

@@ -20,6 +20,7 @@ std::optional<HeldParameter> parse_held(std::string_view text) {
 std::vector<std::string> model_keys() {
   std::vector<std::string> keys;
   for_each_model([&](auto model) { keys.emplace_back(decltype(model)::info.key); });
+  for (std::string& key : law_keys()) keys.push_back(std::move(key));
   return keys;
 }
 

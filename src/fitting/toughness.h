@@ -68,6 +68,7 @@ class ToughnessObjective final : public ModelProblem<Model> {
   }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    [[maybe_unused]] const auto entered = choice_.enter_model();
     const Candidate<Model> at = this->candidate(x);
     const Parameters<Model>& p = at.parameters;
     const std::vector<std::size_t>& free = choice_.model();
@@ -112,6 +113,7 @@ class ToughnessObjective final : public ModelProblem<Model> {
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override {
     if (HasLanes<Model> && scale_ == Scale::log) return evaluate(x, residuals, {});
     constexpr std::size_t kSample = 32;
+    [[maybe_unused]] const auto entered = choice_.enter_model();
     const Candidate<Model> at = this->candidate(x);
     std::fill(residuals.begin(), residuals.end(), 0.0);
     for (std::size_t i = 0; i < points_.size(); i += std::max<std::size_t>(points_.size() / kSample, 1)) {
@@ -162,6 +164,7 @@ class ToughnessOfLoads final : public ModelProblem<Model> {
   }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    [[maybe_unused]] const auto entered = choice_.enter_model();
     const Candidate<Model> at = this->candidate(x);
     const ConstantsScale scale(at.constants);
     bool finite = true;

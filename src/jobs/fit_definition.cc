@@ -8,6 +8,7 @@
 #include "dataset/number_text.h"
 #include "dataset/toml_file.h"
 #include "jobs/job_options.h"
+#include "jobs/laws.h"
 
 namespace mixity {
 namespace {
@@ -21,6 +22,7 @@ class Reader {
     const toml::table table = read_toml(path_);
     FitJob job;
     job.path = path_;
+    read_laws(table, job);  // before what names them
     for (const auto& [key, node] : table) {
       if (key == "data")
         read_data(node, job);
@@ -34,13 +36,15 @@ class Reader {
         job.source = text(node, "source");
       else if (key == "peaks")
         job.peaks_path = beside(node, "peaks");
+      else if (key == "laws")
+        continue;
       else if (key == "published")
         read_published(node, job);
       else if (std::find(kJobOptions.begin(), kJobOptions.end(), key.str()) != kJobOptions.end())
         read_option(std::string(key.str()), node, job);
       else
         fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: data, runs, columns, " + names_of_options() +
-                      ", constants, peaks, source, published)");
+                      ", constants, laws, peaks, source, published)");
     }
     if (job.data_path.empty()) throw InputError(path_, "the key data is missing");
     if (table.contains("data") && table.contains("runs"))
@@ -149,6 +153,17 @@ class Reader {
       fail(node, key + " " + problem);
   }
 
+  void read_laws(const toml::table& table, FitJob& job) const {
+    const toml::node* const node = table.get("laws");
+    if (!node) return;
+    if (!node->is_table()) fail(*node, "laws must be tables, each written [laws.KEY]");
+    for (const DefinedLaw& defined : define_laws(path_, *node->as_table())) {
+      const std::string& key = defined.law->definition().key;
+      if (!table.contains("models")) job.models.push_back(key);
+      for (const std::string& warning : defined.warnings) job.law_notes.push_back("law " + key + ": " + warning);
+    }
+  }
+
   void read_constants(const toml::node& node, FitJob& job) const {
     if (!node.is_table()) fail(node, "constants must be a table");
     Metadata scratch;
@@ -250,6 +265,8 @@ std::string fit_definition_text(const FitJob& job, const Dataset& data, const st
     if (!run.load.empty()) out << "load = " << toml_text(run.load) << '\n';
     if (!run.sphere.empty()) out << "sphere = " << toml_text(run.sphere) << '\n';
   }
+  for (const std::string& model : job.models)
+    if (const auto law = find_law(model); law && !is_shipped(*law)) out << '\n' << law_toml(law->definition());
   for (const auto& [model, numbers] : job.published) {
     if (std::find(job.models.begin(), job.models.end(), model) == job.models.end()) continue;
     out << "\n[published." << model << "]\n";

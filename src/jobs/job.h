@@ -28,9 +28,10 @@ struct FitJob {
   FitOptions options;
   std::vector<std::string> free_parameters;  // of the models, said to be free: as all are that are not held
   Exclusion exclusion;
-  Overrides constants;     // of the experiment and its metadata, over those beside the data; each name once
-  bool compare = true;     // the models with each other: information criteria, error on loads left out
-  bool per_curve = false;  // each loading run by itself, too
+  Overrides constants;                 // of the experiment and its metadata, over those beside the data; each name once
+  bool compare = true;                 // the models with each other: information criteria, error on loads left out
+  bool per_curve = false;              // each loading run by itself, too
+  std::vector<std::string> law_notes;  // what is to be said of the laws that the definition states
   std::map<std::string, std::vector<Published>> published;  // by model key
   std::string source;                                       // of the published numbers
   std::map<std::string, std::string> stated;                // options by name that are not left at their default

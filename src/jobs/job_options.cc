@@ -7,6 +7,7 @@
 
 #include "dataset/number_text.h"
 #include "dataset/trim.h"
+#include "jobs/laws.h"
 
 namespace mixity {
 namespace {
@@ -89,8 +90,9 @@ Complaint set_error(std::string_view text, std::optional<StatedError>& error) {
 
 Complaint set_models(std::string_view text, FitJob& job) {
   job.models.clear();
-  const std::vector<std::string> known = model_keys();
+  const std::vector<std::string> known = known_models();
   return for_each_item(text, [&](const std::string& model) -> Complaint {
+    provide_law(model);
     if (std::find(known.begin(), known.end(), model) == known.end())
       return "names the unknown model " + in_quotes(model) + " (known: " + listed(known) + ")";
     job.models.push_back(model);

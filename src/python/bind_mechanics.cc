@@ -3,6 +3,7 @@
 
 #include "dataset/input_error.h"
 #include "fitting/options.h"
+#include "jobs/laws.h"
 #include "mechanics/any_model.h"
 #include "mechanics/measurement.h"
 #include "python/bindings.h"
@@ -49,6 +50,27 @@ Control control_of(const std::string& kind, double stiffness) {
 
 void bind_mechanics(nb::module_& m) {
   m.def("model_keys", &model_keys);
+  m.def("provide_law", [](const std::string& key) { provide_law(key); });
+  m.def("law_definition", [](const std::string& key) {  // as define_law takes it; None of other models
+    const auto law = find_law(key);
+    if (!law) return nb::object(nb::none());
+    const LawDefinition& definition = law->definition();
+    nb::list parameters;
+    for (const LawParameter& one : definition.parameters)
+      parameters.append(nb::make_tuple(one.name, one.lower, one.upper, one.start));
+    return nb::object(nb::make_tuple(definition.text, parameters, definition.key, definition.name, definition.normalised));
+  });
+  m.def("define_law", [](const std::string& text, const std::vector<nb::tuple>& parameters, const std::string& key,
+                         const std::string& name, bool normalised) {
+    LawDefinition definition{key, text, {}, name, normalised};
+    for (const nb::tuple& one : parameters) {
+      LawParameter parameter{nb::cast<std::string>(one[0]), nb::cast<double>(one[1]), nb::cast<double>(one[2]), 0};
+      parameter.start = one.size() > 3 ? nb::cast<double>(one[3]) : usual_start(parameter.lower, parameter.upper);
+      definition.parameters.push_back(std::move(parameter));
+    }
+    DefinedLaw defined = define_law_checked("law", std::move(definition));
+    return std::tuple(defined.law->definition().key, defined.law->shown(), std::move(defined.warnings));
+  });
   m.def("parameter_names", [](const std::string& model) { return parameter_names(model); });
   m.def("parameter_bounds", [](const std::string& model) { return parameter_bounds(model); });
   m.def("areas", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,

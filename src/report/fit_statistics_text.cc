@@ -98,7 +98,8 @@ std::string errors_text(const FitResult& fit, const Dataset& data) {
     for (std::size_t i = 0; i < names.size(); ++i)
       for (std::size_t j = i + 1; j < names.size(); ++j)
         if (const double c = fit.correlations[i * names.size() + j]; std::abs(c) > 0.5)
-          out << "    correlation of " << names[i] << " and " << names[j] << ": " << rounded(c, 3) << '\n';
+          out << "    correlation of " << names[i] << " and " << names[j] << ": " << rounded(c, 3)
+              << (std::abs(c) > 0.99 ? ": they act alike on these data; hold one of them\n" : "\n");
   return out.str();
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "mechanics/any_model.h"
 #include "mechanics/batch.h"
 #include "mechanics/curve_distance.h"
 #include "mechanics/sampling.h"
@@ -71,6 +72,27 @@ void PredictBatch(benchmark::State& state) {
 BENCHMARK_TEMPLATE(PredictBatch, PapangeloCiavarella);
 BENCHMARK_TEMPLATE(PredictBatch, Johnson);
 BENCHMARK_TEMPLATE(PredictBatch, WatersGuduru);
+
+/// A law as somebody types it, and the published one that it is, by their keys: areas of all points.
+void AreasByKey(benchmark::State& state, const char* key, const char* text, double upper) {
+  LawError error;
+  if (text) define_law({key, text, {{"l", 0, upper, 0.15}}}, error);
+  const std::vector<double> T = loads<WatersGuduru>();
+  std::vector<double> A(T.size());
+  std::vector<EquilibriumStatus> status(T.size());
+  const double lambda = 0.15, P = kLoad;
+  const Values parameter{&lambda, 0};
+  for (auto _ : state) {
+    areas(key, {&parameter, 1}, {&P, 0}, {T.data(), 1}, A, status);
+    benchmark::DoNotOptimize(A.data());
+  }
+  per_point(state);
+}
+BENCHMARK_CAPTURE(AreasByKey, b, "b", nullptr, 2);
+BENCHMARK_CAPTURE(AreasByKey, typed_b, "typed_b", "1 + tan((1-l/2)*psi)^2", 2);
+BENCHMARK_CAPTURE(AreasByKey, typed_a, "typed_a", "1 + (1-l)*tan(psi)^2", 1);
+BENCHMARK_CAPTURE(AreasByKey, typed_c, "typed_c", "1/(1 + (l-1)*sin(psi)^2)", 1);
+BENCHMARK_CAPTURE(AreasByKey, criterion_c, "criterion_c", "K_I^2 + l*K_II^2 = 1", 1);
 
 /// What one would write without the circle: a in y^2 + T^2 = 8 pi a^3 f(psi) by a bracketing search to the last digits,
 /// between the fold of this branch and JKR.

@@ -18,6 +18,8 @@
 #include "dataset/temporary_folder.h"
 #include "dataset/units.h"
 #include "jobs/fit_definition.h"
+#include "jobs/laws.h"
+#include "mechanics/laws/law_traits.h"
 #include "promise.h"
 
 namespace mixity::fuzz {
@@ -244,6 +246,23 @@ void check_import(std::string_view text) {
   });
 }
 
+void check_a_law(std::string_view text) {
+  accepts({"--law:"}, [&] {
+    const LawDefinition definition = read_law_text("--law", text);
+    LawError error;
+    const auto law = ExpressionLaw::make(definition, error);
+    promise(law || !error.message.empty(), "a law is read, or it is said why not");
+    promise(law || !error.at || *error.at <= definition.text.size(), "what is wrong lies in the text");
+    if (!law) return;
+    const LawCheck check = check_law(*law);
+    if (check.error) return;
+    std::vector<double> start;
+    for (const LawParameter& one : definition.parameters) start.push_back(one.start);
+    promise(std::abs(law->toughness(0, start) - 1) < 1e-8, "f is 1 at psi = 0 where a law passed its checks");
+    promise(law->toughness(0.7, start) > 0, "f is positive where a law passed its checks");
+  });
+}
+
 }  // namespace
 
 int fuzz_input(const std::uint8_t* bytes, std::size_t size) {
@@ -264,6 +283,8 @@ int fuzz_input(const std::uint8_t* bytes, std::size_t size) {
       return check_units(text), 0;
     case 'i':
       return check_import(text), 0;
+    case 'l':
+      return check_a_law(text), 0;
     default:
       return 0;
   }

@@ -147,7 +147,7 @@ def test_progress_is_told_and_its_errors_arrive(data):
         mixity.fit(data, "c", bootstrap=200, progress=fails)
 
 
-@pytest.mark.parametrize("name", ["", "._data", "._fits", "._mechanics", "._studies", ".scipy", ".lmfit"])
+@pytest.mark.parametrize("name", ["", "._data", "._fits", "._law", "._mechanics", "._studies", ".scipy", ".lmfit"])
 def test_examples_in_docstrings(name):
     if name in (".scipy", ".lmfit"):
         pytest.importorskip(name[1:])

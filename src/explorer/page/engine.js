@@ -15,6 +15,7 @@ export async function loadEngine() {
   };
   return {
     version: engine.version(),
+    define: text => asked(engine.define(text)),
     draw: request => asked(engine.draw(JSON.stringify(request))),
     map: request => asked(engine.map(JSON.stringify(request))),
     write: (name, bytes) => engine.write(name, bytes),

@@ -207,6 +207,8 @@ export class Experiment {
     const {contact} = this.result.drawn, values = {};
     if (contact) Object.assign(values, {R: contact.radius * 1e3, E: contact.modulus * 1e-6, G: contact.toughness * 1e3});
     for (const fit of this.result.fits.datasets[0].fits) if (fit.parameters.lambda?.value > 0) values[fit.model] = fit.parameters.lambda.value;
+    const own = this.result.fits.datasets[0].fits.find(fit => fit.model === this.models.own?.model);
+    if (own) this.models.takeOwn(Object.values(own.parameters).slice(0, this.models.own.parameters.length).map(({value}) => value));
     this.models.take(values);
   }
 

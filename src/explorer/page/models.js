@@ -3,6 +3,7 @@ import {areas, color, colorOfModel, figure, line, marks, shown} from './charts.j
 import {quantities, read, valid, write} from './state.js';
 
 const models = ['a', 'b', 'c'];
+const ownColor = 4;
 const tintOfRegime = {1: 6, 2: 3, 3: 1, 4: 7};
 
 export class Models {
@@ -18,9 +19,13 @@ export class Models {
     };
     this.turn = Object.keys(this.figures);
     this.makeSliders();
+    this.field = document.getElementById('law');
+    document.getElementById('own').addEventListener('submit', event => { event.preventDefault(); this.define(this.field.value.trim()); });
+    this.define(state.law, state.own);
     addEventListener('hashchange', () => {
-      const {map, off, ...values} = read();
+      const {map, off, law, own, ...values} = read();
       Object.assign(state, {map, off});
+      this.define(law, own);
       this.mapModel.value = map;
       for (const model of models) document.querySelector(`[aria-label='model ${model} drawn']`).checked = !off.has(model);
       this.take(values);
@@ -30,6 +35,68 @@ export class Models {
     this.mapModel.addEventListener('change', () => { state.map = this.mapModel.value; this.redraw(); });
     this.redraw();
   }
+
+  /// A law that somebody typed is a model until another one is; none is typed: there is none.
+  define(text, values = []) {
+    const {state} = this, says = document.getElementById('law-says');
+    let law = null;
+    says.textContent = '';
+    try {
+      law = text ? this.engine.define(text) : null;
+      says.textContent = law ? law.warnings.join(' ') : '';
+    } catch (error) {
+      says.textContent = error.message.replace(/^law:1:(\d+): /, 'Character $1: ');
+      return;
+    }
+    this.own = law;
+    this.field.value = state.law = text;
+    state.own = law ? law.parameters.map(({start, lower, upper}, i) => values[i] >= lower && values[i] <= upper ? values[i] : start) : [];
+    const fitted = document.getElementById('own-fitted'), box = fitted.firstChild;
+    fitted.hidden = !law;
+    if (!law || box.value !== law.model) box.checked = Boolean(law);
+    box.value = law ? law.model : '';
+    this.makeOwnSliders();
+    this.schedule();
+  }
+
+  makeOwnSliders() {
+    const form = document.getElementById('own-sliders'), {state} = this;
+    form.textContent = '';
+    (this.own?.parameters ?? []).forEach(({name, lower, upper}, i) => {
+      const logarithmic = lower > 0 && upper > 20 * lower, box = document.createElement('div');
+      box.className = 'slider model';
+      box.style.setProperty('--own', `var(--color-${ownColor})`);
+      box.innerHTML = `<label for="own-${i}">${name} of your own law</label>
+        <span class="value"><input type="number" step="any" aria-label="${name} of your own law"></span>
+        <input type="range" id="own-${i}" min="0" max="1000" step="1">`;
+      const [number, range] = [box.querySelector('input[type=number]'), box.querySelector('input[type=range]')];
+      const show = () => {
+        number.value = shown(state.own[i], 5);
+        range.value = 1000 * (logarithmic ? Math.log(state.own[i] / lower) / Math.log(upper / lower) : (state.own[i] - lower) / (upper - lower));
+        range.setAttribute('aria-valuetext', shown(state.own[i]));
+      };
+      const set = value => {
+        if (Number.isFinite(value)) state.own[i] = Math.min(Math.max(Number(value.toPrecision(6)), lower), upper);
+        show();
+        this.schedule();
+      };
+      range.addEventListener('input', () => set(logarithmic ? lower * (upper / lower) ** (range.value / 1000) : lower + (upper - lower) * range.value / 1000));
+      number.addEventListener('change', () => set(number.value.trim() === '' ? NaN : Number(number.value)));
+      form.append(box);
+      show();
+    });
+  }
+
+  takeOwn(values) {
+    if (!values.every(Number.isFinite)) return;
+    this.state.own = values;
+    this.makeOwnSliders();
+  }
+
+  /// What a model is called, and its colour.
+  title(model) { return model === this.own?.model ? 'your own law' : `model ${model}`; }
+  tint(model) { return model === this.own?.model ? ownColor : colorOfModel[model]; }
+  parametersOf(model) { return model === this.own?.model ? this.state.own : [this.state[model]]; }
 
   makeSliders() {
     const form = document.getElementById('sliders');
@@ -107,10 +174,10 @@ export class Models {
     const {state} = this;
     clearTimeout(this.saving);
     this.saving = setTimeout(() => write(state), 150);
-    const wanted = models.filter(m => !state.off.has(m));
+    const wanted = [...models.filter(m => !state.off.has(m)), ...(this.own ? [this.own.model] : [])];
     const T_most = Math.max(2 * Math.abs(state.T), 1), P_most = Math.max(2 * Math.abs(state.P), 5);
     try {
-      this.all = this.engine.draw({...this.constants(), P: state.P, T: state.T, T_most, P_most, models: wanted.map(m => ({model: m, parameters: [state[m]]}))});
+      this.all = this.engine.draw({...this.constants(), P: state.P, T: state.T, T_most, P_most, models: wanted.map(m => ({model: m, parameters: this.parametersOf(m)}))});
     } catch (error) {
       document.getElementById('says').textContent = error.message;
       return;
@@ -139,14 +206,14 @@ export class Models {
   }
 
   drawCurve(name) {
-    const {state, all} = this, there = all.filter(one => !one.problem), names = there.map(one => `model ${one.model}`);
+    const {state, all} = this, there = all.filter(one => !one.problem), names = there.map(one => this.title(one.model));
     const what = {
       area: `Contact area against tangential load at P = ${shown(state.P)} mN`,
       toughness: 'Toughness against phase angle',
       displacement: `Tangential load against displacement at P = ${shown(state.P)} mN`,
       radius: `Contact radius against normal load at T = ${shown(state.T)} mN`,
     }[name];
-    this.figures[name].draw(there.flatMap(one => this[name](one, `model ${one.model}`, color(colorOfModel[one.model]))),
+    this.figures[name].draw(there.flatMap(one => this[name](one, this.title(one.model), color(this.tint(one.model)))),
       `${what} for ${names.join(', ') || 'no model'}`, {legend: {data: names}});
   }
 
@@ -160,7 +227,7 @@ export class Models {
   folds(one, name, own, place) {
     return ['load', 'displacement'].map(control => marks(`${one.model}-${control}`, name, one.folds.filter(fold => fold.control === control).map(fold => ({
       value: place(fold),
-      hover: `model ${one.model} jumps under ${control} control:<br>T = ${shown(fold.T)} mN, A = ${shown(fold.A)} mm², u = ${shown(fold.u)} µm<br>to ${fold.jumps_to}`,
+      hover: `${this.title(one.model)} jumps under ${control} control:<br>T = ${shown(fold.T)} mN, A = ${shown(fold.A)} mm², u = ${shown(fold.u)} µm<br>to ${fold.jumps_to}`,
     })), own, control === 'load' ? 'triangle' : 'diamond'));
   }
 
@@ -212,11 +279,14 @@ export class Models {
   }
 
   sentence(one) {
-    if (one.problem) return `Model ${one.model}: ${one.problem}.`;
+    const named = this.title(one.model).replace(/^./, first => first.toUpperCase());
+    if (one.problem) return `${named}: ${one.problem}.`;
     const {state} = this, jump = one.folds.find(fold => fold.control === 'load');
     const beyond = jump ? `beyond its jump, A = ${shown(jump.area_after)} mm² if it slides at that` : 'beyond its last equilibrium';
     const here = one.state ? `A = ${shown(one.state.A)} mm²` : beyond;
-    return `Model ${one.model} (λ = ${shown(state[one.model])}): ${here} at T = ${shown(state.T)} mN; ` +
+    const names = one.model === this.own?.model ? this.own.parameters.map(({name}) => name) : ['λ'];
+    const chosen = this.parametersOf(one.model).map((value, i) => `${names[i]} = ${shown(value)}`).join(', ');
+    return `${named} (${chosen}): ${here} at T = ${shown(state.T)} mN; ` +
       (jump ? `jumps at T = ${shown(jump.T)} mN from ${shown(jump.A)} to ${shown(jump.area_after)} mm².` : `${one.regime.slice(2)}.`);
   }
 }

@@ -31,6 +31,8 @@ export function read() {
     state[q.key] = valid(q, stated.get(q.key)) ?? q.value;
   }
   for (const key of (stated.get('without') ?? '').split('')) state.off.add(key);
+  state.law = stated.get('law') ?? '';
+  state.own = (stated.get('own') ?? '').split(',').filter(Boolean).map(Number);
   state.map = ['a', 'b', 'c'].includes(stated.get('map')) ? stated.get('map') : 'b';
   return state;
 }
@@ -42,6 +44,10 @@ export function write(state) {
   for (const q of quantities) stated.set(q.key, String(state[q.key]));
   if (state.off.size) stated.set('without', [...state.off].sort().join(''));
   stated.set('map', state.map);
+  if (state.law) {
+    stated.set('law', state.law);
+    stated.set('own', state.own.join(','));
+  }
   history.replaceState(null, '', '#' + stated);
   known = location.hash;
 }

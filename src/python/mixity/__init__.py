@@ -16,6 +16,7 @@ What cannot be understood raises :class:`InputError` with the program's sentence
 
 from ._core import InputError, version
 from ._data import Dataset, from_frame, read
+from ._law import Law
 from ._fits import Fit, Fits, Parameter, fit
 from ._mechanics import (
     STATUS,
@@ -37,6 +38,7 @@ __all__ = [
     "Fit",
     "Fits",
     "InputError",
+    "Law",
     "Parameter",
     "Plan",
     "__version__",

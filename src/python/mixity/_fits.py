@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _core
 from ._data import Dataset
+from ._law import Law, define, definitions, key_of
 from ._units import carries_units, plain_array, si_names
 
 
@@ -31,6 +32,10 @@ def _option_text(value):
 
 
 def _model_keys(models):
+    if isinstance(models, Law):
+        return models.key
+    if isinstance(models, (list, tuple)):
+        return [key_of(model) for model in models]
     if not isinstance(models, str) or "," in models:
         return models
     # "abc" are three
@@ -43,8 +48,8 @@ def fit(data, models="abc", *, objective=None, free=None, progress=None, **optio
     Parameters
     ----------
     data : Dataset
-    models : str or list of str
-        "c", "abc", ["a", "bk"].
+    models : str, Law, or list of them
+        "c", "abc", ["a", "bk"], ["c", "power", mixity.Law(...)].
     objective : {"curve", "toughness"}, optional
         Distance from the equilibrium curve in the plane of T and A (the default where there are loads), or
         ln(G_c/G_Ic) against psi.
@@ -320,10 +325,11 @@ class Fits:
 
     # Results are a pure function of data and options: the same numbers to the last bit are found again.
     def __reduce__(self):
-        return _refit, (self.data, self._results.options())
+        return _refit, (self.data, self._results.options(), definitions(self.models))
 
 
-def _refit(data, options):
+def _refit(data, options, laws=()):
+    define(laws)
     return Fits(data, _core.fit(data._core, options, None))
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from . import _core
+from ._law import key_of
 from ._units import carries_units, plain_array
 
 #: What the status arrays mean.
@@ -108,6 +109,7 @@ def area(model, lam, P, T, *, contact=None, out=None, return_status=False):
     >>> area("c", 0.15, 2.0, [0.0, 10.0, 20.0]).round(6).tolist()
     [20.774557, 20.352272, 18.840051]
     """
+    model = key_of(model)
     units = _Units(contact)
     parameters = _parameters(model, lam)
     shape, flat = _flat([*parameters, _scaled("P", P, units.force, contact), _scaled("T", T, units.force, contact)])
@@ -121,6 +123,7 @@ def area(model, lam, P, T, *, contact=None, out=None, return_status=False):
 
 def toughness(model, lam, psi):
     """f = G_c/G_Ic at phase angles psi [rad], 0..pi/2; NaN outside and for ``lam`` out of range."""
+    model = key_of(model)
     parameters = _parameters(model, lam)
     shape, flat = _flat([*parameters, np.asarray(psi, dtype=np.float64)])
     f = np.empty(shape)
@@ -133,6 +136,7 @@ def tangential_load(model, lam, P, A, *, contact=None):
 
     NaN where there is none: an area above that of JKR, or not above that of Hertz. Units as of :func:`area`.
     """
+    model = key_of(model)
     units = _Units(contact)
     parameters = _parameters(model, lam)
     shape, flat = _flat([*parameters, _scaled("P", P, units.force, contact), _scaled("A", A, units.area, contact)])
@@ -146,6 +150,7 @@ def displacement(model, lam, P, T, *, contact=None):
 
     NaN where :func:`area` is.
     """
+    model = key_of(model)
     units = _Units(contact)
     T = _scaled("T", T, units.force, contact)
     A = area(model, lam, _scaled("P", P, units.force, contact), T)
@@ -176,6 +181,7 @@ def folds(model, lam, P, *, control="load", stiffness=0.0, contact=None):
         T, u, A, psi [rad] there, ``met_on`` ("loading" or "reversal"), ``jumps_to``, ``area_after``, ``area_lost``.
         T within 1e-13.
     """
+    model = key_of(model)
     units = _Units(contact)
     found = _core.folds(model, _one_each(lam), float(P) / units.force, control, float(stiffness))
     for fold in found:
@@ -192,6 +198,7 @@ def regime(model, lam, P, *, shear_strength=None, contact=None):
     ``shear_strength`` is tau_0 of T = tau_0 A. Returns a dict: regime, fracture (without a limit to the strength),
     T_end, T_strength, jumps_to.
     """
+    model = key_of(model)
     units = _Units(contact)
     tau0 = None if shear_strength is None else float(shear_strength) / units.stress
     found = _core.regime(model, _one_each(lam), float(P) / units.force, tau0)
@@ -206,6 +213,7 @@ def curve(model, lam, P, *, points=400, contact=None):
 
     Returns a dict of arrays of at least 2 ``points``: phi, T, A, a, u, psi, f, and stable (under load control).
     """
+    model = key_of(model)
     units = _Units(contact)
     found = _core.curve(model, _one_each(lam), float(P) / units.force, int(points))
     found["T"] *= units.force

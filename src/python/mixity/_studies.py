@@ -5,6 +5,7 @@ import numpy as np
 from . import _core
 from ._data import Dataset, _made
 from ._fits import _model_keys
+from ._law import define, definitions, key_of
 from ._units import constant_text, plain_array
 
 
@@ -42,6 +43,7 @@ class Plan:
     """
 
     def __init__(self, model, lam, loads=(), *, points=25, reach=0.9, sigma_T="1%", sigma_A="1%", **constants):
+        model = key_of(model)
         parameters = [float(one) for one in (lam if isinstance(lam, tuple) else (lam,))]
         stated = [(key, constant_text(key, value)) for key, value in constants.items()]
         if points != int(points) or points < 1:
@@ -54,7 +56,7 @@ class Plan:
         self._core = _made(_core.Plan, self._given)
 
     def __reduce__(self):
-        return _plan_again, (self._given,)
+        return _plan_again, (self._given, definitions([self._given[0]]))
 
     @property
     def loads(self):
@@ -103,7 +105,8 @@ class Plan:
         return self._core.experiments(seed, int(count), _keys(rivals), progress or None)
 
 
-def _plan_again(given):
+def _plan_again(given, laws=()):
+    define(laws)
     model, parameters, stated, loads, points, reach, sigma_T, sigma_A = given
     return Plan(
         model, tuple(parameters), loads, points=points, reach=reach, sigma_T=sigma_T, sigma_A=sigma_A, **dict(stated)

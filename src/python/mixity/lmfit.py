@@ -6,6 +6,7 @@ import lmfit
 import numpy as np
 
 from . import _core
+from ._law import key_of
 from .scipy import areas_to_the_fold, slopes
 
 
@@ -66,6 +67,7 @@ def model(key, *, contact=None):
     from . import _mechanics
 
     units = _mechanics._Units(contact)
+    key = key_of(key)
     if key not in _core.model_keys():
         raise _core.InputError(f"there is no model '{key}'; there are {', '.join(_core.model_keys())}")
     names = [_python_name(name) for name in _core.parameter_names(key)]

@@ -3,6 +3,7 @@
 import numpy as np
 
 from . import _core, _mechanics
+from ._law import key_of
 
 
 def residuals(model, P, T, A, *, sigma=None, contact=None):
@@ -10,7 +11,7 @@ def residuals(model, P, T, A, *, sigma=None, contact=None):
 
     Parameters
     ----------
-    model : str
+    model : str or Law
     P, T, A : array_like, shape (n,)
         Dimensionless, or SI with ``contact``.
     sigma : array_like, optional
@@ -31,6 +32,7 @@ def residuals(model, P, T, A, *, sigma=None, contact=None):
     >>> float(np.round(least_squares(fun, [0.1], jac, bounds=(0, 1)).x[0], 10))
     0.15
     """
+    model = key_of(model)
     units = _mechanics._Units(contact)
     P, T, A = np.broadcast_arrays(
         _mechanics._scaled("P", P, units.force, contact),

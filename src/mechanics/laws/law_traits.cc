@@ -1,0 +1,218 @@
+#include "mechanics/laws/law_traits.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/constants.h"
+
+namespace mixity {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::string shown(double value, int digits = 3) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
+}
+
+std::string degrees(double psi) { return shown(psi * 180 / pi<double>(), 4) + " deg"; }
+
+std::string shown(const LawTraits& traits) {
+  std::string text;
+  for (std::size_t i = 0; i < traits.count; ++i)
+    text += (i == 0 ? "" : ", ") + traits.law->definition().parameters[i].name + " = " + shown(traits.p[i]);
+  return text;
+}
+
+/// 1 - f''/2 at psi = 0.
+double limit_of_small_shear(const ExpressionLaw& law, std::span<const Taylor> p, const Taylor& f) {
+  if (std::abs(f.first) > 1e-12) return f.first > 0 ? -kInfinity : kInfinity;
+  if (!std::isnan(f.second)) return 1 - 0.5 * f.second;
+  // no second derivative, such as that of an equation in powers: from a shear that is small
+  return reduced_shear(law, p, kSmallShear, 1).value / (kSmallShear * kSmallShear);
+}
+
+/// Logarithms of the sums of moduli of tau^2's second derivatives that curve_distance takes (nearest_proof.h), on the
+/// unit circle in y and T.
+struct Bend {
+  double psi = 0, TT = 0, yT = 0, yy = 0;
+};
+
+Bend bend_of(const Taylor& f, double psi, double s, double c) {
+  // along y at fixed T: psi' = -s, psi'' = 2 s c
+  const Taylor along{f.value, -s * f.first, s * s * f.second + 2 * s * c * f.first}, y{c, 1, 0};
+  const Taylor tau2 = (y * y + Taylor(s * s)) / along - y * y;
+  const double m1 = std::abs(tau2.first), m2 = std::abs(tau2.second);
+  // what is far less than the others is rounding, and does not count beside them
+  const double TT = (2 * (tau2.value + c * m1) + c * c * m2) / (s * s), least = 1e-3 * (TT + 1e-3);
+  return {psi, std::log(TT), std::log(std::max((m1 + c * m2) / s, least)),
+          std::log(std::max(m2 + m1 / (c + s), least))};
+}
+
+/// Twice the largest of them; infinite where one rises towards an end.
+ShearBend bend_everywhere(std::span<const Bend> bends) {
+  const auto bound = [&](double Bend::*sum) {
+    const Bend &first = bends[0], &second = bends[1], &last = bends.back(), &before = bends[bends.size() - 2];
+    if (!(first.*sum <= second.*sum + 0.01 && last.*sum <= before.*sum + 0.01)) return kInfinity;
+    double most = -kInfinity;
+    for (const Bend& one : bends) most = std::max(most, one.*sum);
+    return 2 * std::exp(most);
+  };
+  return {bound(&Bend::TT), bound(&Bend::yT), bound(&Bend::yy)};
+}
+
+/// How fast the sums change with dT/(T + T_part y) where T < y, and with dy/(y + y_part T) where y < T: the larger the
+/// part, the further a step reaches.
+ShearReach reach_of(std::span<const Bend> bends) {
+  constexpr double kAllowed = 4.4;  // of d ln(sum) for a way of 1: (1 + 8 w)^2 is exp(2 * 4.4 w) at w = 1/4
+  ShearReach reach{1, 0, 0};
+  for (const bool steep : {false, true}) {
+    double& chosen = steep ? reach.y_part : reach.T_part;
+    for (const double part : {1.0, 0.3, 0.1, 0.03, 0.01, 0.0}) {
+      double fastest = 0;
+      for (std::size_t i = 0; i + 1 < bends.size(); ++i) {
+        const Bend &one = bends[i], &next = bends[i + 1];
+        const double psi = 0.5 * (one.psi + next.psi);
+        if ((psi > 0.25 * pi<double>()) != steep) continue;
+        const double near = steep ? std::cos(psi) : std::sin(psi), far = steep ? std::sin(psi) : std::cos(psi);
+        const double way = (next.psi - one.psi) / (far * (near + part * far));
+        for (const double change : {next.TT - one.TT, next.yT - one.yT, next.yy - one.yy})
+          if (!(std::abs(change) <= fastest * way)) fastest = std::abs(change) / way;
+      }
+      chosen = part;
+      if (2 * fastest <= kAllowed) break;
+      if (part == 0) reach.narrow = std::max(reach.narrow, 2 * fastest / kAllowed);
+    }
+  }
+  return reach;
+}
+
+}  // namespace
+
+ExpressionLaw::State along_angle(double s, double c) { return {{std::atan2(s, c), 1, 0}, {s, c, -s}, {c, -s, -c}}; }
+
+ShearTerm<double> reduced_shear(const ExpressionLaw& law, std::span<const Taylor> p, double s, double c) {
+  c = std::max(c, kLeastCosine);
+  const double turn = -s, bend = 2 * s * c;  // of psi in y/r
+  const ExpressionLaw::State state{{law.uses_psi() ? std::atan2(s, c) : 0, turn, bend},
+                                   {s, c * turn, c * bend - s * turn * turn},
+                                   {c, -s * turn, -s * bend - c * turn * turn}};
+  const Taylor y{c, 1, 0}, square = y * y, sum = square + Taylor(s * s);
+  const Taylor tau2 = sum / law.toughness(state, p) - square;
+  return {tau2.value, tau2.first, tau2.second};
+}
+
+std::string_view LawTraits::obstacle() const {
+  if (undefined_at) return "the law is not a positive number at every phase angle, with these parameters";
+  if (!(small_shear >= 0) || folded_at)
+    return "the law defines no unique equilibrium with these parameters: (1 + tan^2 psi)/f does not grow with psi";
+  return {};
+}
+
+LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters, bool with_rounding) {
+  LawTraits traits;
+  traits.law = &law;
+  traits.count = parameters.size();
+  std::copy(parameters.begin(), parameters.end(), traits.p.begin());
+  std::array<Taylor, ExpressionLaw::kMostParameters> numbers;
+  std::copy(parameters.begin(), parameters.end(), numbers.begin());
+  const std::span<const Taylor> p(numbers.data(), parameters.size());
+  const Taylor start = law.toughness(along_angle(0, 1), p);
+  traits.f0 = start.value;
+  traits.small_shear = limit_of_small_shear(law, p, start);
+  // where f has grown beyond measure, as tan^2 psi, tau/y has come to a limit
+  if (law.toughness(along_angle(1, kLeastCosine), p).value > 1e30)
+    traits.shear_limit = reduced_shear(law, p, 1, kLeastCosine).value / (kLeastCosine * kLeastCosine);
+  traits.small_value = traits.small_shear * kSmallShear * kSmallShear;
+  if (traits.small_shear == kInfinity) {
+    const auto at = [&](double t) { return reduced_shear(law, p, t, 1).value; };
+    traits.small_value = at(kSmallShear);
+    traits.small_power = std::log2(at(2 * kSmallShear) / traits.small_value);
+  }
+  constexpr int kPlaces = 48;
+  std::array<Bend, kPlaces - 1> bends;
+  for (int i = 1; i < kPlaces; ++i) {
+    const double psi = 0.25 * pi<double>() * (1 - std::cos(pi<double>() * i / kPlaces));
+    const double s = std::sin(psi), c = std::cos(psi);
+    const Taylor f = law.toughness(along_angle(s, c), p);
+    if (!(f.value > 0 && f.value < kInfinity)) {
+      traits.undefined_at = psi;
+      return traits;
+    }
+    // the slope of ln((1 + tan^2 psi)/f), to its rounding
+    const double growth = 2 * s / c, decline = f.first / f.value;
+    if (!traits.folded_at && !(growth - decline >= -1e-11 * (growth + std::abs(decline)))) {
+      traits.folded_at = psi;
+      traits.folded_g = 1 / (c * c * f.value);
+    }
+    // d(tau^2)/dy = 2 y (1/f - 1) + (y^2 + T^2) f' sin psi/(f^2 r)
+    if (!(2 * c * (1 / f.value - 1) + s * f.first / (f.value * f.value) >= -1e-12)) traits.tau_grows = false;
+    bends[static_cast<std::size_t>(i - 1)] = bend_of(f, psi, s, c);
+    if (!with_rounding) continue;
+    const Taylor of_psi = law.toughness({{psi, 1, 0}, Taylor(s), Taylor(c)}, p);
+    const double rounding = std::abs(of_psi.first / f.value) * psi * 0.5 * std::numeric_limits<double>::epsilon();
+    if (rounding > traits.rounding) {
+      traits.rounding = rounding;
+      traits.rounding_at = psi;
+    }
+  }
+  if (!traits.obstacle().empty()) return traits;
+  traits.reach = reach_of(bends);
+  traits.bend = bend_everywhere(bends);
+  return traits;
+}
+
+LawCheck check_law(const ExpressionLaw& law) {
+  LawCheck check;
+  const std::vector<LawParameter>& parameters = law.definition().parameters;
+  const std::size_t n = parameters.size(), each = n == 1 ? 17 : n == 2 ? 7 : 5;
+  std::size_t tried = 0, folded = 0;
+  std::optional<LawTraits> first_fold;
+  LawTraits roundest;
+  const std::size_t count = static_cast<std::size_t>(std::pow(each, n));
+  for (std::size_t k = 0; k <= count; ++k) {
+    std::vector<double> p;
+    for (std::size_t i = 0, rest = k; i < n; ++i, rest /= each) {
+      const double share = static_cast<double>(rest % each) / static_cast<double>(each - 1);
+      p.push_back(k == count ? parameters[i].start
+                             : parameters[i].lower + share * (parameters[i].upper - parameters[i].lower));
+    }
+    const LawTraits traits = traits_of(law, p, true);
+    const std::string there = " with " + shown(traits);
+    if (!(std::abs(traits.f0 - 1) <= 1e-9)) {
+      check.error = "f at psi = 0 is " + shown(traits.f0) + there + ", not 1" +
+                    (std::isfinite(traits.f0) && traits.f0 > 0 ? "; normalised = true divides f by it" : "");
+      return check;
+    }
+    if (traits.undefined_at) {
+      check.error = "f is not a positive number at psi = " + degrees(*traits.undefined_at) + there +
+                    ": narrow the ranges of the parameters, or mend the law";
+      return check;
+    }
+    ++tried;
+    if (!traits.obstacle().empty()) {
+      ++folded;
+      if (!first_fold) first_fold = traits;
+    }
+    if (traits.rounding > roundest.rounding) roundest = traits;
+  }
+  if (first_fold && folded == tried) {
+    check.error = "no parameters in their ranges give a unique equilibrium: (1 + tan^2 psi)/f must grow with psi";
+  } else if (first_fold) {
+    // tau/y is at most S0/sqrt(-6 pi P) on the circle of a load P < 0
+    const double psi = first_fold->folded_at.value_or(0), g = first_fold->folded_g;
+    check.warnings.push_back("no unique equilibrium in " + std::to_string(folded) + " of " + std::to_string(tried) +
+                             " parts of the parameters' ranges, which fits keep off: first with " + shown(*first_fold) +
+                             ", from psi = " + degrees(psi) + " on, at " +
+                             (g > 1 ? "loads above P = " + shown(-1.5 * pi<double>() / g) + " R G_Ic" : "every load"));
+  }
+  if (roundest.rounding > 1e-13)
+    check.warnings.push_back("near psi = " + degrees(roundest.rounding_at) + " f is known to " +
+                             shown(roundest.rounding) + " of itself, as it is computed from psi, which is rounded: t " +
+                             "for tan psi and B for sin^2 psi are exact");
+  return check;
+}
+
+}  // namespace mixity
