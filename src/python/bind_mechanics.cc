@@ -51,7 +51,7 @@ Control control_of(const std::string& kind, double stiffness) {
 void bind_mechanics(nb::module_& m) {
   m.def("model_keys", &model_keys);
   m.def("provide_law", [](const std::string& key) { provide_law(key); });
-  m.def("law_definition", [](const std::string& key) {  // as define_law takes it; None of other models
+  m.def("law_definition", [](const std::string& key) {  // None of other models
     const auto law = find_law(key);
     if (!law) return nb::object(nb::none());
     const LawDefinition& definition = law->definition();

@@ -106,6 +106,25 @@ async function main() {
   expect([...text.matchAll(/"T":\s*([0-9.e+-]+)/g)].some(match => near(jump.T, Number(match[1]), 1e-12) || near(jump.T * 1e-3, Number(match[1]), 1e-12)), `the jump at T = ${jump.T} mN is not the program's: ${text.slice(0, 400)}`);
   if (shots) await page.screenshot({path: path.join(shots, 'models.png'), fullPage: true});
 
+  // a law of one's own: wrong, then right, with sliders, in the address, the same numbers as the published one that it is
+  await page.fill('#law', '1 + (1-l)*u^2; l=0..1');
+  await page.press('#law', 'Enter');
+  expect((await page.textContent('#law-says')).startsWith("Character 11: 'u' is not known"), `a wrong law: ${await page.textContent('#law-says')}`);
+  await page.fill('#law', '1/(1 + (l-1)*sin(psi)^2); l=0..1');
+  await page.press('#law', 'Enter');
+  await page.waitForFunction(() => document.getElementById('says').textContent.includes('Your own law (l = '));
+  const twice = await page.evaluate(() => {
+    const {models} = window.explorer;
+    models.state.own = [models.state.c];
+    models.redraw();
+    return models.all.slice(-2).map(one => one.folds.find(fold => fold.control === 'load').T);
+  });
+  expect(near(twice[0], twice[1], 1e-12), `the typed law jumps at ${twice[1]} mN, model c at ${twice[0]}`);
+  await page.focus('#own-0');
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction(() => decodeURIComponent(location.hash).includes('law=1/(1'));
+  if (shots) await page.screenshot({path: path.join(shots, 'law.png'), fullPage: true});
+
   // a file of one's own
   const file = await dropAndFit(page);
   const ours = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);

@@ -43,8 +43,8 @@ struct Taylor {
             x.second * y.value + 2 * x.first * y.first + x.value * y.second};
   }
   friend Taylor operator/(const Taylor& x, const Taylor& y) {
-    const double value = x.value / y.value, first = (x.first - value * y.first) / y.value;
-    return {value, first, (x.second - 2 * first * y.first - value * y.second) / y.value};
+    const double inverse = 1 / y.value, value = x.value / y.value, first = (x.first - value * y.first) * inverse;
+    return {value, first, (x.second - 2 * first * y.first - value * y.second) * inverse};
   }
 
   // Order and equality are those of the values.

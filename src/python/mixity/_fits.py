@@ -325,7 +325,7 @@ class Fits:
 
     # Results are a pure function of data and options: the same numbers to the last bit are found again.
     def __reduce__(self):
-        return _refit, (self.data, self._results.options(), definitions(self.models))
+        return _refit, (self.data, self._results.options(), definitions(self.keys()))
 
 
 def _refit(data, options, laws=()):
