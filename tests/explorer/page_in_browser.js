@@ -124,6 +124,8 @@ async function main() {
   await page.keyboard.press('ArrowRight');
   await page.waitForFunction(() => decodeURIComponent(location.hash).includes('law=1/(1'));
   if (shots) await page.screenshot({path: path.join(shots, 'law.png'), fullPage: true});
+  await page.fill('#law', '');
+  await page.press('#law', 'Enter');
 
   // a file of one's own
   const file = await dropAndFit(page);
@@ -136,6 +138,20 @@ async function main() {
   };
   ours.forEach((fit, i) => same(fit, theirs[i], 'dropped'));
   if (shots) await page.screenshot({path: path.join(shots, 'fit.png'), fullPage: true});
+
+  // with a law of one's own beside them, which its definition states
+  await page.fill('#law', '1/(1 + (l-1)*sin(psi)^2); l=0..1');
+  await page.press('#law', 'Enter');
+  await page.click('#constants button');
+  await page.waitForFunction(() => window.explorer.experiment.result?.fits.datasets[0].fits.length === 4);
+  const withOwn = await page.evaluate(() => window.explorer.experiment.result);
+  const lambda = fit => Object.values(fit.parameters)[0].value, [published, typed] = withOwn.fits.datasets[0].fits.slice(-2);
+  expect(near(lambda(typed), lambda(published), 1e-8), `typed: ${lambda(typed)}, published: ${lambda(published)}`);
+  expect(withOwn.definition.includes('[laws.'), 'the definition states the law');
+  await page.fill('#law', '');
+  await page.press('#law', 'Enter');
+  await page.click('#constants button');
+  await page.waitForFunction(() => window.explorer.experiment.result?.fits.datasets[0].fits.length === 3);
 
   // cropped, by field and by dragging
   await page.selectOption('#run', '2');

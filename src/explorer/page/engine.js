@@ -1,12 +1,16 @@
-// The engine: its script is in the page, compressed.
+// The engine: its script and what was compiled are in the page, compressed.
+
+function unpacked(id) {
+  const packed = Uint8Array.from(atob(document.getElementById(id).textContent.trim()), c => c.charCodeAt(0));
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
+}
 
 /// The engine's functions, each with a text of JSON answered as an object, or throwing the engine's sentence.
 export async function loadEngine() {
-  const packed = Uint8Array.from(atob(document.getElementById('engine').textContent.trim()), c => c.charCodeAt(0));
   const script = document.createElement('script');
-  script.textContent = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
+  script.textContent = await unpacked('engine').text();
   document.head.append(script);
-  const engine = await window.mixity();
+  const engine = await window.mixity({wasmBinary: await unpacked('compiled').arrayBuffer()});
   const asked = text => {
     const told = JSON.parse(text);
     // what is said of flags is said of fields here

@@ -15,6 +15,7 @@
 #define exprtk_disable_rtl_vecops
 #define exprtk_disable_sc_andor
 #define exprtk_disable_string_capabilities
+#define exprtk_disable_superscalar_unroll
 
 #include "mechanics/laws/taylor.h"
 
