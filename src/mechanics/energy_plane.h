@@ -87,9 +87,16 @@ class EnergyLaw {
     return std::pow((q.G_I - t.G_I) / t.sigma_I, 2) + std::pow((q.G_II - t.G_II) / t.sigma_II, 2);
   }
 
+  /// Those that every search goes over, found when the first one comes to them.
+  const Nearest& node(int i) const {
+    for (; known_ <= i; ++known_)
+      nodes_[static_cast<std::size_t>(known_)] =
+          at(known_ < kNodes ? std::pow(std::sin(0.5 * pi<double>() * known_ / kNodes), 2) : 1 - 1e-12);
+    return nodes_[static_cast<std::size_t>(i)];
+  }
+
   Nearest find(const Target& target) const {
     // Nodes even in psi, up to where the energies are finite; each sign change of the slope from - to + is a minimum.
-    const auto node = [&](int i) { return at(std::pow(std::sin(0.5 * pi<double>() * i / kNodes), 2)); };
     // (bk with eta < 1 leaves psi = 0 with an infinite slope: a corner)
     Nearest best = std::isfinite(slope_at_mode_I_) ? node(0) : at(kCorner), before = best;
     best.at_end = true;
@@ -103,7 +110,7 @@ class EnergyLaw {
       }
     }
     for (int i = 1; i <= kNodes; ++i) {
-      Nearest here = i < kNodes ? node(i) : at(1 - 1e-12);
+      Nearest here = node(i);
       if (!std::isfinite(here.G_II + here.d_I + here.d_II)) break;
       const double next = half_slope(target, here);
       if (slope < 0 && next >= 0) {
@@ -128,6 +135,8 @@ class EnergyLaw {
     return best;
   }
 
+  mutable std::array<Nearest, kNodes + 1> nodes_;
+  mutable int known_ = 0;
   Parameters<Model> p_;
   double slope_at_mode_I_;  // dG_I/dG_II there
 };

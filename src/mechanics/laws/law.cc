@@ -113,9 +113,15 @@ Taylor ExpressionLaw::value(const State& state, std::span<const Taylor> paramete
   const Taylor sine = constant(state.sin.value), cosine = constant(state.cos.value);
   const auto at = [&](double q) { return left({q, 1, 0}, sine, cosine); };
   constexpr double kFar = 600;
-  Taylor here = at(0);
-  double q = 0, low = -kFar, high = kFar;
-  if (here.value != 0) {
+  // a gradient asks for one state several times
+  thread_local std::array<double, kBefore + kMostParameters + 1> solved{};
+  thread_local double root = 0;
+  std::array<double, kBefore + kMostParameters + 1> asked{static_cast<double>(number_)};
+  for (std::size_t i = 0; i < variables.size(); ++i) asked[i + 1] = variables[i].value;
+  const bool again = asked == solved;
+  Taylor here = at(again ? root : 0);
+  double q = again ? root : 0, low = -kFar, high = kFar;
+  if (!again && here.value != 0) {
     double step = 0.25, beyond = 0;
     bool enclosed = false;
     // outwards on both sides, the nearer root first
@@ -136,12 +142,15 @@ Taylor ExpressionLaw::value(const State& state, std::span<const Taylor> paramete
       (std::signbit(here.value) == rises ? low : high) = q;
       double next = q - here.value / here.first;
       if (!(next > low && next < high)) next = 0.5 * (low + high);
-      const bool settled = std::abs(next - q) <= 1e-16 * std::max(1.0, std::abs(q)) || next == low || next == high;
+      const bool settled = std::abs(next - q) <= 1e-9 * std::max(1.0, std::abs(q)) || next == low || next == high;
       q = next;
       if (settled) break;
     }
     here = at(q);
+    if (const double last = here.value / here.first; std::abs(last) < 1e-6 * std::max(1.0, std::abs(q))) q -= last;
   }
+  solved = asked;
+  root = q;
   // q along the direction: what is left of the equation at each order, over its slope in q
   variables = moving;
   const double first = -left({q, 0, 0}, state.sin, state.cos).first / here.first;
