@@ -127,15 +127,22 @@ ChangePoint beginning_of_fall(const Course& course, std::size_t begin, std::size
   const PartialSums sums(*course.values, begin, end);
   const std::size_t middle = about.at + 1, first = std::max(middle, begin + kLeast + reach) - reach,
                     last = std::min(middle + reach, end - kLeast);
+  struct Behind {
+    double level, squares;  // of the line from there on: its value there, and what is left about it
+  };
+  std::vector<Behind> behind;
+  for (std::size_t low = first; low <= last; ++low)
+    behind.push_back({sums.line(low, end).at(low - begin), sums.about_line(low, end)});
   std::vector<double> costs;
   for (std::size_t fall = first; fall <= last; ++fall) {
     const double before = sums.about_line(begin, fall);
     const double top = sums.line(begin, fall).at(fall - 1 - begin);
     double least = kUnbounded;
     for (std::size_t low = std::max(fall, middle); low <= last; ++low) {
-      const double slope = (sums.line(low, end).at(low - begin) - top) / static_cast<double>(low - fall + 1);
+      const Behind& rest = behind[low - first];
+      const double slope = (rest.level - top) / static_cast<double>(low - fall + 1);
       const Line between{top - slope * static_cast<double>(fall - 1 - begin), slope};
-      least = std::min(least, sums.about_given(between, fall, low) + sums.about_line(low, end));
+      least = std::min(least, sums.about_given(between, fall, low) + rest.squares);
     }
     costs.push_back((before + least) / (course.noise * course.noise));
   }
