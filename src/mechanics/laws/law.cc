@@ -6,6 +6,8 @@
 #include <mutex>
 #include <regex>
 
+#include "mechanics/laws/law_traits.h"
+
 namespace mixity {
 namespace {
 
@@ -169,7 +171,7 @@ double ExpressionLaw::toughness(double psi, std::span<const double> parameters) 
   std::array<Taylor, kMostParameters> p;
   std::copy(parameters.begin(), parameters.end(), p.begin());
   const Mixity<double> mixity = mixity_from_angle(psi);
-  return toughness({constant(psi), constant(mixity.sin), constant(std::max(mixity.cos, 1e-20))},
+  return toughness({constant(psi), constant(mixity.sin), constant(std::max(mixity.cos, kLeastCosine))},
                    std::span<const Taylor>(p.data(), parameters.size()))
       .value;
 }

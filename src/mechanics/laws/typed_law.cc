@@ -36,13 +36,13 @@ ShearTerm<double> shear_term(std::span<const double> p, double y, double T) {
     const double value = known.small_value * y * y * (k == 2 ? t * t : std::pow(t, k));
     return {value, (2 - k) * value / y, (2 - k) * (1 - k) * value / (y * y)};
   }
+  if (y < kLeastCosine * T) {
+    const double limit = traits(p).shear_limit;
+    if (limit < std::numeric_limits<double>::infinity()) return {limit * y * y, 2 * limit * y, 2 * limit};
+  }
   Numbers numbers;
   const double squares = y * y + T * T, r = squares > 1e-280 ? std::sqrt(squares) : std::hypot(y, T);
   const ShearTerm<double> reduced = reduced_shear(*current_law(), constants(p, numbers), T / r, y / r);
-  if (y < kLeastCosine * T && traits(p).shear_limit < std::numeric_limits<double>::infinity()) {
-    const double limit = traits(p).shear_limit;
-    return {limit * y * y, 2 * limit * y, 2 * limit};
-  }
   return {r * r * reduced.value, r * reduced.d1, reduced.d2};
 }
 
