@@ -231,11 +231,9 @@ Overrides metadata_overrides() {
 
 void require_model(const std::string& flag, const std::string& key) {
   provide_law(key);
+  if (is_model(key)) return;
   std::string known;
-  for (const std::string& candidate : known_models()) {
-    if (candidate == key) return;
-    known += (known.empty() ? "" : ", ") + candidate;
-  }
+  for (const std::string& candidate : known_models()) known += (known.empty() ? "" : ", ") + candidate;
   throw UsageError("flag '--" + flag + "': " + (key.empty() ? "no model" : "unknown model '" + key + "'") +
                    " (known: " + known + ")");
 }

@@ -90,11 +90,10 @@ Complaint set_error(std::string_view text, std::optional<StatedError>& error) {
 
 Complaint set_models(std::string_view text, FitJob& job) {
   job.models.clear();
-  const std::vector<std::string> known = known_models();
   return for_each_item(text, [&](const std::string& model) -> Complaint {
     provide_law(model);
-    if (std::find(known.begin(), known.end(), model) == known.end())
-      return "names the unknown model " + in_quotes(model) + " (known: " + listed(known) + ")";
+    if (!is_model(model))
+      return "names the unknown model " + in_quotes(model) + " (known: " + listed(known_models()) + ")";
     job.models.push_back(model);
     return {};
   });

@@ -10,6 +10,7 @@
 #include "dataset/trim.h"
 #include "fitting/options.h"
 #include "mechanics/laws/law_traits.h"
+#include "mechanics/registry.h"
 
 namespace mixity {
 
@@ -24,8 +25,7 @@ struct Failure {
 
 /// The law, defined and checked, or why not.
 std::optional<DefinedLaw> define(const LawDefinition& definition, Failure& failure) {
-  const std::vector<std::string> known = model_keys();
-  if (!find_law(definition.key) && std::find(known.begin(), known.end(), definition.key) != known.end()) {
+  if (!find_law(definition.key) && is_model(definition.key)) {
     failure = {{}, "'" + definition.key + "' is one of the published models: choose another key"};
     return std::nullopt;
   }
@@ -220,8 +220,12 @@ std::string law_toml(const LawDefinition& law) {
   return text + (law.normalised ? "normalised = true\n" : "");
 }
 
+bool is_model(std::string_view key) {
+  return with_model(key, [](auto) {});
+}
+
 void provide_law(std::string_view key) {
-  if (find_law(key)) return;
+  if (is_model(key)) return;  // the file is read only where it is needed
   const auto found = shipped().find(key);
   if (found != shipped().end()) TomlReader("data/laws.toml").define_one(found->first, found->second);
 }
@@ -253,10 +257,11 @@ const std::vector<ShippedLaw>& shipped_laws() {
 }
 
 bool is_shipped(const ExpressionLaw& law) {
-  const std::vector<ShippedLaw>& laws = shipped_laws();
-  return std::any_of(laws.begin(), laws.end(), [&](const ShippedLaw& one) {
-    return one.key == law.definition().key && one.shown == law.shown().substr(0, one.shown.size());
-  });
+  const std::string& key = law.definition().key;
+  const auto found = shipped().find(key);
+  if (found == shipped().end()) return false;
+  const std::string path = "data/laws.toml";
+  return law_toml(TomlReader(path).read(found->first, found->second)) == law_toml(law.definition());
 }
 
 }  // namespace mixity

@@ -18,9 +18,9 @@ struct DefinedLaw {
   std::vector<std::string> warnings{};
 };
 
-/// "mine: 1 + (1-l)*tan(psi)^2; l=0..1", or without a key, which then is law_1, law_2, ...; "mine: 1 + p*t^n; p=0..1, n=0.5..4 start 2; normalised". `what` names the text
-/// in messages. Throws InputError, with the column in the text, for what is no such law, fails a check (law_traits.h),
-/// or has the key of another model.
+/// "mine: 1 + (1-l)*tan(psi)^2; l=0..1", "mine: 1 + p*t^n; p=0..1, n=0.5..4 start 2; normalised", or without a key,
+/// which then is law_1, law_2, ... `what` names the text in messages. Throws InputError, with the column in the text,
+/// for what is no such law, fails a check (law_traits.h), or has the key of another model.
 DefinedLaw define_law_text(const std::string& what, std::string_view text);
 
 /// Only what the text says; `expression_at`: where its expression begins. Throws InputError for what has not this form.
@@ -39,6 +39,9 @@ std::string law_toml(const LawDefinition& law);
 
 /// Where nothing is said of it: the middle of a range, in the logarithm of one over decades.
 double usual_start(double lower, double upper);
+
+/// Whether a model, published or defined, has this key.
+bool is_model(std::string_view key);
 
 /// Makes a law of data/laws.toml a model, if it has one of this key and it is none yet.
 void provide_law(std::string_view key);
