@@ -6,7 +6,7 @@
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
 #include "cli/usage_error.h"
-#include "dataset/input_error.h"
+#include "dataset/missing_constants.h"
 #include "dataset/pooled.h"
 #include "fitting/unsheared.h"
 #include "report/check_text.h"
@@ -24,21 +24,36 @@ std::optional<UnshearedTest> unsheared_if_errors_allow(const Dataset& data) {
   }
 }
 
+/// With values for constants that are not known: how a file is read does not depend on them.
+Overrides with_some(const std::vector<std::string>& constants, Overrides stated) {
+  for (const std::string& name : constants)
+    stated.emplace_back(name, name == "radius" ? "1 mm" : name == "modulus" ? "1 MPa" : "1 J/m^2");
+  return stated;
+}
+
 }  // namespace
 
 int run_check(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("check needs a data CSV (see mixity help check)");
   const Overrides overrides = data_overrides();
-  std::string text;
   bool usable = true;
-  const auto check = [&](const Dataset& data) {
-    usable &= !data.points.empty();
-    text += (text.empty() ? "" : "\n") + check_text(data, unsheared_if_errors_allow(data));
+  std::string text;
+  const auto check = [&](const auto& load) {
+    if (!text.empty()) text += '\n';
+    try {
+      const Dataset data = load(overrides);
+      usable &= !data.points.empty();
+      text += check_text(data, unsheared_if_errors_allow(data));
+    } catch (const MissingConstants& error) {
+      std::cout << text << reading_text(load(with_some(error.names, overrides))) << std::flush;
+      throw;
+    }
   };
   if (FLAGS_pool)
-    check(load_pooled(pooled_files(arguments), overrides));
+    check([files = pooled_files(arguments)](const Overrides& constants) { return load_pooled(files, constants); });
   else
-    for (const std::string& path : arguments) check(load_dataset(path, overrides));
+    for (const std::string& path : arguments)
+      check([&path](const Overrides& constants) { return load_dataset(path, constants); });
   std::cout << text;
   return usable ? kFine : kBadInput;
 }

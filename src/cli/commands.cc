@@ -53,7 +53,9 @@ std::span<const Command> commands() {
        "some.",
        {"paper", "out"}},
       {"check", run_check, "check DATA.csv ... [flags]",
-       "Says what was understood of a data set, and what looks odd in it.", with_metadata_flags({"pool"})},
+       "Says what was understood of a data set, and what looks odd in it; how it was read, before its constants are "
+       "known.",
+       with_metadata_flags({"pool"})},
       {"runs", run_runs, "runs LOG.csv [AREAS.csv] [--out=DIR] [--lag=L] [--drift] [--cuts=CUTS.toml] [flags]",
        "Turns a log of forces and areas over time into loading runs: points to be fitted, peaks, figures of the cuts.",
        with_metadata_flags({"out", "lag", "drift", "cuts"})},

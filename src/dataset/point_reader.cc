@@ -5,9 +5,13 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "dataset/energies.h"
 #include "dataset/input_error.h"
+#include "dataset/missing_constants.h"
 #include "dataset/table/number.h"
 #include "mechanics/measurement.h"
 
@@ -68,6 +72,27 @@ std::optional<double> stated_load(const Dataset& data) {
   return data.metadata.load_from.empty() ? data.metadata.load : std::optional(load_in_name(data));
 }
 
+/// The values; throws MissingConstants, which names all that are not stated.
+std::vector<double> demand(const std::vector<std::pair<std::string, std::optional<double>>>& constants,
+                           const std::string& path, const std::string& metadata_path) {
+  std::vector<double> values;
+  std::vector<std::string> missing;
+  std::string names, flags;
+  for (const auto& [name, value] : constants) {
+    values.push_back(value.value_or(0));
+    if (value) continue;
+    names += (names.empty() ? "" : ", ") + name;
+    flags += (flags.empty() ? "--" : ", --") + name + "=...";
+    missing.push_back(name);
+  }
+  if (missing.empty()) return values;
+  const bool several = missing.size() > 1;
+  throw MissingConstants(path,
+                         "needs " + names + " to be made dimensionless: state " + (several ? "them" : "it") + " in " +
+                             metadata_path + " or by " + (several ? "flags" : "a flag") + " (" + flags + ")",
+                         missing);
+}
+
 }  // namespace
 
 PointReader::PointReader(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data)
@@ -87,16 +112,12 @@ PointReader::PointReader(const std::string& metadata_path, const std::vector<Hea
 }
 
 void PointReader::require_constants(const std::string& metadata_path) {
-  const auto demand = [&](std::optional<double> value, const std::string& key) {
-    if (value) return *value;
-    throw InputError(data_.path, "needs " + key + " to be made dimensionless: state it in " + metadata_path +
-                                     " or by a flag (--" + key + "=...)");
-  };
+  const Metadata& stated = data_.metadata;
   if (!data_.has_loads) {
     const Column* Gc = toughness_column();
     if (!Gc || Gc->unit.dimension == dimension::none) return;
-    data_.toughness_known = data_.metadata.toughness || !data_.has_energies;
-    if (data_.toughness_known) ratio_unit_ = demand(data_.metadata.toughness, "toughness");
+    data_.toughness_known = stated.toughness || !data_.has_energies;
+    if (data_.toughness_known) ratio_unit_ = demand({{"toughness", stated.toughness}}, data_.path, metadata_path)[0];
     return;
   }
   const Column* const kind = columns_.find(columns_.has(ColumnId::P) ? ColumnId::P : ColumnId::T);
@@ -104,9 +125,10 @@ void PointReader::require_constants(const std::string& metadata_path) {
     if (load_) throw InputError(data_.path, "states a load in a unit, but its columns have none");
     return;
   }
-  data_.contact =
-      Contact{demand(data_.metadata.radius, "radius"), demand(data_.metadata.plane_strain_modulus(), "modulus"),
-              demand(data_.metadata.toughness, "toughness")};
+  const auto known =
+      demand({{"radius", stated.radius}, {"modulus", stated.plane_strain_modulus()}, {"toughness", stated.toughness}},
+             data_.path, metadata_path);
+  data_.contact = Contact{known[0], known[1], known[2]};
   force_unit_ = data_.contact->force_unit();
   length_unit_ = data_.contact->length_unit();
   if (!data_.contact->usable()) throw InputError(data_.path, "radius, modulus and toughness together are out of range");

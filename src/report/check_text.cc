@@ -12,34 +12,25 @@
 namespace mixity {
 namespace {
 
-void write_curves(std::ostringstream& out, const Dataset& data) {
+void write_curves(std::ostringstream& out, const Dataset& data, bool against_jkr) {
   const auto curves = summarise_curves(data);
   if (curves.empty()) return;
   const DisplayUnits& units = data.display;
   const auto unit = [](const std::string& text) { return text.empty() ? "" : " [" + text + "]"; };
   out << "[[Loading runs]]  P, T" << unit(units.force) << ", A" << unit(units.area)
-      << "; last column: area at the smallest T over JKR's\n";
+      << (against_jkr ? "; last column: area at the smallest T over JKR's\n" : "\n");
   for (const CurveSummary& curve : curves) {
     out << "    " << std::left << std::setw(14) << curve.name << "  P = " << std::setw(10)
         << rounded(curve.P * units.force_scale, 5) << ' ' << std::setw(4) << curve.points
         << " points  T = " << rounded(curve.T_min * units.force_scale, 4) << " .. " << std::setw(9)
         << rounded(curve.T_max * units.force_scale, 4) << "  A = " << rounded(curve.A_min * units.area_scale, 4)
-        << " .. " << std::setw(9) << rounded(curve.A_max * units.area_scale, 4) << ' '
-        << (curve.area_over_jkr ? rounded(*curve.area_over_jkr, 4) : "-") << '\n';
+        << " .. " << std::setw(9) << rounded(curve.A_max * units.area_scale, 4);
+    if (against_jkr) out << ' ' << (curve.area_over_jkr ? rounded(*curve.area_over_jkr, 4) : "-");
+    out << '\n';
   }
 }
 
-/// How the file was read, where that is not plain.
-std::string reading_text(const Dataset& data) {
-  std::string text = data.reading.empty() ? "" : "    read as: " + data.reading + '\n', list;
-  for (const std::string& taken : data.taken) list += (list.empty() ? "" : ", ") + taken;
-  return text + (list.empty() ? "" : "    columns: " + list + '\n');
-}
-
-}  // namespace
-
-std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared) {
-  std::ostringstream out;
+void write_reading(std::ostringstream& out, const Dataset& data) {
   out << "[[Data]]\n    " << data.name << "  (" << data.shown_path() << ")\n    "
       << (data.has_loads      ? "raw points (P, T, A), "
           : data.has_energies ? "energies (G_I, G_II)"
@@ -48,16 +39,30 @@ std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& 
           : data.has_loads ? "dimensionless"
                            : "")
       << "\n    " << data.rows << " rows, " << data.points.size() << " usable, " << data.excluded.size()
-      << " excluded\n"
-      << reading_text(data) << "    provenance: " << to_string(data.metadata.provenance) << '\n';
+      << " excluded\n";
+  if (!data.reading.empty()) out << "    read as: " << data.reading << '\n';
+  for (std::size_t i = 0; i < data.taken.size(); ++i) out << (i == 0 ? "    columns: " : ", ") << data.taken[i];
+  if (!data.taken.empty()) out << '\n';
+}
+
+void write_excluded(std::ostringstream& out, const Dataset& data) {
+  if (!data.excluded.empty()) out << "[[Excluded]]\n";
+  for (const Excluded& excluded : data.excluded)
+    out << "    " << data.line_text(excluded.line) << ": " << excluded.reason << '\n';
+}
+
+}  // namespace
+
+std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared) {
+  std::ostringstream out;
+  write_reading(out, data);
+  out << "    provenance: " << to_string(data.metadata.provenance) << '\n';
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
   if (!data.metadata.source.empty()) out << "    source: " << data.metadata.source << '\n';
   for (const auto& [name, value] : stated_constants_text(data))
     out << "    " << std::left << std::setw(16) << name << value << '\n';
-  write_curves(out, data);
-  if (!data.excluded.empty()) out << "[[Excluded]]\n";
-  for (const Excluded& excluded : data.excluded)
-    out << "    " << data.line_text(excluded.line) << ": " << excluded.reason << '\n';
+  write_curves(out, data, true);
+  write_excluded(out, data);
   auto oddities = find_oddities(data);
   if (unsheared && !data.points.empty()) {
     out << "[[Areas without shear]]\n    " << unsheared_sentence(*unsheared) << '\n';
@@ -67,6 +72,14 @@ std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& 
   out << "[[Odd]]\n";
   if (oddities.empty()) out << "    nothing\n";
   for (const std::string& oddity : oddities) out << "    " << oddity << '\n';
+  return out.str();
+}
+
+std::string reading_text(const Dataset& data) {
+  std::ostringstream out;
+  write_reading(out, data);
+  write_curves(out, data, false);
+  write_excluded(out, data);
   return out.str();
 }
 

@@ -12,4 +12,7 @@ namespace mixity {
 /// `unsheared`: null where nothing is to be said of areas without shear.
 std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared = {});
 
+/// How a file was read, of one whose constants are not known: columns, rows, runs.
+std::string reading_text(const Dataset& data);
+
 }  // namespace mixity

@@ -19,6 +19,21 @@ TEST(Program, CheckSaysWhatItUnderstood) {
     EXPECT_NE(result.out.find(words), std::string::npos) << words << "\n" << result.out;
 }
 
+TEST(Program, HowAFileIsReadIsShownBeforeItsConstantsAreKnown) {
+  const TemporaryFolder folder;
+  const std::string data = folder.write("a.csv",
+                                        "Normalkraft (mN);Tangentialkraft (mN);Kontaktfl\xc3\xa4"
+                                        "che (mm\xc2\xb2)\n"
+                                        "0,7;0,05;0,232\n0,7;1,52;0,231\n4,7;0,03;0,376\n4,7;3,1;0,375\n");
+  folder.write("a.toml", "youngs_modulus = \"1.6 MPa\"\npoisson_ratio = 0.5\n");
+  const ProgramResult check = run_program({"check", data});
+  EXPECT_EQ(check.exit_code, 3);
+  EXPECT_NE(check.err.find("needs radius, toughness to be made dimensionless"), std::string::npos) << check.err;
+  for (const char* words : {"4 rows, 4 usable", "read as: semicolons, decimal commas", "T from 'Tangentialkraft (mN)'",
+                            "P = 4.7 ", "T = 0.03 .. 3.1 ", "A = 0.375 .. 0.376"})
+    EXPECT_NE(check.out.find(words), std::string::npos) << words << "\n" << check.out;
+}
+
 TEST(Program, EnergiesAreCheckedWithoutAToughnessAndFittedWithOne) {
   const TemporaryFolder folder;
   const std::string data = folder.write("a.csv",
