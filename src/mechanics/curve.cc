@@ -80,7 +80,64 @@ std::vector<CurvePiece> curve_pieces(const Parameters<Model>& p, double P) {
 }
 
 template <class Model>
+CurvePiece turning_piece(const TurningCurve<Model>& curve, double P) {
+  const double S0 = circle_radius(P), y_jkr = 3 * pi<double>() + S0;
+  CurvePiece piece{y_jkr, 0, curve.length(), 0, 0, CurveEnd::unstable_jkr, false};
+  if (curve.closed()) {
+    piece.y_end = -6 * pi<double>() * P / y_jkr;
+    return piece;
+  }
+  if (curve.grows_over_all_bounds()) {
+    piece.end = CurveEnd::asymptote;
+    piece.y_end = curve.at(piece.width, 0).y;
+    return piece;
+  }
+  const auto near_end = [&](double rest) { return curve.at(piece.width - rest, rest); };
+  const auto late = near_end(2e-18), later = near_end(1e-18);
+  const bool grows = later.t * later.y > (1 + 1e-6) * late.t * late.y;
+  piece.end = grows ? CurveEnd::asymptote : P > 0 ? CurveEnd::hertz : CurveEnd::unstable_jkr;
+  if (grows) piece.y_end = later.y;
+  return piece;
+}
+
+/// From R = 0, dy : dT = -R_T : R_y with R_y = 2 (g y - 3 pi) - y dg/d ln t and R_T = y^2 dg/d ln t/T, and by Euler's
+/// theorem y R_y + T R_T = 2 y (g y - 3 pi), which fixes their size by that of dt/ds.
+template <class Model>
+CurvePoint EquilibriumCurve<Model>::turning_point(double s) const {
+  const auto place = turning_->at(s, turning_->length() - s);
+  const double y = place.y, T = std::min(place.t * y, kFar), a = radius_from_edge_load(y, P_), sum = y + P_;
+  CurvePoint q{};
+  q.phi = s;
+  q.y = y;
+  q.T = T;
+  q.a = a;
+  q.A = area_from_radius(a);
+  q.psi = place.psi;
+  if (!(a > 0) || y == 0) {  // as below: nothing is finite where the contact vanishes
+    q.f = Model::shear_term(p_, 0.0, 1.0).value > 0 ? 1 / Model::shear_term(p_, 0.0, 1.0).value : kLargest;
+    q.u = a > 0 ? 0.75 * T / a : 0;
+    return q;
+  }
+  q.u = 0.75 * T / a;
+  q.f = (y * y + T * T) / (6 * pi<double>() * sum);
+  const auto finite = [](double value) { return std::isnan(value) ? 0.0 : std::clamp(value, -kLargest, kLargest); };
+  const double half = 0.5 * y * place.pace;
+  q.dy = finite(place.t > 0 ? -y * place.growth * half / place.t : 0.0);
+  q.dT = finite((2 * place.root - y * place.growth) * half);
+  q.da = finite(q.dy / (4 * a * a));
+  q.dA = finite(2 * pi<double>() * a * q.da);
+  q.du = finite(0.75 * (q.dT - T * q.da / a) / a);
+  q.dpsi = place.dpsi;
+  q.df = finite(q.f * (2 * (y * q.dy + T * q.dT) / (y * y + T * T) - q.dy / sum));
+  q.f = std::min(q.f, kLargest);
+  return q;
+}
+
+template <class Model>
 CurvePoint EquilibriumCurve<Model>::point(double phi) const {
+  if constexpr (kMayTurn<Model>) {
+    if (turns()) return turning_point(phi);
+  }
   const double half = std::sin(0.5 * phi), other = phi < pi<double>() ? std::cos(0.5 * phi) : 0.0;
   // y from the nearer end of the circle: y_jkr - y = 2 S0 sin^2(phi/2), y - y_low = 2 S0 cos^2(phi/2)
   const double y = std::max(phi < 2 ? y_jkr_ - 2 * S0_ * half * half : y_low_ + 2 * S0_ * other * other, 0.0);
@@ -136,7 +193,7 @@ namespace {
 [[gnu::used]] const auto curve_instances = each_model([](auto model) {
   using Model = decltype(model);
   return std::tuple(&asymptotic_edge_loads<Model>, &search_tangential_load<Model>, &curve_pieces<Model>,
-                    &EquilibriumCurve<Model>::point);
+                    &EquilibriumCurve<Model>::point, &turning_piece<Model>);
 });
 }  // namespace
 

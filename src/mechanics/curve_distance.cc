@@ -255,6 +255,14 @@ class Distances {
     };
     consider(block_.T_end[lane], block_.A_end[lane]);
     const double A = block_.A_point[lane], T = block_.T_point[lane];
+    if constexpr (kMayTurn<Model>) {
+      if (law_.turned) {  // in the direction of the point from T = 0 and Hertz
+        const double t = T / std::max(edge_load(radius_from_area(A), P), 1e-3 * jkr);
+        if (const auto y_there = TurningCurve<Model>(law_.p, P).upper_edge_load(t))
+          consider(t * *y_there, area_of(*y_there, P));
+        return best;
+      }
+    }
     const double end = std::max(edge_load(radius_from_area(block_.A_end[lane]), P), 0.0),
                  least = end + 1e-3 * (jkr - end);
     const double y = std::max(edge_load(radius_from_area(A), P), least), v = y - centre;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "mechanics/nearest_lanes.h"
@@ -20,6 +21,7 @@ template <class Model>
 class RayTable {
  public:
   explicit RayTable(const nearest_detail::Law<Model>& law) : law_(law) {
+    if (law.turned) return;  // its outline is made for each load
     const double start = kFirst * (law.bounded ? std::min(1.0, std::sqrt(law.excess)) : 1.0);
     double t = 1;
     while (slope(t) > start && t > 1e-140) t /= 4;
@@ -44,6 +46,9 @@ class RayTable {
   void set_load(double P, PlanePlace end) {
     P_ = P;
     end_ = end;
+    if constexpr (kMayTurn<Model>) {
+      if (law_.turned) return set_turning_load();
+    }
     const double bounded = above_pull_off(P) + P * law_.excess;
     asymptote_ = law_.bounded && bounded >= 0;
     along_rays_ = P >= 0 || asymptote_;
@@ -57,6 +62,9 @@ class RayTable {
   PlanePlace at(double u) const {
     const int i = std::min(static_cast<int>(u), last_ - 1);
     const double share = u - i;
+    if constexpr (kMayTurn<Model>) {
+      if (law_.turned) return i == 0 ? places_[0] : on_curve(coordinate(i) + share * kStep);
+    }
     if (!along_rays_) {
       const double phi = pi<double>() * u / kArcs, y = centre() + circle_radius(P_) * std::cos(phi);
       const double tau = circle_radius(P_) * std::sin(phi);
@@ -76,6 +84,20 @@ class RayTable {
   int last() const { return last_; }
 
  private:
+  // Of a law that turns: node 0 is JKR, which lies beside node 1, the others are uniform in the curve's coordinate.
+  static constexpr double kFrom = -18, kTo = 38, kStep = 0.25;
+  static double coordinate(int i) { return kFrom + kStep * (i - 1); }
+  PlanePlace on_curve(double v) const {
+    const CurvePosition at = curve_->position(curve_->pieces().front(), v);
+    return place(curve_->tangential_load(at), at.y);
+  }
+  void set_turning_load() {
+    curve_.emplace(law_.p, P_);
+    last_ = static_cast<int>((kTo - kFrom) / kStep) + 1;
+    places_ = {{0, area_from_radius(jkr_radius(P_))}};
+    for (int i = 1; i <= last_; ++i) places_.push_back(on_curve(coordinate(i)));
+  }
+
   struct Node {
     double t, q;  // T/y and tau/y
   };
@@ -132,6 +154,7 @@ class RayTable {
   bool asymptote_ = false, along_rays_ = true;
   int last_ = 0;
   std::vector<PlanePlace> places_;
+  std::optional<EquilibriumCurve<Model>> curve_;  // of a law that turns
 };
 
 /// A segment of an outline that is nearer to a point than its neighbours, and its place nearest to it.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "mechanics/fold_search.h"
+#include "mechanics/roots.h"
+
 namespace mixity {
 
 template <class Model>
@@ -49,6 +52,27 @@ Equilibrium LoadedContact<Model>::solve(double T, double low, double high, doubl
   return {EquilibriumStatus::ok, y, iterations};
 }
 
+/// Along the curve, on which T rises: by its coordinate.
+template <class Model>
+Equilibrium LoadedContact<Model>::solve_turning(double T, const StableBranch& branch) const {
+  const CurvePiece& piece = curve_->pieces().front();
+  const auto excess = [&](double v) { return std::log(curve_->tangential_load(curve_->position(piece, v)) / T); };
+  if (branch.T_top == 0 && !(excess(branch.v_top) < 0)) {  // at less shear than the first coordinate has
+    const TurningCurve<Model> by_ray(p_, P_);
+    double y = y_jkr_;
+    for (int i = 0; i < 3; ++i) y = by_ray.upper_edge_load(T / y).value_or(y_jkr_);
+    return {EquilibriumStatus::ok, y};
+  }
+  if (!(excess(branch.v_top) < 0)) return {EquilibriumStatus::ok, branch.y_top};
+  if (!(excess(branch.v_bottom) > 0)) {
+    // beyond the largest T of the curve is nothing that it tells, at a fold the rounding of T
+    const bool rounding = std::abs(excess(branch.v_bottom)) < 1e-12;
+    return {branch.ends_in_fold || rounding ? EquilibriumStatus::ok : EquilibriumStatus::no_equilibrium,
+            branch.y_bottom};
+  }
+  return {EquilibriumStatus::ok, curve_->position(piece, root_between(excess, branch.v_top, branch.v_bottom)).y};
+}
+
 template <class Model>
 Equilibrium LoadedContact<Model>::follow(double T) const {
   if (simple_top_) {
@@ -63,6 +87,9 @@ Equilibrium LoadedContact<Model>::follow(double T) const {
   if (T > branches_.back().T_bottom && !all_branches_) find_branches(kAll);
   for (const StableBranch& branch : branches_) {
     if (T > branch.T_bottom) continue;
+    if constexpr (kMayTurn<Model>) {
+      if (turns_) return solve_turning(T, branch);
+    }
     if (T < branch.T_top) return solve(branch.T_top, branch.y_bottom, branch.y_top, branch.y_top);
     return solve(T, branch.y_bottom, branch.y_top, std::max(branch.y_bottom, 0.5 * branch.y_top));
   }
@@ -87,19 +114,20 @@ void LoadedContact<Model>::find_branches(std::size_t folds) const {
   branches_.clear();
   all_branches_ = true;
   const EquilibriumCurve<Model> curve(p_, P_);
+  if (turns_) curve_.emplace(curve);
   if (curve.uncoupled()) {
     branches_ = {{y_jkr_, 0, y_jkr_, kInfinity, false}};
     return;
   }
-  StableBranch branch{y_jkr_, 0, 0, 0, false};
+  StableBranch branch{y_jkr_, 0, 0, 0, false, kFirstCoordinate, kLastCoordinate<Model>};
   bool open = true;
   const std::vector<FoldPlace> places = locate_folds(curve, {Control::Kind::load}, folds);
   for (const FoldPlace& fold : places) {
     const double y = fold.position.y, T = fold.T;
     if (fold.maximum)
-      branches_.push_back({branch.y_top, branch.T_top, y, T, true});
+      branches_.push_back({branch.y_top, branch.T_top, y, T, true, branch.v_top, fold.coordinate});
     else
-      branch = {y, T, 0, 0, false};
+      branch = {y, T, 0, 0, false, fold.coordinate, kLastCoordinate<Model>};
     open = !fold.maximum;
   }
   all_branches_ = places.size() < folds;
@@ -107,9 +135,11 @@ void LoadedContact<Model>::find_branches(std::size_t folds) const {
   // Only the first piece can end in a stable branch: at Hertz, where tau^2 = 6 pi P, or at the asymptote. Where neither
   // is its end, its fold lies beyond kLargestLoad.
   const CurvePiece& piece = curve.pieces().front();
-  const double end =
-      piece.end == CurveEnd::hertz ? tangential_load<Model>(p_, 0.0, std::sqrt(6 * pi<double>() * P_)) : kInfinity;
-  branches_.push_back({branch.y_top, branch.T_top, piece.y_end, end, false});
+  double end = kInfinity;
+  if (piece.end == CurveEnd::hertz)
+    end = curve.turns() ? std::sqrt(6 * pi<double>() * P_ / Model::shear_term(p_, 0.0, 1.0).value)
+                        : tangential_load<Model>(p_, 0.0, std::sqrt(6 * pi<double>() * P_));
+  branches_.push_back({branch.y_top, branch.T_top, piece.y_end, end, false, branch.v_top, kLastCoordinate<Model>});
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -34,7 +35,8 @@ ShearTerm<S> circle_residual(const Parameters<Model, S>& p, const S& P, const S&
 /// y falls from y_top (at T_top) to y_bottom (at T_bottom, which may be infinite: model a's asymptote).
 struct StableBranch {
   double y_top, T_top, y_bottom, T_bottom;
-  bool ends_in_fold;  // otherwise y_bottom is Hertz (0) or an asymptote
+  bool ends_in_fold;               // otherwise y_bottom is Hertz (0) or an asymptote
+  double v_top = 0, v_bottom = 0;  // of a law that turns: its coordinates on the curve, along which A may rise, too
 };
 
 enum class EquilibriumStatus : unsigned char { ok, no_equilibrium, invalid };
@@ -73,7 +75,8 @@ class LoadedContact {
     in_contact_ = true;
     S0_ = circle_radius(P);
     y_jkr_ = 3 * pi<double>() + S0_;
-    simple_top_ = Model::tau_grows_with_edge_load(p_);
+    turns_ = turns<Model>(p_);
+    simple_top_ = !turns_ && Model::tau_grows_with_edge_load(p_);
   }
 
   /// contact_obstacle: where there is one, at() returns `invalid`.
@@ -115,6 +118,7 @@ class LoadedContact {
 
  private:
   Equilibrium solve(double T, double low, double high, double start) const;
+  Equilibrium solve_turning(double T, const StableBranch& branch) const;
   void find_branches(std::size_t folds) const;  // up to the fold of that number
   static constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
@@ -122,9 +126,11 @@ class LoadedContact {
   double P_, S0_ = 0, y_jkr_ = 0;
   bool in_contact_ = false;
   bool simple_top_ = false;  // R rises with y on [3 pi, y_jkr]
+  bool turns_ = false;
   std::string_view obstacle_;
   mutable std::vector<StableBranch> branches_;  // filled on first use: up to the first fold, or all of them
   mutable bool all_branches_ = false;
+  mutable std::optional<EquilibriumCurve<Model>> curve_;  // of a law that turns, beside its branches
 };
 
 }  // namespace mixity

@@ -35,15 +35,15 @@ std::optional<FoldPlace> only_fold(const EquilibriumCurve<Model>& curve) {
   const Driven<Model> driven{curve, {Control::Kind::load}};
   const CurvePiece& piece = curve.pieces().front();
   const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
-  if (slope(kLastCoordinate) > 0) return std::nullopt;
+  if (slope(kLastCoordinate<Model>) > 0) return std::nullopt;
   // R_y > 0 above the centre if tau grows with y: no fold there
   const bool simple_top = Model::tau_grows_with_edge_load(curve.parameters()) && piece.y_end < 3 * pi<double>();
   double low = simple_top ? std::max(curve.coordinate(piece, curve.position_at_offset(0)) - kStep, kFirstCoordinate)
                           : kFirstCoordinate;
   double high = low;
-  for (double step = kStep; high < kLastCoordinate && slope(high) > 0; step *= 2) {
+  for (double step = kStep; high < kLastCoordinate<Model> && slope(high) > 0; step *= 2) {
     low = high;
-    high = std::min(high + step, kLastCoordinate);
+    high = std::min(high + step, kLastCoordinate<Model>);
   }
   if (!(low < high)) return std::nullopt;
   const double v = root_between(slope, low, high);
@@ -60,7 +60,7 @@ void folds_by_position(const EquilibriumCurve<Model>& curve, Control control, Fo
     const CurvePiece& piece = curve.pieces()[i];
     const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
     for_sign_changes(
-        slope, kFirstCoordinate, kLastCoordinate, kShallow, [](double) { return kStep; },
+        slope, kFirstCoordinate, kLastCoordinate<Model>, kShallow, [](double) { return kStep; },
         [&](double v, bool maximum) { return more = found.add(place_at_coordinate(curve, i, v, maximum)); });
   }
 }
@@ -80,7 +80,7 @@ std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Contro
       return found.places;
     }
   }
-  if (!load || !folds_by_angle(curve, found)) folds_by_position(curve, control, found);
+  if (!load || curve.turns() || !folds_by_angle(curve, found)) folds_by_position(curve, control, found);
   return found.places;
 }
 

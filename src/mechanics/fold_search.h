@@ -10,7 +10,12 @@
 namespace mixity {
 
 // Logistic coordinates between which folds are looked for: e^-42 = 6e-19 of the piece.
-inline constexpr double kFirstCoordinate = -20, kLastCoordinate = 42;
+inline constexpr double kFirstCoordinate = -20;
+
+/// Towards Hertz it is ln(T/y) or so. The slope of a law that was typed in t has lost its digits to rounding there, as
+/// t^2 eps, and a fold would be one of noise.
+template <class Model>
+inline constexpr double kLastCoordinate = kMayTurn<Model> ? 27 : 42;
 
 /// A pair of folds shallower than this cannot be told from none: the contact does not jump by more than rounding.
 inline constexpr double kShallow = 2e-15;

@@ -42,6 +42,7 @@ struct Stretch {
 };
 
 /// What lies between the folds and is stable. The top of the curve is; a second piece, from an asymptote, is not.
+template <class Model>
 std::vector<Stretch> stable_stretches(const std::vector<FoldPlace>& folds, std::size_t pieces) {
   std::vector<Stretch> stable;
   for (std::size_t i = 0; i < pieces; ++i) {
@@ -53,7 +54,7 @@ std::vector<Stretch> stable_stretches(const std::vector<FoldPlace>& folds, std::
       is_stable = !fold.maximum;
       from = fold.coordinate;
     }
-    if (is_stable) stable.push_back({i, from, kLastCoordinate});
+    if (is_stable) stable.push_back({i, from, kLastCoordinate<Model>});
   }
   return stable;
 }
@@ -64,7 +65,7 @@ template <class Model>
 std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control control) {
   const Driven<Model> driven{curve, control};
   const std::vector<FoldPlace> places = locate_folds(curve, control);
-  const std::vector<Stretch> stable = stable_stretches(places, curve.pieces().size());
+  const std::vector<Stretch> stable = stable_stretches<Model>(places, curve.pieces().size());
   std::vector<Fold> folds;
   for (const FoldPlace& place : places) {
     const double T = place.T, a = driven.radius(place.position);

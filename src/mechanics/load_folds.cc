@@ -110,7 +110,7 @@ class CurveByAngle {
     return x < 6 ? 0.125 : x < 12 ? 0.25 : 0.5;
   }
 
-  static constexpr double kFirst = -700, kLast = 42;  // tan psi from the least of all doubles to 1e18
+  static constexpr double kFirst = -700, kLast = kLastCoordinate<Model>;  // tan psi from the least of all doubles on
 
  private:
   Parameters<Model> p_;

@@ -18,6 +18,7 @@
 //   one_fold_at_most(p)                 optional: true if tau^2 + y^2 is convex in y at fixed T and tau grows with y
 //   shear_on_circle(p, T)               only if tau does not depend on y: makes the equilibrium a closed form
 //   tau_grows_with_edge_load(p)         true if d(tau^2)/dy >= 0 at fixed T for these parameters
+//   turns(p)                            optional: true where g does not grow with psi throughout (turning_curve.h)
 //   equilibrium_domain(p)               empty, or the reason why these parameters define no unique equilibrium
 // and it fills the slot of its number: template <> struct ModelSlot<4> { using type = MyModel; };
 #pragma once

@@ -31,6 +31,7 @@ struct Block {
 template <class Model>
 struct Law {
   Parameters<Model> p;
+  bool turned;   // the law turns
   bool level;    // shear does not act on the area: A = A_JKR for every T
   double small;  // tau^2/T^2 at T -> 0
   double hertz;  // tau^2/T^2 at y = 0
@@ -41,7 +42,8 @@ struct Law {
 
   explicit Law(const Parameters<Model>& parameters)
       : p(parameters),
-        level(!(Model::shear_term(p, 1.0, 1.0).value > 0)),
+        turned(turns<Model>(p)),
+        level(!turned && !(Model::shear_term(p, 1.0, 1.0).value > 0)),
         small(Model::small_shear(p)),
         hertz(Model::shear_term(p, 0.0, 1.0).value),
         bounded(std::isfinite(shear_limit<Model>(p))),

@@ -33,7 +33,8 @@ void for_sign_changes(F f, double from, double last, double rounding, Step step,
     } else if (has_before && sign * before > sign * here && sign * next > sign * here) {
       const auto dip =
           boost::math::tools::brent_find_minima([&](double x) { return sign * f(x); }, v_before, v_next, 50);
-      if (dip.second < -rounding) {
+      // noise may put the bottom at an end
+      if (dip.second < -rounding && v_before < dip.first && dip.first < v_next) {
         if (!found(root_between(f, v_before, dip.first), here > 0)) return;
         if (!found(root_between(f, dip.first, v_next), here <= 0)) return;
       }

@@ -86,7 +86,7 @@ TEST_F(Definitions, StateLawsThatAreModels) {
   ASSERT_EQ(law->definition().parameters.size(), 2u);
   EXPECT_EQ(law->definition().parameters[0].name, "p");  // as they are written
   EXPECT_EQ(law->definition().parameters[1].start, 2);
-  EXPECT_EQ(job.law_notes.size(), 1u);  // n < 2: no unique equilibrium
+  EXPECT_EQ(job.law_notes.size(), 1u);  // n < 2: one area stands for several T
 }
 
 TEST_F(Definitions, FitTheirLawsWhereTheyNameNoModels) {

@@ -114,7 +114,7 @@ TEST(Folds, AreTheSameByNewtonAndByTheSlope) {
     const CurvePiece& piece = curve.pieces().front();
     const Driven<WatersGuduru> driven{curve, kLoad};
     const auto slope = [&](double at) { return driven.slope(curve.position(piece, at)); };
-    const double v = root_between(slope, kFirstCoordinate, kLastCoordinate);
+    const double v = root_between(slope, kFirstCoordinate, kLastCoordinate<WatersGuduru>);
     const CurvePosition slow = curve.position(piece, v), fast = curve.position_at_offset(fold->v);
     const double T = curve.tangential_load(slow);
     // both to a few roundings, which the inverse of tau multiplies by some

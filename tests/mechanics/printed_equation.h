@@ -20,11 +20,12 @@ using Digits700 = Digits<700>;
 /// The rounding of a double, a little more than 2^-52, by which results are allowed to differ from the truth.
 inline constexpr double kEps = 2.3e-16;
 
-/// f(psi) as printed. parameters: {lambda} for a, b, c; {r, eta} for bk.
+/// f(psi) as printed. parameters: {lambda} for a, b, c; {r, eta} for bk; {p, n} for tan_power, which nobody published.
 template <class Number>
 Number printed_toughness(std::string_view model, const Number& p0, const Number& p1, const Number& y, const Number& T) {
   const Number psi = atan2(T, y);
   if (model == "a") return 1 + (1 - p0) * pow(T / y, 2);
+  if (model == "tan_power") return T == 0 ? Number(1) : Number(1 + p0 * pow(T / y, p1));
   if (model == "b") return 1 + pow(tan((1 - p0 / 2) * psi), 2);
   const Number B = pow(sin(psi), 2);
   if (model == "c") return 1 / (1 + (p0 - 1) * B);

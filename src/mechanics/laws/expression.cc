@@ -154,6 +154,7 @@ std::optional<ExpressionError> problem_of(std::string_view text, const std::vect
                                                      " characters at most, this one " + std::to_string(text.size())};
   std::vector<std::size_t> open;
   bool anything = false;
+  bool behind_operand = false;  // ExprTk would read on from there, and forget what stands before
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == ' ') {
@@ -161,6 +162,9 @@ std::optional<ExpressionError> problem_of(std::string_view text, const std::vect
       continue;
     }
     anything = true;
+    if (behind_operand && (is_of_name(c) || c == '.' || c == '('))
+      return ExpressionError{i, "a * is missing before this"};
+    behind_operand = false;
     std::size_t end = i + 1;
     if (is_letter(c)) {
       while (end < text.size() && is_of_name(text[end])) ++end;
@@ -174,6 +178,8 @@ std::optional<ExpressionError> problem_of(std::string_view text, const std::vect
                                       listed(expression_functions())};
       } else if (called) {
         return ExpressionError{i, "'" + name + "' is no function: a * is missing behind it"};
+      } else {
+        behind_operand = true;
       }
     } else if (is_digit(c) || c == '.') {
       double number = 0;
@@ -181,8 +187,8 @@ std::optional<ExpressionError> problem_of(std::string_view text, const std::vect
       if (status != std::errc{}) return ExpressionError{i, "a number cannot be read here"};
       end = static_cast<std::size_t>(behind - text.data());
       const std::size_t next = std::min(text.find_first_not_of(' ', end), text.size());
-      if (next < text.size() && (is_of_name(text[next]) || text[next] == '(' || text[next] == '.'))
-        return ExpressionError{next, text[next] == '.' ? "a number has one point" : "a * is missing before this"};
+      if (next < text.size() && text[next] == '.') return ExpressionError{next, "a number has one point"};
+      behind_operand = true;
     } else if (c == '(') {
       open.push_back(i);
       if (open.size() > Expression::kDeepest)
@@ -191,6 +197,7 @@ std::optional<ExpressionError> problem_of(std::string_view text, const std::vect
     } else if (c == ')') {
       if (open.empty()) return ExpressionError{i, "this bracket closes none"};
       open.pop_back();
+      behind_operand = true;
     } else if (std::string_view("+-*/^,").find(c) == std::string_view::npos) {
       const bool printable = static_cast<unsigned char>(c) > ' ' && static_cast<unsigned char>(c) < 127;
       return ExpressionError{i, printable ? std::string("'") + c + "' has no place in an expression"

@@ -38,7 +38,8 @@ std::shared_ptr<const ExpressionLaw> ExpressionLaw::make(LawDefinition definitio
                         std::to_string(definition.parameters.size()));
   std::vector<std::string> variables(std::begin(kVariables), std::end(kVariables));
   for (const LawParameter& one : definition.parameters) {
-    if (!is_variable_name(one.name)) return fail({}, "'" + one.name + "' cannot be the name of a parameter");
+    if (!is_variable_name(one.name) || std::find(std::begin(kOwn), std::end(kOwn), one.name) != std::end(kOwn))
+      return fail({}, "'" + one.name + "' cannot be the name of a parameter");
     if (std::find(variables.begin(), variables.end(), one.name) != variables.end())
       return fail({}, "'" + one.name + "' is a variable or stands twice: it cannot be the name of a parameter");
     if (!(std::abs(one.lower) <= 1e100 && std::abs(one.upper) <= 1e100 && one.lower < one.upper))
@@ -71,6 +72,8 @@ std::shared_ptr<const ExpressionLaw> ExpressionLaw::make(LawDefinition definitio
   law->uses_psi_ = uses("psi");
   law->uses_B_ = uses("B");
   law->uses_t_ = uses("t");
+  for (const LawParameter& one : definition.parameters)
+    if (!uses(one.name.c_str())) return fail({}, "parameter '" + one.name + "' is not in the expression");
   variables.insert(variables.begin() + std::size(kVariables), std::begin(kOwn), std::end(kOwn));
   law->variables_ = std::move(variables);
   law->shown_ = equals != std::string::npos ? definition.text : "f = " + definition.text;

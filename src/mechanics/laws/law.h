@@ -80,6 +80,7 @@ double shear_limit(std::span<const double> p);
 ShearBend shear_bend(std::span<const double> p);
 ShearReach shear_reach(std::span<const double> p);
 bool tau_grows_with_edge_load(std::span<const double> p);
+bool turns(std::span<const double> p);
 std::string_view equilibrium_domain(std::span<const double> p);
 }  // namespace typed
 

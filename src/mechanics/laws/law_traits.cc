@@ -30,8 +30,30 @@ std::string shown(const LawTraits& traits) {
 double limit_of_small_shear(const ExpressionLaw& law, std::span<const Taylor> p, const Taylor& f) {
   if (std::abs(f.first) > 1e-12) return f.first > 0 ? -kInfinity : kInfinity;
   if (!std::isnan(f.second)) return 1 - 0.5 * f.second;
-  // no second derivative, such as that of an equation in powers: from a shear that is small
-  return reduced_shear(law, p, kSmallShear, 1).value / (kSmallShear * kSmallShear);
+  // no second derivative, such as that of an equation in powers: from shears that are small
+  const double one = reduced_shear(law, p, kSmallShear, 1).value,
+               less = reduced_shear(law, p, 0.1 * kSmallShear, 1).value;
+  const double power = std::log10(one / less);
+  if (std::abs(power - 2) < 0.01) return one / (kSmallShear * kSmallShear);
+  return power > 2 ? 0 : std::copysign(kInfinity, one);
+}
+
+/// Where tau^2 is small_shear T^2 to rounding. Of a law that leaves f = 1 with a slope or a root, the power of T that
+/// it has between tau^2/y^2 = 1e-8 and 1e-12, below which rounding would show.
+void set_small_power(const ExpressionLaw& law, std::span<const Taylor> p, LawTraits& traits) {
+  const auto at = [&](double t) { return reduced_shear(law, p, t, 1).value; };
+  constexpr double kRounding = 1e-15, kFirst = 1e-8, kLast = 1e-12, kLeast = 1e-140;
+  double& t = traits.small_t;
+  if (std::isfinite(traits.small_shear)) {
+    while (std::abs(at(t) - traits.small_shear * t * t) > kRounding && t > kLast) t *= 0.1;
+    traits.small_value = traits.small_shear * t * t;
+    return;
+  }
+  double first = 0;
+  for (; std::abs(at(t)) > kLast && t > kLeast; t *= 0.1)
+    if (std::abs(at(t)) > kFirst || first == 0) first = t;
+  traits.small_value = at(t);
+  if (first > 0) traits.small_power = std::log(at(first) / traits.small_value) / std::log(first / t);
 }
 
 /// Logarithms of the sums of moduli of tau^2's second derivatives that curve_distance takes (nearest_proof.h), on the
@@ -106,8 +128,6 @@ ShearTerm<double> reduced_shear(const ExpressionLaw& law, std::span<const Taylor
 
 std::string_view LawTraits::obstacle() const {
   if (undefined_at) return "the law is not a positive number at every phase angle, with these parameters";
-  if (!(small_shear >= 0) || folded_at)
-    return "the law defines no unique equilibrium with these parameters: (1 + tan^2 psi)/f does not grow with psi";
   return {};
 }
 
@@ -125,12 +145,7 @@ LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters
   // where f has grown beyond measure, as tan^2 psi, tau/y has come to a limit
   if (law.toughness(along_angle(1, kLeastCosine), p).value > 1e30)
     traits.shear_limit = reduced_shear(law, p, 1, kLeastCosine).value / (kLeastCosine * kLeastCosine);
-  traits.small_value = traits.small_shear * kSmallShear * kSmallShear;
-  if (traits.small_shear == kInfinity) {
-    const auto at = [&](double t) { return reduced_shear(law, p, t, 1).value; };
-    traits.small_value = at(kSmallShear);
-    traits.small_power = std::log2(at(2 * kSmallShear) / traits.small_value);
-  }
+  set_small_power(law, p, traits);
   constexpr int kPlaces = 48;
   std::array<Bend, kPlaces - 1> bends;
   for (int i = 1; i < kPlaces; ++i) {
@@ -143,9 +158,9 @@ LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters
     }
     // the slope of ln((1 + tan^2 psi)/f), to its rounding
     const double growth = 2 * s / c, decline = f.first / f.value;
-    if (!traits.folded_at && !(growth - decline >= -1e-11 * (growth + std::abs(decline)))) {
-      traits.folded_at = psi;
-      traits.folded_g = 1 / (c * c * f.value);
+    if (!traits.turned_at && !(growth - decline >= -1e-11 * (growth + std::abs(decline)))) {
+      traits.turned_at = psi;
+      traits.turned_g = 1 / (c * c * f.value);
     }
     // d(tau^2)/dy = 2 y (1/f - 1) + (y^2 + T^2) f' sin psi/(f^2 r)
     if (!(2 * c * (1 / f.value - 1) + s * f.first / (f.value * f.value) >= -1e-12)) traits.tau_grows = false;
@@ -158,7 +173,11 @@ LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters
       traits.rounding_at = psi;
     }
   }
-  if (!traits.obstacle().empty()) return traits;
+  if (traits.turns()) {
+    traits.tau_grows = false;
+    traits.shear_limit = kInfinity;  // nothing that T tends to while tau/y does
+    return traits;
+  }
   traits.reach = reach_of(bends);
   traits.bend = bend_everywhere(bends);
   return traits;
@@ -168,8 +187,8 @@ LawCheck check_law(const ExpressionLaw& law) {
   LawCheck check;
   const std::vector<LawParameter>& parameters = law.definition().parameters;
   const std::size_t n = parameters.size(), each = n == 1 ? 17 : n == 2 ? 7 : 5;
-  std::size_t tried = 0, folded = 0;
-  std::optional<LawTraits> first_fold;
+  std::size_t tried = 0, turned = 0;
+  std::optional<LawTraits> first_turn;
   LawTraits roundest;
   const std::size_t count = static_cast<std::size_t>(std::pow(each, n));
   for (std::size_t k = 0; k <= count; ++k) {
@@ -192,21 +211,21 @@ LawCheck check_law(const ExpressionLaw& law) {
       return check;
     }
     ++tried;
-    if (!traits.obstacle().empty()) {
-      ++folded;
-      if (!first_fold) first_fold = traits;
+    if (traits.turns()) {
+      ++turned;
+      if (!first_turn) first_turn = traits;
     }
     if (traits.rounding > roundest.rounding) roundest = traits;
   }
-  if (first_fold && folded == tried) {
-    check.error = "no parameters in their ranges give a unique equilibrium: (1 + tan^2 psi)/f must grow with psi";
-  } else if (first_fold) {
+  if (first_turn) {
     // tau/y is at most S0/sqrt(-6 pi P) on the circle of a load P < 0
-    const double psi = first_fold->folded_at.value_or(0), g = first_fold->folded_g;
-    check.warnings.push_back("no unique equilibrium in " + std::to_string(folded) + " of " + std::to_string(tried) +
-                             " parts of the parameters' ranges, which fits keep off: first with " + shown(*first_fold) +
-                             ", from psi = " + degrees(psi) + " on, at " +
-                             (g > 1 ? "loads above P = " + shown(-1.5 * pi<double>() / g) + " R G_Ic" : "every load"));
+    const double psi = first_turn->turned_at.value_or(0), g = first_turn->turned_g;
+    check.warnings.push_back(
+        "one area stands for several T in " + std::to_string(turned) + " of " + std::to_string(tried) +
+        " parts of the parameters' ranges, where (1 + tan^2 psi)/f falls " +
+        "and shear enlarges the contact: first with " + shown(*first_turn) + ", near psi = " + degrees(psi) + ", at " +
+        (g > 1 ? "loads above P = " + shown(-1.5 * pi<double>() / g) + " R G_Ic" : "every load") +
+        "; areas are those met from T = 0 on");
   }
   if (roundest.rounding > 1e-13)
     check.warnings.push_back("near psi = " + degrees(roundest.rounding_at) + " f is known to " +

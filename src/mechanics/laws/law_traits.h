@@ -16,8 +16,8 @@ namespace mixity {
 /// cos psi is taken as this at least: 1/0 has no derivative. psi is the same double.
 inline constexpr double kLeastCosine = 1e-20;
 
-/// Below this T/y, tau^2 is a power of it: the next term is a 1e8th, and the difference that it stands for has lost as
-/// much by rounding.
+/// Below this T/y, or one still smaller, tau^2 is a power of it: the next term is a 1e8th, and the difference that it
+/// stands for has lost as much by rounding.
 inline constexpr double kSmallShear = 1e-4;
 
 /// At the angle whose sine and cosine these are, along psi.
@@ -33,18 +33,21 @@ struct LawTraits {
   double f0 = 1;           // f at psi = 0
   double small_shear = 0;  // lim tau^2/T^2 at T -> 0; infinite where f leaves 1 with a slope
   double shear_limit = std::numeric_limits<double>::infinity();  // lim tau^2/y^2 at T -> infinity
-  double small_value = 0, small_power = 2;  // tau^2/y^2 = small_value (T/(kSmallShear y))^small_power at small T/y
-  bool tau_grows = true;                    // with y at fixed T
-  std::optional<double> undefined_at{};     // psi [rad] at which f is no positive number
-  std::optional<double> folded_at{};        // psi at which (1 + tan^2 psi)/f does not grow, and its value there
-  double folded_g = 1;
+  // tau^2/y^2 = small_value (T/(small_t y))^small_power where T/y < small_t
+  double small_t = kSmallShear, small_value = 0, small_power = 2;
+  bool tau_grows = true;                 // with y at fixed T
+  std::optional<double> undefined_at{};  // psi [rad] at which f is no positive number
+  std::optional<double> turned_at{};     // psi at which (1 + tan^2 psi)/f does not grow, and its value there
+  double turned_g = 1;
   ShearBend bend{};     // model.h; as the samples have it, with a margin of two
   ShearReach reach{};   // model.h; as the samples have it, with a margin of two
   double rounding = 0;  // largest relative error of f for the rounding of psi, where psi stands for itself
   double rounding_at = 0;
 
-  /// Empty: there is a unique equilibrium.
+  /// Empty: there is an equilibrium.
   std::string_view obstacle() const;
+  /// Whether one area may stand for several T (turning_curve.h).
+  bool turns() const { return !undefined_at && (!(small_shear >= 0) || turned_at); }
 };
 
 /// At 48 phase angles, denser towards 0 and 90 degrees; with `rounding` if that is asked for.
@@ -53,7 +56,7 @@ LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters
 /// What is to be said of a law before it is used.
 struct LawCheck {
   std::optional<std::string> error{};   // it is no law over its ranges
-  std::vector<std::string> warnings{};  // where it has no unique equilibrium, how many digits its form loses
+  std::vector<std::string> warnings{};  // where its equilibrium is not unique, how many digits its form loses
 };
 LawCheck check_law(const ExpressionLaw& law);
 

@@ -31,10 +31,11 @@ const LawTraits& traits(std::span<const double> p) {
 ShearTerm<double> shear_term(std::span<const double> p, double y, double T) {
   if (!(T > 0)) return {0, 0, 0};
   if (T < kSmallShear * y) {
-    const LawTraits& known = traits(p);
-    const double k = known.small_power, t = T / (kSmallShear * y);
-    const double value = known.small_value * y * y * (k == 2 ? t * t : std::pow(t, k));
-    return {value, (2 - k) * value / y, (2 - k) * (1 - k) * value / (y * y)};
+    if (const LawTraits& known = traits(p); T < known.small_t * y) {
+      const double k = known.small_power, t = T / (known.small_t * y);
+      const double value = known.small_value * y * y * (k == 2 ? t * t : std::pow(t, k));
+      return {value, (2 - k) * value / y, (2 - k) * (1 - k) * value / (y * y)};
+    }
   }
   if (y < kLeastCosine * T) {
     const double limit = traits(p).shear_limit;
@@ -68,6 +69,7 @@ ShearReach shear_reach(std::span<const double> p) { return traits(p).reach; }
 double shear_limit(std::span<const double> p) { return traits(p).shear_limit; }
 double small_shear(std::span<const double> p) { return traits(p).small_shear; }
 bool tau_grows_with_edge_load(std::span<const double> p) { return traits(p).tau_grows; }
+bool turns(std::span<const double> p) { return traits(p).turns(); }
 std::string_view equilibrium_domain(std::span<const double> p) { return traits(p).obstacle(); }
 
 }  // namespace mixity::typed

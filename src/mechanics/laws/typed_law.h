@@ -28,6 +28,7 @@ struct TypedLaw {
   static ShearBend shear_bend(const P& p) { return typed::shear_bend(p); }
   static ShearReach shear_reach(const P& p) { return typed::shear_reach(p); }
   static bool tau_grows_with_edge_load(const P& p) { return typed::tau_grows_with_edge_load(p); }
+  static bool turns(const P& p) { return typed::turns(p); }
   static std::string_view equilibrium_domain(const P& p) { return typed::equilibrium_domain(p); }
 };
 

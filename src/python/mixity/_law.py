@@ -25,8 +25,8 @@ class Law:
     Raises
     ------
     InputError
-        With the column, for what cannot be read; where f is no positive number, or no parameters give a unique
-        equilibrium. Where some do not, and where the form loses digits, a UserWarning says so.
+        With the column, for what cannot be read; where f is no positive number. Where one area stands for several
+        T, and where the form loses digits, a UserWarning says so.
 
     Examples
     --------
