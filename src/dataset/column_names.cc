@@ -111,19 +111,59 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
   return column;
 }
 
+bool holds(const std::vector<NamedColumn>& columns, ColumnId id) {
+  return std::any_of(columns.begin(), columns.end(), [&](const NamedColumn& column) { return column.id == id; });
+}
+
+/// Whether they say how large the contact is.
+bool is_sized(const std::vector<NamedColumn>& columns) {
+  const auto has = [&](ColumnId id) { return holds(columns, id); };
+  using enum ColumnId;
+  return has(A) || has(ColumnId::a) || (has(a_par) && has(a_perp)) || (has(major) && has(minor));
+}
+
 /// Whether points can be made of these.
 bool is_complete(const std::vector<NamedColumn>& columns, const ColumnRules& rules) {
-  const auto has = [&](ColumnId id) {
-    return std::any_of(columns.begin(), columns.end(), [&](const NamedColumn& column) { return column.id == id; });
-  };
+  const auto has = [&](ColumnId id) { return holds(columns, id); };
   using enum ColumnId;
-  if (rules.log) return has(ColumnId::time) && ((has(P) && has(T)) || (has(A) && !has(T)));
-  return (has(T) && (has(P) || rules.load_stated) &&
-          (has(A) || has(ColumnId::a) || (has(a_par) && has(a_perp)) || (has(major) && has(minor)))) ||
-         ((has(psi) || has(mode_ratio)) && (has(Gc) || has(Gc_over_GIc))) || (has(G_I) && has(G_II));
+  const bool loads = has(T) && (has(P) || rules.load_stated) && is_sized(columns);
+  if (rules.log) return loads && has(ColumnId::time);  // a log of forces or of areas alone never is
+  return loads || ((has(psi) || has(mode_ratio)) && (has(Gc) || has(Gc_over_GIc))) || (has(G_I) && has(G_II));
+}
+
+/// Throws for a heading that has the name of a quantity that is wanted still, and a unit that is not known or does not
+/// fit.
+void refuse_unit(const std::string& path, const std::vector<Heading>& headings, const std::vector<NamedColumn>& columns,
+                 const Vocabulary& vocabulary, const ColumnRules& rules) {
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const Heading& heading = headings[i];
+    const auto id = vocabulary.find(heading.name);
+    if (!id || !heading.unit || fits(heading.unit, *id) || holds(columns, *id)) continue;
+    if (*id == ColumnId::T || (*id == ColumnId::P && !rules.load_stated) || (*id == ColumnId::A && !is_sized(columns)))
+      throw InputError(path, heading.place,
+                       "'" + printable(heading.text, 60) + "' may be " + std::string(to_string(*id)) + ", but '" +
+                           *heading.unit + "' is not " + describe(kind_of(*id).dimension) +
+                           "; if it is another way to write one: " + mapping_flag(*id, headings, i));
+  }
 }
 
 }  // namespace
+
+std::string mapping_flag(ColumnId id, const std::vector<Heading>& headings, std::size_t index) {
+  constexpr std::size_t kLong = 40;
+  const Heading& heading = headings[index];
+  const bool alone = std::count_if(headings.begin(), headings.end(), [&](const Heading& other) {
+                       return other.text == heading.text || folded(other.name) == folded(heading.name);
+                     }) == 1;
+  const bool plain = alone && heading.closed && !heading.name.empty() && heading.text.size() <= kLong &&
+                     heading.text.find_first_of("\",=") == std::string::npos && printable(heading.text) == heading.text;
+  const bool known = !heading.unit || fits(heading.unit, id);
+  std::string said = plain && known ? heading.text : plain ? heading.name : std::to_string(index + 1);
+  if (!known) said += " (UNIT)";
+  return "--columns=\"" + std::string(to_string(id)) + "=" + said + "\"";
+}
+
+bool has_unit_of(const Heading& heading, ColumnId id) { return heading.unit && fits(heading.unit, id); }
 
 bool is_pixels(const Dimension& found, const Dimension& wanted) {
   // a number of pixels is an area, and so are square pixels
@@ -156,9 +196,10 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
     columns.push_back(std::move(column));
   }
   const std::size_t mapped = columns.size();
+  const auto is_read = [&](ColumnId id) { return rules.log || id != ColumnId::time; };
   for (std::size_t i = 0; i < headings.size(); ++i) {
     const auto id = column_named(headings[i].name);
-    if (!id || taken(i)) continue;
+    if (!id || taken(i) || !is_read(*id) || (rules.vocabulary && !fits(headings[i].unit, *id))) continue;
     const auto before = holder([&](const NamedColumn& column) { return column.id == *id; });
     if (before != columns.end() && before < columns.begin() + static_cast<std::ptrdiff_t>(mapped)) continue;
     if (before != columns.end())
@@ -176,17 +217,18 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
     const Vocabulary more = rules.headings.empty() ? Vocabulary{} : Vocabulary::with(rules.headings);
     const Vocabulary& vocabulary = rules.headings.empty() ? Vocabulary::shipped() : more;
     for (std::size_t i = 0; i < headings.size(); ++i) {
-      if (taken(i)) continue;
+      if (taken(i) || column_named(headings[i].name)) continue;  // of the latter the unit does not fit
       auto column = read_heading(headings[i], i, vocabulary);
-      if (!column) continue;
+      if (!column || !is_read(column->id)) continue;
       const auto before = holder([&](const NamedColumn& other) { return other.id == column->id; });
       if (before == columns.end())
         columns.push_back(std::move(*column));
       else if (before >= columns.begin() + static_cast<std::ptrdiff_t>(own))
         throw InputError(path, headings[i].place,
                          "'" + before->heading.text + "' and '" + headings[i].text + "' may both be " +
-                             std::string(to_string(column->id)) + "; say which: --columns=\"" +
-                             std::string(to_string(column->id)) + "=" + headings[i].text + "\"");
+                             std::string(to_string(column->id)) +
+                             "; say which: " + mapping_flag(column->id, headings, before->index) + " or " +
+                             mapping_flag(column->id, headings, i));
     }
     // "normal force_N" may be a symbol's index; beside headings that end with units it ends with one
     if (std::any_of(columns.begin(), columns.end(), [](const NamedColumn& column) { return column.heading.unit; }))
@@ -195,7 +237,13 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
           if (auto better = read_heading(headings[column.index], column.index, vocabulary, true);
               better && better->id == column.id)
             column = std::move(*better);
+    if (!is_complete(columns, rules) && (!rules.log || has(ColumnId::P) || has(ColumnId::T)))
+      refuse_unit(path, headings, columns, vocabulary, rules);
   }
+  if (rules.vocabulary)
+    for (std::size_t i = 0; i < headings.size(); ++i)
+      if (const auto id = column_named(headings[i].name); id && is_read(*id) && !has(*id) && !taken(i))
+        columns.push_back({*id, i, headings[i]});
   // an export may hold both; the radius is then what the area was made of, or the other way round
   const auto is_mapped = [&](ColumnId id) { return rules.mapping.contains(std::string(to_string(id))); };
   const auto drop = [&](ColumnId id) {

@@ -20,6 +20,13 @@ std::string bare_name(std::string_view name) {
   return bare;
 }
 
+/// What "P1" and "P2", or "P" and "P.1", have in common.
+std::string letters_of(std::string_view name) {
+  std::string letters = bare_name(name);
+  std::erase_if(letters, [](unsigned char c) { return std::isdigit(c); });
+  return letters;
+}
+
 }  // namespace
 
 Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& path, bool alone,
@@ -84,9 +91,12 @@ bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::s
   const std::string_view text = trim_name(row[i]);
   if (text.empty() || is_missing(text)) return false;
   if (text.size() < row[i].size() && parse_number(text, value)) return true;
-  throw InputError(path, row.place(i),
-                   "column '" + std::string(name) + "': " + "'" + printable(text, 60) + "' is not a number" +
-                       std::string(decimal_comma_hint(text)));
+  const std::string said = "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number";
+  NumberStyle style;
+  if (parse_number(text, row.decimal(), value, &style) && style.doubtful)
+    throw InputError(path, row.place(i),
+                     said + " unless digits stand in groups of three: --decimal=\"" + row.decimal() + "\" says so");
+  throw InputError(path, row.place(i), said + std::string(decimal_comma_hint(text)));
 }
 
 std::string_view decimal_comma_hint(std::string_view text) {
@@ -115,6 +125,18 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
     if (!used[i] && !headings[i].name.empty())
       ignored_.push_back(printable(headings[i].closed ? headings[i].name : headings[i].text, std::string::npos));
   }
+  for (const std::optional<Column>& column : columns_) {
+    if (!column || column->id > ColumnId::minor) continue;
+    const std::string letters = letters_of(headings[column->index].name);
+    const auto twin = std::find_if(headings.begin(), headings.end(), [&](const Heading& heading) {
+      return !used[static_cast<std::size_t>(&heading - headings.data())] && letters_of(heading.name) == letters;
+    });
+    if (twin == headings.end() || letters.empty()) {
+      beside_.clear();
+      break;
+    }
+    beside_ += (beside_.empty() ? "'" : ", '") + printable(twin->text, 40) + "'";
+  }
   require_a_complete_set(path, headings, rules);
   require_consistent_units(path, headings);
   for (const std::string& name : ignored_)
@@ -132,17 +154,24 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   const bool energies = has(ColumnId::G_I) || has(ColumnId::G_II);
   const auto fail = [&](const std::string& message, ColumnId missing = ColumnId::P) {
     std::string others;
-    for (const std::string& name : rules.vocabulary ? ignored_ : std::vector<std::string>{})
-      others += (others.empty() ? "'" : ", '") + printable(name, 40) + "'";
-    const std::string unit = missing == ColumnId::A                             ? " (mm^2)"
-                             : missing == ColumnId::P || missing == ColumnId::T ? " (mN)"
-                                                                                : "";
-    throw InputError(path, headings.at(0).place.line, 1,
-                     message + (others.empty() ? ""
-                                               : "; not understood: " + others + ". To say which column is " +
-                                                     std::string(to_string(missing)) + ": --columns=\"" +
-                                                     std::string(to_string(missing)) + "=" +
-                                                     printable(ignored_.front(), 40) + unit + "\""));
+    std::vector<std::size_t> fitting;  // of what is not understood
+    for (std::size_t i = 0; rules.vocabulary && i < headings.size(); ++i) {
+      if (headings[i].name.empty() || std::any_of(columns_.begin(), columns_.end(),
+                                                  [&](const auto& column) { return column && column->index == i; }))
+        continue;
+      others += (others.empty() ? "'" : ", '") + printable(headings[i].text, 40) + "'";
+      if (has_unit_of(headings[i], missing)) fitting.push_back(i);
+    }
+    // which of two forces is which nobody can tell
+    const bool one = fitting.size() == 1 && (kind_of(missing).dimension != dimension::force ||
+                                             has(missing == ColumnId::T ? ColumnId::P : ColumnId::T));
+    const std::string name(to_string(missing));
+    throw InputError(
+        path, headings.at(0).place.line, 1,
+        message + (others.empty() ? ""
+                                  : "; not understood: " + others + ". To say which column is " + name + ": " +
+                                        (one ? mapping_flag(missing, headings, fitting[0])
+                                             : "--columns=\"" + name + "=HEADING (UNIT)\"")));
   };
   const auto exactly_one = [&](ColumnId one, ColumnId other) {
     const std::string names = "'" + std::string(to_string(one)) + "' or '" + std::string(to_string(other)) + "'";

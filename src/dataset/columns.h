@@ -36,6 +36,9 @@ class Columns {
   const std::vector<std::pair<std::string, std::string>>& misspelt() const { return misspelt_; }
   /// What was taken for what, where it is not called that: "P from 'Normalkraft (mN)'".
   const std::vector<std::string>& taken() const { return taken_; }
+  /// Columns that have the names of all of P, T and A but for a number: other runs, beside that which is read. Empty if
+  /// there are none.
+  const std::string& beside() const { return beside_; }
   /// P, T and A (or a, or the axes of an ellipse), rather than psi and Gc, or energies.
   bool holds_loads() const { return has(ColumnId::T); }
   /// G_I and G_II.
@@ -50,6 +53,7 @@ class Columns {
 
   std::array<std::optional<Column>, kColumnCount> columns_;
   std::vector<std::string> ignored_, taken_;
+  std::string beside_;
   std::vector<std::pair<std::string, std::string>> misspelt_;
   std::size_t count_ = 0;
 };

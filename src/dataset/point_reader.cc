@@ -160,6 +160,10 @@ void PointReader::add_notes() {
   for (const auto& [name, quantity] : columns_.misspelt())
     data_.notes.push_back("column '" + name + "' is not used; it is read if it is called '" + quantity + "'");
 }
+  if (!columns_.beside().empty())
+    data_.notes.push_back(
+        "one run is read and those beside it are not: " + columns_.beside() +
+        " have the names of its columns but for a number; they are to stand below it, or in files of their own");
 
 void PointReader::set_display() {
   DisplayUnits& display = data_.display;

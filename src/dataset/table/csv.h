@@ -40,6 +40,7 @@ class CsvRow {
   /// The row's lines as they stand in the file.
   std::string_view raw() const { return raw_; }
   char delimiter() const { return format_.delimiter; }
+  char decimal() const { return format_.decimal; }
 
  private:
   friend struct CsvParser;

@@ -66,19 +66,22 @@ std::vector<std::vector<Heading>> cut_headings(const Line& line, const CsvFormat
     // one piece above several columns: NumPy's header line has blanks whatever its rows have
     if (pieces.size() > 1 || line.text.find_first_of(" \t") == std::string::npos) return ways;
   }
-  // where blanks part columns: a tab or two blanks between headings, or one outside brackets
+  // where blanks part columns: a tab or two blanks between headings, or one outside brackets and quotes
   const std::string_view text = line.text;
+  const bool quotes = std::count(text.begin(), text.end(), '"') % 2 == 0;
   const std::size_t begin = text.find_first_not_of("#% \t");
   for (const bool wide : {true, false}) {
     pieces.clear();
     int open = 0;
+    bool quoted = false;
     for (std::size_t at = std::min(begin, text.size()); at < text.size();) {
       const std::size_t first = at;
       std::size_t blanks = 0;
       for (; at < text.size(); ++at) {
         open += text[at] == '[' || text[at] == '(';
         open -= text[at] == ']' || text[at] == ')';
-        if (open > 0 || (text[at] != ' ' && text[at] != '\t')) continue;
+        quoted ^= quotes && text[at] == '"';
+        if (open > 0 || quoted || (text[at] != ' ' && text[at] != '\t')) continue;
         blanks = std::min(text.find_first_not_of(" \t", at), text.size()) - at;
         const bool tab = text.substr(at, blanks).find('\t') != std::string_view::npos;
         const char next = at + blanks < text.size() ? text[at + blanks] : ' ';
@@ -87,6 +90,8 @@ std::vector<std::vector<Heading>> cut_headings(const Line& line, const CsvFormat
       }
       std::string_view piece = text.substr(first, at - first);
       if (format.delimiter != ',' && piece.ends_with(',')) piece.remove_suffix(1);
+      if (quotes && piece.size() > 1 && piece.front() == '"' && piece.back() == '"')
+        piece = piece.substr(1, piece.size() - 2);
       pieces.emplace_back(piece, first + 1);
       at += blanks;
     }
@@ -110,6 +115,33 @@ std::size_t count_named(const std::string& path, std::vector<Heading>& headings,
   } catch (const InputError&) {
     return rules.mapping.empty() ? 1 : 0;  // what names one quantity twice is a heading
   }
+}
+
+/// The columns whose fields have to be numbers.
+std::vector<NamedColumn> wanted_columns(const std::string& path, const std::vector<Heading>& headings,
+                                        const ColumnRules& rules) {
+  try {
+    std::vector<NamedColumn> columns = name_columns(path, headings, rules);
+    std::erase_if(columns, [](const NamedColumn& column) { return column.id == ColumnId::curve; });
+    return columns;
+  } catch (const InputError&) {  // to be thrown again by whoever reads the table
+    return {};
+  }
+}
+
+/// Whether rows begin with names that the headings leave out, as R's write.table has them: a text in quotes, or a count
+/// from 1.
+bool begin_with_names(const std::vector<Line>& lines, std::size_t first, std::size_t width) {
+  constexpr std::size_t kLeast = 3;
+  std::size_t rows = 0;
+  for (std::size_t i = first; i < lines.size(); ++i) {
+    const Line& line = lines[i];
+    if (line.comment || line.fields.size() != width) continue;
+    ++rows;
+    if (trim(line.fields.back()).empty() || (line.text[0] != '"' && line.fields[0] != std::to_string(rows)))
+      return false;
+  }
+  return rows >= kLeast;
 }
 
 bool among(const std::vector<std::size_t>& places, std::size_t i) {
@@ -141,26 +173,40 @@ bool is_row_of_units(const Line& line, const std::vector<std::size_t>& wanted) {
   return measured > 0 && (!wanted.empty() || 2 * units >= filled);
 }
 
-/// Gives the headings the units of that row; `wanted` are those that are read. Throws InputError for what is no unit
-/// there, and for one that is not the heading's own.
-void take_units(const std::string& path, const Line& line, const CsvFormat& format,
-                const std::vector<std::size_t>& wanted, std::vector<Heading>& headings) {
-  for (std::size_t i = 0; i < headings.size(); ++i) {
-    const std::string_view text = unit_in(line, i);
+/// What a row of units may be called in its first field, as LabVIEW's "Y_Unit_Label".
+bool names_units(std::string_view text) {
+  const std::string bare = folded(text);
+  for (const std::string_view name : {"unit", "einheit", "unidad"})
+    if (bare.find(name) != std::string::npos) return true;
+  return false;
+}
+
+/// Gives the headings the units of that row. Throws InputError for what is no unit there, and for one that is not the
+/// heading's own or its mapping's.
+void take_units(const std::string& path, const Line& line, const CsvFormat& format, const ColumnRules& rules,
+                std::vector<Heading>& headings) {
+  std::vector<Heading> given = headings;
+  for (std::size_t i = 0; i < headings.size(); ++i)
+    if (const std::string_view text = unit_in(line, i);
+        !headings[i].unit && !text.empty() && !(i == 0 && names_units(text)))
+      given[i].unit = text;
+  for (const NamedColumn& column : wanted_columns(path, given, rules)) {
+    const std::string_view text = unit_in(line, column.index);
     if (text.empty()) continue;
-    const auto unit = parse_unit(text);
-    Heading& heading = headings[i];
-    if (among(wanted, i)) {
-      const auto fail = [&](const std::string& message) {
-        throw InputError(path, places_of(line, format)[i], "the row of units has '" + printable(text, 40) + message);
-      };
-      if (!unit) fail("' for column '" + heading.text + "', which is no unit that is known");
-      const auto own = heading.unit ? parse_unit(*heading.unit) : std::nullopt;
-      if (own && (own->factor != unit->factor || own->dimension != unit->dimension))
-        fail("' for column '" + heading.text + "', which itself says " + own->text);
-    }
-    if (unit && !heading.unit) heading.unit = text;
+    const Heading& heading = headings[column.index];
+    const auto unit = parse_unit(text), own = column.heading.unit ? parse_unit(*column.heading.unit) : std::nullopt;
+    const auto fail = [&](const std::string& message) {
+      throw InputError(
+          path, places_of(line, format)[column.index],
+          "the row of units has '" + printable(text, 40) + "' for column '" + heading.text + "', which " + message);
+    };
+    if (!unit && !own && given[column.index].unit)
+      fail("is no unit that is known; if it is another way to write one: " +
+           mapping_flag(column.id, given, column.index));
+    if (unit && own && (own->factor != unit->factor || own->dimension != unit->dimension))
+      fail("itself says " + own->text);
   }
+  for (std::size_t i = 0; i < headings.size(); ++i) headings[i].unit = given[i].unit;
 }
 
 /// What a row is called that says something of all above it.
@@ -236,9 +282,12 @@ std::optional<Partition> part_by(const std::string& path, std::string_view text,
     if (is_row(i) && (i == 0 || !is_row(i - 1))) begins.push_back(i);
   made.first = begins.front();
   std::size_t most = 0, heading_line = made.first;
-  for (const std::size_t first : begins)
+  for (const std::size_t first : begins) {
+    const bool names = begin_with_names(made.lines, first, width);
     for (std::size_t i = first; i-- > above(first, kHeadingLines);)
-      for (std::vector<Heading>& headings : cut_headings(made.lines[i], format))
+      for (std::vector<Heading>& headings : cut_headings(made.lines[i], format)) {
+        if (names && headings.size() + 1 == width)
+          headings.insert(headings.begin(), {"", "", {}, true, headings.front().place});
         if (const std::size_t named = count_named(path, headings, width, rules, format.delimiter == kBlanks);
             named > most) {
           most = named;
@@ -246,6 +295,8 @@ std::optional<Partition> part_by(const std::string& path, std::string_view text,
           made.first = first;
           table.headings = std::move(headings);
         }
+      }
+  }
   const std::size_t top = above(made.first, kHeadingLines);
   if (most == 0)  // a line of words at least
     for (std::size_t i = made.first; i-- > top && table.headings.empty();)
@@ -264,19 +315,14 @@ std::optional<Partition> part_by(const std::string& path, std::string_view text,
     table.header_line = made.lines[heading_line].number;
   }
   const auto find_wanted = [&] {
-    std::vector<std::size_t> wanted;
-    try {
-      for (const NamedColumn& column : name_columns(path, table.headings, rules))
-        if (column.id != ColumnId::curve && (rules.log || column.id != ColumnId::time)) wanted.push_back(column.index);
-    } catch (const InputError&) {  // to be thrown again by whoever reads the table
-    }
-    return wanted;
+    made.wanted.clear();
+    for (const NamedColumn& column : wanted_columns(path, table.headings, rules)) made.wanted.push_back(column.index);
   };
-  made.wanted = find_wanted();
+  find_wanted();
   const auto units_from = [&](std::size_t i) {
     if (table.units_line > 0 || !is_row_of_units(made.lines[i], made.wanted)) return;
     table.units_line = made.lines[i].number;
-    take_units(path, made.lines[i], format, made.wanted, table.headings);
+    take_units(path, made.lines[i], format, rules, table.headings);
   };
   for (std::size_t i = heading_line + 1; i < made.first; ++i) units_from(i);
   for (std::size_t i = heading_line; i-- > above(heading_line, kUnitLines) && !made.wanted.empty();) units_from(i);
@@ -290,7 +336,7 @@ std::optional<Partition> part_by(const std::string& path, std::string_view text,
   }
   table.offset = made.lines[begin].offset;
   table.line = made.lines[begin].number;
-  made.wanted = find_wanted();
+  find_wanted();
   for (std::size_t i = 0; i < table.headings.size(); ++i)
     if (column_named(table.headings[i].name) == ColumnId::curve) made.runs = i;
   table.summary_line = find_summary(made);

@@ -315,7 +315,8 @@ TEST(Exports, ThatCanBeReadInTwoWaysAreRefusedWithBoth) {
   EXPECT_EQ(error("P [mN],T [mN] (N),A [mm^2]\n1,2,3\n2,3,4\n"),
             "a.csv:1:8: column 'T [mN] (N)' states two units, mN and N");
   EXPECT_EQ(error("Normal force (mN),Load (mN),Friction force (mN),Contact area (mm^2)\n1,2,3,4\n2,2,3,4\n"),
-            "a.csv:1:19: 'Normal force (mN)' and 'Load (mN)' may both be P; say which: --columns=\"P=Load (mN)\"");
+            "a.csv:1:19: 'Normal force (mN)' and 'Load (mN)' may both be P; say which: "
+            "--columns=\"P=Normal force (mN)\" or --columns=\"P=Load (mN)\"");
   EXPECT_EQ(error("P [mN],T [mN],A [px]\n1,2,3\n2,3,4\n"),
             "a.csv:1:15: column 'A' is in pixels; state the side of one: --pixel=\"1.7 um\", or the key pixel");
   // integers in groups of three, or three decimals: none of them can be told
@@ -326,8 +327,10 @@ TEST(Exports, ThatCanBeReadInTwoWaysAreRefusedWithBoth) {
             std::string::npos);
   EXPECT_EQ(error("P [mN],T [mN],A [mm^2]\nN,mN,mm^2\n1,2,3\n2,2,3\n"),
             "a.csv:2:1: the row of units has 'N' for column 'P [mN]', which itself says mN");
-  EXPECT_EQ(error("P,T,A\nkg,mN,mm^2\n1,2,3\n2,2,3\n"),
-            "a.csv:2:1: the row of units has 'kg' for column 'P', which is no unit that is known");
+  EXPECT_EQ(
+      error("P,T,A\nkg,mN,mm^2\n1,2,3\n2,2,3\n"),
+      "a.csv:2:1: the row of units has 'kg' for column 'P', which is no unit that is known; if it is another way to "
+      "write one: --columns=\"P=P (UNIT)\"");
   EXPECT_EQ(error("PK\x03\x04..."),
             "a.csv: is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)");
 }
