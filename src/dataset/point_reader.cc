@@ -1,5 +1,6 @@
 #include "dataset/point_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -42,11 +43,13 @@ double load_in_name(const Dataset& data) {
   const auto fail = [&](const std::string& message) -> double {
     throw InputError(data.path, message + " (load_from is \"" + pattern + "\")");
   };
-  // the unit is what can be one of the letters that follow
-  std::size_t letters = 0;
+  // the unit is what can be one of the letters that follow, at once or behind a blank or a sign that parts words
+  const std::size_t begin_of_unit = std::min(behind.find_first_not_of(" _"), behind.size());
+  std::size_t letters = begin_of_unit;
   while (letters < behind.size() && std::isalpha(static_cast<unsigned char>(behind[letters]))) ++letters;
   std::optional<Unit> unit;
-  for (std::size_t n = letters; n > 0 && !unit; --n) unit = parse_unit(behind.substr(0, n));
+  for (std::size_t n = letters; n > begin_of_unit && !unit; --n)
+    unit = parse_unit(behind.substr(begin_of_unit, n - begin_of_unit));
   if (!unit || unit->dimension != dimension::force) fail("no unit of force follows the load in the file's name");
   for (std::size_t begin = name.find(before); begin != std::string::npos; begin = name.find(before, begin + 1)) {
     const std::size_t first = begin + before.size();
@@ -157,13 +160,13 @@ void PointReader::add_notes() {
   if (!constants.empty()) data_.notes.push_back(taken + ": " + constants + " (stated) not used");
   for (const std::string& one : columns_.taken())
     if (one.starts_with("sigma_")) data_.notes.push_back("standard errors: " + one);
-  for (const auto& [name, quantity] : columns_.misspelt())
-    data_.notes.push_back("column '" + name + "' is not used; it is read if it is called '" + quantity + "'");
-}
   if (!columns_.beside().empty())
     data_.notes.push_back(
         "one run is read and those beside it are not: " + columns_.beside() +
         " have the names of its columns but for a number; they are to stand below it, or in files of their own");
+  for (const auto& [name, quantity] : columns_.misspelt())
+    data_.notes.push_back("column '" + name + "' is not used; it is read if it is called '" + quantity + "'");
+}
 
 void PointReader::set_display() {
   DisplayUnits& display = data_.display;

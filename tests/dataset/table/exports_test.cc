@@ -288,6 +288,8 @@ TEST(Exports, WithoutALoadTakeItFromTheirNameOrAFlag) {
   EXPECT_DOUBLE_EQ(load_of("run_4.68mN.csv", {{"load_from", "run_{P}mN"}}), 4.68e-3);
   EXPECT_DOUBLE_EQ(load_of("b_-0,2mN_3.csv", {{"load_from", "b_{P}mN"}}), -0.2e-3);
   EXPECT_DOUBLE_EQ(load_of("12uN-7.csv", {{"load_from", "{P}uN"}}), 12e-6);
+  EXPECT_DOUBLE_EQ(load_of("load 1.2 mN.csv", {{"load_from", "load {P} mN"}}), 1.2e-3);
+  EXPECT_DOUBLE_EQ(load_of("load_1.2_mN.csv", {{"load_from", "load_{P}_mN"}}), 1.2e-3);
   EXPECT_DOUBLE_EQ(load_of("run_2mN.csv", {{"load_from", "run_{P}mN"}, {"load", "3 mN"}}), 3e-3);  // said last
   const auto refused = [&](const std::string& name, const Overrides& more) {
     return input_error([&] { load_of(name, more); });
