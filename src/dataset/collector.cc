@@ -9,6 +9,7 @@
 #include "dataset/number_text.h"
 #include "dataset/printable.h"
 #include "dataset/table/vocabulary.h"
+#include "dataset/repeated_shear.h"
 
 namespace mixity {
 namespace {
@@ -55,9 +56,10 @@ void Collector::finish(const PointReader& reader, const std::string& metadata_pa
         "the file has a column of times, and most of its rows are no points: if it is a log, mixity runs makes "
         "loading "
         "runs of it");
-  if (!reader.names_runs() && data_.curves.size() > 1) {
-    join_noisy_loads(data_);
-    shear_ = shear_ranges(data_.points, data_.curves.size());
+  if (!reader.names_runs() && reader.columns().has(ColumnId::P)) {
+    const bool several = data_.curves.size() > 1;
+    if (several) join_noisy_loads(data_);
+    if (part_where_shear_begins_anew(data_) || several) shear_ = shear_ranges(data_.points, data_.curves.size());
   }
   take_mean_loads(data_);
   finish_shear(shear_, data_);

@@ -7,38 +7,136 @@
 #include <set>
 
 #include "dataset/number_text.h"
+#include "dataset/series/change_points.h"
+#include "dataset/series/readings.h"
 
 namespace mixity {
 namespace {
+
+constexpr std::size_t kOfEach = 5;  // readings of a level at least, as a rule
 
 /// Standard deviation of readings about their levels, by the median of the steps between successive ones: few of these
 /// lead to another level. Where half of them are 0, the smallest that is not.
 double scatter(const std::vector<double>& readings, const std::vector<double>& distinct) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < readings.size(); ++i) steps.push_back(std::abs(readings[i] - readings[i - 1]));
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
   constexpr double kMedianOfSteps = 0.9539;  // of the difference of two normal numbers, in standard deviations of one
-  if (*middle > 0) return *middle / kMedianOfSteps;
+  if (const double middle = median(std::move(steps)); middle > 0) return middle / kMedianOfSteps;
   double least = distinct.back() - distinct.front();
   for (std::size_t i = 1; i < distinct.size(); ++i) least = std::min(least, distinct[i] - distinct[i - 1]);
   return least;
 }
 
-/// What lies above each gap of so much between distinct readings.
-std::vector<double> behind_gaps(const std::vector<double>& distinct, double gap) {
-  std::vector<double> ends;
-  for (std::size_t i = 1; i < distinct.size(); ++i)
-    if (distinct[i] - distinct[i - 1] > gap) ends.push_back(distinct[i]);
+using Ends = std::vector<double>;  // where each level but the first begins, rising
+
+std::size_t level_of(double reading, const Ends& ends) {
+  return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), reading) - ends.begin());
+}
+
+/// Levels of sorted readings, whatever the order in which they came: what is parted by gaps of more than three standard
+/// deviations within the levels, each of some readings. Of a few normal readings one in a thousand lies so far from the
+/// next.
+Ends gaps(const std::vector<double>& sorted) {
+  constexpr double kGap = 3;
+  constexpr std::size_t kMostLevels = 200;
+  const std::size_t n = sorted.size();
+  std::vector<double> y(n + 1), yy(n + 1);  // sums
+  for (std::size_t i = 0; i < n; ++i) {
+    const double one = sorted[i] - sorted[n / 2];
+    y[i + 1] = y[i] + one;
+    yy[i + 1] = yy[i] + one * one;
+  }
+  const auto squares = [&](std::size_t i, std::size_t j) {
+    return yy[j] - yy[i] - (y[j] - y[i]) * (y[j] - y[i]) / static_cast<double>(j - i);
+  };
+  std::vector<std::size_t> widest;
+  for (std::size_t i = 1; i < n; ++i)
+    if (sorted[i] > sorted[i - 1]) widest.push_back(i);
+  const auto gap = [&](std::size_t i) { return sorted[i] - sorted[i - 1]; };
+  const std::size_t most = std::min({widest.size(), n / kOfEach, kMostLevels});
+  std::partial_sort(widest.begin(), widest.begin() + static_cast<std::ptrdiff_t>(most), widest.end(),
+                    [&](std::size_t one, std::size_t other) { return gap(one) > gap(other); });
+  double step = sorted.back() - sorted.front();  // of what is rounded
+  for (const std::size_t i : widest) step = std::min(step, gap(i));
+  std::set<std::size_t> cuts{0, n};
+  double within = squares(0, n);
+  std::size_t few = 0;  // levels of too few readings
+  std::set<std::size_t> best;
+  for (std::size_t k = 0; k < most && few <= 2; ++k) {
+    const auto behind = cuts.insert(widest[k]).first;
+    const std::size_t at = *behind, from = *std::prev(behind), to = *std::next(behind);
+    within += squares(from, at) + squares(at, to) - squares(from, to);
+    few += (at - from < kOfEach) + (to - at < kOfEach) - (to - from < kOfEach);
+    const double deviation = std::sqrt(std::max(0.0, within) / static_cast<double>(n + 1 - cuts.size()));
+    if (few == 0 && gap(at) > kGap * std::max(deviation, step)) best = cuts;
+  }
+  Ends ends;
+  for (const std::size_t at : best)
+    if (at > 0 && at < n) ends.push_back(sorted[at]);
   return ends;
+}
+
+/// Where readings in their order go over to another level: changes of the mean that are sudden, of nearly four standard
+/// deviations of a reading; what drifts stays one.
+std::vector<std::size_t> sudden_changes(const std::vector<double>& readings, double noise) {
+  constexpr std::size_t kMost = 4000, kBeside = 3;
+  constexpr double kStep = 3.75;
+  const std::size_t n = readings.size(), each = (n + kMost - 1) / kMost;  // of many readings, means
+  std::vector<double> means;
+  for (std::size_t i = 0; i < n; i += each) means.push_back(mean_of(readings, i, std::min(n, i + each)));
+  std::vector<std::size_t> changes =
+      level_changes(means, noise * noise / static_cast<double>(each), 4 * std::log(static_cast<double>(n)));
+  for (std::size_t& at : changes) at *= each;
+  for (std::size_t k = 1; k < changes.size() && each > 1; ++k) {  // to the reading, by least squares
+    const std::size_t block = changes[k] / each, from = changes[k] - each, to = std::min(n, changes[k] + each);
+    const double one = means[block - std::min<std::size_t>(block, 2)],
+                 other = means[std::min(block + 1, means.size() - 1)];
+    double sum = 0, least = 0;
+    changes[k] = from;
+    for (std::size_t i = from; i < to; ++i) {
+      sum += (readings[i] - one) * (readings[i] - one) - (readings[i] - other) * (readings[i] - other);
+      if (sum < least) {
+        least = sum;
+        changes[k] = i + 1;
+      }
+    }
+  }
+  changes.push_back(n);
+  std::vector<std::size_t> sudden{0};
+  for (std::size_t k = 1; k + 1 < changes.size(); ++k) {
+    const std::size_t at = changes[k], before = std::min(kBeside, at - sudden.back()),
+                      behind = std::min(kBeside, changes[k + 1] - at);
+    // a reading or two that lie far off are no level
+    if (before < kBeside || behind < kBeside) continue;
+    if (std::abs(mean_of(readings, at, at + behind) - mean_of(readings, at - before, at)) > kStep * noise)
+      sudden.push_back(at);
+  }
+  return sudden;
+}
+
+/// Levels of the stretches that begin at these readings, of which some may be at the same.
+std::vector<std::size_t> levels_of(const std::vector<double>& readings, const std::vector<std::size_t>& begins,
+                                   double noise) {
+  constexpr double kSame = 4;
+  std::vector<std::size_t> levels;
+  std::vector<double> means;
+  for (std::size_t k = 0; k < begins.size(); ++k) {
+    const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : readings.size();
+    const double mean = mean_of(readings, begins[k], end);
+    const auto same =
+        std::find_if(means.begin(), means.end(), [&](double one) { return std::abs(one - mean) <= kSame * noise; });
+    levels.resize(end, static_cast<std::size_t>(same - means.begin()));
+    if (same == means.end()) means.push_back(mean);
+  }
+  return levels;
 }
 
 /// Whether readings of one level come as loads that were set do: all of one value, then all of another.
 bool comes_in_blocks(const std::vector<double>& readings) {
   std::size_t changes = 0;
   for (std::size_t i = 1; i < readings.size(); ++i) changes += readings[i] != readings[i - 1];
-  return changes + 1 == std::set<double>(readings.begin(), readings.end()).size() &&
-         readings.size() >= 2 * (changes + 1);
+  return readings.size() >= 2 * (changes + 1) &&
+         changes + 1 == std::set<double>(readings.begin(), readings.end()).size();
 }
 
 /// Mean square of successive differences over the variance: 2 for noise, near 0 for a ramp.
@@ -56,28 +154,35 @@ double von_neumann_ratio(const std::vector<double>& readings) {
 }  // namespace
 
 std::vector<std::size_t> nominal_levels(const std::vector<double>& readings) {
-  constexpr std::size_t kFewSet = 12, kOfEach = 5;
-  constexpr double kOneLoad = 0.05, kGap = 6;
-  const std::set<double> sorted(readings.begin(), readings.end());
-  const std::vector<double> distinct(sorted.begin(), sorted.end());
+  constexpr std::size_t kFewSet = 12;
+  constexpr double kOneLoad = 0.05, kDrift = 0.25;  // of their mean: readings of one load; how far it may drift
+  std::vector<double> sorted = readings;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> distinct = sorted;
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   if (distinct.size() < 2) return {};
   const double range = distinct.back() - distinct.front();
-  const bool one_load = range <= kOneLoad * std::abs(distinct.back() + distinct.front()) / 2;
+  const double middle = std::abs(distinct.back() + distinct.front()) / 2;
+  const bool one_load = range <= kOneLoad * middle;
   // a few loads that come again and again were set
   if (!one_load &&
       (distinct.size() <= 4 || (distinct.size() <= kFewSet && readings.size() >= kOfEach * distinct.size())))
     return {};
-  std::vector<double> ends = behind_gaps(distinct, kGap * scatter(readings, distinct));
-  const auto level_of = [&](double reading) {
-    return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), reading) - ends.begin());
-  };
-  std::vector<std::vector<double>> levels(ends.size() + 1);
-  for (const double reading : readings) levels[level_of(reading)].push_back(reading);
-  // a reading far from the others is no load by itself where all are nearly one
-  if (one_load && std::any_of(levels.begin(), levels.end(), [](const auto& level) { return level.size() < kOfEach; })) {
-    ends.clear();
-    levels = {readings};
+  const Ends ends = gaps(sorted);
+  std::size_t turns = 0;  // from one level to another
+  for (std::size_t i = 1; i < readings.size(); ++i)
+    turns += level_of(readings[i], ends) != level_of(readings[i - 1], ends);
+  std::vector<std::size_t> numbered;
+  if (kOfEach * turns > readings.size()) {  // rows come in an order of something else
+    std::map<std::size_t, std::size_t> number;
+    for (const double reading : readings)
+      numbered.push_back(number.try_emplace(level_of(reading, ends), number.size()).first->second);
+  } else {
+    const double noise = scatter(readings, distinct);
+    numbered = levels_of(readings, sudden_changes(readings, noise), noise);
   }
+  std::vector<std::vector<double>> levels(*std::max_element(numbered.begin(), numbered.end()) + 1);
+  for (std::size_t i = 0; i < readings.size(); ++i) levels[numbered[i]].push_back(readings[i]);
   bool scatters = false;
   for (const auto& level : levels) {
     if (std::all_of(level.begin(), level.end(), [&](double one) { return one == level[0]; })) continue;
@@ -87,11 +192,7 @@ std::vector<std::size_t> nominal_levels(const std::vector<double>& readings) {
   if (!scatters) return {};
   if (!one_load && readings.size() < kOfEach * levels.size()) return {};
   // readings that know nothing of each other lie about 2
-  if (ends.empty() && !one_load && !(von_neumann_ratio(readings) > 1)) return {};
-  std::vector<std::size_t> numbered;
-  std::map<std::size_t, std::size_t> number;
-  for (const double reading : readings)
-    numbered.push_back(number.try_emplace(level_of(reading), number.size()).first->second);
+  if (levels.size() == 1 && range > kDrift * middle && !(von_neumann_ratio(readings) > 1)) return {};
   return numbered;
 }
 

@@ -58,6 +58,36 @@ TEST(NominalLoads, ThatLieCloseTogetherAreTwoIfTheirNoiseSaysSo) {
   EXPECT_EQ(*std::max_element(one.begin(), one.end()), 0u);
 }
 
+TEST(NominalLoads, OneAfterTheOtherMayHaveExtremeReadingsThatTouch) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    EXPECT_EQ(nominal_levels(readings({5, 5.5, 6}, 300, 0.05, 0, seed)), blocks(3, 300)) << seed;
+    EXPECT_EQ(nominal_levels(readings({2.5, 2.6, 2.7}, 30, 0.012, 0, seed)), blocks(3, 30)) << seed;
+    EXPECT_EQ(nominal_levels(readings({0.5, 1}, 40, 0.05, 0, seed)), blocks(2, 40)) << seed;
+  }
+  // of many readings, to the reading
+  EXPECT_EQ(nominal_levels(readings({5, 5.5, 6}, 20001, 0.03, 0, 1)), blocks(3, 20001));
+}
+
+TEST(NominalLoads, ThatDriftAreOne) {
+  std::vector<double> ten, noisy = readings({5}, 300, 0.02, 0, 1);
+  for (int i = 0; i < 10; ++i) ten.push_back(4.68 * (1 + 0.03 * i / 9));
+  for (std::size_t i = 0; i < noisy.size(); ++i) noisy[i] += 0.001 * static_cast<double>(i);
+  EXPECT_EQ(nominal_levels(ten), blocks(1, 10));
+  const Levels drift = nominal_levels(noisy);
+  EXPECT_EQ(drift, Levels(drift.size(), 0));
+}
+
+TEST(NominalLoads, OfRowsInTheOrderOfSomethingElseAreTheirLevels) {
+  const auto rows = readings({5, 5.5, 6}, 100, 0.04, 0, 1);
+  std::vector<double> in_turn;
+  Levels wanted;
+  for (std::size_t i = 0; i < 300; ++i) {
+    in_turn.push_back(rows[i % 3 * 100 + i / 3]);
+    wanted.push_back(i % 3);
+  }
+  EXPECT_EQ(nominal_levels(in_turn), wanted);
+}
+
 TEST(NominalLoads, ThatWereSetAreTakenAsTheyStand) {
   EXPECT_EQ(nominal_levels(readings(kLoads, 25, 0, 0, 0)), Levels());
   EXPECT_EQ(nominal_levels(readings(kLoads, 1, 0, 0, 0)), Levels());
