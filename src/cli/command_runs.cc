@@ -9,6 +9,7 @@
 #include "cli/usage_error.h"
 #include "dataset/input_error.h"
 #include "dataset/series/clocks.h"
+#include "dataset/series/compression.h"
 #include "dataset/series/cuts_file.h"
 #include "report/figures/gnuplot.h"
 #include "report/figures/log_figures.h"
@@ -69,6 +70,11 @@ int run_runs(const Arguments& arguments) {
   log.force_factor = forces.force_factor;
   log.area_unit = pictures.area_unit;
   log.area_factor = pictures.area_factor;
+  log.load_turned = compression_is_negative(forces, pictures, frame_options.lag.value_or(0));
+  if (log.load_turned) {
+    for (double& P : forces.P) P = 0 - P;
+    if (log.metadata.load_offset) *log.metadata.load_offset = 0 - *log.metadata.load_offset;
+  }
   log.runs =
       find_loading_runs(on_one_clock(forces, pictures, frame_options), log.force_unit, log.force_factor, options);
   for (const auto& [name, cut] : options.cuts)

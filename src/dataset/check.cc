@@ -175,7 +175,9 @@ void check_loads(const Dataset& data, Lines& odd) {
     else if (!curve.area_over_jkr && above_pull_off(curve.P) >= 0)
       odd.push_back("run " + curve.name + " has no point near T = 0 to compare with JKR");
     if (above_pull_off(curve.P) < 0)
-      odd.push_back("run " + curve.name + ": the load lies below the JKR pull-off load, -3 pi/2 R G_Ic");
+      odd.push_back("run " + curve.name +
+                    ": the load lies below the JKR pull-off load, -3 pi/2 R G_Ic; if the file has compression as "
+                    "negative, its P are to be multiplied by -1");
   }
   std::vector<std::pair<double, double>> range;  // of each run's loads
   for (const double load : data.curve_loads) range.emplace_back(load, load);

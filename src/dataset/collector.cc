@@ -5,11 +5,12 @@
 
 #include "dataset/energies.h"
 #include "dataset/input_error.h"
+#include "dataset/load_sign.h"
 #include "dataset/nominal_loads.h"
 #include "dataset/number_text.h"
 #include "dataset/printable.h"
-#include "dataset/table/vocabulary.h"
 #include "dataset/repeated_shear.h"
+#include "dataset/table/vocabulary.h"
 
 namespace mixity {
 namespace {
@@ -46,11 +47,14 @@ void Collector::finish(const PointReader& reader, const std::string& metadata_pa
                      "has a header but no data rows" + (commented_ > 0 ? ", only " + passed_over : ""));
   if (commented_ > 0) data_.notes.push_back("passed over as comments: " + passed_over);
   if (data_.has_energies) finish_energies(metadata_path, data_);
+  const bool turned = reader.columns().has(ColumnId::P) && compression_is_negative(data_);
+  if (turned) runs_.turn_loads(data_);
   // Names go into figures, pages and tables: what would break these is shown as '?'.
   for (std::size_t i = 0; i < runs_.keys().size(); ++i)
     data_.curves.push_back(printable(runs_.shown(i), std::string::npos));
   if (!data_.has_loads) return;
   data_.curve_loads = runs_.loads();
+  if (turned) turn_loads(data_);
   if (2 * data_.excluded.size() > data_.rows && has_times())
     data_.notes.emplace_back(
         "the file has a column of times, and most of its rows are no points: if it is a log, mixity runs makes "

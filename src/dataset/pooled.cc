@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <set>
 
+#include "dataset/load_sign.h"
 #include "dataset/number_text.h"
 
 namespace mixity {
@@ -146,14 +147,20 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
   const double uncertain = common.radius ? common.standard_error("radius") / *common.radius : 0;
   Dataset whole;
   std::size_t lines = 0;
+  std::vector<Dataset> parts;
   for (const RunFile& file : files) {
     // how a file is to be read is its own
     Metadata metadata = constants;
-    copy_reading(stated[whole.files.size()], metadata);
+    copy_reading(stated[parts.size()], metadata);
     Overrides own = overrides;
     if (!file.load.empty()) own.emplace_back("load", file.load);
     if (!file.sphere.empty()) own.emplace_back("radius", file.sphere);
-    Dataset part = load_dataset(file.path, metadata, own);
+    parts.push_back(load_dataset(file.path, metadata, own));
+  }
+  turn_as_others(parts);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const RunFile& file = files[k];
+    Dataset& part = parts[k];
     if (!file.sphere.empty() && uncertain > 0)
       part.metadata.standard_errors["radius"] = uncertain * *part.metadata.radius;
     if (whole.files.empty()) {

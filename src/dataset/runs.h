@@ -24,11 +24,12 @@ class Runs {
       return last_;
     last_load_ = load;
     if (name) return last_ = index({std::string(*name), true}, load);
-    if (!data.has_loads) return last_ = index({{}, false}, load);
-    const DisplayUnits& units = data.display;
-    const std::string label =
-        "P=" + rounded(load * units.force_scale, 6) + (units.force.empty() ? "" : " " + units.force);
-    return last_ = index({label, false}, load);
+    return last_ = index({data.has_loads ? label(load, data.display) : "", false}, load);
+  }
+  /// Names by loads become those of what is turned round (P -> -P); loads() stay.
+  void turn_loads(const Dataset& data) {
+    for (std::size_t i = 0; i < keys_.size(); ++i)
+      if (!keys_[i].given) keys_[i].name = label(0 - loads_[i], data.display);
   }
   /// A run may be given the name that another has by its load.
   struct Key {
@@ -54,6 +55,9 @@ class Runs {
   }
 
  private:
+  static std::string label(double load, const DisplayUnits& units) {
+    return "P=" + rounded(load * units.force_scale, 6) + (units.force.empty() ? "" : " " + units.force);
+  }
   std::map<Key, std::size_t> index_;
   std::vector<Key> keys_;
   std::vector<double> loads_;

@@ -131,7 +131,8 @@ std::string runs_text(const ReducedLog& log) {
     out << "    " << frames.spikes << (frames.spikes == 1 ? " sample of a force lies" : " samples of forces lie")
         << " far from those beside and took their median\n";
   if (found.zero_P_error > 0)
-    out << "    P reads " << force(found.zero_P, 3) << " out of contact; taken off\n";
+    out << "    P reads " << force(log.load_turned ? 0 - found.zero_P : found.zero_P, 3)
+        << " out of contact; taken off\n";
   else
     out << "    too little is read out of contact to tell the zero of P: it is taken as it stands\n";
   if (found.drift_removed)
@@ -140,7 +141,11 @@ std::string runs_text(const ReducedLog& log) {
   if (found.drifts)
     out << "    the zero of T drifts by " << force(found.drift_T, 2)
         << " a second from run to run; --drift takes that off within runs, too\n";
-  out << "[[Loading runs]]\n";
+  if (log.load_turned) out << "    P is negative in compression there and was turned round (P -> -P)\n";
+  out << "[[Loading runs]]";
+  if (log.areas_path != log.forces.path)
+    out << "  times on the clock of " << printable(log.areas_path, std::string::npos);
+  out << '\n';
   if (found.runs.empty()) out << "    none\n";
   for (const LoadingRun& run : found.runs) {
     out << "    " << run.name << ": " << run.T.size() << " frames, P = " << force(run.P, 4) << " +/- "

@@ -14,6 +14,7 @@ struct ReducedLog {
   double force_factor = 1, area_factor = 1;  // SI units in one of them
   Metadata metadata;
   LoadingRuns runs;
+  bool load_turned = false;  // the log has compression as negative
 };
 
 /// curve, time, P, T, A, sigma_T, sigma_A of the frames that are kept, in the units of the log.

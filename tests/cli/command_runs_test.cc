@@ -48,6 +48,29 @@ TEST(RunsCommand, SaysInOneLineWhatItCannotUse) {
             "mixity: cuts.toml: states cuts of a run 'P=99 mN', which the log does not have");
   EXPECT_EQ(run_program({"runs", kLog, "--cuts=" + cuts}).exit_code, 3);
 }
+  const std::string late = folder.write("late.toml", "[[cuts]]\nrun = \"P=7.73 mN\"\nonset = \"7000 s\"\n");
+  const std::string outside = complaint({"runs", kLog, "--cuts=" + late});
+  EXPECT_TRUE(outside.starts_with("mixity: late.toml:3:9: 7000 s is no time of run 'P=7.73 mN', which is held from "))
+      << outside;
+}
+
+TEST(RunsCommand, TurnsALogRoundThatHasCompressionAsNegative) {
+  const TemporaryFolder folder;
+  std::string text;
+  for (const std::string& line : lines_of(content_of(kLog))) {
+    const std::size_t first = line.find(',') + 1, second = line.find(',', first);
+    const std::string P = line.substr(first, second - first);
+    const bool number = !line.empty() && (std::isdigit(static_cast<unsigned char>(line[0])));
+    text += !number ? line + "\n"
+                    : line.substr(0, first) + (P.starts_with('-') ? P.substr(1) : "-" + P) + line.substr(second) + "\n";
+  }
+  const std::string negative = folder.write("negative.csv", text);
+  folder.write("negative.toml", content_of(MIXITY_ROOT "/data/shear_log.toml"));
+  ASSERT_EQ(run_program({"runs", kLog, "--out=" + folder.path("one")}).exit_code, 0);
+  const ProgramResult turned = run_program({"runs", negative, "--out=" + folder.path("other")});
+  ASSERT_EQ(turned.exit_code, 0) << turned.err;
+  EXPECT_NE(turned.out.find("P is negative in compression there and was turned round (P -> -P)"), std::string::npos);
+  EXPECT_EQ(content_of(folder.path("one/runs.csv")), content_of(folder.path("other/runs.csv")));
 
 TEST(PooledFiles, GiveTheNumbersOfOneFileAndOfTheDefinitionThatIsSaved) {
   const TemporaryFolder folder;
