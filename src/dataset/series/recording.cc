@@ -6,6 +6,9 @@
 
 #include "dataset/columns.h"
 #include "dataset/input_error.h"
+#include "dataset/printable.h"
+#include "dataset/table/clock_time.h"
+#include "dataset/table/number.h"
 #include "dataset/table/table.h"
 
 namespace mixity {
@@ -13,6 +16,7 @@ namespace {
 
 /// A column of the log, and where its values go.
 struct Channel {
+  ColumnId id;
   std::size_t index;
   double factor;
   std::vector<double>* values;
@@ -37,7 +41,11 @@ class LogReader {
       require_width(recording_.path, one, width_);
       for (const Channel& channel : channels_) {
         double value = 0;
-        const bool given = number_at(recording_.path, one, channel.index, "log", value);
+        if (channel.id == ColumnId::time && clock_time(one, channel.index, value)) {
+          channel.values->push_back(value);
+          continue;
+        }
+        const bool given = number_at(recording_.path, one, channel.index, to_string(channel.id), value);
         channel.values->push_back(given ? value * channel.factor : std::nan(""));
       }
     };
@@ -53,6 +61,32 @@ class LogReader {
   }
 
  private:
+  /// Of a field that holds no number, the seconds since the first row, which a clock shows; false of a number or an
+  /// empty field. Without a date a clock that goes back by hours has passed midnight.
+  bool clock_time(const CsvRow& row, std::size_t i, double& seconds) {
+    constexpr std::int64_t kDay = 86400;
+    double number = 0;
+    if (row.number(i, number) || is_missing(row[i]) || row[i].empty()) return false;
+    auto time = parse_clock(row[i]);
+    const bool first = recording_.time.empty();
+    if (!time || (!first && (!began_ || began_->dated != time->dated)))
+      throw InputError(recording_.path, row.place(i),
+                       "column 'time': '" + printable(row[i], 60) +
+                           (!time ? "' is neither a number nor a time such as 10:05:00.25 or 2026-05-01T10:05:00.25"
+                                  : "' is of another kind than the times above"));
+    if (first) began_ = last_ = time;
+    if (!time->dated) {
+      time->seconds += days_ * kDay;
+      if (time->seconds < last_->seconds - kDay / 2) {
+        time->seconds += kDay;
+        ++days_;
+      }
+    }
+    last_ = time;
+    seconds = static_cast<double>(time->seconds - began_->seconds) + (time->fraction - began_->fraction);
+    return true;
+  }
+
   void find_columns() {
     ColumnRules rules = rules_of(metadata_);
     rules.log = true;
@@ -67,7 +101,7 @@ class LogReader {
       if (unit.dimension == dimension::none && column.id != ColumnId::time)
         throw InputError(recording_.path, column.heading.place,
                          "column '" + column.heading.name + "' needs a unit: a log is not dimensionless");
-      channels_.push_back({column.index, unit.factor, values});
+      channels_.push_back({column.id, column.index, unit.factor, values});
       width_ = std::max(width_, column.index + 1);
       if (column.id == ColumnId::T) {
         recording_.force_unit = unit.text;
@@ -91,7 +125,9 @@ class LogReader {
         if (channel.values == &values) return true;
       return false;
     };
-    if (!has(recording_.time)) throw InputError(recording_.path, table->header_line, 1, "column 'time' is missing");
+    if (!has(recording_.time))
+      throw InputError(recording_.path, table->header_line, 1,
+                       "column 'time' is missing; to say which it is: --columns=\"time=HEADING (s)\"");
     if (!has(recording_.T) && !has(recording_.A) && !has(one_))
       throw InputError(recording_.path, table->header_line, 1, "neither T nor A is there");
     if (has(recording_.T) && !has(recording_.P) && !metadata_.load)
@@ -140,6 +176,8 @@ class LogReader {
   std::vector<double> one_, other_;  // radii or axes
   bool whole_ = false, round_ = false;
   std::size_t width_ = 0, first_line_ = 1;
+  std::optional<ClockTime> began_, last_;
+  std::int64_t days_ = 0;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "dataset/input_error.h"
 #include "dataset/number_text.h"
 #include "dataset/printable.h"
+#include "dataset/table/clock_time.h"
 #include "dataset/table/csv_rows.h"
 #include "dataset/table/number.h"
 #include "dataset/table/partition.h"
@@ -39,7 +40,8 @@ Reading read(const Partition& cut, char decimal) {
       double value = std::nan("");
       NumberStyle style;
       if (k >= line.fields.size() ||
-          (!trim(line.fields[k]).empty() && !parse_number(line.fields[k], decimal, value, &style)))
+          (!trim(line.fields[k]).empty() && !parse_number(line.fields[k], decimal, value, &style) &&
+           !parse_clock(line.fields[k])))
         valid = false;
       reading.grouped |= style.grouped && !style.doubtful;
       reading.in_threes += style.doubtful;
