@@ -1,6 +1,7 @@
 #include "report/check_text.h"
 
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 #include "dataset/check.h"
@@ -46,9 +47,14 @@ void write_reading(std::ostringstream& out, const Dataset& data) {
 }
 
 void write_excluded(std::ostringstream& out, const Dataset& data) {
+  constexpr std::size_t kShown = 10;  // of each reason
   if (!data.excluded.empty()) out << "[[Excluded]]\n";
+  std::map<std::string_view, std::size_t> counts;
   for (const Excluded& excluded : data.excluded)
-    out << "    " << data.line_text(excluded.line) << ": " << excluded.reason << '\n';
+    if (++counts[excluded.reason] <= kShown)
+      out << "    " << data.line_text(excluded.line) << ": " << excluded.reason << '\n';
+  for (const auto& [reason, count] : counts)
+    if (count > kShown) out << "    and " << count - kShown << " more: " << reason << '\n';
 }
 
 }  // namespace

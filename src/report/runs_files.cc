@@ -95,6 +95,8 @@ std::string cuts_toml(const ReducedLog& log) {
   const double interval = log.runs.frames.interval;
   out << "# The cuts of " << printable(log.forces.path, std::string::npos)
       << ". Change a time and run again with --cuts=THIS FILE; leave_out = true drops a run.\n";
+  if (log.areas_path != log.forces.path)
+    out << "# Times are those of the clock of " << printable(log.areas_path, std::string::npos) << ".\n";
   for (const LoadingRun& run : log.runs.runs) {
     out << "\n[[cuts]]\nrun = " << toml_text(run.name) << "\nshear = \"" << time_text(run.shear.time, interval)
         << " s\"";

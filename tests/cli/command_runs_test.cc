@@ -48,7 +48,6 @@ TEST(RunsCommand, SaysInOneLineWhatItCannotUse) {
   EXPECT_EQ(complaint({"runs", kLog, "--cuts=" + cuts}),
             "mixity: cuts.toml: states cuts of a run 'P=99 mN', which the log does not have");
   EXPECT_EQ(run_program({"runs", kLog, "--cuts=" + cuts}).exit_code, 3);
-}
   const std::string late = folder.write("late.toml", "[[cuts]]\nrun = \"P=7.73 mN\"\nonset = \"7000 s\"\n");
   const std::string outside = complaint({"runs", kLog, "--cuts=" + late});
   EXPECT_TRUE(outside.starts_with("mixity: late.toml:3:9: 7000 s is no time of run 'P=7.73 mN', which is held from "))
@@ -72,6 +71,7 @@ TEST(RunsCommand, TurnsALogRoundThatHasCompressionAsNegative) {
   ASSERT_EQ(turned.exit_code, 0) << turned.err;
   EXPECT_NE(turned.out.find("P is negative in compression there and was turned round (P -> -P)"), std::string::npos);
   EXPECT_EQ(content_of(folder.path("one/runs.csv")), content_of(folder.path("other/runs.csv")));
+}
 
 TEST(PooledFiles, GiveTheNumbersOfOneFileAndOfTheDefinitionThatIsSaved) {
   const TemporaryFolder folder;

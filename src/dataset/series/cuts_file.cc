@@ -12,6 +12,7 @@ std::map<std::string, StatedCut> read_cuts(const std::string& path) {
     for (const toml::node& entry : *node.as_array()) {
       std::string name;
       StatedCut cut;
+      cut.file = path;
       for (const auto& [item, value] : *entry.as_table()) {
         const auto time = [&]() -> double {
           const auto quantity = value.is_string() ? parse_quantity(value.as_string()->get()) : std::nullopt;
@@ -19,13 +20,16 @@ std::map<std::string, StatedCut> read_cuts(const std::string& path) {
             fail_at(path, value, std::string(item.str()) + " must be a time such as \"4.31 s\"");
           return quantity->si();
         };
+        const FilePlace place{value.source().begin.line, value.source().begin.column};
         if (item == "run" && value.is_string())
           name = value.as_string()->get();
-        else if (item == "shear")
+        else if (item == "shear") {
           cut.shear = time();
-        else if (item == "onset")
+          cut.shear_place = place;
+        } else if (item == "onset") {
           cut.onset = time();
-        else if (item == "leave_out" && value.is_boolean())
+          cut.onset_place = place;
+        } else if (item == "leave_out" && value.is_boolean())
           cut.leave_out = value.as_boolean()->get();
         else
           fail_at(

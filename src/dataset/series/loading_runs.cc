@@ -161,6 +161,8 @@ class Finder {
     const auto stated = options_.cuts.find(run.name);
     static const StatedCut kNone;
     const StatedCut& cuts = stated == options_.cuts.end() ? kNone : stated->second;
+    require_inside(cuts.shear, cuts, cuts.shear_place, run.name, level);
+    require_inside(cuts.onset, cuts, cuts.onset_place, run.name, level);
     if (cuts.leave_out) return add(level.begin, level.end, "left out", "left out as stated");
     if (!(T[top] > 12 * noise_T)) return add(level.begin, level.end, "hold", "T does not rise above its noise");
     // where T leaves its level: until it has risen to a third of what it reaches before it first falls
@@ -218,6 +220,16 @@ class Finder {
     add(end, run.last, "sliding", "past the onset of sliding");
     noise_T_.push_back(noise_T);
     found_.runs.push_back(std::move(run));
+  }
+
+  void require_inside(std::optional<double> time, const StatedCut& cuts, FilePlace place, const std::string& run,
+                      Stretch level) const {
+    const double first = found_.frames.time[level.begin] - found_.frames.interval,
+                 last = found_.frames.time[level.end - 1] + found_.frames.interval;
+    if (time && !(*time >= first && *time <= last))
+      throw InputError(cuts.file, place,
+                       rounded(*time, 7) + " s is no time of run '" + run + "', which is held from " +
+                           rounded(first, 6) + " s to " + rounded(last, 6) + " s on the clock of the areas");
   }
 
   std::size_t frame_at(double time, Stretch level) const {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dataset/input_error.h"
 #include "dataset/series/change_points.h"
 #include "dataset/series/frames.h"
 
@@ -50,6 +51,8 @@ struct Phase {
 struct StatedCut {
   std::optional<double> shear{}, onset{};  // s
   bool leave_out = false;
+  std::string file{};  // that states them, and where
+  FilePlace shear_place{}, onset_place{};
 };
 
 struct RunOptions {
@@ -74,7 +77,8 @@ struct LoadingRuns {
 /// PELT; a level of some length is one try. The shear begins where T leaves its level (hinge_point); it ends before the
 /// first fall of T that is more than noise (Page's CUSUM of 1954 tells of it), where T and A together break most likely
 /// (break_point), or where T stops rising. What happens later is sliding. Names are the loads, "P=4.68 mN", in the unit
-/// given. `cuts` of names that no run has are an error of the caller's: see unknown_cuts.
+/// given. Throws InputError for a cut that
+/// is stated outside the contact of its run; `cuts` of names that no run has are left to the caller.
 LoadingRuns find_loading_runs(Frames frames, const std::string& force_unit, double force_factor,
                               const RunOptions& options);
 
