@@ -55,10 +55,7 @@ inline constexpr std::string_view kOutOfRangeRatio = "the toughness ratio is out
 inline constexpr const char* kNoOffsets =
     "its runs are on several spheres: offsets of load, shear and area can be neither stated nor fitted";
 
-/// Notes.
-inline constexpr const char* kLoadsTurned =
-    "compression is negative in the file: its loads lie far below JKR's pull-off load, and its areas are those of "
-    "-P; loads are turned round (P -> -P)";
+/// A note.
 inline constexpr const char* kLoadNotUsed = "the load that is stated is not used: the file has a column of loads";
 
 struct Excluded {

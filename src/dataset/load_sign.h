@@ -5,6 +5,11 @@
 
 namespace mixity {
 
+/// A note.
+inline constexpr const char* kLoadsTurned =
+    "compression is negative in the file: its loads lie far below JKR's pull-off load, and its areas are those of "
+    "-P; loads are turned round (P -> -P)";
+
 /// Of points with loads, whether it surely has: contact under loads far below that of JKR's pull-off, -3 pi/2 R G_Ic,
 /// none above as much, and areas that grow as P falls or that are JKR's at -P.
 bool compression_is_negative(const Dataset& data);
