@@ -186,6 +186,16 @@ RegimeOrProblem regime_of(std::string_view model, std::span<const double> parame
   return found;
 }
 
+std::optional<double> critical_load_of(std::string_view model, std::span<const double> parameters) {
+  std::optional<double> load;
+  if (!parameters_problem(model, parameters).empty()) return load;
+  with_model(model, [&](auto instance) {
+    using Model = decltype(instance);
+    load = critical_load<Model>(parameters_of<Model>(parameters));
+  });
+  return load;
+}
+
 CurveOrProblem curve_of(std::string_view model, std::span<const double> parameters, double P, std::size_t points) {
   CurveOrProblem found;
   found.problem = with_contact(model, parameters, P, [&]<class Model>(const LoadedContact<Model>&, const auto& p) {

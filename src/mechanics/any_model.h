@@ -70,6 +70,9 @@ struct RegimeOrProblem {
 RegimeOrProblem regime_of(std::string_view model, std::span<const double> parameters, double P,
                           std::optional<double> tau0 = {});
 
+/// The load below which the contact jumps (critical_load); null where parameters_problem says something.
+std::optional<double> critical_load_of(std::string_view model, std::span<const double> parameters);
+
 /// So many points (two at least) along the whole curve, evenly in the angle of the circle, through every fold; or why
 /// there is none.
 struct CurveOrProblem {

@@ -1,6 +1,8 @@
 #include "mechanics/regimes.h"
 
 #include <algorithm>
+#include <limits>
+#include <tuple>
 
 #include "mechanics/roots.h"
 
@@ -9,7 +11,7 @@ namespace mixity {
 template <class Model>
 RegimeReport classify(const Parameters<Model>& p, double P, std::optional<double> tau0) {
   const LoadedContact<Model> contact(p, P);
-  const StableBranch& branch = contact.branches().front();
+  const StableBranch branch = contact.first_branch();  // what `excess` asks may find the others, too
   RegimeReport report{Regime::hertz, Regime::hertz, branch.T_bottom, {}, {}};
   if (branch.ends_in_fold) {
     report.fracture = Regime::jump;
@@ -29,6 +31,36 @@ RegimeReport classify(const Parameters<Model>& p, double P, std::optional<double
   return report;
 }
 
+template <class Model>
+double critical_load(const Parameters<Model>& p) {
+  constexpr double kLast = 42, kInfinity = std::numeric_limits<double>::infinity();      // tan psi up to 1e18
+  const auto excess = [&](double x) { return Model::shear_term(p, 1.0, std::exp(x)); };  // g - 1 and d
+  const auto load = [&](double x) {
+    const ShearTerm<double> at = excess(x);
+    const double rest = 2 + at.d1;
+    return rest > 0 ? 6 * pi<double>() * (at.value - 1 - at.d1) / (rest * rest) : kInfinity;
+  };
+  double first = -1;  // below, g is 1 to a millionth: psi folds near pull-off alone
+  while (first > -700 && excess(first).value > 1e-6) first *= 1.5;
+  double most = -1.5 * pi<double>(), x_before = first, before = most, x = first, here = load(first);
+  while (x < kLast) {
+    const double step = x < 6 ? 0.125 : x < 12 ? 0.25 : 0.5;  // as folds are searched
+    const double x_next = std::min(x + step, kLast), next = load(x_next);
+    most = std::max({most, here, next});
+    if (most == kInfinity) return most;
+    if (here >= before && here >= next) {
+      const auto top =
+          boost::math::tools::brent_find_minima([&](double at) { return -load(at); }, x_before, x_next, 40);
+      most = std::max(most, -top.second);
+    }
+    x_before = x;
+    before = here;
+    x = x_next;
+    here = next;
+  }
+  return most;
+}
+
 CuspPoint model_a_jump_boundary(double P) {
   constexpr double kLargestX = 0.5;
   if (P <= model_a_cusp(kLargestX).P) {
@@ -43,7 +75,8 @@ CuspPoint model_a_jump_boundary(double P) {
 }
 
 namespace {
-[[gnu::used]] const auto regime_instances = each_model([](auto model) { return &classify<decltype(model)>; });
+[[gnu::used]] const auto regime_instances =
+    each_model([](auto model) { return std::tuple(&classify<decltype(model)>, &critical_load<decltype(model)>); });
 }  // namespace
 
 }  // namespace mixity

@@ -30,6 +30,20 @@ RegimeReport classify(const Parameters<Model>& p, double P, std::optional<double
 
 // ---- Boundaries. These go beyond the paper. ----
 
+/// The load below which a contact jumps, and from which on it shrinks without; infinite where it jumps at every load,
+/// -3 pi/2 where at none. For parameters that define a unique equilibrium.
+///
+/// With x = ln tan psi, g(x) = (1 + tan^2 psi)/f and D = d ln g/dx, a fold at x is where g y^2 = 6 pi (y + P) and
+/// (y + 2 P)/(y + P) = D (load_folds.cc). The second gives y + P = P/(D - 1), and both together the one load that folds
+/// there,
+///
+///     P = 6 pi (D - 1)/(g (2 - D)^2) = 6 pi (g - 2 - d)/(2 + d)^2,      d = d(tau^2/y)/dy = g (2 - D) - 2 at y = 1
+///
+/// It is -3 pi/2 at psi = 0 and continuous: every load below its largest value folds somewhere, none above. Where
+/// 2 + d <= 0 on the way y has fallen to 0 in a fold at every load. To some 1e-11 of itself and of 3 pi/2.
+template <class Model>
+double critical_load(const Parameters<Model>& p);
+
 /// Model b jumps below and is smooth above this load; k = 1 - lambda/2.
 ///
 /// Near Hertz, psi = pi/2 - epsilon with epsilon = y/T, so cos(k psi) = s + k c epsilon, s = sin(pi lambda/4),
