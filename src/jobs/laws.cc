@@ -40,7 +40,7 @@ std::optional<DefinedLaw> define(const LawDefinition& definition, Failure& failu
     failure = {0, *check.error};
     return std::nullopt;
   }
-  DefinedLaw defined{define_law(definition, error), std::move(check.warnings)};
+  DefinedLaw defined{add_law(made, error), std::move(check.warnings)};
   if (!defined.law) {
     failure = {{}, error.message};
     return std::nullopt;
@@ -53,8 +53,8 @@ LawDefinition with_key(LawDefinition law) {
   if (!law.key.empty()) return law;
   for (std::size_t n = 1;; ++n) {
     law.key = "law_" + std::to_string(n);
-    LawError error;
-    if (!find_law(law.key) || define_law(law, error)) return law;
+    const auto known = find_law(law.key);
+    if (!known || same_law(known->definition(), law)) return law;
   }
 }
 
@@ -218,6 +218,15 @@ std::string law_toml(const LawDefinition& law) {
     text += one.name + " = { range = [" + shortest(one.lower) + ", " + shortest(one.upper) +
             "], start = " + shortest(one.start) + " }\n";
   return text + (law.normalised ? "normalised = true\n" : "");
+}
+
+std::string law_text(const LawDefinition& law) {
+  std::string text = law.text;
+  for (const LawParameter& one : law.parameters) {
+    text += "; " + one.name + "=" + shortest(one.lower) + ".." + shortest(one.upper);
+    if (one.start != usual_start(one.lower, one.upper)) text += " start " + shortest(one.start);
+  }
+  return text + (law.normalised ? "; normalised" : "");
 }
 
 bool is_model(std::string_view key) {

@@ -37,6 +37,9 @@ std::vector<DefinedLaw> define_laws(const std::string& path, const toml::table& 
 /// A law as a table [laws.KEY] of a fit definition.
 std::string law_toml(const LawDefinition& law);
 
+/// The same as read_law_text has it, without its key and name.
+std::string law_text(const LawDefinition& law);
+
 /// Where nothing is said of it: the middle of a range, in the logarithm of one over decades.
 double usual_start(double lower, double upper);
 

@@ -43,6 +43,21 @@ TEST(LawText, WithoutAKeyIsTheSameLawAgain) {
   EXPECT_NE(other, one);
 }
 
+TEST(LawText, IsWrittenAsItIsRead) {
+  for (const std::string text : {"1 + p*t^n; p=0..1; n=0.5..4 start 2", "2 + 2*q*B; q=-0.5..1e+20; normalised",
+                                 "K_I^2 + l*K_II^2 = 1; l=1e-05..1"})
+    EXPECT_EQ(law_text(read_law_text("--law", text)), text);
+}
+
+TEST(LawText, HasItsKeyFreeAgainWhereLawsAreForgotten) {
+  const DefinedLaw former = define_law_text("--law", "again: 1 + q*t^2; q=0..1");
+  EXPECT_FALSE(refusal_of("again: 1 + q*B; q=0..1").empty());
+  forget_laws();
+  EXPECT_FALSE(is_model("again"));
+  EXPECT_EQ(refusal_of("again: 1 + q*B; q=0..1"), "");
+  EXPECT_EQ(former.law->toughness(0, std::vector{0.5}), 1);
+}
+
 TEST(LawText, IsRefusedWithItsColumn) {
   EXPECT_EQ(refusal_of("1 + p*t^2"), "--law:1:1: a law has 1 to 3 parameters, this one 0");
   EXPECT_EQ(refusal_of(": 1 + p*t^2; p=0..1"), "--law:1:1: there is no key before the colon");

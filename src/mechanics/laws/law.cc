@@ -183,6 +183,7 @@ namespace {
 struct Known {
   std::mutex one_at_a_time;
   std::vector<std::shared_ptr<const ExpressionLaw>> laws;
+  std::vector<std::shared_ptr<const ExpressionLaw>> forgotten;  // stay: threads know what holds of a law by its address
 };
 Known& known() {
   static Known all;
@@ -190,25 +191,29 @@ Known& known() {
 }
 }  // namespace
 
-std::shared_ptr<const ExpressionLaw> define_law(const LawDefinition& definition, LawError& error) {
-  const std::shared_ptr<const ExpressionLaw> law = ExpressionLaw::make(definition, error);
-  if (!law) return law;
+bool same_law(const LawDefinition& one, const LawDefinition& other) {
+  return one.key == other.key && one.text == other.text && one.normalised == other.normalised &&
+         std::equal(one.parameters.begin(), one.parameters.end(), other.parameters.begin(), other.parameters.end(),
+                    [](const LawParameter& a, const LawParameter& b) {
+                      return a.name == b.name && a.lower == b.lower && a.upper == b.upper && a.start == b.start;
+                    });
+}
+
+std::shared_ptr<const ExpressionLaw> add_law(const std::shared_ptr<const ExpressionLaw>& made, LawError& error) {
   const std::lock_guard lock(known().one_at_a_time);
   for (const auto& other : known().laws) {
-    const LawDefinition& one = other->definition();
-    if (one.key != definition.key) continue;
-    const bool same =
-        one.text == definition.text && one.normalised == definition.normalised &&
-        std::equal(one.parameters.begin(), one.parameters.end(), definition.parameters.begin(),
-                   definition.parameters.end(), [](const LawParameter& a, const LawParameter& b) {
-                     return a.name == b.name && a.lower == b.lower && a.upper == b.upper && a.start == b.start;
-                   });
-    if (same) return other;
-    error = {{}, "there is another law '" + definition.key + "': " + other->shown()};
+    if (other->definition().key != made->definition().key) continue;
+    if (same_law(other->definition(), made->definition())) return other;
+    error = {{}, "there is another law '" + made->definition().key + "': " + other->shown()};
     return nullptr;
   }
-  known().laws.push_back(law);
-  return law;
+  known().laws.push_back(made);
+  return made;
+}
+
+std::shared_ptr<const ExpressionLaw> define_law(const LawDefinition& definition, LawError& error) {
+  const std::shared_ptr<const ExpressionLaw> made = ExpressionLaw::make(definition, error);
+  return made ? add_law(made, error) : made;
 }
 
 std::shared_ptr<const ExpressionLaw> find_law(std::string_view key) {
@@ -223,6 +228,12 @@ std::vector<std::string> law_keys() {
   std::vector<std::string> keys;
   for (const auto& law : known().laws) keys.push_back(law->definition().key);
   return keys;
+}
+
+void forget_laws() {
+  const std::lock_guard lock(known().one_at_a_time);
+  known().forgotten.insert(known().forgotten.end(), known().laws.begin(), known().laws.end());
+  known().laws.clear();
 }
 
 const ExpressionLaw*& current_law() {

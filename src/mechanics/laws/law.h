@@ -86,8 +86,12 @@ std::string_view equilibrium_domain(std::span<const double> p);
 
 /// The laws that a process knows. Adds one, or finds the same that is there; an error for another one of that key.
 std::shared_ptr<const ExpressionLaw> define_law(const LawDefinition& definition, LawError& error);
+std::shared_ptr<const ExpressionLaw> add_law(const std::shared_ptr<const ExpressionLaw>& made, LawError& error);
+/// In all but the name, which is only shown.
+bool same_law(const LawDefinition& one, const LawDefinition& other);
 std::shared_ptr<const ExpressionLaw> find_law(std::string_view key);
 std::vector<std::string> law_keys();  // in the order in which they were defined
+void forget_laws();                   // their keys are free; what holds one of them keeps it
 
 /// The law that typed:: speaks of on this thread; null where none is.
 const ExpressionLaw*& current_law();
