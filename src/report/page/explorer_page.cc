@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dataset/table/csv.h"
+#include "report/job_fields.h"
 #include "report/used_csv.h"
 
 namespace mixity {
@@ -28,27 +29,18 @@ std::string content_if_any(const std::string& path) {
 
 Json as_embedded(const JobResult& result) {
   const FitJob& job = result.job;
-  Json constants = Json::object(), options = Json::object();
-  for (const auto& [name, text] : job.runs.empty() ? job.constants : constants_as_stated(result.data.metadata))
-    constants[name] = text;
-  // what the page fits at once: without what takes long
-  for (const auto& [name, text] : job.stated)
-    if (name != "bootstrap" && name != "influence" && name != "per" && name != "threads") options[name] = text;
-  Json models = Json::array();
-  for (const std::string& model : job.models) models.push_back(model);
-  if (!job.runs.empty())
-    return {{"name", result.data.name + ".csv"},
-            {"content", base64(used_csv(result.data))},
-            {"toml", ""},
-            {"constants", constants},
-            {"options", options},
-            {"models", models}};
-  return {{"name", job.data_path.substr(job.data_path.find_last_of('/') + 1)},
-          {"content", base64(read_file(job.data_path))},
-          {"toml", base64(content_if_any(metadata_path(job.data_path)))},
-          {"constants", constants},
-          {"options", options},
-          {"models", models}};
+  Json embedded =
+      job_fields(job, job.runs.empty() ? job.constants : Overrides(constants_as_stated(result.data.metadata)));
+  if (job.runs.empty()) {
+    embedded["name"] = job.data_path.substr(job.data_path.find_last_of('/') + 1);
+    embedded["content"] = base64(read_file(job.data_path));
+    embedded["toml"] = base64(content_if_any(metadata_path(job.data_path)));
+  } else {
+    embedded["name"] = result.data.name + ".csv";
+    embedded["content"] = base64(used_csv(result.data));
+    embedded["toml"] = "";
+  }
+  return embedded;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dataset/table/csv.h"
+#include "jobs/laws.h"
 #include "report/example_results.h"
 
 namespace mixity {
@@ -49,6 +50,13 @@ TEST(ExplorerPage, HasTheJobsOptionsAndConstantsAndCannotBeEndedByThem) {
   EXPECT_EQ(data[0]["models"], nlohmann::json({"c"}));
   EXPECT_EQ(data[0]["options"], nlohmann::json({{"exclude", "7"}}));  // not what takes long
   EXPECT_EQ(data[0]["constants"]["note"], "</script><script>");
+}
+
+TEST(ExplorerPage, HasTheLawsOfTheJobAsTheyAreTyped) {
+  JobResult result = shipped("mergel2018");
+  define_law_text("--law", "own: 1 + p*t^2; p=0..1 start 0.2");
+  result.job.models = {"c", "own"};
+  EXPECT_EQ(embedded(result)[0]["laws"], nlohmann::json({{"own", "1 + p*t^2; p=0..1 start 0.2"}}));
 }
 
 TEST(ExplorerPage, IsNoneWithoutAPlaceForData) {
