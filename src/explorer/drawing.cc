@@ -81,12 +81,13 @@ Json drawn_models(const Json& request) {
   for (const Json& one : request.at("models")) {
     const std::string model = one.at("model");
     const auto parameters = one.at("parameters").get<std::vector<double>>();
+    const FitResult fit = as_chosen(model, parameters);
+    const Json toughness = drawn_toughness(result.data, fit, 0.5 * pi<double>(), 1e3, kPoints);
     const RegimeOrProblem regime = regime_of(model, parameters, P);
     if (!regime.problem.empty()) {
-      all.push_back({{"model", model}, {"problem", regime.problem}});
+      all.push_back({{"model", model}, {"problem", regime.problem}, {"toughness", toughness}});
       continue;
     }
-    const FitResult fit = as_chosen(model, parameters);
     const DrawnCurve drawn = drawn_curve(result, fit, P, T_most);
     Json folds = Json::array();
     for (const DrawnFold& fold : drawn.folds)
@@ -101,34 +102,9 @@ Json drawn_models(const Json& request) {
                    {"curve", curve(drawn)},
                    {"folds", folds},
                    {"radii", {{"stable", radii.stable}, {"unstable", radii.unstable}}},
-                   {"toughness", drawn_toughness(result.data, fit, 0.5 * pi<double>(), 1e3, kPoints)},
+                   {"toughness", toughness},
                    {"state", state(model, parameters, units, P, T)},
                    {"regime", std::string(regime_text(regime.regime->regime))}});
-  }
-  return all;
-}
-
-Json regime_map(const Json& request) {
-  constexpr int kColumns = 96;
-  const Dataset data = of_constants(request);
-  const double unit = data.display.force_scale;
-  const std::string model = request.at("model");
-  const double low = request.at("P_low").get<double>() / unit, high = request.at("P_high").get<double>() / unit,
-               first = request.at("lambda_low"), last = request.at("lambda_high");
-  if (!(low < high) || !(first > 0 && first < last) || parameter_names(model).size() != 1)
-    throw std::invalid_argument("no map: two loads, two positive lambda and a model of one parameter are wanted");
-  std::vector<double> loads;
-  for (int i = 0; i <= kColumns; ++i) loads.push_back(low + (high - low) * i / kColumns);
-  const auto lambda_at = [&](double part) { return part < 1 ? first * std::pow(last / first, part) : last; };
-  const auto regime_at = [&](double part, double load) {
-    const double lambda = lambda_at(part);
-    return regime_of(model, {&lambda, 1}, load).regime->regime;
-  };
-  Json all = Json::array();
-  for (const RegimeRegion& region : regime_regions(loads, regime_at)) {
-    Json outline = Json::array();
-    for (const auto& [load, part] : region.outline) outline.push_back({load * unit, lambda_at(part)});
-    all.push_back({{"regime", std::string(regime_text(region.regime))}, {"outline", outline}});
   }
   return all;
 }

@@ -9,14 +9,10 @@ namespace mixity::explorer {
 using Json = nlohmann::ordered_json;
 
 /// {"radius": m, "modulus": Pa, "toughness": J/m^2, "P": .., "T": .., "T_most": .., "P_most": .., "models":
-/// [{"model": "c", "parameters": [0.0023]}]}: of each model {"curve": {"T", "A", "u", "stable"}, "folds": [{"control",
-/// "T", "A", "u", "jumps_to", "area_after"}], "radii": {"stable": [[P, a]], "unstable"}, "toughness": [[psi, f]],
-/// "state": {"A", "psi", "f"} or null off equilibrium, "regime": text, "problem": why there is no contact}. Throws
-/// std::invalid_argument for constants that are none.
+/// [{"model": "c", "parameters": [0.0023]}]}: of each model {"toughness": [[psi, f]], "curve": {"T", "A", "u",
+/// "stable"}, "folds": [{"control", "T", "A", "u", "jumps_to", "area_after"}], "radii": {"stable": [[P, a]],
+/// "unstable"}, "state": {"A", "psi", "f"} or null off equilibrium, "regime": text}; the toughness and "problem" alone
+/// where there is no contact. Throws std::invalid_argument for constants that are none.
 Json drawn_models(const Json& request);
-
-/// {constants as above, "model", "P_low", "P_high", "lambda_low", "lambda_high"}: regions over the
-/// load and ln lambda, [{"regime": text, "outline": [[P, lambda]]}].
-Json regime_map(const Json& request);
 
 }  // namespace mixity::explorer

@@ -5,11 +5,13 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "explorer/drawing.h"
 #include "explorer/experiment.h"
+#include "explorer/regime_map.h"
 #include "jobs/fit_definition.h"
 #include "jobs/job_options.h"
 #include "jobs/laws.h"
@@ -98,8 +100,20 @@ std::string draw(const std::string& request) {
   return guarded([&] { return drawn_models(Json::parse(request)); });
 }
 
-std::string map_of(const std::string& request) {
-  return guarded([&] { return regime_map(Json::parse(request)); });
+/// A part of the work on a map (regime_map.h), the same request until it is done: {"regions": [...]}; {} as long as
+/// there is more to do. Another request takes the place of one that is not done.
+std::string map_of(const std::string& request, double milliseconds) {
+  return guarded([&] {
+    static std::string asked;
+    static std::optional<RegimeMap> map;
+    if (!map || request != asked) map.emplace(Json::parse(request));
+    asked = request;
+    Json told = Json::object();
+    if (!map->go_on(milliseconds)) return told;
+    told["regions"] = map->regions();
+    map.reset();
+    return told;
+  });
 }
 
 }  // namespace

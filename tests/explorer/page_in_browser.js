@@ -54,6 +54,73 @@ async function dropAndFit(page) {
   return file;
 }
 
+/// What the page's map shows at (P/R G_Ic, parameter).
+const drawnAt = (page, points) => page.evaluate(all => {
+  const {map} = window.explorer.models, regions = map.known.get(map.wanted().text);
+  const inside = (outline, x, y) => outline.reduce((is, [x1, y1], i) => {
+    const [x2, y2] = outline[(i + 1) % outline.length];
+    return (y1 > y) !== (y2 > y) && x < x1 + (x2 - x1) * (y - y1) / (y2 - y1) ? !is : is;
+  }, false);
+  return all.map(([x, y]) => regions.filter(({outline}) => inside(outline, x, y)).map(({regime}) => regime));
+}, points);
+
+/// The map on the page against `mixity map` with these words: '' where there is no unique equilibrium.
+async function sameMap(page, words, what) {
+  await page.waitForFunction(() => { const {map} = window.explorer.models; return map.known.has(map.wanted().text); });
+  const rows = run(['map', '--grid=13', ...words]).trim().split('\n').slice(1).map(row => row.split(','));
+  const drawn = await drawnAt(page, rows.map(row => [Number(row[0]), Number(row[1])]));
+  const wrong = rows.filter((row, i) => drawn[i].length !== 1 || (row[2] || 'n') !== drawn[i][0][0]).map((row, i) => `${row.slice(0, 3)}`);
+  expect(wrong.length === 0, `${what}: the map is not the program's at ${wrong.join('; ')}`);
+  return rows.map(row => row[2]);
+}
+
+async function mapOfOnesOwn(page) {
+  const type = async law => {
+    await page.fill('#law', law);
+    await page.press('#law', 'Enter');
+    await page.waitForFunction(wanted => window.explorer.models.state.law === wanted, law);
+  };
+  const loads = '--load_range=-4.1,15.1';
+  await type('1 + tan((1-l/2)*psi)^2; l=0..2');
+  const range = '--lambda_range=0.053,1.951';
+  expect(await page.inputValue('#map-model') === 'own' && !await page.isVisible('#map-axis'), 'the map is of the law that was typed');
+  expect(new Set(await sameMap(page, ['--model=b', loads, range], 'a law that is model b')).size === 2, 'model b has two regimes');
+  await page.selectOption('#map-model', 'b');
+  await sameMap(page, ['--model=b', loads, range], 'model b');
+  await page.selectOption('#map-model', 'a');
+  await sameMap(page, ['--model=a', loads, '--lambda_range=0.053,0.999'], 'model a');
+
+  // two parameters, and not everywhere a unique equilibrium: model bk
+  await type('1 + (r-1)*B^n; r=0.5..3; n=0.5..4');
+  const at = values => page.evaluate(own => { const {models} = window.explorer; models.state.own = own; models.redraw(); }, values);
+  await at([2, .8]);
+  const bk = ['--model=bk', loads];
+  const over = [await sameMap(page, [...bk, '--axis=r', '--parameters=eta=0.8', '--lambda_range=0.511,2.97'], 'over r')];
+  await page.selectOption('#map-axis', 'n');
+  await at([2.5, .8]);
+  over.push(await sameMap(page, [...bk, '--axis=eta', '--parameters=r=2.5', '--lambda_range=0.511,3.97'], 'over n'));
+  expect(over.every(one => one.includes('') && one.includes('3')), 'some r and n give no unique equilibrium');
+  expect(/no unique equilibrium/.test(await page.textContent('#says')), 'nor does the chosen one');
+  expect(/Regimes of your own law by load and n: .*no unique equilibrium/.test(await page.getAttribute('#chart-map', 'aria-label')), `the map says: ${await page.getAttribute('#chart-map', 'aria-label')}`);
+  expect(/r = 2.5/.test(await page.textContent('#map-says')), 'the map says of which r it is');
+  await page.waitForFunction(() => /map=own.*over=n/.test(location.hash));
+  if (shots) await page.screenshot({path: path.join(shots, 'own_map.png'), fullPage: true});
+  // a step of the other parameter makes another map, which must not wait for it
+  const frames = await page.evaluate(async () => {
+    const {models} = window.explorer, times = [];
+    for (let i = 0; i < 21; ++i) {
+      models.state.own = [.6 + .1 * i, 1.5];
+      models.redraw();
+      times.push(models.time);
+      await new Promise(requestAnimationFrame);
+    }
+    return times.sort((x, y) => x - y);
+  });
+  expect(frames[10] < 160, `a step with the map of one's own law takes ${frames[10]} ms`);
+  stepOfOwn = frames[10];
+}
+let stepOfOwn = 0;
+
 const flags = ['--radius=9.42 mm', '--modulus=2.133 MPa +/- 2%', '--toughness=27 mJ/m^2', '--format=json'];
 
 async function main() {
@@ -124,8 +191,10 @@ async function main() {
   await page.keyboard.press('ArrowRight');
   await page.waitForFunction(() => decodeURIComponent(location.hash).includes('law=1/(1'));
   if (shots) await page.screenshot({path: path.join(shots, 'law.png'), fullPage: true});
+  await mapOfOnesOwn(page);
   await page.fill('#law', '');
   await page.press('#law', 'Enter');
+  expect(await page.inputValue('#map-model') === 'b', 'without a law the map is of a model that there is');
 
   // a file of one's own
   const file = await dropAndFit(page);
@@ -255,7 +324,7 @@ async function main() {
   const unnamed = await page.evaluate(() => [...document.querySelectorAll('input, select, button')].filter(one => !(one.labels?.length || one.getAttribute('aria-label') || one.textContent.trim())).map(one => one.outerHTML));
   expect(unnamed.length === 0, `controls without a name: ${unnamed}`);
   expect(told.length === 0, `the console says: ${told.join('; ')}`);
-  console.log(`opened in ${opened} ms, ${(size / 1e6).toFixed(2)} MB; a slider's step of three models ${redraws[0].toFixed(1)} ms a frame, all figures in ${redraws[1].toFixed(0)} ms; fit of model c to ${fitted[1]} points with its interval and tests ${fitted[0].toFixed(0)} ms, of three models ${fitted[2].toFixed(0)} ms`);
+  console.log(`opened in ${opened} ms, ${(size / 1e6).toFixed(2)} MB; a slider's step of three models ${redraws[0].toFixed(1)} ms a frame, with the map of a law of one's own ${stepOfOwn.toFixed(1)} ms, all figures in ${redraws[1].toFixed(0)} ms; fit of model c to ${fitted[1]} points with its interval and tests ${fitted[0].toFixed(0)} ms, of three models ${fitted[2].toFixed(0)} ms`);
   await browser.close();
 }
 

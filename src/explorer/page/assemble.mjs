@@ -19,7 +19,8 @@ const bundled = await esbuild.build({
 // the report's style, light, dark and printed, is the page's
 const style = /R"css\(([\s\S]*?)\)css"/.exec(text('../../report/page/style.h'))[1] + text('style.css');
 // the compiled part by itself: as text within the script it would take a third more
-const script = readFileSync(engine, 'utf8'), compiled = /(?<=data:application\/octet-stream;base64,)[A-Za-z0-9+/=]{1000,}/.exec(script)[0];
+const script = readFileSync(engine, 'utf8'), before = 'data:application/octet-stream;base64,';
+const from = script.lastIndexOf(before) + before.length, compiled = script.slice(from, script.indexOf(script[from - before.length - 1], from));
 const packed = bytes => gzipSync(bytes, {level: 9}).toString('base64');
 const parts = {
   STYLE: style,

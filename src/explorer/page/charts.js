@@ -14,7 +14,8 @@ export const colorOfModel = {a: 1, b: 2, c: 3};
 
 export const shown = (value, digits = 4) => value === 0 ? '0' : Number(value.toPrecision(digits)).toString();
 
-function axis(name, extra) {
+/// All that an axis is made of: one that changes its type forgets what it was given before.
+export function axis(name, extra) {
   return {
     type: 'value', name, nameLocation: 'middle', nameGap: 28, scale: true,
     nameTextStyle: {color: token('--ink')}, axisLabel: {color: token('--soft'), hideOverlap: true, formatter: value => shown(value)},
@@ -31,7 +32,7 @@ export function figure(id, axes, more = {}) {
   const frame = () => ({
     animation: false, textStyle: {fontFamily: getComputedStyle(document.body).fontFamily},
     grid: {left: 62, right: 16, top: 34, bottom: 46, ...more.grid},
-    legend: {top: 0, textStyle: {color: token('--ink')}, type: 'scroll', itemGap: 14, pageTextStyle: {color: token('--ink')}, pageIconColor: token('--ink'), pageIconInactiveColor: token('--line'), ...more.legend},
+    legend: {top: 0, formatter: name => brief(name, element.clientWidth), textStyle: {color: token('--ink')}, type: 'scroll', itemGap: 14, pageTextStyle: {color: token('--ink')}, pageIconColor: token('--ink'), pageIconInactiveColor: token('--line'), ...more.legend},
     tooltip: {trigger: 'item', confine: true, formatter: told},
     dataZoom: [{type: 'inside', xAxisIndex: 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'},
       {type: 'inside', yAxisIndex: axes.y2 ? [0, 1] : 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'}],
@@ -52,6 +53,9 @@ export function figure(id, axes, more = {}) {
   };
   return entry;
 }
+
+/// Of four models the last would not be seen on a narrow figure.
+const brief = (name, width) => (width < 460 ? name.replace(/^model /, '') : name);
 
 function told({seriesName, value, data}) {
   if (data && data.hover) return data.hover;

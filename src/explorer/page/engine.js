@@ -21,7 +21,7 @@ export async function loadEngine() {
     version: engine.version(),
     define: text => asked(engine.define(text)),
     draw: request => asked(engine.draw(JSON.stringify(request))),
-    map: request => asked(engine.map(JSON.stringify(request))),
+    map: (request, milliseconds) => asked(engine.map(request, milliseconds)),
     write: (name, bytes) => engine.write(name, bytes),
     read: (name, constants) => asked(engine.read(name, JSON.stringify(constants))),
     fit: (name, constants, options) => asked(engine.fit(name, JSON.stringify(constants), JSON.stringify(options))),

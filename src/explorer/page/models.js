@@ -1,10 +1,11 @@
 // The sliders, and what the models say at them.
-import {areas, color, colorOfModel, figure, line, marks, shown} from './charts.js';
-import {quantities, read, valid, write} from './state.js';
+import {color, colorOfModel, figure, line, marks, shown} from './charts.js';
+import {RegimeMap} from './map.js';
+import {byDecades, quantities, read, valid, write} from './state.js';
 
 const models = ['a', 'b', 'c'];
 const ownColor = 4;
-const tintOfRegime = {1: 6, 2: 3, 3: 1, 4: 7};
+const asSentence = text => `${text[0].toUpperCase()}${text.slice(1)}.`;
 
 export class Models {
   constructor(engine, state) {
@@ -18,52 +19,64 @@ export class Models {
       map: figure('chart-map', {x: {name: 'P (mN)'}, y: {name: 'λ', type: 'log', min: 1e-5, max: 1}}),
     };
     this.turn = Object.keys(this.figures);
+    this.map = new RegimeMap(engine, this, this.figures.map);
     this.makeSliders();
     this.field = document.getElementById('law');
-    document.getElementById('own').addEventListener('submit', event => { event.preventDefault(); this.define(this.field.value.trim()); });
+    document.getElementById('own').addEventListener('submit', event => { event.preventDefault(); this.typed(this.field.value.trim()); });
     this.define(state.law, state.own);
     addEventListener('hashchange', () => {
-      const {map, off, law, own, ...values} = read();
-      Object.assign(state, {map, off});
+      const {map, over, off, law, own, ...values} = read();
+      Object.assign(state, {map, over, off});
       this.define(law, own);
-      this.mapModel.value = map;
       for (const model of models) document.querySelector(`[aria-label='model ${model} drawn']`).checked = !off.has(model);
       this.take(values);
     });
-    this.mapModel = document.getElementById('map-model');
-    this.mapModel.value = state.map;
-    this.mapModel.addEventListener('change', () => { state.map = this.mapModel.value; this.redraw(); });
     this.redraw();
+  }
+
+  /// A law that has just been typed is what the map is looked at for.
+  typed(text) {
+    if (this.define(text) && this.own) {
+      this.state.map = 'own';
+      this.map.offer();
+    }
   }
 
   /// A law that somebody typed is a model until another one is; none is typed: there is none.
   define(text, values = []) {
     const {state} = this, says = document.getElementById('law-says');
     let law = null;
-    says.textContent = '';
+    this.field.value = text;
     try {
       law = text ? this.engine.define(text) : null;
-      says.textContent = law ? law.warnings.join(' ') : '';
+      says.textContent = law ? law.warnings.map(asSentence).join(' ') : '';
     } catch (error) {
-      says.textContent = error.message.replace(/^law:1:(\d+): /, 'Character $1: ');
-      return;
+      says.textContent = asSentence(error.message.replace(/^law:1:(\d+): /, 'Character $1: ')) + (this.own ? ` What is drawn is still ${state.law}.` : '');
+      this.map.offer();
+      return false;
+    } finally {
+      const wrong = Boolean(text) && !law;
+      says.classList.toggle('alert', wrong);
+      this.field.setAttribute('aria-invalid', String(wrong));
     }
     this.own = law;
-    this.field.value = state.law = text;
+    state.law = text;
     state.own = law ? law.parameters.map(({start, lower, upper}, i) => values[i] >= lower && values[i] <= upper ? values[i] : start) : [];
     const fitted = document.getElementById('own-fitted'), box = fitted.firstChild;
     fitted.hidden = !law;
     if (!law || box.value !== law.model) box.checked = Boolean(law);
     box.value = law ? law.model : '';
     this.makeOwnSliders();
+    this.map.offer();
     this.schedule();
+    return true;
   }
 
   makeOwnSliders() {
     const form = document.getElementById('own-sliders'), {state} = this;
     form.textContent = '';
     (this.own?.parameters ?? []).forEach(({name, lower, upper}, i) => {
-      const logarithmic = lower > 0 && upper > 20 * lower, box = document.createElement('div');
+      const logarithmic = byDecades({lower, upper}), box = document.createElement('div');
       box.className = 'slider model';
       box.style.setProperty('--own', `var(--color-${ownColor})`);
       box.innerHTML = `<label for="own-${i}">${name} of your own law</label>
@@ -193,20 +206,31 @@ export class Models {
     const turn = [...this.turn.filter(inView), ...this.turn.filter(name => !inView(name))];
     for (const name of turn) {
       if (!this.stale.has(name)) continue;
-      if (name === 'map') this.drawMap();
+      if (name === 'map') this.map.draw();
       else this.drawCurve(name);
       this.stale.delete(name);
       this.turn.push(this.turn.splice(this.turn.indexOf(name), 1)[0]);
       if (performance.now() - begin > 8) break;
     }
     this.time = performance.now() - begin;
-    if (!this.stale.size || this.following) return;
+    if (this.stale.size) this.follow();
+  }
+
+  follow() {
+    if (this.following) return;
     this.following = true;
     requestAnimationFrame(() => { this.following = false; this.drawSome(performance.now()); });
   }
 
+  /// A figure of which more has become known.
+  drawAgain(name) {
+    this.stale.add(name);
+    this.follow();
+  }
+
   drawCurve(name) {
-    const {state, all} = this, there = all.filter(one => !one.problem), names = there.map(one => this.title(one.model));
+    // a law that defines no equilibrium is a law all the same
+    const {state, all} = this, there = all.filter(one => !one.problem || (name === 'toughness' && one.toughness)), names = there.map(one => this.title(one.model));
     const what = {
       area: `Contact area against tangential load at P = ${shown(state.P)} mN`,
       toughness: 'Toughness against phase angle',
@@ -254,28 +278,6 @@ export class Models {
   radius(one, name, own) {
     return [line(`${one.model}-stable`, name, one.radii.stable, own), line(`${one.model}-unstable`, name, one.radii.unstable, own, 'dashed'),
       this.here(one, name, own, one.state && [this.state.P, Math.sqrt(one.state.A / Math.PI)])];
-  }
-
-  /// Regions depend on the model and the constants alone, and are asked for once.
-  drawMap() {
-    const {state} = this, model = state.map;
-    const pull_off = -1.5 * Math.PI * state.R * state.G * 1e-3, P_high = Math.max(2 * state.P, -4 * pull_off);
-    const request = {...this.constants(), model, P_low: .999 * pull_off, P_high: Number(P_high.toPrecision(2)), lambda_low: 1e-5, lambda_high: quantities.find(q => q.key === model).high};
-    const key = JSON.stringify(request);
-    if (this.mapKey !== key) {
-      this.mapKey = key;
-      const regions = this.engine.map(request);
-      this.regions = areas(regions.map(({regime, outline}) => ({name: regime, outline, color: color(tintOfRegime[regime[0]])})));
-      this.regimes = [...new Set(regions.map(one => one.regime))];
-    }
-    const one = this.regimes.length === 1;
-    document.getElementById('map-says').textContent = one ? `: one regime everywhere, ${this.regimes[0].slice(2)}.` : '';
-    document.getElementById('chart-map').hidden = one;
-    if (one) return;
-    const here = state.off.has(model) ? [] : [[state.P, state[model]]];
-    this.figures.map.draw([...this.regions, marks('here', `model ${model} here`, here, color(0), 'circle', {itemStyle: {color: color(0)}})],
-      `Regimes of model ${model} by load and lambda: ${this.regimes.join(', ')}`,
-      {legend: {data: this.regimes}, xAxis: {min: request.P_low, max: request.P_high}, yAxis: {max: request.lambda_high}});
   }
 
   sentence(one) {

@@ -21,6 +21,9 @@ export function valid(q, text) {
   return Math.abs(value) <= 1e3 * span ? value : null;
 }
 
+/// Whether the range of a parameter is walked through by factors.
+export const byDecades = ({lower, upper}) => lower > 0 && upper > 20 * lower;
+
 let known = location.hash;  // the address as this page read or wrote it last
 
 export function read() {
@@ -33,7 +36,8 @@ export function read() {
   for (const key of (stated.get('without') ?? '').split('')) state.off.add(key);
   state.law = stated.get('law') ?? '';
   state.own = (stated.get('own') ?? '').split(',').filter(Boolean).map(Number);
-  state.map = ['a', 'b', 'c'].includes(stated.get('map')) ? stated.get('map') : 'b';
+  state.map = ['a', 'b', 'c', ...(state.law ? ['own'] : [])].includes(stated.get('map')) ? stated.get('map') : 'b';
+  state.over = stated.get('over') ?? '';  // the parameter on the map's axis
   return state;
 }
 
@@ -47,6 +51,7 @@ export function write(state) {
   if (state.law) {
     stated.set('law', state.law);
     stated.set('own', state.own.join(','));
+    if (state.map === 'own') stated.set('over', state.over);
   }
   history.replaceState(null, '', '#' + stated);
   known = location.hash;

@@ -45,12 +45,12 @@ class RegimeMap {
         regime_regions(loads, [&](double part, double P) { return regime(lambda_at(part), P); });
     if (all.size() == 1) {
       left_out.push_back({"regime map of model " + fit_.model,
-                          "one regime everywhere: " + std::string(regime_text(all.front().regime)).substr(2)});
+                          "one regime everywhere: " + std::string(regime_text(*all.front().regime)).substr(2)});
       return std::nullopt;
     }
     for (const RegimeRegion& region : all) {
-      const auto number = static_cast<std::size_t>(region.regime);
-      Series series{named[number] ? "" : regime_text(region.regime), Look::band, color(kTint[number - 1]), {}};
+      const auto number = static_cast<std::size_t>(*region.regime);
+      Series series{named[number] ? "" : regime_text(*region.regime), Look::band, color(kTint[number - 1]), {}};
       named[number] = true;
       for (const auto& [P, part] : region.outline) series.points.emplace_back(P * units_.force, lambda_at(part));
       figure.series.push_back(std::move(series));

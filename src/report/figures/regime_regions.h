@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,13 +13,23 @@ namespace mixity {
 /// "3 jumps"
 const char* regime_text(Regime regime);
 
-/// A connected region of one regime, over loads and the parts 0..1 of an axis of lambda.
-struct RegimeRegion {
-  Regime regime;
-  std::vector<std::pair<double, double>> outline;  // (load, part), closed
+/// A regime along one line of a map; null: the law defines no unique equilibrium there.
+struct RegimeExtent {
+  std::optional<Regime> regime;
+  double from, to;
 };
 
-/// Loads evenly spaced, two at least. `at` is asked for the regime at a part and a load.
+/// A connected region of one regime: its outline, closed, as (place of the line, place on it).
+struct RegimeRegion {
+  std::optional<Regime> regime;
+  std::vector<std::pair<double, double>> outline;
+};
+
+/// Of lines that stand at these rising places, two at least, each filled by its extents in order.
+std::vector<RegimeRegion> connected_regions(const std::vector<double>& places,
+                                            const std::vector<std::vector<RegimeExtent>>& lines);
+
+/// Lines at the loads, along the parts 0..1 of an axis of lambda. `at` is asked for the regime at a part and a load.
 std::vector<RegimeRegion> regime_regions(const std::vector<double>& loads,
                                          const std::function<Regime(double part, double load)>& at);
 

@@ -1,0 +1,102 @@
+// The map of what becomes of a contact, by normal load and one parameter of a model.
+import {areas, axis, color, marks, shown} from './charts.js';
+import {byDecades, quantities} from './state.js';
+
+const tintOfRegime = {1: 6, 2: 3, 3: 1, n: 7};  // by the first letter of its text
+const mostKept = 40;                            // maps
+const atOnce = 4;                               // ms of work until a slider may have its turn
+const whenIdle = work => (window.requestIdleCallback ? requestIdleCallback(work, {timeout: 300}) : setTimeout(work, 20));
+
+export class RegimeMap {
+  /// `models` has the state and the laws, `figure` draws.
+  constructor(engine, models, figure) {
+    Object.assign(this, {engine, models, figure, known: new Map()});
+    this.says = document.getElementById('map-says');
+    this.model = document.getElementById('map-model');
+    this.axis = document.getElementById('map-axis');
+    this.model.addEventListener('change', () => { models.state.map = this.model.value; this.offer(); models.redraw(); });
+    this.axis.addEventListener('change', () => { models.state.over = this.axis.value; models.redraw(); });
+  }
+
+  /// Those of the model that the map is of.
+  parameters() {
+    const {state, own} = this.models;
+    if (state.map === 'own') return own.parameters.map(one => ({...one, logarithmic: byDecades(one)}));
+    return [{name: 'λ', lower: 1e-5, upper: quantities.find(q => q.key === state.map).high, logarithmic: true}];
+  }
+
+  /// Lets choose among the models and parameters that there are.
+  offer() {
+    const {state, own} = this.models;
+    if (state.map === 'own' && !own) state.map = 'b';
+    const names = this.parameters().map(({name}) => name), single = names.length === 1;
+    if (!names.includes(state.over)) state.over = names[0];
+    const fill = (select, options, chosen) => {
+      select.replaceChildren(...options.map(([value, text]) => new Option(text, value)));
+      select.value = chosen;
+    };
+    fill(this.model, [...['a', 'b', 'c'].map(key => [key, `model ${key}`]), ...(own ? [['own', 'your own law']] : [])], state.map);
+    fill(this.axis, names.map(name => [name, name]), state.over);
+    this.axis.hidden = single;
+    document.getElementById('map-over').textContent = `by load and ${single ? names[0] : ''}`;
+  }
+
+  /// What the engine is asked, and what it is known by. In loads over R G_Ic, up to twice as many as P wants: a map is
+  /// that of every sphere, and of every value on its axis.
+  wanted() {
+    const {state, own} = this.models, parameters = this.parameters(), axis = parameters.findIndex(({name}) => name === state.over);
+    const {name, lower, upper, logarithmic} = parameters[axis], model = state.map === 'own' ? own.model : state.map;
+    const unit = state.R * state.G * 1e-3, least = 6 * Math.PI, P_most = Math.max(2 * state.P / unit, least), values = this.models.parametersOf(model);
+    const request = {model, law: state.map === 'own' ? state.law : '', axis, low: lower, high: upper, logarithmic, P_low: -.999 * 1.5 * Math.PI};
+    const family = JSON.stringify(request);  // alike but for the other parameters and the loads
+    request.P_high = least * 2 ** Math.max(Math.ceil(Math.log2(1.06 * P_most / least)), 0);
+    request.parameters = values.map((value, i) => (i === axis ? lower : value));
+    const others = parameters.flatMap((one, i) => (i === axis ? [] : [`${one.name} = ${shown(values[i])}`]));
+    return {...request, name, unit, P_most, value: values[axis], others: others.join(', '), family, text: JSON.stringify(request)};
+  }
+
+  /// A little of the work whenever nothing else is to do.
+  compute() {
+    if (this.waiting) return;
+    this.waiting = true;
+    whenIdle(() => {
+      this.waiting = false;
+      const {text} = this.wanted();
+      if (this.known.has(text)) return;
+      const {regions} = this.engine.map(text, atOnce);
+      if (!regions) return this.compute();
+      this.known.set(text, regions);
+      if (this.known.size > mostKept) this.known.delete(this.known.keys().next().value);
+      this.models.drawAgain('map');
+    });
+  }
+
+  draw() {
+    const wanted = this.wanted(), regions = this.known.get(wanted.text);
+    if (regions) this.last = {regions, family: wanted.family};
+    else this.compute();
+    // until it is known that of former values of the other parameters, paler
+    const drawn = this.last?.family === wanted.family ? this.last.regions : [];
+    const regimes = [...new Set(drawn.map(one => one.regime))], single = Boolean(regions) && regimes.length === 1;
+    this.says.textContent = this.sentence(wanted, single ? regimes[0] : '', regions);
+    this.figure.chart.getDom().hidden = single;
+    if (!single) this.drawRegions(wanted, drawn, regimes, regions ? .25 : .1);
+  }
+
+  sentence({name, others}, only, known) {
+    const where = others && `, with ${others}`;
+    if (!known) return `${where} …`;
+    if (!only) return `${where}.`;
+    return `${where}: ${only.startsWith('n') ? `${only}, whatever the load and ${name}` : `one regime everywhere, ${only.slice(2)}`}.`;
+  }
+
+  drawRegions({model, name, value, unit, low, high, logarithmic, P_low, P_most}, regions, regimes, opacity) {
+    const {state} = this.models, title = this.models.title(model), tint = regime => color(tintOfRegime[regime[0]]);
+    const outlines = areas(regions.map(({regime, outline}) => ({name: regime, outline: outline.map(([P, at]) => [P * unit, at]), color: tint(regime), opacity})));
+    const here = marks('here', `${title} here`, state.off.has(model) ? [] : [[state.P, value]], color(0), 'circle', {itemStyle: {color: color(0)}});
+    this.figure.draw([...outlines, here], `Regimes of ${title} by load and ${name}: ${regimes.join(', ')}`, {
+      legend: {data: regimes}, xAxis: {min: P_low * unit, max: Number((P_most * unit).toPrecision(2))},
+      yAxis: axis(name, {nameGap: 44, type: logarithmic ? 'log' : 'value', min: low, max: high}),
+    });
+  }
+}
