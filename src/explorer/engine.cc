@@ -2,6 +2,7 @@
 #include <emscripten/bind.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,7 @@
 #include "mechanics/any_model.h"
 #include "report/answer.h"
 #include "report/fit_json.h"
+#include "report/job_fields.h"
 #include "report/used_csv.h"
 
 namespace mixity::explorer {
@@ -96,6 +98,23 @@ std::string define(const std::string& text) {
   });
 }
 
+/// A fit definition that was written: {"data": name, and job_fields.h}. Keys of its laws may be those of others that
+/// were typed: what was defined is forgotten, and what it defines, too.
+std::string read_definition(const std::string& name) {
+  return guarded([&] {
+    struct Forgetting {
+      Forgetting() { forget_laws(); }
+      ~Forgetting() { forget_laws(); }
+    } before_and_after;
+    const FitJob job = read_fit_definition(name);
+    if (!job.runs.empty())
+      throw InputError(name, "it is of several files, which the program pools: mixity fit " + name);
+    Json told{{"data", std::filesystem::path(job.data_path).filename().string()}};
+    told.update(job_fields(job, job.constants));
+    return told;
+  });
+}
+
 std::string draw(const std::string& request) {
   return guarded([&] { return drawn_models(Json::parse(request)); });
 }
@@ -124,6 +143,7 @@ EMSCRIPTEN_BINDINGS(mixity) {
   emscripten::function("write", &write_file);
   emscripten::function("read", &read_file);
   emscripten::function("fit", &fit_file);
+  emscripten::function("definition", &read_definition);
   emscripten::function("define", &define);
   emscripten::function("draw", &draw);
   emscripten::function("map", &map_of);

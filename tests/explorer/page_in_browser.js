@@ -121,6 +121,41 @@ async function mapOfOnesOwn(page) {
 }
 let stepOfOwn = 0;
 
+/// A definition that the page saved, with its data and after them, and one with a law, where another law has its key.
+async function droppedBack(page, data, definition, withLaw, cropped) {
+  const fits = () => page.evaluate(() => window.explorer.experiment.result?.fits.datasets[0].fits);
+  const known = await page.evaluate(() => JSON.stringify(window.explorer.experiment.kept));
+  const same = async (wanted, what) => {
+    await page.waitForFunction(n => window.explorer.experiment.result?.fits.datasets[0].fits.length === n, wanted.length);
+    (await fits()).forEach((fit, i) => expect(fit.status === wanted[i].status && near(Object.values(fit.parameters)[0].value, Object.values(wanted[i].parameters)[0].value, 1e-9), `${what}, ${fit.model}: ${fit.status} ${JSON.stringify(fit.parameters)}`));
+  };
+  await page.setInputFiles('#file', [{name: 'other.csv', mimeType: 'text/csv', buffer: Buffer.from('P [mN],T [mN],A [mm^2]\n1,2,x\n')}]);
+  await page.waitForFunction(() => /other.csv/.test(document.getElementById('trouble').textContent));
+  await page.setInputFiles('#file', [definition]);
+  await page.waitForFunction(() => /messung_fit.toml is of the data messung.csv: drop both/.test(document.getElementById('trouble').textContent));
+  await page.setInputFiles('#file', [data, definition]);
+  await same(cropped, 'a definition with its data');
+  expect(await page.evaluate(() => JSON.stringify(window.explorer.experiment.kept)) === known, 'the cuts of a definition');
+  expect(await page.inputValue('[name=radius]') === '9.42 mm', 'the constants of a definition');
+  await page.click('#sample');
+  await page.setInputFiles('#file', [data]);
+  await page.waitForFunction(() => /radius/.test(document.getElementById('trouble').textContent));
+  await page.setInputFiles('#file', [definition]);
+  await same(cropped, 'a definition after its data');
+
+  await page.evaluate(() => window.explorer.engine.define('law_1: 1 + q*B; q=0..1'));
+  const toml = withLaw.replaceAll(/law_\d+/g, 'law_1');
+  await page.setInputFiles('#file', [{name: 'own_fit.toml', mimeType: 'application/toml', buffer: Buffer.from(toml)}]);
+  await page.waitForFunction(() => window.explorer.models.state.law === '1/(1 + (l-1)*sin(psi)^2); l=0..1');
+  await page.waitForFunction(() => window.explorer.experiment.result?.fits.datasets[0].fits.length === 4);
+  const [published, typed] = (await fits()).slice(-2).map(fit => Object.values(fit.parameters)[0].value);
+  expect(near(typed, published, 1e-8), `the law of a definition: ${typed}, published ${published}`);
+  await page.fill('#law', '');
+  await page.press('#law', 'Enter');
+  await page.setInputFiles('#file', [data, definition]);
+  await same(cropped, 'a definition without the law');
+}
+
 const flags = ['--radius=9.42 mm', '--modulus=2.133 MPa +/- 2%', '--toughness=27 mJ/m^2', '--format=json'];
 
 async function main() {
@@ -252,6 +287,7 @@ async function main() {
   expect(fitsOf(fs.readFileSync(json, 'utf8')).length === cropped.length, 'the fit as JSON');
   expect(/^<svg[^]*<path/.test(fs.readFileSync(svg, 'utf8')), 'an SVG with curves');
   expect(fs.readFileSync(png).subarray(1, 4).toString() === 'PNG', 'a PNG');
+  await droppedBack(page, file, toml, withOwn.definition, cropped);
   const fitted = await page.evaluate(() => {
     const {engine, experiment} = window.explorer, times = [];
     for (let i = 0; i < 9; ++i) {

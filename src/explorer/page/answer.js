@@ -3,6 +3,8 @@ import {shown} from './charts.js';
 
 export const escape = text => text.replace(/[&<>"]/g, c => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[c]);
 export const list = sentences => sentences.map(one => `<li>${escape(one)}</li>`).join('');
+/// A law without a name has a key that nobody has typed.
+export const named = text => text.replaceAll(/(\bmodel )?\blaw_\d+\b(, law_\d+\b)?/g, 'your own law');
 
 const percent = part => `${shown(100 * part, 2)} %`;
 

@@ -5,6 +5,10 @@ function unpacked(id) {
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
 }
 
+/// What the program says of flags, of fields.
+const ofFields = sentence => sentence.replace(/: state (it|them) in .* or by (a flag|flags) \(--.*?\)/, '').replace(/^--(\w+): /, '')
+  .replace(/--columns="([^"]*)"/, 'write $1 under “Take other columns”');
+
 /// The engine's functions, each with a text of JSON answered as an object, or throwing the engine's sentence.
 export async function loadEngine() {
   const script = document.createElement('script');
@@ -13,8 +17,7 @@ export async function loadEngine() {
   const engine = await window.mixity({wasmBinary: await unpacked('compiled').arrayBuffer()});
   const asked = text => {
     const told = JSON.parse(text);
-    // what is said of flags is said of fields here
-    if (told.error) throw new Error(told.error.replace(/: state it in .* or by a flag \(--\w+=\.\.\.\)/, '').replace(/^--(\w+): /, ''));
+    if (told.error) throw new Error(ofFields(told.error));
     return told;
   };
   return {
@@ -22,6 +25,7 @@ export async function loadEngine() {
     define: text => asked(engine.define(text)),
     draw: request => asked(engine.draw(JSON.stringify(request))),
     map: (request, milliseconds) => asked(engine.map(request, milliseconds)),
+    definition: name => asked(engine.definition(name)),
     write: (name, bytes) => engine.write(name, bytes),
     read: (name, constants) => asked(engine.read(name, JSON.stringify(constants))),
     fit: (name, constants, options) => asked(engine.fit(name, JSON.stringify(constants), JSON.stringify(options))),

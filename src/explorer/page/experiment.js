@@ -1,19 +1,10 @@
 // A file of the reader's own: read, confirmed, cropped, fitted, saved.
-import {answerHtml, escape, list, modelsHtml} from './answer.js';
+import {answerHtml, escape, list, modelsHtml, named} from './answer.js';
 import {pngOf, shown, svgOf} from './charts.js';
+import {cropped, parted, ranges} from './files.js';
 import {FitFigures} from './fit_figures.js';
 
 const $ = id => document.getElementById(id);
-/// "4,7-9" of line numbers.
-function ranges(lines) {
-  const parts = [];
-  for (const n of [...lines].sort((x, y) => x - y)) {
-    const last = parts.at(-1);
-    if (last && n === last[1] + 1) last[1] = n;
-    else parts.push([n, n]);
-  }
-  return parts.map(([first, last]) => first === last ? `${first}` : `${first}-${last}`).join(',');
-}
 
 export class Experiment {
   constructor(engine, models) {
@@ -40,36 +31,64 @@ export class Experiment {
     for (const button of document.querySelectorAll('[data-save]')) button.addEventListener('click', () => this.save(button.dataset.save));
   }
 
-  /// Files as a browser gives them: one of data, and perhaps its TOML.
+  /// One file of data, perhaps with what is stated beside it, or with the definition of a fit of it.
   async open(files) {
     if (!files.length) return;
-    const bytes = await Promise.all(files.map(async file => ({name: file.name, bytes: new Uint8Array(await file.arrayBuffer())})));
-    const data = bytes.filter(file => !/\.toml$/i.test(file.name));
-    if (data.length !== 1) return this.trouble(data.length ? 'One file of data at a time: the program pools several (mixity fit run_*.csv --pool).' : 'That is a TOML alone: drop the data with it.');
-    const toml = bytes.find(file => /\.toml$/i.test(file.name));
-    if (toml && /^\s*data\s*=/m.test(new TextDecoder().decode(toml.bytes)))
-      return this.trouble(`${toml.name} is a definition of a fit, which the program runs: mixity fit ${toml.name}. Drop the data without it.`);
-    this.take(data[0], toml);
+    const {data, beside, definition} = await parted(files);
+    const other = data.find(({name}) => /\.(json|html?|svg|png|jpe?g|gif|pdf|docx?)$/i.test(name));
+    if (other) return this.trouble(`${other.name} is no table: drop the data as CSV or text, and with them a TOML if there is one.`);
+    if (data.length > 1) return this.trouble('One file of data at a time: the program pools several (mixity fit run_*.csv --pool).');
+    if (definition) return this.openDefinition(definition, data[0], beside);
+    if (!data.length) return this.trouble('That is a TOML alone: drop the data with it.');
+    this.take(data[0], beside);
   }
 
-  /// `stated`: constants, options and models that come with the data.
+  /// As this page saves one: constants, options, cuts, models and the law come from it. `data` may be there already.
+  openDefinition(definition, data, beside) {
+    const {engine, models} = this, former = this.source;
+    engine.write(definition.name, definition.bytes);
+    let told = null, problem = '';
+    try {
+      told = engine.definition(definition.name);
+      if (!data && former?.data.name === told.data) ({data, beside} = former);
+      if (!data) problem = `${definition.name} is of the data ${told.data}: drop both files at once.`;
+    } catch (error) {
+      problem = error.message;
+    }
+    if (problem || !Object.keys(told.laws).length) models.define(models.state.law, models.state.own);  // the engine has forgotten it
+    if (problem) return this.trouble(problem);
+    this.take(data, beside, {...told, from: `constants, options and models are those of ${definition.name}${told.data === data.name ? '' : `, which is of ${told.data}`}`});
+  }
+
+  /// The first law that comes with data becomes the one that is typed; the models by what they are called here then.
+  withLaw({models, laws = {}}) {
+    const [[key, law] = [], ...others] = Object.entries(laws);
+    if (law) this.models.define(/^law_\d+$/.test(key) ? law : `${key}: ${law}`);
+    if (others.length) this.from = `${this.from ? `${this.from}; ` : ''}left out: ${others.map(([name]) => name).join(', ')}, as the page has one law beside the published ones`;
+    return models.map(one => (one === key ? this.models.own?.model : one));
+  }
+
+  /// `stated`: constants, options, models and laws that come with the data.
   take(data, toml, stated = {}) {
-    this.name = data.name.replaceAll('/', '_');
+    this.source = {data, beside: toml};
+    this.name = data.name;
     this.engine.write(this.name, data.bytes);
     this.engine.write(this.name.replace(/(\.[A-Za-z]\w*)?$/, '.toml'), toml ? toml.bytes : new Uint8Array());
-    this.options = stated.options ?? {};
-    if (stated.models) for (const box of document.querySelectorAll('input[name=model]')) box.checked = stated.models.includes(box.value);
+    this.options = {...stated.options};
+    this.from = stated.from;
+    const models = stated.models && this.withLaw(stated);
+    for (const box of document.querySelectorAll('input[name=model]')) box.checked = models ? models.includes(box.value) : box.checked;
     this.told = null;
     this.more = {};
     this.forget();
     this.figures.showAll();
-    $('columns').value = '';
+    $('columns').value = stated.constants?.columns ?? '';
     $('read').hidden = false;
     for (const field of $('constants').querySelectorAll('input:not([type=checkbox])')) {
       field.value = stated.constants?.[field.name] ?? '';
       delete field.dataset.shown;
     }
-    this.more = Object.fromEntries(Object.entries(stated.constants ?? {}).filter(([name]) => !$('constants').elements[name]));
+    this.more = Object.fromEntries(Object.entries(stated.constants ?? {}).filter(([name]) => name !== 'columns' && !$('constants').elements[name]));
     this.readAgain(true);
   }
 
@@ -80,7 +99,7 @@ export class Experiment {
     this.whole = false;
     this.kept = [];
     $('told').innerHTML = $('run').innerHTML = $('busy').textContent = '';
-    $('downloads').hidden = $('others').hidden = $('crop').hidden = true;
+    $('downloads').hidden = $('others').hidden = $('crop').hidden = $('measured').hidden = true;
     this.figures.clear();
   }
 
@@ -117,11 +136,16 @@ export class Experiment {
     }
     this.showRead(true);
     const lines = JSON.stringify(told.runs?.map(run => run.lines));
-    if (lines !== this.lines || !this.kept.length) this.kept = told.runs ? told.runs.map(run => [0, run.lines.length - 1]) : [];
+    if (lines !== this.lines || !this.kept.length) {
+      const {kept, between} = cropped(told.runs ?? [], this.options.exclude ?? '');
+      this.kept = kept;
+      if (told.runs) this.options.exclude = between;
+    }
     this.lines = lines;
     const selected = this.selected();
     $('run').innerHTML = (told.runs ?? []).map((run, i) => `<option value="${i}">${escape(run.name || `P = ${shown(run.P)}`)}</option>`).join('');
     if (selected < this.kept.length) $('run').value = String(selected);
+    $('measured').hidden = false;
     $('crop').hidden = !told.runs;
     this.figures.draw();
     if (andFit) this.fit();
@@ -149,6 +173,7 @@ export class Experiment {
     const {told} = this;
     $('read-title').textContent = `${this.name}: ${told.points} of ${told.rows} rows${told.runs ? `, ${told.runs.length} run${told.runs.length === 1 ? '' : 's'}` : ''}`;
     const sentences = told.notice ? [told.notice] : [];
+    if (this.from) sentences.push(this.from);
     sentences.push(...told.taken);
     if (told.reading) sentences.push(`read as ${told.reading}`);
     if (told.runs) sentences.push(`loads in ${told.units.force || 'no unit'}, areas in ${told.units.area || 'no unit'}`);
@@ -178,7 +203,8 @@ export class Experiment {
     const out = [];
     (this.told.runs ?? []).forEach((run, i) => run.lines.forEach((n, k) => { if (k < this.kept[i][0] || k > this.kept[i][1]) out.push(n); }));
     const options = {...this.options, models: models.join(',')};
-    if (out.length) options.exclude = [this.options.exclude, ranges(out)].filter(Boolean).join(',');
+    options.exclude = [this.options.exclude, ranges(out)].filter(Boolean).join(',');
+    if (!options.exclude) delete options.exclude;
     const begin = performance.now();
     try {
       this.result = this.engine.fit(this.name, this.constants(), options);
@@ -197,8 +223,8 @@ export class Experiment {
   }
 
   showAnswer() {
-    $('told').innerHTML = answerHtml(this.result);
-    $('models').innerHTML = modelsHtml(this.result);
+    $('told').innerHTML = named(answerHtml(this.result));
+    $('models').innerHTML = named(modelsHtml(this.result));
     $('downloads').hidden = $('others').hidden = false;
   }
 

@@ -1,5 +1,5 @@
 // The figures of a file of the reader's own: all runs with the best model, and one run point by point, to be cropped.
-import {escape} from './answer.js';
+import {escape, named} from './answer.js';
 import {areas, color, colorOfModel, figure, handle, line, marks, shown} from './charts.js';
 
 const $ = id => document.getElementById(id);
@@ -50,9 +50,9 @@ export class FitFigures {
         series.push({...band, id: `band-${i}`});
       }
     });
-    this.all.draw(series, `Measured areas of ${told.runs.length} runs against tangential load${best ? ` and model ${best.model}` : ''}`,
+    this.all.draw(series, `Measured areas of ${told.runs.length} runs against tangential load${best ? named(` and model ${best.model}`) : ''}`,
       {legend: {data: told.runs.map(run => `P = ${shown(run.P)}`)}, xAxis: {name: inBrackets('T', force), type: 'value', min: 0, max: null}, yAxis: {name: inBrackets('A', area), min: 0, max: null}});
-    $('caption-fit').textContent = best ? `${told.notice ? 'Reconstructed' : 'Measured'} areas, and model ${best.model} with a band of one standard error; triangles mark its jumps. Grey points are left out. Shift and the wheel zoom, a double click shows all.` : `${told.notice ? 'Reconstructed' : 'Measured'} areas.`;
+    $('caption-fit').textContent = best ? `${told.notice ? 'Reconstructed' : 'Measured'} areas, and ${named(`model ${best.model}`)} with a band of one standard error; triangles mark its jumps. Grey points are left out. Shift and the wheel zoom, a double click shows all.` : `${told.notice ? 'Reconstructed' : 'Measured'} areas.`;
     this.placeHandles();
   }
 
@@ -60,7 +60,7 @@ export class FitFigures {
     const {told, result} = this.experiment, {psi, f} = told.energies;
     const series = [marks('points', told.notice ? 'reconstructed' : 'measured', psi.map((x, i) => [x, f[i]]), color(0), 'circle')];
     const most = 1.5 * Math.max(...f);
-    for (const model of result?.drawn.models ?? []) series.push(line(`law-${model.model}`, `model ${model.model}`, model.toughness.filter(([, y]) => y <= most), color(colorOfModel[model.model] ?? 4), model === best ? 'solid' : 'dashed'));
+    for (const model of result?.drawn.models ?? []) series.push(line(`law-${model.model}`, named(`model ${model.model}`), model.toughness.filter(([, y]) => y <= most), color(colorOfModel[model.model] ?? 4), model === best ? 'solid' : 'dashed'));
     this.all.draw(series, 'Measured toughness against phase angle, and the models',
       {legend: {data: series.map(one => one.name)}, xAxis: {name: 'ψ (rad)', min: 0, max: 1.58}, yAxis: {name: 'Gc/GIc', min: 0, max: null}});
     this.all.chart.setOption({graphic: []}, {replaceMerge: ['graphic']});

@@ -1,0 +1,39 @@
+// What was dropped, and lines of a file as a text.
+
+const textOf = file => new TextDecoder().decode(file.bytes);
+const isToml = file => /\.toml$/i.test(file.name);
+
+/// Files as a browser gives them: {data: [file], beside: what is stated beside the data, definition: of a fit}.
+export async function parted(files) {
+  const all = await Promise.all(files.map(async file => ({name: file.name.replaceAll('/', '_'), bytes: new Uint8Array(await file.arrayBuffer())})));
+  const tomls = all.filter(isToml), definition = tomls.find(file => /^\s*(data\s*=|\[\[runs\]\])/m.test(textOf(file)));
+  return {data: all.filter(file => !isToml(file)), definition, beside: tomls.find(file => file !== definition)};
+}
+
+/// "4,7-9" of line numbers.
+export function ranges(lines) {
+  const parts = [];
+  for (const n of [...lines].sort((x, y) => x - y)) {
+    const last = parts.at(-1);
+    if (last && n === last[1] + 1) last[1] = n;
+    else parts.push([n, n]);
+  }
+  return parts.map(([first, last]) => first === last ? `${first}` : `${first}-${last}`).join(',');
+}
+
+/// Whether a line is among "4,7-9".
+export function among(text) {
+  const parts = text.split(',').filter(Boolean).map(part => part.split('-').map(Number));
+  return n => parts.some(([first, last = first]) => n >= first && n <= last);
+}
+
+/// What is kept of runs without these lines: [first, last] of each, and the lines to leave out in between.
+export function cropped(runs, text) {
+  const out = among(text), kept = runs.map(({lines}) => {
+    let first = 0, last = lines.length - 1;
+    while (first < last && out(lines[first])) ++first;
+    while (last > first && out(lines[last])) --last;
+    return [first, last];
+  });
+  return {kept, between: ranges(runs.flatMap(({lines}, i) => lines.filter((n, k) => k >= kept[i][0] && k <= kept[i][1] && out(n))))};
+}
