@@ -4,6 +4,7 @@
 #include <limits>
 #include <tuple>
 
+#include "mechanics/fold_search.h"
 #include "mechanics/roots.h"
 
 namespace mixity {
@@ -33,7 +34,7 @@ RegimeReport classify(const Parameters<Model>& p, double P, std::optional<double
 
 template <class Model>
 double critical_load(const Parameters<Model>& p) {
-  constexpr double kLast = 42, kInfinity = std::numeric_limits<double>::infinity();      // tan psi up to 1e18
+  constexpr double kLast = kLastCoordinate<Model>, kInfinity = std::numeric_limits<double>::infinity();
   const auto excess = [&](double x) { return Model::shear_term(p, 1.0, std::exp(x)); };  // g - 1 and d
   const auto load = [&](double x) {
     const ShearTerm<double> at = excess(x);
@@ -41,7 +42,7 @@ double critical_load(const Parameters<Model>& p) {
     return rest > 0 ? 6 * pi<double>() * (at.value - 1 - at.d1) / (rest * rest) : kInfinity;
   };
   double first = -1;  // below, g is 1 to a millionth: psi folds near pull-off alone
-  while (first > -700 && excess(first).value > 1e-6) first *= 1.5;
+  while (first > -700 && std::abs(excess(first).value) > 1e-6) first *= 1.5;
   double most = -1.5 * pi<double>(), x_before = first, before = most, x = first, here = load(first);
   while (x < kLast) {
     const double step = x < 6 ? 0.125 : x < 12 ? 0.25 : 0.5;  // as folds are searched
