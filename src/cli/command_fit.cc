@@ -20,7 +20,8 @@
 namespace mixity::cli {
 namespace {
 
-void write_folder(const std::string& folder, const std::vector<JobResult>& results, const std::string& text) {
+void write_folder(const std::string& folder, const std::vector<JobResult>& results, const std::string& text,
+                  const Shard& shard) {
   std::set<std::string> taken;
   std::vector<std::string> inputs;
   std::vector<OutputFile> files;
@@ -34,9 +35,17 @@ void write_folder(const std::string& folder, const std::vector<JobResult>& resul
     add(stem + "_curves.csv", curves_csv(result));
   }
   add("fits.csv", fits_csv(results));
-  add("fits.json", to_json(results, FLAGS_shard));
+  add("fits.json", to_json(results, shard));
   add("fits.txt", text);
   write_files(files, inputs);
+}
+
+/// What the parts of this list must share to be merged: all that decides what is found.
+Shard campaign_of(const Arguments& arguments) {
+  Shard shard{FLAGS_shard, arguments};
+  for (const std::string_view flag : with_fit_flags({}))
+    if (flag != "threads" && is_set(flag)) shard.flags.emplace(flag, value_of(flag));
+  return shard;
 }
 
 /// A definition ends in .toml, and is not what stands beside a data file of the same name.
@@ -54,8 +63,8 @@ void require_definition_path(const std::string& path) {
 int run_fit(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("fit needs a data CSV or a fit definition (see mixity help fit)");
   if (!FLAGS_shard.empty() && FLAGS_pool) throw UsageError("flag '--shard' parts data sets; with --pool there is one");
-  const Arguments mine = shard_of(arguments);
-  const std::vector<FitJob> jobs = jobs_for(mine);
+  const std::vector<FitJob> jobs = jobs_for(shard_of(arguments));
+  const Shard shard = campaign_of(arguments);
   if (!FLAGS_save.empty() && jobs.size() > 1)
     throw UsageError("flag '--save' is of one data set: a definition names one");
   if (!FLAGS_save.empty()) require_definition_path(FLAGS_save);
@@ -72,13 +81,11 @@ int run_fit(const Arguments& arguments) {
   tell_names_apart(results);
   std::string text;
   for (const JobResult& result : results) text += (text.empty() ? "" : "\n") + to_text(result);
-  if (!FLAGS_out.empty()) write_folder(FLAGS_out, results, text);
+  if (!FLAGS_out.empty()) write_folder(FLAGS_out, results, text, shard);
   if (!FLAGS_save.empty())
     write_files({{FLAGS_save, fit_definition_text(results[0].job, results[0].data, FLAGS_save)}},
                 files_read(results[0].job));
-  std::cout << (FLAGS_format == "json"  ? to_json(results, FLAGS_shard)
-                : FLAGS_format == "csv" ? fits_csv(results)
-                                        : text);
+  std::cout << (FLAGS_format == "json" ? to_json(results, shard) : FLAGS_format == "csv" ? fits_csv(results) : text);
   return all_ok ? kFine : kFitNotOk;
 }
 

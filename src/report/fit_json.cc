@@ -110,11 +110,14 @@ std::string json_text(const Json& document) {
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string to_json(const std::vector<JobResult>& results, const std::string& shard) {
+std::string to_json(const std::vector<JobResult>& results, const Shard& shard) {
   Json datasets = Json::array();
   for (const JobResult& result : results) datasets.push_back(dataset_json(result));
   Json document{{"schema", "mixity-fit-1"}, {"version", MIXITY_VERSION}};
-  if (!shard.empty()) document["shard"] = shard;
+  if (!shard.part.empty()) {
+    document["shard"] = shard.part;
+    document["campaign"] = {{"files", shard.files}, {"flags", shard.flags}};
+  }
   document["datasets"] = std::move(datasets);
   return json_text(document);
 }

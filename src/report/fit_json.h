@@ -1,6 +1,7 @@
 // Fits as JSON; the schema stands in README.md beside this file.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,8 +9,14 @@
 
 namespace mixity {
 
+/// A part of a list of files, and what all parts of one campaign share.
+struct Shard {
+  std::string part;                            // "2/10"; empty: the whole
+  std::vector<std::string> files{};            // the whole list, as it was given
+  std::map<std::string, std::string> flags{};  // by name, those that were given and decide what is found
+};
+
 /// {schema, version, datasets: [...]}, indented, with a final newline.
-/// `shard`: "2/10", of a part of a list; empty: the whole.
-std::string to_json(const std::vector<JobResult>& results, const std::string& shard = {});
+std::string to_json(const std::vector<JobResult>& results, const Shard& shard = {});
 
 }  // namespace mixity

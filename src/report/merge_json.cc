@@ -30,6 +30,52 @@ ShardFile read_shard(const std::string& path) {
   return shard;
 }
 
+std::string flag_text(const Json& flags, const std::string& name) {
+  return flags.contains(name) ? "with --" + name + "=" + flags[name].get<std::string>() : "without --" + name;
+}
+
+/// What of one campaign is another in the other, as what follows the name of its file; empty: nothing.
+std::string difference(const Json& one, const Json& other, const std::string& other_path) {
+  const Json &files = one["files"], &others = other["files"];
+  if (files.size() != others.size())
+    return "is of a list of " + std::to_string(files.size()) + " files, " + other_path + " of one of " +
+           std::to_string(others.size());
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (files[i] != others[i])
+      return "is of another list of files than " + other_path + ": number " + std::to_string(i + 1) + " is '" +
+             files[i].get<std::string>() + "', there '" + others[i].get<std::string>() + "'";
+  Json names = one["flags"];
+  names.update(other["flags"]);
+  for (const auto& [name, text] : names.items())
+    if (flag_text(one["flags"], name) != flag_text(other["flags"], name))
+      return "was made " + flag_text(one["flags"], name) + ", " + other_path + ' ' + flag_text(other["flags"], name);
+  return "";
+}
+
+bool is_campaign(const Json& campaign) {
+  const auto texts = [](const Json& all) {
+    return std::all_of(all.begin(), all.end(), [](const Json& one) { return one.is_string(); });
+  };
+  return campaign.is_object() && campaign.value("files", Json()).is_array() && texts(campaign["files"]) &&
+         campaign.value("flags", Json()).is_object() && texts(campaign["flags"]);
+}
+
+/// Throws InputError unless the parts are of one list and were made with the same flags, each with its share.
+void require_one_campaign(const std::vector<ShardFile>& parts) {
+  for (const ShardFile& part : parts) {
+    const Json campaign = part.document.value("campaign", Json());
+    if (!is_campaign(campaign))
+      throw InputError(part.path, "does not say which files and flags its campaign has: make it once more");
+    if (const std::string other = difference(campaign, parts[0].document["campaign"], parts[0].path); !other.empty())
+      throw InputError(part.path, other);
+    const std::size_t share = (campaign["files"].size() + part.of - part.part) / part.of,
+                      has = part.document["datasets"].size();
+    if (has != share)
+      throw InputError(part.path,
+                       "holds " + std::to_string(has) + " of the " + std::to_string(share) + " data sets of its share");
+  }
+}
+
 }  // namespace
 
 std::string merge_json(const std::vector<std::string>& paths) {
@@ -42,6 +88,7 @@ std::string merge_json(const std::vector<std::string>& paths) {
       throw InputError(path, "is one of " + std::to_string(parts.back().of) + " shards, " + paths[0] + " one of " +
                                  std::to_string(parts[0].of));
   }
+  require_one_campaign(parts);
   std::sort(parts.begin(), parts.end(),
             [](const ShardFile& one, const ShardFile& other) { return one.part < other.part; });
   std::size_t most = 0;
@@ -56,6 +103,7 @@ std::string merge_json(const std::vector<std::string>& paths) {
       throw InputError("shard " + std::to_string(part) + "/" + std::to_string(parts[0].of), "is missing");
   Json whole = parts[0].document;
   whole.erase("shard");
+  whole.erase("campaign");
   whole["datasets"] = Json::array();
   // data sets were dealt out in turn
   for (std::size_t row = 0; row < most; ++row)

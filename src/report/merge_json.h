@@ -7,7 +7,8 @@
 namespace mixity {
 
 /// Of files with the schema of fits.json, the i-th with every n-th data set from the i-th on, the document of all.
-/// Throws InputError for a file that is none, of another version, or with more data sets than its place can have.
+/// Throws InputError, saying what differs, for files that are none, of another version, of another list of files or
+/// made with other flags, and for those that are missing or there twice.
 std::string merge_json(const std::vector<std::string>& paths);
 
 }  // namespace mixity

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "cli/run_program.h"
 #include "dataset/temporary_folder.h"
@@ -18,10 +19,11 @@ class Shards : public testing::Test {
                    "--out=" + folder_.path("run_" + std::to_string(i) + ".csv")});
     for (int i = 1; i <= 5; ++i) files_.push_back(folder_.path("run_" + std::to_string(i) + ".csv"));
   }
-  ProgramResult fit(const std::string& shard) {
+  ProgramResult fit(const std::string& shard, const Words& more = {"--models=c"}) {
     Words words{"fit"};
     words.insert(words.end(), files_.begin(), files_.end());
-    words.insert(words.end(), {"--models=c", "--format=json"});
+    words.insert(words.end(), more.begin(), more.end());
+    words.push_back("--format=json");
     if (!shard.empty()) words.push_back("--shard=" + shard);
     return run_program(words);
   }
@@ -49,6 +51,41 @@ TEST_F(Shards, MergedAreTheDocumentOfAll) {
   EXPECT_NE(refused({parts[1], folder_.write("other.json", fit("2/2").out)}).find("is one of 2 shards"),
             std::string::npos);
   EXPECT_NE(refused({folder_.write("whole.json", whole)}).find("does not say which shard it is"), std::string::npos);
+}
+
+TEST_F(Shards, ThatDoNotBelongTogetherAreRefused) {
+  const auto part = [&](const std::string& name, const std::string& shard, const Words& more) {
+    return folder_.write(name, fit(shard, more).out);
+  };
+  const std::string first = part("first.json", "1/2", {"--models=c"});
+  const auto refused = [&](const std::string& second) {
+    const ProgramResult result = run_program({"merge", first, second});
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_EQ(result.out, "");
+    return result.err;
+  };
+  const auto says = [](const std::string& text, const std::string& what) {
+    EXPECT_NE(text.find(what), std::string::npos) << text;
+  };
+  says(refused(part("a.json", "2/2", {"--models=b"})),
+       "a.json: was made with --models=b, " + first + " with --models=c");
+  says(refused(part("b.json", "2/2", {"--models=c", "--radius=8 mm"})), "was made with --radius=8 mm, ");
+  says(refused(part("c.json", "2/2", {})), "was made without --models, ");
+  const Words resampled{"--models=c", "--bootstrap=20"}, on_one_thread{"--models=c", "--bootstrap=20", "--threads=1"};
+  EXPECT_EQ(run_program({"merge", part("1.json", "1/2", resampled), part("2.json", "2/2", on_one_thread)}).exit_code,
+            0);
+
+  part("d.json", "2/2", {"--models=c"});
+  nlohmann::json less = nlohmann::json::parse(content_of(folder_.path("d.json")));
+  less["datasets"].erase(0);
+  says(refused(folder_.write("less.json", less.dump())), "holds 1 of the 2 data sets of its share");
+  less.erase("campaign");
+  says(refused(folder_.write("old.json", less.dump())), "does not say which files and flags");
+
+  std::swap(files_[0], files_[4]);
+  says(refused(part("e.json", "2/2", {"--models=c"})), "is of another list of files than " + first + ": number 1 is '");
+  files_.pop_back();
+  says(refused(part("f.json", "2/2", {"--models=c"})), "is of a list of 4 files, " + first + " of one of 5");
 }
 
 TEST_F(Shards, OfAnArrayOfTasksAreMerged) {
