@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "dataset/input_error.h"
@@ -56,6 +57,16 @@ LawDefinition with_key(LawDefinition law) {
     const auto known = find_law(law.key);
     if (!known || same_law(known->definition(), law)) return law;
   }
+}
+
+/// The same with one that follows from what the law says (FNV-1a), in whatever process and order it is defined.
+LawDefinition with_lasting_key(LawDefinition law) {
+  if (!law.key.empty()) return law;
+  std::uint32_t hash = 2166136261U;
+  for (const char c : law_toml(law)) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  law.key = "law_";
+  for (int shift = 28; shift >= 0; shift -= 4) law.key += "0123456789abcdef"[hash >> shift & 15U];
+  return law;
 }
 
 class TomlReader {
@@ -198,7 +209,7 @@ DefinedLaw define_law_text(const std::string& what, std::string_view text) {
 
 DefinedLaw define_law_checked(const std::string& what, LawDefinition definition) {
   Failure failure;
-  auto defined = define(with_key(std::move(definition)), failure);
+  auto defined = define(with_lasting_key(std::move(definition)), failure);
   if (!defined) throw InputError(what, failure.at ? 1 : 0, failure.at ? *failure.at + 1 : 0, failure.message);
   return std::move(*defined);
 }

@@ -26,7 +26,7 @@ DefinedLaw define_law_text(const std::string& what, std::string_view text);
 /// Only what the text says; `expression_at`: where its expression begins. Throws InputError for what has not this form.
 LawDefinition read_law_text(const std::string& what, std::string_view text, std::size_t* expression_at = nullptr);
 
-/// The same of a definition; an empty key becomes law_1, law_2, ... Columns count in its text.
+/// The same of a definition; an empty key becomes law_ and digits that follow from it. Columns count in its text.
 DefinedLaw define_law_checked(const std::string& what, LawDefinition definition);
 
 /// The table [laws] of the file at `path`: each law a table with f (or criterion, an equation), its parameters as

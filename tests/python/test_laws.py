@@ -72,3 +72,26 @@ def test_another_process_has_the_law_of_a_pickle(law, data):
 def test_the_same_law_is_one_and_others_are_told_apart():
     assert mixity.Law("1 + z*t^2", z=(0, 1)).key == mixity.Law("1 + z*t^2", z=(0, 1)).key
     assert mixity.Law("1 + z*t^2", z=(0, 1)).key != mixity.Law("1 + z*t^2", z=(0, 0.5)).key
+
+
+def test_a_law_without_a_key_has_the_same_in_every_process(law, data):
+    mine = mixity.Law("1 + w*t^2", w=(0, 1))
+    fits = pickle.dumps(mixity.fit(data, mine, checks=False))
+    code = (
+        "import pickle, sys, mixity\n"
+        "mixity.Law('1 + q*t^4', q=(0, 1)), mixity.Law('1 + q*t^6', q=(0, 1))\n"
+        "print(*pickle.load(sys.stdin.buffer).keys(), mixity.Law('1 + w*t^2', w=(0, 1)).key)"
+    )
+    told = subprocess.run([sys.executable, "-c", code], input=fits, capture_output=True, check=True).stdout.decode()
+    assert told.split() == [mine.key] * 2
+
+
+def test_another_law_of_one_key_is_told_from_the_first():
+    mixity.Law("1 + p*t^2", p=(0, 1), key="edited")
+    for edited, differs in [
+        (dict(f="1 + p*t^3", p=(0, 1)), r"f = 1 \+ p\*t\^2; choose another key"),
+        (dict(f="1 + p*t^2", p=(0, 2)), r"whose p is in 0\.\.1 start 0.5, not in 0\.\.2 start 1; choose another key"),
+        (dict(f="1 + p*t^2", p=(0, 1), normalised=True), "not normalised; choose another key"),
+    ]:
+        with pytest.raises(mixity.InputError, match="there is another law 'edited': .*" + differs):
+            mixity.Law(key="edited", **edited)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <cmath>
 #include <mutex>
 #include <regex>
@@ -189,6 +190,34 @@ Known& known() {
   static Known all;
   return all;
 }
+
+std::string range_of(const LawParameter& one) {
+  std::string text;
+  for (const double number : {one.lower, one.upper, one.start}) {
+    char digits[32];
+    text += text.empty() ? "" : text.find("..") == std::string::npos ? ".." : " start ";
+    text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+  }
+  return text;
+}
+
+/// What a law that is known has otherwise than another one of its key, as what follows that.
+std::string difference(const ExpressionLaw& known, const ExpressionLaw& given) {
+  const LawDefinition &one = known.definition(), &other = given.definition();
+  if (one.text != other.text || one.normalised != other.normalised)
+    return known.shown() + (one.normalised == other.normalised ? ""
+                            : one.normalised                   ? ", normalised"
+                                                               : ", not normalised");
+  if (one.parameters.size() != other.parameters.size())
+    return known.shown() + ", of " + std::to_string(one.parameters.size()) + " parameters";
+  for (std::size_t i = 0; i < one.parameters.size(); ++i) {
+    const LawParameter &a = one.parameters[i], &b = other.parameters[i];
+    if (a.name != b.name) return known.shown() + ", whose parameter " + std::to_string(i + 1) + " is " + a.name;
+    if (a.lower != b.lower || a.upper != b.upper || a.start != b.start)
+      return known.shown() + ", whose " + a.name + " is in " + range_of(a) + ", not in " + range_of(b);
+  }
+  return "";
+}
 }  // namespace
 
 bool same_law(const LawDefinition& one, const LawDefinition& other) {
@@ -204,7 +233,9 @@ std::shared_ptr<const ExpressionLaw> add_law(const std::shared_ptr<const Express
   for (const auto& other : known().laws) {
     if (other->definition().key != made->definition().key) continue;
     if (same_law(other->definition(), made->definition())) return other;
-    error = {{}, "there is another law '" + made->definition().key + "': " + other->shown()};
+    error = {{},
+             "there is another law '" + made->definition().key + "': " + difference(*other, *made) +
+                 "; choose another key for this one"};
     return nullptr;
   }
   known().laws.push_back(made);

@@ -14,7 +14,7 @@ class Law:
         f = G_c/G_Ic, of psi, B = sin^2 psi, t = tan psi and the parameters: "1 + p*tan(psi)^n". Or a criterion of
         fracture, an equation in K_I and K_II in units of the toughness: "(K_I^2)^m + (K_II^2/r)^n = 1".
     key : str, optional
-        What models=... calls it; else law_1, law_2, ...
+        What models=... calls it; else law_ and digits that follow from the definition, in every process the same.
     name : str, optional
         Shown beside the key.
     normalised : bool
@@ -37,6 +37,9 @@ class Law:
     """
 
     def __init__(self, f, *, key="", name="", normalised=False, **parameters):
+        for what, text in (("key", key), ("name", name)):
+            if not isinstance(text, str):
+                raise _core.InputError(f"{what} is {text!r}; it must be a text, and no parameter can be called {what}")
         ranges = []
         for parameter, given in parameters.items():
             try:

@@ -216,7 +216,7 @@ TEST(TypedLaws, OfOneKeyAreOne) {
   EXPECT_EQ(defined({"one", "1 + p*t^2", {{"p", 0, 1, 0.5}}}), law);
   LawError error;
   EXPECT_FALSE(define_law({"one", "1 + p*t^3", {{"p", 0, 1, 0.5}}}, error));
-  EXPECT_EQ(error.message, "there is another law 'one': f = 1 + p*t^2");
+  EXPECT_EQ(error.message, "there is another law 'one': f = 1 + p*t^2; choose another key for this one");
 }
 
 std::string error_of(const std::string& text, std::vector<LawParameter> parameters = {{"p", 0, 1, 0.5}}) {
