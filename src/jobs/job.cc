@@ -195,7 +195,10 @@ JobResult run(const FitJob& job, Dataset data, const Progress& progress) {
   });
   // what explains a failed test costs more than the fit: of models that are left behind not more than is needed
   const bool decided = winner(result) != nullptr;
-  for_each_of_the_models([&](std::size_t i) { find_cause(result.data, result.fits[i], job.options, decided); });
+  for_each_of_the_models([&](std::size_t i) {
+    find_cause(result.data, result.fits[i], job.options, decided);
+    part(i, [](const FitOptions&) {});  // whoever watches may want to stop
+  });
   if (job.options.checks) result.unsheared = test_unsheared(result.data, job.options);
   tell_unsheared(result);
   tell_outdone(result);

@@ -62,9 +62,10 @@ void bind_studies(nb::module_& m) {
       .def("next_loads",
            [](const Plan& plan, double least, double most, std::size_t candidates,
               const std::vector<std::string>& rivals) {
+             Watch watch{nb::none()};
              const auto found = [&] {
                const nb::gil_scoped_release released;
-               return next_loads(plan, least, most, candidates, rivals);
+               return next_loads(plan, least, most, candidates, rivals, [&](double share) { watch(share); });
              }();
              nb::list list;
              for (const LoadCandidate& one : found) list.append(nb::make_tuple(one.load, shown(one.expected)));
@@ -73,8 +74,10 @@ void bind_studies(nb::module_& m) {
       .def("best",
            [](const Plan& plan, double least, double most, std::size_t runs, bool for_models,
               const std::vector<std::string>& rivals) {
+             Watch watch{nb::none()};
              const nb::gil_scoped_release released;
-             return best_plan(plan, least, most, runs, for_models ? Goal::model : Goal::error, rivals);
+             return best_plan(plan, least, most, runs, for_models ? Goal::model : Goal::error, rivals,
+                              [&](double share) { watch(share); });
            })
       .def(
           "experiments",

@@ -53,28 +53,29 @@ Expectation expect(const Plan& plan, const std::vector<std::string>& rivals) {
 }
 
 std::vector<LoadCandidate> next_loads(const Plan& plan, double least, double most, std::size_t candidates,
-                                      const std::vector<std::string>& rivals) {
+                                      const std::vector<std::string>& rivals, const Progress& progress) {
   std::vector<LoadCandidate> found(std::max<std::size_t>(candidates, 2));
-  std::atomic<std::size_t> next = 0;
+  std::atomic<std::size_t> next = 0, done = 0;
   side_by_side(processors(), [&] {
     for (std::size_t i; (i = next++) < found.size();) {
       found[i].load = least + (most - least) * static_cast<double>(i) / static_cast<double>(found.size() - 1);
       Plan with = plan;
       with.loads.push_back(found[i].load);
       found[i].expected = expect(with, rivals);
+      if (progress) progress(static_cast<double>(++done) / static_cast<double>(found.size()));
     }
   });
   return found;
 }
 
 Plan best_plan(const Plan& plan, double least, double most, std::size_t runs, Goal goal,
-               const std::vector<std::string>& rivals) {
+               const std::vector<std::string>& rivals, const Progress& progress) {
   constexpr std::size_t kCandidates = 25;
   constexpr double kHelps = 1e-3;  // of the cost: exchanges that gain less are noise of the grid
   const std::vector<std::string> others = goal == Goal::error ? std::vector<std::string>{} : rivals;
   Plan best = plan;
   const auto best_next = [&](const Plan& with) {
-    const auto candidates = next_loads(with, least, most, kCandidates, others);
+    const auto candidates = next_loads(with, least, most, kCandidates, others, progress);
     return *std::min_element(candidates.begin(), candidates.end(), [&](const auto& one, const auto& other) {
       return one.expected.cost(goal) < other.expected.cost(goal);
     });

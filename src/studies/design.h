@@ -42,12 +42,13 @@ struct LoadCandidate {
   Expectation expected;
 };
 std::vector<LoadCandidate> next_loads(const Plan& plan, double least, double most, std::size_t candidates,
-                                      const std::vector<std::string>& rivals);
+                                      const std::vector<std::string>& rivals, const Progress& progress = {});
 
 /// The plan with so many more runs, at the loads that serve the goal best: one after the other, then exchanged until no
-/// exchange helps (Fedorov 1972).
+/// exchange helps (Fedorov 1972). How many that takes is not known before: `progress` is told of the loads tried for
+/// the next run.
 Plan best_plan(const Plan& plan, double least, double most, std::size_t runs, Goal goal,
-               const std::vector<std::string>& rivals);
+               const std::vector<std::string>& rivals, const Progress& progress = {});
 
 /// Experiments of a plan, simulated and fitted as they will be: the answer that the expectation foretells.
 struct Outcome {

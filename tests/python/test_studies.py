@@ -3,8 +3,10 @@
 import functools
 import pathlib
 import pickle
+import signal
 import subprocess
 import sys
+import threading
 import time
 from concurrent.futures import ProcessPoolExecutor
 
@@ -73,6 +75,15 @@ def test_a_plan_that_cannot_be_is_refused():
         mixity.Plan("c", 0.01, [1e-3])
     with pytest.raises(mixity.InputError, match="sigma_A"):
         mixity.Plan("c", 0.01, [1e-3], sigma_A="much", **CONSTANTS)
+
+
+def test_ctrl_c_ends_a_search_for_loads():
+    plan = mixity.Plan("c", 0.01, [1e-3], points=2000, **CONSTANTS)
+    threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        plan.next_loads(0.5e-3, 10e-3, 4000)
+    assert time.monotonic() - begin < 10
 
 
 def test_campaigns_give_the_same_in_other_processes(plan):
