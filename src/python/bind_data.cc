@@ -1,7 +1,11 @@
 // Data sets.
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include "dataset/arrays.h"
+#include "dataset/column_names.h"
 #include "dataset/pooled.h"
 #include "python/bindings.h"
 
@@ -58,6 +62,39 @@ void bind_data(nb::module_& m) {
     return load_pooled(files, constants);
   });
   m.def("files_of", &files_of);
+  m.def("named_columns", [](const std::string& name, const std::vector<std::string>& texts, bool load_stated) {
+    std::vector<Heading> headings;
+    for (const std::string& text : texts) headings.push_back(split_heading(text, {1, headings.size() + 1}));
+    ColumnRules rules;
+    rules.load_stated = load_stated;
+    std::vector<std::tuple<std::string, std::size_t, std::optional<std::string>>> columns;
+    for (const NamedColumn& one : name_columns(name, headings, rules))
+      columns.emplace_back(to_string(one.id), one.index, one.heading.unit);
+    return columns;
+  });
+  m.def("unit_in_heading", [](const std::string& text) { return split_heading(text, {}).unit; });
+  m.def("same_unit", [](const std::string& one, const std::string& other) {
+    const auto a = parse_unit(one), b = parse_unit(other);
+    return a && b && a->factor == b->factor && a->dimension == b->dimension;
+  });
+  m.def("forces", [](const std::string& name, const std::string& text) {
+    std::vector<Quantity> all;
+    for (std::size_t at = 0; at <= text.size();) {
+      const std::size_t end = std::min(text.find(',', at), text.size());
+      const auto quantity = parse_quantity(trim(std::string_view(text).substr(at, end - at)));
+      if (!quantity) throw InputError(name, "is '" + text + "'; it must be loads such as \"1,4 mN\"");
+      all.push_back(*quantity);
+      at = end + 1;
+    }
+    std::vector<double> loads;
+    for (Quantity& one : all) {
+      if (one.unit.text.empty()) one.unit = all.back().unit;
+      if (one.unit.dimension != dimension::force)
+        throw InputError(name, "is '" + text + "'; it must be loads with a unit, such as \"1,4 mN\"");
+      loads.push_back(one.si());
+    }
+    return loads;
+  });
   m.def("from_arrays", [](const std::string& name, const std::vector<std::pair<std::string, nb::object>>& columns,
                           const Stated& constants) {
     std::vector<Numbers> numbers;

@@ -50,6 +50,7 @@ Control control_of(const std::string& kind, double stiffness) {
 
 void bind_mechanics(nb::module_& m) {
   m.def("model_keys", &model_keys);
+  m.def("known_models", &known_models);
   m.def("provide_law", [](const std::string& key) { provide_law(key); });
   m.def("law_definition", [](const std::string& key) {  // None of other models
     const auto law = find_law(key);
@@ -58,7 +59,8 @@ void bind_mechanics(nb::module_& m) {
     nb::list parameters;
     for (const LawParameter& one : definition.parameters)
       parameters.append(nb::make_tuple(one.name, one.lower, one.upper, one.start));
-    return nb::object(nb::make_tuple(definition.text, parameters, definition.key, definition.name, definition.normalised));
+    return nb::object(
+        nb::make_tuple(definition.text, parameters, definition.key, definition.name, definition.normalised));
   });
   m.def("define_law", [](const std::string& text, const std::vector<nb::tuple>& parameters, const std::string& key,
                          const std::string& name, bool normalised) {

@@ -1,24 +1,46 @@
 """Data sets: from arrays, frames and files."""
 
+from __future__ import annotations
+
 import os
+import re
+from typing import TYPE_CHECKING, Any, Iterable, Mapping
 
 import numpy as np
 
 from . import _core
+from ._log import WARNING, listening
 from ._units import carries_units, constant_text, plain_array, si_unit
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    FloatArray = NDArray[np.float64]
 
 _COLUMNS = (
     "P T A a a_par a_perp major minor psi mode_ratio Gc Gc_over_GIc G_I G_II sigma_T sigma_A sigma_Gc sigma_GI sigma_GII"
 ).split()
 
+# How a file's sentences call what is an argument here.
+_FLAG = (
+    r"(?P<state>state (?:it|them)) in (?P<where>.*?) or by (?:a flag|flags) \((?P<flags>--\w+=\.\.\.(?:, --\w+=\.\.\.)*)\)"
+    r"|--columns=\"(?P<column>\w+)=(?P<heading>[^\"]*)\"|--(?P<name>\w+)="
+)
 
-def _made(make, arguments):
+
+def _argument(said: re.Match[str]) -> str:
+    if said["state"]:
+        where = f" in {said['where']}, or here" if said["where"].endswith(".toml") else ""
+        return f"{said['state']}{where}: {said['flags'].replace('--', '')}"
+    return f'columns={{"{said["column"]}": "{said["heading"]}"}}' if said["column"] else f"{said['name']}="
+
+
+def _made(make: Any, arguments: tuple[Any, ...]) -> Any:
     try:
         return make(*arguments)
     except _core.InputError as error:
         # a constant is no flag here
-        text = str(error)
-        raise _core.InputError(text[2:] if text.startswith("--") else text) from None
+        raise _core.InputError(re.sub(_FLAG, _argument, str(error).removeprefix("--"))) from None
 
 
 def _column(name, values, units):
@@ -60,7 +82,14 @@ class Dataset:
         For what the program refuses of a file with these columns, in its words. Row i is called line i + 2.
     """
 
-    def __init__(self, *, runs=None, units="SI", name="data", **given):
+    def __init__(
+        self,
+        *,
+        runs: Iterable[Any] | None = None,
+        units: Mapping[str, str] | str | None = "SI",
+        name: str = "data",
+        **given: Any,
+    ) -> None:
         there = {column: given.pop(column) for column in _COLUMNS if column in given}
         there = {column: values for column, values in there.items() if values is not None}
         if isinstance(units, dict):
@@ -76,6 +105,12 @@ class Dataset:
         stated = [(key, constant_text(key, value)) for key, value in given.items() if value is not None]
         self._core = _made(_core.from_arrays, (name, columns, stated))
         self._source = ("arrays", (name, columns, stated))
+        self._tell_notes()
+
+    def _tell_notes(self) -> None:
+        if logger := listening(WARNING):
+            for note in self.notes:
+                logger.warning("%s: %s", self.name, note)
 
     @classmethod
     def _of(cls, core, source):
@@ -85,68 +120,69 @@ class Dataset:
         return made
 
     # A data set is what it was made from.
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return _again, self._source
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self._core)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         runs = len(self._core.curves)
         return f"<mixity.Dataset '{self.name}': {len(self)} points in {runs} {'run' if runs == 1 else 'runs'}>"
 
     @property
-    def name(self):
+    def name(self) -> str:
+        """Shown in texts and messages."""
         return self._core.name
 
     @property
-    def notes(self):
+    def notes(self) -> list[str]:
         """What of the data is passed over or not taken as it stands: sentences."""
         return self._core.notes
 
     @property
-    def runs(self):
+    def runs(self) -> list[str]:
         """Names of the loading runs."""
         return self._core.curves
 
     @property
-    def excluded(self):
+    def excluded(self) -> list[tuple[int, str]]:
         """[(line, reason)] of rows that are no points."""
         return self._core.excluded
 
     @property
-    def units(self):
+    def units(self) -> dict[str, str]:
         """Units in which loads and areas are shown and returned: {"force": "mN", "area": "mm^2"}; empty texts if
         dimensionless."""
         return {"force": self._core.force_unit_text, "area": self._core.area_unit_text}
 
     @property
-    def P(self):
+    def P(self) -> FloatArray:
         """Normal loads of the points, shape (n,), in units["force"]."""
         return self._core.column("P") * self._core.force_scale
 
     @property
-    def T(self):
+    def T(self) -> FloatArray:
         """Tangential loads, shape (n,), in units["force"]."""
         return self._core.column("T") * self._core.force_scale
 
     @property
-    def A(self):
+    def A(self) -> FloatArray:
         """Areas, shape (n,), in units["area"]."""
         return self._core.column("A") * self._core.area_scale
 
     @property
-    def psi(self):
+    def psi(self) -> FloatArray:
         """Phase angles [rad], shape (n,); NaN where the area does not exceed that of Hertz."""
         return self._core.column("psi")
 
     @property
-    def toughness_ratio(self):
+    def toughness_ratio(self) -> FloatArray:
         """G_c/G_Ic, shape (n,); NaN where there is no phase angle."""
         return self._core.column("f")
 
     @property
-    def run_of_point(self):
+    def run_of_point(self) -> NDArray[np.int_]:
         """Indices into ``runs``, shape (n,)."""
         return self._core.column("curve").astype(int)
 
@@ -158,34 +194,87 @@ def _again(kind, arguments):
     return Dataset._of(_made(_core.from_arrays if kind == "arrays" else _core.read, arguments), (kind, arguments))
 
 
-def from_frame(frame, columns=None, *, runs=None, units="SI", name="frame", **constants):
+def _one_unit(name, heading, own, stated):
+    """The unit of a column whose heading has the unit ``own``, and of which ``units`` says ``stated``; None: neither does."""
+    if own is None or stated is None:
+        return own if stated is None else stated
+    if not _core.same_unit(own, own):  # brackets that hold no unit
+        return stated
+    if not _core.same_unit(own, stated):
+        raise _core.InputError(f"{name}: column '{heading}' is in {own}, units says {stated or 'that it has none'}")
+    return own
+
+
+def from_frame(
+    frame: Any,
+    columns: Mapping[str, Any] | None = None,
+    *,
+    runs: str | Iterable[Any] | None = None,
+    units: Mapping[str, str] | str | None = "SI",
+    name: str = "frame",
+    **constants: Any,
+) -> Dataset:
     """A data set from a pandas DataFrame, or anything with named columns.
 
     Parameters
     ----------
     frame : DataFrame
     columns : dict, optional
-        What is what: ``{"P": "Normal force", "T": "Friction", "A": "Area"}``. Left out: columns of the program's own names.
+        What is what: ``{"P": "Normal force [mN]", "T": "Friction", "A": "Area"}``. Left out: columns that the program knows
+        in a file, by its own names or others ("T [mN]", "Normal force (mN)").
     runs : str or array_like, optional
-        The column that names runs, or the names.
-    units, name, **constants
+        The column that names runs, or the names. Left out: a column ``curve``, if there is one.
+    units : dict, "SI" or None
+        As of :class:`Dataset`, for columns whose heading states no unit; one that states another is refused.
+    name, **constants
         As of :class:`Dataset`.
+
+    Raises
+    ------
+    InputError
+        As :class:`Dataset`, and for columns that are not there or not known.
     """
-    names = columns or {column: column for column in _COLUMNS if column in frame}
-    missing = [heading for heading in names.values() if heading not in frame]
-    if missing:
-        raise _core.InputError(f"{name}: has no column '{missing[0]}'; there are {', '.join(map(str, frame))}")
+    headings = list(frame)
+    texts = list(map(str, headings))
+    load_stated = bool(constants.get("load") or constants.get("load_from"))
+    if columns:
+        missing = [heading for heading in columns.values() if heading not in frame]
+        if missing:
+            raise _core.InputError(f"{name}: has no column '{missing[0]}'; there are {', '.join(texts)}")
+        found = {column: (heading, _core.unit_in_heading(str(heading))) for column, heading in columns.items()}
+    else:
+        named = _made(_core.named_columns, (name, texts, load_stated))
+        found = {column: (headings[index], unit) for column, index, unit in named}
+        if not any(column in found for column in _COLUMNS):
+            raise _core.InputError(
+                f"{name}: none of its columns is known; there are {', '.join(texts)}. Say which is which: "
+                'columns={"P": ..., "T": ..., "A": ...}'
+            )
     if isinstance(runs, str):
         if runs not in frame:
-            raise _core.InputError(f"{name}: has no column '{runs}'; there are {', '.join(map(str, frame))}")
+            raise _core.InputError(f"{name}: has no column '{runs}'; there are {', '.join(texts)}")
         runs = frame[runs]
-    elif runs is None and "curve" in frame:
-        runs = frame["curve"]
-    given = {column: np.asarray(frame[heading]) for column, heading in names.items()}
-    return Dataset(**given, runs=runs, units=units, name=name, **constants)
+    elif runs is None and ("curve" in found or "curve" in frame):
+        runs = frame[found["curve"][0] if "curve" in found else "curve"]
+    taken = {column: one for column, one in found.items() if column in _COLUMNS}
+    stated = units if isinstance(units, dict) else dict.fromkeys(taken, "") if units is None else {}
+    of_columns = {
+        column: _one_unit(name, heading, own, stated.get(column)) for column, (heading, own) in taken.items()
+    }
+    if units is None or isinstance(units, dict) or units == "SI":
+        units = {**stated, **{column: unit for column, unit in of_columns.items() if unit is not None}}
+    given = {column: np.asarray(frame[heading]) for column, (heading, _) in taken.items()}
+    try:
+        return Dataset(**given, runs=runs, units=units, name=name, **constants)
+    except _core.InputError as error:
+        others = [f"'{heading}'" for heading in texts if heading not in [str(one) for one, _ in found.values()]]
+        if not others or "is missing" not in str(error):
+            raise
+        which = 'columns={"A": ..., ...}'
+        raise _core.InputError(f"{error}; not understood: {', '.join(others)}. Say which is which: {which}") from None
 
 
-def read(path, **constants):
+def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **constants: Any) -> Dataset:
     """Reads a data file as the program does, with the TOML beside it.
 
     Parameters
@@ -205,4 +294,6 @@ def read(path, **constants):
         if key == "columns" and isinstance(value, dict):
             value = ",".join(f"{column}={heading}" for column, heading in value.items())
         stated.append((key, constant_text(key, value)))
-    return _again("file", (files, stated))
+    data = _again("file", (files, stated))
+    data._tell_notes()
+    return data

@@ -79,11 +79,64 @@ def in_si(name, quantity):
         raise _core.InputError(f"'{name}' must be in {unit or 'no unit'}: {error}") from None
 
 
-def constant_text(name, value):
-    """A constant as a text: strings stay, floats are SI, a pair is a value and its standard error."""
+def si_number(name, value):
+    """A number, which is in SI, or a pint quantity as a float in SI."""
+    return float(in_si(name, value) if is_pint(value) else value)
+
+
+def _with_error(name, value):
+    """(value, standard error) of what carries one, as numbers of uncertainties and pint's plus_minus do; else (value,)."""
+    plain = in_si(name, value) if is_pint(value) else value
+    return (plain.nominal_value, plain.std_dev) if hasattr(plain, "nominal_value") else (plain,)
+
+
+def error_text(name, value, dimensional=True):
+    """A standard error as a text: "1%" stays, numbers are SI, or dimensionless as the data are."""
     if isinstance(value, str):
         return value
-    parts = value if isinstance(value, (tuple, list)) else (value,)
+    try:
+        if isinstance(value, (bool, np.bool_)):
+            raise TypeError("a truth value is none")
+        return f"{si_number(name, value)!r} {si_unit(name) if dimensional or is_pint(value) else ''}".strip()
+    except (TypeError, ValueError):
+        raise _core.InputError(
+            f"{name} is {value!r}; it must be a text such as \"1%\" or \"0.2 mN\", a number in SI or a pint quantity"
+        ) from None
+
+
+def load_list(name, value):
+    """Loads [N] as a list of floats: of numbers in SI, texts ("1,4 mN", or one for each) and pint quantities."""
+    if isinstance(value, str):
+        return _core.forces(name, value)
+    if isinstance(value, (list, tuple)) and any(isinstance(one, str) or is_pint(one) for one in value):
+        return [load for one in value for load in load_list(name, one)]
+    return np.atleast_1d(plain_array("P", value)).tolist()
+
+
+def load_number(name, value):
+    """One load [N]."""
+    loads = load_list(name, value)
+    if len(loads) != 1:
+        raise _core.InputError(f"{name} is {value!r}; it must be one load")
+    return loads[0]
+
+
+def whole_number(name, value, least=0):
+    """An int, of what is a whole number not below ``least``."""
+    try:
+        number = int(value)
+    except (TypeError, ValueError, OverflowError):
+        number = None
+    if number is None or isinstance(value, bool) or number != value or not least <= number < 2**64:
+        raise _core.InputError(f"{name} is {value!r}; it must be a whole number, {least} or more")
+    return number
+
+
+def constant_text(name, value):
+    """A constant as a text: strings stay, floats are SI, a pair is a value and its standard error, as is a number that has one."""
+    if isinstance(value, str):
+        return value
+    parts = value if isinstance(value, (tuple, list)) else _with_error(name, value)
     texts = []
     for part in parts:
         if isinstance(part, str):
@@ -92,7 +145,7 @@ def constant_text(name, value):
         try:
             if isinstance(part, (bool, np.bool_)):
                 raise TypeError("a truth value is none")
-            texts.append(f"{float(in_si(name, part) if is_pint(part) else part)!r} {si_unit(name)}".strip())
+            texts.append(f"{si_number(name, part)!r} {si_unit(name)}".strip())
         except (TypeError, ValueError):
             texts = []
             break
