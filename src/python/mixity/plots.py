@@ -1,14 +1,24 @@
 """Figures of fits on matplotlib axes, in the styles of the report. Each function draws on ``ax``, or on new axes, and
 returns them."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from . import _mechanics
-from ._core import parameter_names
+from ._core import InputError, parameter_names
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ._fits import Fit
+    from ._studies import Plan
 
 # Of the report: told apart without colour, too.
 _STYLE = {"a": ("#0072b2", "--"), "b": ("#d55e00", "-."), "c": ("#009e73", "-"), "bk": ("#cc79a7", ":")}
-_POINTS = {"linestyle": "none", "marker": "o", "fillstyle": "none", "color": "0.3", "markersize": 4}
+_POINTS: dict[str, Any] = {"linestyle": "none", "marker": "o", "fillstyle": "none", "color": "0.3", "markersize": 4}
 
 
 def _axes(ax):
@@ -30,10 +40,12 @@ def _lam(fit):
     return tuple(fit.params[name].value for name in parameter_names(fit.model))
 
 
-def area(fit, ax=None):
+def area(fit: Fit, ax: Axes | None = None) -> Axes:
     """A(T) of each run: points, the model with its 95 % band, and where it jumps."""
-    ax = _axes(ax)
     data = fit.data
+    if not data._core.has_loads:
+        raise InputError(f"{data.name} has no loads, so that there is no A(T) to draw; plot_toughness() draws what was fitted")
+    ax = _axes(ax)
     colour, line = _STYLE.get(fit.model, ("k", "-"))
     P, T, A, run = data.P, data.T, data.A, data.run_of_point
     ax.plot(T, A, label="data", **_POINTS)
@@ -54,7 +66,7 @@ def area(fit, ax=None):
     return ax
 
 
-def toughness(fit, ax=None):
+def toughness(fit: Fit, ax: Axes | None = None) -> Axes:
     """f(psi): points, the model, and the band of its first parameter's interval."""
     ax = _axes(ax)
     data = fit.data
@@ -74,7 +86,7 @@ def toughness(fit, ax=None):
     return ax
 
 
-def residuals(fit, ax=None):
+def residuals(fit: Fit, ax: Axes | None = None) -> Axes:
     """Residuals against T, or against psi where there are no loads."""
     ax = _axes(ax)
     data = fit.data
@@ -87,13 +99,18 @@ def residuals(fit, ax=None):
     return ax
 
 
-def profile(fit, parameter="lambda", ax=None):
-    """The profile likelihood of a parameter: how the cost rises when it is held there, and the level of the interval."""
-    ax = _axes(ax)
+def profile(fit: Fit, parameter: str | None = None, ax: Axes | None = None) -> Axes:
+    """The profile likelihood of a parameter, by default the model's first: how the cost rises when it is held there, and
+    the level of the interval."""
+    if parameter is None:
+        parameter = next(iter(fit.params))
+    if parameter not in fit.params:
+        raise InputError(f"this fit of model '{fit.model}' has no parameter '{parameter}'; there are {', '.join(fit.params)}")
     one = fit.params[parameter]
     x, rise, level = fit._fits._results.profile(fit._index, parameter)
     if not len(x):
-        raise ValueError(f"'{parameter}' is held, at a bound or not identifiable: there is no profile to draw")
+        raise InputError(f"'{parameter}' is held, at a bound or not identifiable: there is no profile to draw")
+    ax = _axes(ax)
     ax.plot(x, rise, color=_STYLE.get(fit.model, ("k", "-"))[0])
     ax.axhline(level, color="0.6", linestyle="--")
     ax.set_xlabel(_label(parameter, one.unit))
@@ -101,12 +118,12 @@ def profile(fit, parameter="lambda", ax=None):
     return ax
 
 
-def budget(fit, ax=None):
+def budget(fit: Fit, ax: Axes | None = None) -> Axes:
     """The variance of the first parameter: scatter, and what is not known of each constant."""
     ax = _axes(ax)
     found = fit.budget
     if not found or found["scatter"] is None:
-        raise ValueError("this fit has no budget: no parameter of it is free and inside its bounds")
+        raise InputError("this fit has no budget: no parameter of it is free and inside its bounds")
     parts = [("scatter", found["scatter"]), *((part["constant"], part["share"]) for part in found["parts"])]
     left = 0.0
     for i, (name, share) in enumerate(parts):
@@ -120,7 +137,7 @@ def budget(fit, ax=None):
     return ax
 
 
-def loads(plan, least, most, rivals="abc", ax=None):
+def loads(plan: Plan, least: Any, most: Any, rivals: Any = "abc", ax: Axes | None = None) -> Axes:
     """Of a plan with one more run, against its load [mN]: the expected error of lambda in percent, and on an axis of its own
     the odds against the model that is hardest to tell from the plan's, as a power of ten."""
     ax = _axes(ax)
