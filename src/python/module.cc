@@ -5,7 +5,8 @@
 
 NB_MODULE(_core, m) {
   m.doc() = "The engine of mixity.";
-  nb::exception<mixity::InputError>(m, "InputError", PyExc_ValueError);
+  nb::exception<mixity::InputError>(m, "InputError", PyExc_ValueError).doc() =
+      "What mixity does not take, with the sentence that says why and what helps. A ValueError.";
   nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
     try {
       std::rethrow_exception(thrown);

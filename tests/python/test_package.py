@@ -147,7 +147,7 @@ def test_progress_is_told_and_its_errors_arrive(data):
         mixity.fit(data, "c", bootstrap=200, progress=fails)
 
 
-@pytest.mark.parametrize("name", ["", "._data", "._fits", "._law", "._mechanics", "._studies", ".scipy", ".lmfit"])
+@pytest.mark.parametrize("name", ["", "._data", "._fits", "._fitting", "._law", "._mechanics", "._studies", ".scipy", ".lmfit"])
 def test_examples_in_docstrings(name):
     if name in (".scipy", ".lmfit"):
         pytest.importorskip(name[1:])
@@ -166,6 +166,39 @@ def test_figures(data):
         assert draw(ax=axes) is axes
         assert axes.get_xlabel()
         plt.close("all")
+
+
+def test_figures_of_what_is_not_there_are_refused(root, data):
+    pytest.importorskip("matplotlib").use("Agg")
+    without_loads = mixity.fit(mixity.read(root / "data/as4_peek_mmb.csv"), "bk")["bk"]
+    with pytest.raises(mixity.InputError, match=r"as4_peek_mmb has no loads, .* plot_toughness\(\)"):
+        without_loads.plot_area()
+    with pytest.raises(mixity.InputError, match="has no parameter 'lambda'; there are r, eta"):
+        without_loads.plot_profile("lambda")
+
+
+def test_profiles_are_of_the_first_parameter_if_none_is_named(data):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    law = mixity.Law("1 + (1 - l)*tan(psi)^2", l=(0, 1))
+    for key, fit in mixity.fit(data, ["c", "linear", law], checks=False).items():
+        axes = plt.figure().gca()
+        fit.plot_profile(ax=axes)
+        assert axes.get_xlabel().split()[0] == next(iter(fit.params)), key
+        plt.close("all")
+
+
+def test_every_public_name_says_what_it_is():
+    bare = []
+    for name in mixity.__all__:
+        one = getattr(mixity, name)
+        if callable(one) and not (one.__doc__ or "").strip():
+            bare.append(name)
+        if isinstance(one, type) and one.__module__.startswith("mixity."):
+            bare += [f"{name}.{key}" for key, value in vars(one).items() if key[0] != "_" and not getattr(value, "__doc__", None)]
+    assert not bare
 
 
 def test_derivatives_are_those_of_the_area():
@@ -225,9 +258,9 @@ def test_a_data_set_owns_its_numbers():
         (lambda P, T, A: mixity.area("bk", 0.1, 2.0, 3.0), "a tuple of 2, not 1"),
         (lambda P, T, A: mixity.area("c", 0.1, 2, 3, contact=(-1, 2, 3)), "all above 0"),
         (lambda P, T, A: mixity.fit(mixity.Dataset(P=P, T=T, A=A, **CONSTANTS), "c", modulus="2 MPa"), "mixity.Dataset(modulus="),
-        (lambda P, T, A: mixity.Plan("c", 0.1, [1e-3], sigma_T=0.01, **CONSTANTS), "must be a text"),
+        (lambda P, T, A: mixity.Plan("c", 0.1, [1e-3], sigma_T=[0.01], **CONSTANTS), "must be a text"),
         (lambda P, T, A: mixity.Plan("c", 0.1, [1e-3], points=2.5, **CONSTANTS), "must be a whole number"),
-        (lambda P, T, A: mixity.Plan("c", 0.1, [1e-3], **CONSTANTS).experiments(1), "needs two at least"),
+        (lambda P, T, A: mixity.Plan("c", 0.1, [1e-3], **CONSTANTS).experiments(1), "a whole number, 2 or more"),
     ],
 )
 def test_what_cannot_be_gets_a_sentence(call, sentence):
@@ -320,10 +353,22 @@ def test_types_are_complete(tmp_path):
         [sys.executable, "-m", "mypy", "--ignore-missing-imports", str(script), package], capture_output=True, text=True
     )
     assert done.returncode == 0, done.stdout
+    script.write_text(
+        "import mixity\nfits = mixity.fit(mixity.read('a.csv'), models='c')\nreveal_type(fits['c'].status)\n"
+        "reveal_type(fits['c'].params['lambda'].value)\nreveal_type(mixity.area('c', 0.1, 2.0, [1.0], return_status=True)[1])\n"
+        "mixity.fitt\nfits['c'].state\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--ignore-missing-imports", str(script)], capture_output=True, text=True, cwd=f"{package}/.."
+    )
+    told = [line.partition(": ")[2] for line in done.stdout.splitlines()]
+    assert told[0] == 'note: Revealed type is "str"' and told[1] == 'note: Revealed type is "float"', done.stdout
+    assert "unsignedinteger" in told[2].lower() or "uint8" in told[2], done.stdout
+    assert 'Module has no attribute "fitt"' in told[3] and '"Fit" has no attribute "state"' in told[4], done.stdout
 
 
 def test_import_needs_numpy_alone():
     code = "import sys, numpy; before = set(sys.modules); import mixity; print(sorted(m.split('.')[0] for m in set(sys.modules) - before))"
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
-    for heavy in ("scipy", "matplotlib", "pandas", "lmfit", "pint"):
+    for heavy in ("scipy", "matplotlib", "pandas", "lmfit", "pint", "logging"):
         assert f"'{heavy}'" not in found

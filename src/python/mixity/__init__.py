@@ -11,13 +11,19 @@
 0.0089
 
 Quantities are floats in SI, strings with units as the program takes them ("2.133 +/- 0.1 MPa"), or pint quantities.
-What cannot be understood raises :class:`InputError` with the program's sentence.
+What cannot be understood raises :class:`InputError` with the program's sentence. What a fit does is told to
+``logging.getLogger("mixity")``: see :func:`fit`; notes of a data set are told there as warnings.
 """
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 from ._core import InputError, version
 from ._data import Dataset, from_frame, read
 from ._law import Law
-from ._fits import Fit, Fits, Parameter, fit
+from ._fits import Fit, Fits, Parameter
+from ._fitting import fit
 from ._mechanics import (
     STATUS,
     area,
@@ -63,10 +69,14 @@ __all__ = [
 __version__: str = version()
 
 
-def __getattr__(name):
-    # what needs more than NumPy is imported when it is asked for
-    if name in ("lmfit", "scipy", "plots"):
-        import importlib
+if TYPE_CHECKING:
+    from . import lmfit, plots, scipy
+else:
 
-        return importlib.import_module(f".{name}", __name__)
-    raise AttributeError(f"module 'mixity' has no attribute '{name}'")
+    def __getattr__(name):
+        # what needs more than NumPy is imported when it is asked for
+        if name in ("lmfit", "scipy", "plots"):
+            import importlib
+
+            return importlib.import_module(f".{name}", __name__)
+        raise AttributeError(f"module 'mixity' has no attribute '{name}'")

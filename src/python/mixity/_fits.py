@@ -1,106 +1,43 @@
 """Fits and what they say."""
 
+from __future__ import annotations
+
 import copy
-import html
 import json
+from typing import TYPE_CHECKING, Any, Iterator, Sequence
 
 import numpy as np
 
 from . import _core
 from ._data import Dataset
-from ._law import Law, define, definitions, key_of
-from ._units import carries_units, plain_array, si_names
+from ._law import Law, define, definitions
+from ._units import carries_units, plain_array
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike, NDArray
 
-_KEYS = frozenset(_core.model_keys())
-
-
-def _option_text(value):
-    if isinstance(value, (np.generic, np.ndarray)):
-        value = value.tolist()
-    if isinstance(value, str):
-        return value
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
-        return str(int(value))
-    if isinstance(value, dict):
-        return ",".join(key if one is None else f"{key}={_option_text(one)}" for key, one in value.items())
-    if isinstance(value, (list, tuple, set, range)):
-        return ",".join(map(_option_text, value))
-    return repr(value)
-
-
-def _model_keys(models):
-    if isinstance(models, Law):
-        return models.key
-    if isinstance(models, (list, tuple)):
-        return [key_of(model) for model in models]
-    if not isinstance(models, str) or "," in models:
-        return models
-    # "abc" are three
-    return models if models in _KEYS or not all(key in _KEYS for key in models) else ",".join(models)
-
-
-def fit(data, models="abc", *, objective=None, free=None, progress=None, **options):
-    """Fits models to a data set.
-
-    Parameters
-    ----------
-    data : Dataset
-    models : str, Law, or list of them
-        "c", "abc", ["a", "bk"], ["c", "power", mixity.Law(...)].
-    objective : {"curve", "toughness"}, optional
-        Distance from the equilibrium curve in the plane of T and A (the default where there are loads), or
-        ln(G_c/G_Ic) against psi.
-    free : list of str, optional
-        Constants of the experiment that are fitted as if nothing were known of them.
-    progress : callable or bool, optional
-        Called with the share that is done, 0..1, on the calling thread; True: a bar of tqdm, where that is installed.
-    **options
-        Every option of ``mixity fit`` by its name: sigma_T="2%", loss="cauchy", hold={"lambda": 0.3}, bootstrap=1000,
-        per="curve", exclude=[17], checks=False, ... (``mixity help fit``).
-
-    Returns
-    -------
-    Fits
-        By model. The same numbers as the program's, to the last digit.
-
-    Raises
-    ------
-    InputError
-        With the program's sentence. Ctrl-C ends a fit at once (KeyboardInterrupt).
-    """
-    if not isinstance(data, Dataset):
-        raise TypeError("data must be a mixity.Dataset: Dataset(P=..., T=..., A=...), from_frame(...) or read(...)")
-    stated = [("models", _option_text(_model_keys(models)))]
-    for name, value in {"objective": objective, "free": free, **options}.items():
-        if name in si_names() and name not in _core.option_names():
-            raise _core.InputError(f"{name}: is no option of a fit: state it in mixity.Dataset({name}=...), or in mixity.read")
-        text = None if value is None else _option_text(value)
-        if text is not None and not (text == "" and not isinstance(value, str)):  # an empty list is none
-            stated.append((name, text))
-    bar = None
-    if progress is True:
-        try:
-            from tqdm.auto import tqdm
-
-            bar = tqdm(total=1.0, bar_format="{l_bar}{bar}| {elapsed}<{remaining}")
-            progress = lambda share: bar.update(share - bar.n)  # noqa: E731
-        except ImportError:
-            progress = None
-    try:
-        return Fits(data, _core.fit(data._core, stated, progress or None))
-    finally:
-        if bar is not None:
-            bar.close()
+    FloatArray = NDArray[np.float64]
 
 
 class Parameter:
     """A parameter of a fit: ``value``, ``stderr``, ``interval`` (low, high), ``unit``, ``lower``, ``upper``, ``at_bound``, ``held``,
     ``bootstrap``, ``prior``, and ``budget`` of the one that has it. None where a number is not known."""
 
-    def __init__(self, name, fields, budget):
+    name: str
+    value: float
+    stderr: float | None
+    interval: tuple[float | None, float | None] | None
+    budget: dict[str, Any] | None
+    unit: str
+    lower: float
+    upper: float
+    at_bound: bool
+    held: bool
+    bootstrap: dict[str, Any] | None
+    prior: dict[str, Any] | None
+
+    def __init__(self, name: str, fields: dict[str, Any], budget: dict[str, Any] | None) -> None:
         self.name = name
         self._fields = fields
         interval = fields["interval"]
@@ -109,13 +46,15 @@ class Parameter:
         self.value = fields["value"]
         self.stderr = fields["stderr"]
 
-    def __getattr__(self, name):
-        try:
-            return self.__dict__["_fields"][name]
-        except KeyError:
-            raise AttributeError(f"a parameter has no '{name}'") from None
+    if not TYPE_CHECKING:
 
-    def __repr__(self):
+        def __getattr__(self, name):
+            try:
+                return self.__dict__["_fields"][name]
+            except KeyError:
+                raise AttributeError(f"a parameter has no '{name}'") from None
+
+    def __repr__(self) -> str:
         error = "" if self.stderr is None else f" +/- {self.stderr:.2g}"
         return f"<{self.name} = {self.value}{error} {self.unit}>".replace(" >", ">")
 
@@ -123,7 +62,29 @@ class Parameter:
 class Fit:
     """One model's fit: ``status`` ("ok", "suspect", "at_bound", ...), ``message``, ``params``, and every field of the program's JSON."""
 
-    def __init__(self, fits, index):
+    params: dict[str, Parameter]
+    model: str
+    status: str
+    message: str
+    objective: str
+    scale: str
+    used: int
+    excluded: list[dict[str, Any]]
+    r2: float | None
+    rmse: float | None
+    max_abs_residual: float | None
+    errors: dict[str, Any] | None
+    loss_scale: float | None
+    correlations: list[dict[str, Any]]
+    influence: dict[str, Any] | None
+    paper: dict[str, Any] | None
+    evidence: dict[str, Any] | None
+    budget: dict[str, Any] | None
+    consistency: dict[str, Any] | None
+    outdone_by: str | None
+    published: dict[str, Any]
+
+    def __init__(self, fits: Fits, index: int) -> None:
         self._fits = fits
         self._index = index
         self._fields = fits._document["datasets"][0]["fits"][index]
@@ -136,32 +97,35 @@ class Fit:
         self.status = self._fields["status"]
         self.message = self._fields["message"]
 
-    def __getattr__(self, name):
-        try:
-            return self.__dict__["_fields"][name]
-        except KeyError:
-            raise AttributeError(f"a fit has no '{name}'") from None
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            try:
+                return self.__dict__["_fields"][name]
+            except KeyError:
+                raise AttributeError(f"a fit has no '{name}'") from None
 
     @property
-    def suspect(self):
+    def suspect(self) -> str | None:
         """The sentence that says what is wrong and what helps; None if the data do not contradict the fit."""
         return self.message if self.status == "suspect" else None
 
     @property
-    def data(self):
+    def data(self) -> Dataset:
+        """The data set that was fitted."""
         return self._fits.data
 
     @property
-    def residuals(self):
+    def residuals(self) -> FloatArray:
         """Of the points in ``used_points``, shape (m,): model minus data, in standard errors where these are known."""
         return self._fits._results.residuals(self._index)
 
     @property
-    def used_points(self):
+    def used_points(self) -> NDArray[np.int_]:
         """Indices of the points that the fit used, shape (m,)."""
         return self._fits._results.used(self._index).astype(int)
 
-    def area(self, P, T, confidence=0.95):
+    def area(self, P: ArrayLike, T: ArrayLike, confidence: float = 0.95) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Predicted area at loads as they would be read, with its band.
 
         Parameters
@@ -188,7 +152,7 @@ class Fit:
         half = _normal_quantile(0.5 + confidence / 2) * error
         return A, A - half, A + half
 
-    def _load(self, name, loads):
+    def _load(self, name: str, loads: Any) -> FloatArray:
         """Dimensionless, of loads in the data's unit or of pint quantities."""
         core = self.data._core
         array = plain_array(name, loads)
@@ -198,7 +162,7 @@ class Fit:
             raise _core.InputError(f"'{name}' has a unit, but the data are dimensionless")
         return array / core.force_unit
 
-    def folds(self, P, control="load", stiffness=0.0):
+    def folds(self, P: ArrayLike, control: str = "load", stiffness: float = 0.0) -> list[dict[str, Any]]:
         """Where the fitted contact loses stability at load P (in ``data.units["force"]``), as it would be read.
 
         Returns
@@ -217,38 +181,83 @@ class Fit:
                     fold[key] *= scale
         return found
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """This fit's part of the program's JSON."""
         return copy.deepcopy(self._fields)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         values = ", ".join(repr(one)[1:-1] for one in self.params.values())
         return f"<mixity.Fit {self.model}: {self.status}, {values}>"
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._fields]
 
-    def plot_area(self, ax=None):
+    def plot_area(self, ax: Axes | None = None) -> Axes:
+        """Draws A(T) of each run: points, the model with its 95 % band, and where it jumps.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Left out: new axes.
+
+        Returns
+        -------
+        matplotlib Axes
+
+        Raises
+        ------
+        InputError
+            Where the data have no loads.
+        """
         from . import plots
 
         return plots.area(self, ax)
 
-    def plot_toughness(self, ax=None):
+    def plot_toughness(self, ax: Axes | None = None) -> Axes:
+        """Draws G_c/G_Ic against psi [deg]: points, the model, and the band of its first parameter's interval.
+
+        ``ax`` and what is returned as of :meth:`plot_area`.
+        """
         from . import plots
 
         return plots.toughness(self, ax)
 
-    def plot_residuals(self, ax=None):
+    def plot_residuals(self, ax: Axes | None = None) -> Axes:
+        """Draws the residuals against T, or against psi [deg] where there are no loads.
+
+        ``ax`` and what is returned as of :meth:`plot_area`.
+        """
         from . import plots
 
         return plots.residuals(self, ax)
 
-    def plot_profile(self, parameter="lambda", ax=None):
+    def plot_profile(self, parameter: str | None = None, ax: Axes | None = None) -> Axes:
+        """Draws the profile likelihood of a parameter and the level of its interval.
+
+        Parameters
+        ----------
+        parameter : str, optional
+            Left out: the model's first.
+        ax : matplotlib Axes, optional
+
+        Returns
+        -------
+        matplotlib Axes
+
+        Raises
+        ------
+        InputError
+            For a parameter that there is not, or that is held, at a bound or not identifiable.
+        """
         from . import plots
 
         return plots.profile(self, parameter, ax)
 
-    def plot_budget(self, ax=None):
+    def plot_budget(self, ax: Axes | None = None) -> Axes:
+        """Draws the shares of the first parameter's variance: scatter, and what is not known of each constant.
+
+        ``ax`` and what is returned as of :meth:`plot_area`; an InputError where the fit has no budget.
+        """
         from . import plots
 
         return plots.budget(self, ax)
@@ -257,58 +266,64 @@ class Fit:
 class Fits:
     """Fits of several models to one data set: a mapping from keys to :class:`Fit`, printed as the program's report."""
 
-    def __init__(self, data, results):
+    def __init__(self, data: Dataset, results: Any) -> None:
         self.data = data
         self._results = results
-        self._read = None
-        self._made = {}
+        self._read: dict[str, Any] | None = None
+        self._made: dict[str, Fit] = {}
 
     @property
-    def _document(self):
+    def _document(self) -> dict[str, Any]:
         if self._read is None:
             self._read = json.loads(self._results.json())
         return self._read
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """The program's JSON (schema mixity-fit-1) of this data set and its fits."""
         return copy.deepcopy(self._document)
 
-    def keys(self):
+    def keys(self) -> list[str]:
+        """Keys of the models, in the order in which they were asked for."""
         return self._results.models()
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.keys())
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self.keys())
 
-    def __getitem__(self, model):
-        if model not in self._made:
+    def __getitem__(self, model: str | Law) -> Fit:
+        key: str = model.key if isinstance(model, Law) else model
+        if key not in self._made:
             try:
-                index = self.keys().index(model)
+                index = self.keys().index(key)
             except ValueError:
-                raise KeyError(model) from None
-            self._made[model] = Fit(self, index)
-        return self._made[model]
+                raise KeyError(key) from None
+            self._made[key] = Fit(self, index)
+        return self._made[key]
 
-    def values(self):
+    def values(self) -> list[Fit]:
+        """The fits, in the same order."""
         return [self[key] for key in self]
 
-    def items(self):
+    def items(self) -> list[tuple[str, Fit]]:
+        """Pairs of key and fit, in the same order."""
         return [(key, self[key]) for key in self]
 
     @property
-    def comparison(self):
+    def comparison(self) -> list[dict[str, Any]]:
         """Per model AICc, evidence and error on loads left out, as in the program's JSON."""
         return self._document["datasets"][0]["comparison"]
 
-    def __str__(self):
+    def __str__(self) -> str:
         return self._results.text()
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<mixity.Fits of '{self.data.name}': " + ", ".join(f"{k} {f.status}" for k, f in self.items()) + ">"
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
+        import html
+
         rows = []
         for key, one in self.items():
             for parameter in one.params.values():
@@ -324,16 +339,16 @@ class Fits:
         return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(rows)}</tbody></table>{messages}"
 
     # Results are a pure function of data and options: the same numbers to the last bit are found again.
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return _refit, (self.data, self._results.options(), definitions(self.keys()))
 
 
-def _refit(data, options, laws=()):
+def _refit(data: Dataset, options: list[tuple[str, str]], laws: Sequence[Any] = ()) -> Fits:
     define(laws)
     return Fits(data, _core.fit(data._core, options, None))
 
 
-def _normal_quantile(p):
+def _normal_quantile(p: float) -> float:
     from statistics import NormalDist
 
     return NormalDist().inv_cdf(p)

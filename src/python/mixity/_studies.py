@@ -1,15 +1,22 @@
 """Planned experiments, simulated ones, and campaigns of many on one machine or several."""
 
-import numpy as np
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 from . import _core
 from ._data import Dataset, _made
-from ._fits import _model_keys
-from ._law import define, definitions, key_of
-from ._units import constant_text, plain_array
+from ._fitting import _model_keys
+from ._law import Law, define, definitions, key_of
+from ._units import constant_text, error_text, load_list, load_number, whole_number
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    Models = str | Law | Sequence[str | Law]
 
 
-def _keys(models):
+def _keys(models: Models) -> list[str]:
     """"abc", "bk", "a,bk" or a list as a list of keys."""
     keys = _model_keys(models)
     return [key.strip() for key in keys.split(",") if key.strip()] if isinstance(keys, str) else list(keys)
@@ -23,14 +30,14 @@ class Plan:
     model : str
     lam : float or tuple
         The guess; of a model with several parameters a tuple.
-    loads : sequence of float
-        Normal load of each run [N]; empty if they are to be found.
+    loads : sequence of float, or str
+        Normal load of each run [N], as texts with units ("1,4 mN") or pint quantities; empty if they are to be found.
     points : int
         Of a run, at equal steps of T from 0.
     reach : float
         The longest T, as a share of that at which the contact jumps.
-    sigma_T, sigma_A : str
-        Standard errors: "1%" of each value, or a quantity ("0.2 mN", "0.002 mm^2").
+    sigma_T, sigma_A : str or float
+        Standard errors: "1%" of each value, or a quantity ("0.2 mN", "0.002 mm^2", floats in SI, pint quantities).
     **constants
         As of :class:`mixity.Dataset`; those with an error count as nuisance parameters with a prior.
 
@@ -42,38 +49,46 @@ class Plan:
     True
     """
 
-    def __init__(self, model, lam, loads=(), *, points=25, reach=0.9, sigma_T="1%", sigma_A="1%", **constants):
+    def __init__(
+        self,
+        model: str | Law,
+        lam: float | tuple[float, ...],
+        loads: Any = (),
+        *,
+        points: int = 25,
+        reach: float = 0.9,
+        sigma_T: Any = "1%",
+        sigma_A: Any = "1%",
+        **constants: Any,
+    ) -> None:
         model = key_of(model)
         parameters = [float(one) for one in (lam if isinstance(lam, tuple) else (lam,))]
         stated = [(key, constant_text(key, value)) for key, value in constants.items()]
-        if points != int(points) or points < 1:
-            raise _core.InputError(f"points is {points}; it must be a whole number above 0")
-        for name, error in (("sigma_T", sigma_T), ("sigma_A", sigma_A)):
-            if not isinstance(error, str):
-                raise _core.InputError(f"{name} is {error!r}; it must be a text such as \"1%\" or \"0.2 mN\"")
-        loads = np.atleast_1d(plain_array("P", loads)).tolist()
-        self._given = (model, parameters, stated, loads, int(points), float(reach), sigma_T, sigma_A)
+        sigma_T, sigma_A = error_text("sigma_T", sigma_T), error_text("sigma_A", sigma_A)
+        points = whole_number("points", points, 1)
+        self._given = (model, parameters, stated, load_list("loads", loads), points, float(reach), sigma_T, sigma_A)
         self._core = _made(_core.Plan, self._given)
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return _plan_again, (self._given, definitions([self._given[0]]))
 
     @property
-    def loads(self):
+    def loads(self) -> list[float]:
         """Normal loads [N]."""
         return self._core.loads
 
-    def with_loads(self, loads):
+    def with_loads(self, loads: Any) -> Plan:
         """The same plan at other loads [N]."""
         given = list(self._given)
-        given[3] = [float(load) for load in loads]
+        given[3] = load_list("loads", loads)
         return _plan_again(tuple(given))
 
-    def simulate(self, seed=1, index=0):
+    def simulate(self, seed: int = 1, index: int | None = 0) -> Dataset:
         """Experiment ``index`` of the stream ``seed`` as a data set: the same wherever it is made."""
+        seed, index = whole_number("seed", seed), None if index is None else whole_number("index", index)
         return Dataset._of(self._core.simulate(seed, index), ("simulated", (self, seed, index)))
 
-    def expect(self, rivals="abc"):
+    def expect(self, rivals: Models = "abc") -> dict[str, Any]:
         """What the plan will tell: {"standard_error": of lambda, "chi2": {rival: T-criterion}}.
 
         The error is that of the Fisher information with the constants as nuisance parameters (Ds-optimality, Silvey
@@ -81,31 +96,36 @@ class Plan:
         """
         return self._core.expect(_keys(rivals))
 
-    def next_loads(self, least, most, candidates=21, rivals="abc"):
+    def next_loads(
+        self, least: Any, most: Any, candidates: int = 21, rivals: Models = "abc"
+    ) -> list[tuple[float, dict[str, Any]]]:
         """[(load [N], expectation of the plan with it)] for one more run between two loads [N]."""
-        return self._core.next_loads(least, most, candidates, _keys(rivals))
+        least, most = load_number("least", least), load_number("most", most)
+        return self._core.next_loads(least, most, whole_number("candidates", candidates, 2), _keys(rivals))
 
-    def plot_loads(self, least, most, rivals="abc", ax=None):
+    def plot_loads(self, least: Any, most: Any, rivals: Models = "abc", ax: Axes | None = None) -> Axes:
         """The error of lambda and the odds between models with one more run, against its load; on matplotlib axes."""
         from . import plots
 
         return plots.loads(self, least, most, rivals, ax)
 
-    def best(self, least, most, runs, goal="error", rivals="abc"):
+    def best(self, least: Any, most: Any, runs: int, goal: str = "error", rivals: Models = "abc") -> Plan:
         """The plan with so many more runs at the loads that serve best: goal "error" of lambda, or "model"."""
         if goal not in ("error", "model"):
             raise ValueError("goal must be 'error' or 'model'")
-        return self.with_loads(self._core.best(least, most, runs, goal == "model", _keys(rivals)).loads)
+        least, most = load_number("least", least), load_number("most", most)
+        return self.with_loads(self._core.best(least, most, whole_number("runs", runs), goal == "model", _keys(rivals)).loads)
 
-    def experiments(self, count, seed=1, rivals="", progress=None):
+    def experiments(
+        self, count: int, seed: int = 1, rivals: Models = "", progress: Callable[[float], Any] | None = None
+    ) -> dict[str, Any]:
         """Simulates and fits so many experiments: mean and spread of lambda, the mean stated standard error, the share of
         95 % intervals that hold the truth, and of experiments that decide for the right model (with rivals)."""
-        if count < 2:
-            raise _core.InputError(f"experiments is {count}; a spread needs two at least")
-        return self._core.experiments(seed, int(count), _keys(rivals), progress or None)
+        count = whole_number("count", count, 2)  # of which a spread can be told
+        return self._core.experiments(whole_number("seed", seed), count, _keys(rivals), progress or None)
 
 
-def _plan_again(given, laws=()):
+def _plan_again(given: tuple[Any, ...], laws: Sequence[Any] = ()) -> Plan:
     define(laws)
     model, parameters, stated, loads, points, reach, sigma_T, sigma_A = given
     return Plan(
@@ -113,12 +133,14 @@ def _plan_again(given, laws=()):
     )
 
 
-def simulate(plan, seed=1, index=0):
+def simulate(plan: Plan, seed: int = 1, index: int | None = 0) -> Dataset:
     """Experiment ``index`` of the stream ``seed`` of a plan: see :meth:`Plan.simulate`."""
     return plan.simulate(seed, index)
 
 
-def design(plan, least, most, runs=1, goal="error", rivals="abc"):
+def design(
+    plan: Plan, least: Any, most: Any, runs: int = 1, goal: str = "error", rivals: Models = "abc"
+) -> Plan:
     """The best loads for more runs of a plan: see :meth:`Plan.best`."""
     return plan.best(least, most, runs, goal, rivals)
 
@@ -127,7 +149,7 @@ def _some(function, indices):
     return [function(index) for index in indices]
 
 
-def campaign(function, count, executor=None, chunk=None):
+def campaign(function: Callable[[int], Any], count: int, executor: Any = None, chunk: int | None = None) -> list[Any]:
     """Results of ``function(0)`` to ``function(count - 1)``, in order, the same wherever they are computed.
 
     Parameters

@@ -1,17 +1,24 @@
 """A model for lmfit, for those who keep their own scripts."""
 
+from __future__ import annotations
+
 import inspect
+from typing import Any
 
 import lmfit
 import numpy as np
 
 from . import _core
-from ._law import key_of
+from ._law import Law, define, definitions, key_of
 from .scipy import areas_to_the_fold, slopes
 
 
 class _Area(lmfit.Model):
     """Gives leastsq, lmfit's default, the engine's derivatives."""
+
+    # made of a function of its own, which does not pickle
+    def __reduce__(self):
+        return _again, (definitions([self.key]), self.key, self.contact, self.prefix, self.param_hints)
 
     def fit(self, data, params=None, weights=None, method="leastsq", fit_kws=None, **given):
         params = self.make_params() if params is None else params.copy()
@@ -41,12 +48,13 @@ class _Area(lmfit.Model):
         ])
 
 
-def model(key, *, contact=None):
+def model(key: str | Law, *, contact: Any = None) -> lmfit.Model:
     """An ``lmfit.Model`` of the area, independent variables P and T, parameters those of the model in their bounds.
 
     Parameters
     ----------
-    key : {"a", "b", "c", "bk"}
+    key : str or Law
+        A model with a law: "a", "b", "c", "bk", ...
     contact : (radius [m], modulus [Pa], toughness [J/m^2]), optional
         P, T in N and A in m^2; else dimensionless.
 
@@ -69,7 +77,7 @@ def model(key, *, contact=None):
     units = _mechanics._Units(contact)
     key = key_of(key)
     if key not in _core.model_keys():
-        raise _core.InputError(f"there is no model '{key}'; there are {', '.join(_core.model_keys())}")
+        raise _core.InputError(f"there is no model '{key}'; there are {', '.join(_core.known_models())}")
     names = [_python_name(name) for name in _core.parameter_names(key)]
 
     def loads(P, T):
@@ -82,13 +90,23 @@ def model(key, *, contact=None):
         return units.area * areas_to_the_fold(key, x, *loads(P, T))
 
     # lmfit takes the names of parameters from the signature
-    area.__signature__ = inspect.Signature(
+    typed: Any = area
+    typed.__signature__ = inspect.Signature(
         [inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD) for name in ("P", "T", *names)]
     )
     made = _Area(area, independent_vars=["P", "T"], name=f"mixity {key}")
-    made.key, made.loads, made.area_unit = key, loads, units.area
+    made.key, made.contact, made.loads, made.area_unit = key, contact, loads, units.area
     for name, (low, high) in zip(names, _core.parameter_bounds(key)):
         made.set_param_hint(name, value=low + 0.1 * (min(high, 10.0) - low), min=low, max=high)
+    return made
+
+
+def _again(laws, key, contact, prefix, hints):
+    define(laws)
+    made = model(key, contact=contact)
+    made.prefix = prefix
+    for name, hint in hints.items():
+        made.set_param_hint(name, **hint)
     return made
 
 

@@ -1,12 +1,23 @@
 """Residuals and their derivatives for ``scipy.optimize``, for those who keep their own scripts."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Callable
+
 import numpy as np
 
 from . import _core, _mechanics
-from ._law import key_of
+from ._law import Law, key_of
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    FloatArray = NDArray[np.float64]
 
 
-def residuals(model, P, T, A, *, sigma=None, contact=None):
+def residuals(
+    model: str | Law, P: ArrayLike, T: ArrayLike, A: ArrayLike, *, sigma: ArrayLike | None = None, contact: Any = None
+) -> tuple[Callable[[ArrayLike], FloatArray], Callable[[ArrayLike], FloatArray]]:
     """A residual function of a model's parameters, and its Jacobian.
 
     Parameters

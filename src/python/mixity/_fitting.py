@@ -1,0 +1,124 @@
+"""Fitting: options as the program takes them, and what is told of a fit."""
+
+from __future__ import annotations
+
+import time
+from typing import Any, Callable, Sequence
+
+import numpy as np
+
+from . import _core
+from ._data import Dataset, _made
+from ._fits import Fits
+from ._law import Law, key_of
+from ._log import DEBUG, INFO, listening
+from ._units import error_text, si_names
+
+_KEYS = frozenset(_core.model_keys())
+
+
+def _option_text(value: Any) -> str:
+    if isinstance(value, (np.generic, np.ndarray)):
+        value = value.tolist()
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
+        return str(int(value))
+    if isinstance(value, dict):
+        return ",".join(key if one is None else f"{key}={_option_text(one)}" for key, one in value.items())
+    if isinstance(value, (list, tuple, set, range)):
+        return ",".join(map(_option_text, value))
+    return repr(value)
+
+
+def _model_keys(models: Any) -> Any:
+    if isinstance(models, Law):
+        return models.key
+    if isinstance(models, (list, tuple)):
+        return [key_of(model) for model in models]
+    if not isinstance(models, str) or "," in models:
+        return models
+    # "abc" are three
+    return models if models in _KEYS or not all(key in _KEYS for key in models) else ",".join(models)
+
+
+def fit(
+    data: Dataset,
+    models: str | Law | Sequence[str | Law] = "abc",
+    *,
+    objective: str | None = None,
+    free: str | Sequence[str] | None = None,
+    progress: Callable[[float], Any] | bool | None = None,
+    **options: Any,
+) -> Fits:
+    """Fits models to a data set.
+
+    Parameters
+    ----------
+    data : Dataset
+    models : str, Law, or list of them
+        "c", "abc", ["a", "bk"], ["c", "power", mixity.Law(...)].
+    objective : {"curve", "toughness"}, optional
+        Distance from the equilibrium curve in the plane of T and A (the default where there are loads), or
+        ln(G_c/G_Ic) against psi.
+    free : list of str, optional
+        Constants of the experiment that are fitted as if nothing were known of them.
+    progress : callable or bool, optional
+        Called with the share that is done, 0..1, on the calling thread; True: a bar of tqdm, where that is installed.
+    **options
+        Every option of ``mixity fit`` by its name: sigma_T="2%", loss="cauchy", hold={"lambda": 0.3}, bootstrap=1000,
+        per="curve", exclude=[17], checks=False, ... (``mixity help fit``). ``sigma_T`` and ``sigma_A`` may be floats in SI
+        (dimensionless as the data are) or pint quantities.
+
+    Returns
+    -------
+    Fits
+        By model. The same numbers as the program's, to the last digit.
+
+    Raises
+    ------
+    InputError
+        With the program's sentence. Ctrl-C ends a fit between its parts (KeyboardInterrupt), a bootstrap at once.
+
+    Notes
+    -----
+    ``logging.getLogger("mixity")`` is told at INFO of data, statuses and seconds, at DEBUG of options and messages.
+    """
+    if not isinstance(data, Dataset):
+        raise TypeError("data must be a mixity.Dataset: Dataset(P=..., T=..., A=...), from_frame(...) or read(...)")
+    stated = [("models", _option_text(_model_keys(models)))]
+    for name, value in {"objective": objective, "free": free, **options}.items():
+        if name in si_names() and name not in _core.option_names():
+            raise _core.InputError(f"{name}: is no option of a fit: state it in mixity.Dataset({name}=...), or in mixity.read")
+        if name in ("sigma_T", "sigma_A") and value is not None:
+            value = error_text(name, value, bool(data._core.force_unit_text))
+        text = None if value is None else _option_text(value)
+        if text is not None and not (text == "" and not isinstance(value, str)):  # an empty list is none
+            stated.append((name, text))
+    bar = None
+    if progress is True:
+        try:
+            from tqdm.auto import tqdm
+
+            bar = tqdm(total=1.0, bar_format="{l_bar}{bar}| {elapsed}<{remaining}")
+            progress = lambda share: bar.update(share - bar.n)  # noqa: E731
+        except ImportError:
+            progress = None
+    begin = time.perf_counter()
+    try:
+        fits = Fits(data, _made(_core.fit, (data._core, stated, progress or None)))
+    finally:
+        if bar is not None:
+            bar.close()
+    if logger := listening(INFO):
+        seconds = time.perf_counter() - begin
+        statuses = ", ".join(f"{key} {one.status}" for key, one in fits.items())
+        logger.info("fit of %s: %s; %.3g s", data.name, statuses, seconds)
+        if logger.isEnabledFor(DEBUG):
+            logger.debug("options: %s", ", ".join(f"{name}={text}" for name, text in stated))
+            for key, one in fits.items():
+                if one.message:
+                    logger.debug("%s: %s", key, one.message)
+    return fits
