@@ -68,13 +68,16 @@ std::string runs_toml(const ReducedLog& log) {
 std::string peaks_csv(const ReducedLog& log) {
   std::ostringstream out;
   const std::string force = " [" + log.force_unit + "]";
-  out << "run,P" << force << ",cycle,time [s],T_peak" << force << ",T_min" << force << '\n';
+  out << "run,P" << force << ",cycle,time [s],T_peak" << force << ",T_min" << force << ",sigma_T_peak" << force
+      << ",sigma_T_min" << force << '\n';
   for (const LoadingRun& run : log.runs.runs)
     for (std::size_t k = 0; k < run.cycles.size(); ++k) {
       const Cycle& cycle = run.cycles[k];
       out << csv_field(run.name) << ',' << reading(run.P / log.force_factor) << ',' << k + 1 << ','
           << reading(cycle.time) << ',' << reading(cycle.T_peak / log.force_factor) << ','
-          << (cycle.T_min ? reading(*cycle.T_min / log.force_factor) : std::string()) << '\n';
+          << (cycle.T_min ? reading(*cycle.T_min / log.force_factor) : std::string()) << ','
+          << rounded(cycle.error_peak / log.force_factor, 3) << ','
+          << (cycle.T_min ? rounded(cycle.error_min / log.force_factor, 3) : std::string()) << '\n';
     }
   return out.str();
 }

@@ -21,8 +21,8 @@ struct ReducedLog {
 std::string runs_csv(const ReducedLog& log);
 /// The constants of the log and where the points come from, to stand beside them.
 std::string runs_toml(const ReducedLog& log);
-/// run, P, cycle, time, T_peak, T_min: the first maximum of T in each cycle of stick and slip, and the minimum behind
-/// it.
+/// run, P, cycle, time, T_peak, T_min, sigma_T_peak, sigma_T_min: the maximum of T in each cycle of stick and slip, the
+/// minimum behind it (slip_cycles), and their standard errors.
 std::string peaks_csv(const ReducedLog& log);
 /// phase, from, to, frames, run or why they are not kept.
 std::string phases_csv(const ReducedLog& log);

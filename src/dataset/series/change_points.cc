@@ -10,7 +10,7 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kLikely = 3.841458820694124;  // 95 % of chi^2 of one degree of freedom
 
-/// level + slope x, x counted from the first reading.
+/// level + slope x, x counted from the first reading, above that reading.
 struct Line {
   double level, slope;
   double at(std::size_t x) const { return level + slope * static_cast<double>(x); }
@@ -147,6 +147,51 @@ ChangePoint beginning_of_fall(const Course& course, std::size_t begin, std::size
     costs.push_back((before + least) / (course.noise * course.noise));
   }
   return best(costs, first - 1);
+}
+
+std::optional<FallEnds> ends_of_fall(const Course& course, std::size_t begin, std::size_t end, const FallSpan& span) {
+  constexpr std::size_t kLeast = 3;
+  constexpr int kTurns = 50;
+  if (end < begin + 2 * kLeast) return std::nullopt;
+  const std::size_t first = std::max(span.first, begin + kLeast), last = std::min(span.last, end - kLeast),
+                    seen = std::min(span.seen, last);
+  if (first > seen) return std::nullopt;
+  const PartialSums sums(*course.values, begin, end);
+  const double variance = course.noise * course.noise;
+  // `fall`: the first reading of it; `low`: the first one behind
+  const auto cost = [&](std::size_t fall, std::size_t low) {
+    const double top = sums.line(begin, fall).at(fall - 1 - begin), bottom = sums.line(low, end).at(low - begin),
+                 slope = (bottom - top) / static_cast<double>(low - fall + 1);
+    const Line between{top - slope * static_cast<double>(fall - 1 - begin), slope};
+    return (sums.about_line(begin, fall) + (low > fall ? sums.about_given(between, fall, low) : 0) +
+            sums.about_line(low, end)) /
+           variance;
+  };
+  const auto costs = [](std::size_t from, std::size_t to, auto one) {
+    std::vector<double> list;
+    for (std::size_t i = from; i <= to; ++i) list.push_back(one(i));
+    return list;
+  };
+  // one cut first, then a fall about that, then each end in turn
+  const std::size_t cut = best(costs(first, seen, [&](std::size_t i) { return cost(i, i); }), first).at;
+  const std::size_t wide = std::min(cut - first, last - cut);
+  const std::size_t half = best(costs(0, wide, [&](std::size_t i) { return cost(cut - i, cut + i); }), 0).at;
+  ChangePoint fall{cut - half, 0, 0}, low{cut + half, 0, 0};
+  for (int turn = 0; turn < kTurns; ++turn) {
+    const std::size_t before = fall.at, behind = low.at;
+    fall = best(costs(first, std::min(seen, low.at), [&](std::size_t i) { return cost(i, low.at); }), first);
+    low = best(costs(fall.at, last, [&](std::size_t i) { return cost(fall.at, i); }), fall.at);
+    if (fall.at == before && low.at == behind) break;
+  }
+  const auto ending = [&](std::size_t from, std::size_t to, const ChangePoint& place) {
+    const Line line = sums.line(from, to);
+    const double n = static_cast<double>(to - from), at = static_cast<double>(place.at) - 0.5,
+                 x = at - static_cast<double>(from) - (n - 1) / 2, spread = n * (n * n - 1) / 12;
+    const double off = static_cast<double>(place.last - place.first) / 2 / std::sqrt(kLikely);
+    return LineEnd{at, (*course.values)[begin] + line.level + line.slope * (at - static_cast<double>(begin)),
+                   std::sqrt(variance * (1 / n + x * x / spread) + line.slope * line.slope * (off * off + 1 / 12.0))};
+  };
+  return FallEnds{ending(begin, fall.at, fall), ending(low.at, end, low)};
 }
 
 std::optional<Hinge> hinge_point(const Course& course, std::size_t begin, std::size_t end) {

@@ -33,6 +33,25 @@ std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::
 ChangePoint beginning_of_fall(const Course& course, std::size_t begin, std::size_t end, const ChangePoint& about,
                               std::size_t reach);
 
+/// Where a line ends or begins: its value there, and the standard error of that, with what the place may be off by.
+struct LineEnd {
+  double at;  // in readings, between two of them
+  double value, error;
+};
+
+/// Where a fall can be: its first reading is in first..seen, the first one behind it not after `last`.
+struct FallSpan {
+  std::size_t first, seen, last;
+};
+
+/// A line that ends in a fall along a second one, or between two readings, and a third one from its end on: least
+/// squares over begin..end (end not included), by turns in where the fall begins and where it ends. Null if fewer than
+/// three readings are on either side.
+struct FallEnds {
+  LineEnd top, bottom;
+};
+std::optional<FallEnds> ends_of_fall(const Course& course, std::size_t begin, std::size_t end, const FallSpan& span);
+
 /// Where in begin..end a course that was level begins to rise or fall along a straight line; also its level before.
 struct Hinge {
   ChangePoint change;

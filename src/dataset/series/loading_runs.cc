@@ -42,15 +42,6 @@ CutTime cut_of(const Frames& frames, const ChangePoint& change) {
   return {behind(change.at), behind(change.first) - margin, behind(change.last) + margin, false};
 }
 
-std::vector<Cycle> cycles_of(const Frames& frames, const std::vector<double>& T, std::size_t begin, std::size_t end,
-                             double noise) {
-  std::vector<Cycle> cycles;
-  for (const Fall& fall : falls(T, begin, end, kFallOfNoise * noise, kLeastFall))
-    cycles.push_back({frames.time[fall.top], T[fall.top], frames.time[fall.low],
-                      fall.low + 1 < end ? std::optional(T[fall.low]) : std::nullopt});
-  return cycles;
-}
-
 /// The onset among the samples of the force, of which a frame holds many; null if they are few, or tell another time.
 std::optional<CutTime> onset_in_samples(const Frames& frames, const ChangePoint& change, std::size_t shear,
                                         double direction) {
@@ -209,10 +200,13 @@ class Finder {
     const double start = frames.T[level.begin] * run.direction - T[level.begin], zero = rest.value_or(-start);
     run.baseline = zero + start;  // of the T that was read
     run.baseline_time = rest ? mean_of(frames.time, level.begin, shear) : run.shear.time;
-    run.cycles = cycles_of(frames, T, rising_from(T, shear, level.end), level.end, noise_T);
+    run.cycles = slip_cycles(frames, {T, run.direction, start, noise_T}, rising_from(T, shear, level.end), level.end);
+    const double zero_error = rest ? noise_T / std::sqrt(static_cast<double>(shear - level.begin)) : 0;
     for (Cycle& cycle : run.cycles) {
       cycle.T_peak -= zero;
+      cycle.error_peak = std::hypot(cycle.error_peak, zero_error);
       if (cycle.T_min) *cycle.T_min -= zero;
+      cycle.error_min = std::hypot(cycle.error_min, zero_error);
     }
     add(run.contact, run.begin, "hold", "before the shear");
     add(run.begin, shear, "hold", "");

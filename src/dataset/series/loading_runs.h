@@ -10,6 +10,7 @@
 
 #include "dataset/input_error.h"
 #include "dataset/series/change_points.h"
+#include "dataset/series/cycles.h"
 #include "dataset/series/frames.h"
 
 namespace mixity {
@@ -18,13 +19,6 @@ namespace mixity {
 struct CutTime {
   double time = 0, low = 0, high = 0;  // s
   bool stated = false;
-};
-
-/// First maximum of T, and the minimum that follows: one of stick and slip.
-struct Cycle {
-  double time = 0, T_peak = 0;
-  double time_min = 0;
-  std::optional<double> T_min{};
 };
 
 struct LoadingRun {
