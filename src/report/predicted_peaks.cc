@@ -15,17 +15,16 @@ std::optional<double> jump(const JobResult& result, const FitResult& fit, double
   return predicted ? predicted->T.value : std::nullopt;
 }
 
-/// The first peak at each load, by load.
-std::vector<const PeakForce*> first_peaks(const PeakForces& peaks) {
+}  // namespace
+
+std::vector<const PeakForce*> first_of_loads(const PeakForces& peaks, std::optional<double> PeakForce::*value) {
   std::vector<const PeakForce*> first;
   for (const PeakForce& row : peaks.rows)
-    if (row.peak && std::none_of(first.begin(), first.end(), [&](const PeakForce* one) { return one->P == row.P; }))
+    if (row.*value && std::none_of(first.begin(), first.end(), [&](const PeakForce* one) { return one->P == row.P; }))
       first.push_back(&row);
   std::sort(first.begin(), first.end(), [](const PeakForce* one, const PeakForce* other) { return one->P < other->P; });
   return first;
 }
-
-}  // namespace
 
 std::vector<PredictedPeaks> predict_peaks(const JobResult& result, const PeakForces& peaks) {
   std::vector<PredictedPeaks> list;
@@ -38,7 +37,7 @@ std::vector<PredictedPeaks> predict_peaks(const JobResult& result, const PeakFor
     PredictedPeaks predicted{fit->model, {}};
     const auto low = at_interval_end(*fit, false), high = at_interval_end(*fit, true);
     std::vector<double> ratios;
-    for (const PeakForce* row : first_peaks(peaks)) {
+    for (const PeakForce* row : first_of_loads(peaks, &PeakForce::peak)) {
       const double P = row->P / load_unit, stress = stress_unit / area_from_radius(std::cbrt(0.75 * P));
       const auto T = jump(result, *fit, P);
       if (!T) continue;

@@ -22,6 +22,9 @@ struct PredictedPeaks {
   std::optional<double> ratio{}, ratio_error{};
 };
 
+/// The first row of each load that has such a value, by load: of a test that slips again and again, the first cycle.
+std::vector<const PeakForce*> first_of_loads(const PeakForces& peaks, std::optional<double> PeakForce::*value);
+
 /// Of each fit that has values. Empty if the peaks have units and the data have none, or the other way round.
 std::vector<PredictedPeaks> predict_peaks(const JobResult& result, const PeakForces& peaks);
 

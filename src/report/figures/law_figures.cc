@@ -4,6 +4,7 @@
 #include "dataset/number_text.h"
 #include "report/figures/data_figures.h"
 #include "report/figures/drawn_units.h"
+#include "report/predicted_peaks.h"
 
 namespace mixity {
 
@@ -59,18 +60,23 @@ std::vector<Figure> sahli_figures(const ReportedData& reported) {
 
 std::vector<Figure> peak_figures(const PeakForces& forces, const std::string& stem,
                                  const std::vector<PredictedPeaks>& predicted) {
+  // the first cycle of each load, which a fold can foretell, apart from what follows
   Series peak{"first maximum", Look::triangles, color(1), {}},
-      minimum{"following minimum", Look::circles, color(2), {}};
-  for (const PeakForce& row : forces.rows) {
-    const auto add = [&](Series& series, const std::optional<double>& stress) {
-      if (!stress) return;
-      series.points.emplace_back(row.P, *stress);
+      minimum{"following minimum", Look::circles, color(2), {}},
+      later_peak{"maxima of later cycles", Look::triangles, color(7), {}},
+      later_minimum{"their minima", Look::circles, color(7), {}};
+  const auto add = [&](Series& first, Series& later, std::optional<double> PeakForce::*stress) {
+    const auto firsts = first_of_loads(forces, stress);
+    for (const PeakForce& row : forces.rows) {
+      if (!(row.*stress)) continue;
+      Series& series = std::find(firsts.begin(), firsts.end(), &row) == firsts.end() ? later : first;
+      series.points.emplace_back(row.P, *(row.*stress));
       series.hover.push_back("line " + std::to_string(row.line) + ": P = " + with_unit(row.P, 5, forces.force_unit) +
-                             ", " + series.label + " T/A_Hertz = " + with_unit(*stress, 4, forces.stress_unit));
-    };
-    add(peak, row.peak);
-    add(minimum, row.minimum);
-  }
+                             ", " + series.label + " T/A_Hertz = " + with_unit(*(row.*stress), 4, forces.stress_unit));
+    }
+  };
+  add(peak, later_peak, &PeakForce::peak);
+  add(minimum, later_minimum, &PeakForce::minimum);
   if (peak.points.empty() && minimum.points.empty()) return {};
   const bool bare = forces.force_unit.empty();
   Figure figure{stem + "_peaks",
@@ -89,7 +95,7 @@ std::vector<Figure> peak_figures(const PeakForces& forces, const std::string& st
   figure.caption = "A stress that does not depend on the load is a strength.";
   for (const Series* series : {&peak, &minimum})
     if (series->points.size() > 1)
-      figure.caption += " At the " + series->label + " it varies by a factor of " + spread(*series) + ".";
+      figure.caption += " At the " + series->label + " of each load it varies by a factor of " + spread(*series) + ".";
   for (const PredictedPeaks& model : predicted) {
     Series band{"", Look::band, model_color(model.model), {}},
         line{"jump of model " + model.model, model_line(model.model), model_color(model.model), {}};
@@ -102,11 +108,11 @@ std::vector<Figure> peak_figures(const PeakForces& forces, const std::string& st
     figure.series.push_back(std::move(band));
     figure.series.push_back(std::move(line));
     if (model.ratio)
-      figure.caption += " First peaks are " + rounded(*model.ratio, 3) + " +/- " + rounded(*model.ratio_error, 2) +
+      figure.caption += " First maxima are " + rounded(*model.ratio, 3) + " +/- " + rounded(*model.ratio_error, 2) +
                         " of the jump that model " + model.model + " predicts.";
   }
-  figure.series.push_back(std::move(peak));
-  figure.series.push_back(std::move(minimum));
+  for (Series* series : {&later_peak, &later_minimum, &peak, &minimum})
+    if (!series->points.empty()) figure.series.push_back(std::move(*series));
   return {figure};
 }
 

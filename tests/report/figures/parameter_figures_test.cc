@@ -149,8 +149,19 @@ TEST(PeakFigures, StressesAreForcesOverTheAreaOfHertz) {
   EXPECT_EQ(series_named(figure, "first maximum").points,
             (std::vector<std::pair<double, double>>{{1.0, 30.0}, {4.0, 20.0}}));
   EXPECT_EQ(series_named(figure, "following minimum").points.size(), 3u);
-  EXPECT_NE(figure.caption.find("At the first maximum it varies by a factor of 1.5."), std::string::npos);
+  EXPECT_NE(figure.caption.find("At the first maximum of each load it varies by a factor of 1.5."), std::string::npos);
   EXPECT_TRUE(peak_figures({}, "w").empty());
+}
+
+TEST(PeakFigures, CompareTheFirstCycleOfEachLoadAndShowLaterOnesApart) {
+  PeakForces peaks;
+  peaks.rows = {{2, 1.0, 30.0, 10.0}, {3, 1.0, 12.0, 9.0}, {4, 4.0, 20.0, 10.1}, {5, 4.0, 11.0, 9.0}};
+  const Figure figure = peak_figures(peaks, "w").at(0);
+  EXPECT_EQ(series_named(figure, "first maximum").points,
+            (std::vector<std::pair<double, double>>{{1.0, 30.0}, {4.0, 20.0}}));
+  EXPECT_EQ(series_named(figure, "maxima of later cycles").points,
+            (std::vector<std::pair<double, double>>{{1.0, 12.0}, {4.0, 11.0}}));
+  EXPECT_NE(figure.caption.find("first maximum of each load it varies by a factor of 1.5."), std::string::npos);
 }
 
 }  // namespace
