@@ -23,14 +23,8 @@ class AreaFigures {
     for (const FitResult* fit : fits_) {
       curves_.emplace_back();
       for (const std::size_t run : runs_)
-        curves_.back().push_back(drawn_curve(reported.result, *fit, data_.curve_loads[run], 1.5 * T_data_));
+        curves_.back().push_back(drawn_curve(reported.result, *fit, data_.curve_loads[run], kWidest * T_data_));
     }
-    T_axis_ = 1.05 * T_data_ * units_.force;
-    for (const auto& curves : curves_)
-      for (const DrawnCurve& curve : curves)
-        for (const DrawnFold& fold : curve.folds)
-          if (fold.control == Control::Kind::load && fold.T < 1.3 * T_data_ * units_.force)
-            T_axis_ = std::max(T_axis_, 1.05 * fold.T);
   }
 
   std::vector<Figure> draw() const {
@@ -41,8 +35,39 @@ class AreaFigures {
   }
 
  private:
-  Figure empty(const std::string& name, const std::string& title) const {
-    Figure figure{reported_.stem + name, title, {units_.T(), 0.0, T_axis_}, {units_.A(), 0.0, {}}, {}};
+  static constexpr double kMargin = 1.05, kWidest = 2.1;  // of the largest T: the axis beyond it, and how far at most
+
+  /// Where the contacts of a model jump under load control, with the run's place among those shown.
+  std::vector<std::pair<std::size_t, double>> jumps(std::size_t m) const {
+    std::vector<std::pair<std::size_t, double>> list;
+    for (std::size_t k = 0; k < runs_.size(); ++k)
+      for (const DrawnFold& fold : curves_[m][k].folds)
+        if (fold.control == Control::Kind::load) list.emplace_back(k, fold.T);
+    return list;
+  }
+
+  /// The axis holds the data and the jumps of a model that leave the data half of the width.
+  double widest() const { return kWidest * T_data_ * units_.force; }
+  double axis(std::size_t m) const {
+    double end = kMargin * T_data_ * units_.force;
+    for (const auto& [k, T] : jumps(m))
+      if (kMargin * T <= widest()) end = std::max(end, kMargin * T);
+    return end;
+  }
+
+  /// Where the jumps are that the axis does not hold.
+  std::string jumps_beyond(std::size_t m) const {
+    std::string text;
+    for (const auto& [k, T] : jumps(m))
+      if (kMargin * T > widest())
+        text += (text.empty() ? " Beyond the frame the contact jumps, under load control, at T = " : ", ") +
+                with_unit(T, 4, units_.force_unit) +
+                " (P = " + with_unit(data_.curve_loads[runs_[k]] * units_.force, 4, units_.force_unit) + ")";
+    return text.empty() ? text : text + ".";
+  }
+
+  Figure empty(const std::string& name, const std::string& title, std::size_t m) const {
+    Figure figure{reported_.stem + name, title, {units_.T(), 0.0, axis(m)}, {units_.A(), 0.0, {}}, {}};
     figure.key_title = units_.P();
     figure.wide = true;
     figure.key_place = KeyPlace::beside;
@@ -66,7 +91,7 @@ class AreaFigures {
   }
 
   Figure all_models() const {
-    Figure figure = empty("_area_models", "Contact area against tangential load, all models");
+    Figure figure = empty("_area_models", "Contact area against tangential load, all models", 0);
     for (std::size_t k = 0; k < runs_.size(); ++k) figure.series.push_back(measured(k));
     for (std::size_t m = 0; m < fits_.size(); ++m) {
       const Look look = model_line(fits_[m]->model);
@@ -108,9 +133,9 @@ class AreaFigures {
     for (std::size_t k = 0; k < runs_.size(); ++k) {
       Series band{"", Look::band, color(k), {}};
       const double load = data_.curve_loads[runs_[k]];
-      for (const DrawnPoint& q : drawn_curve(reported_.result, *low, load, 1.5 * T_data_).points)
+      for (const DrawnPoint& q : drawn_curve(reported_.result, *low, load, kWidest * T_data_).points)
         band.points.emplace_back(q.T, q.A);
-      const DrawnCurve other = drawn_curve(reported_.result, *high, load, 1.5 * T_data_);
+      const DrawnCurve other = drawn_curve(reported_.result, *high, load, kWidest * T_data_);
       for (auto q = other.points.rbegin(); q != other.points.rend(); ++q) band.points.emplace_back(q->T, q->A);
       figure.series.push_back(std::move(band));
     }
@@ -119,7 +144,7 @@ class AreaFigures {
 
   Figure one_model(std::size_t m) const {
     const FitResult& fit = *fits_[m];
-    Figure figure = empty("_area_" + fit.model, "Contact area against tangential load, model " + fit.model);
+    Figure figure = empty("_area_" + fit.model, "Contact area against tangential load, model " + fit.model, m);
     const bool bands = add_bands(figure, fit);
     Series load{"", Look::triangles, "#000000", {}}, displacement{"", Look::diamonds, "#000000", {}};
     for (std::size_t k = 0; k < runs_.size(); ++k) {
@@ -143,7 +168,8 @@ class AreaFigures {
     figure.caption = "Equilibrium curves of model " + fit.model + " at its fitted parameters" +
                      (bands ? ", bands for the ends of the interval" : "") +
                      "; open triangles and diamonds mark where the contact jumps under load and displacement control" +
-                     (strength ? "; below the dotted line T > τ0 A, and the interface slides" : "") + "." + unshown();
+                     (strength ? "; below the dotted line T > τ0 A, and the interface slides" : "") + "." +
+                     jumps_beyond(m) + unshown();
     return figure;
   }
 
@@ -160,8 +186,9 @@ class AreaFigures {
   bool add_strength(Figure& figure) const {
     const auto strength = stated_strength(data_);
     if (!strength) return false;
-    const double tau0 = *strength * units_.force / units_.area;  // T = tau0 A in the drawn units
-    figure.series.push_back({"sliding, T = τ_0 A", Look::dotted, "#000000", {{0, 0}, {T_axis_, T_axis_ / tau0}}});
+    const double T_axis = *figure.x.high,
+                 tau0 = *strength * units_.force / units_.area;  // T = tau0 A in the drawn units
+    figure.series.push_back({"sliding, T = τ_0 A", Look::dotted, "#000000", {{0, 0}, {T_axis, T_axis / tau0}}});
     double largest = 0;
     for (const Point& point : data_.points) largest = std::max(largest, point.A * units_.area);
     figure.y.high = 1.1 * largest;
@@ -174,7 +201,7 @@ class AreaFigures {
   std::vector<std::size_t> runs_;
   std::vector<std::vector<std::size_t>> points_;  // by run
   std::vector<const FitResult*> fits_;
-  double T_data_, T_axis_ = 0;                   // T_data_ dimensionless
+  double T_data_;                                // dimensionless
   std::vector<std::vector<DrawnCurve>> curves_;  // [fit][run]
 };
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "dataset/number_text.h"
+#include "dataset/temporary_folder.h"
 #include "report/example_results.h"
 #include "report/figures/data_figures.h"
 #include "report/figures/read_back.h"
@@ -109,6 +111,38 @@ TEST(AreaFigures, JumpsOfModelCAreAtThePublishedClosedForms) {
     const double T_u = 0.5 * std::sqrt(1.5 * (9 * kPi * kPi + 6 * kPi * P - 3 * P * P + root) / lambda);
     EXPECT_NEAR(displacement->points[k].first / (T_u * kForce), 1, 1e-12);
   }
+}
+
+/// Model c to this share of its jump at one load, P = 3, and lambda = 0.15.
+Figure figure_of_data_up_to(double share) {
+  const TemporaryFolder folder;
+  constexpr double kLoad = 3, kLambda = 0.15;
+  const double jump = std::sqrt(3 * kPi * (3 * kPi + 2 * kLoad) / kLambda);
+  std::string text = "P,T,A\n";
+  for (int i = 0; i <= 12; ++i) {
+    const double T = share * jump * i / 12;
+    const double y = 3 * kPi + std::sqrt(9 * kPi * kPi + 6 * kPi * kLoad - kLambda * T * T);
+    text += "3," + shortest(T) + "," + shortest(kPi * std::pow(0.75 * (y + kLoad), 2.0 / 3)) + "\n";
+  }
+  FitJob job;
+  job.data_path = folder.write("run.csv", text);
+  job.models = {"c"};
+  const JobResult result = run(job);
+  return figure_named(area_figures(reported_data(result, "m")), "m_area_c");
+}
+
+TEST(AreaFigures, HoldTheJumpUnlessThatLeavesTheDataLessThanHalfOfTheWidth) {
+  const double jump = std::sqrt(3 * kPi * (3 * kPi + 6) / 0.15);
+  for (const double share : {0.95, 0.77, 0.51}) {
+    const Figure figure = figure_of_data_up_to(share);
+    EXPECT_GE(*figure.x.high, 1.04 * jump) << share;
+    EXPECT_EQ(figure.caption.find("Beyond the frame"), std::string::npos) << share;
+  }
+  const Figure far = figure_of_data_up_to(0.3);
+  EXPECT_NEAR(*far.x.high, 1.05 * 0.3 * jump, 1e-6 * jump);
+  EXPECT_NE(far.caption.find("Beyond the frame the contact jumps, under load control, at T = 31.13 (P = 3)."),
+            std::string::npos)
+      << far.caption;
 }
 
 TEST(AreaFigures, StrengthLineIsTheStatedStressTimesTheArea) {
