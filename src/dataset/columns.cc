@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "dataset/input_error.h"
+#include "dataset/number_text.h"
 #include "dataset/printable.h"
 #include "dataset/table/number.h"
 
@@ -95,7 +96,8 @@ bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::s
   NumberStyle style;
   if (parse_number(text, row.decimal(), value, &style) && style.doubtful)
     throw InputError(path, row.place(i),
-                     said + " unless digits stand in groups of three: --decimal=\"" + row.decimal() + "\" says so");
+                     said + " but for " + shortest(value) + ", if digits stand in groups of three: --decimal=\"" +
+                         row.decimal() + "\" says so");
   throw InputError(path, row.place(i), said + std::string(decimal_comma_hint(text)));
 }
 
@@ -141,7 +143,7 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
   require_consistent_units(path, headings);
   for (const std::string& name : ignored_)
     for (const ColumnKind& kind : kColumnKinds)
-      if (!has(kind.id) && kind.id != ColumnId::time && bare_name(name) == bare_name(kind.name))
+      if (!has(kind.id) && kind.id != ColumnId::time && !column_named(name) && bare_name(name) == bare_name(kind.name))
         misspelt_.emplace_back(name, kind.name);
 }
 

@@ -147,7 +147,8 @@ TEST(Check, ManyRunsOfOnePointDoNotHideALoadThatVaries) {
 TEST(Check, ALoadBelowPullOffIsNamed) {
   // Pull-off is at -3 pi/2 = -4.712
   EXPECT_EQ(joined(oddities(two_runs() + "-5,0,9\n-5,1,8.9\n-5,2,8.8\n")),
-            "run P=-5: the load lies below the JKR pull-off load, -3 pi/2 R G_Ic\n");
+            "run P=-5: the load lies below the JKR pull-off load, -3 pi/2 R G_Ic; if the file has compression as "
+            "negative, its P are to be multiplied by -1\n");
 }
 
 TEST(Check, OneLoadAloneIsAMissedChance) {
