@@ -75,6 +75,12 @@ TEST(ColumnNames, WhoseUnitIsOfAnotherKindAreNotTheQuantityWhereAnotherColumnIs)
   EXPECT_NE(read("P [mN],T [°C],A [mm^2]").find("'°C' of column 'T' is no unit"), std::string::npos);
 }
 
+TEST(Numbers, ThatMayBeInGroupsOfThreeAreRefusedWithTheFlagThatSaysSo) {
+  EXPECT_EQ(load_error("P;T;A\n0,8;0,1;238.180\n0,8;1,1;236.180\n"),
+            "a.csv:2:9: column 'A': '238.180' is not a number but for 238180, if digits stand in groups of three: "
+            "--decimal=\",\" says so");
+}
+
 TEST(ColumnNames, OfTimesDoNotMatterToPoints) {
   EXPECT_EQ(read("Time (s),P [mN],Time (s),T [mN],Time (s),A [mm^2]", {},
                  "0,4.68,0,0,0,0.3\n0,4.67,0,1,0,0.29\n0,4.69,0,2,0,0.28\n"),
