@@ -10,7 +10,7 @@ namespace {
 constexpr double kNearStart = 0.1, kHigh = 0.5;  // of the largest |T| of the run so far, less the T it began with
 
 /// The shear of a run as its points come.
-struct Course {
+struct ShearCourse {
   bool begun = false;
   double start = 0, last = 0, most = 0;
 
@@ -49,7 +49,7 @@ bool rises(const std::vector<double>& T, std::size_t begin, std::size_t end, dou
 std::vector<std::size_t> beginnings(const std::vector<double>& T) {
   std::vector<std::size_t> begins{0};
   double most = 0;
-  Course course;
+  ShearCourse course;
   for (std::size_t i = 0; i < T.size(); ++i) {
     most = std::max(most, std::abs(T[i] - T[0]));
     if (course.begins_anew(T[i])) begins.push_back(i);
@@ -65,7 +65,7 @@ std::vector<std::size_t> beginnings(const std::vector<double>& T) {
 }  // namespace
 
 bool part_where_shear_begins_anew(Dataset& data) {
-  std::vector<Course> courses(data.curves.size());
+  std::vector<ShearCourse> courses(data.curves.size());
   bool any = false;
   for (const Point& point : data.points) any |= courses[point.curve].begins_anew(point.T);
   if (!any) return false;

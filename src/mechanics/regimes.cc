@@ -4,7 +4,6 @@
 #include <limits>
 #include <tuple>
 
-#include "mechanics/fold_search.h"
 #include "mechanics/roots.h"
 
 namespace mixity {
@@ -34,11 +33,13 @@ RegimeReport classify(const Parameters<Model>& p, double P, std::optional<double
 
 template <class Model>
 double critical_load(const Parameters<Model>& p) {
-  constexpr double kLast = kLastCoordinate<Model>, kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kLast = 42, kInfinity = std::numeric_limits<double>::infinity();      // tan psi up to 1e18
   const auto excess = [&](double x) { return Model::shear_term(p, 1.0, std::exp(x)); };  // g - 1 and d
   const auto load = [&](double x) {
     const ShearTerm<double> at = excess(x);
-    const double rest = 2 + at.d1;
+    const double rest = 2 + at.d1, growth = 2 * at.value - at.d1;
+    // where g falls (a law that turns) T rises; a g next to 0 has no digits of its own
+    if (!(growth > 0) || at.value < -1 + 1e-8) return -1.5 * pi<double>();
     return rest > 0 ? 6 * pi<double>() * (at.value - 1 - at.d1) / (rest * rest) : kInfinity;
   };
   double first = -1;  // below, g is 1 to a millionth: psi folds near pull-off alone

