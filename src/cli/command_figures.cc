@@ -8,6 +8,7 @@
 #include "cli/usage_error.h"
 #include "report/figures/gnuplot.h"
 #include "report/figures/paper_figures.h"
+#include "report/page/paper_page.h"
 
 namespace mixity::cli {
 
@@ -16,9 +17,12 @@ int run_figures(const Arguments& arguments) {
     throw UsageError("figures needs --paper and --out=DIR (see mixity help figures)");
   std::vector<Dataset> data;
   for (const std::string& path : arguments) data.push_back(load_dataset(path));
-  const DrawnFigures drawn = draw_figures(paper_figures(data), FLAGS_out, progress_line("figures"));
-  write_files(drawn.files);
-  for (const OutputFile& file : drawn.files) std::cout << file.path << '\n';
+  const std::vector<Figure> figures = paper_figures(data);
+  const DrawnFigures drawn = draw_figures(figures, FLAGS_out, progress_line("figures"));
+  std::vector<OutputFile> files = drawn.files;
+  files.push_back({FLAGS_out + "/figures.html", paper_page(figures, drawn)});
+  write_files(files);
+  for (const OutputFile& file : files) std::cout << file.path << '\n';
   if (!drawn.missing.empty()) std::cerr << "mixity: " << drawn.missing << '\n';
   return kFine;
 }

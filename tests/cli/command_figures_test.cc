@@ -17,7 +17,22 @@ TEST(Figures, OfThePaperAreListedAndThere) {
   std::istringstream lines(result.out);
   std::size_t files = 0;
   for (std::string file; std::getline(lines, file); ++files) EXPECT_NE(content_of(file), "") << file;
-  EXPECT_EQ(files, 70u);  // fourteen figures: data, script, SVG, PDF, PNG
+  EXPECT_EQ(files, 71u);  // fourteen figures: data, script, SVG, PDF, PNG; and their page
+}
+
+TEST(Figures, StandOnOnePageWithTheirEquationsAndWhereThePrintDiffers) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"figures", "--paper", "--out", folder.path()}).exit_code, 0);
+  const std::string page = content_of(folder.path("figures.html"));
+  std::size_t figures = 0;
+  for (std::size_t at = 0; (at = page.find("<figcaption>", at)) != std::string::npos; ++at) {
+    ++figures;
+    EXPECT_NE(page.substr(at, page.find("</figure>", at) - at).find("It stands on"), std::string::npos);
+  }
+  EXPECT_EQ(figures, 14u);
+  for (const char* text : {"href=\"fig6_A_u.pdf\"", "u_u = (3/4)^(2/3) T_u/(3π + P − √(S0² − λ T_u²))^(1/3)",
+                           "The paper prints u_u and A_u with +", "for every λ &gt; 8/9", "Johnson (1996)"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 
 TEST(Figures, HaveThePointsOfDataThatAreNamed) {

@@ -44,6 +44,7 @@ struct Figure {
   std::string key_title{};
   bool wide = false;      // over the page instead of a column
   std::string caption{};  // one to three sentences: what is drawn and what it says
+  std::string drawn{};    // SVG that is there already, shown as it is; empty: drawn from the above
 };
 
 /// Colours that colour-blind readers tell apart (Okabe & Ito 2008), by number.

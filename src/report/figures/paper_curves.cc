@@ -85,7 +85,7 @@ Figure curves(const std::string& name, const std::string& title, double lambda, 
 Figure behaviours() {
   constexpr double kLoad = 8, kStrength = 4, kMost = 120;
   Figure figure{"fig5",
-                "Fig. 5: what becomes of a contact under shear, P/(R G_{Ic}) = 8",
+                "Fig. 5: what becomes of a contact under shear, P = 8",
                 {kPaperT, 0.0, kMost},
                 {kPaperA, 0.0, 30.0},
                 {},

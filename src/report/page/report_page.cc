@@ -2,15 +2,13 @@
 
 #include <map>
 #include <pugixml.hpp>
-#include <sstream>
 
 #include "dataset/printable.h"
 #include "report/budget_text.h"
-#include "report/figures/svg.h"
 #include "report/fit_table.h"
 #include "report/page/answer_section.h"
+#include "report/page/document.h"
 #include "report/page/html.h"
-#include "report/page/style.h"
 #include "report/versions.h"
 
 namespace mixity {
@@ -25,16 +23,8 @@ class Page {
   }
 
   std::string text() {
-    pugi::xml_node html = add(document_, "html");
-    html.append_attribute("lang").set_value("en");
-    pugi::xml_node head = add(html, "head");
-    add(head, "meta").append_attribute("charset").set_value("utf-8");
-    pugi::xml_node view = add(head, "meta");
-    view.append_attribute("name").set_value("viewport");
-    view.append_attribute("content").set_value("width=device-width, initial-scale=1");
-    add(head, "title", title());
-    add(head, "style").append_child(pugi::node_cdata).set_value(kStyleMark);
-    pugi::xml_node body = add(html, "body");
+    PageDocument document(title());
+    pugi::xml_node body = document.body();
     pugi::xml_node header = add(body, "header");
     add(header, "h1", title());
     add(header, "p", "Mode-mixity fits by mixity " MIXITY_VERSION, "soft");
@@ -52,12 +42,10 @@ class Page {
     pugi::xml_node main = add(body, "main");
     for (const ReportEntry& entry : content_.entries) add_data_set(main, entry);
     add_reproduction(add(body, "footer"));
-    return serialised();
+    return document.text();
   }
 
  private:
-  static constexpr char kStyleMark[] = "mixity-style";
-
   std::string title() const {
     std::string names;
     for (const ReportEntry& entry : content_.entries)
@@ -166,35 +154,10 @@ class Page {
     }
   }
 
-  /// `beside`: text, where it is never wide.
-  void add_figure(pugi::xml_node parent, const Figure& figure, bool beside = false) {
-    pugi::xml_node node = add(parent, "figure", {}, figure.wide && !beside ? "wide" : nullptr);
+  void add_figure(pugi::xml_node parent, const Figure& figure, bool beside = false) const {
     const std::size_t place = place_.at(figure.name);
-    const std::string &svg = content_.drawn.svg.at(place), &narrow = content_.drawn.narrow.at(place);
-    const auto plot = [&](const std::string& text, const char* css_class) {
-      pugi::xml_document drawn;
-      drawn.load_string(inline_svg(text).c_str());
-      add(node, "div", {}, css_class).append_copy(drawn.document_element());
-    };
-    if (svg.empty()) add(node, "p", "Not drawn.", "soft");
-    const bool one = beside || narrow.empty();  // for screens of any width
-    if (!svg.empty()) plot(beside && !narrow.empty() ? narrow : svg, one ? "plot" : "plot broad");
-    if (!one) plot(narrow, "plot narrow");
-    pugi::xml_node caption = add(node, "figcaption");
-    add(caption, "strong", with_powers(figure.title) + ". ");
-    add_text(caption, with_powers(figure.caption) + " ");
-    pugi::xml_node files = add(caption, "span", {}, "files");
-    const auto link = [&](const char* ending, const char* text) {
-      add_link(files, "figures/" + figure.name + ending, text);
-      add_text(files, " ");
-    };
-    if (!svg.empty()) {
-      link(".svg", "SVG");
-      link(".pdf", "PDF");
-      link(".png", "PNG");
-    }
-    link(".dat", "data");
-    link(".gp", "script");
+    mixity::add_figure(parent, figure, content_.drawn.svg.at(place), content_.drawn.narrow.at(place), "figures/",
+                       beside);
   }
 
   static void add_excluded(pugi::xml_node section, const JobResult& result) {
@@ -232,22 +195,7 @@ class Page {
     }
   }
 
-  /// HTML has no self-closing elements, but for meta it has no closing tag either; style is not escaped.
-  std::string serialised() const {
-    std::ostringstream out;
-    document_.save(out, "", pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags);
-    std::string page = out.str();
-    const auto replace_all = [&](const std::string& old, const std::string& by) {
-      for (std::size_t at = 0; (at = page.find(old, at)) != std::string::npos; at += by.size())
-        page.replace(at, old.size(), by);
-    };
-    replace_all("</meta>", "");
-    replace_all(std::string("<![CDATA[") + kStyleMark + "]]>", kPageStyle);
-    return "<!DOCTYPE html>\n" + page + "\n";
-  }
-
   const ReportContent& content_;
-  pugi::xml_document document_;
   std::map<std::string, std::size_t> place_;  // of a figure among all, by name
 };
 
