@@ -21,7 +21,7 @@ inline constexpr char kPageStyle[] = R"css(
 body { margin: 0 auto; max-width: 72rem; padding: 1.5rem 1rem 3rem; background: var(--paper); color: var(--ink);
   font: 16px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, "Liberation Sans", sans-serif; }
 h1 { font-size: 1.6rem; margin: 0 0 .2rem; }
-h2 { font-size: 1.35rem; margin: 2.5rem 0 .6rem; padding-top: .8rem; border-top: 2px solid var(--ink); overflow-wrap: anywhere; }
+h2 { font-size: 1.35rem; margin: 2.5rem 0 .6rem; break-after: avoid; padding-top: .8rem; border-top: 2px solid var(--ink); overflow-wrap: anywhere; }
 h3 { font-size: 1.05rem; margin: 1.8rem 0 .6rem; break-after: avoid; }
 p { margin: .4rem 0; max-width: 48rem; }
 ul { margin: .4rem 0; padding-left: 1.2rem; max-width: 48rem; }
@@ -55,22 +55,21 @@ figure.wide { grid-column: 1 / -1; }
 figure svg { display: block; width: 100%; height: auto; }
 figure svg text, figure svg tspan { font-family: inherit; }
 figcaption { font-size: .88rem; color: var(--soft); margin-top: .4rem; }
-figcaption strong { color: var(--ink); }
+figcaption strong, .head { color: var(--ink); }
+.head { font-weight: 600; margin-top: .6rem; }
+figcaption li { overflow-wrap: anywhere; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .15rem 1rem; margin: .5rem 0; max-width: 48rem; }
 dt { color: var(--soft); }
 dd { margin: 0; overflow-wrap: anywhere; }
 .part { border-top: 1px solid var(--line); }
-.part > summary { font-weight: 600; padding: .6rem 0; }
+.part > summary { font-weight: 600; padding: .6rem 0; break-after: avoid; }
 .part[open] { padding-bottom: 1rem; }
 summary { cursor: pointer; }
 .narrow { display: none; }
 @media (max-width: 64rem) {
   .answer { grid-template-columns: minmax(0, 1fr); }
 }
-@media (max-width: 46rem) {
-  .figures { grid-template-columns: minmax(0, 1fr); }
-  .broad { display: none; }
-  .narrow { display: block; }
+@media (max-width: 60rem) {
   .fits, .fits tbody, .fits tr, .fits td, .fits th { display: block; border: 0; padding: 0; }
   .fits thead { display: none; }
   .fits tr { border-top: 1px solid var(--line); padding: .6rem 0; }
@@ -78,6 +77,11 @@ summary { cursor: pointer; }
   .fits td { display: grid; grid-template-columns: 9rem 1fr; gap: 0 .6rem; padding: .15rem 0; overflow-wrap: anywhere; }
   .fits td::before { content: attr(data-label); color: var(--soft); grid-row: 1 / span 9; }
   .fits td div { grid-column: 2; }
+}
+@media (max-width: 46rem) {
+  .figures { grid-template-columns: minmax(0, 1fr); }
+  .broad { display: none; }
+  .narrow { display: block; }
   .jumps { font-size: .85rem; }
   .jumps th, .jumps td { padding-right: .4rem; }
   dl { grid-template-columns: 1fr; }
@@ -90,6 +94,8 @@ summary { cursor: pointer; }
   nav, .files { display: none; }
   ::details-content { content-visibility: visible; block-size: auto; }
   summary { list-style: none; }
+  h3, h4, .part > summary { break-after: avoid; }
+  .part > summary + * { break-before: avoid; }
   h2 { break-before: page; }
   h2.first { break-before: auto; }
   table { font-size: 8pt; }
