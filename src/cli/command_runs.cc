@@ -89,7 +89,8 @@ int run_runs(const Arguments& arguments) {
   }
   if (!FLAGS_out.empty()) {
     const std::string folder = FLAGS_out + "/";
-    const DrawnFigures drawn = draw_figures(log_figures(log), FLAGS_out + "/figures", progress_line("figures"));
+    const std::vector<Figure> figures = log_figures(log);
+    const DrawnFigures drawn = draw_figures(figures, FLAGS_out + "/figures", progress_line("figures"));
     std::vector<OutputFile> files = drawn.files;
     files.push_back({folder + "runs.csv", runs_csv(log)});
     files.push_back({folder + "runs.toml", runs_toml(log)});
@@ -97,7 +98,7 @@ int run_runs(const Arguments& arguments) {
     files.push_back({folder + "peaks.toml", runs_toml(log)});
     files.push_back({folder + "phases.csv", phases_csv(log)});
     files.push_back({folder + "cuts.toml", cuts_toml(log)});
-    files.push_back({folder + "fit.toml", "data = \"runs.csv\"\npeaks = \"peaks.csv\"\n"});
+    files.push_back({folder + "fit.toml", runs_definition(figures, drawn)});
     std::vector<std::string> inputs(arguments.begin(), arguments.end());
     for (const std::string& path : arguments) inputs.push_back(metadata_path(path));
     for (const std::string& kept : keep_former(files))

@@ -36,6 +36,8 @@ class Reader {
         job.source = text(node, "source");
       else if (key == "peaks")
         job.peaks_path = beside(node, "peaks");
+      else if (key == "log_figures")
+        read_log_figures(node, job);
       else if (key == "laws")
         continue;
       else if (key == "published")
@@ -44,7 +46,7 @@ class Reader {
         read_option(std::string(key.str()), node, job);
       else
         fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: data, runs, columns, " + names_of_options() +
-                      ", constants, laws, peaks, source, published)");
+                      ", constants, laws, peaks, log_figures, source, published)");
     }
     if (job.data_path.empty()) throw InputError(path_, "the key data is missing");
     if (table.contains("data") && table.contains("runs"))
@@ -88,6 +90,11 @@ class Reader {
     job.data_path = files.front();
     if (list || files.size() > 1)
       for (const std::string& file : files) job.runs.push_back({file});
+  }
+
+  void read_log_figures(const toml::node& node, FitJob& job) const {
+    if (!node.is_array()) fail(node, "log_figures must be a list of SVG files");
+    for (const toml::node& entry : *node.as_array()) job.log_figures.push_back(beside(entry, "log_figures"));
   }
 
   /// [[runs]]: file, and what is said of it.
@@ -241,6 +248,9 @@ std::string fit_definition_text(const FitJob& job, const Dataset& data, const st
     out << "]\n";
   }
   if (!job.peaks_path.empty()) out << "peaks = " << from_there(job.peaks_path) << '\n';
+  for (std::size_t i = 0; i < job.log_figures.size(); ++i)
+    out << (i == 0 ? "log_figures = [" : ", ") << from_there(job.log_figures[i])
+        << (i + 1 == job.log_figures.size() ? "]\n" : "");
   std::map<std::string, std::string> stated = job.stated;
   // what is left to the data, or to a version of this program, is stated, too
   stated.insert_or_assign("objective", std::string(to_string(job.options.objective.value_or(default_objective(data)))));

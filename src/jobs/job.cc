@@ -17,6 +17,7 @@ std::vector<std::string> files_read(const FitJob& job) {
   std::vector<std::string> files{job.data_path, metadata_path(job.data_path)};
   for (const RunFile& run : job.runs) files.insert(files.end(), {run.path, metadata_path(run.path)});
   if (!job.peaks_path.empty()) files.insert(files.end(), {job.peaks_path, metadata_path(job.peaks_path)});
+  files.insert(files.end(), job.log_figures.begin(), job.log_figures.end());
   if (!job.path.empty()) files.push_back(job.path);
   return files;
 }

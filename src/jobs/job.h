@@ -24,6 +24,7 @@ struct FitJob {
   std::string data_path;                           // CSV, resolved against the definition's folder; the first of `runs`
   std::vector<RunFile> runs;                       // of a data set of several files; else empty
   std::string peaks_path;                          // CSV of peak forces, resolved likewise; empty: none
+  std::vector<std::string> log_figures;            // SVG, likewise: of the log that the data were taken from
   std::vector<std::string> models{"a", "b", "c"};  // in the order to report
   FitOptions options;
   std::vector<std::string> free_parameters;  // of the models, said to be free: as all are that are not held

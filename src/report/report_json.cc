@@ -78,7 +78,8 @@ Json entry_json(const ReportEntry& entry, std::vector<std::string>::const_iterat
       Json files = Json::array();
       const bool drawn = !(svg++)->empty();
       for (const char* ending : {".dat", ".gp", ".svg", ".pdf", ".png"})
-        if (drawn || ending[1] == 'd' || ending[1] == 'g') files.push_back("figures/" + figure.name + ending);
+        if (!figure.drawn.empty() ? ending[1] == 's' : drawn || ending[1] == 'd' || ending[1] == 'g')
+          files.push_back("figures/" + figure.name + ending);
       figures.push_back(
           {{"name", figure.name}, {"title", figure.title}, {"caption", figure.caption}, {"files", files}});
     }

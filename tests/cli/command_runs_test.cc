@@ -32,6 +32,28 @@ TEST(RunsCommand, MakesOfAShippedLogPointsThatGiveItsLambda) {
             lines_of(content_of(folder.path("log/runs.csv"))).size());
 }
 
+TEST(RunsCommand, HasItsFiguresOfTheShearInTheReport) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"runs", kLog, "--out=" + folder.path("log")}).exit_code, 0);
+  EXPECT_NE(content_of(folder.path("log/fit.toml")).find("log_figures = ['figures/run_1_T.svg', 'figures/run_2_T.svg'"),
+            std::string::npos);
+  const ProgramResult made =
+      run_program({"report", folder.path("log/fit.toml"), "--models=c", "--out=" + folder.path("report")});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto data = nlohmann::json::parse(content_of(folder.path("report/results.json")))["datasets"][0];
+  std::size_t shown = 0;
+  for (const auto& figure : data["figures"])
+    if (figure["name"].get<std::string>().ends_with("_T") &&
+        figure["title"].get<std::string>().starts_with("T(t) at")) {
+      ++shown;
+      EXPECT_NE(figure["caption"].get<std::string>().find("Squares: maxima of T"), std::string::npos);
+      ASSERT_EQ(figure["files"].size(), 1u);
+      EXPECT_FALSE(content_of(folder.path("report/") + figure["files"][0].get<std::string>()).empty());
+    }
+  EXPECT_GE(shown, 2u);
+  EXPECT_NE(content_of(folder.path("report/report.html")).find("From the log"), std::string::npos);
+}
+
 TEST(RunsCommand, SaysInOneLineWhatItCannotUse) {
   const TemporaryFolder folder;
   const std::string points = folder.write("points.csv", "P [mN],T [mN],A [mm^2]\n1,2,3\n2,3,4\n"),

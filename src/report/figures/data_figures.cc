@@ -1,9 +1,12 @@
 #include "report/figures/data_figures.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 
+#include "dataset/table/csv.h"
 #include "fitting/predicted_area.h"
+#include "report/figures/svg.h"
 
 namespace mixity {
 namespace {
@@ -34,6 +37,29 @@ std::vector<std::size_t> shown_points(const std::vector<std::size_t>& points, st
 
 std::string shown_note(std::size_t shown, std::size_t all) {
   return shown < all ? " " + std::to_string(shown) + " of " + std::to_string(all) + " points are shown." : "";
+}
+
+std::vector<Figure> kept_log_figures(const ReportedData& reported, std::vector<MissingFigure>& left_out) {
+  std::vector<Figure> figures;
+  const auto& paths = reported.result.job.log_figures;
+  std::vector<std::size_t> all(paths.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  for (const std::size_t i : spread(all, kMostRuns)) {
+    const std::filesystem::path path = paths[i];
+    const auto leave_out = [&](const char* why) { left_out.push_back({"the log's " + path.filename().string(), why}); };
+    std::error_code unread;
+    if (!std::filesystem::is_regular_file(path, unread)) {
+      leave_out("the file that the fit definition names is not there");
+      continue;
+    }
+    if (auto kept = kept_figure(read_file(path.string()))) {
+      kept->name = reported.stem + "_log_" + std::to_string(i + 1);
+      figures.push_back(std::move(*kept));
+    } else {
+      leave_out("the file that the fit definition names is no SVG");
+    }
+  }
+  return figures;
 }
 
 DataFigures data_figures(const ReportedData& reported) {
@@ -74,6 +100,9 @@ DataFigures data_figures(const ReportedData& reported) {
   add(behaviour_figures(reported), "displacement and radius curves", load_reason("no tangential load is above 0"));
   add(regime_figures(reported, figures.left_out), "regime map",
       load_reason("no fitted model has lambda as its only parameter and more than one regime"));
+  group("From the log");
+  for (Figure& figure : kept_log_figures(reported, figures.left_out))
+    figures.groups.back().figures.push_back(std::move(figure));
   group("Other laws");
   add(sahli_figures(reported), "alpha against A0",
       data.has_loads ? "fewer than two runs have a falling parabola" : no_loads);

@@ -91,6 +91,7 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
   DrawnFigures drawn;
   std::vector<std::string> scripts;
   for (const Figure& figure : figures) {
+    if (!figure.drawn.empty()) continue;
     for (const auto& [file, text] : {std::pair(figure.name + ".dat", figure_data(figure)),
                                      std::pair(figure.name + ".gp", figure_script(figure))}) {
       write_file(scratch.path() + '/' + file, text);
@@ -100,7 +101,12 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
   }
   drawn.svg.resize(figures.size());
   drawn.narrow.resize(figures.size());
-  if (figures.empty()) return drawn;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (figures[i].drawn.empty()) continue;
+    drawn.svg[i] = readable_svg(figures[i].drawn, figures[i]);
+    drawn.files.push_back({folder + '/' + figures[i].name + ".svg", drawn.svg[i]});
+  }
+  if (scripts.empty()) return drawn;
   // What gnuplot drew, or nothing if the file does not end as one does: gnuplot does not tell of a full disk.
   const auto whole = [&](const std::string& file, std::string_view end) -> std::string {
     const std::string path = scratch.path() + '/' + file;
@@ -121,6 +127,7 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
   }
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const Figure& figure = figures[i];
+    if (!figure.drawn.empty()) continue;
     std::string svg, narrow, pdf, png;
     const auto is_drawn = [&] {
       svg = whole(figure.name + ".svg", "</svg>");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dataset/number_text.h"
+#include "dataset/toml_file.h"
 #include "dataset/units.h"
 
 namespace mixity {
@@ -83,9 +84,19 @@ std::vector<Figure> log_figures(const ReducedLog& log) {
     figures.push_back(figure_of(log.runs, run, number, T, "T", log.force_unit));
     for (Series* marks : {&peaks, &minima})
       if (!marks->points.empty()) figures.back().series.push_back(std::move(*marks));
+    figures.back().title = "T(t) at " + figures.back().title;
+    if (!run.cycles.empty()) figures.back().caption += " Squares: maxima of T, circles: the minima behind them.";
     figures.push_back(figure_of(log.runs, run, number, A, "A", log.area_unit));
   }
   return figures;
+}
+
+std::string runs_definition(const std::vector<Figure>& figures, const DrawnFigures& drawn) {
+  std::string list;
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (figures[i].name.ends_with("_T") && !drawn.svg.at(i).empty())
+      list += (list.empty() ? "log_figures = [" : ", ") + toml_text("figures/" + figures[i].name + ".svg");
+  return "data = \"runs.csv\"\npeaks = \"peaks.csv\"\n" + (list.empty() ? list : list + "]\n");
 }
 
 }  // namespace mixity

@@ -128,6 +128,30 @@ std::string readable_svg(const std::string& text, const Figure& figure) {
   return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" + text_of(document) + "\n";
 }
 
+std::optional<Figure> kept_figure(const std::string& text) {
+  pugi::xml_document document;
+  if (!document.load_string(text.c_str()) || !document.child("svg")) return std::nullopt;
+  pugi::xml_node svg = document.child("svg");
+  Figure figure{"", svg.child("title").text().get(), {}, {}, {}};
+  figure.caption = svg.child("desc").text().get();
+  for_each_element(svg, [](pugi::xml_node node) {
+    const std::string_view name = node.name();
+    if (name == "script" || name == "foreignObject" || name == "image" || name == "style" || name == "a") {
+      node.parent().remove_child(node);
+      return;
+    }
+    for (pugi::xml_attribute attribute = node.first_attribute(); attribute;) {
+      const pugi::xml_attribute next = attribute.next_attribute();
+      const std::string_view key = attribute.name(), value = attribute.value();
+      if (key.starts_with("on") || (key.ends_with("href") && !value.starts_with("#"))) node.remove_attribute(attribute);
+      attribute = next;
+    }
+  });
+  for (const char* own : {"role", "aria-label"}) svg.remove_attribute(own);  // readable_svg gives them
+  figure.drawn = text_of(document);
+  return figure;
+}
+
 std::string inline_svg(const std::string& text) {
   pugi::xml_document document = parsed(text);
   pugi::xml_node svg = document.child("svg");

@@ -25,6 +25,21 @@ TEST(Svg, LosesGroupsThatDrawNothing) {
   EXPECT_EQ(readable_svg(kDrawn, {"f", "title", {}, {}, {}}).find("<g/>"), std::string::npos);
 }
 
+TEST(Svg, OfAFileIsKeptWithoutWhatRunsOrIsLookedUpElsewhere) {
+  const auto kept = kept_figure(
+      "<svg xmlns:xlink=\"http://www.w3.org/1999/xlink\" onload=\"f()\"><title>T(t)</title><desc>Seen.</desc>"
+      "<script>f()</script><style>p{}</style><g><image href=\"http://x/\"/><use xlink:href=\"#mark\"/>"
+      "<path id=\"mark\" onclick=\"f()\" d=\"M0 0\"/></g></svg>");
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->title, "T(t)");
+  EXPECT_EQ(kept->caption, "Seen.");
+  for (const char* text : {"script", "style", "image", "onload", "onclick", "http://x/"})
+    EXPECT_EQ(kept->drawn.find(text), std::string::npos) << text;
+  EXPECT_NE(kept->drawn.find("<use xlink:href=\"#mark\""), std::string::npos) << kept->drawn;
+  EXPECT_FALSE(kept_figure("<html/>"));
+  EXPECT_FALSE(kept_figure(""));
+}
+
 TEST(Svg, ThatIsNoneIsRefused) {
   EXPECT_THROW(readable_svg("", {"f", "title", {}, {}, {}}), OutputError);
   EXPECT_THROW(readable_svg("<html/>", {"f", "title", {}, {}, {}}), OutputError);
