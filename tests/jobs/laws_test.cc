@@ -5,10 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "dataset/input_error.h"
+#include "dataset/temporary_folder.h"
 #include "jobs/fit_definition.h"
 #include "jobs/job.h"
 
@@ -75,11 +74,7 @@ TEST(LawText, IsRefusedWithItsColumn) {
 
 class Definitions : public ::testing::Test {
  protected:
-  std::string write(const std::string& text) const {
-    const std::string path = ::testing::TempDir() + "law_definition.toml";
-    std::ofstream(path) << text;
-    return path;
-  }
+  std::string write(const std::string& text) const { return folder_.write("law_definition.toml", text); }
   std::string refusal(const std::string& text) const {
     const std::string path = write(text);
     try {
@@ -89,6 +84,9 @@ class Definitions : public ::testing::Test {
     }
     return {};
   }
+
+ private:
+  const TemporaryFolder folder_;
 };
 
 TEST_F(Definitions, StateLawsThatAreModels) {
