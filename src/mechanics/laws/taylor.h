@@ -99,9 +99,16 @@ struct Taylor {
   friend Taylor abs(const Taylor& x) { return x.value < 0 ? -x : x; }
   friend Taylor pow(const Taylor& x, const Taylor& y) {
     const double power = std::pow(x.value, y.value), n = y.value;
-    if (y.first == 0 && y.second == 0)
+    if (y.first == 0 && y.second == 0) {
+      if (x.first == 0 && x.second == 0) return {power, 0, 0};
+      if (x.value != 0 && power != 0 &&
+          std::isfinite(power)) {  // one power is known: the others cost more than all else
+        const double slope = n * power / x.value;
+        return x.through(power, slope, (n - 1) * slope / x.value);
+      }
       return x.through(power, n == 0 ? 0 : n * std::pow(x.value, n - 1),
                        n == 0 || n == 1 ? 0 : n * (n - 1) * std::pow(x.value, n - 2));
+    }
     if (x.value == 0 && n > 0) return {0, 0, 0};  // whatever the exponent
     const Taylor exponent = y * log(x);
     return {power, power * exponent.first, power * (exponent.second + exponent.first * exponent.first)};
