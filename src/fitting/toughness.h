@@ -94,10 +94,14 @@ class ToughnessObjective final : public ModelProblem<Model> {
       }
     }
     for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (jacobian.empty()) {
+        residuals[i] = residual(i, log_toughness_alone<Model>(p, points_[i].mixity) + toughness);
+        finite &= std::isfinite(residuals[i]);
+        continue;
+      }
       const auto log_f = Model::log_toughness(p, points_[i].mixity);
       residuals[i] = residual(i, log_f.value + toughness);
       finite &= std::isfinite(residuals[i]);
-      if (jacobian.empty()) continue;
       const double f = scale_ == Scale::log ? 1 : std::exp(log_f.value + toughness);  // df = f d(ln f)
       for (std::size_t k = 0; k < free.size(); ++k) {
         const double slope = weights_[i] * f * log_f.gradient[free[k]];
@@ -118,7 +122,7 @@ class ToughnessObjective final : public ModelProblem<Model> {
     std::fill(residuals.begin(), residuals.end(), 0.0);
     for (std::size_t i = 0; i < points_.size(); i += std::max<std::size_t>(points_.size() / kSample, 1)) {
       residuals[i] =
-          residual(i, Model::log_toughness(at.parameters, points_[i].mixity).value + at.constants[kToughness]);
+          residual(i, log_toughness_alone<Model>(at.parameters, points_[i].mixity) + at.constants[kToughness]);
       if (!std::isfinite(residuals[i])) return false;
     }
     return true;

@@ -147,7 +147,7 @@ void toughness_ratios(std::string_view model, std::span<const Values> parameters
     for (std::size_t i = 0; i < f.size(); ++i) {
       const auto p = parameters_at<Model>(parameters, i);
       if (!(psi[i] >= 0 && psi[i] <= kLargestPhaseAngle) || !in_bounds<Model>(p)) continue;
-      f[i] = std::exp(Model::log_toughness(p, mixity_from_angle(psi[i])).value);
+      f[i] = std::exp(log_toughness_alone<Model>(p, mixity_from_angle(psi[i])));
     }
   });
 }

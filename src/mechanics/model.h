@@ -4,6 +4,7 @@
 //   parameters                          names, bounds and a typical value
 //   info                                key on the command line, name, published formula
 //   log_toughness(p, mixity)            ln f and its derivatives in the parameters
+//   log_toughness_alone(p, mixity)      optional: ln f where its derivatives would cost more than it does
 //   lane_point(mixity), lane(p, point)  optional: ln f for loops over many points, see LaneValue; lane_log_toughness
 //                                       then makes log_toughness of it
 //   shear_term(p, y, T)                 tau^2 = y^2 (g - 1) of the equilibrium circle and its derivatives in y
@@ -108,6 +109,15 @@ struct Differentiated {
   S value;
   std::array<S, N> gradient;
 };
+
+/// ln f without its derivatives.
+template <class Law, std::size_t N>
+double log_toughness_alone(const std::array<double, N>& p, const Mixity<double>& mixity) {
+  if constexpr (requires { Law::log_toughness_alone(p, mixity); })
+    return Law::log_toughness_alone(p, mixity);
+  else
+    return Law::log_toughness(p, mixity).value;
+}
 
 /// ln f of a law that has lanes to full relative accuracy: near f = 1 its argument has lost that of the excess.
 template <class Law, class S>

@@ -4,17 +4,22 @@
 #include <atomic>
 #include <charconv>
 #include <cmath>
+#include <deque>
+#include <limits>
 #include <mutex>
 #include <regex>
 
+#include "mechanics/laws/criterion.h"
 #include "mechanics/laws/law_traits.h"
 
 namespace mixity {
 namespace {
 
 constexpr const char* kVariables[] = {"psi", "B", "t", "K_I", "K_II"};
+constexpr const char* kNormalised = ", over its value at psi = 0";
 constexpr const char* kOwn[] = {"sin_psi", "cos_psi"};  // what sin(psi) and cos(psi) become
 
+constexpr double kSteers = 1e-9;
 /// tan(psi), sin(psi) and cos(psi) as they are known beside psi, whose rounding they would magnify near 90 degrees.
 std::string with_known_functions(const std::string& text) {
   static const std::regex tangent(R"(\btan *\( *psi *\))"), sine(R"(\bsin *\( *psi *\))"),
@@ -22,8 +27,6 @@ std::string with_known_functions(const std::string& text) {
   return std::regex_replace(std::regex_replace(std::regex_replace(text, tangent, "t"), sine, "sin_psi"), cosine,
                             "cos_psi");
 }
-
-Taylor constant(double value) { return {value, 0, 0}; }
 
 }  // namespace
 
@@ -50,13 +53,14 @@ std::shared_ptr<const ExpressionLaw> ExpressionLaw::make(LawDefinition definitio
     variables.push_back(one.name);
   }
   const std::shared_ptr<ExpressionLaw> law(new ExpressionLaw);
+  static std::atomic<std::size_t> made = 0;
+  law->number_ = made += 2;
   const std::size_t equals = definition.text.find('=');
-  std::string text = definition.text;
+  const std::string& text = definition.text;
   if (equals != std::string::npos) {
     for (const auto& [begin, end] : {std::pair(std::size_t{0}, equals), {equals + 1, text.size()}})
       if (const Expression side(std::string_view(text).substr(begin, end - begin), variables); side.error())
         return fail(begin + side.error()->at, side.error()->message);
-    text = "(" + text.substr(0, equals) + ")-(" + text.substr(equals + 1) + ")";
   } else if (const Expression whole(text, variables); whole.error()) {
     return fail(whole.error()->at, whole.error()->message);
   }
@@ -64,9 +68,14 @@ std::shared_ptr<const ExpressionLaw> ExpressionLaw::make(LawDefinition definitio
   const bool of_intensities = std::regex_search(text, intensity);
   if (equals != std::string::npos && !of_intensities)
     return fail(equals, "an equation is solved for K_I and K_II, and these are not in it");
-  if (of_intensities && equals == std::string::npos) text = "(" + text + ")-(K_I^2+K_II^2)";
+  std::string left = definition.text, right = "K_I^2+K_II^2";
+  if (equals != std::string::npos) {
+    left = definition.text.substr(0, equals);
+    right = definition.text.substr(equals + 1);
+  }
   law->equation_ = of_intensities;
-  law->text_ = with_known_functions(text);
+  law->text_ = with_known_functions(of_intensities ? "(" + left + ")-(" + right + ")" : definition.text);
+  if (of_intensities) law->logarithm_ = with_known_functions("log((" + left + ")/(" + right + "))");
   const auto uses = [&](const char* name) {
     return std::regex_search(law->text_, std::regex(std::string("\\b") + name + "\\b"));
   };
@@ -78,106 +87,143 @@ std::shared_ptr<const ExpressionLaw> ExpressionLaw::make(LawDefinition definitio
   variables.insert(variables.begin() + std::size(kVariables), std::begin(kOwn), std::end(kOwn));
   law->variables_ = std::move(variables);
   law->shown_ = equals != std::string::npos ? definition.text : "f = " + definition.text;
-  if (definition.normalised) law->shown_ += ", over its value at psi = 0";
+  if (definition.normalised) law->shown_ += kNormalised;
   law->definition_ = std::move(definition);
-  static std::atomic<std::size_t> made = 0;
-  law->number_ = ++made;
   if (const Expression check(law->text_, law->variables_); check.error()) return fail({}, check.error()->message);
+  if (law->equation_ && Expression(law->logarithm_, law->variables_).error()) law->logarithm_.clear();
   return law;
 }
 
-const Expression& ExpressionLaw::compiled() const {
-  thread_local std::vector<std::pair<std::size_t, Expression>> known;
-  for (const auto& [number, expression] : known)
-    if (number == number_) return expression;
-  return known.emplace_back(number_, Expression(text_, variables_)).second;
+const Expression& ExpressionLaw::compiled(const std::string& text, std::size_t number) const {
+  thread_local std::deque<std::pair<std::size_t, Expression>> known;  // which stay where they are
+  for (const auto& [of, expression] : known)
+    if (of == number) return expression;
+  return known.emplace_back(number, Expression(text, variables_)).second;
+}
+
+ExpressionLaw::Variables ExpressionLaw::variables_of(const State& state, std::span<const Taylor> parameters) const {
+  Variables variables{state.psi,
+                      uses_B_ ? state.sin * state.sin : Taylor(),
+                      uses_t_ ? state.sin / state.cos : Taylor(),
+                      {},
+                      {},
+                      state.sin,
+                      state.cos};
+  std::copy(parameters.begin(), parameters.end(), variables.begin() + kBefore);
+  return variables;
+}
+
+std::optional<ExpressionLaw::Solved> ExpressionLaw::solve(const State& state,
+                                                          std::span<const Taylor> parameters) const {
+  Variables variables = variables_of(state, parameters);
+  for (Taylor& one : variables) one = Taylor(one.value);
+  const double sine = state.sin.value, cosine = state.cos.value;
+  const auto equation = [&](const Expression& form) {
+    return [&](double q) {
+      const double size = std::exp(0.5 * q), I = size * cosine, II = size * sine;
+      variables[3] = {I, 0.5 * I, 0.25 * I};
+      variables[4] = {II, 0.5 * II, 0.25 * II};
+      return form(std::span<const Taylor>(variables.data(), kBefore + parameters.size()));
+    };
+  };
+  if (!logarithm_.empty()) {
+    const Expression& form = compiled(logarithm_, number_ + 1);
+    if (state.about)
+      if (const auto root = contracted_root(equation(form), state.about->value))
+        return Solved{root->q, root->slope, &form};
+    if (const auto root = contracted_root(equation(form), 0)) return Solved{root->q, root->slope, &form};
+  }
+  const Expression& form = compiled(text_, number_);
+  auto root = contracted_root(equation(form), 0);
+  if (!root) root = enclosed_root(equation(form));
+  if (!root) return std::nullopt;
+  return Solved{root->q, root->slope, &form};
 }
 
 Taylor ExpressionLaw::value(const State& state, std::span<const Taylor> parameters) const {
-  const Expression& expression = compiled();
-  constexpr std::size_t kBefore = std::size(kVariables) + std::size(kOwn);
-  std::array<Taylor, kBefore + kMostParameters> variables{state.psi,
-                                                          uses_B_ ? state.sin * state.sin : Taylor(),
-                                                          uses_t_ ? state.sin / state.cos : Taylor(),
-                                                          {},
-                                                          {},
-                                                          state.sin,
-                                                          state.cos};
-  std::copy(parameters.begin(), parameters.end(), variables.begin() + kBefore);
+  Variables variables = variables_of(state, parameters);
   const std::span<const Taylor> used(variables.data(), kBefore + parameters.size());
-  if (!equation_) return expression(used);
-
-  // For q = ln f: K_I = exp(q/2) cos psi, K_II = exp(q/2) sin psi.
-  const auto left = [&](const Taylor& q, const Taylor& sine, const Taylor& cosine) {
+  if (!equation_) return compiled(text_, number_)(used);
+  const auto solved = solve(state, parameters);
+  if (!solved) return {std::numeric_limits<double>::quiet_NaN(), 0, 0};
+  const auto left = [&](const Taylor& q) {
     const Taylor size = exp(q * Taylor(0.5));
-    variables[3] = size * cosine;
-    variables[4] = size * sine;
-    return expression(used);
+    variables[3] = size * state.cos;
+    variables[4] = size * state.sin;
+    return (*solved->form)(used);
   };
-  const std::array<Taylor, kBefore + kMostParameters> moving = variables;
-  for (Taylor& one : variables) one = constant(one.value);
-  const Taylor sine = constant(state.sin.value), cosine = constant(state.cos.value);
-  const auto at = [&](double q) { return left({q, 1, 0}, sine, cosine); };
-  constexpr double kFar = 600;
-  // a gradient asks for one state several times
-  thread_local std::array<double, kBefore + kMostParameters + 1> solved{};
-  thread_local double root = 0;
-  std::array<double, kBefore + kMostParameters + 1> asked{static_cast<double>(number_)};
-  for (std::size_t i = 0; i < variables.size(); ++i) asked[i + 1] = variables[i].value;
-  const bool again = asked == solved;
-  Taylor here = at(again ? root : 0);
-  double q = again ? root : 0, low = -kFar, high = kFar;
-  if (!again && here.value != 0) {
-    double step = 0.25, beyond = 0;
-    bool enclosed = false;
-    // outwards on both sides, the nearer root first
-    for (; step <= kFar && !enclosed; step *= 2)
-      for (const double side : {step, -step})
-        if (!enclosed && std::signbit(at(side).value) != std::signbit(here.value)) {
-          enclosed = true;
-          beyond = side;
-        }
-    if (!enclosed) return {std::numeric_limits<double>::quiet_NaN(), 0, 0};
-    low = std::min(0.0, beyond);
-    high = std::max(0.0, beyond);
-    const bool rises = std::signbit(at(low).value);
-    q = 0.5 * beyond;
-    for (int i = 0; i < 200; ++i) {
-      here = at(q);
-      if (here.value == 0) break;
-      (std::signbit(here.value) == rises ? low : high) = q;
-      double next = q - here.value / here.first;
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      const bool settled = std::abs(next - q) <= 1e-9 * std::max(1.0, std::abs(q)) || next == low || next == high;
-      q = next;
-      if (settled) break;
-    }
-    here = at(q);
-    if (const double last = here.value / here.first; std::abs(last) < 1e-6 * std::max(1.0, std::abs(q))) q -= last;
-  }
-  solved = asked;
-  root = q;
   // q along the direction: what is left of the equation at each order, over its slope in q
-  variables = moving;
-  const double first = -left({q, 0, 0}, state.sin, state.cos).first / here.first;
-  variables = moving;
-  const double second = -left({q, first, 0}, state.sin, state.cos).second / here.first;
-  return exp(Taylor{q, first, second});
+  const auto moves = [](const Taylor& x) { return x.first != 0 || x.second != 0; };
+  if (std::none_of(variables.begin(), variables.end(), moves)) return std::exp(solved->q);
+  const Taylor about = state.about.value_or(Taylor());
+  const Taylor rest = left({solved->q, about.first, about.second});
+  const double lacks = -rest.first / solved->slope, first = about.first + lacks;
+  // the second derivative, which only steers searches, has what the first lacked
+  const bool known = std::abs(lacks) <= kSteers * (1 + std::abs(first));
+  const double second =
+      known ? about.second - rest.second / solved->slope : -left({solved->q, first, 0}).second / solved->slope;
+  return exp(Taylor{solved->q, first, second});
+}
+
+double ExpressionLaw::log_value(const State& state, std::span<Taylor> parameters, std::span<double> gradient) const {
+  Variables variables = variables_of(state, parameters);
+  const std::span<const Taylor> used(variables.data(), kBefore + parameters.size());
+  const auto along = [&](std::size_t k, const Expression& expression) {
+    variables[kBefore + k].first = 1;
+    const Taylor found = expression(used);
+    variables[kBefore + k].first = 0;
+    return found;
+  };
+  if (!equation_) {
+    const Expression& expression = compiled(text_, number_);
+    if (gradient.empty()) return std::log(expression(used).value);
+    double f = 0;
+    for (std::size_t k = 0; k < gradient.size(); ++k) {
+      const Taylor found = along(k, expression);
+      f = found.value;
+      gradient[k] = found.first / f;
+    }
+    return std::log(f);
+  }
+  const auto solved = solve(state, parameters);
+  if (!solved) {
+    std::fill(gradient.begin(), gradient.end(), 0.0);
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const double size = std::exp(0.5 * solved->q);
+  variables[3] = size * state.cos.value;
+  variables[4] = size * state.sin.value;
+  for (std::size_t k = 0; k < gradient.size(); ++k) gradient[k] = -along(k, *solved->form).first / solved->slope;
+  return solved->q;
 }
 
 Taylor ExpressionLaw::toughness(const State& state, std::span<const Taylor> parameters) const {
-  const Taylor f = value(state, parameters);
-  if (!definition_.normalised) return f;
-  return f / value({constant(0), constant(0), constant(1)}, parameters);
+  if (!definition_.normalised) return value(state, parameters);
+  const Taylor f0 = value({Taylor(0), Taylor(0), Taylor(1)}, parameters);
+  State own = state;
+  if (own.about) own.about->value += std::log(f0.value);
+  return value(own, parameters) / f0;
+}
+
+double ExpressionLaw::log_toughness(const Mixity<double>& mixity, std::span<const double> parameters,
+                                    std::span<double> gradient) const {
+  std::array<Taylor, kMostParameters> numbers;
+  std::copy(parameters.begin(), parameters.end(), numbers.begin());
+  const std::span<Taylor> p(numbers.data(), parameters.size());
+  const double c = std::max(mixity.cos, kLeastCosine), psi = uses_psi_ ? std::atan2(mixity.sin, c) : 0;
+  const double log_f = log_value({psi, mixity.sin, c}, p, gradient);
+  if (!definition_.normalised) return log_f;
+  std::array<double, kMostParameters> at_zero{};
+  const double log_f0 = log_value({0, 0, 1}, p, {at_zero.data(), gradient.size()});
+  for (std::size_t k = 0; k < gradient.size(); ++k) gradient[k] -= at_zero[k];
+  return log_f - log_f0;
 }
 
 double ExpressionLaw::toughness(double psi, std::span<const double> parameters) const {
   std::array<Taylor, kMostParameters> p;
   std::copy(parameters.begin(), parameters.end(), p.begin());
   const Mixity<double> mixity = mixity_from_angle(psi);
-  return toughness({constant(psi), constant(mixity.sin), constant(std::max(mixity.cos, kLeastCosine))},
-                   std::span<const Taylor>(p.data(), parameters.size()))
-      .value;
+  return toughness({psi, mixity.sin, std::max(mixity.cos, kLeastCosine)}, {p.data(), parameters.size()}).value;
 }
 
 namespace {

@@ -53,19 +53,34 @@ class ExpressionLaw {
   /// law is not defined.
   struct State {
     Taylor psi, sin, cos;
+    std::optional<Taylor> about{};  // ln f along the direction, about: an equation is solved from there
   };
   Taylor toughness(const State& state, std::span<const Taylor> parameters) const;
+
+  /// ln f, with its derivatives in the parameters, or without where `gradient` is empty: that costs less.
+  double log_toughness(const Mixity<double>& mixity, std::span<const double> parameters,
+                       std::span<double> gradient) const;
 
   /// At the phase angle psi [rad].
   double toughness(double psi, std::span<const double> parameters) const;
 
  private:
   ExpressionLaw() = default;
+  static constexpr std::size_t kBefore = 7;  // variables before the parameters
+  using Variables = std::array<Taylor, kBefore + kMostParameters>;
+  struct Solved {
+    double q, slope;  // ln f, and the equation's slope in it there
+    const Expression* form;
+  };
+  Variables variables_of(const State& state, std::span<const Taylor> parameters) const;
+  std::optional<Solved> solve(const State& state, std::span<const Taylor> parameters) const;
   Taylor value(const State& state, std::span<const Taylor> parameters) const;
-  const Expression& compiled() const;  // of this thread
+  double log_value(const State& state, std::span<Taylor> parameters, std::span<double> gradient) const;
+  const Expression& compiled(const std::string& text, std::size_t number) const;  // of this thread
 
   LawDefinition definition_;
-  std::string shown_, text_;  // text_: what is evaluated
+  std::string shown_, text_;  // text_: what is evaluated, or of an equation what vanishes
+  std::string logarithm_;     // of left over right where that is a number, else empty
   std::vector<std::string> variables_;
   bool equation_ = false, uses_psi_ = true, uses_B_ = true, uses_t_ = true;
   std::size_t number_ = 0;
@@ -74,7 +89,7 @@ class ExpressionLaw {
 /// What the general route of mechanics asks of a law (model.h), for the one whose key with_model was called with.
 namespace typed {
 ShearTerm<double> shear_term(std::span<const double> p, double y, double T);
-double log_toughness(std::span<const double> p, const Mixity<double>& mixity, std::span<double> gradient);
+double log_toughness(std::span<const double> p, const Mixity<double>& mixity, std::span<double> gradient);  // or {}
 double small_shear(std::span<const double> p);
 double shear_limit(std::span<const double> p);
 ShearBend shear_bend(std::span<const double> p);

@@ -111,16 +111,47 @@ ShearReach reach_of(std::span<const Bend> bends) {
   return reach;
 }
 
+/// Place i of LawTraits [rad].
+double place(std::size_t i) {
+  static const std::array<double, LawTraits::kPlaces + 1> all = [] {
+    std::array<double, LawTraits::kPlaces + 1> list;
+    for (std::size_t k = 0; k < list.size(); ++k)
+      list[k] = 0.25 * pi<double>() * (1 - std::cos(pi<double>() * static_cast<double>(k) / LawTraits::kPlaces));
+    return list;
+  }();
+  return all[i];
+}
+
 }  // namespace
+
+std::optional<Taylor> LawTraits::about(const Taylor& psi) const {
+  const double share = std::acos(std::clamp(1 - 4 * psi.value / pi<double>(), -1.0, 1.0)) / pi<double>();
+  const std::size_t i = std::min(static_cast<std::size_t>(share * kPlaces), kPlaces - 1);
+  const double length = place(i + 1) - place(i);
+  const auto over = [&](const Taylor& f) {  // derivatives in the share of the way, the second halved
+    return Taylor{f.value, f.first * length, 0.5 * f.second * length * length};
+  };
+  const Taylor from = over(log_f[i]), to = over(log_f[i + 1]);
+  const double value = to.value - from.value - from.first - from.second;
+  const double slope = to.first - from.first - 2 * from.second, curve = to.second - from.second;
+  if (!(std::abs(value) + std::abs(slope) + std::abs(curve) <= 10)) return std::nullopt;  // or NaN
+  const Taylor u{(psi.value - place(i)) / length, psi.first / length, psi.second / length};
+  const Taylor rest = u * (u * Taylor(6 * value - 3 * slope + curve) + Taylor(-15 * value + 7 * slope - 2 * curve)) +
+                      Taylor(10 * value - 4 * slope + curve);
+  return Taylor(from.value) + u * (Taylor(from.first) + u * (Taylor(from.second) + u * rest));
+}
 
 ExpressionLaw::State along_angle(double s, double c) { return {{std::atan2(s, c), 1, 0}, {s, c, -s}, {c, -s, -c}}; }
 
-ShearTerm<double> reduced_shear(const ExpressionLaw& law, std::span<const Taylor> p, double s, double c) {
+ShearTerm<double> reduced_shear(const ExpressionLaw& law, std::span<const Taylor> p, double s, double c,
+                                const LawTraits* known) {
   c = std::max(c, kLeastCosine);
   const double turn = -s, bend = 2 * s * c;  // of psi in y/r
-  const ExpressionLaw::State state{{law.uses_psi() ? std::atan2(s, c) : 0, turn, bend},
+  const Taylor psi{law.uses_psi() || known ? std::atan2(s, c) : 0, turn, bend};
+  const ExpressionLaw::State state{psi,
                                    {s, c * turn, c * bend - s * turn * turn},
-                                   {c, -s * turn, -s * bend - c * turn * turn}};
+                                   {c, -s * turn, -s * bend - c * turn * turn},
+                                   known ? known->about(psi) : std::nullopt};
   const Taylor y{c, 1, 0}, square = y * y, sum = square + Taylor(s * s);
   const Taylor tau2 = sum / law.toughness(state, p) - square;
   return {tau2.value, tau2.first, tau2.second};
@@ -135,27 +166,31 @@ LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters
   LawTraits traits;
   traits.law = &law;
   traits.count = parameters.size();
+  traits.log_f.fill(std::numeric_limits<double>::quiet_NaN());
   std::copy(parameters.begin(), parameters.end(), traits.p.begin());
   std::array<Taylor, ExpressionLaw::kMostParameters> numbers;
   std::copy(parameters.begin(), parameters.end(), numbers.begin());
   const std::span<const Taylor> p(numbers.data(), parameters.size());
   const Taylor start = law.toughness(along_angle(0, 1), p);
   traits.f0 = start.value;
+  if (law.is_equation()) traits.log_f[0] = log(start);
   traits.small_shear = limit_of_small_shear(law, p, start);
   // where f has grown beyond measure, as tan^2 psi, tau/y has come to a limit
-  if (law.toughness(along_angle(1, kLeastCosine), p).value > 1e30)
+  const Taylor end = law.toughness(along_angle(1, kLeastCosine), p);
+  if (law.is_equation()) traits.log_f[LawTraits::kPlaces] = log(end);
+  if (end.value > 1e30)
     traits.shear_limit = reduced_shear(law, p, 1, kLeastCosine).value / (kLeastCosine * kLeastCosine);
   set_small_power(law, p, traits);
-  constexpr int kPlaces = 48;
-  std::array<Bend, kPlaces - 1> bends;
-  for (int i = 1; i < kPlaces; ++i) {
-    const double psi = 0.25 * pi<double>() * (1 - std::cos(pi<double>() * i / kPlaces));
+  std::array<Bend, LawTraits::kPlaces - 1> bends;
+  for (std::size_t i = 1; i < LawTraits::kPlaces; ++i) {
+    const double psi = place(i);
     const double s = std::sin(psi), c = std::cos(psi);
     const Taylor f = law.toughness(along_angle(s, c), p);
     if (!(f.value > 0 && f.value < kInfinity)) {
       traits.undefined_at = psi;
       return traits;
     }
+    if (law.is_equation()) traits.log_f[i] = log(f);
     // the slope of ln((1 + tan^2 psi)/f), to its rounding
     const double growth = 2 * s / c, decline = f.first / f.value;
     if (!traits.turned_at && !(growth - decline >= -1e-11 * (growth + std::abs(decline)))) {
@@ -164,7 +199,7 @@ LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters
     }
     // d(tau^2)/dy = 2 y (1/f - 1) + (y^2 + T^2) f' sin psi/(f^2 r)
     if (!(2 * c * (1 / f.value - 1) + s * f.first / (f.value * f.value) >= -1e-12)) traits.tau_grows = false;
-    bends[static_cast<std::size_t>(i - 1)] = bend_of(f, psi, s, c);
+    bends[i - 1] = bend_of(f, psi, s, c);
     if (!with_rounding) continue;
     const Taylor of_psi = law.toughness({{psi, 1, 0}, Taylor(s), Taylor(c)}, p);
     const double rounding = std::abs(of_psi.first / f.value) * psi * 0.5 * std::numeric_limits<double>::epsilon();

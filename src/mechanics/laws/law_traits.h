@@ -23,10 +23,8 @@ inline constexpr double kSmallShear = 1e-4;
 /// At the angle whose sine and cosine these are, along psi.
 ExpressionLaw::State along_angle(double sine, double cosine);
 
-/// tau^2/r^2, r^2 = y^2 + T^2, and its derivatives in y/r, at y/r = cosine and T/r = sine.
-ShearTerm<double> reduced_shear(const ExpressionLaw& law, std::span<const Taylor> p, double sine, double cosine);
-
 struct LawTraits {
+  static constexpr std::size_t kPlaces = 48;  // phase angles above 0, the last 90 degrees
   const ExpressionLaw* law = nullptr;
   std::size_t count = 0;
   std::array<double, ExpressionLaw::kMostParameters> p{};
@@ -43,14 +41,24 @@ struct LawTraits {
   ShearReach reach{};   // model.h; as the samples have it, with a margin of two
   double rounding = 0;  // largest relative error of f for the rounding of psi, where psi stands for itself
   double rounding_at = 0;
+  std::array<Taylor, kPlaces + 1> log_f;  // of an equation at the places, with derivatives in psi; NaN: not known
 
   /// Empty: there is an equilibrium.
   std::string_view obstacle() const;
   /// Whether one area may stand for several T (turning_curve.h).
   bool turns() const { return !undefined_at && (!(small_shear >= 0) || turned_at); }
+
+  /// About ln f of an equation along the direction in which psi [rad] changes: the quintic between two places. Null
+  /// where that is not known.
+  std::optional<Taylor> about(const Taylor& psi) const;
 };
 
-/// At 48 phase angles, denser towards 0 and 90 degrees; with `rounding` if that is asked for.
+/// tau^2/r^2, r^2 = y^2 + T^2, and its derivatives in y/r, at y/r = cosine and T/r = sine; `known`: null, or the traits
+/// of the law at these parameters.
+ShearTerm<double> reduced_shear(const ExpressionLaw& law, std::span<const Taylor> p, double sine, double cosine,
+                                const LawTraits* known = nullptr);
+
+/// At kPlaces phase angles, denser towards 0 and 90 degrees; with `rounding` if that is asked for.
 LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters, bool with_rounding = false);
 
 /// What is to be said of a law before it is used.

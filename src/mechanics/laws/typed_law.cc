@@ -43,25 +43,14 @@ ShearTerm<double> shear_term(std::span<const double> p, double y, double T) {
   }
   Numbers numbers;
   const double squares = y * y + T * T, r = squares > 1e-280 ? std::sqrt(squares) : std::hypot(y, T);
-  const ShearTerm<double> reduced = reduced_shear(*current_law(), constants(p, numbers), T / r, y / r);
+  const ExpressionLaw& law = *current_law();
+  const ShearTerm<double> reduced =
+      reduced_shear(law, constants(p, numbers), T / r, y / r, law.is_equation() ? &traits(p) : nullptr);
   return {r * r * reduced.value, r * reduced.d1, reduced.d2};
 }
 
 double log_toughness(std::span<const double> p, const Mixity<double>& mixity, std::span<double> gradient) {
-  const ExpressionLaw& law = *current_law();
-  Numbers numbers;
-  const std::span<const Taylor> parameters = constants(p, numbers);
-  ExpressionLaw::State state = along_angle(mixity.sin, std::max(mixity.cos, kLeastCosine));
-  for (Taylor* one : {&state.psi, &state.sin, &state.cos}) *one = Taylor(one->value);
-  double value = 0;
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    numbers[k].first = 1;
-    const Taylor f = law.toughness(state, parameters);
-    numbers[k].first = 0;
-    value = std::log(f.value);
-    gradient[k] = f.first / f.value;
-  }
-  return value;
+  return current_law()->log_toughness(mixity, p, gradient);
 }
 
 ShearBend shear_bend(std::span<const double> p) { return traits(p).bend; }

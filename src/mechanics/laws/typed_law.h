@@ -22,6 +22,9 @@ struct TypedLaw {
     found.value = typed::log_toughness(p, mixity, found.gradient);
     return found;
   }
+  static double log_toughness_alone(const P& p, const Mixity<double>& mixity) {
+    return typed::log_toughness(p, mixity, {});
+  }
   static ShearTerm<double> shear_term(const P& p, double y, double T) { return typed::shear_term(p, y, T); }
   static double small_shear(const P& p) { return typed::small_shear(p); }
   static double shear_limit(const P& p) { return typed::shear_limit(p); }
