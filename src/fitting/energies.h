@@ -102,7 +102,7 @@ class EnergyObjective final : public ModelProblem<Model> {
       const PointEnergies& e = points_[i].energies;
       const std::size_t toughness = model + points_[i].series;
       const double G_Ic = width > model ? std::exp(x[toughness]) : 1;
-      const EnergyDistance<Model> r = law.distance(e.G_I, e.G_II, e.sigma_GI, e.sigma_GII, G_Ic);
+      const EnergyDistance<Model> r = law.distance(e.G_I, e.G_II, e.sigma_GI, e.sigma_GII, G_Ic, !jacobian.empty());
       residuals[i] = r.value;
       finite &= std::isfinite(r.value);
       if (jacobian.empty()) continue;
@@ -111,6 +111,20 @@ class EnergyObjective final : public ModelProblem<Model> {
       for (std::size_t k = 0; k < model; ++k) row[k] = r.parameters[choice_.model()[k]];
       if (width > model) row[toughness] = r.log_toughness;
       for (const double value : row) finite &= std::isfinite(value);
+    }
+    return finite;
+  }
+
+  /// From the polygon through some points of the law.
+  bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override {
+    [[maybe_unused]] const auto entered = choice_.enter_model();
+    const EnergyPolygon<Model> law(this->candidate(x).parameters);
+    bool finite = true;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const PointEnergies& e = points_[i].energies;
+      const double G_Ic = parameters_.size() > choice_.size() ? std::exp(x[choice_.size() + points_[i].series]) : 1;
+      residuals[i] = law.distance(e.G_I, e.G_II, e.sigma_GI, e.sigma_GII, G_Ic);
+      finite &= std::isfinite(residuals[i]);
     }
     return finite;
   }

@@ -8,9 +8,8 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
+#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "mechanics/model.h"
@@ -33,8 +32,10 @@ class EnergyLaw {
   explicit EnergyLaw(const Parameters<Model>& p) : p_(p), slope_at_mode_I_(-Model::small_shear(p)) {}
 
   /// Of the point (G_I, G_II) with standard errors > 0, in any unit of energy per area, as G_Ic > 0. A reading of G_II
-  /// below zero is compared with the tangent that continues the law beyond psi = 0.
-  EnergyDistance<Model> distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness) const {
+  /// below zero is compared with the tangent that continues the law beyond psi = 0. The model's parameters have
+  /// derivatives if `slopes`.
+  EnergyDistance<Model> distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness,
+                                 bool slopes = true) const {
     const Target target{G_I / toughness, G_II / toughness, sigma_I / toughness, sigma_II / toughness};
     const Nearest nearest = find(target);
     // along the normal, where a rounding of the place does not show; the offset itself at an end of the law
@@ -52,6 +53,7 @@ class EnergyLaw {
     }
     const double lever_I = n_I * nearest.G_I / target.sigma_I, lever_II = n_II * nearest.G_II / target.sigma_II;
     r.log_toughness = lever_I + lever_II;
+    if (!slopes) return r;
     // at a fixed psi the law moves along its ray, by d ln f
     const auto log_f = Model::log_toughness(p_, mixity_from_mode_ratio(std::max(nearest.B, kTiny)));
     for (std::size_t k = 0; k < p_.size(); ++k)
@@ -70,6 +72,7 @@ class EnergyLaw {
   };
   struct Nearest {
     double B, G_I, G_II, d_I, d_II;  // energies and their derivatives in B, in units of G_Ic
+    double dd_I = 0, dd_II = 0;      // second derivatives, which only steer the search
     bool at_end = false, on_tangent = false;
   };
 
@@ -78,10 +81,26 @@ class EnergyLaw {
     const ShearTerm<double> tau2 = Model::shear_term(p_, c, s);
     const double h = (1 - B) + tau2.value;
     const double slope = B > kTiny ? -1 + tau2.value / B - tau2.d1 / (2 * B * c) : -1 - slope_at_mode_I_;
-    return {B, (1 - B) / h, B / h, (-h - (1 - B) * slope) / (h * h), (h - B * slope) / (h * h)};
+    // tau^2 is homogeneous of degree 2, its derivatives in y of degrees 1 and 0
+    const double Bc = B * c, of_d1 = 0.5 * (tau2.d1 / B - tau2.d2 / Bc);
+    const double bend =
+        (slope + 1) / B - tau2.value / (B * B) - 0.5 * of_d1 / Bc + 0.5 * tau2.d1 * (1 / (B * Bc) - 0.5 / (Bc * c * c));
+    const double both = 2 * slope * slope / (h * h * h) - bend / (h * h);  // d^2(1/h)
+    const double once = -2 * slope / (h * h);                              // 2 d(1/h)
+    return {B,
+            (1 - B) / h,
+            B / h,
+            (-h - (1 - B) * slope) / (h * h),
+            (h - B * slope) / (h * h),
+            (1 - B) * both - once,
+            B * both + once};
   }
   static double half_slope(const Target& t, const Nearest& q) {
     return (q.G_I - t.G_I) / (t.sigma_I * t.sigma_I) * q.d_I + (q.G_II - t.G_II) / (t.sigma_II * t.sigma_II) * q.d_II;
+  }
+  static double half_bend(const Target& t, const Nearest& q) {
+    return (q.d_I * q.d_I + (q.G_I - t.G_I) * q.dd_I) / (t.sigma_I * t.sigma_I) +
+           (q.d_II * q.d_II + (q.G_II - t.G_II) * q.dd_II) / (t.sigma_II * t.sigma_II);
   }
   static double square(const Target& t, const Nearest& q) {
     return std::pow((q.G_I - t.G_I) / t.sigma_I, 2) + std::pow((q.G_II - t.G_II) / t.sigma_II, 2);
@@ -95,6 +114,26 @@ class EnergyLaw {
     return nodes_[static_cast<std::size_t>(i)];
   }
 
+  /// Where the slope passes 0, from - at one node to + at the next: by Newton's steps, halves where these do not
+  /// shrink. What is left is the square of the last; the distance, level there, has the square of that.
+  Nearest between(const Target& target, const Nearest& one, const Nearest& other, double slope_of_one,
+                  double slope_of_other) const {
+    double low = one.B, high = other.B, before = high - low;
+    double B = low + before * slope_of_one / (slope_of_one - slope_of_other);
+    for (int i = 0; i < 100; ++i) {
+      const Nearest here = at(B);
+      const double slope = half_slope(target, here);
+      if (slope == 0) return here;
+      (slope < 0 ? low : high) = B;
+      double next = B - slope / half_bend(target, here);
+      if (!(next > low && next < high && std::abs(next - B) <= 0.5 * before)) next = 0.5 * (low + high);
+      before = std::abs(next - B);
+      B = next;
+      if (before <= 1e-7 * std::min(B, 1 - B)) break;
+    }
+    return at(B);
+  }
+
   Nearest find(const Target& target) const {
     // Nodes even in psi, up to where the energies are finite; each sign change of the slope from - to + is a minimum.
     // (bk with eta < 1 leaves psi = 0 with an infinite slope: a corner)
@@ -105,7 +144,7 @@ class EnergyLaw {
       const double m = slope_at_mode_I_, a = m / target.sigma_I, b = 1 / target.sigma_II;
       const double t = (a * (target.G_I - 1) / target.sigma_I + b * target.G_II / target.sigma_II) / (a * a + b * b);
       if (t <= 0) {
-        best = {0, 1 + m * t, t, m, 1, false, true};
+        best = {0, 1 + m * t, t, m, 1, 0, 0, false, true};
         least = square(target, best);
       }
     }
@@ -114,11 +153,7 @@ class EnergyLaw {
       if (!std::isfinite(here.G_II + here.d_I + here.d_II)) break;
       const double next = half_slope(target, here);
       if (slope < 0 && next >= 0) {
-        std::uintmax_t evaluations = 100;
-        const auto [low, high] = boost::math::tools::toms748_solve(
-            [&](double B) { return half_slope(target, at(B)); }, before.B, here.B, slope, next,
-            [](double one, double two) { return two - one <= 1e-16 * two; }, evaluations);
-        const Nearest inside = at(0.5 * (low + high));
+        const Nearest inside = between(target, before, here, slope, next);
         if (const double found = square(target, inside); found < least) {
           best = inside;
           least = found;
@@ -139,6 +174,44 @@ class EnergyLaw {
   mutable int known_ = 0;
   Parameters<Model> p_;
   double slope_at_mode_I_;  // dG_I/dG_II there
+};
+
+/// The law as a polygon, for distances that tell one basin from another.
+template <class Model>
+class EnergyPolygon {
+ public:
+  explicit EnergyPolygon(const Parameters<Model>& p) {
+    for (int i = 0; i <= kSides; ++i) {
+      const Mixity<double> mixity = mixity_from_angle(0.5 * pi<double>() * i / kSides);
+      const double f = std::exp(log_toughness_alone<Model>(p, mixity));
+      if (!std::isfinite(f)) break;
+      corners_[count_++] = {f * mixity.cos * mixity.cos, f * mixity.sin * mixity.sin};
+    }
+  }
+
+  /// Without a sign, to a thousandth of the law's own size; infinite where the law is no number.
+  double distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness) const {
+    double least = std::numeric_limits<double>::infinity();  // its square
+    const auto place = [&](const Corner& corner) {
+      return Corner{(toughness * corner.G_I - G_I) / sigma_I, (toughness * corner.G_II - G_II) / sigma_II};
+    };
+    for (std::size_t i = 0; i + 1 < count_; ++i) {
+      const Corner from = place(corners_[i]), to = place(corners_[i + 1]);
+      const double I = to.G_I - from.G_I, II = to.G_II - from.G_II, length = I * I + II * II;
+      const double along = length > 0 ? std::clamp(-(from.G_I * I + from.G_II * II) / length, 0.0, 1.0) : 0;
+      const double x = from.G_I + along * I, y = from.G_II + along * II;
+      least = std::min(least, x * x + y * y);
+    }
+    return std::sqrt(least);
+  }
+
+ private:
+  static constexpr int kSides = 32;
+  struct Corner {
+    double G_I, G_II;
+  };
+  std::array<Corner, kSides + 1> corners_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace mixity
