@@ -88,7 +88,7 @@ class Problem {
   /// Curvature of half the cost along each residual, which a robust loss bends; empty: 1, least squares.
   virtual std::vector<double> curvatures(std::span<const double>) const { return {}; }
   /// Values that a search over so many parameters looks at for each, spaced evenly and as many by factors.
-  virtual std::size_t scan_density(std::size_t searched) const { return searched == 1 ? 64 : 16; }
+  virtual std::size_t scan_density(std::size_t searched) const { return searched == 1 ? 64 : searched == 2 ? 16 : 8; }
   /// The cost for the kernel (kernel.h), which the problem must outlive.
   virtual std::unique_ptr<Cost> cost() const;
 };

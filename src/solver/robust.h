@@ -19,7 +19,7 @@ class RobustProblem final : public WrappedProblem {
       : WrappedProblem(problem), loss_(loss), scale_(scale) {}
 
   /// The loss bends within a standard error: its basins may be narrower than the usual steps.
-  std::size_t scan_density(std::size_t searched) const override { return searched == 1 ? 512 : 16; }
+  std::size_t scan_density(std::size_t searched) const override { return searched == 1 ? 512 : searched == 2 ? 16 : 8; }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     if (!problem_.evaluate(x, residuals, jacobian)) return false;
