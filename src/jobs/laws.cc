@@ -38,7 +38,7 @@ std::optional<DefinedLaw> define(const LawDefinition& definition, Failure& failu
   }
   LawCheck check = check_law(*made);
   if (check.error) {
-    failure = {0, *check.error};
+    failure = {definition.sampler ? std::nullopt : std::optional<std::size_t>(0), *check.error};
     return std::nullopt;
   }
   DefinedLaw defined{add_law(made, error), std::move(check.warnings)};
@@ -59,14 +59,20 @@ LawDefinition with_key(LawDefinition law) {
   }
 }
 
-/// The same with one that follows from what the law says (FNV-1a), in whatever process and order it is defined.
+/// The same with one that follows from what the law says (FNV-1a), in whatever process and order it is defined; of
+/// functions, whose text says little, each has its own.
 LawDefinition with_lasting_key(LawDefinition law) {
   if (!law.key.empty()) return law;
+  LawDefinition stated = law;
+  stated.sampler = nullptr;
   std::uint32_t hash = 2166136261U;
-  for (const char c : law_toml(law)) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
-  law.key = "law_";
-  for (int shift = 28; shift >= 0; shift -= 4) law.key += "0123456789abcdef"[hash >> shift & 15U];
-  return law;
+  for (const char c : law_toml(stated)) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  for (;; ++hash) {
+    law.key = "law_";
+    for (int shift = 28; shift >= 0; shift -= 4) law.key += "0123456789abcdef"[hash >> shift & 15U];
+    const auto known = law.sampler ? find_law(law.key) : nullptr;
+    if (!known || same_law(known->definition(), law)) return law;
+  }
 }
 
 class TomlReader {
@@ -222,6 +228,9 @@ std::vector<DefinedLaw> define_laws(const std::string& path, const toml::table& 
 }
 
 std::string law_toml(const LawDefinition& law) {
+  if (law.sampler)
+    throw InputError("law " + law.key, "is a function, " + law.text +
+                                           ": it has no text that a file could hold; state it as an expression");
   std::string text = "[laws." + law.key + "]\n";
   if (!law.name.empty()) text += "name = " + toml_text(law.name) + '\n';
   text += (law.text.find('=') == std::string::npos ? "f = " : "criterion = ") + toml_text(law.text) + '\n';
@@ -279,7 +288,7 @@ const std::vector<ShippedLaw>& shipped_laws() {
 bool is_shipped(const ExpressionLaw& law) {
   const std::string& key = law.definition().key;
   const auto found = shipped().find(key);
-  if (found == shipped().end()) return false;
+  if (found == shipped().end() || law.definition().sampler) return false;
   const std::string path = "data/laws.toml";
   return law_toml(TomlReader(path).read(found->first, found->second)) == law_toml(law.definition());
 }

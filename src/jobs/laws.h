@@ -34,7 +34,7 @@ DefinedLaw define_law_checked(const std::string& what, LawDefinition definition)
 /// line and column in the file.
 std::vector<DefinedLaw> define_laws(const std::string& path, const toml::table& laws);
 
-/// A law as a table [laws.KEY] of a fit definition.
+/// A law as a table [laws.KEY] of a fit definition. Throws InputError for one that is a function.
 std::string law_toml(const LawDefinition& law);
 
 /// The same as read_law_text has it, without its key and name.

@@ -1,5 +1,7 @@
 // The models for arrays.
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "dataset/input_error.h"
 #include "fitting/options.h"
@@ -34,6 +36,31 @@ nb::dict shown(const Fold& fold) {
   return one;
 }
 
+/// A Python function, to be a law: called with psi and a tuple of the parameters, which returns as many numbers. It is
+/// let go with the law, unless Python ends before.
+struct Function {
+  std::shared_ptr<const LawSampler> sampler;
+
+  explicit Function(nb::object function)
+      : Function(std::shared_ptr<PyObject>(function.release().ptr(), [](PyObject* last) {
+          if (!nb::is_alive()) return;
+          const nb::gil_scoped_acquire gil;
+          Py_DECREF(last);
+        })) {}
+
+ private:
+  explicit Function(const std::shared_ptr<PyObject>& function)
+      : sampler(std::make_shared<const LawSampler>(
+            [function](std::span<const double> psi, std::span<const double> parameters, std::span<double> f) {
+              const nb::gil_scoped_acquire gil;  // fits have let go of it
+              nb::list values;
+              for (const double one : parameters) values.append(one);
+              const nb::object found = nb::handle(function.get())(numpy_of({psi.begin(), psi.end()}), values);
+              const Numbers numbers = nb::cast<Numbers>(found);
+              std::copy_n(numbers.data(), std::min(numbers.size(), f.size()), f.begin());
+            })) {}
+};
+
 void require(const std::string& problem) {
   if (!problem.empty()) throw InputError("parameters", problem);
 }
@@ -62,9 +89,10 @@ void bind_mechanics(nb::module_& m) {
     return nb::object(
         nb::make_tuple(definition.text, parameters, definition.key, definition.name, definition.normalised));
   });
-  m.def("define_law", [](const std::string& text, const std::vector<nb::tuple>& parameters, const std::string& key,
-                         const std::string& name, bool normalised) {
-    LawDefinition definition{key, text, {}, name, normalised};
+  nb::class_<Function>(m, "Function").def(nb::init<nb::object>());
+  const auto define = [](const std::string& text, const std::vector<nb::tuple>& parameters, const std::string& key,
+                         const std::string& name, bool normalised, const Function* function) {
+    LawDefinition definition{key, text, {}, name, normalised, function ? function->sampler : nullptr};
     for (const nb::tuple& one : parameters) {
       LawParameter parameter{nb::cast<std::string>(one[0]), nb::cast<double>(one[1]), nb::cast<double>(one[2]), 0};
       parameter.start = one.size() > 3 ? nb::cast<double>(one[3]) : usual_start(parameter.lower, parameter.upper);
@@ -72,7 +100,8 @@ void bind_mechanics(nb::module_& m) {
     }
     DefinedLaw defined = define_law_checked("law", std::move(definition));
     return std::tuple(defined.law->definition().key, defined.law->shown(), std::move(defined.warnings));
-  });
+  };
+  m.def("define_law", define, "text"_a, "parameters"_a, "key"_a, "name"_a, "normalised"_a, "function"_a.none());
   m.def("parameter_names", [](const std::string& model) { return parameter_names(model); });
   m.def("parameter_bounds", [](const std::string& model) { return parameter_bounds(model); });
   m.def("areas", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
@@ -113,7 +142,11 @@ void bind_mechanics(nb::module_& m) {
   });
   m.def("folds", [](const std::string& model, const std::vector<double>& parameters, double P,
                     const std::string& control, double stiffness) {
-    const FoldsOrProblem found = folds_of(model, parameters, P, control_of(control, stiffness));
+    const Control by = control_of(control, stiffness);
+    const FoldsOrProblem found = [&] {
+      const nb::gil_scoped_release released;
+      return folds_of(model, parameters, P, by);
+    }();
     require(found.problem);
     nb::list list;
     for (const Fold& fold : found.folds) list.append(shown(fold));
@@ -122,7 +155,10 @@ void bind_mechanics(nb::module_& m) {
   m.def(
       "regime",
       [](const std::string& model, const std::vector<double>& parameters, double P, std::optional<double> tau0) {
-        const RegimeOrProblem found = regime_of(model, parameters, P, tau0);
+        const RegimeOrProblem found = [&] {
+          const nb::gil_scoped_release released;
+          return regime_of(model, parameters, P, tau0);
+        }();
         require(found.problem);
         nb::dict one;
         one["regime"] = static_cast<int>(found.regime->regime);
@@ -135,7 +171,10 @@ void bind_mechanics(nb::module_& m) {
       },
       "model"_a, "parameters"_a, "P"_a, "tau0"_a.none());
   m.def("curve", [](const std::string& model, const std::vector<double>& parameters, double P, std::size_t points) {
-    const CurveOrProblem found = curve_of(model, parameters, P, points);
+    const CurveOrProblem found = [&] {
+      const nb::gil_scoped_release released;
+      return curve_of(model, parameters, P, points);
+    }();
     require(found.problem);
     nb::dict columns;
     const auto column = [&](const char* name, double CurvePoint::*of) {

@@ -3,6 +3,8 @@
 import pickle
 import subprocess
 import sys
+import threading
+import warnings
 
 import numpy as np
 import pytest
@@ -93,3 +95,144 @@ def test_another_law_of_one_key_is_told_from_the_first():
     ]:
         with pytest.raises(mixity.InputError, match="there is another law 'edited': .*" + differs):
             mixity.Law(key="edited", **edited)
+
+
+def c_as_function(psi, lam):
+    return 1 / (1 + (lam - 1) * np.sin(psi) ** 2)
+
+
+@pytest.fixture(scope="module")
+def function():
+    with warnings.catch_warnings():  # its form cancels all digits at 90 degrees with lam = 0, which moves no contact
+        warnings.simplefilter("error")
+        return mixity.Law(c_as_function, lam=(0, 1), name="c, a function", key="function_c")
+
+
+def test_a_function_gives_the_arrays_of_the_published_law(function):
+    assert function.formula == "f = c_as_function(psi, lam)"
+    for lam in (0.0023, 0.15, 0.9):
+        T = np.linspace(0, mixity.folds("c", lam, 2.0)[0]["T"] * 0.996, 50)
+        np.testing.assert_allclose(mixity.area(function, lam, 2.0, T), mixity.area("c", lam, 2.0, T), rtol=1e-12)
+        psi = np.linspace(0, 1.5, 20)
+        np.testing.assert_allclose(mixity.toughness(function, lam, psi), mixity.toughness("c", lam, psi), rtol=1e-13)
+    one, other = (mixity.folds(model, 0.15, 2.0)[0] for model in (function, "c"))
+    assert one["T"] == pytest.approx(other["T"], rel=1e-10) and one["jumps_to"] == other["jumps_to"]
+    assert mixity.regime(function, 0.15, 2.0)["regime"] == mixity.regime("c", 0.15, 2.0)["regime"]
+    np.testing.assert_allclose(mixity.curve(function, 0.15, 2.0)["A"], mixity.curve("c", 0.15, 2.0)["A"], rtol=1e-10)
+
+
+def test_fits_of_a_function_are_those_of_the_published_law(function, data):
+    for options in ({}, {"objective": "toughness", "checks": False}):
+        fits = mixity.fit(data, [function, "c"], **options)
+        one, other = fits[function.key], fits["c"]
+        assert one.status == other.status
+        mine, published = one.params["lam"], other.params["lambda"]
+        assert mine.value == pytest.approx(published.value, rel=1e-8)
+        assert mine.stderr == pytest.approx(published.stderr, rel=1e-7)
+        np.testing.assert_allclose(mine.interval, published.interval, rtol=1e-8)
+    assert "c_as_function(psi, lam)" in str(fits)
+
+
+def test_parameters_of_a_function_go_by_their_names():
+    law = mixity.Law(lambda psi, n, p: 1 + p * np.tan(psi) ** n, p=(0, 1), n=(1.9, 2), key="by_names")
+    typed = mixity.Law("1 + p*t^n", p=(0, 1), n=(1.9, 2), key="by_names_typed")
+    psi = np.linspace(0, 1.57, 30)
+    np.testing.assert_allclose(mixity.toughness(law, (0.3, 1.97), psi), mixity.toughness(typed, (0.3, 1.97), psi), rtol=1e-12)
+    assert mixity.models()["by_names"] == ["p", "n"]
+
+
+def test_what_a_function_raises_is_raised():
+    with pytest.raises(ZeroDivisionError):
+        mixity.Law(lambda psi, p: psi / 0 + 1 // 0, p=(0, 1))
+    with pytest.raises(TypeError, match="unexpected keyword argument 'q'"):
+        mixity.Law(lambda psi, p: 1 + p * psi, q=(0, 1))
+
+    def fails(psi, p):
+        if allowed.is_set():
+            return 1 + p * np.tan(psi) ** 2
+        raise LookupError("no more")
+
+    allowed = threading.Event()
+    allowed.set()
+    law = mixity.Law(fails, p=(0, 1), key="fails")
+    allowed.clear()
+    with pytest.raises(LookupError, match="no more"):
+        mixity.toughness(law, 0.123, 0.3)
+    data = mixity.Dataset(psi=np.linspace(0, 1.4, 20), Gc_over_GIc=1 + 0.3 * np.tan(np.linspace(0, 1.4, 20)) ** 2, units=None)
+    with pytest.raises(LookupError, match="no more"):
+        mixity.fit(data, law)
+    allowed.set()
+    assert mixity.fit(data, law)["fails"].params["p"].value == pytest.approx(0.3, rel=1e-9)
+
+
+def test_what_a_function_returns_must_be_f_at_each_psi():
+    for function, said in (
+        (lambda psi, p: 1.0, r"returned shape \(\); it must return f at each"),
+        (lambda psi, p: np.ones(3), r"returned shape \(3,\)"),
+        (lambda psi, p: None, "returned None; it must return an array"),
+        (lambda psi, p: np.ones_like(psi) + 0j, "must return an array"),
+        (lambda psi, p: np.where(psi > 1, np.nan, 1.0), "f is not a positive number at psi = "),
+        (lambda psi, p: 2 + p * np.tan(psi) ** 2, "^law: f at psi = 0 is 2 with p = 0, not 1"),
+        (lambda psi, p: np.where(psi > 0.7, 1 + p, 1.0), "f cannot be sampled near psi = 40.11 deg"),
+    ):
+        with pytest.raises(mixity.InputError, match=said):
+            mixity.Law(function, p=(0, 1))
+    with pytest.warns(UserWarning, match="near psi = 40.11 deg .* f is known to"):
+        mixity.Law(lambda psi, p: 1 - 0.1 * p * np.maximum(0, psi - 0.7), p=(0, 1))
+
+
+def test_functions_are_called_from_threads(function, data):
+    # the refits of a bootstrap share threads out, while Python's own run on
+    stated = mixity.fit(data, function, bootstrap=40, threads=4, checks=False)[function.key].params["lam"].bootstrap
+    published = mixity.fit(data, "c", bootstrap=40, threads=4, checks=False)["c"].params["lambda"].bootstrap
+    assert stated["standard_deviation"] == pytest.approx(published["standard_deviation"], rel=1e-6)
+    found = []
+
+    def work(lam):
+        found.append((lam, float(mixity.area(function, lam, 2.0, 5.0)), mixity.fit(data, function, checks=False)[function.key].params["lam"].value))
+
+    workers = [threading.Thread(target=work, args=(lam,)) for lam in (0.1, 0.2, 0.3, 0.4)]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    for lam, area, value in found:
+        assert area == pytest.approx(float(mixity.area("c", lam, 2.0, 5.0)), rel=1e-12)
+        assert value == found[0][2]
+    assert len(found) == 4
+
+
+def test_a_function_pickles_where_it_is_one_of_a_module(data, tmp_path):
+    (tmp_path / "own_laws.py").write_text("import numpy as np\ndef own(psi, lam):\n    return 1 / (1 + (lam - 1) * np.sin(psi) ** 2)\n")
+    sys.path.insert(0, str(tmp_path))
+    try:
+        import own_laws
+
+        law = mixity.Law(own_laws.own, lam=(0, 1), key="own_of_module")
+        fits = mixity.fit(data, law)
+        stated = fits[law.key].params["lam"].value
+        code = (
+            "import pickle, sys\n"
+            f"sys.path.insert(0, {str(tmp_path)!r})\n"
+            "law, fits, stated = pickle.load(sys.stdin.buffer)\n"
+            "assert fits[law.key].params['lam'].value == stated"
+        )
+        subprocess.run([sys.executable, "-c", code], input=pickle.dumps((law, fits, stated)), check=True)
+    finally:
+        sys.path.remove(str(tmp_path))
+    law = mixity.Law(lambda psi, lam: c_as_function(psi, lam), lam=(0, 1), key="of_a_lambda")
+    fits = mixity.fit(data, law, checks=False)
+    for one in (law, fits):
+        with pytest.raises(pickle.PicklingError, match="law of_a_lambda does not pickle, as its function does not"):
+            pickle.dumps(one)
+
+
+def test_the_same_function_is_one_law():
+    def made(factor):
+        return lambda psi, p: 1 + factor * p * np.tan(psi) ** 2
+
+    assert mixity.Law(made(0.5), p=(0, 1)).key == mixity.Law(made(0.5), p=(0, 1)).key  # a cell that is run again
+    assert mixity.Law(made(0.5), p=(0, 1)).key != mixity.Law(made(0.6), p=(0, 1)).key
+    mixity.Law(made(0.5), p=(0, 1), key="halved")
+    with pytest.raises(mixity.InputError, match="there is another law 'halved': .*, another function"):
+        mixity.Law(made(0.6), p=(0, 1), key="halved")

@@ -20,6 +20,10 @@ constexpr const char* kNormalised = ", over its value at psi = 0";
 constexpr const char* kOwn[] = {"sin_psi", "cos_psi"};  // what sin(psi) and cos(psi) become
 
 constexpr double kSteers = 1e-9;
+// Steps of the differences in a parameter of a function: a part of its size, which is a part of a range about 0 at
+// least. The quartic leaves the fourth power of the former, rounding 1e-15 over the step.
+constexpr double kDifference = 1e-3, kLeastPart = 1e-3;
+
 /// tan(psi), sin(psi) and cos(psi) as they are known beside psi, whose rounding they would magnify near 90 degrees.
 std::string with_known_functions(const std::string& text) {
   static const std::regex tangent(R"(\btan *\( *psi *\))"), sine(R"(\bsin *\( *psi *\))"),
@@ -55,6 +59,11 @@ std::shared_ptr<const ExpressionLaw> ExpressionLaw::make(LawDefinition definitio
   const std::shared_ptr<ExpressionLaw> law(new ExpressionLaw);
   static std::atomic<std::size_t> made = 0;
   law->number_ = made += 2;
+  if (definition.sampler) {
+    law->shown_ = "f = " + definition.text + (definition.normalised ? kNormalised : "");
+    law->definition_ = std::move(definition);
+    return law;
+  }
   const std::size_t equals = definition.text.find('=');
   const std::string& text = definition.text;
   if (equals != std::string::npos) {
@@ -140,7 +149,68 @@ std::optional<ExpressionLaw::Solved> ExpressionLaw::solve(const State& state,
   return Solved{root->q, root->slope, &form};
 }
 
+const SampledLaw* ExpressionLaw::sampled(std::span<const double> parameters) const {
+  struct Known {
+    std::size_t number = 0, count = 0;
+    std::array<double, kMostParameters> p{};
+    std::unique_ptr<const SampledLaw> law;
+  };
+  if (!definition_.sampler) return nullptr;
+  constexpr std::size_t kKept = 32;  // a gradient asks for four beside each parameter
+  thread_local std::array<Known, kKept> known;
+  thread_local std::size_t last = 0;
+  for (std::size_t i = 0; i < kKept; ++i) {
+    const Known& one = known[(last + kKept - i) % kKept];
+    if (one.number == number_ && one.count == parameters.size() &&
+        std::equal(parameters.begin(), parameters.end(), one.p.begin()))
+      return one.law.get();
+  }
+  Known made{number_, parameters.size(), {}, std::make_unique<SampledLaw>(*definition_.sampler, parameters)};
+  std::copy(parameters.begin(), parameters.end(), made.p.begin());
+  last = (last + 1) % kKept;
+  known[last] = std::move(made);
+  return known[last].law.get();
+}
+
+double ExpressionLaw::sampled_log_value(const State& state, std::span<const Taylor> parameters,
+                                        std::span<double> gradient) const {
+  // derivatives of the quartic through five points a step apart, at the first, second and third of them
+  constexpr double kWeights[3][5] = {{-25, 48, -36, 16, -3}, {-3, -10, 18, -6, 1}, {1, -8, 0, 8, -1}};
+  std::array<double, kMostParameters> numbers{};
+  for (std::size_t k = 0; k < parameters.size(); ++k) numbers[k] = parameters[k].value;
+  const std::span<const double> p(numbers.data(), parameters.size());
+  const auto here = [&] { return sampled(p)->log_toughness(state.psi.value, state.cos.value); };
+  for (std::size_t k = 0; k < gradient.size(); ++k) {
+    const LawParameter& range = definition_.parameters[k];
+    const double x = numbers[k], width = range.upper - range.lower;
+    // near a bound the distance from it may be all that matters, as that of lambda from 1 in model a
+    const double room_left = std::min(x - range.lower, range.upper - x);
+    const double least = kLeastPart * (range.lower <= 0 && range.upper >= 0 ? width : std::abs(x));
+    const double size = std::max(std::min(std::abs(x), room_left), least);
+    const double step = std::min(kDifference * size, 0.125 * width);
+    const auto room = [&](double distance) { return distance < step ? 0 : distance < 2 * step ? 1 : 2; };
+    const int below = room(x - range.lower), above = room(range.upper - x);
+    // from the bound inwards where that is near
+    const double turn = below <= above ? 1 : -1;
+    const int at = std::min(below, above);
+    double sum = 0;
+    for (int i = 0; i < 5; ++i) {
+      if (kWeights[at][i] == 0) continue;
+      numbers[k] = x + turn * (i - at) * step;
+      sum += kWeights[at][i] * here();
+    }
+    numbers[k] = x;
+    gradient[k] = turn * sum / (12 * step);
+  }
+  return here();
+}
+
 Taylor ExpressionLaw::value(const State& state, std::span<const Taylor> parameters) const {
+  if (definition_.sampler) {
+    std::array<double, kMostParameters> p;
+    std::transform(parameters.begin(), parameters.end(), p.begin(), [](const Taylor& one) { return one.value; });
+    return sampled({p.data(), parameters.size()})->toughness(state.psi, state.cos);
+  }
   Variables variables = variables_of(state, parameters);
   const std::span<const Taylor> used(variables.data(), kBefore + parameters.size());
   if (!equation_) return compiled(text_, number_)(used);
@@ -166,6 +236,7 @@ Taylor ExpressionLaw::value(const State& state, std::span<const Taylor> paramete
 }
 
 double ExpressionLaw::log_value(const State& state, std::span<Taylor> parameters, std::span<double> gradient) const {
+  if (definition_.sampler) return sampled_log_value(state, parameters, gradient);
   Variables variables = variables_of(state, parameters);
   const std::span<const Taylor> used(variables.data(), kBefore + parameters.size());
   const auto along = [&](std::size_t k, const Expression& expression) {
@@ -254,6 +325,7 @@ std::string difference(const ExpressionLaw& known, const ExpressionLaw& given) {
     return known.shown() + (one.normalised == other.normalised ? ""
                             : one.normalised                   ? ", normalised"
                                                                : ", not normalised");
+  if (one.sampler != other.sampler) return known.shown() + ", another function";
   if (one.parameters.size() != other.parameters.size())
     return known.shown() + ", of " + std::to_string(one.parameters.size()) + " parameters";
   for (std::size_t i = 0; i < one.parameters.size(); ++i) {
@@ -268,6 +340,7 @@ std::string difference(const ExpressionLaw& known, const ExpressionLaw& given) {
 
 bool same_law(const LawDefinition& one, const LawDefinition& other) {
   return one.key == other.key && one.text == other.text && one.normalised == other.normalised &&
+         one.sampler == other.sampler &&
          std::equal(one.parameters.begin(), one.parameters.end(), other.parameters.begin(), other.parameters.end(),
                     [](const LawParameter& a, const LawParameter& b) {
                       return a.name == b.name && a.lower == b.lower && a.upper == b.upper && a.start == b.start;

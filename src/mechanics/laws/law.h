@@ -1,5 +1,5 @@
-// A mode-mixity law that somebody typed: f(psi) = G_c/G_Ic as an expression with named, bounded parameters, or a
-// criterion of fracture, an equation that G is the solution of.
+// A mode-mixity law of somebody's own: f(psi) = G_c/G_Ic as an expression with named, bounded parameters, a criterion
+// of fracture, an equation that G is the solution of, or a function of arrays that is sampled.
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mechanics/laws/expression.h"
+#include "mechanics/laws/sampled_law.h"
 #include "mechanics/model.h"
 
 namespace mixity {
@@ -25,9 +26,10 @@ struct LawParameter {
 struct LawDefinition {
   std::string key;   // what --models takes: letters, digits and underscores, none of the published models'
   std::string text;  // of psi, B = sin^2 psi, t = tan psi, K_I and K_II in units of the toughness; with a = an equation
-  std::vector<LawParameter> parameters{};  // 1 to kMostParameters
-  std::string name{};                      // shown beside the key; empty: the key
-  bool normalised = false;                 // f is the expression over its value at psi = 0
+  std::vector<LawParameter> parameters{};       // 1 to kMostParameters
+  std::string name{};                           // shown beside the key; empty: the key
+  bool normalised = false;                      // f is the expression over its value at psi = 0
+  std::shared_ptr<const LawSampler> sampler{};  // f is this, and `text` only what is shown of it; the same one is equal
 };
 
 /// Why a definition is none: where in `text` if it is there, counted from 0.
@@ -49,8 +51,8 @@ class ExpressionLaw {
   bool is_equation() const { return equation_; }
   bool uses_psi() const { return uses_psi_; }  // else State::psi need not be set
 
-  /// f with its first two derivatives along the direction in which the state and the parameters change. NaN where the
-  /// law is not defined.
+  /// f with its first two derivatives along the direction in which the state and the parameters change, of a function
+  /// that is sampled the state alone. NaN where the law is not defined.
   struct State {
     Taylor psi, sin, cos;
     std::optional<Taylor> about{};  // ln f along the direction, about: an equation is solved from there
@@ -64,6 +66,9 @@ class ExpressionLaw {
   /// At the phase angle psi [rad].
   double toughness(double psi, std::span<const double> parameters) const;
 
+  /// Null unless the law is a function. Some that were asked for last are kept on each thread.
+  const SampledLaw* sampled(std::span<const double> parameters) const;
+
  private:
   ExpressionLaw() = default;
   static constexpr std::size_t kBefore = 7;  // variables before the parameters
@@ -76,6 +81,7 @@ class ExpressionLaw {
   std::optional<Solved> solve(const State& state, std::span<const Taylor> parameters) const;
   Taylor value(const State& state, std::span<const Taylor> parameters) const;
   double log_value(const State& state, std::span<Taylor> parameters, std::span<double> gradient) const;
+  double sampled_log_value(const State& state, std::span<const Taylor> parameters, std::span<double> gradient) const;
   const Expression& compiled(const std::string& text, std::size_t number) const;  // of this thread
 
   LawDefinition definition_;

@@ -11,6 +11,7 @@ namespace mixity {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLost = 1e-12, kMostLost = 1e-6;  // of f: what is told, and what is too much
 
 std::string shown(double value, int digits = 3) {
   char text[32];
@@ -181,26 +182,29 @@ LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters
   if (end.value > 1e30)
     traits.shear_limit = reduced_shear(law, p, 1, kLeastCosine).value / (kLeastCosine * kLeastCosine);
   set_small_power(law, p, traits);
+  const SampledLaw* const sampled = law.sampled(parameters);
+  const double slope_rounding = sampled ? 1e-7 : 1e-11;
   std::array<Bend, LawTraits::kPlaces - 1> bends;
   for (std::size_t i = 1; i < LawTraits::kPlaces; ++i) {
     const double psi = place(i);
     const double s = std::sin(psi), c = std::cos(psi);
     const Taylor f = law.toughness(along_angle(s, c), p);
     if (!(f.value > 0 && f.value < kInfinity)) {
-      traits.undefined_at = psi;
+      traits.undefined_at = sampled ? sampled->undefined_at() : psi;
       return traits;
     }
     if (law.is_equation()) traits.log_f[i] = log(f);
     // the slope of ln((1 + tan^2 psi)/f), to its rounding
     const double growth = 2 * s / c, decline = f.first / f.value;
-    if (!traits.turned_at && !(growth - decline >= -1e-11 * (growth + std::abs(decline)))) {
+    if (!traits.turned_at && !(growth - decline >= -slope_rounding * (growth + std::abs(decline)))) {
       traits.turned_at = psi;
       traits.turned_g = 1 / (c * c * f.value);
     }
     // d(tau^2)/dy = 2 y (1/f - 1) + (y^2 + T^2) f' sin psi/(f^2 r)
-    if (!(2 * c * (1 / f.value - 1) + s * f.first / (f.value * f.value) >= -1e-12)) traits.tau_grows = false;
+    if (!(2 * c * (1 / f.value - 1) + s * f.first / (f.value * f.value) >= -0.1 * slope_rounding))
+      traits.tau_grows = false;
     bends[i - 1] = bend_of(f, psi, s, c);
-    if (!with_rounding) continue;
+    if (!with_rounding || sampled) continue;  // samples tell what the function loses
     const Taylor of_psi = law.toughness({{psi, 1, 0}, Taylor(s), Taylor(c)}, p);
     const double rounding = std::abs(of_psi.first / f.value) * psi * 0.5 * std::numeric_limits<double>::epsilon();
     if (rounding > traits.rounding) {
@@ -225,6 +229,8 @@ LawCheck check_law(const ExpressionLaw& law) {
   std::size_t tried = 0, turned = 0;
   std::optional<LawTraits> first_turn;
   LawTraits roundest;
+  double lost = 0, lost_at = 0;  // by sampling
+  std::string lost_with;
   const std::size_t count = static_cast<std::size_t>(std::pow(each, n));
   for (std::size_t k = 0; k <= count; ++k) {
     std::vector<double> p;
@@ -235,6 +241,11 @@ LawCheck check_law(const ExpressionLaw& law) {
     }
     const LawTraits traits = traits_of(law, p, true);
     const std::string there = " with " + shown(traits);
+    if (const SampledLaw* sampled = law.sampled(p); sampled && sampled->error() > lost) {
+      lost = sampled->error();
+      lost_at = sampled->error_at();
+      lost_with = there;
+    }
     if (!(std::abs(traits.f0 - 1) <= 1e-9)) {
       check.error = "f at psi = 0 is " + shown(traits.f0) + there + ", not 1" +
                     (std::isfinite(traits.f0) && traits.f0 > 0 ? "; normalised = true divides f by it" : "");
@@ -262,6 +273,14 @@ LawCheck check_law(const ExpressionLaw& law) {
         (g > 1 ? "loads above P = " + shown(-1.5 * pi<double>() / g) + " R G_Ic" : "every load") +
         "; areas are those met from T = 0 on");
   }
+  if (lost > kMostLost) {
+    check.error = "f cannot be sampled near psi = " + degrees(lost_at) + lost_with +
+                  ": it jumps or scatters there by " + shown(lost);
+    return check;
+  }
+  if (lost > kLost)
+    check.warnings.push_back("near psi = " + degrees(lost_at) + lost_with + " f is known to " + shown(lost) +
+                             ": it bends or scatters there more than samples tell");
   if (roundest.rounding > 1e-13)
     check.warnings.push_back("near psi = " + degrees(roundest.rounding_at) + " f is known to " +
                              shown(roundest.rounding) + " of itself, as it is computed from psi, which is rounded: t " +

@@ -1,18 +1,24 @@
 """Laws of one's own."""
 
+import pickle
+import types
 import warnings
+
+import numpy as np
 
 from . import _core
 
 
 class Law:
-    """A mode-mixity law that is typed, which is then a model like a, b, c.
+    """A mode-mixity law of one's own, which is then a model like a, b, c.
 
     Parameters
     ----------
-    f : str
+    f : str or callable
         f = G_c/G_Ic, of psi, B = sin^2 psi, t = tan psi and the parameters: "1 + p*tan(psi)^n". Or a criterion of
-        fracture, an equation in K_I and K_II in units of the toughness: "(K_I^2)^m + (K_II^2/r)^n = 1".
+        fracture, an equation in K_I and K_II in units of the toughness: "(K_I^2)^m + (K_II^2/r)^n = 1". Or a function
+        f(psi, p=..., n=...) of an array of phase angles [rad], 0 <= psi < pi/2, and of the parameters as floats, by
+        their names, that returns f of each angle and depends on nothing else.
     key : str, optional
         What models=... calls it; else law_ and digits that follow from the definition, in every process the same.
     name : str, optional
@@ -25,8 +31,18 @@ class Law:
     Raises
     ------
     InputError
-        With the column, for what cannot be read; where f is no positive number. Where one area stands for several
-        T, and where the form loses digits, a UserWarning says so.
+        With the column, for what cannot be read; where f is no positive number; where a function returns no array of
+        the angles' shape. Where one area stands for several T, and where the form loses digits, a UserWarning says so.
+
+    Notes
+    -----
+    A function is called with some hundred angles for each set of parameters, and what it returns is interpolated to
+    rounding: as smooth as it is, with any power of psi or cos psi at the ends, and kinks. What samples do not tell is said
+    in a warning, and refused where it is more than 1e-6 of f. Derivatives in the parameters are differences, right to
+    some 1e-10.
+
+    It is called on any thread of a fit, one at a time. What it raises ends the fit, and is raised there. It pickles, and so
+    do fits of it, if the function does.
 
     Examples
     --------
@@ -34,9 +50,14 @@ class Law:
     >>> law = mixity.Law("1 + (1 - l)*tan(psi)^2", l=(0, 1), key="mine")
     >>> round(float(mixity.toughness(law, 0.3, 0.5)), 6)
     1.208912
+
+    >>> import numpy as np
+    >>> law = mixity.Law(lambda psi, l: 1 + (1 - l) * np.tan(psi) ** 2, l=(0, 1), key="as_a_function")
+    >>> round(float(mixity.toughness(law, 0.3, 0.5)), 6)
+    1.208912
     """
 
-    def __init__(self, f, *, key="", name="", normalised=False, **parameters):
+    def __init__(self, f, /, *, key="", name="", normalised=False, **parameters):
         for what, text in (("key", key), ("name", name)):
             if not isinstance(text, str):
                 raise _core.InputError(f"{what} is {text!r}; it must be a text, and no parameter can be called {what}")
@@ -49,7 +70,14 @@ class Law:
             if len(numbers) not in (2, 3):
                 raise _core.InputError(f"parameter '{parameter}' is {given!r}; it must be (least, greatest) or (least, greatest, start)")
             ranges.append((parameter, *numbers))
-        self.key, self.formula, told = _core.define_law(str(f), ranges, key, name, bool(normalised))
+        text, function = str(f), None
+        if callable(f):
+            names = tuple(parameters)
+            shown = getattr(f, "__name__", type(f).__name__).strip("<>")
+            text, function = f"{shown}({', '.join(('psi', *names))})", _known(f, names)
+        self.key, self.formula, told = _core.define_law(text, ranges, key, name, bool(normalised), function)
+        if function is not None:
+            _by_key[self.key] = f
         for warning in told:
             warnings.warn(f"law {self.key}: {warning}", stacklevel=2)
 
@@ -57,7 +85,62 @@ class Law:
         return f"Law({self.key}: {self.formula})"
 
     def __reduce__(self):
-        return _again, (_core.law_definition(self.key),)
+        return _again, (_definition(self.key),)
+
+
+_functions: list = []  # (function, names of its parameters, what the engine calls)
+_by_key: dict = {}
+
+
+def _known(f, names):
+    """What the engine calls: of a function that it has called before the same, so that the law is the same."""
+    for other, of_other, called in _functions:
+        if of_other == names and _same(f, other):
+            return called
+    _functions.append((f, names, _core.Function(_checked(f, names))))
+    return _functions[-1][2]
+
+
+def _same(one, other):
+    """Also that of a notebook's cell that was run again."""
+    if one is other or not (isinstance(one, types.FunctionType) and isinstance(other, types.FunctionType)):
+        return one is other
+    parts = ("__code__", "__defaults__", "__kwdefaults__", "__closure__")
+    try:
+        return one.__globals__ is other.__globals__ and all(getattr(one, part) == getattr(other, part) for part in parts)
+    except ValueError:  # arrays
+        return False
+
+
+def _checked(f, names):
+    def call(psi, values):
+        found = f(psi, **dict(zip(names, values)))
+        try:
+            array = np.asarray(found)
+        except ValueError:  # lists of several lengths
+            array = np.empty(0, object)
+        if array.dtype.kind not in "bfiu":
+            raise _core.InputError(f"law: the function returned {found!r}; it must return an array of f at each psi")
+        if array.shape != psi.shape:
+            raise _core.InputError(
+                f"law: for {psi.size} angles, an array of shape {psi.shape}, the function returned shape {array.shape}; "
+                "it must return f at each of them"
+            )
+        return np.ascontiguousarray(array, np.float64)
+
+    return call
+
+
+def _definition(key):
+    found = _core.law_definition(key)
+    f = _by_key.get(key)
+    if not found or f is None:
+        return found
+    try:
+        pickle.dumps(f)
+    except Exception as error:
+        raise pickle.PicklingError(f"law {key} does not pickle, as its function does not: {error}; state it as a text, or by a function of a module") from None
+    return (f, *found[1:])
 
 
 def _again(definition):
@@ -69,7 +152,7 @@ def _again(definition):
 
 def definitions(keys):
     """Of the laws among these models, so that another process has them."""
-    return [found for found in map(_core.law_definition, keys) if found]
+    return [found for found in map(_definition, keys) if found]
 
 
 def define(laws):
