@@ -44,15 +44,15 @@ export class RegimeMap {
   /// What the engine is asked, and what it is known by. In loads over R G_Ic, up to twice as many as P wants: a map is
   /// that of every sphere, and of every value on its axis.
   wanted() {
-    const {state, own} = this.models, parameters = this.parameters(), axis = parameters.findIndex(({name}) => name === state.over);
-    const {name, lower, upper, logarithmic} = parameters[axis], model = state.map === 'own' ? own.model : state.map;
+    const {state, own} = this.models, parameters = this.parameters(), chosen = parameters.findIndex(({name}) => name === state.over);
+    const {name, lower, upper, logarithmic} = parameters[chosen], model = state.map === 'own' ? own.model : state.map;
     const unit = state.R * state.G * 1e-3, least = 6 * Math.PI, P_most = Math.max(2 * state.P / unit, least), values = this.models.parametersOf(model);
-    const request = {model, law: state.map === 'own' ? state.law : '', axis, low: lower, high: upper, logarithmic, P_low: -.999 * 1.5 * Math.PI};
+    const request = {model, law: state.map === 'own' ? state.law : '', axis: chosen, low: lower, high: upper, logarithmic, P_low: -.999 * 1.5 * Math.PI};
     const family = JSON.stringify(request);  // alike but for the other parameters and the loads
     request.P_high = least * 2 ** Math.max(Math.ceil(Math.log2(1.06 * P_most / least)), 0);
-    request.parameters = values.map((value, i) => (i === axis ? lower : value));
-    const others = parameters.flatMap((one, i) => (i === axis ? [] : [`${one.name} = ${shown(values[i])}`]));
-    return {...request, name, unit, P_most, value: values[axis], others: others.join(', '), family, text: JSON.stringify(request)};
+    request.parameters = values.map((value, i) => (i === chosen ? lower : value));
+    const others = parameters.flatMap((one, i) => (i === chosen ? [] : [`${one.name} = ${shown(values[i])}`]));
+    return {...request, name, unit, P_most, value: values[chosen], others: others.join(', '), family, text: JSON.stringify(request)};
   }
 
   /// A little of the work whenever nothing else is to do.
@@ -77,7 +77,7 @@ export class RegimeMap {
     else this.compute();
     // until it is known that of former values of the other parameters, paler
     const drawn = this.last?.family === wanted.family ? this.last.regions : [];
-    const regimes = [...new Set(drawn.map(one => one.regime))], single = Boolean(regions) && regimes.length === 1;
+    const regimes = [...new Set(drawn.map(one => one.regime))], single = regimes.length === 1;
     this.says.textContent = this.sentence(wanted, single ? regimes[0] : '', regions);
     this.figure.chart.getDom().hidden = single;
     if (!single) this.drawRegions(wanted, drawn, regimes, regions ? .25 : .1);
