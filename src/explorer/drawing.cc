@@ -88,7 +88,7 @@ Json drawn_models(const Json& request) {
       all.push_back({{"model", model}, {"problem", regime.problem}, {"toughness", toughness}});
       continue;
     }
-    const DrawnCurve drawn = drawn_curve(result, fit, P, T_most);
+    const DrawnCurve drawn = drawn_curve(result, fit, P, T_most, Points::soonest);
     Json folds = Json::array();
     for (const DrawnFold& fold : drawn.folds)
       folds.push_back({{"control", to_string(fold.control)},

@@ -58,7 +58,7 @@ Json model_of(const JobResult& result, const FitResult& fit, bool best) {
   for (std::size_t run = 0; run < by_run.size(); ++run) {
     double largest = 0;
     for (const std::size_t i : by_run[run]) largest = std::max(largest, data.points[i].shear());
-    const DrawnCurve curve = drawn_curve(result, fit, data.curve_loads[run], 1.4 * largest);
+    const DrawnCurve curve = drawn_curve(result, fit, data.curve_loads[run], 1.4 * largest, Points::soonest);
     Json stable = Json::array(), unstable = Json::array(), folds = Json::array();
     for (const DrawnPoint& q : curve.points) (q.stable && unstable.empty() ? stable : unstable).push_back({q.T, q.A});
     for (const DrawnFold& fold : curve.folds)

@@ -123,4 +123,43 @@ std::vector<CurvePoint> sample_adaptive(const EquilibriumCurve<Model>& curve, co
   return points;
 }
 
+/// The same with a hundredth of the work and some three times as many points, for who waits for them: even steps are
+/// halved until their middles stay within the chord.
+template <class Model>
+std::vector<CurvePoint> sample_halved(const EquilibriumCurve<Model>& curve, const std::vector<PhiRange>& ranges,
+                                      double chord) {
+  constexpr std::size_t kFirst = 17;
+  constexpr int kMostHalvings = 12;
+  const std::vector<CurvePoint> first = sample_uniform(curve, ranges, kFirst);
+  double T_range = 0, A_range = 0;
+  for (const CurvePoint& p : first) {
+    T_range = std::max(T_range, p.T);
+    A_range = std::max(A_range, p.A);
+  }
+  if (!(T_range > 0)) T_range = 1;
+  std::vector<CurvePoint> points;
+  // what follows a, up to b
+  const auto add = [&](const auto& again, const CurvePoint& a, const CurvePoint& b, int halvings) -> void {
+    const CurvePoint middle = curve.point(0.5 * (a.phi + b.phi));
+    if (!(middle.phi > a.phi && middle.phi < b.phi)) return points.push_back(b);
+    const double dx = (b.T - a.T) / T_range, dy = (b.A - a.A) / A_range, length = std::hypot(dx, dy);
+    const double x = (middle.T - a.T) / T_range, y = (middle.A - a.A) / A_range;
+    const double along = length > 0 ? std::clamp((x * dx + y * dy) / (length * length), 0.0, 1.0) : 0;
+    // with the middle as a point a smooth curve is four times nearer than the middle was
+    if (halvings == 0 || std::hypot(x - along * dx, y - along * dy) <= 2 * chord) {
+      points.push_back(middle);
+      return points.push_back(b);
+    }
+    again(again, a, middle, halvings - 1);
+    again(again, middle, b, halvings - 1);
+  };
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (i % kFirst == 0)
+      points.push_back(first[i]);
+    else
+      add(add, first[i - 1], first[i], kMostHalvings);
+  }
+  return points;
+}
+
 }  // namespace mixity

@@ -135,6 +135,22 @@ TEST(AdaptiveSampling, GoesFromTheBeginningToTheEndOfEveryPiece) {
   });
 }
 
+TEST(HalvedSampling, StaysWithinTheChordErrorFromEndToEnd) {
+  for_curves([](const auto& curve) {
+    const auto ranges = ranges_of(curve);
+    const Scale scale(sample_uniform(curve, ranges, 17));
+    for (const double chord : {1e-2, 2e-4}) {
+      const auto points = sample_halved(curve, ranges, chord);
+      EXPECT_LE(chord_error(curve, points, scale, 37), chord)
+          << name(curve) << " chord " << chord << " with " << points.size() << " points";
+      EXPECT_LE(points.size(), 500u) << name(curve);
+      EXPECT_EQ(points.front().phi, 0);
+      EXPECT_EQ(points.back().phi, ranges.back().to);
+      for (std::size_t i = 1; i < points.size(); ++i) EXPECT_GT(points[i].phi, points[i - 1].phi);
+    }
+  });
+}
+
 TEST(UniformSampling, IsUniformInPhiAndMeetsBothEnds) {
   for_curves([](const auto& curve) {
     const auto ranges = ranges_of(curve);
@@ -195,6 +211,8 @@ TEST(AdaptiveSampling, EndsAtAnyExtreme) {
     const auto points = sample_adaptive(curve, ranges_of(curve), 1e-3);
     EXPECT_GE(points.size(), 1u) << name(curve);
     EXPECT_LE(points.size(), 400u) << name(curve);
+    for (const CurvePoint& q : sample_halved(curve, ranges_of(curve), 1e-3))
+      EXPECT_TRUE(std::isfinite(q.T) && std::isfinite(q.A)) << name(curve) << " phi " << q.phi;
     for (const CurvePoint& q : points)
       EXPECT_TRUE(std::isfinite(q.T) && std::isfinite(q.A) && std::isfinite(q.u)) << name(curve) << " phi " << q.phi;
   };

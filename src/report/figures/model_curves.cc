@@ -30,7 +30,7 @@ class Shown {
 };
 
 template <class Model>
-DrawnCurve curve_of(const JobResult& result, const FitResult& fit, double load, double T_most) {
+DrawnCurve curve_of(const JobResult& result, const FitResult& fit, double load, double T_most, Points points) {
   const Candidate<Model> candidate = fitted_candidate<Model>(result.data, fit, result.job.options);
   const Shown shown(result.data, candidate.constants);
   const double P = shown.scale().load(load), most = shown.scale().shear(T_most);
@@ -44,7 +44,9 @@ DrawnCurve curve_of(const JobResult& result, const FitResult& fit, double load, 
       drawn.points.push_back({shown.T(T), shown.A(area_from_radius(a)), shown.u(0.75 * T / a), true});
     return drawn;
   }
-  for (const CurvePoint& q : sample_adaptive(curve, {drawable_ranges(curve, most).front()}, kChord))
+  const std::vector<PhiRange> drawable{drawable_ranges(curve, most).front()};
+  for (const CurvePoint& q :
+       points == Points::fewest ? sample_adaptive(curve, drawable, kChord) : sample_halved(curve, drawable, kChord))
     drawn.points.push_back({shown.T(q.T), shown.A(q.A), shown.u(q.u), q.dT >= 0});
   for (const Control::Kind kind : {Control::Kind::load, Control::Kind::displacement})
     for (const Fold& fold : find_folds(curve, {kind}))
@@ -79,9 +81,9 @@ DrawnRadii radii_of(const JobResult& result, const FitResult& fit, double T, dou
 
 }  // namespace
 
-DrawnCurve drawn_curve(const JobResult& result, const FitResult& fit, double load, double T_most) {
+DrawnCurve drawn_curve(const JobResult& result, const FitResult& fit, double load, double T_most, Points points) {
   DrawnCurve drawn;
-  with_model(fit.model, [&](auto model) { drawn = curve_of<decltype(model)>(result, fit, load, T_most); });
+  with_model(fit.model, [&](auto model) { drawn = curve_of<decltype(model)>(result, fit, load, T_most, points); });
   return drawn;
 }
 

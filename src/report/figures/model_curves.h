@@ -31,9 +31,13 @@ struct DrawnCurve {
   std::vector<DrawnFold> folds;
 };
 
-/// A fit's curve at a normal load as measured (dimensionless), as far as T_most (measured, dimensionless). With as few
-/// points as keep within 2e-4 of the curve's size. The fit must have values.
-DrawnCurve drawn_curve(const JobResult& result, const FitResult& fit, double load, double T_most);
+/// Which points of a curve: as few as can be, for a file, or those that are found soonest, while somebody waits.
+enum class Points { fewest, soonest };
+
+/// A fit's curve at a normal load as measured (dimensionless), as far as T_most (measured, dimensionless), within 2e-4
+/// of the curve's size. The fit must have values.
+DrawnCurve drawn_curve(const JobResult& result, const FitResult& fit, double load, double T_most,
+                       Points points = Points::fewest);
 
 /// a(P) at a tangential load T (measured, dimensionless): stable and unstable part, which meet at pull-off, up to the
 /// load P_most.
