@@ -145,8 +145,8 @@ std::vector<CurvePoint> sample_halved(const EquilibriumCurve<Model>& curve, cons
     const double dx = (b.T - a.T) / T_range, dy = (b.A - a.A) / A_range, length = std::hypot(dx, dy);
     const double x = (middle.T - a.T) / T_range, y = (middle.A - a.A) / A_range;
     const double along = length > 0 ? std::clamp((x * dx + y * dy) / (length * length), 0.0, 1.0) : 0;
-    // with the middle as a point a smooth curve is four times nearer than the middle was
-    if (halvings == 0 || std::hypot(x - along * dx, y - along * dy) <= 2 * chord) {
+    // with the middle as a point a smooth curve is four times nearer than the middle was, at an end hardly nearer
+    if (halvings == 0 || std::hypot(x - along * dx, y - along * dy) <= chord) {
       points.push_back(middle);
       return points.push_back(b);
     }
