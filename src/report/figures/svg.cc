@@ -134,7 +134,7 @@ std::optional<Figure> kept_figure(const std::string& text) {
   pugi::xml_node svg = document.child("svg");
   Figure figure{"", svg.child("title").text().get(), {}, {}, {}};
   figure.caption = svg.child("desc").text().get();
-  for_each_element(svg, [](pugi::xml_node node) {
+  const auto clean = [](pugi::xml_node node) {
     const std::string_view name = node.name();
     if (name == "script" || name == "foreignObject" || name == "image" || name == "style" || name == "a") {
       node.parent().remove_child(node);
@@ -146,7 +146,9 @@ std::optional<Figure> kept_figure(const std::string& text) {
       if (key.starts_with("on") || (key.ends_with("href") && !value.starts_with("#"))) node.remove_attribute(attribute);
       attribute = next;
     }
-  });
+  };
+  for_each_element(svg, clean);
+  clean(svg);
   for (const char* own : {"role", "aria-label"}) svg.remove_attribute(own);  // readable_svg gives them
   figure.drawn = text_of(document);
   return figure;
