@@ -55,11 +55,12 @@ void Collector::finish(const PointReader& reader, const std::string& metadata_pa
   if (!data_.has_loads) return;
   data_.curve_loads = runs_.loads();
   if (turned) turn_loads(data_);
-  if (2 * data_.excluded.size() > data_.rows && has_times())
-    data_.notes.emplace_back(
-        "the file has a column of times, and most of its rows are no points: if it is a log, mixity runs makes "
-        "loading "
-        "runs of it");
+  // before contact and after it a log has frames that are no points
+  data_.like_a_log = data_.excluded.size() > std::max<std::size_t>(data_.rows / 20, 2) && has_times();
+  if (data_.like_a_log)
+    data_.notes.push_back("the file has a column of times, and " + std::to_string(data_.excluded.size()) + " of " +
+                          std::to_string(data_.rows) +
+                          " rows are no points: if it is a log, mixity runs makes loading runs of it");
   if (!reader.names_runs() && reader.columns().has(ColumnId::P)) {
     const bool several = data_.curves.size() > 1;
     if (several) join_noisy_loads(data_);

@@ -96,6 +96,7 @@ struct Dataset {
   std::vector<std::string> ignored_columns;
   std::string reading;             // how the file was read, where that is not plain: "UTF-16LE, tabs, decimal commas"
   std::vector<std::string> taken;  // "P from 'Normalkraft (mN)'"
+  bool like_a_log = false;         // a column of times, and many rows that are no points
   std::vector<std::string> notes;  // what is passed over or not taken as it stands, as sentences that every fit shows
   DisplayUnits display;
 

@@ -87,6 +87,7 @@ Json as_read(const Dataset& data) {
             {"taken", data.taken},
             {"ignored", data.ignored_columns},
             {"notes", data.notes},
+            {"log", data.like_a_log},
             {"points", data.points.size()},
             {"rows", data.rows},
             {"units", {{"force", data.display.force}, {"area", data.display.area}}},

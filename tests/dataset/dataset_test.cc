@@ -222,6 +222,22 @@ TEST(Dataset, NotesWhatWasStatedAndIsPassedOver) {
                                       "column 'sigma A' is not used; it is read if it is called 'sigma_A'"}));
 }
 
+TEST(Dataset, ALogIsToldByTimesAndFramesWithoutContact) {
+  std::string frames = "time,P,T,A\n", points = frames;
+  for (int i = 0; i < 40; ++i) {
+    const std::string row = std::to_string(0.1 * i) + ",1," + std::to_string(0.05 * i) + ",";
+    frames += row + (i < 5 ? "0\n" : "19\n");
+    points += row + "19\n";
+  }
+  const Dataset log = load_text(frames);
+  EXPECT_TRUE(log.like_a_log);
+  ASSERT_FALSE(log.notes.empty());
+  EXPECT_EQ(log.notes[0],
+            "the file has a column of times, and 5 of 40 rows are no points: if it is a log, mixity runs makes loading "
+            "runs of it");
+  EXPECT_FALSE(load_text(points).like_a_log);
+}
+
 TEST(Dataset, TheNameOfARunIsReadInTheEncodingOfItsFile) {
   const Dataset data = load_text("curve,P,T,A\nProb\xe4,1,0,20\nProb\xf6,1,0,20\nµ,5,1,25\n\"a\nb\",5,1,25\n");
   EXPECT_EQ(data.curves, (std::vector<std::string>{"Probä", "Probö", "Âµ", "a?b"}));
