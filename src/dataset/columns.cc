@@ -154,7 +154,7 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   const bool toughness =
       has(ColumnId::psi) || has(ColumnId::mode_ratio) || has(ColumnId::Gc) || has(ColumnId::Gc_over_GIc);
   const bool energies = has(ColumnId::G_I) || has(ColumnId::G_II);
-  const auto fail = [&](const std::string& message, ColumnId missing = ColumnId::P) {
+  const auto fail = [&](const std::string& message, ColumnId missing = ColumnId::P, const char* tail = "") {
     std::string others;
     std::vector<std::size_t> fitting;  // of what is not understood
     for (std::size_t i = 0; rules.vocabulary && i < headings.size(); ++i) {
@@ -168,12 +168,13 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
     const bool one = fitting.size() == 1 && (kind_of(missing).dimension != dimension::force ||
                                              has(missing == ColumnId::T ? ColumnId::P : ColumnId::T));
     const std::string name(to_string(missing));
-    throw InputError(
-        path, headings.at(0).place.line, 1,
-        message + (others.empty() ? ""
-                                  : "; not understood: " + others + ". To say which column is " + name + ": " +
-                                        (one ? mapping_flag(missing, headings, fitting[0])
-                                             : "--columns=\"" + name + "=HEADING (UNIT)\"")));
+    throw InputError(path, headings.at(0).place.line, 1,
+                     message +
+                         (others.empty() ? ""
+                                         : "; not understood: " + others + ". To say which column is " + name + ": " +
+                                               (one ? mapping_flag(missing, headings, fitting[0])
+                                                    : "--columns=\"" + name + "=HEADING (UNIT)\"")) +
+                         tail);
   };
   const auto exactly_one = [&](ColumnId one, ColumnId other) {
     const std::string names = "'" + std::string(to_string(one)) + "' or '" + std::string(to_string(other)) + "'";
@@ -196,7 +197,9 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   }
   if (loads) {
     all_of({ColumnId::T});
-    if (!rules.load_stated) all_of({ColumnId::P});
+    if (!rules.load_stated && !has(ColumnId::P))
+      fail("column 'P' is missing", ColumnId::P,
+           rules.vocabulary ? "; one normal load of all points is stated by --load=\"5 mN\", or the key load" : "");
     if (!holds_axes()) exactly_one(ColumnId::A, ColumnId::a);
     if (has(ColumnId::a_par) || has(ColumnId::a_perp)) all_of({ColumnId::a_par, ColumnId::a_perp});
     if (has(ColumnId::major) || has(ColumnId::minor)) all_of({ColumnId::major, ColumnId::minor});

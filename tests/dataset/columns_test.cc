@@ -104,7 +104,8 @@ TEST(Columns, AHeaderThatCannotBeUsedIsRefusedWithItsPlace) {
            {"p,t,area",
             "1:1: column 'T' is missing; not understood: 'p', 't'. To say which column is T: "
             "--columns=\"T=HEADING (UNIT)\""},
-           {"T,A", "1:1: column 'P' is missing"},
+           {"T,A",
+            "1:1: column 'P' is missing; one normal load of all points is stated by --load=\"5 mN\", or the key load"},
            {"P,A", "1:1: column 'T' is missing"},
            {"P,T", "1:1: column 'A' or 'a' is missing"},
            {"psi", "1:1: column 'Gc' or 'Gc_over_GIc' is missing"},

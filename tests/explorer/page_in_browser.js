@@ -231,6 +231,12 @@ async function main() {
   await page.press('#law', 'Enter');
   expect(await page.inputValue('#map-model') === 'b', 'without a law the map is of a model that there is');
 
+  // several at once, before anything was read: there is nothing to fit
+  const table = (name, text) => ({name, mimeType: 'text/csv', buffer: Buffer.from(text)});
+  await page.setInputFiles('#file', ['one.csv', 'two.csv'].map(name => table(name, 'P [mN],T [mN],A [mm^2]\n1,2,3\n')));
+  await page.waitForFunction(() => /One file of data at a time/.test(document.getElementById('trouble').textContent));
+  expect(!(await page.isVisible('#constants')), 'there is a form without a file');
+
   // a file of one's own
   const file = await dropAndFit(page);
   const ours = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);
@@ -301,6 +307,23 @@ async function main() {
   // one wrong file: its sentence
   await page.setInputFiles('#file', {name: 'wrong.csv', mimeType: 'text/csv', buffer: Buffer.from('P [mN],T [mN],A [mm^2]\n1,2,x\n')});
   await page.waitForFunction(() => /wrong.csv:2:5/.test(document.getElementById('trouble').textContent));
+
+  // a log is not taken for points
+  await page.setInputFiles('#file', ['csv', 'toml'].map(ending => path.join(root, 'data', `shear_log.${ending}`)));
+  await page.waitForFunction(() => /mixity runs shear_log.csv/.test(document.getElementById('trouble').textContent));
+  await page.waitForTimeout(100);
+  expect(await page.evaluate(() => !window.explorer.experiment.result && !document.getElementById('busy').textContent), 'a log is fitted unasked');
+
+  // neither loads nor areas as they are: both are said below the constants
+  await page.setInputFiles('#file', table('camera.csv', 'T [mN],A [px]\n0,80000\n10,79500\n20,78000\n30,75000\n'));
+  await page.waitForFunction(() => /"5 mN" under .More of the file/.test(document.getElementById('trouble').textContent));
+  for (const [name, text] of [['load', '5 mN'], ['radius', '9.42 mm'], ['modulus', '2.133 MPa'], ['toughness', '27 mJ/m^2']]) await page.fill(`[name=${name}]`, text);
+  await page.click('#constants button');
+  await page.waitForFunction(() => /"1.7 um" under .More of the file/.test(document.getElementById('trouble').textContent));
+  await page.fill('[name=pixel]', '2 um');
+  await page.click('#constants button');
+  await page.waitForFunction(() => window.explorer.experiment.result?.fits.datasets[0].fits.length === 3);
+  if (shots) await page.screenshot({path: path.join(shots, 'camera.png'), fullPage: true});
 
   // every shipped set: data and constants together
   for (const name of ['mergel2018', 'waters_guduru2010', 'as4_peek_mmb']) {

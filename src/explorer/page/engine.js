@@ -7,7 +7,8 @@ function unpacked(id) {
 
 /// What the program says of flags, of fields.
 const ofFields = sentence => sentence.replace(/: state (it|them) in .* or by (a flag|flags) \(--.*?\)/, '').replace(/^--(\w+): /, '')
-  .replace(/--columns="([^"]*)"/, 'write $1 under “Take other columns”');
+  .replace(/--columns="([^"]*)"/, 'write $1 under “Take other columns”')
+  .replace(/(by )?--(?:load|pixel)=("[^"]*"), or the key (?:load|pixel)/, '$1$2 under “More of the file”');
 
 /// The engine's functions, each with a text of JSON answered as an object, or throwing the engine's sentence.
 export async function loadEngine() {

@@ -22,7 +22,7 @@ export class Experiment {
         drop.classList.toggle('over', over);
         if (name === 'drop') this.open([...event.dataTransfer.files]);
       });
-    $('constants').addEventListener('submit', event => { event.preventDefault(); this.readAgain(true); });
+    $('constants').addEventListener('submit', event => { event.preventDefault(); this.readAgain(true, true); });
     $('columns').addEventListener('change', () => this.readAgain(true));
     for (const box of document.querySelectorAll('input[name=model]')) box.addEventListener('change', () => this.whole && this.fit());
     $('run').addEventListener('change', () => this.figures.drawRun());
@@ -105,6 +105,7 @@ export class Experiment {
 
   trouble(sentence) {
     $('read').hidden = false;
+    $('constants').hidden = $('mapping').hidden = !this.name;
     $('trouble').textContent = sentence;
     $('trouble').hidden = !sentence;
   }
@@ -116,8 +117,9 @@ export class Experiment {
     return columns ? {...stated, columns} : stated;
   }
 
-  /// Reads the file with what the form says, shows how, and fits.
-  readAgain(andFit) {
+  /// Reads the file with what the form says, shows how, and fits; what looks like a log only where that is asked for.
+  readAgain(andFit, asked = false) {
+    if (!this.name) return;
     this.trouble('');
     try {
       this.told = this.engine.read(this.name, this.constants());
@@ -148,7 +150,12 @@ export class Experiment {
     $('measured').hidden = false;
     $('crop').hidden = !told.runs;
     this.figures.draw();
-    if (andFit) this.fit();
+    if (told.log && !asked) this.trouble(this.ofLog());
+    else if (andFit) this.fit();
+  }
+
+  ofLog() {
+    return `${this.name} looks like a log over time. The program makes loading runs of it (mixity runs ${this.name}): drop the runs.csv that it writes, with runs.toml. Fit takes the rows as they are.`;
   }
 
   /// Where only the constants are missing the columns are shown all the same.
@@ -160,12 +167,13 @@ export class Experiment {
     } catch (error) {
       this.trouble(error.message);
       $('mapping').open = /column|header|quantity/.test(error.message);
+      $('more').open = /More of the file/.test(error.message);
       $('read-title').textContent = this.name;
       $('taken').innerHTML = '';
       return;
     }
     this.showRead(false);
-    this.trouble(`${sentence}: fill in the sphere and the constants above, with their units, and press Fit.`);
+    this.trouble(this.told.log ? this.ofLog() : `${sentence}: fill in the sphere and the constants above, with their units, and press Fit.`);
     $('constants').querySelector('input:placeholder-shown')?.focus();
   }
 
