@@ -67,6 +67,9 @@ Parameters<Model> parameters_from_flags(std::optional<std::size_t> except = {}) 
     p[i] = *value;
     given.erase(found);
   }
+  if (except && given.contains(std::string(Model::parameters[*except].name)))
+    throw UsageError("parameter " + std::string(Model::parameters[*except].name) +
+                     " is on the axis of the map: only the others are stated");
   if (!given.empty())
     throw UsageError("model " + std::string(Model::info.key) + " has no parameter '" + given.begin()->first + "'");
   return p;

@@ -46,7 +46,7 @@ DEFINE_string(cuts, "", "a TOML that states cuts of runs (cuts.toml, which runs 
 DEFINE_string(
     law, "",
     "a law of one's own: \"mine: 1 + (1-l)*tan(psi)^2; l=0..1\", of psi, B = sin^2 psi, t = tan psi, or an equation "
-    "in K_I and K_II; several are parted by |");
+    "in K_I and K_II; several are parted by |, or the flag is given again");
 DEFINE_string(laws, "", "a TOML of laws in the form of data/laws.toml");
 DEFINE_string(axis, "", "the parameter that the map is over beside the load; empty: the model's first");
 DEFINE_bool(pool, false, "the files are the runs of one data set");
@@ -168,9 +168,10 @@ Arguments parse_flags(const Command& command, const Arguments& words) {
     }
     if (equals == std::string::npos && (i + 1 == words.size() || words[i + 1].starts_with("--")))
       throw UsageError("flag '" + word + "' needs a value");
-    const std::string value = equals == std::string::npos ? words[++i] : word.substr(equals + 1);
+    std::string value = equals == std::string::npos ? words[++i] : word.substr(equals + 1);
     // most often a variable of a script that is not set
     if (value.empty()) throw UsageError("flag '--" + name + "' needs a value");
+    if (name == "law" && !FLAGS_law.empty()) value = FLAGS_law + kNextLaw + value;
     if (gflags::SetCommandLineOption(name.c_str(), value.c_str()).empty())
       throw UsageError("flag '--" + name + "' cannot take the value '" + value + "'");
   }

@@ -48,6 +48,9 @@ DECLARE_string(upto);
 
 namespace mixity::cli {
 
+/// Stands in FLAGS_law between the values of --law, which may be given again.
+inline constexpr char kNextLaw = '\x1f';
+
 /// These flags and those that override the metadata of a data set.
 std::vector<std::string_view> with_metadata_flags(std::vector<std::string_view> flags);
 

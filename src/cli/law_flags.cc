@@ -29,11 +29,14 @@ std::vector<std::string_view> with_law_flags(std::vector<std::string_view> flags
 }
 
 void define_laws_of_flags() {
-  std::string_view rest = FLAGS_law;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find('|'), rest.size());
-    add(define_law_text("--law", rest.substr(0, end)));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
+  const std::string& all = FLAGS_law;
+  for (std::size_t line = 0, end; line < all.size(); line = end + 1) {
+    end = std::min(all.find(kNextLaw, line), all.size());
+    for (std::size_t at = line, next; at < end; at = next + 1) {
+      next = std::min(all.find('|', at), end);
+      // behind blanks for those before it, so that columns are those of the flag
+      add(define_law_text("--law", std::string(at - line, ' ') + all.substr(at, next - at)));
+    }
   }
   if (FLAGS_laws.empty()) return;
   for (const DefinedLaw& one : define_laws(FLAGS_laws, read_toml(FLAGS_laws))) add(one);

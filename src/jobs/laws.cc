@@ -179,25 +179,29 @@ LawDefinition read_law_text(const std::string& what, std::string_view text, std:
     const std::size_t from = at + 1, next = std::min(text.find_first_of(",;", from), text.size());
     const std::string_view item = trim(text.substr(from, next - from));
     at = next;
-    if (item == "normalised") {
+    const std::size_t equals = item.find('='), dots = item.find("..");
+    if (item == "normalised" ||
+        (trim(item.substr(0, equals)) == "normalised" && trim(item.substr(equals + 1)) == "true")) {
       law.normalised = true;
       continue;
     }
-    const std::size_t equals = item.find('='), dots = item.find("..");
-    const std::size_t word = item.find(" start ");
+    const std::size_t word = item.find(" start");
     if (equals == std::string_view::npos || dots == std::string_view::npos || dots < equals)
       fail(from,
            "'" + std::string(item) + "' is no parameter: name=least..greatest, with start VALUE behind it if need be");
     const auto lower = parse_number(trim(item.substr(equals + 1, dots - equals - 1)));
-    const auto upper =
-        parse_number(trim(item.substr(dots + 2, word == std::string_view::npos ? word : word - dots - 2)));
-    const auto start = word == std::string_view::npos ? std::nullopt : parse_number(trim(item.substr(word + 7)));
-    if (!lower || !upper || !std::isfinite(*lower) || !std::isfinite(*upper) ||
-        (word != std::string_view::npos && !start))
-      fail(from,
-           "the range of '" + std::string(trim(item.substr(0, equals))) + "' must be two numbers: least..greatest");
-    law.parameters.push_back(
-        {std::string(trim(item.substr(0, equals))), *lower, *upper, start.value_or(usual_start(*lower, *upper))});
+    const std::string_view last = trim(item.substr(dots + 2, word == std::string_view::npos ? word : word - dots - 2));
+    const auto upper = parse_number(last);
+    std::string_view begins = word == std::string_view::npos ? "" : trim(item.substr(word + 6));
+    if (begins.starts_with('=')) begins = trim(begins.substr(1));
+    const auto start = parse_number(begins);
+    const std::string name(trim(item.substr(0, equals)));
+    const bool three_dots = item.substr(dots).starts_with("...");
+    if (three_dots || !lower || !upper || !std::isfinite(*lower) || !std::isfinite(*upper))
+      fail(from, "the range of '" + name + "' must be two numbers: least..greatest");
+    if (word != std::string_view::npos && !start)
+      fail(from, "the start of '" + name + "' must be a number: least..greatest start VALUE");
+    law.parameters.push_back({name, *lower, *upper, start.value_or(usual_start(*lower, *upper))});
   }
   if (colon != std::string_view::npos && law.key.empty()) fail(0, "there is no key before the colon");
   if (expression_at) *expression_at = begin;

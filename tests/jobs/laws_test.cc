@@ -57,6 +57,12 @@ TEST(LawText, HasItsKeyFreeAgainWhereLawsAreForgotten) {
   EXPECT_EQ(former.law->toughness(0, std::vector{0.5}), 1);
 }
 
+TEST(LawText, MayHaveAnEqualsSignWhereADefinitionHasOne) {
+  const DefinedLaw defined = define_law_text("--law", "equals: 2 + p*t^2; p=0..1 start=0.3; normalised = true");
+  EXPECT_TRUE(defined.law->definition().normalised);
+  EXPECT_EQ(defined.law->definition().parameters[0].start, 0.3);
+}
+
 TEST(LawText, IsRefusedWithItsColumn) {
   EXPECT_EQ(refusal_of("1 + p*t^2"), "--law:1:1: a law has 1 to 3 parameters, this one 0");
   EXPECT_EQ(refusal_of(": 1 + p*t^2; p=0..1"), "--law:1:1: there is no key before the colon");
@@ -68,6 +74,14 @@ TEST(LawText, IsRefusedWithItsColumn) {
   EXPECT_EQ(refusal_of("c: 1 + p*t^2; p=0..1"), "--law:1:1: 'c' is one of the published models: choose another key");
   EXPECT_EQ(refusal_of("k: 2 + p*t^2; p=0..1"),
             "--law:1:4: f at psi = 0 is 2 with p = 0, not 1; normalised = true divides f by it");
+  EXPECT_EQ(refusal_of("k: 1 + p*t^2; p=0...1"), "--law:1:14: the range of 'p' must be two numbers: least..greatest");
+  EXPECT_EQ(refusal_of("k: 1 + p*t^2; p=0..1 start x"),
+            "--law:1:14: the start of 'p' must be a number: least..greatest start VALUE");
+  EXPECT_EQ(refusal_of("k: 1 + cosh*t^2; cosh=0..1"),
+            "--law:1:1: 'cosh' cannot be the name of a parameter: that is a letter, then letters, digits and _, and no "
+            "function or word of expressions");
+  EXPECT_EQ(refusal_of("k: log(p) + p*t^2; p=-2..-1"),
+            "--law:1:4: f at psi = 0 is not a number with p = -2; it must be 1");
   EXPECT_EQ(refusal_of("k k: 1 + p*t^2; p=0..1"),
             "--law:1:1: 'k k' cannot be the key of a law: a letter, then letters, digits and _");
 }

@@ -47,7 +47,9 @@ std::shared_ptr<const ExpressionLaw> ExpressionLaw::make(LawDefinition definitio
   std::vector<std::string> variables(std::begin(kVariables), std::end(kVariables));
   for (const LawParameter& one : definition.parameters) {
     if (!is_variable_name(one.name) || std::find(std::begin(kOwn), std::end(kOwn), one.name) != std::end(kOwn))
-      return fail({}, "'" + one.name + "' cannot be the name of a parameter");
+      return fail({}, "'" + one.name +
+                          "' cannot be the name of a parameter: that is a letter, then letters, digits and _, and no "
+                          "function or word of expressions");
     if (std::find(variables.begin(), variables.end(), one.name) != variables.end())
       return fail({}, "'" + one.name + "' is a variable or stands twice: it cannot be the name of a parameter");
     if (!(std::abs(one.lower) <= 1e100 && std::abs(one.upper) <= 1e100 && one.lower < one.upper))

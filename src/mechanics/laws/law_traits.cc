@@ -14,6 +14,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLost = 1e-12, kMostLost = 1e-6;  // of f: what is told, and what is too much
 
 std::string shown(double value, int digits = 3) {
+  if (std::isnan(value)) return "not a number";
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
 }
@@ -247,7 +248,8 @@ LawCheck check_law(const ExpressionLaw& law) {
       lost_with = there;
     }
     if (!(std::abs(traits.f0 - 1) <= 1e-9)) {
-      check.error = "f at psi = 0 is " + shown(traits.f0) + there + ", not 1" +
+      check.error = "f at psi = 0 is " + shown(traits.f0) + there +
+                    (std::isnan(traits.f0) ? "; it must be 1" : ", not 1") +
                     (std::isfinite(traits.f0) && traits.f0 > 0 ? "; normalised = true divides f by it" : "");
       return check;
     }
