@@ -1,8 +1,12 @@
 """Laws of one's own."""
 
+from __future__ import annotations
+
 import pickle
 import types
 import warnings
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -57,7 +61,19 @@ class Law:
     1.208912
     """
 
-    def __init__(self, f, /, *, key="", name="", normalised=False, **parameters):
+    key: str
+    formula: str
+
+    def __init__(
+        self,
+        f: str | Callable[..., Any],
+        /,
+        *,
+        key: str = "",
+        name: str = "",
+        normalised: bool = False,
+        **parameters: Sequence[float],
+    ) -> None:
         for what, text in (("key", key), ("name", name)):
             if not isinstance(text, str):
                 raise _core.InputError(f"{what} is {text!r}; it must be a text, and no parameter can be called {what}")
@@ -81,7 +97,7 @@ class Law:
         for warning in told:
             warnings.warn(f"law {self.key}: {warning}", stacklevel=2)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Law({self.key}: {self.formula})"
 
     def __reduce__(self):
