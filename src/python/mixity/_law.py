@@ -67,7 +67,6 @@ class Law:
     def __init__(
         self,
         f: str | Callable[..., Any],
-        /,
         *,
         key: str = "",
         name: str = "",
@@ -130,7 +129,8 @@ def _same(one, other):
 
 def _checked(f, names):
     def call(psi, values):
-        found = f(psi, **dict(zip(names, values)))
+        with np.errstate(all="ignore"):  # what is no positive number is told in a sentence
+            found = f(psi, **dict(zip(names, values)))
         try:
             array = np.asarray(found)
         except ValueError:  # lists of several lengths
