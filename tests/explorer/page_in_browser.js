@@ -316,11 +316,11 @@ async function main() {
 
   // neither loads nor areas as they are: both are said below the constants
   await page.setInputFiles('#file', table('camera.csv', 'T [mN],A [px]\n0,80000\n10,79500\n20,78000\n30,75000\n'));
-  await page.waitForFunction(() => /"5 mN" under .More of the file/.test(document.getElementById('trouble').textContent));
-  for (const [name, text] of [['load', '5 mN'], ['radius', '9.42 mm'], ['modulus', '2.133 MPa'], ['toughness', '27 mJ/m^2']]) await page.fill(`[name=${name}]`, text);
-  await page.click('#constants button');
   await page.waitForFunction(() => /"1.7 um" under .More of the file/.test(document.getElementById('trouble').textContent));
-  await page.fill('[name=pixel]', '2 um');
+  for (const [name, text] of [['pixel', '2 um'], ['radius', '9.42 mm'], ['modulus', '2.133 MPa'], ['toughness', '27 mJ/m^2']]) await page.fill(`[name=${name}]`, text);
+  await page.click('#constants button');
+  await page.waitForFunction(() => /"5 mN" under .More of the file/.test(document.getElementById('trouble').textContent));
+  await page.fill('[name=load]', '5 mN');
   await page.click('#constants button');
   await page.waitForFunction(() => window.explorer.experiment.result?.fits.datasets[0].fits.length === 3);
   if (shots) await page.screenshot({path: path.join(shots, 'camera.png'), fullPage: true});
