@@ -9,7 +9,7 @@
 namespace mixity {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kBeyondAll = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 4e-15;    // of ln f: what samples are known to
 constexpr double kNoise = 1e-6;        // what falls no further with the degree, below this, is noise of the function,
 constexpr double kSmallNoise = 1e-10;  // nor with the length of a piece
@@ -59,7 +59,7 @@ SampledLaw::Piece SampledLaw::piece_through(double begin, double end, std::span<
   Piece piece{begin, end};
   for (std::size_t j = 0; j < kNodes; ++j) {
     const double h =
-        f[j] > 0 && f[j] < kInfinity ? std::log(f[j]) + (power_ == 0 ? 0 : power_ * std::log(std::cos(psi[j]))) : NAN;
+        f[j] > 0 && f[j] < kBeyondAll ? std::log(f[j]) + (power_ == 0 ? 0 : power_ * std::log(std::cos(psi[j]))) : NAN;
     for (std::size_t k = 0; k < kNodes; ++k) piece.coefficients[k] += h * cosines[k][j];
   }
   return piece;
@@ -68,7 +68,7 @@ SampledLaw::Piece SampledLaw::piece_through(double begin, double end, std::span<
 SampledLaw::SampledLaw(const LawSampler& sampler, std::span<const double> parameters) {
   constexpr double kBeside = 1e-12, kFarther = 1e-10;  // of 90 degrees, where the power is read
   std::vector<Pending> pending, next;
-  for (int i = 0; i < 4; ++i) pending.push_back({i * kRight / 4, (i + 1) * kRight / 4, kInfinity});
+  for (int i = 0; i < 4; ++i) pending.push_back({i * kRight / 4, (i + 1) * kRight / 4, kBeyondAll});
   std::vector<double> psi{0, kRight - kFarther, kRight - kBeside}, f;
   for (bool first = true; !pending.empty(); first = false) {
     for (const Pending& one : pending)
@@ -78,7 +78,7 @@ SampledLaw::SampledLaw(const LawSampler& sampler, std::span<const double> parame
     f.resize(psi.size());
     sampler(psi, parameters, f);
     for (std::size_t i = 0; i < f.size(); ++i)
-      if (!(f[i] > 0 && f[i] < kInfinity)) undefined_at_ = std::min(undefined_at_, psi[i]);
+      if (!(f[i] > 0 && f[i] < kBeyondAll)) undefined_at_ = std::min(undefined_at_, psi[i]);
     std::size_t at = 0;
     if (first) {
       at = 3;
@@ -141,7 +141,7 @@ Taylor SampledLaw::at_zero() const {
   const double one = log_toughness(kNear, std::cos(kNear)) - log_f0_;
   const double two = log_toughness(2 * kNear, std::cos(2 * kNear)) - log_f0_;
   // of a power below 2 the second derivative is infinite; else what there is of one is not known here
-  return {log_f0_, 0, std::abs(two) < 3.99 * std::abs(one) ? std::copysign(kInfinity, one) : NAN};
+  return {log_f0_, 0, std::abs(two) < 3.99 * std::abs(one) ? std::copysign(kBeyondAll, one) : NAN};
 }
 
 Taylor SampledLaw::toughness(const Taylor& psi, const Taylor& cosine) const {
