@@ -34,6 +34,16 @@ Sheared turned(const std::vector<double>& T, Stretch level) {
   return sheared;
 }
 
+/// A held load and what follows a slow shear are as good as a line for a second or so; what lies about that is noise of
+/// the reading.
+std::vector<double> smoothed(const std::vector<double>& values) {
+  constexpr std::size_t kAround = 25;
+  std::vector<double> course;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    course.push_back(line_through(values, i - std::min(i, kAround), std::min(values.size(), i + kAround + 1)).at(i));
+  return course;
+}
+
 CutTime cut_of(const Frames& frames, const ChangePoint& change) {
   const auto behind = [&](std::size_t i) {
     return i + 1 < frames.time.size() ? 0.5 * (frames.time[i] + frames.time[i + 1]) : frames.time[i];
@@ -289,10 +299,7 @@ class Finder {
     const Frames& frames = found_.frames;
     for (std::size_t i = run.begin; i < run.end; ++i) run.T.push_back(run.direction * frames.T[i] - run.baseline);
     const std::vector<double> P = part_of(frames.P, run.begin, run.end);
-    // A load that is held follows a line for a second or so; what lies about that is noise of the reading.
-    constexpr std::size_t kAround = 25;
-    for (std::size_t i = 0; i < P.size(); ++i)
-      run.smooth_P.push_back(line_through(P, i - std::min(i, kAround), std::min(P.size(), i + kAround + 1)).at(i));
+    run.smooth_P = smoothed(P);
     run.P = mean_of(P, 0, P.size());
     double squares = 0;
     for (const double one : P) squares += (one - run.P) * (one - run.P);
@@ -326,8 +333,9 @@ class Finder {
     const NoiseModel of_T = noise_model(T, noise_T_.empty() ? 0 : median(noise_T_)), of_A = noise_model(A, noise_A_);
     for (std::size_t k = 0; k < found_.runs.size(); ++k) {
       LoadingRun& run = found_.runs[k];
-      for (const double one : T[k]) run.sigma_T.push_back(of_T.at(one));
-      for (const double one : A[k]) run.sigma_A.push_back(of_A.at(one));
+      // of the course, not of the reading: readings that are low by chance would weigh more than those that are high
+      for (const double one : smoothed(T[k])) run.sigma_T.push_back(of_T.at(one));
+      for (const double one : smoothed(A[k])) run.sigma_A.push_back(of_A.at(one));
     }
   }
 

@@ -192,6 +192,27 @@ TEST(LoadingRuns, EndWhereSteadySlidingBegins) {
   });
 }
 
+// Errors that go with each reading give those that are low by chance more weight: weighted by them, areas of 1 % noise
+// are low by 1 % of 1 %, which of 2,000 frames is half a standard error.
+TEST(LoadingRuns, HaveErrorsThatDoNotFollowTheNoise) {
+  Conditions conditions;
+  conditions.frames = 200;
+  conditions.noise_A = 0.02;
+  double together = 0, noises = 0, errors = 0;
+  const LoadingRuns found = find(simulate(kLoads, conditions));
+  for (const LoadingRun& run : found.runs)
+    for (std::size_t i = run.begin + 1; i + 1 < run.end; ++i) {
+      const auto bend = [&](const auto& y, std::size_t k) { return (y[k] - 0.5 * (y[k - 1] + y[k + 1])) / y[k]; };
+      const double noise = bend(found.frames.A, i), error = bend(run.sigma_A, i - run.begin);
+      together += noise * error;
+      noises += noise * noise;
+      errors += error * error;
+    }
+  ASSERT_GT(noises, 0);
+  EXPECT_LT(std::sqrt(errors / noises), 0.1);  // as much as the noise where errors follow it
+  EXPECT_LT(together / noises, 0.1);
+}
+
 TEST(LoadingRuns, TakeTheirLoadOnItsCourse) {
   Simulated made = simulate({8e-3}, {});
   for (std::size_t i = 0; i < made.forces.P.size(); ++i)  // while it is sheared the load rises by 2 %
