@@ -6,8 +6,10 @@
 
 #include "mechanics/batch.h"
 #include "mechanics/contact.h"
+#include "mechanics/roots.h"
 #include "mechanics/sampling.h"
 #include "mechanics/sensitivity.h"
+#include "mechanics/turning_curve.h"
 
 namespace mixity {
 namespace {
@@ -53,6 +55,35 @@ bool with_rows(std::string_view model, std::span<const Values> parameters, Use u
     if (fits) use(instance);
   });
   return fits;
+}
+
+/// T at which a contact whose law turns first has the edge load y on its way from T = 0; NaN where it never has.
+template <class Model>
+double first_tangential_load(const Parameters<Model>& p, double P, double y) {
+  constexpr double kFirst = -40, kStep = 0.125, kLast = 42, kRounding = 8 * std::numeric_limits<double>::epsilon();
+  const TurningCurve<Model> curve(p, P);
+  const double half = 0.5 * curve.length();
+  const double last = curve.closed() ? std::log(curve.at(half, half).t)
+                                     : (curve.grows_over_all_bounds() ? std::log(std::tan(curve.length())) : kLast);
+  // above y, by x = ln(T/y); on a curve that closes also on the way back, where the product of both y is -6 pi P/g
+  const auto excess = [&](double x, bool back) {
+    const double upper = curve.upper_edge_load(std::exp(std::min(x, last))).value_or(-2 * P);
+    return std::log((back ? -P * upper / (upper + P) : upper) / y);
+  };
+  if (std::abs(excess(kFirst, false)) <= kRounding) return 0;
+  double found = kNaN;
+  const auto look = [&](bool back, double from, double to) {
+    const double way = back ? -1 : 1;
+    for_sign_changes([&](double v) { return excess(way * v, back); }, way * from, way * to, kRounding,
+                     [](double) { return kStep; },
+                     [&](double v, bool) {
+                       found = y * std::exp(way * v);
+                       return false;
+                     });
+  };
+  look(false, kFirst, last);
+  if (std::isnan(found) && curve.closed()) look(true, last, kFirst);
+  return found;
 }
 
 template <class Model>
@@ -161,6 +192,12 @@ void tangential_loads(std::string_view model, std::span<const Values> parameters
       const auto p = parameters_at<Model>(parameters, i);
       if (!contact_obstacle<Model>(p, P[i]).empty() || above_pull_off(P[i]) < 0 || !(A[i] > 0)) continue;
       const double y = edge_load(radius_from_area(A[i]), P[i]), S0 = circle_radius(P[i]), v = y - 3 * pi<double>();
+      if constexpr (kMayTurn<Model>) {
+        if (turns<Model>(p)) {
+          if (y > 0) T[i] = first_tangential_load<Model>(p, P[i], y);
+          continue;
+        }
+      }
       if (!(y > 0) || !(std::abs(v) <= S0 * (1 + 8 * std::numeric_limits<double>::epsilon()))) continue;
       const double found = tangential_load<Model>(p, y, std::sqrt(std::max(0.0, (S0 - v) * (S0 + v))));
       if (std::isfinite(found)) T[i] = found;

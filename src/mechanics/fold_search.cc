@@ -1,5 +1,6 @@
 #include "mechanics/fold_search.h"
 
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -81,6 +82,19 @@ std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Contro
     }
   }
   if (!load || curve.turns() || !folds_by_angle(curve, found)) folds_by_position(curve, control, found);
+  if constexpr (kMayTurn<Model>) {
+    // of a typed law whose T tends to a constant, pairs of one T are its rounding
+    constexpr double kSame = 1e-12;
+    std::vector<FoldPlace> apart;
+    for (const FoldPlace& place : found.places) {
+      if (load && !apart.empty() && apart.back().maximum != place.maximum &&
+          std::abs(apart.back().T - place.T) <= kSame * place.T)
+        apart.pop_back();
+      else
+        apart.push_back(place);
+    }
+    found.places = std::move(apart);
+  }
   return found.places;
 }
 

@@ -251,7 +251,12 @@ Expression::Expression(std::string_view text, const std::vector<std::string>& va
   const auto first = parse.get_error(0);
   const std::size_t at = std::min<std::size_t>(first.token.position, text.size());
   const std::size_t shown = std::min(text.find_first_not_of(' ', at), text.size());
-  error_ = {shown, shown < text.size() ? "cannot be read from here on" : "something is missing at the end"};
+  error_ = {shown, shown < text.size()
+                       ? (text[shown] == '*' && shown > 0 && text[shown - 1] == '*'
+                              ? "cannot be read from here on: powers are written ^"
+                          : text[shown] == ',' ? "cannot be read from here on: numbers have a decimal point"
+                                               : "cannot be read from here on")
+                       : "something is missing at the end"};
 }
 
 Expression::Expression(Expression&&) noexcept = default;

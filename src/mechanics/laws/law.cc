@@ -42,9 +42,11 @@ std::shared_ptr<const ExpressionLaw> ExpressionLaw::make(LawDefinition definitio
   if (!is_variable_name(definition.key))
     return fail({}, "'" + definition.key + "' cannot be the key of a law: a letter, then letters, digits and _");
   if (definition.parameters.empty() || definition.parameters.size() > kMostParameters)
-    return fail({}, "a law has 1 to " + std::to_string(kMostParameters) + " parameters, this one " +
+    return fail({}, "a law has 1 to " + std::to_string(kMostParameters) +
+                        " parameters, each stated with its range; this one has " +
                         std::to_string(definition.parameters.size()));
-  std::vector<std::string> variables(std::begin(kVariables), std::end(kVariables));
+  std::vector<std::string> variables;  // a function has none
+  if (!definition.sampler) variables.assign(std::begin(kVariables), std::end(kVariables));
   for (const LawParameter& one : definition.parameters) {
     if (!is_variable_name(one.name) || std::find(std::begin(kOwn), std::end(kOwn), one.name) != std::end(kOwn))
       return fail({}, "'" + one.name +
@@ -53,7 +55,7 @@ std::shared_ptr<const ExpressionLaw> ExpressionLaw::make(LawDefinition definitio
     if (std::find(variables.begin(), variables.end(), one.name) != variables.end())
       return fail({}, "'" + one.name + "' is a variable or stands twice: it cannot be the name of a parameter");
     if (!(std::abs(one.lower) <= 1e100 && std::abs(one.upper) <= 1e100 && one.lower < one.upper))
-      return fail({}, "the range of " + one.name + " must be two numbers, the smaller first");
+      return fail({}, "the range of " + one.name + " must be two numbers within 1e100, the smaller first");
     if (!(one.start >= one.lower && one.start <= one.upper))
       return fail({}, "the start of " + one.name + " lies outside its range");
     variables.push_back(one.name);

@@ -32,12 +32,16 @@ std::string shown(const LawTraits& traits) {
 double limit_of_small_shear(const ExpressionLaw& law, std::span<const Taylor> p, const Taylor& f) {
   if (std::abs(f.first) > 1e-12) return f.first > 0 ? -kInfinity : kInfinity;
   if (!std::isnan(f.second)) return 1 - 0.5 * f.second;
-  // no second derivative, such as that of an equation in powers: from shears that are small
-  const double one = reduced_shear(law, p, kSmallShear, 1).value,
-               less = reduced_shear(law, p, 0.1 * kSmallShear, 1).value;
-  const double power = std::log10(one / less);
-  if (std::abs(power - 2) < 0.01) return one / (kSmallShear * kSmallShear);
-  return power > 2 ? 0 : std::copysign(kInfinity, one);
+  // No second derivative, such as that of an equation in powers: from shears that are small. What is left of the limit
+  // there goes with a power of T, whose sum to infinity Aitken's formula gives.
+  constexpr double kNone = 1e-5;
+  const auto share = [&](double t) { return reduced_shear(law, p, t, 1).value / (t * t); };
+  const double first = share(1e-2), second = share(1e-3), third = share(kSmallShear);
+  const double before = second - first, last = third - second;
+  if (std::abs(last) <= 1e-6) return std::abs(third) <= kNone ? 0 : third;  // rounding
+  if (std::abs(last) > std::abs(before)) return std::copysign(kInfinity, last);
+  const double limit = third - last * last / (last - before);
+  return std::abs(limit) <= kNone ? 0 : limit;
 }
 
 /// Where tau^2 is small_shear T^2 to rounding. Of a law that leaves f = 1 with a slope or a root, the power of T that
@@ -122,6 +126,47 @@ double place(std::size_t i) {
     return list;
   }();
   return all[i];
+}
+
+/// An angle between two places at which f does what is not seen from them: (1 + tan^2 psi)/f turns twice, f is no
+/// positive number, or has a pole or a zero; null where there is none.
+std::optional<double> unseen(const ExpressionLaw& law, std::span<const double> parameters) {
+  constexpr std::size_t kBetween = 12;
+  constexpr double kRounding = 1e-6, kBeyond = 3;  // of a slope; of ln f
+  std::array<Taylor, ExpressionLaw::kMostParameters> numbers;
+  std::copy(parameters.begin(), parameters.end(), numbers.begin());
+  const auto at = [&](double psi) {
+    return law.toughness(along_angle(std::sin(psi), std::cos(psi)), {numbers.data(), parameters.size()});
+  };
+  const auto grows = [](double psi, const Taylor& f) {
+    const double growth = 2 * std::tan(psi), decline = f.first / f.value;
+    return growth - decline >= -kRounding * (growth + std::abs(decline));
+  };
+  double before_psi = place(1);
+  Taylor before = at(before_psi);
+  for (std::size_t i = 1; i + 1 < LawTraits::kPlaces; ++i) {
+    std::size_t turns = 0;
+    for (std::size_t k = 1; k <= kBetween; ++k) {
+      const double share = static_cast<double>(k) / kBetween, psi = place(i) + share * (place(i + 1) - place(i));
+      const Taylor f = at(psi);
+      if (!(f.value > 0 && f.value < kInfinity)) return psi;
+      turns += grows(before_psi, before) != grows(psi, f);
+      if (before.first * f.first < 0) {  // an extremum of f between them, which may be a pole or a zero
+        double low = before_psi, high = psi;
+        for (int step = 0; step < 40; ++step) {
+          const double middle = 0.5 * (low + high);
+          (at(middle).first * f.first < 0 ? low : high) = middle;
+        }
+        const double there = at(low).value;
+        if (!(std::abs(std::log(there / f.value)) < kBeyond && std::abs(std::log(there / before.value)) < kBeyond))
+          return low;
+      }
+      before_psi = psi;
+      before = f;
+    }
+    if (turns > 1) return place(i);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -255,7 +300,15 @@ LawCheck check_law(const ExpressionLaw& law) {
     }
     if (traits.undefined_at) {
       check.error = "f is not a positive number at psi = " + degrees(*traits.undefined_at) + there +
-                    ": narrow the ranges of the parameters, or mend the law";
+                    (law.is_equation() && law.definition().text.find('=') == std::string::npos
+                         ? ": an equation in K_I and K_II says what they are equal to, such as = 1"
+                         : ": narrow the ranges of the parameters, or mend the law");
+      return check;
+    }
+    if (const auto psi = unseen(law, p)) {
+      check.error = "f turns, or is no positive and finite number, within less than 3 deg near psi = " + degrees(*psi) +
+                    there +
+                    ", which is too narrow to be followed: narrow the ranges of the parameters, or mend the law";
       return check;
     }
     ++tried;

@@ -59,7 +59,10 @@ const std::vector<Pair> kPairs{
     {"b", "sampled_b", {{0.01}, {0.15}, {0.3}, {1}, {1.9}, {2}}},
     {"c", "sampled_c", {{0.0023}, {0.15}, {0.7}, {0.95}, {1}}},
     {"bk", "sampled_bk", {{2, 2}, {1.5, 1.7}, {0.5, 2}, {3, 5}, {0.5, 0.7}}},
-    {"turning", "sampled_turning", {{0.5, 1.5}, {1, 1.857}, {0.3, 3}}},  // one area stands for several T
+    {"turning",
+     "sampled_turning",
+     {{0.5, 1.5}, {1, 1.857}, {0.3, 3}, {0.7, 2.1}, {0.7, 2.3}, {0.7, 2.5}, {0.5, 1.98}}},  // one area stands for
+                                                                                            // several T
 };
 
 // 1e-12, as of typed laws: the function's own rounding near 90 degrees is magnified as theirs.
@@ -69,11 +72,11 @@ TEST(SampledLaws, HaveTheAreasOfThePublishedOnes) {
     for (const std::vector<double>& p : pair.parameters)
       for (const double P : {-4.5, -1.79, 0.0, 2.0, 30.4, 1000.0}) {
         const std::vector<Fold> folds = folds_of(pair.published, p, P, {Control::Kind::load}).folds;
-        const double most = folds.empty() ? 300 : folds[0].T;
+        const double most = folds.empty() ? 300 : std::min(folds[0].T, 1e4);  // no contact is sheared so
         std::vector<Values> parameters;
         for (const double& one : p) parameters.push_back({&one, 0});
         for (int i = 0; i <= 30; ++i) {
-          const double T = most * 0.0332 * i;  // to 0.4 % from the fold
+          const double T = i == 1 ? 9e-4 : i == 2 ? 1e-5 : most * 0.0332 * i;  // to 0.4 % from the fold
           double one = 0, other = 0;
           EquilibriumStatus status{}, other_status{};
           areas(pair.published, parameters, {&P, 0}, {&T, 0}, {&one, 1}, {&status, 1});

@@ -67,6 +67,31 @@ double first_fold(const Pair& p, double P) {
   return folds.empty() ? 40 : folds[0].T;
 }
 
+// The area of a load leads back to it, or to a smaller one at which the contact had that area before.
+TEST(TurningLaws, GiveTheFirstLoadThatHasAnArea) {
+  with_tan_power([] {
+    std::size_t back = 0, all = 0;
+    for (const Pair& p : kCases)
+      for (const double P : kLoads)
+        for (const double share : {1e-3, 0.02, 0.3, 0.7, 0.95}) {
+          const double T = share * first_fold(p, P);
+          if (T > kMostShear) continue;
+          double A = 0, found = 0, again = 0;
+          EquilibriumStatus status{};
+          const std::vector<Values> parameters{{&p[0], 0}, {&p[1], 0}};
+          areas("tan_power", parameters, {&P, 0}, {&T, 0}, {&A, 1}, {&status, 1});
+          if (status != EquilibriumStatus::ok) continue;
+          tangential_loads("tan_power", parameters, {&P, 0}, {&A, 0}, {&found, 1});
+          ASSERT_TRUE(found <= T * (1 + 1e-3)) << p[0] << ' ' << p[1] << " P " << P << " T " << T << " found " << found;
+          areas("tan_power", parameters, {&P, 0}, {&found, 0}, {&again, 1}, {&status, 1});
+          EXPECT_NEAR(again, A, 1e-13 * A) << p[0] << ' ' << p[1] << " P " << P << " T " << T;
+          ++all;
+          back += std::abs(found - T) <= 1e-3 * T;  // the area has lost digits of a small shear
+        }
+    EXPECT_GT(2 * back, all);
+  });
+}
+
 TEST(TurningLaws, HaveTheAreasOfTheirPrintedEquation) {
   with_tan_power([] {
     for (const Pair& p : kCases)

@@ -249,12 +249,12 @@ TEST(TypedLaws, ThatCannotBeReadSayWhere) {
   EXPECT_EQ(error_of("1 = p"), "2: an equation is solved for K_I and K_II, and these are not in it");
   EXPECT_EQ(error_of(std::string(100, '(')), "60: brackets stand in one another 60 times at most");
   EXPECT_EQ(error_of(std::string(1200, '1')), "1000: an expression has 1000 characters at most, this one 1200");
-  EXPECT_EQ(error_of("1", {}), "a law has 1 to 3 parameters, this one 0");
+  EXPECT_EQ(error_of("1", {}), "a law has 1 to 3 parameters, each stated with its range; this one has 0");
   EXPECT_EQ(error_of("1", {{"t", 0, 1, 0}}), "'t' is a variable or stands twice: it cannot be the name of a parameter");
   EXPECT_EQ(error_of("1", {{"if", 0, 1, 0}}), no_name("if"));
   EXPECT_EQ(error_of("1", {{"sin_psi", 0, 1, 0}}), no_name("sin_psi"));
   EXPECT_EQ(error_of("1 + p*B", {{"p", 0, 1, 0.5}, {"q", 0, 1, 0.5}}), "parameter 'q' is not in the expression");
-  EXPECT_EQ(error_of("p", {{"p", 1, 0, 0}}), "the range of p must be two numbers, the smaller first");
+  EXPECT_EQ(error_of("p", {{"p", 1, 0, 0}}), "the range of p must be two numbers within 1e100, the smaller first");
 }
 
 LawCheck checked(const std::string& text, std::vector<LawParameter> parameters, bool normalised = false) {
@@ -280,6 +280,30 @@ TEST(TypedLaws, AreCheckedBeforeTheyAreUsed) {
   const LawCheck rounded = checked("1 + tan((1-p/2)*psi)^2", {{"p", 0, 2, 0.5}});
   ASSERT_EQ(rounded.warnings.size(), 1u);
   EXPECT_TRUE(rounded.warnings[0].starts_with("near psi = 89.")) << rounded.warnings[0];
+}
+
+// What happens between the 48 angles that a law is looked at by is refused: its areas and folds would be wrong.
+TEST(TypedLaws, WithFeaturesTooNarrowToBeFollowedAreRefused) {
+  const auto near = [](const LawCheck& check) {
+    constexpr std::string_view begin =
+        "f turns, or is no positive and finite number, within less than 3 deg near psi = ";
+    return check.error && check.error->starts_with(begin) ? std::stod(check.error->substr(begin.size())) : -1;
+  };
+  const std::vector<LawParameter> p{{"p", 0.05, 0.6, 0.3}};
+  EXPECT_NEAR(near(checked("1 + p*(tanh((psi-1.0133)/0.01)+1)/2", p, true)), 58, 3);
+  EXPECT_NEAR(near(checked("1 + p*(tanh((psi-0.8111)/0.01)+1)/2", p, true)), 46.5, 3);
+  EXPECT_NEAR(near(checked("1 + p*exp(-((psi-0.6071)/0.006)^2)*B", p)), 34.8, 3);
+  EXPECT_NEAR(near(checked("1 + p*t^2/(1-t/2)^2", p)), 63.435, 0.01);  // a pole
+  EXPECT_NEAR(near(checked("(1 + p*t)^2/(1-t)^2", p)), 45, 0.01);
+  EXPECT_FALSE(checked("1 + p*min(t, 1)^2", p).error);                          // a kink is none
+  EXPECT_FALSE(checked("1 + p*exp(-((psi-0.7)/0.2)^2)*B", p).error);
+  EXPECT_FALSE(checked("1 + p*t^8", p).error);
+}
+
+// T tends to a constant: what folds there is rounding.
+TEST(TypedLaws, HaveNoPairsOfFoldsOfOneLoad) {
+  defined({"constant", "(1 + p*t^2)^n/(1 + q*B)", {{"p", 0, 1, 0.5}, {"n", 0.3, 1.2, 1}, {"q", 0, 2, 0.5}}});
+  EXPECT_LE(folds_of("constant", std::vector{0.8, 0.5, 0.4}, 0, {Control::Kind::load}).folds.size(), 1u);
 }
 
 // (1 + tan^2 psi)/f of bk grows exactly where its closed condition says so (models/benzeggagh_kenane.h).
