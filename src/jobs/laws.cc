@@ -144,6 +144,11 @@ class TomlReader {
       for (const auto& [key, ignored] : *table)
         if (key != "range" && key != "start")
           fail_at(path_, key, "unknown key \"" + std::string(key.str()) + "\" (known: range, start)");
+    if (!table && !value.is_array())
+      fail_at(
+          path_, name,
+          std::string(name.str()) +
+              " is no parameter, which is [least, greatest]; else a law has f or criterion, name, source, normalised");
     const toml::array* range = table ? table->get_as<toml::array>("range") : value.as_array();
     if (!range || range->size() != 2) number_of(nullptr, name);
     const double lower = number_of(range->get(0), name), upper = number_of(range->get(1), name);
@@ -173,12 +178,17 @@ LawDefinition read_law_text(const std::string& what, std::string_view text, std:
   LawDefinition law;
   law.key = trim(text.substr(0, begin == 0 ? 0 : colon));
   const std::size_t end = std::min(text.find(';', begin), text.size());
+  // also as laws are shown: f = ...
+  if (const std::string_view shown = trim(text.substr(begin, end - begin));
+      shown.starts_with('f') && trim(shown.substr(1)).starts_with('='))
+    begin = text.find('=', begin) + 1;
   while (begin < end && text[begin] == ' ') ++begin;
   law.text = trim(text.substr(begin, end - begin));
   for (std::size_t at = end; at < text.size();) {
     const std::size_t from = at + 1, next = std::min(text.find_first_of(",;", from), text.size());
     const std::string_view item = trim(text.substr(from, next - from));
     at = next;
+    if (item.empty() && next == text.size()) break;
     const std::size_t equals = item.find('='), dots = item.find("..");
     if (item == "normalised" ||
         (trim(item.substr(0, equals)) == "normalised" && trim(item.substr(equals + 1)) == "true")) {

@@ -64,7 +64,8 @@ TEST(LawText, MayHaveAnEqualsSignWhereADefinitionHasOne) {
 }
 
 TEST(LawText, IsRefusedWithItsColumn) {
-  EXPECT_EQ(refusal_of("1 + p*t^2"), "--law:1:1: a law has 1 to 3 parameters, this one 0");
+  EXPECT_EQ(refusal_of("1 + p*t^2"),
+            "--law:1:1: a law has 1 to 3 parameters, each stated with its range; this one has 0");
   EXPECT_EQ(refusal_of(": 1 + p*t^2; p=0..1"), "--law:1:1: there is no key before the colon");
   EXPECT_EQ(refusal_of("k: 1 + p*t^; p=0..1"), "--law:1:12: something is missing at the end");
   EXPECT_TRUE(refusal_of("k: 1 + q*t^2; p=0..1").starts_with("--law:1:8: 'q' is not known; there are "));
