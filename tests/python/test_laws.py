@@ -230,6 +230,26 @@ def test_a_function_pickles_where_it_is_one_of_a_module(data, tmp_path):
             pickle.dumps(one)
 
 
+def test_a_function_whose_globals_changed_is_another_law():
+    code = "def f(psi, p):\n    return 1 + p*np.tan(psi)**n\nlaw = mixity.Law(f, p=(0, 0.9))"
+    cell = {"np": np, "mixity": mixity, "n": 2.0}
+    exec(code, cell)
+    before = float(mixity.area(cell["law"], 0.5, 5.0, 12.0))
+    cell["n"] = 1.5
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        exec(code, cell)
+    typed = mixity.Law("1 + p*t^n", p=(0, 0.9), n=(1.4, 2), key="of_globals")
+    for law, n, area in ((cell["law"], 1.5, mixity.area(cell["law"], 0.5, 5.0, 12.0)), (None, 2.0, before)):
+        assert float(area) == pytest.approx(float(mixity.area(typed, (0.5, n), 5.0, 12.0)), rel=1e-12)
+
+
+def test_nothing_of_a_function_is_reported_as_lost_at_the_end():
+    code = "import numpy as np, mixity\nmixity.Law(lambda psi, p: 1 + p*np.tan(psi)**2, p=(0, 1))"
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, text=True)
+    assert told.stderr == ""
+
+
 def test_the_same_function_is_one_law():
     def made(factor):
         return lambda psi, p: 1 + factor * p * np.tan(psi) ** 2
