@@ -9,7 +9,8 @@
 namespace mixity {
 namespace {
 
-constexpr double kStep = 0.25;  // of the logistic coordinate
+// Of the logistic coordinate; of a law that turns some 2 degrees, as its growth may where it is looked at.
+constexpr double kStep = 0.25, kFineStep = 0.0625;
 
 template <class Model>
 FoldPlace place_at_offset(const EquilibriumCurve<Model>& curve, double offset) {
@@ -61,7 +62,8 @@ void folds_by_position(const EquilibriumCurve<Model>& curve, Control control, Fo
     const CurvePiece& piece = curve.pieces()[i];
     const auto slope = [&](double v) { return driven.slope(curve.position(piece, v)); };
     for_sign_changes(
-        slope, kFirstCoordinate, kLastCoordinate<Model>, kShallow, [](double) { return kStep; },
+        slope, kFirstCoordinate, kLastCoordinate<Model>, kShallow,
+        [&](double) { return curve.turns() ? kFineStep : kStep; },
         [&](double v, bool maximum) { return more = found.add(place_at_coordinate(curve, i, v, maximum)); });
   }
 }

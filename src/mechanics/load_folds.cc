@@ -107,7 +107,8 @@ class CurveByAngle {
   static double step(double x, const Place& place) {
     if (!place.exists) return kLast - x;
     if (x < -1) return std::clamp(0.25 / std::max(place.growth, 0.02), 0.125, 12.0);
-    return x < 6 ? 0.125 : x < 12 ? 0.25 : 0.5;
+    const double fine = kMayTurn<Model> && x < 3 ? 0.4 : 1;  // the bumps that somebody's law may have: 1.5 degrees
+    return fine * (x < 6 ? 0.125 : x < 12 ? 0.25 : 0.5);
   }
 
   static constexpr double kFirst = -700, kLast = kLastCoordinate<Model>;  // tan psi from the least of all doubles on

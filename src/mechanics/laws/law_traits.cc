@@ -128,6 +128,40 @@ double place(std::size_t i) {
   return all[i];
 }
 
+/// Of ln((1 + tan^2 psi)/f) at an angle: its slope, whether that is below zero by more than rounding, and how it
+/// changes.
+struct Growth {
+  double value, slope;
+  bool falls;
+};
+
+Growth growth_of(double psi, const Taylor& f, double rounding) {
+  const double t = std::tan(psi), growth = 2 * t, decline = f.first / f.value, value = growth - decline;
+  return {value, 2 * (1 + t * t) - f.second / f.value + decline * decline,
+          !(value >= -rounding * (growth + std::abs(decline)))};
+}
+
+/// Whether a dip or a hump of the growth shows at both ends of a stretch that holds it.
+bool shows_between(const Growth& one, const Growth& other) {
+  return one.falls ? one.slope > 0 && other.slope < 0 : one.slope < 0 && other.slope > 0;
+}
+
+/// An angle between low and high at which (1 + tan^2 psi)/f falls, though it grows at both; null where none shows.
+template <class At>
+std::optional<double> falls_between(const At& growth_at, double low, Growth at_low, double high, Growth at_high) {
+  constexpr int kSteps = 8;
+  const double depth = 0.5 * (high - low) * std::max(-at_low.slope, at_high.slope);
+  if (!shows_between(at_low, at_high) || std::min(at_low.value, at_high.value) > depth) return std::nullopt;
+  for (int i = 0; i < kSteps; ++i) {
+    const double x = low + (high - low) * at_low.slope / (at_low.slope - at_high.slope);
+    const Growth here = growth_at(x);
+    if (here.falls) return x;
+    (here.slope < 0 ? low : high) = x;
+    (here.slope < 0 ? at_low : at_high) = here;
+  }
+  return std::nullopt;
+}
+
 /// An angle between two places at which f does what is not seen from them: (1 + tan^2 psi)/f turns twice, f is no
 /// positive number, or has a pole or a zero; null where there is none.
 std::optional<double> unseen(const ExpressionLaw& law, std::span<const double> parameters) {
@@ -138,19 +172,16 @@ std::optional<double> unseen(const ExpressionLaw& law, std::span<const double> p
   const auto at = [&](double psi) {
     return law.toughness(along_angle(std::sin(psi), std::cos(psi)), {numbers.data(), parameters.size()});
   };
-  const auto grows = [](double psi, const Taylor& f) {
-    const double growth = 2 * std::tan(psi), decline = f.first / f.value;
-    return growth - decline >= -kRounding * (growth + std::abs(decline));
-  };
   double before_psi = place(1);
   Taylor before = at(before_psi);
   for (std::size_t i = 1; i + 1 < LawTraits::kPlaces; ++i) {
     std::size_t turns = 0;
+    const Growth begins = growth_of(before_psi, before, kRounding);
     for (std::size_t k = 1; k <= kBetween; ++k) {
       const double share = static_cast<double>(k) / kBetween, psi = place(i) + share * (place(i + 1) - place(i));
       const Taylor f = at(psi);
       if (!(f.value > 0 && f.value < kInfinity)) return psi;
-      turns += grows(before_psi, before) != grows(psi, f);
+      turns += growth_of(before_psi, before, kRounding).falls != growth_of(psi, f, kRounding).falls;
       if (before.first * f.first < 0) {  // an extremum of f between them, which may be a pole or a zero
         double low = before_psi, high = psi;
         for (int step = 0; step < 40; ++step) {
@@ -164,7 +195,13 @@ std::optional<double> unseen(const ExpressionLaw& law, std::span<const double> p
       before_psi = psi;
       before = f;
     }
-    if (turns > 1) return place(i);
+    // a dip that its ends foretell is followed, as traits tell of it
+    const Growth ends = growth_of(before_psi, before, kRounding);
+    const double length = place(i + 1) - place(i), middle = place(i) + 0.5 * length;
+    const double dip = 0.125 * length * (begins.slope - ends.slope), mean = 0.5 * (begins.value + ends.value);
+    const bool foretold = turns == 2 && shows_between(begins, ends) &&
+                          std::abs(growth_of(middle, at(middle), kRounding).value - mean - dip) <= std::abs(dip);
+    if (turns > 1 && !foretold) return place(i);
   }
   return std::nullopt;
 }
@@ -231,6 +268,7 @@ LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters
   const SampledLaw* const sampled = law.sampled(parameters);
   const double slope_rounding = sampled ? 1e-7 : 1e-11;
   std::array<Bend, LawTraits::kPlaces - 1> bends;
+  Growth before{};
   for (std::size_t i = 1; i < LawTraits::kPlaces; ++i) {
     const double psi = place(i);
     const double s = std::sin(psi), c = std::cos(psi);
@@ -240,12 +278,18 @@ LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters
       return traits;
     }
     if (law.is_equation()) traits.log_f[i] = log(f);
-    // the slope of ln((1 + tan^2 psi)/f), to its rounding
-    const double growth = 2 * s / c, decline = f.first / f.value;
-    if (!traits.turned_at && !(growth - decline >= -slope_rounding * (growth + std::abs(decline)))) {
-      traits.turned_at = psi;
-      traits.turned_g = 1 / (c * c * f.value);
+    const Growth growth = growth_of(psi, f, slope_rounding);
+    if (!traits.turned_at) {
+      const auto growth_at = [&](double x) {
+        return growth_of(x, law.toughness(along_angle(std::sin(x), std::cos(x)), p), slope_rounding);
+      };
+      if (growth.falls)
+        traits.turned_at = psi;
+      else if (i > 1)
+        traits.turned_at = falls_between(growth_at, place(i - 1), before, psi, growth);
+      if (traits.turned_at) traits.turned_g = 1 / (c * c * f.value);
     }
+    before = growth;
     // d(tau^2)/dy = 2 y (1/f - 1) + (y^2 + T^2) f' sin psi/(f^2 r)
     if (!(2 * c * (1 / f.value - 1) + s * f.first / (f.value * f.value) >= -0.1 * slope_rounding))
       traits.tau_grows = false;

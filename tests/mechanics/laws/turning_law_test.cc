@@ -67,6 +67,21 @@ double first_fold(const Pair& p, double P) {
   return folds.empty() ? 40 : folds[0].T;
 }
 
+// A bump 10 degrees wide makes a fold and another that leads back to a stable branch, which folds again.
+TEST(TurningLaws, FoldAsOftenAsTheirCurve) {
+  LawError error;
+  ASSERT_TRUE(define_law({"bump", "1 + p*exp(-((psi-0.7)/0.08)^2)*B", {{"p", 0, 1, 0.2}}}, error)) << error.message;
+  const double p = 0.19743589743589746, P = -3;
+  const std::vector<Fold> folds = folds_of("bump", std::vector{p}, P, {Control::Kind::load}).folds;
+  ASSERT_EQ(folds.size(), 3u);
+  // by psi the curve is explicit: the extrema of T in 30 digits
+  EXPECT_NEAR(folds[0].T, 5.6977046995313678, 1e-12);
+  EXPECT_NEAR(folds[1].T, 5.6893228577882, 1e-12);
+  EXPECT_NEAR(folds[2].T, 5.7442093625486, 1e-12);
+  EXPECT_EQ(folds[0].jumps_to, Jump::lower_branch);
+  EXPECT_FALSE(folds[1].place.maximum);
+}
+
 // The area of a load leads back to it, or to a smaller one at which the contact had that area before.
 TEST(TurningLaws, GiveTheFirstLoadThatHasAnArea) {
   with_tan_power([] {
