@@ -75,7 +75,7 @@ double first_tangential_load(const Parameters<Model>& p, double P, double y) {
   const auto look = [&](bool back, double from, double to) {
     const double way = back ? -1 : 1;
     for_sign_changes([&](double v) { return excess(way * v, back); }, way * from, way * to, kRounding,
-                     [](double) { return kStep; },
+                     [&](double) { return kStep; },
                      [&](double v, bool) {
                        found = y * std::exp(way * v);
                        return false;
