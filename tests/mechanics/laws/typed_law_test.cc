@@ -295,7 +295,7 @@ TEST(TypedLaws, WithFeaturesTooNarrowToBeFollowedAreRefused) {
   EXPECT_NEAR(near(checked("1 + p*exp(-((psi-0.6071)/0.006)^2)*B", p)), 34.8, 3);
   EXPECT_NEAR(near(checked("1 + p*t^2/(1-t/2)^2", p)), 63.435, 0.01);  // a pole
   EXPECT_NEAR(near(checked("(1 + p*t)^2/(1-t)^2", p)), 45, 0.01);
-  EXPECT_FALSE(checked("1 + p*min(t, 1)^2", p).error);                          // a kink is none
+  EXPECT_FALSE(checked("1 + p*min(t, 1)^2", p).error);  // a kink is none
   EXPECT_FALSE(checked("1 + p*exp(-((psi-0.7)/0.2)^2)*B", p).error);
   EXPECT_FALSE(checked("1 + p*exp(-((psi-0.7)/w)^2)*B", {{"p", 0.1, 2, 0.5}, {"w", 0.08, 0.3, 0.1}}).error);
   EXPECT_FALSE(checked("1 + p*t^8", p).error);
