@@ -174,14 +174,19 @@ std::optional<double> unseen(const ExpressionLaw& law, std::span<const double> p
   };
   double before_psi = place(1);
   Taylor before = at(before_psi);
+  Growth growth = growth_of(before_psi, before, kRounding);
   for (std::size_t i = 1; i + 1 < LawTraits::kPlaces; ++i) {
     std::size_t turns = 0;
-    const Growth begins = growth_of(before_psi, before, kRounding);
+    const Growth begins = growth;
+    Growth half_way{};
     for (std::size_t k = 1; k <= kBetween; ++k) {
       const double share = static_cast<double>(k) / kBetween, psi = place(i) + share * (place(i + 1) - place(i));
       const Taylor f = at(psi);
       if (!(f.value > 0 && f.value < kInfinity)) return psi;
-      turns += growth_of(before_psi, before, kRounding).falls != growth_of(psi, f, kRounding).falls;
+      const Growth next = growth_of(psi, f, kRounding);
+      turns += growth.falls != next.falls;
+      growth = next;
+      if (2 * k == kBetween) half_way = next;
       if (before.first * f.first < 0) {  // an extremum of f between them, which may be a pole or a zero
         double low = before_psi, high = psi;
         for (int step = 0; step < 40; ++step) {
@@ -196,11 +201,10 @@ std::optional<double> unseen(const ExpressionLaw& law, std::span<const double> p
       before = f;
     }
     // a dip that its ends foretell is followed, as traits tell of it
-    const Growth ends = growth_of(before_psi, before, kRounding);
-    const double length = place(i + 1) - place(i), middle = place(i) + 0.5 * length;
-    const double dip = 0.125 * length * (begins.slope - ends.slope), mean = 0.5 * (begins.value + ends.value);
-    const bool foretold = turns == 2 && shows_between(begins, ends) &&
-                          std::abs(growth_of(middle, at(middle), kRounding).value - mean - dip) <= std::abs(dip);
+    const double dip = 0.125 * (place(i + 1) - place(i)) * (begins.slope - growth.slope);
+    const double mean = 0.5 * (begins.value + growth.value);
+    const bool foretold =
+        turns == 2 && shows_between(begins, growth) && std::abs(half_way.value - mean - dip) <= std::abs(dip);
     if (turns > 1 && !foretold) return place(i);
   }
   return std::nullopt;
@@ -287,7 +291,10 @@ LawTraits traits_of(const ExpressionLaw& law, std::span<const double> parameters
         traits.turned_at = psi;
       else if (i > 1)
         traits.turned_at = falls_between(growth_at, place(i - 1), before, psi, growth);
-      if (traits.turned_at) traits.turned_g = 1 / (c * c * f.value);
+      if (const auto x = traits.turned_at) {
+        const double secant = 1 / std::cos(*x);
+        traits.turned_g = secant * secant / law.toughness(along_angle(std::sin(*x), std::cos(*x)), p).value;
+      }
     }
     before = growth;
     // d(tau^2)/dy = 2 y (1/f - 1) + (y^2 + T^2) f' sin psi/(f^2 r)
