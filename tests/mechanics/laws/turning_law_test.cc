@@ -9,6 +9,7 @@
 #include "mechanics/curve_distance.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/fold_checks.h"
+#include "mechanics/laws/area_of.h"
 #include "mechanics/sampling.h"
 #include "mechanics/true_distance.h"
 
@@ -91,15 +92,15 @@ TEST(TurningLaws, GiveTheFirstLoadThatHasAnArea) {
         for (const double share : {1e-3, 0.02, 0.3, 0.7, 0.95}) {
           const double T = share * first_fold(p, P);
           if (T > kMostShear) continue;
-          double A = 0, found = 0, again = 0;
           EquilibriumStatus status{};
-          const std::vector<Values> parameters{{&p[0], 0}, {&p[1], 0}};
-          areas("tan_power", parameters, {&P, 0}, {&T, 0}, {&A, 1}, {&status, 1});
+          const double A = area_of("tan_power", {p[0], p[1]}, P, T, status);
           if (status != EquilibriumStatus::ok) continue;
+          double found = 0;
+          const std::vector<Values> parameters{{&p[0], 0}, {&p[1], 0}};
           tangential_loads("tan_power", parameters, {&P, 0}, {&A, 0}, {&found, 1});
           ASSERT_TRUE(found <= T * (1 + 1e-3)) << p[0] << ' ' << p[1] << " P " << P << " T " << T << " found " << found;
-          areas("tan_power", parameters, {&P, 0}, {&found, 0}, {&again, 1}, {&status, 1});
-          EXPECT_NEAR(again, A, 1e-13 * A) << p[0] << ' ' << p[1] << " P " << P << " T " << T;
+          EXPECT_NEAR(area_of("tan_power", {p[0], p[1]}, P, found, status), A, 1e-13 * A)
+              << p[0] << ' ' << p[1] << " P " << P << " T " << T;
           ++all;
           back += std::abs(found - T) <= 1e-3 * T;  // the area has lost digits of a small shear
         }

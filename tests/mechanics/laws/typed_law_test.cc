@@ -9,6 +9,7 @@
 
 #include "many_digits.h"
 #include "mechanics/any_model.h"
+#include "mechanics/laws/area_of.h"
 #include "mechanics/laws/law.h"
 #include "mechanics/laws/law_traits.h"
 #include "mechanics/registry.h"
@@ -33,14 +34,6 @@ void define_published() {
   defined({"typed_bk", "1 + (r-1)*B^n", {{"r", 1e-3, 1e3, 2}, {"n", 1e-2, 1e2, 2}}});
 }
 
-double area(const std::string& key, const std::vector<double>& p, double P, double T, EquilibriumStatus& status) {
-  double A = 0;
-  std::vector<Values> parameters;
-  for (const double& one : p) parameters.push_back({&one, 0});
-  areas(key, parameters, {&P, 0}, {&T, 0}, {&A, 1}, {&status, 1});
-  return A;
-}
-
 struct Pair {
   const char *published, *typed;
   std::vector<std::vector<double>> parameters;
@@ -54,7 +47,6 @@ const std::vector<Pair> kPairs{
 };
 constexpr double kLoads[] = {-4.5, -1.79, -0.23, 0, 2, 30.4, 1000};
 
-// 1e-12: psi is rounded, and a tangent of it magnifies that near 90 degrees.
 TEST(TypedLaws, HaveTheAreasOfThePublishedOnes) {
   define_published();
   for (const Pair& pair : kPairs)
@@ -64,12 +56,7 @@ TEST(TypedLaws, HaveTheAreasOfThePublishedOnes) {
         const double most = folds.empty() ? 300 : folds[0].T;
         for (int i = 0; i <= 60; ++i) {
           const double T = most * 0.0166 * i;  // to 0.4 % from the fold, and then from beyond what jumps leave
-          EquilibriumStatus one{}, other{};
-          const double published = area(pair.published, p, P, T, one), typed = area(pair.typed, p, P, T, other);
-          ASSERT_EQ(one, other) << pair.typed << ' ' << p[0] << " P " << P << " T " << T;
-          if (one == EquilibriumStatus::ok) {
-            EXPECT_NEAR(typed, published, 1e-12 * published) << pair.typed << ' ' << p[0] << " P " << P << " T " << T;
-          }
+          expect_same_area(pair.published, pair.typed, p, P, T);
         }
       }
 }
@@ -124,7 +111,7 @@ TEST(TypedLaws, SolveTheirPrintedEquation) {
         const std::vector<Fold> folds = folds_of(key, p, P, {Control::Kind::load}).folds;
         const double T = share * (folds.empty() ? 40 : folds[0].T);
         EquilibriumStatus status{};
-        const double A = area(key, p, P, T, status);
+        const double A = area_of(key, p, P, T, status);
         ASSERT_EQ(status, EquilibriumStatus::ok) << key;
         EXPECT_NEAR(A / solve(f, P, T), 1, 1e-13) << key << " P " << P << " T " << T;
       };
@@ -350,7 +337,7 @@ TEST(TypedLaws, KeepTheirDigitsAtSmallShear) {
   const auto check = [](const std::string& key, const std::vector<double>& p, const auto& f) {
     for (const double T : {1e-12, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
       EquilibriumStatus status{};
-      const double A = area(key, p, 2, T, status);
+      const double A = area_of(key, p, 2, T, status);
       const Many three_pi = 3 * pi<Many>(), y0 = three_pi + sqrt(three_pi * three_pi + 12 * pi<Many>());
       Many low = y0 / 2, high = y0;
       for (int i = 0; i < 160; ++i) {
@@ -371,10 +358,10 @@ TEST(TypedLaws, AreTheSameOnEveryThread) {
   define_published();
   double here = 0, there = 0;
   EquilibriumStatus status{};
-  here = area("typed_b", {0.3}, 2, 10, status);
+  here = area_of("typed_b", {0.3}, 2, 10, status);
   std::thread([&] {
     EquilibriumStatus other{};
-    there = area("typed_b", {0.3}, 2, 10, other);
+    there = area_of("typed_b", {0.3}, 2, 10, other);
   }).join();
   EXPECT_EQ(here, there);
 }
