@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <iostream>
 
+#include "base/number_text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/flags.h"
@@ -11,8 +12,7 @@
 #include "cli/progress.h"
 #include "cli/quantity_list.h"
 #include "cli/usage_error.h"
-#include "dataset/number_text.h"
-#include "mechanics/any_model.h"
+#include "mechanics/contact_model.h"
 #include "studies/design.h"
 
 namespace mixity::cli {

@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "analysis/fit_definition.h"
+#include "base/output_file.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/fit_flags.h"
@@ -11,11 +13,9 @@
 #include "cli/progress.h"
 #include "cli/shard.h"
 #include "cli/usage_error.h"
-#include "jobs/fit_definition.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"
 #include "report/fit_text.h"
-#include "report/output_file.h"
 
 namespace mixity::cli {
 namespace {

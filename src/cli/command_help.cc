@@ -1,11 +1,11 @@
 #include <iostream>
 
+#include "analysis/laws.h"
+#include "base/number_text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/usage_error.h"
-#include "dataset/number_text.h"
-#include "jobs/laws.h"
 #include "mechanics/registry.h"
 
 namespace mixity::cli {

@@ -1,13 +1,13 @@
 // mixity import: a WebPlotDigitizer export becomes a data CSV.
 #include <iostream>
 
+#include "base/output_file.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/quantity_list.h"
 #include "cli/usage_error.h"
-#include "dataset/plot_import.h"
-#include "report/output_file.h"
+#include "dataset/table/plot_import.h"
 
 namespace mixity::cli {
 

@@ -7,8 +7,8 @@
 #include "cli/exit_code.h"
 #include "cli/fitted_contact.h"
 #include "cli/quantity_list.h"
-#include "mechanics/any_model.h"
-#include "report/figures/model_curves.h"
+#include "fitting/predicted_curves.h"
+#include "mechanics/contact_model.h"
 #include "report/instability_text.h"
 
 namespace mixity::cli {

@@ -1,12 +1,12 @@
 // mixity map: what becomes of a sheared contact, over normal load and lambda.
 #include <iostream>
 
+#include "base/rounding.h"
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
 #include "cli/quantity_list.h"
 #include "mechanics/regimes.h"
-#include "report/rounding.h"
 
 namespace mixity::cli {
 namespace {

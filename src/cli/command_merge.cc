@@ -1,12 +1,12 @@
 // mixity merge: what `mixity fit --shard=i/n --format=json` made of the parts of a list becomes one document.
 #include <iostream>
 
+#include "base/output_file.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/usage_error.h"
 #include "report/merge_json.h"
-#include "report/output_file.h"
 
 namespace mixity::cli {
 

@@ -2,18 +2,18 @@
 #include <algorithm>
 #include <iostream>
 
+#include "base/input_error.h"
+#include "base/output_file.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
 #include "cli/usage_error.h"
-#include "dataset/input_error.h"
-#include "dataset/series/clocks.h"
-#include "dataset/series/compression.h"
-#include "dataset/series/cuts_file.h"
+#include "dataset/logs/clocks.h"
+#include "dataset/logs/compression.h"
+#include "dataset/logs/cuts_file.h"
 #include "report/figures/gnuplot.h"
 #include "report/figures/log_figures.h"
-#include "report/output_file.h"
 #include "report/runs_files.h"
 
 namespace mixity::cli {

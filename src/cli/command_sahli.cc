@@ -1,10 +1,10 @@
 // mixity sahli: A = A0 - alpha T^2 for each loading run, and alpha against A0.
 #include <iostream>
 
+#include "base/input_error.h"
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
-#include "dataset/input_error.h"
 #include "fitting/fit.h"
 #include "fitting/sahli.h"
 #include "report/sahli_text.h"

@@ -2,15 +2,15 @@
 #include <iostream>
 #include <sstream>
 
+#include "base/number_text.h"
+#include "base/output_file.h"
+#include "base/toml_file.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/plan_flags.h"
 #include "cli/usage_error.h"
-#include "dataset/number_text.h"
 #include "dataset/table/csv.h"
-#include "dataset/toml_file.h"
-#include "report/output_file.h"
 #include "studies/simulate.h"
 
 namespace mixity::cli {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "base/number_text.h"
+#include "base/units.h"
 #include "cli/flags.h"
 #include "cli/usage_error.h"
-#include "dataset/number_text.h"
-#include "dataset/units.h"
 #include "mechanics/contact.h"
 #include "mechanics/registry.h"
 

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <iostream>
 
+#include "analysis/fit_definition.h"
+#include "analysis/job_options.h"
+#include "base/output_file.h"
+#include "base/printable.h"
 #include "cli/flags.h"
 #include "cli/law_flags.h"
 #include "cli/usage_error.h"
-#include "dataset/printable.h"
-#include "jobs/fit_definition.h"
-#include "jobs/job_options.h"
-#include "report/output_file.h"
 
 namespace mixity::cli {
 namespace {

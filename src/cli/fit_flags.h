@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "jobs/job.h"
+#include "analysis/job.h"
 
 namespace mixity::cli {
 

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <iostream>
 
+#include "base/input_error.h"
+#include "base/number_text.h"
+#include "base/rounding.h"
 #include "cli/exit_code.h"
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
 #include "cli/quantity_list.h"
 #include "cli/usage_error.h"
-#include "dataset/input_error.h"
-#include "dataset/number_text.h"
 #include "mechanics/prediction.h"
-#include "report/rounding.h"
 
 namespace mixity::cli {
 namespace {

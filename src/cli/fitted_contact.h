@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "analysis/job.h"
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 #include "fitting/prediction.h"
-#include "jobs/job.h"
 
 namespace mixity::cli {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "analysis/laws.h"
+#include "base/number_text.h"
+#include "base/units.h"
 #include "cli/usage_error.h"
-#include "dataset/number_text.h"
-#include "dataset/units.h"
 #include "fitting/fit.h"
-#include "jobs/laws.h"
 
 DEFINE_string(models, "a,b,c", "models to fit, comma-separated (mixity help lists them)");
 DEFINE_string(

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iostream>
 
+#include "analysis/laws.h"
+#include "base/toml_file.h"
 #include "cli/flags.h"
-#include "dataset/toml_file.h"
-#include "jobs/laws.h"
 
 namespace mixity::cli {
 namespace {

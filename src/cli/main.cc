@@ -7,14 +7,14 @@
 #include <iostream>
 #include <new>
 
+#include "base/input_error.h"
+#include "base/output_file.h"
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/law_flags.h"
 #include "cli/usage_error.h"
-#include "dataset/input_error.h"
-#include "dataset/printable.h"
-#include "report/output_file.h"
 
 namespace {
 

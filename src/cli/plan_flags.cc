@@ -5,7 +5,7 @@
 #include "cli/law_flags.h"
 #include "cli/quantity_list.h"
 #include "cli/usage_error.h"
-#include "mechanics/any_model.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity::cli {
 namespace {

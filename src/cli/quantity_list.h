@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/units.h"
 #include "cli/flags.h"
 #include "cli/usage_error.h"
-#include "dataset/units.h"
 
 namespace mixity::cli {
 

@@ -1,10 +1,10 @@
 // A part of a list of files, for one of several machines.
 #pragma once
 
+#include "base/units.h"
 #include "cli/commands.h"
 #include "cli/flags.h"
 #include "cli/usage_error.h"
-#include "dataset/units.h"
 
 namespace mixity::cli {
 

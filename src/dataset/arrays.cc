@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/number_text.h"
 #include "dataset/collector.h"
-#include "dataset/number_text.h"
 #include "dataset/table/csv.h"
 
 namespace mixity {

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <tuple>
 
-#include "dataset/number_text.h"
-#include "dataset/series/falls.h"
-#include "dataset/series/noise.h"
+#include "base/number_text.h"
+#include "statistics/falls.h"
+#include "statistics/noise.h"
 
 namespace mixity {
 namespace {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/input_error.h"
+#include "base/number_text.h"
+#include "base/printable.h"
 #include "dataset/energies.h"
-#include "dataset/input_error.h"
 #include "dataset/load_sign.h"
 #include "dataset/nominal_loads.h"
-#include "dataset/number_text.h"
-#include "dataset/printable.h"
 #include "dataset/repeated_shear.h"
 #include "dataset/table/vocabulary.h"
 

@@ -4,11 +4,11 @@
 #include <limits>
 #include <utility>
 
+#include "base/input_error.h"
+#include "base/side_by_side.h"
 #include "dataset/collector.h"
-#include "dataset/input_error.h"
 #include "dataset/large_pages.h"
 #include "dataset/pipeline.h"
-#include "dataset/side_by_side.h"
 #include "dataset/table/table.h"
 
 namespace mixity {

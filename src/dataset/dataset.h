@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
+#include "base/printable.h"
 #include "dataset/metadata.h"
-#include "dataset/printable.h"
 #include "mechanics/contact.h"
 #include "mechanics/measurement.h"
 

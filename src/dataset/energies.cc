@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "dataset/input_error.h"
-#include "dataset/number_text.h"
+#include "base/input_error.h"
+#include "base/number_text.h"
 #include "mechanics/contact.h"
 #include "mechanics/model.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "dataset/units.h"
+#include "base/units.h"
 
 namespace mixity {
 namespace {

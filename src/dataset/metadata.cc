@@ -5,12 +5,12 @@
 #include <cctype>
 #include <filesystem>
 
-#include "dataset/input_error.h"
-#include "dataset/number_text.h"
-#include "dataset/printable.h"
+#include "base/input_error.h"
+#include "base/number_text.h"
+#include "base/printable.h"
+#include "base/toml_file.h"
+#include "base/trim.h"
 #include "dataset/table/column_kinds.h"
-#include "dataset/toml_file.h"
-#include "dataset/trim.h"
 #include "mechanics/contact.h"
 
 namespace mixity {
@@ -294,6 +294,10 @@ void require_whole_modulus(const Metadata& metadata, const std::string& path, co
   for (const auto& [name, text] : overrides)
     if (name == given) throw InputError("--" + name, "needs " + std::string(missing) + ", too");
   if (!metadata.modulus) throw InputError(path, "states " + std::string(given) + " without " + std::string(missing));
+}
+
+ColumnRules rules_of(const Metadata& metadata) {
+  return {metadata.columns, metadata.headings, metadata.load || !metadata.load_from.empty(), metadata.pixel};
 }
 
 }  // namespace mixity

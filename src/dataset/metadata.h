@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "dataset/units.h"
+#include "base/units.h"
+#include "dataset/table/column_names.h"
 
 namespace mixity {
 
@@ -83,5 +84,8 @@ void apply_overrides(const Overrides& overrides, Metadata& metadata);
 /// Throws InputError if the statements of the modulus contradict each other or are incomplete: naming the flag, if one
 /// of the overrides is half of a pair, else the file at `path`.
 void require_whole_modulus(const Metadata& metadata, const std::string& path, const Overrides& overrides = {});
+
+/// How the columns of its table are to be read.
+ColumnRules rules_of(const Metadata& metadata);
 
 }  // namespace mixity

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
 
 namespace mixity {
 

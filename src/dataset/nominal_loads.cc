@@ -6,9 +6,9 @@
 #include <numeric>
 #include <set>
 
-#include "dataset/number_text.h"
-#include "dataset/series/change_points.h"
-#include "dataset/series/readings.h"
+#include "base/number_text.h"
+#include "statistics/change_points.h"
+#include "statistics/readings.h"
 
 namespace mixity {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "dataset/columns.h"
-#include "dataset/input_error.h"
+#include "base/input_error.h"
+#include "dataset/table/columns.h"
 #include "dataset/table/csv.h"
 #include "mechanics/contact.h"
 

@@ -6,7 +6,7 @@
 #include <exception>
 #include <mutex>
 
-#include "dataset/side_by_side.h"
+#include "base/side_by_side.h"
 
 namespace mixity {
 

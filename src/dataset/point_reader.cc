@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/input_error.h"
 #include "dataset/energies.h"
-#include "dataset/input_error.h"
 #include "dataset/missing_constants.h"
 #include "dataset/table/number.h"
 #include "mechanics/measurement.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "dataset/columns.h"
 #include "dataset/dataset.h"
+#include "dataset/table/columns.h"
 #include "dataset/table/csv.h"
 
 namespace mixity {

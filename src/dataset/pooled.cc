@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <set>
 
+#include "base/number_text.h"
 #include "dataset/load_sign.h"
-#include "dataset/number_text.h"
 
 namespace mixity {
 namespace {

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
+#include "base/number_text.h"
 #include "dataset/dataset.h"
-#include "dataset/number_text.h"
 
 namespace mixity {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "dataset/printable.h"
+#include "base/printable.h"
 
 namespace mixity {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mechanics/any_model.h"
-#include "report/figures/drawn_units.h"
-#include "report/figures/model_curves.h"
-#include "report/figures/regime_regions.h"
+#include "dataset/display_units.h"
+#include "fitting/predicted_curves.h"
+#include "mechanics/contact_model.h"
+#include "mechanics/regime_map.h"
 
 namespace mixity::explorer {
 namespace {
@@ -88,7 +88,7 @@ Json drawn_models(const Json& request) {
       all.push_back({{"model", model}, {"problem", regime.problem}, {"toughness", toughness}});
       continue;
     }
-    const DrawnCurve drawn = drawn_curve(result, fit, P, T_most, Points::soonest);
+    const DrawnCurve drawn = drawn_curve(result.data, result.job.options, fit, P, T_most, Points::soonest);
     Json folds = Json::array();
     for (const DrawnFold& fold : drawn.folds)
       folds.push_back({{"control", to_string(fold.control)},
@@ -97,7 +97,7 @@ Json drawn_models(const Json& request) {
                        {"u", fold.u},
                        {"jumps_to", fold.jumps_to},
                        {"area_after", fold.area_after}});
-    const DrawnRadii radii = drawn_radii(result, fit, T, P_most, kPoints);
+    const DrawnRadii radii = drawn_radii(result.data, result.job.options, fit, T, P_most, kPoints);
     all.push_back({{"model", model},
                    {"curve", curve(drawn)},
                    {"folds", folds},

@@ -10,14 +10,14 @@
 #include <span>
 #include <string>
 
+#include "analysis/answer.h"
+#include "analysis/fit_definition.h"
+#include "analysis/job_options.h"
+#include "analysis/laws.h"
 #include "explorer/drawing.h"
 #include "explorer/experiment.h"
 #include "explorer/regime_map.h"
-#include "jobs/fit_definition.h"
-#include "jobs/job_options.h"
-#include "jobs/laws.h"
-#include "mechanics/any_model.h"
-#include "report/answer.h"
+#include "mechanics/contact_model.h"
 #include "report/fit_json.h"
 #include "report/job_fields.h"
 #include "report/used_csv.h"

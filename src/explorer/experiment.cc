@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <tuple>
 
-#include "dataset/number_text.h"
-#include "dataset/units.h"
+#include "base/number_text.h"
+#include "base/units.h"
+#include "fitting/predicted_curves.h"
 #include "fitting/prediction.h"
-#include "mechanics/any_model.h"
-#include "report/figures/model_curves.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity::explorer {
 namespace {
@@ -58,7 +58,8 @@ Json model_of(const JobResult& result, const FitResult& fit, bool best) {
   for (std::size_t run = 0; run < by_run.size(); ++run) {
     double largest = 0;
     for (const std::size_t i : by_run[run]) largest = std::max(largest, data.points[i].shear());
-    const DrawnCurve curve = drawn_curve(result, fit, data.curve_loads[run], 1.4 * largest, Points::soonest);
+    const DrawnCurve curve =
+        drawn_curve(result.data, result.job.options, fit, data.curve_loads[run], 1.4 * largest, Points::soonest);
     Json stable = Json::array(), unstable = Json::array(), folds = Json::array();
     for (const DrawnPoint& q : curve.points) (q.stable && unstable.empty() ? stable : unstable).push_back({q.T, q.A});
     for (const DrawnFold& fold : curve.folds)

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "jobs/job.h"
-#include "report/answer.h"
+#include "analysis/answer.h"
+#include "analysis/job.h"
 
 namespace mixity::explorer {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mechanics/any_model.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity::explorer {
 namespace {

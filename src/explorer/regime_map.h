@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/figures/regime_regions.h"
+#include "mechanics/regime_map.h"
 
 namespace mixity::explorer {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dataset/side_by_side.h"
+#include "base/side_by_side.h"
 #include "fitting/common_constants.h"
 #include "fitting/predicted_area.h"
 #include "fitting/prepare.h"

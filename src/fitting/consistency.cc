@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
 
 namespace mixity {
 namespace {

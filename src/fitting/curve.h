@@ -7,7 +7,7 @@
 #include <memory>
 #include <numeric>
 
-#include "dataset/side_by_side.h"
+#include "base/side_by_side.h"
 #include "fitting/objective.h"
 #include "mechanics/curve_distance.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "dataset/number_text.h"
-#include "dataset/units.h"
+#include "base/number_text.h"
+#include "base/units.h"
 #include "fitting/consistency.h"
 #include "fitting/predicted_area.h"
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/input_error.h"
 #include "dataset/dataset.h"
-#include "dataset/input_error.h"
 #include "fitting/objective.h"
 #include "fitting/standard_errors.h"
 #include "mechanics/energy_plane.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "dataset/input_error.h"
-#include "dataset/number_text.h"
+#include "base/input_error.h"
+#include "base/number_text.h"
 #include "solver/interval.h"
 #include "solver/resample.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
 
 namespace mixity {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
 #include "fitting/curve.h"
 #include "fitting/energies.h"
 #include "fitting/result.h"

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/units.h"
 #include "dataset/dataset.h"
-#include "dataset/units.h"
 
 namespace mixity {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
 #include "fitting/standard_errors.h"
 #include "fitting/toughness.h"
 

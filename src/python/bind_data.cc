@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "dataset/arrays.h"
-#include "dataset/column_names.h"
 #include "dataset/pooled.h"
+#include "dataset/table/column_names.h"
 #include "python/bindings.h"
 
 namespace mixity {

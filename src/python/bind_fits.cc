@@ -1,10 +1,10 @@
 // Fits and what they say.
 #include <cmath>
 
+#include "analysis/job.h"
+#include "analysis/job_options.h"
 #include "fitting/fit.h"
 #include "fitting/prediction.h"
-#include "jobs/job.h"
-#include "jobs/job_options.h"
 #include "python/bindings.h"
 #include "report/fit_json.h"
 #include "report/fit_text.h"

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <memory>
 
-#include "dataset/input_error.h"
+#include "analysis/laws.h"
+#include "base/input_error.h"
 #include "fitting/options.h"
-#include "jobs/laws.h"
-#include "mechanics/any_model.h"
+#include "mechanics/contact_model.h"
 #include "mechanics/measurement.h"
 #include "python/bindings.h"
 

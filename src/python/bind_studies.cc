@@ -1,5 +1,5 @@
 // Plans and simulated experiments.
-#include "dataset/input_error.h"
+#include "base/input_error.h"
 #include "python/bindings.h"
 #include "studies/design.h"
 #include "studies/simulate.h"

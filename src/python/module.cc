@@ -1,6 +1,6 @@
 // The engine as Python's module mixity._core: arrays in, results as JSON and arrays out. What is Pythonic about it
 // stands in mixity/*.py.
-#include "dataset/input_error.h"
+#include "base/input_error.h"
 #include "python/bindings.h"
 
 NB_MODULE(_core, m) {

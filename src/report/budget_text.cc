@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/units.h"
+#include "base/rounding.h"
+#include "base/units.h"
 #include "fitting/consistency.h"
-#include "report/rounding.h"
 
 namespace mixity {
 namespace {

@@ -4,8 +4,8 @@
 #include <map>
 #include <sstream>
 
+#include "base/number_text.h"
 #include "dataset/check.h"
-#include "dataset/number_text.h"
 #include "fitting/consistency.h"
 #include "report/budget_text.h"
 #include "report/constants_text.h"

@@ -1,7 +1,7 @@
 #include "report/constants_text.h"
 
-#include "dataset/units.h"
-#include "report/rounding.h"
+#include "base/rounding.h"
+#include "base/units.h"
 
 namespace mixity {
 namespace {

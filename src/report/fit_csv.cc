@@ -6,11 +6,11 @@
 #include <sstream>
 #include <tuple>
 
+#include "base/rounding.h"
 #include "dataset/table/csv.h"
 #include "fitting/predicted_area.h"
+#include "fitting/predicted_curves.h"
 #include "mechanics/prediction.h"
-#include "report/figures/model_curves.h"
-#include "report/rounding.h"
 
 namespace mixity {
 namespace {

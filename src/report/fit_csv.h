@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "jobs/job.h"
+#include "analysis/job.h"
 
 namespace mixity {
 

@@ -6,18 +6,12 @@
 #include <numeric>
 #include <sstream>
 
-#include "report/readable.h"
-#include "report/rounding.h"
+#include "analysis/readable.h"
+#include "base/rounding.h"
 
 namespace mixity {
 
 std::string shown_r2(const std::optional<double>& r2) { return r2 ? r2_text(*r2) : "undefined (the data do not vary)"; }
-
-std::string in_words(FitStatus status) {
-  std::string text(to_string(status));
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
-}
 
 std::string interval_text(const FittedParameter& parameter) {
   if (!parameter.interval) return {};
@@ -177,26 +171,6 @@ std::string comparison_text(const JobResult& result) {
   }
   if (const std::string text = no_best_model(result); !text.empty()) out << "    " << text << '\n';
   return out.str();
-}
-
-std::string no_best_model(const JobResult& result) {
-  const Preferences preferred = preferences(result.comparison);
-  for (const FitResult& fit : result.fits) {
-    const bool named =
-        fit.model == preferred.aicc || fit.model == preferred.evidence || fit.model == preferred.left_out;
-    if (named && fit.status == FitStatus::suspect && fit.outdone_by.empty())
-      return "the fit of " + fit.model + " is suspect, and no model is named best before that is mended";
-  }
-  if (preferred.agree()) return {};
-  std::string text, separator = "the criteria disagree, and no model is named best: ";
-  for (const auto& [criterion, model] :
-       {std::pair("AICc prefers ", preferred.aicc), std::pair("the evidence ", preferred.evidence),
-        std::pair("the loads left out ", preferred.left_out)}) {
-    if (model.empty()) continue;
-    text += separator + criterion + model;
-    separator = ", ";
-  }
-  return text;
 }
 
 std::string per_curve_text(const JobResult& result) {

@@ -4,12 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "jobs/job.h"
+#include "analysis/job.h"
 
 namespace mixity {
 
-/// "not converged".
-std::string in_words(FitStatus status);
 /// "   95% 0.00228..0.00233", rounded to the interval's own width; empty without one.
 std::string interval_text(const FittedParameter& parameter);
 /// "0.9999", or why there is none.
@@ -25,8 +23,6 @@ std::vector<std::string> raised_errors(const StandardErrors& errors);
 /// Where the standard errors come from, correlations, the loss: a line each, or nothing.
 std::string errors_text(const FitResult& fit, const Dataset& data);
 std::string comparison_text(const JobResult& result);
-/// Why no model is named best: one that a criterion prefers is suspect, or they do not agree. Else empty.
-std::string no_best_model(const JobResult& result);
 std::string per_curve_text(const JobResult& result);
 
 }  // namespace mixity

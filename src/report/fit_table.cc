@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "analysis/readable.h"
+#include "base/rounding.h"
 #include "report/fit_statistics_text.h"
-#include "report/readable.h"
-#include "report/rounding.h"
 
 namespace mixity {
 namespace {

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "analysis/readable.h"
+#include "base/rounding.h"
 #include "report/budget_text.h"
 #include "report/constants_text.h"
 #include "report/excluded_text.h"
 #include "report/fit_statistics_text.h"
-#include "report/readable.h"
-#include "report/rounding.h"
 
 namespace mixity {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "jobs/job.h"
+#include "analysis/job.h"
 
 namespace mixity {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "report/rounding.h"
+#include "base/rounding.h"
 
 namespace mixity {
 namespace {

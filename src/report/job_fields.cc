@@ -1,6 +1,6 @@
 #include "report/job_fields.h"
 
-#include "jobs/laws.h"
+#include "analysis/laws.h"
 
 namespace mixity {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jobs/job.h"
+#include "analysis/job.h"
 
 namespace mixity {
 

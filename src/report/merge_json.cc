@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
 #include "dataset/table/csv.h"
 #include "report/fit_statistics_json.h"
 

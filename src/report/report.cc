@@ -1,8 +1,8 @@
 #include "report/report.h"
 
+#include "base/output_file.h"
 #include "dataset/table/csv.h"
 #include "report/fit_csv.h"
-#include "report/output_file.h"
 #include "report/page/explorer_page.h"
 #include "report/page/report_page.h"
 #include "report/report_json.h"

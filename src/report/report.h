@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "report/answer.h"
+#include "analysis/answer.h"
+#include "analysis/reported_data.h"
 #include "report/figures/data_figures.h"
 #include "report/figures/gnuplot.h"
-#include "report/reported_data.h"
 
 namespace mixity {
 

@@ -1,6 +1,6 @@
 #include "report/report_json.h"
 
-#include "report/answer.h"
+#include "analysis/answer.h"
 #include "report/fit_statistics_json.h"
 #include "report/fit_table.h"
 #include "report/versions.h"

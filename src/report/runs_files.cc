@@ -4,10 +4,10 @@
 #include <map>
 #include <sstream>
 
-#include "dataset/number_text.h"
-#include "dataset/printable.h"
+#include "base/number_text.h"
+#include "base/printable.h"
+#include "base/toml_file.h"
 #include "dataset/table/csv.h"
-#include "dataset/toml_file.h"
 
 namespace mixity {
 namespace {

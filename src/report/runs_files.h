@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "dataset/logs/loading_runs.h"
 #include "dataset/metadata.h"
-#include "dataset/series/loading_runs.h"
 
 namespace mixity {
 

@@ -3,7 +3,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
 #include "dataset/table/csv.h"
 #include "report/excluded_text.h"
 

@@ -1,7 +1,7 @@
 #include "report/summary_markdown.h"
 
-#include "dataset/printable.h"
-#include "report/answer.h"
+#include "analysis/answer.h"
+#include "base/printable.h"
 #include "report/budget_text.h"
 #include "report/fit_table.h"
 #include "report/versions.h"

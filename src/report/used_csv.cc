@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
 
 namespace mixity {
 

@@ -15,7 +15,8 @@ enum class Engine { ceres, kernel };
 
 struct SolverOptions {
   Engine engine = Engine::ceres;
-  /// Whether the kernel's minima of several parameters are taken to their last digits; what is only compared needs none.
+  /// Whether the kernel's minima of several parameters are taken to their last digits; what is only compared needs
+  /// none.
   bool last_digits = true;
 
   // ---- Descent ----

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "dataset/side_by_side.h"
+#include "base/side_by_side.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "studies/simulate.h"

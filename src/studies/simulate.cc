@@ -6,10 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/number_text.h"
 #include "dataset/arrays.h"
-#include "dataset/number_text.h"
-#include "mechanics/any_model.h"
 #include "mechanics/contact.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "mechanics/any_model.h"
 #include "mechanics/batch.h"
+#include "mechanics/contact_model.h"
 #include "mechanics/curve_distance.h"
 #include "mechanics/sampling.h"
 

@@ -72,7 +72,9 @@ TEST(Program, BadUsageIsOneLineAndExitTwo) {
            {{"fit", "a.csv", "--flagfile=x"}, "unknown flag '--flagfile' (see mixity help fit)"},
            {{"fit"}, "fit needs a data CSV or a fit definition (see mixity help fit)"},
            {{"fit", "a.csv", "--models"}, "flag '--models' needs a value"},
-           {{"fit", "a.csv", "--models=c,z"}, "flag '--models' names the unknown model 'z' (known: a, b, c, bk, hutchinson_suo, linear, power, quadratic)"},
+           {{"fit", "a.csv", "--models=c,z"},
+            "flag '--models' names the unknown model 'z' (known: a, b, c, bk, hutchinson_suo, linear, power, "
+            "quadratic)"},
            {{"fit", "a.csv", "--models=c,b,c"}, "flag '--models' names 'c' twice"},
            {{"fit", "a.csv", "--hold=lambda=0.1,lambda=0.2"}, "flag '--hold' names 'lambda' twice"},
            {{"predict", "--model=c", "--lambda=0.1", "--load=0", "--shear=0", "--radius=1e-300 m", "--modulus=1 Pa",

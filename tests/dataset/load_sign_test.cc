@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/number_text.h"
 #include "dataset/check.h"
 #include "dataset/load_text.h"
-#include "dataset/number_text.h"
 #include "dataset/pooled.h"
 #include "mechanics/contact.h"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
+#include "base/number_text.h"
 #include "dataset/load_text.h"
-#include "dataset/number_text.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "mechanics/model_types.h"

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
 #include "dataset/load_text.h"
 #include "fitting/fit.h"
 #include "fitting/prepare.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
 #include "fitting/synthetic.h"
 
 namespace mixity {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
 #include "fitting/fit.h"
 #include "fitting/prepare.h"
 #include "fitting/synthetic_runs.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
 #include "dataset/load_text.h"
 #include "fitting/synthetic_runs.h"
 

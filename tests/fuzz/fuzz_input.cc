@@ -9,16 +9,16 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/fit_definition.h"
+#include "analysis/laws.h"
+#include "base/units.h"
 #include "dataset/check.h"
-#include "dataset/columns.h"
 #include "dataset/dataset.h"
 #include "dataset/peak_forces.h"
-#include "dataset/plot_import.h"
+#include "dataset/table/columns.h"
 #include "dataset/table/csv.h"
+#include "dataset/table/plot_import.h"
 #include "dataset/temporary_folder.h"
-#include "dataset/units.h"
-#include "jobs/fit_definition.h"
-#include "jobs/laws.h"
 #include "mechanics/laws/law_traits.h"
 #include "promise.h"
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "dataset/input_error.h"
-#include "dataset/printable.h"
+#include "base/input_error.h"
+#include "base/printable.h"
 
 namespace mixity::fuzz {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "mechanics/any_model.h"
+#include "mechanics/contact_model.h"
 #include "mechanics/laws/law.h"
 #include "mechanics/regimes.h"
 

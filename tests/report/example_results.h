@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "jobs/fit_definition.h"
-#include "report/reported_data.h"
+#include "analysis/fit_definition.h"
+#include "analysis/reported_data.h"
 
 namespace mixity {
 

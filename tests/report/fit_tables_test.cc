@@ -5,9 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "analysis/fit_definition.h"
 #include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
-#include "jobs/fit_definition.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"
 

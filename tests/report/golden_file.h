@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/output_file.h"
 #include "dataset/table/csv.h"
 #include "report/fit_text.h"
-#include "report/output_file.h"
 
 namespace mixity {
 

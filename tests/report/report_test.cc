@@ -8,11 +8,11 @@
 #include <set>
 #include <sstream>
 
+#include "base/output_file.h"
 #include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 #include "report/example_results.h"
 #include "report/fit_json.h"
-#include "report/output_file.h"
 
 namespace mixity {
 namespace {

@@ -13,7 +13,8 @@ namespace {
 /// Without the last line, which names versions.
 std::string summary(const JobResult& result) {
   const ReportedData data{result, "example", {}, {}, {}};
-  const std::string text = summary_markdown({{"mixity report example.toml", {}}, {{&data, {}, answer_of(data.result)}}, {}});
+  const std::string text =
+      summary_markdown({{"mixity report example.toml", {}}, {{&data, {}, answer_of(data.result)}}, {}});
   return text.substr(0, text.rfind("with "));
 }
 

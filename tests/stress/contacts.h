@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
 #include "mechanics/area_judge.h"
 #include "mechanics/batch.h"
 #include "stress/tally.h"

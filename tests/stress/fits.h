@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
 #include "fitting/fit.h"
 #include "stress/golden.h"
 #include "stress/random_data.h"

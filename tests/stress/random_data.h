@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "base/number_text.h"
 #include "dataset/dataset.h"
-#include "dataset/number_text.h"
 #include "stress/contacts.h"
 
 namespace mixity::stress {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "mechanics/any_model.h"
 #include "mechanics/contact.h"
+#include "mechanics/contact_model.h"
 #include "studies/simulate.h"
 
 namespace mixity {

@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS mixity_library EXPORT mixityTargets)
-foreach(room mechanics dataset solver fitting studies jobs report)
+foreach(room base statistics mechanics dataset solver fitting studies analysis report)
   install(DIRECTORY src/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mixity FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(FILES src/mixity/mixity.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mixity)

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <string>
 
-#include "dataset/trim.h"
-#include "dataset/units.h"
+#include "base/trim.h"
+#include "base/units.h"
 
 namespace mixity {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "dataset/units.h"
+#include "base/units.h"
 
 namespace mixity {
 

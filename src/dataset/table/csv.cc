@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
+#include "base/trim.h"
 #include "dataset/table/csv_rows.h"
 #include "dataset/table/number.h"
-#include "dataset/trim.h"
 
 namespace mixity {
 

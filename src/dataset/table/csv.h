@@ -13,7 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "dataset/input_error.h"
+#include "base/files.h"
+#include "base/input_error.h"
 #include "dataset/table/encoding.h"
 
 namespace mixity {
@@ -113,9 +114,6 @@ class CsvBlock {
   CsvFormat format_;
 };
 
-/// What is held at once: a row, or a file that is not read by rows.
-inline constexpr std::size_t kMostText = std::size_t{1} << 28;
-
 /// A file cut between rows. No more of it is held than a block, or its longest row.
 class CsvFile {
  public:
@@ -166,8 +164,5 @@ void read_csv_text(std::string_view text, const std::string& name, bool comments
 
 /// Text as a CSV field, quoted where it must be to be read back as one field.
 std::string csv_field(const std::string& text);
-
-/// Whole file as a string; throws InputError if it cannot be read or holds more than kMostText bytes.
-std::string read_file(const std::string& path);
 
 }  // namespace mixity

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "dataset/input_error.h"
+#include "base/input_error.h"
 #include "dataset/table/csv.h"
 #include "dataset/table/csv_rows.h"
 
@@ -139,19 +139,6 @@ void read_csv_text(std::string_view text, const std::string& name, bool comments
   if (text.find('\n') == std::string_view::npos) format.line_end = '\r';
   std::size_t line = 1;
   if (find_first_row(text, line, format)) read_rows(text, line, format, name, use);
-}
-
-std::string read_file(const std::string& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw InputError(path, std::string("cannot be opened: ") + std::strerror(errno));
-  std::string text;
-  std::array<char, 1 << 14> part;
-  while (const std::size_t got = std::fread(part.data(), 1, part.size(), file.get())) {
-    text.append(part.data(), got);
-    if (text.size() > kMostText) throw InputError(path, "is larger than 256 MB");
-  }
-  if (std::ferror(file.get())) throw InputError(path, std::string("cannot be read: ") + std::strerror(errno));
-  return text;
 }
 
 }  // namespace mixity

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "dataset/trim.h"
+#include "base/trim.h"
 
 namespace mixity {
 namespace {

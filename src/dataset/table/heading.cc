@@ -8,7 +8,7 @@
 #include <memory>
 #include <set>
 
-#include "dataset/trim.h"
+#include "base/trim.h"
 
 namespace mixity {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "dataset/trim.h"
-#include "dataset/units.h"
+#include "base/trim.h"
+#include "base/units.h"
 
 namespace mixity {
 namespace {

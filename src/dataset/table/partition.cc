@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <map>
 
-#include "dataset/input_error.h"
-#include "dataset/printable.h"
+#include "base/input_error.h"
+#include "base/printable.h"
+#include "base/trim.h"
 #include "dataset/table/csv_rows.h"
 #include "dataset/table/number.h"
-#include "dataset/trim.h"
 
 namespace mixity {
 namespace {

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "dataset/input_error.h"
-#include "dataset/number_text.h"
-#include "dataset/printable.h"
+#include "base/input_error.h"
+#include "base/number_text.h"
+#include "base/printable.h"
+#include "base/trim.h"
 #include "dataset/table/clock_time.h"
 #include "dataset/table/csv_rows.h"
 #include "dataset/table/number.h"
 #include "dataset/table/partition.h"
-#include "dataset/trim.h"
 
 namespace mixity {
 namespace {

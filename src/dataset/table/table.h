@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dataset/columns.h"
+#include "dataset/table/columns.h"
 #include "dataset/table/csv.h"
 
 namespace mixity {

@@ -2,8 +2,8 @@
 
 #include <toml++/toml.h>
 
+#include "base/toml_file.h"
 #include "dataset/table/heading.h"
-#include "dataset/toml_file.h"
 
 namespace mixity {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
+#include "dataset/display_units.h"
+#include "fitting/predicted_curves.h"
 #include "report/figures/data_figures.h"
-#include "report/figures/drawn_units.h"
-#include "report/figures/model_curves.h"
 
 namespace mixity {
 namespace {
@@ -18,12 +18,13 @@ class AreaFigures {
         units_(data_),
         runs_(shown_runs(data_)),
         points_(points_by_curve(data_)),
-        fits_(fits_with_values(reported.result)),
+        fits_(fits_with_values(reported.result.fits)),
         T_data_(largest_shear(data_)) {
     for (const FitResult* fit : fits_) {
       curves_.emplace_back();
       for (const std::size_t run : runs_)
-        curves_.back().push_back(drawn_curve(reported.result, *fit, data_.curve_loads[run], kWidest * T_data_));
+        curves_.back().push_back(drawn_curve(reported.result.data, reported.result.job.options, *fit,
+                                             data_.curve_loads[run], kWidest * T_data_));
     }
   }
 
@@ -133,9 +134,11 @@ class AreaFigures {
     for (std::size_t k = 0; k < runs_.size(); ++k) {
       Series band{"", Look::band, color(k), {}};
       const double load = data_.curve_loads[runs_[k]];
-      for (const DrawnPoint& q : drawn_curve(reported_.result, *low, load, kWidest * T_data_).points)
+      for (const DrawnPoint& q :
+           drawn_curve(reported_.result.data, reported_.result.job.options, *low, load, kWidest * T_data_).points)
         band.points.emplace_back(q.T, q.A);
-      const DrawnCurve other = drawn_curve(reported_.result, *high, load, kWidest * T_data_);
+      const DrawnCurve other =
+          drawn_curve(reported_.result.data, reported_.result.job.options, *high, load, kWidest * T_data_);
       for (auto q = other.points.rbegin(); q != other.points.rend(); ++q) band.points.emplace_back(q->T, q->A);
       figure.series.push_back(std::move(band));
     }

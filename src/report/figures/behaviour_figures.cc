@@ -2,10 +2,10 @@
 #include <cmath>
 #include <functional>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
+#include "dataset/display_units.h"
+#include "fitting/predicted_curves.h"
 #include "report/figures/data_figures.h"
-#include "report/figures/drawn_units.h"
-#include "report/figures/model_curves.h"
 
 namespace mixity {
 namespace {
@@ -20,13 +20,14 @@ struct Behaviour {
   std::vector<std::vector<DrawnCurve>> curves;  // [fit][run]
 
   explicit Behaviour(const ReportedData& reported)
-      : fits(fits_with_values(reported.result)),
+      : fits(fits_with_values(reported.result.fits)),
         runs(shown_runs(reported.result.data)),
         T_most(1.3 * largest_shear(reported.result.data)) {
     for (const FitResult* fit : fits) {
       curves.emplace_back();
       for (const std::size_t run : runs)
-        curves.back().push_back(drawn_curve(reported.result, *fit, reported.result.data.curve_loads[run], T_most));
+        curves.back().push_back(drawn_curve(reported.result.data, reported.result.job.options, *fit,
+                                            reported.result.data.curve_loads[run], T_most));
     }
   }
 };
@@ -77,12 +78,12 @@ Figure radii(const ReportedData& reported) {
   figure.wide = true;
   const auto [least, most] = std::minmax_element(data.curve_loads.begin(), data.curve_loads.end());
   const double P_most = *most + 0.1 * (*most - *least) + 1, T_data = largest_shear(data);
-  const auto fits = fits_with_values(reported.result);
+  const auto fits = fits_with_values(reported.result.fits);
   for (const FitResult* fit : fits) {
     if (fits.size() > 1) figure.key.emplace_back("model " + fit->model, model_line(fit->model));
     for (std::size_t k = 0; k < 4; ++k) {
       const double T = T_data * static_cast<double>(k + 1) / 4;
-      DrawnRadii drawn = drawn_radii(reported.result, *fit, T, P_most);
+      DrawnRadii drawn = drawn_radii(reported.result.data, reported.result.job.options, *fit, T, P_most);
       figure.series.push_back({fit == fits.front() ? rounded(T * units.force, 4) : "", model_line(fit->model), color(k),
                                std::move(drawn.stable)});
       figure.series.push_back({"", Look::dotted, color(k), std::move(drawn.unstable)});
@@ -99,7 +100,7 @@ Figure radii(const ReportedData& reported) {
 
 std::vector<Figure> behaviour_figures(const ReportedData& reported) {
   const Dataset& data = reported.result.data;
-  if (!data.has_loads || data.points.empty() || fits_with_values(reported.result).empty()) return {};
+  if (!data.has_loads || data.points.empty() || fits_with_values(reported.result.fits).empty()) return {};
   if (!(largest_shear(data) > 0)) return {};
   const DrawnUnits units(data);
   const Axis T{units.T(), 0.0, {}}, u{units.u(), 0.0, {}}, A{units.A(), 0.0, {}};

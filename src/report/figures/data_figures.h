@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/reported_data.h"
 #include "report/figures/figure.h"
-#include "report/reported_data.h"
 
 namespace mixity {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
 
 namespace mixity {
 namespace {
@@ -187,19 +187,6 @@ Look model_symbol(std::string_view key) {
 }
 
 std::string model_color(std::string_view key) { return color(key == "a" ? 1 : key == "b" ? 2 : key == "c" ? 0 : 3); }
-
-std::string parameter_symbol(const std::string& name) {
-  return name == "lambda" ? "λ" : name == "eta" ? "η" : plain(name);
-}
-
-std::string plain(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (std::string_view("_^{}@&~\\").find(c) != std::string_view::npos) out += '\\';
-    out += c;
-  }
-  return out;
-}
 
 std::string figure_data(const Figure& figure) {
   std::ostringstream out;

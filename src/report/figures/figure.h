@@ -55,12 +55,6 @@ Look model_line(std::string_view key);
 Look model_symbol(std::string_view key);
 std::string model_color(std::string_view key);
 
-/// A parameter's letter, or its name: λ for "lambda".
-std::string parameter_symbol(const std::string& name);
-
-/// Foreign text without what gnuplot would take for markup.
-std::string plain(std::string_view text);
-
 /// Blocks of "x y [x_low x_high y_low y_high] ["hover"]", one for each series, under its name; gnuplot counts them by
 /// `index`.
 std::string figure_data(const Figure& figure);

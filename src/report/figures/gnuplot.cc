@@ -11,7 +11,7 @@
 #include <functional>
 #include <thread>
 
-#include "dataset/side_by_side.h"
+#include "base/side_by_side.h"
 #include "dataset/table/csv.h"
 #include "report/figures/svg.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/output_file.h"
 #include "report/figures/figure.h"
-#include "report/output_file.h"
 #include "solver/options.h"
 
 namespace mixity {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/number_text.h"
+#include "analysis/predicted_peaks.h"
+#include "base/number_text.h"
+#include "dataset/display_units.h"
 #include "report/figures/data_figures.h"
-#include "report/figures/drawn_units.h"
-#include "report/predicted_peaks.h"
 
 namespace mixity {
 

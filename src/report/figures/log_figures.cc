@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/number_text.h"
-#include "dataset/toml_file.h"
-#include "dataset/units.h"
+#include "analysis/readable.h"
+#include "base/number_text.h"
+#include "base/toml_file.h"
+#include "base/units.h"
 
 namespace mixity {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <functional>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
 #include "mechanics/folds.h"
 #include "mechanics/sampling.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
 #include "mechanics/constant_shear.h"
 #include "report/figures/paper_curves.h"
 

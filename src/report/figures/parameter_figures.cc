@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/number_text.h"
+#include "analysis/readable.h"
+#include "base/number_text.h"
+#include "base/output_file.h"
+#include "base/rounding.h"
+#include "dataset/display_units.h"
+#include "fitting/predicted_curves.h"
 #include "report/figures/data_figures.h"
-#include "report/figures/drawn_units.h"
-#include "report/figures/model_curves.h"
-#include "report/output_file.h"
-#include "report/rounding.h"
 
 namespace mixity {
 namespace {

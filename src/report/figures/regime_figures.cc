@@ -2,11 +2,11 @@
 #include <array>
 #include <cmath>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
+#include "dataset/display_units.h"
+#include "fitting/predicted_curves.h"
+#include "mechanics/regime_map.h"
 #include "report/figures/data_figures.h"
-#include "report/figures/drawn_units.h"
-#include "report/figures/model_curves.h"
-#include "report/figures/regime_regions.h"
 
 namespace mixity {
 namespace {
@@ -96,7 +96,7 @@ class RegimeMap {
 std::vector<Figure> regime_figures(const ReportedData& reported, std::vector<MissingFigure>& left_out) {
   std::vector<Figure> figures;
   if (!reported.result.data.has_loads || reported.result.data.curve_loads.empty()) return figures;
-  for (const FitResult* fit : fits_with_values(reported.result))
+  for (const FitResult* fit : fits_with_values(reported.result.fits))
     with_model(fit->model, [&](auto chosen) {
       using Model = decltype(chosen);
       if constexpr (parameter_count<Model> == 1)

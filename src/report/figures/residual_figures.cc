@@ -4,9 +4,9 @@
 #include <functional>
 #include <numeric>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
+#include "dataset/display_units.h"
 #include "report/figures/data_figures.h"
-#include "report/figures/drawn_units.h"
 
 namespace mixity {
 namespace {

@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "report/output_file.h"
+#include "base/output_file.h"
 
 namespace mixity {
 namespace {

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/number_text.h"
+#include "analysis/readable.h"
+#include "base/number_text.h"
+#include "dataset/display_units.h"
+#include "fitting/predicted_curves.h"
 #include "report/figures/data_figures.h"
-#include "report/figures/drawn_units.h"
-#include "report/figures/model_curves.h"
 
 namespace mixity {
 namespace {
@@ -52,7 +53,7 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
                 {"f = G_c/G_{Ic}", logarithmic ? 0.8 * smallest : std::max(0.0, 0.9 * smallest), most, logarithmic},
                 {}};
   bool bands = false;
-  for (const FitResult* drawn : fits_with_values(result)) {
+  for (const FitResult* drawn : fits_with_values(result.fits)) {
     const FitResult& fit = *drawn;
     if (auto ends = band(data, fit, last_psi, most)) {
       figure.series.insert(figure.series.begin(), std::move(*ends));

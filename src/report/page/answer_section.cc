@@ -1,8 +1,8 @@
 #include "report/page/answer_section.h"
 
+#include "base/rounding.h"
 #include "report/fit_table.h"
 #include "report/page/html.h"
-#include "report/rounding.h"
 
 namespace mixity {
 namespace {

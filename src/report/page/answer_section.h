@@ -4,7 +4,7 @@
 #include <functional>
 #include <pugixml.hpp>
 
-#include "report/answer.h"
+#include "analysis/answer.h"
 
 namespace mixity {
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <pugixml.hpp>
 
-#include "dataset/printable.h"
+#include "base/printable.h"
 #include "report/budget_text.h"
 #include "report/fit_table.h"
 #include "report/page/answer_section.h"

@@ -9,10 +9,10 @@
 #include <functional>
 #include <thread>
 
+#include "base/side_by_side.h"
+#include "base/units.h"
 #include "dataset/check.h"
-#include "dataset/side_by_side.h"
 #include "dataset/table/csv.h"
-#include "dataset/units.h"
 #include "fitting/fit.h"
 #include "growth/data.h"
 #include "growth/measure.h"

@@ -6,10 +6,10 @@
 #include <cstring>
 #include <random>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
+#include "base/units.h"
 #include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
-#include "dataset/units.h"
 
 namespace mixity {
 namespace {

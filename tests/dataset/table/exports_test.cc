@@ -7,8 +7,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "base/number_text.h"
 #include "dataset/dataset.h"
-#include "dataset/number_text.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/any_model.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity {
 

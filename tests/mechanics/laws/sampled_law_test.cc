@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "mechanics/any_model.h"
+#include "mechanics/contact_model.h"
 #include "mechanics/laws/area_of.h"
 #include "mechanics/laws/law.h"
 #include "mechanics/laws/law_traits.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "mechanics/any_model.h"
+#include "mechanics/contact_model.h"
 #include "mechanics/curve_distance.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/fold_checks.h"

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "many_digits.h"
-#include "mechanics/any_model.h"
+#include "mechanics/contact_model.h"
 #include "mechanics/laws/area_of.h"
 #include "mechanics/laws/law.h"
 #include "mechanics/laws/law_traits.h"

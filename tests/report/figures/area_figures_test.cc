@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dataset/number_text.h"
+#include "base/number_text.h"
 #include "dataset/temporary_folder.h"
 #include "report/example_results.h"
 #include "report/figures/data_figures.h"

@@ -74,8 +74,11 @@ TEST(PaperFigures, AreasAreInEquilibriumAtTheirLoad) {
     std::size_t loads, models;
     double lambda, lambda_b;
   };
-  for (const auto& [name, loads, models, lambda_ac, lambda_b] :
-       {Case{"fig6_A_T", 4, 3, 0.15, 0.15}, {"fig8a", 8, 1, 0.0023, 0.0023}, {"fig8b", 8, 1, 0.0023, 0.0023}, {"fig8c", 8, 1, 0.0023, 0.0023}, {"fig10", 4, 2, 0.2331, 0.30}}) {
+  for (const auto& [name, loads, models, lambda_ac, lambda_b] : {Case{"fig6_A_T", 4, 3, 0.15, 0.15},
+                                                                 {"fig8a", 8, 1, 0.0023, 0.0023},
+                                                                 {"fig8b", 8, 1, 0.0023, 0.0023},
+                                                                 {"fig8c", 8, 1, 0.0023, 0.0023},
+                                                                 {"fig10", 4, 2, 0.2331, 0.30}}) {
     const Figure& drawn = figure(name);
     ASSERT_GE(drawn.series.size(), loads * models);  // and the jumps
     for (std::size_t i = 0; i < loads * models; ++i) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "report/output_file.h"
+#include "base/output_file.h"
 
 namespace mixity {
 namespace {

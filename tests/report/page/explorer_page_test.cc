@@ -7,8 +7,8 @@
 #include <boost/archive/iterators/transform_width.hpp>
 #include <nlohmann/json.hpp>
 
+#include "analysis/laws.h"
 #include "dataset/table/csv.h"
-#include "jobs/laws.h"
 #include "report/example_results.h"
 
 namespace mixity {

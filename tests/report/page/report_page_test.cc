@@ -37,7 +37,9 @@ std::string text_of(const pugi::xml_node& node) {
   return text;
 }
 
-ReportContent content_of(const ReportedData& data) { return {{"mixity report x.toml", {}}, {{&data, {}, answer_of(data.result)}}, {}}; }
+ReportContent content_of(const ReportedData& data) {
+  return {{"mixity report x.toml", {}}, {{&data, {}, answer_of(data.result)}}, {}};
+}
 
 TEST(ReportPage, SaysFirstWhereTheDataComeFrom) {
   const ReportedData data{shipped("mergel2018"), "mergel2018", {}, {}, {}};

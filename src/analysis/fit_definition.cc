@@ -1,0 +1,289 @@
+#include "analysis/fit_definition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "analysis/job_options.h"
+#include "analysis/laws.h"
+#include "base/number_text.h"
+#include "base/toml_file.h"
+
+namespace mixity {
+namespace {
+
+/// Reads one definition, with the file's name and the place of each node at hand for messages.
+class Reader {
+ public:
+  explicit Reader(const std::string& path) : path_(path) {}
+
+  FitJob read() {
+    const toml::table table = read_toml(path_);
+    FitJob job;
+    job.path = path_;
+    read_laws(table, job);  // before what names them
+    for (const auto& [key, node] : table) {
+      if (key == "data")
+        read_data(node, job);
+      else if (key == "runs")
+        read_runs(node, job);
+      else if (key == "constants")
+        read_constants(node, job);
+      else if (key == "columns" && node.is_table())
+        job.constants.emplace_back("columns", mapping_text(path_, *node.as_table()));
+      else if (key == "source")
+        job.source = text(node, "source");
+      else if (key == "peaks")
+        job.peaks_path = beside(node, "peaks");
+      else if (key == "log_figures")
+        read_log_figures(node, job);
+      else if (key == "laws")
+        continue;
+      else if (key == "published")
+        read_published(node, job);
+      else if (std::find(kJobOptions.begin(), kJobOptions.end(), key.str()) != kJobOptions.end())
+        read_option(std::string(key.str()), node, job);
+      else
+        fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: data, runs, columns, " + names_of_options() +
+                      ", constants, laws, peaks, log_figures, source, published)");
+    }
+    if (job.data_path.empty()) throw InputError(path_, "the key data is missing");
+    if (table.contains("data") && table.contains("runs"))
+      fail(*table.get("runs"), "data and runs both say which files: state one");
+    if (const auto wrong = contradiction(job)) fail(*table.get(wrong->option), wrong->option + " " + wrong->problem);
+    check_published(table, job);
+    return job;
+  }
+
+ private:
+  template <class Placed>
+  [[noreturn]] void fail(const Placed& node, const std::string& message) const {
+    fail_at(path_, node, message);
+  }
+
+  /// A path as written, against the definition's folder; shortened where that names the same file, which links may keep
+  /// it from.
+  std::string beside(const toml::node& node, const std::string& key) const {
+    const std::string path = text(node, key);
+    if (path.empty()) fail(node, key + " is empty");
+    const std::filesystem::path whole = std::filesystem::path(path_).parent_path() / path,
+                                brief = whole.lexically_normal();
+    std::error_code none;
+    const bool same = std::filesystem::exists(whole, none) ? std::filesystem::equivalent(whole, brief, none)
+                                                           : !std::filesystem::exists(brief, none);
+    return (same ? brief : whole).string();
+  }
+
+  /// A file, a pattern, or a list of them; several files are one data set.
+  void read_data(const toml::node& node, FitJob& job) const {
+    const toml::array* const list = node.as_array();
+    std::vector<std::string> files;
+    const auto add = [&](const toml::node& entry) {
+      for (std::string& file : files_of(beside(entry, "data"))) files.push_back(std::move(file));
+    };
+    if (list)
+      for (const toml::node& entry : *list) add(entry);
+    else
+      add(node);
+    if (files.empty()) fail(node, "data names no file");
+    job.data_path = files.front();
+    if (list || files.size() > 1)
+      for (const std::string& file : files) job.runs.push_back({file});
+  }
+
+  void read_log_figures(const toml::node& node, FitJob& job) const {
+    if (!node.is_array()) fail(node, "log_figures must be a list of SVG files");
+    for (const toml::node& entry : *node.as_array()) job.log_figures.push_back(beside(entry, "log_figures"));
+  }
+
+  /// [[runs]]: file, and what is said of it.
+  void read_runs(const toml::node& node, FitJob& job) const {
+    if (!node.is_array_of_tables()) fail(node, "runs must be tables, each written [[runs]]");
+    for (const toml::node& entry : *node.as_array()) {
+      RunFile run;
+      for (const auto& [key, value] : *entry.as_table()) {
+        if (key == "file")
+          run.path = beside(value, "file");
+        else if (key == "name")
+          run.name = text(value, "name");
+        else if (key == "load")
+          run.load = text(value, "load");
+        else if (key == "sphere")
+          run.sphere = text(value, "sphere");
+        else
+          fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: file, name, load, sphere)");
+      }
+      if (run.path.empty()) fail(entry, "a run needs a file");
+      Metadata scratch;
+      if (const std::string problem = run.load.empty() ? "" : set_field(scratch, "load", run.load); !problem.empty())
+        fail(entry, problem);
+      if (const std::string problem = run.sphere.empty() ? "" : set_field(scratch, "radius", run.sphere);
+          !problem.empty())
+        fail(entry, problem);
+      if (scratch.standard_error("radius") > 0)
+        fail(entry, "the standard error of a sphere is that of the radius, a percentage of all: state it there");
+      job.runs.push_back(run);
+    }
+    if (job.runs.empty()) fail(node, "runs names no file");
+    job.data_path = job.runs.front().path;
+  }
+
+  std::string text(const toml::node& node, const std::string& key) const {
+    if (!node.is_string()) fail(node, key + " must be a string");
+    if (node.as_string()->get().find('\0') != std::string::npos) fail(node, key + " holds a NUL character");
+    return node.as_string()->get();
+  }
+
+  static std::string names_of_options() {
+    std::string names;
+    for (const std::string_view name : kJobOptions) names += (names.empty() ? "" : ", ") + std::string(name);
+    return names;
+  }
+
+  /// As a flag has it: a list with commas.
+  std::string flag_text(const toml::node& node, const std::string& key) const {
+    if (const toml::array* list = node.as_array()) {
+      std::string joined;
+      for (const toml::node& element : *list) joined += (joined.empty() ? "" : ",") + flag_text(element, key);
+      return joined;
+    }
+    if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+    if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+    if (const auto* number = node.as_floating_point()) return shortest(number->get());
+    if (!node.is_string()) fail(node, key + " must be a string, a number, true, false or a list of strings");
+    return text(node, key);
+  }
+
+  void read_option(const std::string& key, const toml::node& node, FitJob& job) const {
+    if (const std::string problem = set_option(job, key, flag_text(node, key)); !problem.empty())
+      fail(node, key + " " + problem);
+  }
+
+  void read_laws(const toml::table& table, FitJob& job) const {
+    const toml::node* const node = table.get("laws");
+    if (!node) return;
+    if (!node->is_table()) fail(*node, "laws must be tables, each written [laws.KEY]");
+    for (const DefinedLaw& defined : define_laws(path_, *node->as_table())) {
+      const std::string& key = defined.law->definition().key;
+      if (!table.contains("models")) job.models.push_back(key);
+      for (const std::string& warning : defined.warnings) job.law_notes.push_back("law " + key + ": " + warning);
+    }
+  }
+
+  void read_constants(const toml::node& node, FitJob& job) const {
+    if (!node.is_table()) fail(node, "constants must be a table");
+    Metadata scratch;
+    for (const auto& [key, value] : *node.as_table()) {
+      const std::string name(key.str());
+      const std::string given = value.is_string() || value.is_number() ? flag_text(value, name) : text(value, name);
+      if (const std::string problem = set_field(scratch, name, given); !problem.empty()) fail(value, problem);
+      job.constants.emplace_back(name, given);
+    }
+  }
+
+  double number(const toml::table& table, std::string_view key) const {
+    const auto value = table[key].value<double>();
+    if (!value || !std::isfinite(*value)) fail(table, "a published number needs value and tolerance, both numbers");
+    return *value;
+  }
+
+  void read_published(const toml::node& node, FitJob& job) const {
+    if (!node.is_table()) fail(node, "published must be a table of models");
+    for (const auto& [model, entries] : *node.as_table()) {
+      if (!entries.is_table()) fail(entries, "published." + std::string(model.str()) + " must be a table");
+      for (const auto& [name, value] : *entries.as_table()) {
+        if (!value.is_table()) fail(value, std::string(name.str()) + " must be {value = ..., tolerance = ...}");
+        const toml::table& table = *value.as_table();
+        for (const auto& [key, ignored] : table)
+          if (key != "value" && key != "tolerance")
+            fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: value, tolerance)");
+        const double tolerance = number(table, "tolerance");
+        if (tolerance < 0) fail(value, "the tolerance of " + std::string(name.str()) + " is negative");
+        job.published[std::string(model.str())].push_back({std::string(name.str()), number(table, "value"), tolerance});
+      }
+    }
+  }
+
+  void check_published(const toml::table& table, const FitJob& job) const {
+    const std::vector<std::string> known = model_keys();
+    for (const auto& [model, published] : job.published) {
+      if (std::find(known.begin(), known.end(), model) == known.end())
+        fail(*table.get("published"), "unknown model \"" + model + "\"");
+      if (std::find(job.models.begin(), job.models.end(), model) == job.models.end())
+        fail(*table.get("published"), "model " + model + " has published numbers and is not fitted");
+      for (const Published& number : published)
+        if (number.name != "r2" && !has_parameter({model}, number.name))
+          fail(*table.get("published"), "model " + model + " has no parameter \"" + number.name + "\"");
+    }
+  }
+
+  const std::string& path_;
+};
+
+}  // namespace
+
+FitJob read_fit_definition(const std::string& path) { return Reader(path).read(); }
+
+std::string fit_definition_text(const FitJob& job, const Dataset& data, const std::string& path) {
+  const auto from_there = [&](const std::string& file) {
+    std::error_code none;
+    // by the names alone: what is stated beside a link need not stand beside what it leads to
+    const std::filesystem::path folder = std::filesystem::absolute(path).lexically_normal().parent_path(),
+                                whole = std::filesystem::absolute(file).lexically_normal(),
+                                relative = std::filesystem::canonical(folder, none) == folder
+                                               ? whole.lexically_proximate(folder)
+                                               : whole;
+    return toml_text((none ? std::filesystem::absolute(file) : relative).string());
+  };
+  std::ostringstream out;
+  const bool told_apart = std::any_of(job.runs.begin(), job.runs.end(), [](const RunFile& run) {
+    return !run.name.empty() || !run.load.empty() || !run.sphere.empty();
+  });
+  if (job.runs.empty()) {
+    out << "data = " << from_there(job.data_path) << '\n';
+  } else if (!told_apart) {
+    out << "data = [";
+    for (const RunFile& run : job.runs) out << (&run == job.runs.data() ? "" : ", ") << from_there(run.path);
+    out << "]\n";
+  }
+  if (!job.peaks_path.empty()) out << "peaks = " << from_there(job.peaks_path) << '\n';
+  for (std::size_t i = 0; i < job.log_figures.size(); ++i)
+    out << (i == 0 ? "log_figures = [" : ", ") << from_there(job.log_figures[i])
+        << (i + 1 == job.log_figures.size() ? "]\n" : "");
+  std::map<std::string, std::string> stated = job.stated;
+  // what is left to the data, or to a version of this program, is stated, too
+  stated.insert_or_assign("objective", std::string(to_string(job.options.objective.value_or(default_objective(data)))));
+  for (const std::string_view name : kJobOptions) {
+    const auto found = stated.find(std::string(name));
+    if (name == "models") {
+      out << "models = [";
+      for (std::size_t i = 0; i < job.models.size(); ++i) out << (i == 0 ? "" : ", ") << toml_text(job.models[i]);
+      out << "]\n";
+    } else if (found != stated.end()) {
+      const bool bare = found->second == "true" || found->second == "false";
+      out << name << " = " << (bare ? found->second : toml_text(found->second)) << '\n';
+    }
+  }
+  if (!job.source.empty()) out << "source = " << toml_text(job.source) << '\n';
+  if (!job.constants.empty()) out << "\n[constants]\n";
+  for (const auto& [name, value] : job.constants) out << name << " = " << toml_text(value) << '\n';
+  for (const RunFile& run : job.runs) {
+    if (!told_apart) break;
+    out << "\n[[runs]]\nfile = " << from_there(run.path) << '\n';
+    if (!run.name.empty()) out << "name = " << toml_text(run.name) << '\n';
+    if (!run.load.empty()) out << "load = " << toml_text(run.load) << '\n';
+    if (!run.sphere.empty()) out << "sphere = " << toml_text(run.sphere) << '\n';
+  }
+  for (const std::string& model : job.models)
+    if (const auto law = find_law(model); law && !is_shipped(*law)) out << '\n' << law_toml(law->definition());
+  for (const auto& [model, numbers] : job.published) {
+    if (std::find(job.models.begin(), job.models.end(), model) == job.models.end()) continue;
+    out << "\n[published." << model << "]\n";
+    for (const Published& one : numbers)
+      out << one.name << " = {value = " << shortest(one.value) << ", tolerance = " << shortest(one.tolerance) << "}\n";
+  }
+  return out.str();
+}
+
+}  // namespace mixity

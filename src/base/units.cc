@@ -1,0 +1,238 @@
+#include "base/units.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace mixity {
+namespace {
+
+struct Symbol {
+  std::string_view name;
+  double factor;
+  Dimension dimension;
+  bool takes_prefix;
+};
+
+constexpr double kPi = 3.141592653589793;
+constexpr std::array kSymbols{
+    Symbol{"m", 1, dimension::length, true},         Symbol{"N", 1, dimension::force, true},
+    Symbol{"Pa", 1, dimension::stress, true},        Symbol{"J", 1, {1, 1, 0}, true},
+    Symbol{"rad", 1, dimension::angle, true},        Symbol{"deg", kPi / 180, dimension::angle, false},
+    Symbol{"°", kPi / 180, dimension::angle, false}, Symbol{"gf", 9.80665e-3, dimension::force, false},
+    Symbol{"kgf", 9.80665, dimension::force, false}, Symbol{"dyn", 1e-5, dimension::force, false},
+    Symbol{"erg", 1e-7, {1, 1, 0}, false},           Symbol{"bar", 1e5, dimension::stress, false},
+    Symbol{"Newton", 1, dimension::force, false},    Symbol{"s", 1, dimension::time, true},
+    Symbol{"sec", 1, dimension::time, false},        Symbol{"min", 60, dimension::time, false},
+    Symbol{"px", 1, {0, 0, 0, 0, 1}, false},         Symbol{"pixel", 1, {0, 0, 0, 0, 1}, false},
+    Symbol{"pixels", 1, {0, 0, 0, 0, 1}, false},     Symbol{"Pixel", 1, {0, 0, 0, 0, 1}, false},
+};
+
+struct Prefix {
+  std::string_view name;
+  int power;  // of ten
+};
+// micro is u, U+00B5 or U+03BC
+constexpr std::array kPrefixes{Prefix{"p", -12},     Prefix{"n", -9}, Prefix{"u", -6}, Prefix{"\u00b5", -6},
+                               Prefix{"\u03bc", -6}, Prefix{"m", -3}, Prefix{"c", -2}, Prefix{"d", -1},
+                               Prefix{"k", 3},       Prefix{"M", 6},  Prefix{"G", 9}};
+
+bool take(std::string_view& text, std::string_view start) {
+  if (!text.starts_with(start)) return false;
+  text.remove_prefix(start.size());
+  return true;
+}
+
+/// One factor of a unit without its power: "mN", "Pa".
+std::optional<Unit> parse_symbol(std::string_view text) {
+  for (const Symbol& symbol : kSymbols)
+    if (symbol.name == text) return Unit{symbol.factor, symbol.dimension, {}};
+  for (const Prefix& prefix : kPrefixes)
+    for (const Symbol& symbol : kSymbols)
+      if (symbol.takes_prefix && text.starts_with(prefix.name) && text.substr(prefix.name.size()) == symbol.name)
+        // dividing by 10^n is exact where multiplying by 10^-n is not
+        return Unit{prefix.power < 0 ? symbol.factor / std::pow(10.0, -prefix.power)
+                                     : symbol.factor * std::pow(10.0, prefix.power),
+                    symbol.dimension,
+                    {}};
+  return std::nullopt;
+}
+
+/// The power at the end of a factor, which it removes: "mm^2", "mm2", "mm²", "m^-2", "m**2".
+std::optional<int> take_power(std::string_view& factor) {
+  for (auto [superscript, power] : {std::pair{"⁻¹", -1}, {"⁻²", -2}, {"²", 2}, {"³", 3}})
+    if (factor.ends_with(superscript)) {
+      factor.remove_suffix(std::string_view(superscript).size());
+      return power;
+    }
+  // Origin's markup: mm\+(2)
+  if (const std::size_t raised = factor.find("\\+("); raised != std::string_view::npos && factor.ends_with(')')) {
+    int power = 0;
+    const char* const last = factor.data() + factor.size() - 1;
+    const auto [end, error] = std::from_chars(factor.data() + raised + 3, last, power);
+    if (error != std::errc() || end != last || power == 0 || std::abs(power) > 9) return std::nullopt;
+    factor = factor.substr(0, raised);
+    return power;
+  }
+  std::size_t digits = factor.size();
+  while (digits > 0 && factor[digits - 1] >= '0' && factor[digits - 1] <= '9') --digits;
+  if (digits == factor.size() || digits == 0) return 1;
+  int power = 0;
+  const auto [end, error] = std::from_chars(factor.data() + digits, factor.data() + factor.size(), power);
+  if (error != std::errc() || power == 0 || power > 9) return std::nullopt;
+  factor = factor.substr(0, digits);
+  if (factor.ends_with('-')) {
+    power = -power;
+    factor.remove_suffix(1);
+  }
+  if (factor.ends_with("**"))
+    factor.remove_suffix(2);
+  else if (factor.ends_with('^'))
+    factor.remove_suffix(1);
+  return power;
+}
+
+}  // namespace
+
+std::optional<Unit> parse_unit(std::string_view text) {
+  text = trim(text);
+  Unit unit{1, {}, std::string(text)};
+  // it stands in sentences of one line
+  std::replace_if(
+      unit.text.begin(), unit.text.end(), [](unsigned char c) { return std::isspace(c); }, ' ');
+  if (text.empty()) return std::nullopt;
+  // of a plain number; beside others only as in "1/mm"
+  if (text == "1" || text == "-") return unit;
+  if (text == "%") return unit.factor = 0.01, unit;
+  bool divide = text.starts_with("1/");
+  if (divide) text = trim(text.substr(2));
+  while (true) {
+    std::size_t length = 0;
+    const auto at_separator = [&] {
+      const std::string_view rest = text.substr(length);
+      return rest.starts_with(' ') || rest.starts_with('/') || rest.starts_with("·") ||
+             (rest.starts_with('*') && !rest.starts_with("**"));
+    };
+    while (length < text.size() && !at_separator()) length += text.substr(length).starts_with("**") ? 2 : 1;
+    std::string_view factor = text.substr(0, length);
+    text.remove_prefix(length);
+    const auto power = take_power(factor);
+    const auto symbol = parse_symbol(factor);
+    if (!power || !symbol) return std::nullopt;
+    const int n = divide ? -*power : *power;
+    for (int i = 0; i < std::abs(n); ++i) n > 0 ? unit.factor *= symbol->factor : unit.factor /= symbol->factor;
+    unit.dimension.force += n * symbol->dimension.force;
+    unit.dimension.length += n * symbol->dimension.length;
+    unit.dimension.angle += n * symbol->dimension.angle;
+    unit.dimension.time += n * symbol->dimension.time;
+    unit.dimension.pixel += n * symbol->dimension.pixel;
+    text = trim(text);
+    // Absurd powers leave the range of numbers; what lies beyond it is no unit.
+    if (text.empty()) return std::isfinite(unit.factor) && unit.factor > 0 ? std::optional(unit) : std::nullopt;
+    divide = take(text, "/");
+    if (!divide && !take(text, "*")) take(text, "·");
+    text = trim(text);
+  }
+}
+
+bool parse_number(std::string_view text, double& value) {
+  text = trim(text);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size() || text.empty()) return false;
+  if (error == std::errc()) return true;
+  // Out of range: from_chars says so without a value. Too small is zero for our purposes, too large infinite.
+  if (error != std::errc::result_out_of_range) return false;
+  const double sized = std::strtod(std::string(text).c_str(), nullptr);
+  value = std::abs(sized) < 1 ? 0.0 : sized;
+  return true;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  return parse_number(text, value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<Quantity> parse_quantity(std::string_view text) {
+  text = trim(text);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  Quantity quantity;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), quantity.value);
+  if (error != std::errc() || !std::isfinite(quantity.value)) return std::nullopt;
+  const std::string_view rest = trim(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (rest.empty()) return quantity;
+  const auto unit = parse_unit(rest);
+  if (!unit) return std::nullopt;
+  quantity.unit = *unit;
+  return std::isfinite(quantity.si()) ? std::optional(quantity) : std::nullopt;
+}
+
+namespace {
+
+/// The sign before a standard error that a text has; empty if none.
+std::string_view sign_of_error(std::string_view text) {
+  for (const std::string_view sign : {"+/-", "+-", "±"})
+    if (text.find(sign) != std::string_view::npos) return sign;
+  return {};
+}
+
+}  // namespace
+
+bool states_error(std::string_view text) { return !sign_of_error(text).empty(); }
+
+std::optional<UncertainQuantity> parse_uncertain(std::string_view text) {
+  text = trim(text);
+  const std::string_view sign = sign_of_error(text);
+  if (sign.empty()) {
+    const auto exact = parse_quantity(text);
+    return exact ? std::optional(UncertainQuantity{*exact}) : std::nullopt;
+  }
+  const std::size_t at = text.find(sign);
+  std::string value(trim(text.substr(0, at))), error(trim(text.substr(at + sign.size())));
+  if (value.starts_with('(')) {  // (value +/- error) unit
+    const std::size_t end = error.find(')');
+    if (end == std::string::npos) return std::nullopt;
+    value.erase(0, 1);
+    error.erase(end, 1);
+  }
+  auto one = parse_quantity(value), other = parse_quantity(error);
+  if (!one || !other || !(other->value >= 0)) return std::nullopt;
+  UncertainQuantity result{*one};
+  if (other->unit.text == "%") {
+    result.standard_error = std::abs(one->si()) * other->si();
+    if (one->value == 0) return std::nullopt;
+    return result;
+  }
+  // a unit behind the error alone is that of both, and so is one behind the value alone
+  if (one->unit.text.empty()) result.quantity.unit = other->unit;
+  if (other->unit.text.empty()) other->unit = one->unit;
+  if (other->unit.dimension != result.quantity.unit.dimension) return std::nullopt;
+  result.standard_error = other->si();
+  const bool finite = std::isfinite(result.quantity.si()) && std::isfinite(result.standard_error);
+  return finite ? std::optional(result) : std::nullopt;
+}
+
+ReadableUnit readable_unit(double value, const std::string& unit) {
+  if (unit != "Pa" && unit != "J/m^2" && unit != "m") return {1, unit};
+  for (const auto& [least, prefix] : {std::pair(1e9, "G"), std::pair(1e6, "M"), std::pair(1e3, "k"), std::pair(1.0, ""),
+                                      std::pair(1e-3, "m"), std::pair(1e-6, "u")})
+    if (std::abs(value) >= least) return {1 / least, prefix + unit};
+  return {1, unit};
+}
+
+std::string describe(const Dimension& d) {
+  if (d == dimension::none) return "a plain number";
+  if (d == dimension::force) return "a force such as mN";
+  if (d == dimension::length) return "a length such as mm";
+  if (d == dimension::area) return "an area such as mm^2";
+  if (d == dimension::stress) return "a stress such as MPa";
+  if (d == dimension::energy_per_area) return "an energy per area such as mJ/m^2";
+  if (d == dimension::angle) return "an angle (rad or deg)";
+  if (d == dimension::time) return "a time such as s";
+  return "N^" + std::to_string(d.force) + " m^" + std::to_string(d.length);
+}
+
+}  // namespace mixity

@@ -1,0 +1,74 @@
+// Physical units as experimenters write them: "mN", "mm^2", "mm2", "µm²", "mJ/m^2", "N/mm", "kPa", "deg", "%".
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/trim.h"
+
+namespace mixity {
+
+/// Powers of newton, metre, radian, second and camera pixel; enough for contact mechanics (Pa = N/m^2, J/m^2 = N/m).
+struct Dimension {
+  int force = 0, length = 0, angle = 0, time = 0, pixel = 0;
+  bool operator==(const Dimension&) const = default;
+};
+
+namespace dimension {
+inline constexpr Dimension none{}, force{1, 0, 0}, length{0, 1, 0}, area{0, 2, 0}, stress{1, -2, 0},
+    energy_per_area{1, -1, 0}, angle{0, 0, 1}, time{0, 0, 0, 1};
+}
+
+/// A unit and what one of it is in SI (N, m, rad).
+struct Unit {
+  double factor = 1;
+  Dimension dimension;
+  std::string text;  // as written
+};
+
+/// Null if the text is no unit. An SI prefix (p n u µ m c d k M G) may stand before m, N, Pa, J, rad and s;
+/// powers as ^2, 2 or ²; products by space, '*' or '·'; '/' divides by the one unit that follows it.
+std::optional<Unit> parse_unit(std::string_view text);
+
+struct Quantity {
+  double value = 0;  // in `unit`
+  Unit unit;
+  double si() const { return value * unit.factor; }
+};
+
+/// "9.42 mm" or "9.42mm"; a bare number has dimension none. Null if the text is not a finite number, in SI too,
+/// followed by nothing or a unit.
+std::optional<Quantity> parse_quantity(std::string_view text);
+
+/// A quantity with its standard error, in SI; 0 where none is stated, which says that it is exact.
+struct UncertainQuantity {
+  Quantity quantity;
+  double standard_error = 0;
+};
+
+/// Whether a text has one of the signs before a standard error: "+/-", "+-", "±".
+bool states_error(std::string_view text);
+
+/// "2.133 +/- 0.1 MPa", "2.133 MPa +/- 0.1 MPa", "(2.133 +/- 0.1) MPa", "2.133 MPa +/- 5%"; "+-" and "±" stand for
+/// "+/-". Null if the text is none of these or a plain quantity, the error is negative or not finite, or is a
+/// percentage of 0.
+std::optional<UncertainQuantity> parse_uncertain(std::string_view text);
+
+/// A constant of the experiment as a reader has it: what to multiply a value in SI by, and the unit then.
+struct ReadableUnit {
+  double factor;
+  std::string unit;
+};
+/// By the size of `value`: MPa for Pa, mJ/m^2 for J/m^2, mm for m and their like; other units stay.
+ReadableUnit readable_unit(double value, const std::string& unit);
+
+/// A whole field as one number, surrounding blanks allowed. Null if it is not; inf and nan are numbers here.
+std::optional<double> parse_number(std::string_view text);
+/// The same for files of millions of them; false if it is none.
+bool parse_number(std::string_view text, double& value);
+
+/// How a dimension is called in messages: "a force such as mN".
+std::string describe(const Dimension& dimension);
+
+}  // namespace mixity

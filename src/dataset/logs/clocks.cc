@@ -1,0 +1,234 @@
+#include "dataset/logs/clocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/input_error.h"
+#include "base/number_text.h"
+#include "dataset/logs/loading_runs.h"
+#include "dataset/logs/onset.h"
+#include "statistics/change_points.h"
+#include "statistics/noise.h"
+#include "statistics/readings.h"
+
+namespace mixity {
+namespace {
+
+constexpr double kNearLoad = 0.4;           // s, about the lag by the load
+constexpr double kSure = 6, kSureNear = 4;  // standard deviations: of few shifts, fewer are high by chance
+constexpr double kNearly = 0.85;            // of the best shift: what is no less tells nothing
+constexpr double kApart = 3;                // frames
+
+/// Means over steps of so much time from the first reading on; of a step without any, that of the one before.
+std::vector<double> means_over(const std::vector<double>& time, const std::vector<double>& values, double step) {
+  std::vector<double> means;
+  std::size_t i = 0;
+  for (double t = time.front(); t < time.back(); t += step) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (; i < time.size() && time[i] < t + step; ++i, ++count) sum += values[i];
+    means.push_back(count > 0 ? sum / static_cast<double>(count) : means.empty() ? values.front() : means.back());
+  }
+  return means;
+}
+
+/// Times at which T changes suddenly: means over so much time by more than noise and ramps change them in
+/// two steps.
+std::vector<double> sudden_changes(const Frames& frames, double step) {
+  constexpr double kSudden = 6;  // standard deviations
+  constexpr std::size_t kBeside = 10;
+  const std::vector<double> T = means_over(frames.force_time, frames.force_T, step);
+  std::vector<double> change(T.size());
+  for (std::size_t k = 1; k + 1 < T.size(); ++k) change[k] = std::abs(T[k + 1] - T[k - 1]);
+  const double noise = noise_of(T) * std::sqrt(2.0);
+  std::vector<double> found;
+  for (std::size_t k = kBeside; k + kBeside < T.size(); ++k) {
+    if (!(change[k] > kSudden * noise)) continue;
+    const auto first = change.begin() + static_cast<std::ptrdiff_t>(k - kBeside), behind = first + 2 * kBeside + 1;
+    if (change[k] < *std::max_element(first, behind) || !(change[k] > 4 * median({first, behind}))) continue;
+    const double time = frames.force_time.front() + (static_cast<double>(k) + 0.5) * step;
+    if (found.empty() || time > found.back() + 0.5 * static_cast<double>(kBeside) * step) found.push_back(time);
+  }
+  return found;
+}
+
+struct Lag {
+  double value;
+  std::size_t events;
+  double sureness;  // standard deviations of what noise gives
+  double error;     // s
+};
+
+/// Shifts about `middle` that are looked at.
+struct LagRange {
+  double middle, half;
+};
+
+/// The shift by which sudden changes of T fall together with falls of A: the middle of those that give the largest sum
+/// of falls. Null if that is not `sure` standard deviations of what noise gives, or another shift gives nearly as much.
+std::optional<Lag> lag_of(const std::vector<double>& events, const Pictures& shown, double interval, LagRange range,
+                          double sure) {
+  constexpr double kMost = 15;     // standard deviations
+  constexpr double kSteps = 20;    // of a frame
+  constexpr double kLongRise = 2;  // s
+  std::vector<double> touching;    // frames out of contact have another noise, or none
+  const double largest = *std::max_element(shown.A.begin(), shown.A.end());
+  for (const double A : shown.A)
+    if (A > 0.3 * largest) touching.push_back(A);
+  const double noise = noise_of(touching);
+  if (events.empty() || !(noise > 0)) return std::nullopt;
+  // how much more the area falls from one frame to the next than it changes before and after that
+  std::vector<double> falls(shown.A.size());
+  double squares = 0;
+  for (std::size_t i = 2; i + 1 < falls.size(); ++i) {
+    const auto fall = [&](std::size_t k) { return shown.A[k - 1] - shown.A[k]; };
+    const double more = fall(i) - std::max(std::abs(fall(i - 1)), std::abs(fall(i + 1)));
+    if (shown.A[i - 1] > 0.3 * largest && shown.A[i] > 0)
+      falls[i] = std::clamp(more / (std::sqrt(2.0) * noise), 0.0, kMost);
+    squares += std::pow(std::min(falls[i], 3.0), 2);  // of noise
+  }
+  const double by_chance = std::sqrt(squares / static_cast<double>(touching.size()));
+  const double step = interval / kSteps;
+  const auto half = static_cast<std::ptrdiff_t>(range.half / step);
+  std::vector<double> scores(static_cast<std::size_t>(2 * half + 1));
+  // The fall that ends a long rise is the one at which the contact loses area; later slips resemble each other.
+  std::vector<double> weights;
+  double weighed = 0;
+  for (std::size_t e = 0; e < events.size(); ++e) {
+    weights.push_back(std::sqrt(std::min(1.0, e == 0 ? 1.0 : (events[e] - events[e - 1]) / kLongRise)));
+    weighed += weights.back() * weights.back();
+  }
+  for (std::size_t e = 0; e < events.size(); ++e)
+    for (std::ptrdiff_t k = -half; k <= half; ++k) {
+      const double at = events[e] + range.middle + static_cast<double>(k) * step;
+      const auto next = std::lower_bound(shown.time.begin(), shown.time.end(), at);
+      if (next == shown.time.begin() || next == shown.time.end()) continue;
+      const auto i = static_cast<std::size_t>(next - shown.time.begin());
+      scores[static_cast<std::size_t>(k + half)] += weights[e] * falls[i];
+    }
+  const auto best = std::max_element(scores.begin(), scores.end());
+  const double sureness = *best / std::max(by_chance * std::sqrt(weighed), 1e-9);
+  if (!(sureness > sure)) return std::nullopt;
+  const auto apart = static_cast<std::ptrdiff_t>(kApart * kSteps);
+  for (auto other = scores.begin(); other != scores.end(); ++other)
+    if (std::abs(other - best) > apart && *other > kNearly * *best) return std::nullopt;
+  // the stretch about it of nearly the same sum: a frame cannot tell more
+  auto first = best, last = best;
+  while (first != scores.begin() && *(first - 1) > 0.98 * *best) --first;
+  while (last + 1 != scores.end() && *(last + 1) > 0.98 * *best) ++last;
+  const double middle = 0.5 * static_cast<double>((first - scores.begin()) + (last - scores.begin()));
+  return Lag{range.middle + (middle - static_cast<double>(half)) * step, events.size(), sureness,
+             interval / std::sqrt(12.0)};
+}
+
+/// The shift at which the area follows P^(2/3) best, by their correlation; null if it hardly does. Good to some tenths
+/// of a second: contact begins and ends with the load.
+std::optional<double> lag_by_load(const std::vector<double>& time, const std::vector<double>& P, const Pictures& shown,
+                                  double interval, double longest) {
+  constexpr double kCorrelated = 0.6, kOutOfContact = 0.15;  // share of the time
+  const double step = std::max(interval / 2, 0.01);
+  std::vector<double> load = means_over(time, P, step), area = means_over(shown.time, shown.A, step), sorted = load;
+  const auto zero = sorted.begin() + static_cast<std::ptrdiff_t>(kOutOfContact * static_cast<double>(sorted.size()));
+  std::nth_element(sorted.begin(), zero, sorted.end());
+  const double rest = *zero;
+  for (double& one : load) one = std::copysign(std::cbrt((one - rest) * (one - rest)), one - rest);
+  const auto centre = [](std::vector<double>& values) {
+    const double middle = mean_of(values, 0, values.size());
+    double squares = 0;
+    for (double& one : values) {
+      one -= middle;
+      squares += one * one;
+    }
+    return std::sqrt(squares);
+  };
+  const double scale = centre(load) * centre(area);
+  const double begin = time.front() - shown.time.front();
+  const auto n = static_cast<std::ptrdiff_t>(area.size()), m = static_cast<std::ptrdiff_t>(load.size());
+  double best = 0, lag = 0;
+  for (auto k = static_cast<std::ptrdiff_t>((-longest - begin) / step);
+       static_cast<double>(k) * step + begin <= longest; ++k) {  // of the area's grid, the place of the first load
+    double sum = 0;
+    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, -k); i < std::min(m, n - k); ++i)
+      sum += load[static_cast<std::size_t>(i)] * area[static_cast<std::size_t>(i + k)];
+    if (sum > best) {
+      best = sum;
+      lag = -(begin - static_cast<double>(k) * step);
+    }
+  }
+  return best > kCorrelated * scale ? std::optional(lag) : std::nullopt;
+}
+
+/// The shift at which the area leaves its course where T alone says that contacts begin to slide: for onsets without a
+/// fall of T. Null if they do not agree on one.
+std::optional<Lag> lag_by_onsets(const Frames& frames, double half) {
+  constexpr double kAgree = 1.5;  // frames, standard error
+  RunOptions alone;
+  alone.by_shear_alone = true;
+  const LoadingRuns found = find_loading_runs(frames, "N", 1, alone);
+  std::vector<double> touching;
+  for (const LoadingRun& run : found.runs)
+    for (std::size_t i = run.begin; i < run.end; ++i) touching.push_back(frames.A[i]);
+  const double noise = noise_of(touching);
+  std::vector<double> shifts;
+  const auto frame_at = [&](double time) {
+    return static_cast<std::size_t>(std::lower_bound(frames.time.begin(), frames.time.end(), time) -
+                                    frames.time.begin());
+  };
+  for (const LoadingRun& run : found.runs) {
+    if (!run.onset || !(noise > 0)) continue;
+    const std::size_t before = frame_at(run.onset->time - half);
+    const auto broken = first_break_below({&frames.A, noise}, std::max(run.begin, before > 12 ? before - 12 : 0),
+                                          std::min(run.last, frame_at(run.onset->time + half)));
+    if (broken) shifts.push_back(frames.time[broken->at] + frames.interval / 2 - run.onset->time);
+  }
+  if (shifts.empty()) return std::nullopt;
+  const double middle = median(shifts);
+  std::vector<double> apart;
+  for (const double shift : shifts) apart.push_back(std::abs(shift - middle));
+  // not less with more of them: what begins to lose area a moment late does so each time
+  const double error = std::max(kOfMedian * median(apart), frames.interval / 2);
+  if (shifts.size() < 2 || error > kAgree * frames.interval) return std::nullopt;
+  return Lag{frames.lag + middle, shifts.size(), 0, error};
+}
+
+}  // namespace
+
+Frames on_one_clock(const Recording& forces, const Recording& areas, const FrameOptions& options) {
+  if (&forces == &areas || options.lag) {
+    Frames frames = make_frames(forces, areas, options.lag.value_or(0));
+    frames.lag_source = options.lag ? "stated" : "one clock";
+    // the picture was taken at any time up to a sample before the row that it stands in
+    if (!options.lag && frames.samples > 1) frames.lag_error = 0.5 * typical_step(forces.time);
+    return frames;
+  }
+  const Pictures shown = pictures(areas);
+  const auto near = lag_by_load(forces.time, forces.P, shown, typical_step(shown.time), options.longest_lag);
+  const Frames rough = make_frames(forces, areas, near.value_or(0));
+  const LagRange range = near ? LagRange{0, std::max(kNearLoad, 4 * rough.interval)} : LagRange{0, options.longest_lag};
+  // of means over a fifth of a frame, or where noise hides a fall then, over half of one or all of it
+  std::optional<Lag> found;
+  for (const double share : {0.2, 0.5, 1.0}) {
+    const double step = std::max(share * rough.interval, typical_step(forces.time));
+    const auto one = lag_of(sudden_changes(rough, step), shown, rough.interval, range, near ? kSureNear : kSure);
+    if (one && (!found || one->sureness > 1.3 * found->sureness)) found = one;
+  }
+  std::string source;
+  if (found) {
+    found->value += rough.lag;
+    source = "from " + std::to_string(found->events) + " sudden changes of T";
+  } else if (near && (found = lag_by_onsets(rough, range.half))) {
+    source = "from " + std::to_string(found->events) + " onsets of sliding";
+  }
+  if (!found)
+    throw InputError(
+        areas.path,
+        "no sudden change that it shares with " + forces.path +
+            " tells the lag between their clocks; state it: --lag=\"" +
+            (near ? rounded(*near, 3) + " s\" is where the area follows the load, to some tenths" : "0 s\""));
+  Frames frames = make_frames(forces, areas, found->value);
+  frames.lag_error = found->error;
+  frames.lag_source = source;
+  return frames;
+}
+
+}  // namespace mixity

@@ -1,0 +1,147 @@
+#include "dataset/logs/onset.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "statistics/falls.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kBefore = 12;  // readings that tell how a course goes on
+
+/// Where the parabola through a dozen readings leads to so many steps behind the last of them: the value, its slope
+/// there, and the variance of the value in those of one reading. A stage that pulls through a spring bends T, and the
+/// area bends towards the fold: a straight line would take that for a break.
+struct Ahead {
+  double value, slope;
+};
+Ahead ahead_of(const std::vector<double>& y, std::size_t end, double steps) {
+  constexpr double n = kBefore, middle = (n - 1) / 2, xx = n * (n * n - 1) / 12, mean_square = (n * n - 1) / 12,
+                   qq = n * (n * n - 1) * (n * n - 4) / 180;
+  double sum = 0, first = 0, second = 0;  // on 1, x, x^2 - mean of x^2, which are orthogonal
+  for (std::size_t i = 0; i < kBefore; ++i) {
+    const double x = static_cast<double>(i) - middle, value = y[end - kBefore + i];
+    sum += value;
+    first += x * value;
+    second += (x * x - mean_square) * value;
+  }
+  const double x = middle + steps;
+  return {sum / n + first / xx * x + second / qq * (x * x - mean_square), first / xx + 2 * second / qq * middle};
+}
+double variance_ahead(double steps) {
+  constexpr double n = kBefore, middle = (n - 1) / 2, xx = n * (n * n - 1) / 12, mean_square = (n * n - 1) / 12,
+                   qq = n * (n * n - 1) * (n * n - 4) / 180;
+  const double x = middle + steps;
+  return 1 / n + x * x / xx + (x * x - mean_square) * (x * x - mean_square) / qq;
+}
+
+/// Means of `width` readings from `begin` on.
+std::vector<double> blocks(const std::vector<double>& y, std::size_t begin, std::size_t end, std::size_t width) {
+  std::vector<double> means;
+  for (std::size_t i = begin; i + width <= end; i += width) {
+    const auto at = y.begin() + static_cast<std::ptrdiff_t>(i);
+    means.push_back(std::accumulate(at, at + static_cast<std::ptrdiff_t>(width), 0.0) / static_cast<double>(width));
+  }
+  return means;
+}
+
+/// Where three blocks lie below what those before lead to, in T alone or in T and A, and T has lost a good part of its
+/// slope there. Indices of frames; `seen` is the last of them.
+struct Break {
+  std::size_t before, seen, width;  // the last frame before the three blocks
+};
+std::optional<Break> first_break(const std::vector<double>& T, const std::vector<double>& A, std::size_t begin,
+                                 std::size_t end, double noise_T, double noise_A, std::size_t width) {
+  constexpr std::size_t kBehind = 3;
+  constexpr double kMiddle = (kBehind + 1) / 2.0;
+  constexpr double kAlone = 6, kEach = 3.5, kTogether = 8;  // standard deviations
+  constexpr double kSlopeLost = 0.4;
+  const std::vector<double> T_means = blocks(T, begin, end, width), A_means = blocks(A, begin, end, width);
+  const double error = std::sqrt((variance_ahead(kMiddle) + 1.0 / kBehind) / static_cast<double>(width));
+  for (std::size_t cut = kBefore; cut + kBehind <= T_means.size(); ++cut) {
+    const auto mean = [&](const std::vector<double>& y) {
+      const auto at = y.begin() + static_cast<std::ptrdiff_t>(cut);
+      return std::accumulate(at, at + kBehind, 0.0) / kBehind;
+    };
+    const Ahead T_ahead = ahead_of(T_means, cut, kMiddle), A_ahead = ahead_of(A_means, cut, kMiddle);
+    const double lost = T_ahead.value - mean(T_means), by_T = lost / (noise_T * error),
+                 by_A = (A_ahead.value - mean(A_means)) / (noise_A * error);
+    if (!(by_T > kAlone || (by_T > kEach && by_A > kEach && by_T + by_A > kTogether * std::sqrt(2.0)))) continue;
+    if (!(lost > kSlopeLost * kMiddle * T_ahead.slope)) continue;
+    return Break{begin + cut * width - 1, begin + (cut + kBehind) * width - 1, width};
+  }
+  return std::nullopt;
+}
+
+constexpr std::size_t kAround = 15;
+
+/// Where a break lies, so far: what is looked at for it, and the last frame that may be before it.
+struct Place {
+  std::size_t first, seen, last, top;
+};
+
+/// The earliest break that means of 1, 4 or 16 frames show: fast cameras and slow ramps hide it in noise.
+void take_break(const std::vector<double>& T, const std::vector<double>& A, std::size_t begin, std::size_t end,
+                double noise_T, double noise_A, std::optional<Place>& place) {
+  for (const std::size_t width : {1, 4, 16})
+    if (const auto found = first_break(T, A, begin, end, noise_T, noise_A, width);
+        found && (!place || found->seen < place->seen))
+      // what slides relaxes along no line: no more of it than is needed
+      place = Place{found->before > kAround + width ? found->before - kAround - width : 0, found->seen,
+                    found->seen + std::max<std::size_t>(width, 2), found->before};
+}
+
+/// The most likely break of the courses in the place, without frames behind it that already saw a part of it.
+ChangePoint settle(const std::vector<Course>& courses, std::size_t begin, std::size_t end, const Place& place) {
+  constexpr double kFar = 3.5;  // standard deviations
+  ChangePoint found = break_point(courses, std::max(place.first, begin), std::min(place.last, end))
+                          .value_or(ChangePoint{place.top, place.top, place.top});
+  const auto slides = [&](std::size_t i) {
+    return std::any_of(courses.begin(), courses.end(), [&](const Course& course) {
+      return i >= begin + kBefore && ahead_of(*course.values, i, 1).value - (*course.values)[i] >
+                                         kFar * course.noise * std::sqrt(1 + variance_ahead(1));
+    });
+  };
+  const auto few_before = [&] { return found.at > begin + 6 ? found.at - 2 : found.at; };
+  for (std::size_t i = few_before(); i <= found.at && i > begin + 3; ++i)
+    if (slides(i)) {
+      found.at = i - 1;
+      i = few_before() - 1;
+    }
+  found.first = std::min(found.first, found.at);
+  return found;
+}
+
+}  // namespace
+
+std::optional<ChangePoint> onset_of(const std::vector<double>& T, const std::vector<double>& A, std::size_t shear,
+                                    std::size_t end, double noise_T, double noise_A) {
+  constexpr std::size_t kFewBehind = 4;
+  std::optional<Place> place;
+  if (const auto fall = first_fall(T, rising_from(T, shear, end), end, kFallOfNoise * noise_T, kLeastFall))
+    place = Place{fall->top > kAround ? fall->top - kAround : 0, fall->seen,
+                  std::max(fall->seen + 3, std::min(fall->low + 1, fall->seen + kFewBehind)), fall->top};
+  take_break(T, A, shear, end, noise_T, noise_A, place);
+  if (!place) return std::nullopt;
+  ChangePoint found = settle({{&T, noise_T}, {&A, noise_A}}, shear, end, *place);
+  // a frame that saw part of the fall belongs to it
+  const auto highest = [&](std::size_t i) {
+    const auto at = T.begin() + static_cast<std::ptrdiff_t>(i);
+    return *std::max_element(at - static_cast<std::ptrdiff_t>(std::min<std::size_t>(i, 3)), at + 1);
+  };
+  while (found.at > shear + 3 && T[found.at] < highest(found.at) - 3 * noise_T) --found.at;
+  found.first = std::min(found.first, found.at);
+  return found;
+}
+
+std::optional<ChangePoint> first_break_below(const Course& course, std::size_t begin, std::size_t end) {
+  std::optional<Place> place;
+  take_break(*course.values, std::vector<double>(course.values->size()), begin, end, course.noise, 1, place);
+  if (!place) return std::nullopt;
+  return settle({course}, begin, end, *place);
+}
+
+}  // namespace mixity

@@ -1,0 +1,240 @@
+#include "dataset/table/columns.h"
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+
+#include "base/input_error.h"
+#include "base/number_text.h"
+#include "base/printable.h"
+#include "dataset/table/number.h"
+
+namespace mixity {
+namespace {
+
+/// In lower case, letters and digits only.
+std::string bare_name(std::string_view name) {
+  std::string bare;
+  for (const char c : name)
+    if (const auto byte = static_cast<unsigned char>(c); std::isalnum(byte))
+      bare += static_cast<char>(std::tolower(byte));
+  return bare;
+}
+
+/// What "P1" and "P2", or "P" and "P.1", have in common.
+std::string letters_of(std::string_view name) {
+  std::string letters = bare_name(name);
+  std::erase_if(letters, [](unsigned char c) { return std::isdigit(c); });
+  return letters;
+}
+
+}  // namespace
+
+Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& path, bool alone,
+             std::optional<double> pixel) {
+  if (!heading.unit) return {};
+  const auto fail = [&](const std::string& message) { throw InputError(path, heading.place, message); };
+  const std::string_view text = heading.text;
+  if (alone && text.find_first_of("])") < text.size() - 1)
+    fail("'" + printable(text, 60) + "' is one column; separate columns by commas, semicolons or tabs");
+  if (!heading.closed) {
+    const bool goes_on = text.find(text[text.find_first_of("[(")] == '[' ? ']' : ')') != std::string_view::npos;
+    fail((goes_on ? "something follows the unit of column '" : "the unit of column '") + heading.name +
+         (goes_on ? "': '" : "' is not closed: '") + std::string(text) + "'");
+  }
+  const auto parsed = parse_unit(*heading.unit);
+  const std::string wanted =
+      kind.always_a_number ? "a plain number" : describe(kind.dimension) + ", or no unit if dimensionless";
+  if (!parsed) fail("'" + *heading.unit + "' of column '" + heading.name + "' is no unit; wanted " + wanted);
+  // "T [mN] (N)"
+  for (std::size_t open = text.find_first_of("[("); open != std::string_view::npos;
+       open = text.find_first_of("[(", open + 1)) {
+    const std::size_t close = text.find(text[open] == '[' ? ']' : ')', open);
+    if (close == std::string_view::npos) break;
+    const auto other = parse_unit(text.substr(open + 1, close - open - 1));
+    if (other && (other->factor != parsed->factor || other->dimension != parsed->dimension))
+      fail("column '" + std::string(text) + "' states two units, " + other->text + " and " + parsed->text);
+  }
+  if (is_pixels(parsed->dimension, kind.dimension)) {
+    if (!pixel)
+      fail("column '" + heading.name + "' is in pixels; state the side of one: --pixel=\"1.7 um\", or the key pixel");
+    const bool area = kind.dimension == dimension::area;
+    return {area ? *pixel * *pixel : *pixel, kind.dimension, parsed->text};
+  }
+  const bool relative = parsed->text == "%" && kind.name.starts_with("sigma_");
+  if (!relative && parsed->dimension != (kind.always_a_number ? dimension::none : kind.dimension))
+    fail("unit '" + parsed->text + "' of column '" + heading.name + "' does not fit; wanted " + wanted);
+  return *parsed;
+}
+
+void require_width(const std::string& path, const CsvRow& row, std::size_t count) {
+  if (row.size() < count)
+    throw InputError(path, row.place(row.size()),
+                     "the row has " + std::to_string(row.size()) + " fields, the header " + std::to_string(count));
+  for (std::size_t i = count; i < row.size(); ++i)
+    if (!row[i].empty())
+      throw InputError(path, row.place(i),
+                       "the row has more fields than the header's " + std::to_string(count) +
+                           (row.delimiter() == ',' && row.raw().find('.') == std::string_view::npos
+                                ? " (commas that part columns and decimal commas cannot be told apart)"
+                                : ""));
+}
+
+bool holds_a_number(const CsvRow& row) {
+  double value = 0;
+  for (std::size_t i = 0; i < row.size(); ++i)
+    if (row.number(i, value)) return true;
+  return false;
+}
+
+bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value) {
+  if (row.number(i, value)) return true;
+  const std::string_view text = trim_name(row[i]);
+  if (text.empty() || is_missing(text)) return false;
+  if (text.size() < row[i].size() && parse_number(text, value)) return true;
+  const std::string said = "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number";
+  NumberStyle style;
+  if (parse_number(text, row.decimal(), value, &style) && style.doubtful)
+    throw InputError(path, row.place(i),
+                     said + " but for " + shortest(value) + ", if digits stand in groups of three: --decimal=\"" +
+                         row.decimal() + "\" says so");
+  throw InputError(path, row.place(i), said + std::string(decimal_comma_hint(text)));
+}
+
+std::string_view decimal_comma_hint(std::string_view text) {
+  return text.find(',') != std::string_view::npos ? " (write a decimal point, not a comma)" : "";
+}
+
+Columns::Columns(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules) {
+  const auto is_number = [](const Heading& heading) { return heading.text.empty() || parse_number(heading.text); };
+  if (rules.mapping.empty() && std::all_of(headings.begin(), headings.end(), is_number))
+    throw InputError(path, headings.at(0).place,
+                     "the first row holds numbers where the columns' names are wanted, such as P, T, A (a line that "
+                     "starts with '#' is a comment); say which is which: --columns=\"P=1 (mN),T=2 (mN),A=3 (mm^2)\"");
+  std::vector<bool> used(headings.size());
+  for (const NamedColumn& column : name_columns(path, headings, rules)) {
+    if (column.id == ColumnId::time) continue;  // of logs
+    const ColumnKind& kind = kind_of(column.id);
+    columns_[static_cast<std::size_t>(column.id)] =
+        Column{column.id, column.index, unit_of(column.heading, kind, path, headings.size() == 1, rules.pixel)};
+    used[column.index] = true;
+    count_ = std::max(count_, column.index + 1);
+    if (column.heading.name != kind.name)
+      taken_.push_back(std::string(kind.name) + " from '" + printable(headings[column.index].text, 60) + "'");
+  }
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    if (!headings[i].text.empty()) count_ = std::max(count_, i + 1);
+    if (!used[i] && !headings[i].name.empty())
+      ignored_.push_back(printable(headings[i].closed ? headings[i].name : headings[i].text, std::string::npos));
+  }
+  for (const std::optional<Column>& column : columns_) {
+    if (!column || column->id > ColumnId::minor) continue;
+    const std::string letters = letters_of(headings[column->index].name);
+    const auto twin = std::find_if(headings.begin(), headings.end(), [&](const Heading& heading) {
+      return !used[static_cast<std::size_t>(&heading - headings.data())] && letters_of(heading.name) == letters;
+    });
+    if (twin == headings.end() || letters.empty()) {
+      beside_.clear();
+      break;
+    }
+    beside_ += (beside_.empty() ? "'" : ", '") + printable(twin->text, 40) + "'";
+  }
+  require_a_complete_set(path, headings, rules);
+  require_consistent_units(path, headings);
+  for (const std::string& name : ignored_)
+    for (const ColumnKind& kind : kColumnKinds)
+      if (!has(kind.id) && kind.id != ColumnId::time && !column_named(name) && bare_name(name) == bare_name(kind.name))
+        misspelt_.emplace_back(name, kind.name);
+}
+
+void Columns::require_a_complete_set(const std::string& path, const std::vector<Heading>& headings,
+                                     const ColumnRules& rules) const {
+  const bool sized = has(ColumnId::A) || has(ColumnId::a) || holds_axes();
+  const bool loads = has(ColumnId::P) || has(ColumnId::T) || sized;
+  const bool toughness =
+      has(ColumnId::psi) || has(ColumnId::mode_ratio) || has(ColumnId::Gc) || has(ColumnId::Gc_over_GIc);
+  const bool energies = has(ColumnId::G_I) || has(ColumnId::G_II);
+  const auto fail = [&](const std::string& message, ColumnId missing = ColumnId::P, const char* tail = "") {
+    std::string others;
+    std::vector<std::size_t> fitting;  // of what is not understood
+    for (std::size_t i = 0; rules.vocabulary && i < headings.size(); ++i) {
+      if (headings[i].name.empty() || std::any_of(columns_.begin(), columns_.end(),
+                                                  [&](const auto& column) { return column && column->index == i; }))
+        continue;
+      others += (others.empty() ? "'" : ", '") + printable(headings[i].text, 40) + "'";
+      if (has_unit_of(headings[i], missing)) fitting.push_back(i);
+    }
+    // which of two forces is which nobody can tell
+    const bool one = fitting.size() == 1 && (kind_of(missing).dimension != dimension::force ||
+                                             has(missing == ColumnId::T ? ColumnId::P : ColumnId::T));
+    const std::string name(to_string(missing));
+    throw InputError(path, headings.at(0).place.line, 1,
+                     message +
+                         (others.empty() ? ""
+                                         : "; not understood: " + others + ". To say which column is " + name + ": " +
+                                               (one ? mapping_flag(missing, headings, fitting[0])
+                                                    : "--columns=\"" + name + "=HEADING (UNIT)\"")) +
+                         tail);
+  };
+  const auto exactly_one = [&](ColumnId one, ColumnId other) {
+    const std::string names = "'" + std::string(to_string(one)) + "' or '" + std::string(to_string(other)) + "'";
+    if (!has(one) && !has(other)) fail("column " + names + " is missing", one);
+    if (has(one) && has(other)) fail("columns " + names + ": one of them, not both");
+  };
+  const auto all_of = [&](std::initializer_list<ColumnId> ids) {
+    for (const ColumnId id : ids)
+      if (!has(id)) fail("column '" + std::string(to_string(id)) + "' is missing", id);
+  };
+  if (!loads && !toughness && !energies)
+    fail(std::string("the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or "
+                     "Gc_over_GIc), or G_I and G_II") +
+         (headings.size() == 1 ? ", separated by commas, semicolons or tabs" : ""));
+  if (loads + toughness + energies > 1) {
+    std::string sets = loads ? "loads (P, T, A)" : "";
+    if (toughness) sets += std::string(loads ? " with " : "") + "toughness (psi, Gc)";
+    if (energies) sets += " with energies (G_I, G_II)";
+    fail("the header mixes " + sets + "; give one set");
+  }
+  if (loads) {
+    all_of({ColumnId::T});
+    if (!rules.load_stated && !has(ColumnId::P))
+      fail("column 'P' is missing", ColumnId::P,
+           rules.vocabulary ? "; one normal load of all points is stated by --load=\"5 mN\", or the key load" : "");
+    if (!holds_axes()) exactly_one(ColumnId::A, ColumnId::a);
+    if (has(ColumnId::a_par) || has(ColumnId::a_perp)) all_of({ColumnId::a_par, ColumnId::a_perp});
+    if (has(ColumnId::major) || has(ColumnId::minor)) all_of({ColumnId::major, ColumnId::minor});
+  } else if (energies) {
+    all_of({ColumnId::G_I, ColumnId::G_II});
+  } else {
+    exactly_one(ColumnId::psi, ColumnId::mode_ratio);
+    exactly_one(ColumnId::Gc, ColumnId::Gc_over_GIc);
+  }
+}
+
+void Columns::require_consistent_units(const std::string& path, const std::vector<Heading>& headings) const {
+  const auto require_like = [&](ColumnId id, const Column* reference, const std::string& rule) {
+    const Column* column = find(id);
+    if (!column || !reference || column->unit.text == "%") return;
+    const bool bare = column->unit.dimension == dimension::none;
+    if (bare == (reference->unit.dimension == dimension::none)) return;
+    const std::string other(to_string(reference->id));
+    throw InputError(
+        path, headings[column->index].place,
+        "column '" + std::string(to_string(id)) + "' " +
+            (bare ? "has no unit while " + other + " has one" : "has a unit while " + other + " has none") + "; " +
+            rule);
+  };
+  for (const ColumnId id :
+       {ColumnId::T, ColumnId::A, ColumnId::a, ColumnId::a_par, ColumnId::a_perp, ColumnId::major, ColumnId::minor})
+    require_like(id, find(ColumnId::P) ? find(ColumnId::P) : find(ColumnId::T),
+                 "P, T and A are either all dimensionless or none is");
+  require_like(ColumnId::G_II, find(ColumnId::G_I), "G_I and G_II either both have a unit or neither has");
+  const std::string sigma_rule = "a standard error has the kind of unit of its quantity, or %";
+  require_like(ColumnId::sigma_T, find(ColumnId::T), sigma_rule);
+  require_like(ColumnId::sigma_A, find(ColumnId::T), sigma_rule);
+  require_like(ColumnId::sigma_Gc, find(has(ColumnId::Gc) ? ColumnId::Gc : ColumnId::Gc_over_GIc), sigma_rule);
+  require_like(ColumnId::sigma_GI, find(ColumnId::G_I), sigma_rule);
+  require_like(ColumnId::sigma_GII, find(ColumnId::G_II), sigma_rule);
+}
+
+}  // namespace mixity

@@ -1,0 +1,71 @@
+// The curves of a fitted model in the reader's units, for drawing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dataset/dataset.h"
+#include "fitting/options.h"
+#include "fitting/result.h"
+#include "mechanics/folds.h"
+
+namespace mixity {
+
+struct DrawnPoint {
+  double T, A, u;
+  bool stable;  // under load control
+};
+
+/// Where the contact loses stability.
+struct DrawnFold {
+  Control::Kind control;
+  double T, A, u;
+  std::string jumps_to;
+  double area_after;  // 0 off contact
+};
+
+/// An equilibrium curve from T = 0, with the folds met on loading under load and displacement control. Empty where
+/// there is no contact.
+struct DrawnCurve {
+  std::vector<DrawnPoint> points;
+  std::vector<DrawnFold> folds;
+};
+
+/// Which points of a curve: as few as can be, for a file, or those that are found soonest, while somebody waits.
+enum class Points { fewest, soonest };
+
+/// A fit's curve at a normal load as measured (dimensionless), as far as T_most (measured, dimensionless), within 2e-4
+/// of the curve's size. The fit must have values.
+DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load, double T_most,
+                       Points points = Points::fewest);
+
+/// a(P) at a tangential load T (measured, dimensionless): stable and unstable part, which meet at pull-off, up to the
+/// load P_most.
+struct DrawnRadii {
+  std::vector<std::pair<double, double>> stable, unstable;
+};
+DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const FitResult& fit, double T, double P_most,
+                       std::size_t points = 400);
+
+/// f(psi) at the ends of so many even steps of psi from 0 to last_psi, where it does not exceed `most`.
+std::vector<std::pair<double, double>> drawn_toughness(const Dataset& data, const FitResult& fit, double last_psi,
+                                                       double most, std::size_t steps = 300);
+
+/// The fit with its first free parameter at one end of its interval; null without that end.
+std::optional<FitResult> at_interval_end(const FitResult& fit, bool high);
+
+/// The fits that can be drawn: all of their parameters have values.
+std::vector<const FitResult*> fits_with_values(const std::vector<FitResult>& all);
+
+/// Of the data's points, dimensionless.
+double largest_shear(const Dataset& data);
+
+/// The stated shear strength, dimensionless; null if there is none, or no contact to scale it by.
+std::optional<double> stated_strength(const Dataset& data);
+
+/// The first parameter of the fit that was not held; null if there is none.
+const FittedParameter* leading_parameter(const FitResult& fit);
+
+}  // namespace mixity

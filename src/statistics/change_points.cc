@@ -1,0 +1,224 @@
+#include "statistics/change_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mixity {
+namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+constexpr double kLikely = 3.841458820694124;  // 95 % of chi^2 of one degree of freedom
+
+/// level + slope x, x counted from the first reading, above that reading.
+struct Line {
+  double level, slope;
+  double at(std::size_t x) const { return level + slope * static_cast<double>(x); }
+};
+
+/// PartialSums of readings, from which squares about a mean or a line follow.
+class PartialSums {
+ public:
+  explicit PartialSums(const std::vector<double>& values, std::size_t begin, std::size_t end) : begin_(begin) {
+    const std::size_t n = end - begin;
+    y_.resize(n + 1);
+    yy_.resize(n + 1);
+    xy_.resize(n + 1);
+    const double middle = values[begin];  // keeps the squares small
+    for (std::size_t i = 0; i < n; ++i) {
+      const double y = values[begin + i] - middle;
+      y_[i + 1] = y_[i] + y;
+      yy_[i + 1] = yy_[i] + y * y;
+      xy_[i + 1] = xy_[i] + static_cast<double>(i) * y;
+    }
+  }
+  double about_mean(std::size_t from, std::size_t to) const {
+    const auto [i, j] = range(from, to);
+    const double n = static_cast<double>(j - i), y = y_[j] - y_[i];
+    return std::max(0.0, yy_[j] - yy_[i] - y * y / n);
+  }
+  double about_line(std::size_t from, std::size_t to) const {
+    const auto [i, j] = range(from, to);
+    const double n = static_cast<double>(j - i), y = y_[j] - y_[i], middle = static_cast<double>(i) + (n - 1) / 2;
+    const double xy = xy_[j] - xy_[i] - middle * y, xx = n * (n * n - 1) / 12;
+    return std::max(0.0, yy_[j] - yy_[i] - y * y / n - xy * xy / xx);
+  }
+  /// The least squares' line through from..to.
+  Line line(std::size_t from, std::size_t to) const {
+    const auto [i, j] = range(from, to);
+    const double n = static_cast<double>(j - i), y = y_[j] - y_[i], middle = static_cast<double>(i) + (n - 1) / 2;
+    const double slope = (xy_[j] - xy_[i] - middle * y) / (n * (n * n - 1) / 12);
+    return {y / n - slope * middle, slope};
+  }
+  double about_given(const Line& line, std::size_t from, std::size_t to) const {
+    const auto [i, j] = range(from, to);
+    const double n = static_cast<double>(j - i), first = static_cast<double>(i), x = n * (first + (n - 1) / 2);
+    const double xx = n * first * (first + n - 1) + (n - 1) * n * (2 * n - 1) / 6;
+    return std::max(0.0, yy_[j] - yy_[i] - 2 * line.level * (y_[j] - y_[i]) - 2 * line.slope * (xy_[j] - xy_[i]) +
+                             n * line.level * line.level + 2 * line.level * line.slope * x +
+                             line.slope * line.slope * xx);
+  }
+
+ private:
+  std::pair<std::size_t, std::size_t> range(std::size_t from, std::size_t to) const {
+    return {from - begin_, to - begin_};
+  }
+  std::size_t begin_;
+  std::vector<double> y_, yy_, xy_;
+};
+
+/// Of twice the negative logarithm of the likelihood at each cut.
+ChangePoint best(const std::vector<double>& costs, std::size_t offset) {
+  const auto least = std::min_element(costs.begin(), costs.end());
+  ChangePoint point{static_cast<std::size_t>(least - costs.begin()), 0, 0};
+  point.first = point.last = point.at;
+  for (std::size_t i = 0; i < costs.size(); ++i)
+    if (costs[i] <= *least + kLikely) {
+      point.first = std::min(point.first, i);
+      point.last = std::max(point.last, i);
+    }
+  return {point.at + offset, point.first + offset, point.last + offset};
+}
+
+}  // namespace
+
+std::vector<std::size_t> level_changes(const std::vector<double>& values, double variance, double penalty) {
+  const std::size_t n = values.size();
+  if (n == 0) return {};
+  const PartialSums sums(values, 0, n);
+  std::vector<double> cost(n + 1, kUnbounded);
+  std::vector<std::size_t> before(n + 1), candidates{0};
+  cost[0] = -penalty;
+  for (std::size_t end = 1; end <= n; ++end) {
+    for (const std::size_t begin : candidates) {
+      const double one = cost[begin] + sums.about_mean(begin, end) / variance + penalty;
+      if (one < cost[end]) {
+        cost[end] = one;
+        before[end] = begin;
+      }
+    }
+    std::erase_if(candidates,
+                  [&](std::size_t begin) { return cost[begin] + sums.about_mean(begin, end) / variance > cost[end]; });
+    candidates.push_back(end);
+  }
+  std::vector<std::size_t> changes;
+  for (std::size_t end = n; end > 0; end = before[end]) changes.push_back(before[end]);
+  std::reverse(changes.begin(), changes.end());
+  return changes;
+}
+
+std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kLeast = 3;
+  if (end < begin + 2 * kLeast) return std::nullopt;
+  std::vector<double> costs(end - begin + 1 - 2 * kLeast);
+  for (const Course& course : courses) {
+    const PartialSums sums(*course.values, begin, end);
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+      const std::size_t cut = begin + kLeast + i;  // the first reading behind
+      costs[i] += (sums.about_line(begin, cut) + sums.about_line(cut, end)) / (course.noise * course.noise);
+    }
+  }
+  return best(costs, begin + kLeast - 1);
+}
+
+ChangePoint beginning_of_fall(const Course& course, std::size_t begin, std::size_t end, const ChangePoint& about,
+                              std::size_t reach) {
+  constexpr std::size_t kLeast = 3;
+  const PartialSums sums(*course.values, begin, end);
+  const std::size_t middle = about.at + 1, first = std::max(middle, begin + kLeast + reach) - reach,
+                    last = std::min(middle + reach, end - kLeast);
+  struct Behind {
+    double level, squares;  // of the line from there on: its value there, and what is left about it
+  };
+  std::vector<Behind> behind;
+  for (std::size_t low = first; low <= last; ++low)
+    behind.push_back({sums.line(low, end).at(low - begin), sums.about_line(low, end)});
+  std::vector<double> costs;
+  for (std::size_t fall = first; fall <= last; ++fall) {
+    const double before = sums.about_line(begin, fall);
+    const double top = sums.line(begin, fall).at(fall - 1 - begin);
+    double least = kUnbounded;
+    for (std::size_t low = std::max(fall, middle); low <= last; ++low) {
+      const Behind& rest = behind[low - first];
+      const double slope = (rest.level - top) / static_cast<double>(low - fall + 1);
+      const Line between{top - slope * static_cast<double>(fall - 1 - begin), slope};
+      least = std::min(least, sums.about_given(between, fall, low) + rest.squares);
+    }
+    costs.push_back((before + least) / (course.noise * course.noise));
+  }
+  return best(costs, first - 1);
+}
+
+std::optional<FallEnds> ends_of_fall(const Course& course, std::size_t begin, std::size_t end, const FallSpan& span) {
+  constexpr std::size_t kLeast = 3;
+  constexpr int kTurns = 50;
+  if (end < begin + 2 * kLeast) return std::nullopt;
+  const std::size_t first = std::max(span.first, begin + kLeast), last = std::min(span.last, end - kLeast),
+                    seen = std::min(span.seen, last);
+  if (first > seen) return std::nullopt;
+  const PartialSums sums(*course.values, begin, end);
+  const double variance = course.noise * course.noise;
+  // `fall`: the first reading of it; `low`: the first one behind
+  const auto cost = [&](std::size_t fall, std::size_t low) {
+    const double top = sums.line(begin, fall).at(fall - 1 - begin), bottom = sums.line(low, end).at(low - begin),
+                 slope = (bottom - top) / static_cast<double>(low - fall + 1);
+    const Line between{top - slope * static_cast<double>(fall - 1 - begin), slope};
+    return (sums.about_line(begin, fall) + (low > fall ? sums.about_given(between, fall, low) : 0) +
+            sums.about_line(low, end)) /
+           variance;
+  };
+  const auto costs = [](std::size_t from, std::size_t to, auto one) {
+    std::vector<double> list;
+    for (std::size_t i = from; i <= to; ++i) list.push_back(one(i));
+    return list;
+  };
+  // one cut first, then a fall about that, then each end in turn
+  const std::size_t cut = best(costs(first, seen, [&](std::size_t i) { return cost(i, i); }), first).at;
+  const std::size_t wide = std::min(cut - first, last - cut);
+  const std::size_t half = best(costs(0, wide, [&](std::size_t i) { return cost(cut - i, cut + i); }), 0).at;
+  ChangePoint fall{cut - half, 0, 0}, low{cut + half, 0, 0};
+  for (int turn = 0; turn < kTurns; ++turn) {
+    const std::size_t before = fall.at, behind = low.at;
+    fall = best(costs(first, std::min(seen, low.at), [&](std::size_t i) { return cost(i, low.at); }), first);
+    low = best(costs(fall.at, last, [&](std::size_t i) { return cost(fall.at, i); }), fall.at);
+    if (fall.at == before && low.at == behind) break;
+  }
+  const auto ending = [&](std::size_t from, std::size_t to, const ChangePoint& place) {
+    const Line line = sums.line(from, to);
+    const double n = static_cast<double>(to - from), at = static_cast<double>(place.at) - 0.5,
+                 x = at - static_cast<double>(from) - (n - 1) / 2, spread = n * (n * n - 1) / 12;
+    const double off = static_cast<double>(place.last - place.first) / 2 / std::sqrt(kLikely);
+    return LineEnd{at, (*course.values)[begin] + line.level + line.slope * (at - static_cast<double>(begin)),
+                   std::sqrt(variance * (1 / n + x * x / spread) + line.slope * line.slope * (off * off + 1 / 12.0))};
+  };
+  return FallEnds{ending(begin, fall.at, fall), ending(low.at, end, low)};
+}
+
+std::optional<Hinge> hinge_point(const Course& course, std::size_t begin, std::size_t end) {
+  if (end < begin + 6) return std::nullopt;
+  const std::vector<double>& y = *course.values;
+  const std::size_t n = end - begin;
+  std::vector<double> costs, levels, slopes;
+  // y = level + slope max(0, x - cut), least squares in level and slope
+  double sum = 0, squares = 0;
+  for (std::size_t i = begin; i < end; ++i) sum += y[i];
+  const double mean = sum / static_cast<double>(n);
+  for (std::size_t i = begin; i < end; ++i) squares += (y[i] - mean) * (y[i] - mean);
+  double tail_y = 0, tail_xy = 0;  // of readings behind the cut, about the mean; x from the cut
+  for (std::size_t cut = n - 1; cut-- > 0;) {
+    tail_y += y[begin + cut + 1] - mean;
+    tail_xy += tail_y;
+    const double m = static_cast<double>(n - 1 - cut), u = m * (m + 1) / 2, uu = m * (m + 1) * (2 * m + 1) / 6;
+    const double spread = uu - u * u / static_cast<double>(n), slope = tail_xy / spread;
+    costs.push_back((squares - slope * tail_xy) / (course.noise * course.noise));
+    slopes.push_back(slope);
+    levels.push_back(mean - slope * u / static_cast<double>(n));
+  }
+  std::reverse(costs.begin(), costs.end());
+  std::reverse(slopes.begin(), slopes.end());
+  std::reverse(levels.begin(), levels.end());
+  const ChangePoint change = best(costs, 0);
+  return Hinge{{change.at + begin, change.first + begin, change.last + begin}, levels[change.at], slopes[change.at]};
+}
+
+}  // namespace mixity

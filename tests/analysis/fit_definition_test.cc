@@ -1,0 +1,41 @@
+// Definitions as they are read; what is refused stands with its message in tests/bad_input.
+#include "analysis/fit_definition.h"
+
+#include <gtest/gtest.h>
+
+#include "base/input_error.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+namespace {
+
+TEST(FitDefinition, StatesItsObjectiveOrLeavesItToTheData) {
+  const TemporaryFolder folder;
+  const auto objective = [&](const std::string& line) {
+    return read_fit_definition(folder.write("fit.toml", "data = \"a.csv\"\n" + line)).options.objective;
+  };
+  EXPECT_EQ(objective("objective = \"toughness\"\n"), Objective::toughness);
+  EXPECT_EQ(objective("objective = \"curve\"\n"), Objective::curve);
+  EXPECT_EQ(objective(""), std::nullopt);
+  EXPECT_THROW(objective("objective = \"area\"\n"), InputError);
+}
+
+TEST(FitDefinition, NamesNoModelThatDoesNotExist) {
+  const TemporaryFolder folder;
+  for (const char* line : {"models = [\"z\"]\n", "models = [\"c\", \"\"]\n", "models = [\"C\"]\n",
+                           "[published.z]\nlambda = {value = 1, tolerance = 1}\n"})
+    EXPECT_THROW(read_fit_definition(folder.write("fit.toml", std::string("data = \"a.csv\"\n") + line)), InputError)
+        << line;
+}
+
+/// The published values of these were found as the paper does it.
+TEST(FitDefinition, EveryShippedOneStatesThePapersObjective) {
+  for (const char* name : {"as4_peek_mmb", "mergel2018", "waters_guduru2010"}) {
+    const FitJob job = read_fit_definition(std::string(MIXITY_ROOT "/fits/") + name + ".toml");
+    EXPECT_EQ(job.options.objective, Objective::toughness) << name;
+    EXPECT_FALSE(job.published.empty()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace mixity

@@ -1,0 +1,50 @@
+// The regression tests against published values, made from fits/*.toml: whoever adds a definition adds a test, and
+// whoever replaces reconstructed points by digitised ones is judged by the same numbers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "analysis/fit_definition.h"
+
+namespace mixity {
+namespace {
+
+std::vector<std::string> definitions() {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(MIXITY_ROOT "/fits"))
+    if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+class Published : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Published, ValuesAreFoundAgain) {
+  const JobResult result = run(read_fit_definition(GetParam()));
+  std::size_t compared = 0;
+  EXPECT_TRUE(can_be_believed(result));  // of mergel2018, models a and b are left far behind by c
+  for (const FitResult& fit : result.fits) {
+    for (const Agreement& agreement : compare(fit, result.job)) {
+      ++compared;
+      EXPECT_TRUE(agreement.agrees) << "model " << fit.model << ": published " << agreement.published.name << " = "
+                                    << agreement.published.value << " +- " << agreement.published.tolerance;
+    }
+  }
+  std::size_t stated = 0;
+  for (const auto& [model, numbers] : result.job.published) stated += numbers.size();
+  EXPECT_EQ(compared, stated) << "a published number belongs to a model that the definition does not fit";
+}
+
+INSTANTIATE_TEST_SUITE_P(Fits, Published, ::testing::ValuesIn(definitions()),
+                         [](const auto& test) { return std::filesystem::path(test.param).stem().string(); });
+
+TEST(Published, EveryShippedDataSetHasADefinition) {
+  for (const auto& entry : std::filesystem::directory_iterator(MIXITY_ROOT "/data"))
+    if (entry.path().extension() == ".csv" && entry.path().stem() != "shear_log") {  // of which `runs` makes one
+      EXPECT_TRUE(std::filesystem::exists(std::string(MIXITY_ROOT "/fits/") + entry.path().stem().string() + ".toml"));
+    }
+}
+
+}  // namespace
+}  // namespace mixity

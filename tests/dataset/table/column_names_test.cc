@@ -1,0 +1,115 @@
+// Which heading is which quantity, and what is said where that is not clear.
+#include "dataset/table/column_names.h"
+
+#include <gtest/gtest.h>
+
+#include "dataset/load_text.h"
+#include "dataset/logs/recording.h"
+
+namespace mixity {
+namespace {
+
+const Overrides kConstants{{"radius", "9.42 mm"}, {"modulus", "2.133 MPa"}, {"toughness", "27 mJ/m^2"}};
+
+/// The columns that were taken, or the error, of rows "4.68,0,0.3" and so on under this header.
+std::string read(const std::string& header, Overrides more = {},
+                 const std::string& rows = "4.68,0,0.3\n4.67,1,0.29\n4.69,2,0.28\n") {
+  more.insert(more.end(), kConstants.begin(), kConstants.end());
+  std::string taken;
+  const std::string error = input_error([&] {
+    const Dataset data = load_text(header + "\n" + rows, "", more);
+    EXPECT_EQ(data.points.size(), 3u);
+    EXPECT_NEAR(data.points[1].P * data.contact.value().force_unit(), 4.67e-3, 1e-15) << header;
+    EXPECT_NEAR(data.points[1].T * data.contact->force_unit(), 1e-3, 1e-15) << header;
+    EXPECT_NEAR(data.points[1].A * data.contact->area_unit(), 0.29e-6, 1e-18) << header;
+    for (const std::string& one : data.taken) taken += (taken.empty() ? "" : ", ") + one;
+  });
+  return error.empty() ? taken : error.substr(error.rfind(".csv:") + 5);
+}
+
+TEST(ColumnNames, OfALogMayBeTheProgramsAndALaboratorysInOneFile) {
+  const TemporaryFolder folder;
+  for (const char* header : {"time [s],F_N [mN],F_T [mN],A [mm^2]", "time [s],P [mN],F_T [mN],A [mm^2]",
+                             "time [s],P [mN],T [mN],Contact area (mm^2)", "t [s],F_N [mN],T [mN],A [mm^2]"}) {
+    const Recording log =
+        read_recording(folder.write("m.csv", std::string(header) + "\n0,1,2,0.3\n1,1,3,0.3\n2,1,4,0.2\n"), Metadata{});
+    EXPECT_TRUE(log.holds_forces()) << header;
+    EXPECT_TRUE(log.holds_areas()) << header;
+    EXPECT_EQ(log.P.size(), 3u) << header;
+  }
+}
+
+TEST(ColumnNames, WithAUnitThatIsNotKnownAreRefusedAndNotTakenForAnother) {
+  const std::string remedy = "; if it is another way to write one: --columns=";
+  EXPECT_EQ(read("Load (g),T [mN],A [mm^2]"),
+            "1:1: 'Load (g)' may be P, but 'g' is not a force such as mN" + remedy + "\"P=Load (UNIT)\"");
+  EXPECT_EQ(read("P [mN],T [mN],Contact area (microns^2)"),
+            "1:15: 'Contact area (microns^2)' may be A, but 'microns^2' is not an area such as mm^2" + remedy +
+                "\"A=Contact area (UNIT)\"");
+  EXPECT_EQ(read("Load (g),T [mN],A [mm^2]", {{"columns", "P=Load (mN)"}}), "P from 'Load (g)'");  // as stated
+  EXPECT_NE(read("Load (g),T [mN],A [mm^2]", {{"columns", "P=Load (g)"}}).find("'g' of column 'Load' is no unit"),
+            std::string::npos);
+}
+
+TEST(ColumnNames, WhichOfTwoForcesIsWhichIsNotGuessedByAHint) {
+  EXPECT_EQ(read("Kraft Fn [mN],Kraft Ft [mN],A [mm^2]"),
+            "1:1: column 'T' is missing; not understood: 'Kraft Fn [mN]', 'Kraft Ft [mN]'. To say which column is T: "
+            "--columns=\"T=HEADING (UNIT)\"");
+  // one alone can be it, and the hint can be followed as it stands
+  EXPECT_EQ(read("P [mN],Kraft Ft [mN],A [mm^2]"),
+            "1:1: column 'T' is missing; not understood: 'Kraft Ft [mN]'. To say which column is T: "
+            "--columns=\"T=Kraft Ft [mN]\"");
+  EXPECT_EQ(read("P [mN],Kraft Ft [mN],A [mm^2]", {{"columns", "T=Kraft Ft [mN]"}}), "T from 'Kraft Ft [mN]'");
+  // what a mapping would not read back is named by its number
+  EXPECT_EQ(read("P [mN],\"Kraft, 2 [mN]\",A [mm^2]"),
+            "1:1: column 'T' is missing; not understood: 'Kraft, 2 [mN]'. To say which column is T: "
+            "--columns=\"T=2\"");
+}
+
+TEST(ColumnNames, WhoseUnitIsOfAnotherKindAreNotTheQuantityWhereAnotherColumnIs) {
+  const std::string rows = "20,4.68,0,0.3\n20,4.67,1,0.29\n20,4.69,2,0.28\n";
+  EXPECT_EQ(read("T [°C],P [mN],Friction force (mN),A [mm^2]", {}, rows), "T from 'Friction force (mN)'");
+  EXPECT_EQ(read("P (kPa),Fn (mN),T (mN),A [mm^2]", {}, rows), "P from 'Fn (mN)'");
+  EXPECT_EQ(read("T (K),P (mN),T (mN),A [mm^2]", {}, rows), "");
+  EXPECT_EQ(read("T,P,Friction force,A\n°C,mN,mN,mm^2", {}, rows), "T from 'Friction force'");
+  EXPECT_NE(read("P [mN],T [°C],A [mm^2]").find("'°C' of column 'T' is no unit"), std::string::npos);
+}
+
+TEST(Numbers, ThatMayBeInGroupsOfThreeAreRefusedWithTheFlagThatSaysSo) {
+  EXPECT_EQ(load_error("P;T;A\n0,8;0,1;238.180\n0,8;1,1;236.180\n"),
+            "a.csv:2:9: column 'A': '238.180' is not a number but for 238180, if digits stand in groups of three: "
+            "--decimal=\",\" says so");
+}
+
+TEST(ColumnNames, OfTimesDoNotMatterToPoints) {
+  EXPECT_EQ(read("Time (s),P [mN],Time (s),T [mN],Time (s),A [mm^2]", {},
+                 "0,4.68,0,0,0,0.3\n0,4.67,0,1,0,0.29\n0,4.69,0,2,0,0.28\n"),
+            "");
+}
+
+TEST(ColumnNames, MayLeaveThoseOfRowsOut) {
+  const std::string rows = "1,4.68,0,0.3\n2,4.67,1,0.29\n3,4.69,2,0.28\n";
+  EXPECT_EQ(read("P [mN],T [mN],A [mm^2]", {}, rows), "");
+  EXPECT_EQ(read("\"P [mN]\" \"T [mN]\" \"Contact area [mm^2]\"", {},
+                 "\"a\" 4.68 0 0.3\n\"b\" 4.67 1 0.29\n\"c\" 4.69 2 0.28\n"),
+            "A from 'Contact area [mm^2]'");
+  EXPECT_NE(read("P [mN],T [mN],A [mm^2]", {}, "4.68,0,0.3,1\n4.67,1,0.29,1\n4.69,2,0.28,1\n").find("more fields"),
+            std::string::npos);
+}
+
+TEST(ColumnNames, OfRunsBesideEachOtherAreSaidWhereOneIsRead) {
+  const std::string rows = "4.68,0,0.3,2,0,0.2\n4.67,1,0.29,2,1,0.2\n";
+  const auto notes = [&](const std::string& header, const std::string& columns) {
+    Overrides stated = kConstants;
+    stated.emplace_back("columns", columns);
+    return load_text(header + "\n" + rows, "", stated).notes;
+  };
+  EXPECT_EQ(notes("P1 [mN],T1 [mN],A1 [mm^2],P2 [mN],T2 [mN],A2 [mm^2]", "P=P1,T=T1,A=A1").at(0),
+            "one run is read and those beside it are not: 'P2 [mN]', 'T2 [mN]', 'A2 [mm^2]' have the names of its "
+            "columns but for a number; they are to stand below it, or in files of their own");
+  EXPECT_EQ(notes("P [mN],T [mN],A [mm^2],P [mN],T [mN],A [mm^2]", "P=4,T=5,A=6").size(), 1u);
+  EXPECT_EQ(notes("P1 [mN],T1 [mN],A1 [mm^2],P2 [mN],x,y", "P=P1,T=T1,A=A1").size(), 0u);
+}
+
+}  // namespace
+}  // namespace mixity

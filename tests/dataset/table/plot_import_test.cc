@@ -1,0 +1,142 @@
+#include "dataset/table/plot_import.h"
+
+#include <gtest/gtest.h>
+
+#include "dataset/dataset.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+namespace {
+
+// Two data sets as WebPlotDigitizer exports them: the shorter one is padded.
+constexpr const char* kExport =
+    "P = 1 mN,,\"second, \"\"P\"\" = 2\",\n"
+    "X,Y,X,Y\n"
+    "0.0123456789012345678,0.25,0,0.31\n"
+    "0.5,0.240,0.4,0.3\n"
+    ",,0.8,0.29\n";
+
+PlotImport in_milli(const std::vector<double>& loads) {
+  PlotImport options{"T [mN]", "A [mm^2]", {}};
+  for (const double load : loads) options.loads.push_back({load, parse_unit("mN").value()});
+  return options;
+}
+
+PlotImport bare(const std::string& x, const std::string& y, std::size_t loads) {
+  return {x, y, std::vector<Quantity>(loads, Quantity{1, {}})};
+}
+
+std::string import(std::string_view text, const PlotImport& options) {
+  const TemporaryFolder folder;
+  return import_plot(folder.write("plot.csv", text), options);
+}
+
+std::string error_of(std::string_view text, const PlotImport& options) {
+  return file_error("plot.csv", text, [&](const std::string& path) { import_plot(path, options); });
+}
+
+TEST(PlotImport, PairsOfColumnsBecomeRows) {
+  EXPECT_EQ(import(kExport, in_milli({1, 2.5})),
+            "curve,P [mN],T [mN],A [mm^2]\n"
+            "P = 1 mN,1,0.0123456789012345678,0.25\n"
+            "P = 1 mN,1,0.5,0.240\n"
+            "\"second, \"\"P\"\" = 2\",2.5,0,0.31\n"
+            "\"second, \"\"P\"\" = 2\",2.5,0.4,0.3\n"
+            "\"second, \"\"P\"\" = 2\",2.5,0.8,0.29\n");
+}
+
+TEST(PlotImport, TheResultIsADataSet) {
+  const TemporaryFolder folder;
+  const Dataset data = load_dataset(folder.write("a.csv", import(kExport, in_milli({1, 2}))),
+                                    {{"radius", "9.42 mm"}, {"modulus", "2.133 MPa"}, {"toughness", "27 mJ/m^2"}});
+  EXPECT_EQ(data.points.size(), 5);
+  EXPECT_EQ(data.curves, (std::vector<std::string>{"P = 1 mN", "second, \"P\" = 2"}));
+  EXPECT_NEAR(data.curve_loads[1] * data.display.force_scale, 2, 1e-15);  // some roundings of 1.1e-16
+  EXPECT_NEAR(data.points[1].A * data.display.area_scale, 0.24, 1e-15);
+}
+
+TEST(PlotImport, ConvertedPointsNeedNoLoads) {
+  const PlotImport options{"psi [deg]", "Gc_over_GIc", {}};
+  const std::string csv = import("Fig. 8,\nX,Y\n0,1\n30,1.2\n", options);
+  EXPECT_EQ(csv, "curve,psi [deg],Gc_over_GIc\nFig. 8,0,1\nFig. 8,30,1.2\n");
+  const TemporaryFolder folder;
+  EXPECT_EQ(load_dataset(folder.write("a.csv", csv)).points.size(), 2);
+}
+
+TEST(PlotImport, SpellingsOfTheExportMakeNoDifference) {
+  const std::string expected = "curve,P,T,A\na,1,0,2\nb,1,0,3\nb,1,1,2.5\n";
+  for (const char* text : {
+           "a,,b,\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n",
+           "a,,b\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n",           // no comma behind the last name
+           "a,,b,\r\nX,Y,X,Y\r\n0,2,0,3\r\n,,1,2.5\r\n",  // CRLF
+           ("\xEF\xBB\xBF"
+            "a,,b,\nX,Y,X,Y\n0,2,0,3\n,,1,2.5\n"),  // byte order mark
+           "a;;b;\nX;Y;X;Y\n0;2;0;3\n;;1;2.5\n",
+           "a\t\tb\t\nX\tY\tX\tY\n0\t2\t0\t3\n\t\t1\t2.5\n",
+           "a,,b,\n0,2,0,3\n,,1,2.5\n",  // no labels
+           "\"a\",,\"b\",\n\"X\",\"Y\",\"X\",\"Y\"\n0,2,0,3\n,,1,2.5\n\n",
+       })
+    EXPECT_EQ(import(text, bare("T", "A", 2)), expected) << text;
+}
+
+TEST(PlotImport, ShortRowsEndTheLaterDataSets) {
+  EXPECT_EQ(import("a,,b,\nX,Y,X,Y\n0,2,0,3\n1,1.5\n", bare("T", "A", 2)),
+            "curve,P,T,A\na,1,0,2\na,1,1,1.5\nb,1,0,3\n");
+}
+
+TEST(PlotImport, ANameThatLooksLikeACommentIsAName) {
+  const std::string text = import("#1,,#2,\nX,Y,X,Y\n0,2,0,3\n", bare("T", "A", 2));
+  EXPECT_EQ(text, "curve,P,T,A\n\"#1\",1,0,2\n\"#2\",1,0,3\n");
+}
+
+TEST(PlotImport, DataSetsWithoutANameAreNumbered) {
+  EXPECT_EQ(import(",,b,\nX,Y,X,Y\n0,2,0,3\n", bare("T", "A", 2)), "curve,P,T,A\ndata set 1,1,0,2\nb,1,0,3\n");
+  EXPECT_EQ(import(",,,\nX,Y,X,Y\n0,2,0,3\n", bare("T", "A", 2)), "curve,P,T,A\ndata set 1,1,0,2\ndata set 2,1,0,3\n");
+}
+
+TEST(PlotImport, WhatIsNoExportIsRefusedWithItsPlace) {
+  const PlotImport two = bare("T", "A", 2);
+  for (const auto& [text, error] : std::vector<std::pair<std::string, std::string>>{
+           {"", "1:1: is empty: a row with the data sets' names is missing"},
+           {"a,,b,\nX,Y,X,Y\n", "2:1: holds no points"},
+           {"a,,b,\nO,9,0,12\n1,8,1,11\n", "2:1: 'O' is not a finite number"},  // not labels
+           {"a,,a,\nX,Y,X,Y\n0,9,0,12\n", "1:4: a second data set is named 'a'"},
+           {"data set 2,,,\nX,Y,X,Y\n0,9,0,12\n", "1:13: a second data set is named 'data set 2'"},
+           {"a,,b,\nX,Y,X,Y\n0,abc,0,1\n", "3:3: 'abc' is not a finite number"},
+           {"a,,b,\nX,Y,X,Y\n0,1,nan,1\n", "3:5: 'nan' is not a finite number"},
+           {"a;;b;\nX;Y;X;Y\n0;0,5;0;1\n", "3:3: '0,5' is not a finite number (write a decimal point, not a comma)"},
+           {"a,,b,\nX,Y,X,Y\n0,1,,1\n", "3:5: data set 'b' has one coordinate of a point without the other"},
+           {"a,,b,\nX,Y,X,Y\n0,,0,1\n", "3:3: data set 'a' has one coordinate of a point without the other"},
+           {"a,,b,\nX,Y,X,Y\n0,1,0\n", "3:6: data set 'b' has one coordinate of a point without the other"},
+           {"a,,b,\nX,Y,X,Y\n0,1,0,1,7\n", "3:9: a value stands beyond the last named data set"},
+           {"a,,b,,c,\nX,Y,X,Y,X,Y\n0,1,0,1,0,1\n", "1:1: holds 3 data sets, but 2 loads were given"},
+           {"a,\nX,Y\n0,1\n", "1:1: holds 1 data sets, but 2 loads were given"},
+       })
+    EXPECT_EQ(error_of(text, two), "plot.csv:" + error) << text;
+}
+
+TEST(PlotImport, HeadersThatWouldNotBeReadBackAreRefused) {
+  for (const PlotImport& options : {
+           bare("T [foo]", "A", 1),   // no unit
+           bare("T [mm]", "A", 1),    // the wrong kind
+           bare("T [mN", "A", 1),     // not closed
+           bare("shear", "A", 1),     // T is missing
+           bare("T", "T", 1),         // twice
+           bare("P", "A", 1),         // P twice, T missing
+           bare("T", "A, in mm", 1),  // would be two columns
+           bare("T", "A [mm^2]", 1),  // mixed with loads without a unit
+           bare("T", "A", 0),         // no loads
+           bare("psi", "Gc", 1),      // loads where none belong
+       })
+    EXPECT_NE(error_of("a,\nX,Y\n0,1\n", options), "") << options.x_column << " " << options.y_column;
+}
+
+TEST(PlotImport, AFileThatIsNotThereIsNamed) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("none.csv");
+  EXPECT_EQ(input_error([&] { import_plot(path, bare("T", "A", 1)); }),
+            path + ": cannot be opened: No such file or directory");
+}
+
+}  // namespace
+}  // namespace mixity
