@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/units.h"
-#include "dataset/table/column_names.h"
+#include "dataset/table/column_rules.h"
 
 namespace mixity {
 

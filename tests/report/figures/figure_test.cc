@@ -78,7 +78,5 @@ TEST(Figure, ModelsKeepThePapersLinesAndDifferInSymbolAndColour) {
       }
 }
 
-TEST(Figure, ForeignTextLosesItsMarkup) { EXPECT_EQ(plain("run_1^{x}@&~"), "run\\_1\\^\\{x\\}\\@\\&\\~"); }
-
 }  // namespace
 }  // namespace mixity
