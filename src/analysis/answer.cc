@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/judgement.h"
 #include "analysis/readable.h"
 #include "base/rounding.h"
 #include "fitting/predicted_curves.h"
@@ -26,7 +27,7 @@ std::string with_greek(std::string text) {
 }
 
 /// At each load of a run.
-std::vector<PredictedJump> jumps(const JobResult& result, const FitResult& fit) {
+std::vector<PredictedJump> jumps(const Analysis& result, const FitResult& fit) {
   const Dataset& data = result.data;
   const DisplayUnits& units = data.display;
   std::vector<double> largest(data.curves.size());
@@ -49,7 +50,7 @@ std::vector<PredictedJump> jumps(const JobResult& result, const FitResult& fit) 
     return number;
   };
   for (const std::size_t run : runs)
-    if (const auto jump = predict_jump_of(data, fit, result.job.options, data.curve_loads[run]))
+    if (const auto jump = predict_jump_of(data, fit, result.request.options, data.curve_loads[run]))
       list.push_back({data.curve_loads[run] * units.force_scale, scaled(jump->T, units.force_scale),
                       scaled(jump->A, units.area_scale), largest[run] * units.force_scale});
   return list;
@@ -97,7 +98,7 @@ std::string exact_constants(const FitResult& fit) {
          " of its standard errors. State theirs, as in " + worst->constant + " = \"VALUE +/- ERROR\".";
 }
 
-std::string rivals(const JobResult& result) {
+std::string rivals(const Analysis& result) {
   if (const std::string text = no_best_model(result); !text.empty()) return "Which model is right: " + text + ".";
   std::string text;
   for (const ComparedModel& one : result.comparison)
@@ -116,7 +117,7 @@ bool is_unknown(const FittedParameter& one) {
 
 }  // namespace
 
-Answer answer_of(const JobResult& result) {
+Answer answer_of(const Analysis& result) {
   Answer answer;
   const std::vector<std::size_t> order = by_merit(result);
   if (order.empty() || !has_all_values(result.fits[order.front()])) return answer;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/job.h"
+#include "analysis/result.h"
 #include "fitting/prediction.h"
 
 namespace mixity {
@@ -27,7 +27,7 @@ struct Answer {
   std::vector<std::string> cannot_say;                 // sentences
 };
 
-Answer answer_of(const JobResult& result);
+Answer answer_of(const Analysis& result);
 
 /// The jumps as a table, rounded to their errors: headings first.
 std::vector<std::vector<std::string>> jump_table(const Answer& answer, const Dataset& data);

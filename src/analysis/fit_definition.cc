@@ -5,8 +5,9 @@
 #include <filesystem>
 #include <sstream>
 
-#include "analysis/job_options.h"
 #include "analysis/laws.h"
+#include "analysis/request.h"
+#include "analysis/settings.h"
 #include "base/number_text.h"
 #include "base/toml_file.h"
 
@@ -18,42 +19,43 @@ class Reader {
  public:
   explicit Reader(const std::string& path) : path_(path) {}
 
-  FitJob read() {
+  FitRequest read() {
     const toml::table table = read_toml(path_);
-    FitJob job;
-    job.path = path_;
-    read_laws(table, job);  // before what names them
+    FitRequest request;
+    request.path = path_;
+    read_laws(table, request);  // before what names them
     for (const auto& [key, node] : table) {
       if (key == "data")
-        read_data(node, job);
+        read_data(node, request);
       else if (key == "runs")
-        read_runs(node, job);
+        read_runs(node, request);
       else if (key == "constants")
-        read_constants(node, job);
+        read_constants(node, request);
       else if (key == "columns" && node.is_table())
-        job.constants.emplace_back("columns", mapping_text(path_, *node.as_table()));
+        request.constants.emplace_back("columns", mapping_text(path_, *node.as_table()));
       else if (key == "source")
-        job.source = text(node, "source");
+        request.source = text(node, "source");
       else if (key == "peaks")
-        job.peaks_path = beside(node, "peaks");
+        request.peaks_path = beside(node, "peaks");
       else if (key == "log_figures")
-        read_log_figures(node, job);
+        read_log_figures(node, request);
       else if (key == "laws")
         continue;
       else if (key == "published")
-        read_published(node, job);
-      else if (std::find(kJobOptions.begin(), kJobOptions.end(), key.str()) != kJobOptions.end())
-        read_option(std::string(key.str()), node, job);
+        read_published(node, request);
+      else if (std::find(kOptionNames.begin(), kOptionNames.end(), key.str()) != kOptionNames.end())
+        read_option(std::string(key.str()), node, request);
       else
         fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: data, runs, columns, " + names_of_options() +
                       ", constants, laws, peaks, log_figures, source, published)");
     }
-    if (job.data_path.empty()) throw InputError(path_, "the key data is missing");
+    if (request.data_path.empty()) throw InputError(path_, "the key data is missing");
     if (table.contains("data") && table.contains("runs"))
       fail(*table.get("runs"), "data and runs both say which files: state one");
-    if (const auto wrong = contradiction(job)) fail(*table.get(wrong->option), wrong->option + " " + wrong->problem);
-    check_published(table, job);
-    return job;
+    if (const auto wrong = contradiction(request))
+      fail(*table.get(wrong->option), wrong->option + " " + wrong->problem);
+    check_published(table, request);
+    return request;
   }
 
  private:
@@ -76,7 +78,7 @@ class Reader {
   }
 
   /// A file, a pattern, or a list of them; several files are one data set.
-  void read_data(const toml::node& node, FitJob& job) const {
+  void read_data(const toml::node& node, FitRequest& request) const {
     const toml::array* const list = node.as_array();
     std::vector<std::string> files;
     const auto add = [&](const toml::node& entry) {
@@ -87,18 +89,18 @@ class Reader {
     else
       add(node);
     if (files.empty()) fail(node, "data names no file");
-    job.data_path = files.front();
+    request.data_path = files.front();
     if (list || files.size() > 1)
-      for (const std::string& file : files) job.runs.push_back({file});
+      for (const std::string& file : files) request.runs.push_back({file});
   }
 
-  void read_log_figures(const toml::node& node, FitJob& job) const {
+  void read_log_figures(const toml::node& node, FitRequest& request) const {
     if (!node.is_array()) fail(node, "log_figures must be a list of SVG files");
-    for (const toml::node& entry : *node.as_array()) job.log_figures.push_back(beside(entry, "log_figures"));
+    for (const toml::node& entry : *node.as_array()) request.log_figures.push_back(beside(entry, "log_figures"));
   }
 
   /// [[runs]]: file, and what is said of it.
-  void read_runs(const toml::node& node, FitJob& job) const {
+  void read_runs(const toml::node& node, FitRequest& request) const {
     if (!node.is_array_of_tables()) fail(node, "runs must be tables, each written [[runs]]");
     for (const toml::node& entry : *node.as_array()) {
       RunFile run;
@@ -123,10 +125,10 @@ class Reader {
         fail(entry, problem);
       if (scratch.standard_error("radius") > 0)
         fail(entry, "the standard error of a sphere is that of the radius, a percentage of all: state it there");
-      job.runs.push_back(run);
+      request.runs.push_back(run);
     }
-    if (job.runs.empty()) fail(node, "runs names no file");
-    job.data_path = job.runs.front().path;
+    if (request.runs.empty()) fail(node, "runs names no file");
+    request.data_path = request.runs.front().path;
   }
 
   std::string text(const toml::node& node, const std::string& key) const {
@@ -137,7 +139,7 @@ class Reader {
 
   static std::string names_of_options() {
     std::string names;
-    for (const std::string_view name : kJobOptions) names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const std::string_view name : kOptionNames) names += (names.empty() ? "" : ", ") + std::string(name);
     return names;
   }
 
@@ -155,30 +157,30 @@ class Reader {
     return text(node, key);
   }
 
-  void read_option(const std::string& key, const toml::node& node, FitJob& job) const {
-    if (const std::string problem = set_option(job, key, flag_text(node, key)); !problem.empty())
+  void read_option(const std::string& key, const toml::node& node, FitRequest& request) const {
+    if (const std::string problem = set_option(request, key, flag_text(node, key)); !problem.empty())
       fail(node, key + " " + problem);
   }
 
-  void read_laws(const toml::table& table, FitJob& job) const {
+  void read_laws(const toml::table& table, FitRequest& request) const {
     const toml::node* const node = table.get("laws");
     if (!node) return;
     if (!node->is_table()) fail(*node, "laws must be tables, each written [laws.KEY]");
     for (const DefinedLaw& defined : define_laws(path_, *node->as_table())) {
       const std::string& key = defined.law->definition().key;
-      if (!table.contains("models")) job.models.push_back(key);
-      for (const std::string& warning : defined.warnings) job.law_notes.push_back("law " + key + ": " + warning);
+      if (!table.contains("models")) request.models.push_back(key);
+      for (const std::string& warning : defined.warnings) request.law_notes.push_back("law " + key + ": " + warning);
     }
   }
 
-  void read_constants(const toml::node& node, FitJob& job) const {
+  void read_constants(const toml::node& node, FitRequest& request) const {
     if (!node.is_table()) fail(node, "constants must be a table");
     Metadata scratch;
     for (const auto& [key, value] : *node.as_table()) {
       const std::string name(key.str());
       const std::string given = value.is_string() || value.is_number() ? flag_text(value, name) : text(value, name);
       if (const std::string problem = set_field(scratch, name, given); !problem.empty()) fail(value, problem);
-      job.constants.emplace_back(name, given);
+      request.constants.emplace_back(name, given);
     }
   }
 
@@ -188,7 +190,7 @@ class Reader {
     return *value;
   }
 
-  void read_published(const toml::node& node, FitJob& job) const {
+  void read_published(const toml::node& node, FitRequest& request) const {
     if (!node.is_table()) fail(node, "published must be a table of models");
     for (const auto& [model, entries] : *node.as_table()) {
       if (!entries.is_table()) fail(entries, "published." + std::string(model.str()) + " must be a table");
@@ -200,17 +202,18 @@ class Reader {
             fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: value, tolerance)");
         const double tolerance = number(table, "tolerance");
         if (tolerance < 0) fail(value, "the tolerance of " + std::string(name.str()) + " is negative");
-        job.published[std::string(model.str())].push_back({std::string(name.str()), number(table, "value"), tolerance});
+        request.published[std::string(model.str())].push_back(
+            {std::string(name.str()), number(table, "value"), tolerance});
       }
     }
   }
 
-  void check_published(const toml::table& table, const FitJob& job) const {
+  void check_published(const toml::table& table, const FitRequest& request) const {
     const std::vector<std::string> known = model_keys();
-    for (const auto& [model, published] : job.published) {
+    for (const auto& [model, published] : request.published) {
       if (std::find(known.begin(), known.end(), model) == known.end())
         fail(*table.get("published"), "unknown model \"" + model + "\"");
-      if (std::find(job.models.begin(), job.models.end(), model) == job.models.end())
+      if (std::find(request.models.begin(), request.models.end(), model) == request.models.end())
         fail(*table.get("published"), "model " + model + " has published numbers and is not fitted");
       for (const Published& number : published)
         if (number.name != "r2" && !has_parameter({model}, number.name))
@@ -223,9 +226,9 @@ class Reader {
 
 }  // namespace
 
-FitJob read_fit_definition(const std::string& path) { return Reader(path).read(); }
+FitRequest read_fit_definition(const std::string& path) { return Reader(path).read(); }
 
-std::string fit_definition_text(const FitJob& job, const Dataset& data, const std::string& path) {
+std::string fit_definition_text(const FitRequest& request, const Dataset& data, const std::string& path) {
   const auto from_there = [&](const std::string& file) {
     std::error_code none;
     // by the names alone: what is stated beside a link need not stand beside what it leads to
@@ -237,48 +240,50 @@ std::string fit_definition_text(const FitJob& job, const Dataset& data, const st
     return toml_text((none ? std::filesystem::absolute(file) : relative).string());
   };
   std::ostringstream out;
-  const bool told_apart = std::any_of(job.runs.begin(), job.runs.end(), [](const RunFile& run) {
+  const bool told_apart = std::any_of(request.runs.begin(), request.runs.end(), [](const RunFile& run) {
     return !run.name.empty() || !run.load.empty() || !run.sphere.empty();
   });
-  if (job.runs.empty()) {
-    out << "data = " << from_there(job.data_path) << '\n';
+  if (request.runs.empty()) {
+    out << "data = " << from_there(request.data_path) << '\n';
   } else if (!told_apart) {
     out << "data = [";
-    for (const RunFile& run : job.runs) out << (&run == job.runs.data() ? "" : ", ") << from_there(run.path);
+    for (const RunFile& run : request.runs) out << (&run == request.runs.data() ? "" : ", ") << from_there(run.path);
     out << "]\n";
   }
-  if (!job.peaks_path.empty()) out << "peaks = " << from_there(job.peaks_path) << '\n';
-  for (std::size_t i = 0; i < job.log_figures.size(); ++i)
-    out << (i == 0 ? "log_figures = [" : ", ") << from_there(job.log_figures[i])
-        << (i + 1 == job.log_figures.size() ? "]\n" : "");
-  std::map<std::string, std::string> stated = job.stated;
+  if (!request.peaks_path.empty()) out << "peaks = " << from_there(request.peaks_path) << '\n';
+  for (std::size_t i = 0; i < request.log_figures.size(); ++i)
+    out << (i == 0 ? "log_figures = [" : ", ") << from_there(request.log_figures[i])
+        << (i + 1 == request.log_figures.size() ? "]\n" : "");
+  std::map<std::string, std::string> stated = request.stated;
   // what is left to the data, or to a version of this program, is stated, too
-  stated.insert_or_assign("objective", std::string(to_string(job.options.objective.value_or(default_objective(data)))));
-  for (const std::string_view name : kJobOptions) {
+  stated.insert_or_assign("objective",
+                          std::string(to_string(request.options.objective.value_or(default_objective(data)))));
+  for (const std::string_view name : kOptionNames) {
     const auto found = stated.find(std::string(name));
     if (name == "models") {
       out << "models = [";
-      for (std::size_t i = 0; i < job.models.size(); ++i) out << (i == 0 ? "" : ", ") << toml_text(job.models[i]);
+      for (std::size_t i = 0; i < request.models.size(); ++i)
+        out << (i == 0 ? "" : ", ") << toml_text(request.models[i]);
       out << "]\n";
     } else if (found != stated.end()) {
       const bool bare = found->second == "true" || found->second == "false";
       out << name << " = " << (bare ? found->second : toml_text(found->second)) << '\n';
     }
   }
-  if (!job.source.empty()) out << "source = " << toml_text(job.source) << '\n';
-  if (!job.constants.empty()) out << "\n[constants]\n";
-  for (const auto& [name, value] : job.constants) out << name << " = " << toml_text(value) << '\n';
-  for (const RunFile& run : job.runs) {
+  if (!request.source.empty()) out << "source = " << toml_text(request.source) << '\n';
+  if (!request.constants.empty()) out << "\n[constants]\n";
+  for (const auto& [name, value] : request.constants) out << name << " = " << toml_text(value) << '\n';
+  for (const RunFile& run : request.runs) {
     if (!told_apart) break;
     out << "\n[[runs]]\nfile = " << from_there(run.path) << '\n';
     if (!run.name.empty()) out << "name = " << toml_text(run.name) << '\n';
     if (!run.load.empty()) out << "load = " << toml_text(run.load) << '\n';
     if (!run.sphere.empty()) out << "sphere = " << toml_text(run.sphere) << '\n';
   }
-  for (const std::string& model : job.models)
+  for (const std::string& model : request.models)
     if (const auto law = find_law(model); law && !is_shipped(*law)) out << '\n' << law_toml(law->definition());
-  for (const auto& [model, numbers] : job.published) {
-    if (std::find(job.models.begin(), job.models.end(), model) == job.models.end()) continue;
+  for (const auto& [model, numbers] : request.published) {
+    if (std::find(request.models.begin(), request.models.end(), model) == request.models.end()) continue;
     out << "\n[published." << model << "]\n";
     for (const Published& one : numbers)
       out << one.name << " = {value = " << shortest(one.value) << ", tolerance = " << shortest(one.tolerance) << "}\n";

@@ -10,8 +10,8 @@ namespace mixity {
 namespace {
 
 /// Where the contact jumps under load control, measured and dimensionless; null if it does not, or has no values.
-std::optional<double> jump(const JobResult& result, const FitResult& fit, double load) {
-  const auto predicted = predict_jump_of(result.data, fit, result.job.options, load);
+std::optional<double> jump(const Analysis& result, const FitResult& fit, double load) {
+  const auto predicted = predict_jump_of(result.data, fit, result.request.options, load);
   return predicted ? predicted->T.value : std::nullopt;
 }
 
@@ -26,7 +26,7 @@ std::vector<const PeakForce*> first_of_loads(const PeakForces& peaks, std::optio
   return first;
 }
 
-std::vector<PredictedPeaks> predict_peaks(const JobResult& result, const PeakForces& peaks) {
+std::vector<PredictedPeaks> predict_peaks(const Analysis& result, const PeakForces& peaks) {
   std::vector<PredictedPeaks> list;
   const Dataset& data = result.data;
   if (!data.has_loads || data.contact.has_value() == peaks.force_unit.empty()) return list;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/job.h"
+#include "analysis/result.h"
 #include "dataset/peak_forces.h"
 
 namespace mixity {
@@ -26,6 +26,6 @@ struct PredictedPeaks {
 std::vector<const PeakForce*> first_of_loads(const PeakForces& peaks, std::optional<double> PeakForce::*value);
 
 /// Of each fit that has values. Empty if the peaks have units and the data have none, or the other way round.
-std::vector<PredictedPeaks> predict_peaks(const JobResult& result, const PeakForces& peaks);
+std::vector<PredictedPeaks> predict_peaks(const Analysis& result, const PeakForces& peaks);
 
 }  // namespace mixity

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analysis/judgement.h"
+#include "analysis/run.h"
 #include "fitting/predicted_area.h"
 
 namespace mixity {
@@ -12,16 +14,16 @@ constexpr double kParabolaUpTo = 0.5;  // of a run's largest T
 
 }  // namespace
 
-JobResult run_for_report(FitJob job, const Progress& progress) {
-  job.options.profile_points = kProfilePoints;
+Analysis run_for_report(FitRequest request, const Progress& progress) {
+  request.options.profile_points = kProfilePoints;
   constexpr double kAll = 0.9;  // of the time goes into the fits of all runs together
-  JobResult result = run(job, stretch(progress, 0, kAll));
-  const double share = (1 - kAll) / static_cast<double>(job.models.size());
+  Analysis result = run(request, stretch(progress, 0, kAll));
+  const double share = (1 - kAll) / static_cast<double>(request.models.size());
   if (result.per_curve.empty() && result.data.has_loads && result.data.curves.size() > 1)
-    for (const std::string& model : job.models) {
+    for (const std::string& model : request.models) {
       const double before = kAll + share * static_cast<double>(result.per_curve.size());
-      job.options.progress = stretch(progress, before, before + share);
-      result.per_curve.push_back(fit_per_curve(result.data, model, job.options));
+      request.options.progress = stretch(progress, before, before + share);
+      result.per_curve.push_back(fit_per_curve(result.data, model, request.options));
     }
   // the best model first, in every table and figure
   std::vector<FitResult> fits;
@@ -37,7 +39,7 @@ JobResult run_for_report(FitJob job, const Progress& progress) {
   return result;
 }
 
-ReportedData reported_data(const JobResult& result, const std::string& stem) {
+ReportedData reported_data(const Analysis& result, const std::string& stem) {
   ReportedData data{result, stem, {}, {}, {}};
   if (result.data.has_loads) {
     const auto known = std::find_if(result.fits.begin(), result.fits.end(), has_all_values);
@@ -45,13 +47,13 @@ ReportedData reported_data(const JobResult& result, const std::string& stem) {
     if (known != result.fits.end()) {
       data.sahli_model = known->model;
       with_model(known->model, [&](auto model) {
-        const auto p = fitted_candidate<decltype(model)>(result.data, *known, result.job.options).parameters;
+        const auto p = fitted_candidate<decltype(model)>(result.data, *known, result.request.options).parameters;
         values.assign(p.begin(), p.end());
       });
     }
     data.sahli = fit_sahli(result.data, kParabolaUpTo, data.sahli_model, values);
   }
-  if (!result.job.peaks_path.empty()) data.peaks = load_peak_forces(result.job.peaks_path);
+  if (!result.request.peaks_path.empty()) data.peaks = load_peak_forces(result.request.peaks_path);
   if (data.peaks) data.predicted_peaks = predict_peaks(result, *data.peaks);
   return data;
 }

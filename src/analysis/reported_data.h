@@ -4,19 +4,19 @@
 #include <optional>
 #include <string>
 
-#include "analysis/job.h"
 #include "analysis/predicted_peaks.h"
+#include "analysis/result.h"
 #include "dataset/peak_forces.h"
 #include "fitting/sahli.h"
 
 namespace mixity {
 
-/// Runs a job with what the figures need beyond `fit`: cost profiles, and each run by itself where there are several.
-/// The fit that describes the data best comes first.
-JobResult run_for_report(FitJob job, const Progress& progress = {});
+/// Runs a request with what the figures need beyond `fit`: cost profiles, and each run by itself where there are
+/// several. The fit that describes the data best comes first.
+Analysis run_for_report(FitRequest request, const Progress& progress = {});
 
 struct ReportedData {
-  const JobResult& result;           // outlives this
+  const Analysis& result;            // outlives this
   std::string stem;                  // of its files, distinct within the report
   std::optional<SahliResult> sahli;  // null without loads
   std::string sahli_model;           // what predicts alpha there, the first fit with values; empty: nothing
@@ -25,6 +25,6 @@ struct ReportedData {
 };
 
 /// Throws InputError if the file of peak forces cannot be used.
-ReportedData reported_data(const JobResult& result, const std::string& stem);
+ReportedData reported_data(const Analysis& result, const std::string& stem);
 
 }  // namespace mixity

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "analysis/fit_definition.h"
+#include "analysis/judgement.h"
+#include "analysis/run.h"
 #include "base/output_file.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
@@ -20,7 +22,7 @@
 namespace mixity::cli {
 namespace {
 
-void write_folder(const std::string& folder, const std::vector<JobResult>& results, const std::string& text,
+void write_folder(const std::string& folder, const std::vector<Analysis>& results, const std::string& text,
                   const Shard& shard) {
   std::set<std::string> taken;
   std::vector<std::string> inputs;
@@ -28,8 +30,8 @@ void write_folder(const std::string& folder, const std::vector<JobResult>& resul
   const auto add = [&](const std::string& name, std::string content) {
     files.push_back({folder + "/" + name, std::move(content)});
   };
-  for (const JobResult& result : results) {
-    for (std::string& input : files_read(result.job)) inputs.push_back(std::move(input));
+  for (const Analysis& result : results) {
+    for (std::string& input : files_read(result.request)) inputs.push_back(std::move(input));
     const std::string stem = file_stem(result, taken);
     add(stem + "_residuals.csv", residuals_csv(result));
     add(stem + "_curves.csv", curves_csv(result));
@@ -63,28 +65,28 @@ void require_definition_path(const std::string& path) {
 int run_fit(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("fit needs a data CSV or a fit definition (see mixity help fit)");
   if (!FLAGS_shard.empty() && FLAGS_pool) throw UsageError("flag '--shard' parts data sets; with --pool there is one");
-  const std::vector<FitJob> jobs = jobs_for(shard_of(arguments));
+  const std::vector<FitRequest> requests = requests_for(shard_of(arguments));
   const Shard shard = campaign_of(arguments);
-  if (!FLAGS_save.empty() && jobs.size() > 1)
+  if (!FLAGS_save.empty() && requests.size() > 1)
     throw UsageError("flag '--save' is of one data set: a definition names one");
   if (!FLAGS_save.empty()) require_definition_path(FLAGS_save);
-  std::vector<JobResult> results;
+  std::vector<Analysis> results;
   bool all_ok = true;
   const Progress progress = progress_line("fit");
-  const auto files = static_cast<double>(jobs.size());
-  for (const FitJob& job : jobs) {
+  const auto files = static_cast<double>(requests.size());
+  for (const FitRequest& request : requests) {
     const auto before = static_cast<double>(results.size());
-    results.push_back(run(job, stretch(progress, before / files, (before + 1) / files)));
+    results.push_back(run(request, stretch(progress, before / files, (before + 1) / files)));
     all_ok &= can_be_believed(results.back());
   }
   if (progress) progress(1);
   tell_names_apart(results);
   std::string text;
-  for (const JobResult& result : results) text += (text.empty() ? "" : "\n") + to_text(result);
+  for (const Analysis& result : results) text += (text.empty() ? "" : "\n") + to_text(result);
   if (!FLAGS_out.empty()) write_folder(FLAGS_out, results, text, shard);
   if (!FLAGS_save.empty())
-    write_files({{FLAGS_save, fit_definition_text(results[0].job, results[0].data, FLAGS_save)}},
-                files_read(results[0].job));
+    write_files({{FLAGS_save, fit_definition_text(results[0].request, results[0].data, FLAGS_save)}},
+                files_read(results[0].request));
   std::cout << (FLAGS_format == "json" ? to_json(results, shard) : FLAGS_format == "csv" ? fits_csv(results) : text);
   return all_ok ? kFine : kFitNotOk;
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "analysis/judgement.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/fit_flags.h"
@@ -35,30 +36,30 @@ int run_report(const Arguments& arguments) {
   const Progress progress = progress_line("report");
   // Fits take the longer part of what takes long.
   constexpr double kFits = 0.7;
-  const std::vector<FitJob> jobs = jobs_for(arguments);
-  const double share = kFits / static_cast<double>(jobs.size());
-  std::vector<JobResult> results;
-  for (const FitJob& job : jobs) {
+  const std::vector<FitRequest> requests = requests_for(arguments);
+  const double share = kFits / static_cast<double>(requests.size());
+  std::vector<Analysis> results;
+  for (const FitRequest& request : requests) {
     const auto before = static_cast<double>(results.size());
-    results.push_back(run_for_report(job, stretch(progress, share * before, share * (before + 1))));
+    results.push_back(run_for_report(request, stretch(progress, share * before, share * (before + 1))));
   }
   // contacts first: they have jumps to foretell
-  std::stable_partition(results.begin(), results.end(), [](const JobResult& one) { return one.data.has_loads; });
+  std::stable_partition(results.begin(), results.end(), [](const Analysis& one) { return one.data.has_loads; });
   tell_names_apart(results);
   std::vector<ReportedData> data;
   data.reserve(results.size());
   std::set<std::string> taken;
-  for (const JobResult& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
+  for (const Analysis& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
   const WrittenReport written =
       write_report(results, data, FLAGS_out, {command_line(), stretch(progress, kFits, 1), explorer()});
   if (!written.missing.empty()) std::cerr << "mixity: " << written.missing << '\n';
   std::cout << written.page << '\n';
-  for (const JobResult& result : results)
+  for (const Analysis& result : results)
     std::cout << '\n'
               << result.data.name << " (" << to_string(result.data.metadata.provenance) << ")\n"
               << table_text(result);
   bool all_ok = true;
-  for (const JobResult& result : results) all_ok &= can_be_believed(result);
+  for (const Analysis& result : results) all_ok &= can_be_believed(result);
   return all_ok ? kFine : kFitNotOk;
 }
 

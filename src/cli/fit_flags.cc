@@ -5,7 +5,8 @@
 #include <iostream>
 
 #include "analysis/fit_definition.h"
-#include "analysis/job_options.h"
+#include "analysis/result.h"
+#include "analysis/settings.h"
 #include "base/output_file.h"
 #include "base/printable.h"
 #include "cli/flags.h"
@@ -29,26 +30,26 @@ void replace(Overrides& constants, const Overrides& with) {
 
 }  // namespace
 
-FitJob job_for(const std::string& path) {
-  FitJob job;
+FitRequest request_for(const std::string& path) {
+  FitRequest request;
   if (path.ends_with(".toml"))
-    job = read_fit_definition(path);
+    request = read_fit_definition(path);
   else
-    job.data_path = path;
-  for (const std::string& note : job.law_notes) std::cerr << "mixity: " << note << '\n';
+    request.data_path = path;
+  for (const std::string& note : request.law_notes) std::cerr << "mixity: " << note << '\n';
   const auto refuse = [](const std::string& option, const std::string& problem) {
     throw UsageError("flag '--" + option + "' " + problem);
   };
-  for (const std::string_view option : kJobOptions) {
+  for (const std::string_view option : kOptionNames) {
     if (!is_set(option)) continue;
-    if (const std::string problem = set_option(job, option, value_of(option)); !problem.empty())
+    if (const std::string problem = set_option(request, option, value_of(option)); !problem.empty())
       refuse(std::string(option), problem);
   }
-  if (!job.stated.contains("models"))
-    job.models.insert(job.models.end(), laws_of_flags().begin(), laws_of_flags().end());
-  if (const auto wrong = contradiction(job)) refuse(wrong->option, wrong->problem);
-  replace(job.constants, data_overrides());
-  return job;
+  if (!request.stated.contains("models"))
+    request.models.insert(request.models.end(), laws_of_flags().begin(), laws_of_flags().end());
+  if (const auto wrong = contradiction(request)) refuse(wrong->option, wrong->problem);
+  replace(request.constants, data_overrides());
+  return request;
 }
 
 std::vector<RunFile> pooled_files(const std::vector<std::string>& arguments) {
@@ -61,29 +62,29 @@ std::vector<RunFile> pooled_files(const std::vector<std::string>& arguments) {
   return files;
 }
 
-std::vector<FitJob> jobs_for(const std::vector<std::string>& arguments) {
-  std::vector<FitJob> jobs;
+std::vector<FitRequest> requests_for(const std::vector<std::string>& arguments) {
+  std::vector<FitRequest> requests;
   if (FLAGS_pool) {
-    jobs.push_back(job_for(arguments.front()));
-    jobs.back().runs = pooled_files(arguments);
-    jobs.back().data_path = jobs.back().runs.front().path;
-    return jobs;
+    requests.push_back(request_for(arguments.front()));
+    requests.back().runs = pooled_files(arguments);
+    requests.back().data_path = requests.back().runs.front().path;
+    return requests;
   }
-  for (const std::string& path : arguments) jobs.push_back(job_for(path));
-  return jobs;
+  for (const std::string& path : arguments) requests.push_back(request_for(path));
+  return requests;
 }
 
 std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags) {
-  flags.insert(flags.end(), kJobOptions.begin(), kJobOptions.end());
+  flags.insert(flags.end(), kOptionNames.begin(), kOptionNames.end());
   flags.push_back("pool");
   return with_metadata_flags(with_law_flags(std::move(flags)));
 }
 
-void tell_names_apart(std::vector<JobResult>& results) {
+void tell_names_apart(std::vector<Analysis>& results) {
   const auto place = [](const Dataset& data) { return std::filesystem::absolute(data.path).lexically_normal(); };
   std::vector<std::string> names;
-  for (const JobResult& result : results) {
-    const bool shared = std::any_of(results.begin(), results.end(), [&](const JobResult& other) {
+  for (const Analysis& result : results) {
+    const bool shared = std::any_of(results.begin(), results.end(), [&](const Analysis& other) {
       return other.data.name == result.data.name && place(other.data) != place(result.data);
     });
     const std::string folder = printable(place(result.data).parent_path().filename().string(), std::string::npos);
@@ -92,7 +93,7 @@ void tell_names_apart(std::vector<JobResult>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) results[i].data.name = names[i];
 }
 
-std::string file_stem(const JobResult& result, std::set<std::string>& taken) {
+std::string file_stem(const Analysis& result, std::set<std::string>& taken) {
   const std::string name = plain_file_name(result.data.name);
   std::string stem = name;
   for (int i = 2; !taken.insert(stem).second; ++i) stem = name + "-" + std::to_string(i);

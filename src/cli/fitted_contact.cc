@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include "analysis/judgement.h"
+#include "analysis/run.h"
 #include "base/input_error.h"
 #include "base/number_text.h"
 #include "base/rounding.h"
@@ -16,18 +18,18 @@
 namespace mixity::cli {
 namespace {
 
-JobResult fitted(const std::string& command, const Arguments& arguments) {
+Analysis fitted(const std::string& command, const Arguments& arguments) {
   if (arguments.size() != 1) throw UsageError(command + " takes one data CSV or fit definition");
   const std::string& path = arguments[0];
   for (const char* flag : {"lambda", "parameters", "units"})
     if (is_set(flag))
       throw UsageError("flag '--" + std::string(flag) + "' is of a contact by itself; " + path + " is fitted");
-  FitJob job = job_for(path);
+  FitRequest request = request_for(path);
   if (is_set("model")) {
     require_model("model", FLAGS_model);
-    job.models = {FLAGS_model};
+    request.models = {FLAGS_model};
   }
-  JobResult result = run(job);
+  Analysis result = run(request);
   const Dataset& data = result.data;
   if (!data.has_loads) throw InputError(data.path, "holds no loads and areas, which this is about");
   if (is_set("load") && std::find(data.notes.begin(), data.notes.end(), kLoadNotUsed) != data.notes.end())
@@ -66,13 +68,13 @@ std::vector<Load> FittedContact::loads_of(const std::string& flag, const std::st
 }
 
 FoldsPrediction FittedContact::folds(const Load& P, const std::vector<Control>& controls) const {
-  return predict_folds_of(data(), fit(), result_.job.options, P.dimensionless, controls);
+  return predict_folds_of(data(), fit(), result_.request.options, P.dimensionless, controls);
 }
 
 std::vector<Load> FittedContact::shears_to_the_jump(const Load& P, std::size_t points) const {
   double last = 0;
   for (const Point& point : data().points) last = std::max(last, point.shear());
-  if (const auto jump = predict_jump_of(data(), fit(), result_.job.options, P.dimensionless)) last = *jump->T.value;
+  if (const auto jump = predict_jump_of(data(), fit(), result_.request.options, P.dimensionless)) last = *jump->T.value;
   std::vector<Load> shears;
   for (std::size_t i = 0; i < points; ++i) {
     const double T = last * static_cast<double>(i) / static_cast<double>(points - 1);
@@ -90,7 +92,7 @@ void FittedContact::print_areas(const std::function<std::vector<Load>(const Load
     const std::vector<double> P(at.size(), load.dimensionless);
     std::vector<double> T;
     for (const Load& shear : at) T.push_back(shear.dimensionless);
-    const std::vector<AreaPrediction> areas = predict_areas_of(data(), fit(), result_.job.options, P, T);
+    const std::vector<AreaPrediction> areas = predict_areas_of(data(), fit(), result_.request.options, P, T);
     for (std::size_t i = 0; i < areas.size(); ++i) {
       const AreaPrediction& area = areas[i];
       std::cout << shortest(load.shown) << ',' << shortest(at[i].shown) << ',';

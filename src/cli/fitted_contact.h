@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/job.h"
+#include "analysis/result.h"
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 #include "fitting/prediction.h"
@@ -15,7 +15,7 @@ namespace mixity::cli {
 /// The model that describes a data set best, or that of --model. Loads are as read.
 class FittedContact {
  public:
-  /// One data CSV or fit definition. Throws UsageError, and what jobs throw.
+  /// One data CSV or fit definition. Throws UsageError, and what requests throw.
   FittedContact(const std::string& command, const Arguments& arguments);
 
   const Dataset& data() const { return result_.data; }
@@ -36,7 +36,7 @@ class FittedContact {
   int exit_code() const;
 
  private:
-  JobResult result_;
+  Analysis result_;
   std::size_t best_;
   std::vector<Load> loads_;
 };

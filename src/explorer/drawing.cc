@@ -71,7 +71,7 @@ Json state(const std::string& model, const std::vector<double>& parameters, cons
 }  // namespace
 
 Json drawn_models(const Json& request) {
-  JobResult result{{}, of_constants(request), {}, {}, {}};
+  Analysis result{{}, of_constants(request), {}, {}, {}};
   const DisplayUnits& units = result.data.display;
   const double P = request.at("P").get<double>() / units.force_scale,
                T = std::abs(request.at("T").get<double>()) / units.force_scale,
@@ -88,7 +88,7 @@ Json drawn_models(const Json& request) {
       all.push_back({{"model", model}, {"problem", regime.problem}, {"toughness", toughness}});
       continue;
     }
-    const DrawnCurve drawn = drawn_curve(result.data, result.job.options, fit, P, T_most, Points::soonest);
+    const DrawnCurve drawn = drawn_curve(result.data, result.request.options, fit, P, T_most, Points::soonest);
     Json folds = Json::array();
     for (const DrawnFold& fold : drawn.folds)
       folds.push_back({{"control", to_string(fold.control)},
@@ -97,7 +97,7 @@ Json drawn_models(const Json& request) {
                        {"u", fold.u},
                        {"jumps_to", fold.jumps_to},
                        {"area_after", fold.area_after}});
-    const DrawnRadii radii = drawn_radii(result.data, result.job.options, fit, T, P_most, kPoints);
+    const DrawnRadii radii = drawn_radii(result.data, result.request.options, fit, T, P_most, kPoints);
     all.push_back({{"model", model},
                    {"curve", curve(drawn)},
                    {"folds", folds},

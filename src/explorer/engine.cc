@@ -12,8 +12,10 @@
 
 #include "analysis/answer.h"
 #include "analysis/fit_definition.h"
-#include "analysis/job_options.h"
 #include "analysis/laws.h"
+#include "analysis/result.h"
+#include "analysis/run.h"
+#include "analysis/settings.h"
 #include "explorer/drawing.h"
 #include "explorer/experiment.h"
 #include "explorer/regime_map.h"
@@ -52,20 +54,20 @@ void write_file(const std::string& name, const std::string& content) {
 }
 
 /// Constants of the experiment and options by their names, each a text: {"radius": "9.42 mm"}, {"models": "c"}.
-FitJob job_of(const std::string& name, const std::string& constants, const std::string& options) {
+FitRequest request_of(const std::string& name, const std::string& constants, const std::string& options) {
   const Json chosen = Json::parse(options), stated = Json::parse(constants);
-  FitJob job;
-  job.data_path = name;
+  FitRequest request;
+  request.data_path = name;
   for (const auto& [key, text] : chosen.items())
-    if (const std::string problem = set_option(job, key, text.get<std::string>()); !problem.empty())
+    if (const std::string problem = set_option(request, key, text.get<std::string>()); !problem.empty())
       throw InputError(key, problem);
-  for (const auto& [key, text] : stated.items()) job.constants.emplace_back(key, text.get<std::string>());
-  return job;
+  for (const auto& [key, text] : stated.items()) request.constants.emplace_back(key, text.get<std::string>());
+  return request;
 }
 
 /// A file that was written, as it is understood (experiment.h).
 std::string read_file(const std::string& name, const std::string& constants) {
-  return guarded([&] { return as_read(load_dataset(name, job_of(name, constants, "{}").constants)); });
+  return guarded([&] { return as_read(load_dataset(name, request_of(name, constants, "{}").constants)); });
 }
 
 /// A fit of a file that was written.
@@ -73,11 +75,11 @@ std::string read_file(const std::string& name, const std::string& constants) {
 /// CSV}.
 std::string fit_file(const std::string& name, const std::string& constants, const std::string& options) {
   return guarded([&] {
-    const JobResult result = run(job_of(name, constants, options));
+    const Analysis result = run(request_of(name, constants, options));
     return Json{{"fits", Json::parse(to_json({result}))},
                 {"answer", as_told(answer_of(result), result.data)},
                 {"drawn", as_drawn(result)},
-                {"definition", fit_definition_text(result.job, result.data, "fit.toml")},
+                {"definition", fit_definition_text(result.request, result.data, "fit.toml")},
                 {"used", used_csv(result.data)}};
   });
 }
@@ -106,11 +108,11 @@ std::string read_definition(const std::string& name) {
       Forgetting() { forget_laws(); }
       ~Forgetting() { forget_laws(); }
     } before_and_after;
-    const FitJob job = read_fit_definition(name);
-    if (!job.runs.empty())
+    const FitRequest request = read_fit_definition(name);
+    if (!request.runs.empty())
       throw InputError(name, "it is of several files, which the program pools: mixity fit " + name);
-    Json told{{"data", std::filesystem::path(job.data_path).filename().string()}};
-    told.update(job_fields(job, job.constants));
+    Json told{{"data", std::filesystem::path(request.data_path).filename().string()}};
+    told.update(job_fields(request, request.constants));
     return told;
   });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "analysis/judgement.h"
 #include "base/number_text.h"
 #include "base/units.h"
 #include "fitting/predicted_curves.h"
@@ -34,13 +35,13 @@ Json runs_of(const Dataset& data) {
 }
 
 /// The model's areas at a run's load up to a tangential load, with a band of one standard error.
-Json band_of(const JobResult& result, const FitResult& fit, double load, double T_most) {
+Json band_of(const Analysis& result, const FitResult& fit, double load, double T_most) {
   constexpr int kSteps = 40;
   std::vector<double> P(kSteps + 1, load), T;
   for (int i = 0; i <= kSteps; ++i) T.push_back(T_most * i / kSteps);
   Json band = Json::array();
   const DisplayUnits& units = result.data.display;
-  const auto areas = predict_areas_of(result.data, fit, result.job.options, P, T);
+  const auto areas = predict_areas_of(result.data, fit, result.request.options, P, T);
   for (std::size_t i = 0; i < areas.size(); ++i)
     if (areas[i].standard_error)
       band.push_back({T[i] * units.force_scale, (areas[i].A - *areas[i].standard_error) * units.area_scale,
@@ -48,7 +49,7 @@ Json band_of(const JobResult& result, const FitResult& fit, double load, double 
   return band;
 }
 
-Json model_of(const JobResult& result, const FitResult& fit, bool best) {
+Json model_of(const Analysis& result, const FitResult& fit, bool best) {
   const Dataset& data = result.data;
   Json drawn{{"model", fit.model}};
   drawn["toughness"] = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e3, 120);
@@ -59,7 +60,7 @@ Json model_of(const JobResult& result, const FitResult& fit, bool best) {
     double largest = 0;
     for (const std::size_t i : by_run[run]) largest = std::max(largest, data.points[i].shear());
     const DrawnCurve curve =
-        drawn_curve(result.data, result.job.options, fit, data.curve_loads[run], 1.4 * largest, Points::soonest);
+        drawn_curve(result.data, result.request.options, fit, data.curve_loads[run], 1.4 * largest, Points::soonest);
     Json stable = Json::array(), unstable = Json::array(), folds = Json::array();
     for (const DrawnPoint& q : curve.points) (q.stable && unstable.empty() ? stable : unstable).push_back({q.T, q.A});
     for (const DrawnFold& fold : curve.folds)
@@ -128,7 +129,7 @@ Json as_told(const Answer& answer, const Dataset& data) {
           {"cannot_say", answer.cannot_say}};
 }
 
-Json as_drawn(const JobResult& result) {
+Json as_drawn(const Analysis& result) {
   Json models = Json::array();
   for (const std::size_t i : by_merit(result))
     if (has_all_values(result.fits[i])) models.push_back(model_of(result, result.fits[i], models.empty()));

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "analysis/answer.h"
-#include "analysis/job.h"
+#include "analysis/result.h"
 
 namespace mixity::explorer {
 
@@ -24,6 +24,6 @@ Json as_told(const Answer& answer, const Dataset& data);
 /// {"contact": {"radius": m, "modulus": Pa, "toughness": J/m^2}, "models": [{"model", "runs": [{"P", "curve": [[T, A]],
 /// "unstable", "band": [[T, low, high]], "folds": [[T, A]]}], "toughness": [[psi, f]]}]}, the model that describes the
 /// data best first. Bands of one standard error, of that model alone.
-Json as_drawn(const JobResult& result);
+Json as_drawn(const Analysis& result);
 
 }  // namespace mixity::explorer

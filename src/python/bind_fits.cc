@@ -1,8 +1,9 @@
 // Fits and what they say.
 #include <cmath>
 
-#include "analysis/job.h"
-#include "analysis/job_options.h"
+#include "analysis/result.h"
+#include "analysis/run.h"
+#include "analysis/settings.h"
 #include "fitting/fit.h"
 #include "fitting/prediction.h"
 #include "python/bindings.h"
@@ -12,15 +13,15 @@
 namespace mixity {
 namespace {
 
-JobResult fit(const Dataset& data, const Stated& options, const nb::object& progress) {
-  FitJob job;
-  job.data_path = data.path;
+Analysis fit(const Dataset& data, const Stated& options, const nb::object& progress) {
+  FitRequest request;
+  request.data_path = data.path;
   for (const auto& [name, text] : options)
-    if (const std::string problem = set_option(job, name, text); !problem.empty()) throw InputError(name, problem);
-  if (const auto both = contradiction(job)) throw InputError(both->option, both->problem);
+    if (const std::string problem = set_option(request, name, text); !problem.empty()) throw InputError(name, problem);
+  if (const auto both = contradiction(request)) throw InputError(both->option, both->problem);
   Watch watch(progress);
   const nb::gil_scoped_release released;
-  return run(job, data, [&](double share) { watch(share); });
+  return run(request, data, [&](double share) { watch(share); });
 }
 
 nb::dict shown(const FoldPrediction& fold) {
@@ -44,27 +45,27 @@ nb::dict shown(const FoldPrediction& fold) {
 }  // namespace
 
 void bind_fits(nb::module_& m) {
-  auto results = nb::class_<JobResult>(m, "Results");
-  results.def("json", [](const JobResult& result) { return to_json({result}); })
-      .def("text", [](const JobResult& result) { return to_text(result); })
+  auto results = nb::class_<Analysis>(m, "Results");
+  results.def("json", [](const Analysis& result) { return to_json({result}); })
+      .def("text", [](const Analysis& result) { return to_text(result); })
       .def("options",
-           [](const JobResult& result) { return Stated(result.job.stated.begin(), result.job.stated.end()); })
-      .def("models", [](const JobResult& result) { return result.job.models; })
-      .def("residuals", [](const JobResult& result, std::size_t i) { return numpy_of(result.fits.at(i).residuals); })
+           [](const Analysis& result) { return Stated(result.request.stated.begin(), result.request.stated.end()); })
+      .def("models", [](const Analysis& result) { return result.request.models; })
+      .def("residuals", [](const Analysis& result, std::size_t i) { return numpy_of(result.fits.at(i).residuals); })
       .def("used",
-           [](const JobResult& result, std::size_t i) {
+           [](const Analysis& result, std::size_t i) {
              const auto& used = result.fits.at(i).used;
              return numpy_of({used.begin(), used.end()});
            })
       .def("profile",
-           [](const JobResult& result, std::size_t i, const std::string& name) {
-             FitOptions options = result.job.options;
+           [](const Analysis& result, std::size_t i, const std::string& name) {
+             FitOptions options = result.request.options;
              options.profile_points = 60;
              options.checks = false;
              options.bootstrap.replicates = 0;
              const FitResult fit = [&] {
                const nb::gil_scoped_release released;
-               return fit_model(result.data, result.job.models.at(i), options);
+               return fit_model(result.data, result.request.models.at(i), options);
              }();
              std::vector<double> x, rise;
              double level = std::nan("");
@@ -78,11 +79,11 @@ void bind_fits(nb::module_& m) {
                }
              return nb::make_tuple(numpy_of(x), numpy_of(rise), level);
            })
-      .def("areas", [](const JobResult& result, std::size_t i, const Numbers& P, const Numbers& T) {
+      .def("areas", [](const Analysis& result, std::size_t i, const Numbers& P, const Numbers& T) {
         std::vector<AreaPrediction> found;
         {
           const nb::gil_scoped_release released;
-          found = predict_areas_of(result.data, result.fits.at(i), result.job.options, {P.data(), P.size()},
+          found = predict_areas_of(result.data, result.fits.at(i), result.request.options, {P.data(), P.size()},
                                    {T.data(), T.size()});
         }
         std::vector<double> A(P.size(), std::nan("")), error(P.size(), std::nan("")), status(P.size(), 2);
@@ -95,11 +96,11 @@ void bind_fits(nb::module_& m) {
         return nb::make_tuple(numpy_of(A), numpy_of(error), numpy_of(status));
       });
   results.def("folds",
-              [](const JobResult& result, std::size_t i, double P, const std::string& control, double stiffness) {
+              [](const Analysis& result, std::size_t i, double P, const std::string& control, double stiffness) {
                 const Control by = control_of(control, stiffness);
                 const FoldsPrediction found = [&] {
                   const nb::gil_scoped_release released;
-                  return predict_folds_of(result.data, result.fits.at(i), result.job.options, P, {by});
+                  return predict_folds_of(result.data, result.fits.at(i), result.request.options, P, {by});
                 }();
                 if (!found.problem.empty()) throw InputError("folds", found.problem);
                 nb::list list;
@@ -109,7 +110,7 @@ void bind_fits(nb::module_& m) {
   m.def("fit", &fit, "data"_a, "options"_a, "progress"_a.none());
   m.def("option_names", [] {
     std::vector<std::string> names;
-    for (const std::string_view name : kJobOptions) names.emplace_back(name);
+    for (const std::string_view name : kOptionNames) names.emplace_back(name);
     return names;
   });
 }

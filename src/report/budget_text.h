@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/job.h"
+#include "analysis/result.h"
 
 namespace mixity {
 

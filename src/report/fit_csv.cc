@@ -36,11 +36,11 @@ Frame table_frame(const Dataset& data) {
 
 /// Stable A(T) from T = 0 to the instability, or to a fifth beyond the largest measured T, dense towards the fold.
 template <class Model>
-void write_area_curve(std::ostringstream& out, const JobResult& result, const FitResult& fit, std::size_t curve,
+void write_area_curve(std::ostringstream& out, const Analysis& result, const FitResult& fit, std::size_t curve,
                       const Frame& frame) {
   const DisplayUnits& units = result.data.display;
   const double measured_load = result.data.curve_loads[curve];
-  const Candidate<Model> candidate = fitted_candidate<Model>(result.data, fit, result.job.options);
+  const Candidate<Model> candidate = fitted_candidate<Model>(result.data, fit, result.request.options);
   const ConstantsScale scale(candidate.constants);
   const double P = scale.load(measured_load);
   const LoadedContact<Model> contact(candidate.parameters, P);
@@ -71,7 +71,7 @@ void write_toughness_curve(std::ostringstream& out, const Dataset& data, const F
         << shortest(psi) << ',' << shortest(f) << frame.after << '\n';
 }
 
-void write_residuals(std::ostringstream& out, const JobResult& result, const Frame& frame) {
+void write_residuals(std::ostringstream& out, const Analysis& result, const Frame& frame) {
   const Dataset& data = result.data;
   const DisplayUnits& units = data.display;
   for (const FitResult& fit : result.fits)
@@ -91,7 +91,7 @@ void write_residuals(std::ostringstream& out, const JobResult& result, const Fra
     }
 }
 
-void write_curves(std::ostringstream& out, const JobResult& result, const Frame& frame) {
+void write_curves(std::ostringstream& out, const Analysis& result, const Frame& frame) {
   for (const FitResult& fit : result.fits) {
     if (!has_all_values(fit)) continue;
     if (!result.data.has_loads) {
@@ -126,13 +126,13 @@ std::string evidence_fields(const FitResult& fit, const FittedParameter& paramet
 
 }  // namespace
 
-std::string fits_csv(const std::vector<JobResult>& results) {
+std::string fits_csv(const std::vector<Analysis>& results) {
   std::ostringstream out;
   out << "dataset,provenance,model,objective,scale,status,parameter,value,stderr,lower,upper,at_bound,r2,rmse,"
          "max_abs_residual,area_r2,area_rmse,area_unit,area_unpredicted,notice,unit,low,high,low_status,high_status,"
          "paper_value,paper_status,paper_r2,prior_mean,prior_standard_error,variance_share,pull,"
          "log_evidence,posterior_mean,posterior_standard_deviation,credible_low,credible_high\n";
-  for (const JobResult& result : results)
+  for (const Analysis& result : results)
     for (const FitResult& fit : result.fits)
       for (const FittedParameter& parameter : fit.parameters) {
         out << csv_field(result.data.name) << ',' << to_string(result.data.metadata.provenance) << ',' << fit.model
@@ -159,7 +159,7 @@ std::string fits_csv(const std::vector<JobResult>& results) {
   return out.str();
 }
 
-std::string residuals_csv(const JobResult& result) {
+std::string residuals_csv(const Analysis& result) {
   const Dataset& data = result.data;
   const DisplayUnits& units = data.display;
   std::ostringstream out;
@@ -172,7 +172,7 @@ std::string residuals_csv(const JobResult& result) {
   return out.str();
 }
 
-std::string curves_csv(const JobResult& result) {
+std::string curves_csv(const Analysis& result) {
   const DisplayUnits& units = result.data.display;
   std::ostringstream out;
   if (result.data.has_loads)
@@ -184,17 +184,17 @@ std::string curves_csv(const JobResult& result) {
   return out.str();
 }
 
-std::string residuals_table(const std::vector<JobResult>& results) {
+std::string residuals_table(const std::vector<Analysis>& results) {
   std::ostringstream out;
   out << "dataset,provenance,model,line,curve,psi [rad],Gc_over_GIc,residual,P,T,A,A_predicted,force_unit,area_unit\n";
-  for (const JobResult& result : results) write_residuals(out, result, table_frame(result.data));
+  for (const Analysis& result : results) write_residuals(out, result, table_frame(result.data));
   return out.str();
 }
 
-std::string curves_table(const std::vector<JobResult>& results) {
+std::string curves_table(const std::vector<Analysis>& results) {
   std::ostringstream out;
   out << "dataset,provenance,model,curve,P,T,A,psi [rad],f,force_unit,area_unit\n";
-  for (const JobResult& result : results) write_curves(out, result, table_frame(result.data));
+  for (const Analysis& result : results) write_curves(out, result, table_frame(result.data));
   return out.str();
 }
 

@@ -4,22 +4,22 @@
 #include <string>
 #include <vector>
 
-#include "analysis/job.h"
+#include "analysis/result.h"
 
 namespace mixity {
 
 /// One row per data set, model and parameter.
-std::string fits_csv(const std::vector<JobResult>& results);
+std::string fits_csv(const std::vector<Analysis>& results);
 
 /// One row per used point and model: what was measured, what the model says, and the difference.
-std::string residuals_csv(const JobResult& result);
+std::string residuals_csv(const Analysis& result);
 
 /// Predicted curves of every fitted model: A(T) at each load of the data, or f(psi) if it has no loads.
-std::string curves_csv(const JobResult& result);
+std::string curves_csv(const Analysis& result);
 
 // The same of several data sets, each row with the data set's name and its units; fields that a data set without loads
 // does not have are empty.
-std::string residuals_table(const std::vector<JobResult>& results);
-std::string curves_table(const std::vector<JobResult>& results);
+std::string residuals_table(const std::vector<Analysis>& results);
+std::string curves_table(const std::vector<Analysis>& results);
 
 }  // namespace mixity

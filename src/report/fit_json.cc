@@ -1,5 +1,6 @@
 #include "report/fit_json.h"
 
+#include "analysis/judgement.h"
 #include "report/fit_statistics_json.h"
 
 namespace mixity {
@@ -44,9 +45,9 @@ Json paper_json(const FitResult& fit) {
           {"points", fit.paper->points}};
 }
 
-Json fit_json(const FitResult& fit, const FitJob& job, const Dataset& data) {
+Json fit_json(const FitResult& fit, const FitRequest& request, const Dataset& data) {
   Json published = Json::object();
-  for (const Agreement& agreement : compare(fit, job))
+  for (const Agreement& agreement : compare(fit, request))
     published[agreement.published.name] = {{"value", agreement.published.value},
                                            {"tolerance", agreement.published.tolerance},
                                            {"agrees", agreement.agrees}};
@@ -85,11 +86,11 @@ Json excluded_json(const std::vector<Excluded>& excluded, const Dataset* data) {
   return list;
 }
 
-Json dataset_json(const JobResult& result) {
+Json dataset_json(const Analysis& result) {
   const Dataset& data = result.data;
   const bool reconstructed = data.metadata.provenance == Provenance::reconstructed;
   Json fits = Json::array();
-  for (const FitResult& fit : result.fits) fits.push_back(fit_json(fit, result.job, data));
+  for (const FitResult& fit : result.fits) fits.push_back(fit_json(fit, result.request, data));
   return {{"path", data.path},
           {"name", data.name},
           {"provenance", to_string(data.metadata.provenance)},
@@ -110,9 +111,9 @@ std::string json_text(const Json& document) {
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string to_json(const std::vector<JobResult>& results, const Shard& shard) {
+std::string to_json(const std::vector<Analysis>& results, const Shard& shard) {
   Json datasets = Json::array();
-  for (const JobResult& result : results) datasets.push_back(dataset_json(result));
+  for (const Analysis& result : results) datasets.push_back(dataset_json(result));
   Json document{{"schema", "mixity-fit-1"}, {"version", MIXITY_VERSION}};
   if (!shard.part.empty()) {
     document["shard"] = shard.part;

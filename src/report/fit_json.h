@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/job.h"
+#include "analysis/result.h"
 
 namespace mixity {
 
@@ -17,6 +17,6 @@ struct Shard {
 };
 
 /// {schema, version, datasets: [...]}, indented, with a final newline.
-std::string to_json(const std::vector<JobResult>& results, const Shard& shard = {});
+std::string to_json(const std::vector<Analysis>& results, const Shard& shard = {});
 
 }  // namespace mixity

@@ -67,7 +67,7 @@ Json correlations_json(const FitResult& fit) {
   return list;
 }
 
-Json comparison_json(const JobResult& result) {
+Json comparison_json(const Analysis& result) {
   Json list = Json::array();
   for (const ComparedModel& entry : result.comparison) {
     Json runs = Json::array();
@@ -90,7 +90,7 @@ Json comparison_json(const JobResult& result) {
   return list;
 }
 
-Json per_curve_json(const JobResult& result) {
+Json per_curve_json(const Analysis& result) {
   Json list = Json::array();
   for (const PerCurve& per_curve : result.per_curve) {
     Json curves = Json::array();

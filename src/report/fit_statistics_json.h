@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/job.h"
+#include "analysis/result.h"
 
 namespace mixity {
 
@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 inline Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 /// Everything that was found about one data set.
-Json dataset_json(const JobResult& result);
+Json dataset_json(const Analysis& result);
 /// Names and paths may hold bytes that are not UTF-8; they are replaced rather than thrown over.
 std::string json_text(const Json& document);
 
@@ -31,7 +31,7 @@ Json consistency_json(const FitResult& fit, const Dataset& data);
 Json unsheared_json(const std::optional<UnshearedTest>& test);
 /// Those that are stated, in SI; a standard error of 0 says that one is taken as exact.
 Json constants_json(const Dataset& data);
-Json comparison_json(const JobResult& result);
-Json per_curve_json(const JobResult& result);
+Json comparison_json(const Analysis& result);
+Json per_curve_json(const Analysis& result);
 
 }  // namespace mixity

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "analysis/judgement.h"
 #include "analysis/readable.h"
 #include "base/rounding.h"
 
@@ -142,7 +143,7 @@ std::string resampling_text(const FitResult& fit, const Dataset& data) {
   return out.str();
 }
 
-std::string comparison_text(const JobResult& result) {
+std::string comparison_text(const Analysis& result) {
   if (result.comparison.empty()) return {};
   std::ostringstream out;
   std::vector<ComparedModel> sorted = result.comparison;
@@ -173,7 +174,7 @@ std::string comparison_text(const JobResult& result) {
   return out.str();
 }
 
-std::string per_curve_text(const JobResult& result) {
+std::string per_curve_text(const Analysis& result) {
   std::ostringstream out;
   for (const PerCurve& per_curve : result.per_curve) {
     out << "[[Each run]] model " << per_curve.model << '\n';

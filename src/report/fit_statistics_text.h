@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/job.h"
+#include "analysis/result.h"
 
 namespace mixity {
 
@@ -22,7 +22,7 @@ std::string origin_of_scatter(const StandardErrors& errors);
 std::vector<std::string> raised_errors(const StandardErrors& errors);
 /// Where the standard errors come from, correlations, the loss: a line each, or nothing.
 std::string errors_text(const FitResult& fit, const Dataset& data);
-std::string comparison_text(const JobResult& result);
-std::string per_curve_text(const JobResult& result);
+std::string comparison_text(const Analysis& result);
+std::string per_curve_text(const Analysis& result);
 
 }  // namespace mixity

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/judgement.h"
 #include "analysis/readable.h"
 #include "base/rounding.h"
 #include "report/fit_statistics_text.h"
@@ -33,7 +34,7 @@ std::string parameter_text(const FittedParameter& fitted) {
   return text + unit_text(parameter.unit);
 }
 
-const ComparedModel* compared(const JobResult& result, const std::string& model) {
+const ComparedModel* compared(const Analysis& result, const std::string& model) {
   for (const ComparedModel& entry : result.comparison)
     if (entry.model == model) return &entry;
   return nullptr;
@@ -55,7 +56,7 @@ std::string weight_text(double weight) { return weight < 1e-4 ? "< 0.0001" : rou
 
 }  // namespace
 
-FitTable fit_table(const JobResult& result) {
+FitTable fit_table(const Analysis& result) {
   using Cell = FitTable::Cell;
   const std::string unit = unit_text(result.data.display.area);
   std::string percent;
@@ -85,7 +86,7 @@ FitTable fit_table(const JobResult& result) {
       if (entry->weight) row[7].lines = {weight_text(*entry->weight)};
       if (entry->left_out) row[8].lines = {rounded(entry->left_out->rmse_area, 3) + unit};
     }
-    for (const Agreement& agreement : compare(fit, result.job)) {
+    for (const Agreement& agreement : compare(fit, result.request)) {
       row[9].lines.push_back(agreement.published.name + " = " + shortest(agreement.published.value) +
                              (agreement.agrees ? " agrees" : " DOES NOT AGREE"));
       row[9].alert |= !agreement.agrees;
@@ -103,7 +104,7 @@ FitTable fit_table(const JobResult& result) {
   return table;
 }
 
-std::string table_text(const JobResult& result) {
+std::string table_text(const Analysis& result) {
   FitTable table = fit_table(result);
   for (auto& row : table.rows) row[0].lines.resize(1);  // the key without the name
   // characters, not bytes
@@ -143,7 +144,7 @@ std::string with_powers(std::string text) {
   return text;
 }
 
-std::vector<std::string> findings(const JobResult& result) {
+std::vector<std::string> findings(const Analysis& result) {
   std::vector<std::string> sentences;
   std::vector<const ComparedModel*> by_error, by_weight;
   for (const ComparedModel& entry : result.comparison) {
@@ -180,9 +181,9 @@ std::vector<std::string> findings(const JobResult& result) {
   return sentences;
 }
 
-std::vector<std::string> assumptions(const JobResult& result) {
+std::vector<std::string> assumptions(const Analysis& result) {
   const Dataset& data = result.data;
-  const FitOptions& options = result.job.options;
+  const FitOptions& options = result.request.options;
   const Objective objective = objective_of(result);
   std::vector<std::string> list;
   if (data.has_loads)
@@ -233,8 +234,8 @@ std::vector<std::string> assumptions(const JobResult& result) {
   return list;
 }
 
-std::vector<std::pair<std::string, std::string>> fit_settings(const JobResult& result) {
-  const FitOptions& options = result.job.options;
+std::vector<std::pair<std::string, std::string>> fit_settings(const Analysis& result) {
+  const FitOptions& options = result.request.options;
   const Objective objective = objective_of(result);
   std::vector<std::pair<std::string, std::string>> settings{{"objective", std::string(to_string(objective))}};
   if (objective == Objective::toughness) settings.emplace_back("scale", to_string(scale_of(options)));
@@ -254,7 +255,7 @@ std::vector<std::pair<std::string, std::string>> fit_settings(const JobResult& r
     settings.emplace_back("bootstrap", std::to_string(options.bootstrap.replicates) + " replicates of " +
                                            (options.bootstrap.resample == Resample::points ? "points" : "runs") +
                                            ", seed " + std::to_string(options.bootstrap.seed));
-  if (!result.job.source.empty()) settings.emplace_back("published by", result.job.source);
+  if (!result.request.source.empty()) settings.emplace_back("published by", result.request.source);
   return settings;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/job.h"
+#include "analysis/result.h"
 
 namespace mixity {
 
@@ -19,22 +19,22 @@ struct FitTable {
   std::vector<std::vector<Cell>> rows;  // [fit][column]
 };
 
-FitTable fit_table(const JobResult& result);
+FitTable fit_table(const Analysis& result);
 
 /// The table for a terminal: columns aligned, a line for each fit and further ones where a cell has
 /// several.
-std::string table_text(const JobResult& result);
+std::string table_text(const Analysis& result);
 
 /// Text with powers as ² and ³.
 std::string with_powers(std::string text);
 
 /// A sentence on which model predicts best, and one on every fit that did not end ok.
-std::vector<std::string> findings(const JobResult& result);
+std::vector<std::string> findings(const Analysis& result);
 
 /// What was taken as known or true.
-std::vector<std::string> assumptions(const JobResult& result);
+std::vector<std::string> assumptions(const Analysis& result);
 
 /// How the fits were made, as name and value.
-std::vector<std::pair<std::string, std::string>> fit_settings(const JobResult& result);
+std::vector<std::pair<std::string, std::string>> fit_settings(const Analysis& result);
 
 }  // namespace mixity

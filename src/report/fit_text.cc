@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "analysis/judgement.h"
 #include "analysis/readable.h"
 #include "base/rounding.h"
 #include "report/budget_text.h"
@@ -69,7 +70,7 @@ std::string fitted_space(const FitResult& fit) {
   return std::string(fit.scale == Scale::log ? "ln(Gc/GIc)" : "Gc/GIc") + " against psi";
 }
 
-void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job, const Dataset& data) {
+void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& request, const Dataset& data) {
   out << "[[Model " << fit.model << "]] " << fit.model_name << ": " << fit.formula << '\n';
   out << "    status: " << (fit.status == FitStatus::ok ? "ok" : "*** " + capitals(to_string(fit.status)) + " ***");
   if (!fit.message.empty()) out << ": " << fit.message;
@@ -103,7 +104,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
     out << '\n';
   }
   write_first(out, data, fit.excluded, "without ", kAllOfThem);
-  for (const Agreement& agreement : compare(fit, job))
+  for (const Agreement& agreement : compare(fit, request))
     out << "    published " << agreement.published.name << " = " << shortest(agreement.published.value) << " +- "
         << shortest(agreement.published.tolerance) << ": " << (agreement.agrees ? "agrees" : "*** DOES NOT AGREE ***")
         << '\n';
@@ -111,11 +112,11 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitJob& job,
 
 }  // namespace
 
-std::string to_text(const JobResult& result) {
+std::string to_text(const Analysis& result) {
   std::ostringstream out;
   write_data(out, result.data);
   if (result.unsheared) out << "    " << unsheared_sentence(*result.unsheared) << '\n';
-  for (const FitResult& fit : result.fits) write_fit(out, fit, result.job, result.data);
+  for (const FitResult& fit : result.fits) write_fit(out, fit, result.request, result.data);
   out << per_curve_text(result) << comparison_text(result);
   return out.str();
 }

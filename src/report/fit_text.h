@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "analysis/job.h"
+#include "analysis/result.h"
 
 namespace mixity {
 
-std::string to_text(const JobResult& result);
+std::string to_text(const Analysis& result);
 
 }  // namespace mixity

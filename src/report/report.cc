@@ -10,7 +10,7 @@
 
 namespace mixity {
 
-WrittenReport write_report(const std::vector<JobResult>& results, const std::vector<ReportedData>& data,
+WrittenReport write_report(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
                            const std::string& folder, const ReportSettings& settings) {
   ReportContent content{settings, {}, {}};
   const auto advance = [&](double fraction) {
@@ -18,7 +18,7 @@ WrittenReport write_report(const std::vector<JobResult>& results, const std::vec
   };
   std::vector<std::string> inputs;
   for (const ReportedData& one : data)
-    for (std::string& input : files_read(one.result.job)) inputs.push_back(std::move(input));
+    for (std::string& input : files_read(one.result.request)) inputs.push_back(std::move(input));
   std::vector<Figure> figures;
   for (const ReportedData& one : data) {
     content.entries.push_back({&one, data_figures(one), answer_of(one.result)});

@@ -38,7 +38,7 @@ struct WrittenReport {
 /// Writes report.html, summary.md, results.json, fits.csv, residuals.csv, curves.csv, figures/ and, if there is one,
 /// explorer.html into the folder, the page last. `data` refers to `results`, one each. Throws OutputError with the
 /// files of the last report in place, also if a file of data would be written over.
-WrittenReport write_report(const std::vector<JobResult>& results, const std::vector<ReportedData>& data,
+WrittenReport write_report(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
                            const std::string& folder, const ReportSettings& settings);
 
 }  // namespace mixity

@@ -26,7 +26,7 @@ std::string table_line(const std::vector<std::string>& cells) {
 }
 
 std::string data_set(const ReportEntry& entry) {
-  const JobResult& result = entry.data->result;
+  const Analysis& result = entry.data->result;
   const Dataset& data = result.data;
   std::string text =
       "## " + escaped(data.name) + "\n\n**Provenance: " + std::string(to_string(data.metadata.provenance)) + ".**";

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/judgement.h"
+#include "analysis/run.h"
 #include "dataset/load_text.h"
 #include "report/example_results.h"
 
@@ -15,7 +17,7 @@ bool says(const Answer& answer, const std::string& part) {
 }
 
 TEST(Answer, SaysWhereTheInterfaceSlidesBeforeItJumps) {
-  JobResult result = shipped("mergel2018");
+  Analysis result = shipped("mergel2018");
   EXPECT_TRUE(says(answer_of(result), "slides first, at P = "));
   result.data.metadata.shear_strength = 1e7;
   EXPECT_FALSE(says(answer_of(result), "slides first"));
@@ -24,17 +26,17 @@ TEST(Answer, SaysWhereTheInterfaceSlidesBeforeItJumps) {
 }
 
 TEST(Answer, NamesNoValueWhereEveryOneFits) {
-  FitJob job;
-  job.models = {"c"};
+  FitRequest request;
+  request.models = {"c"};
   const Dataset data = load_text("curve,P,T,A\n1,2,0,20\n1,2,0.01,20.1\n1,2,0.02,19.9\n");
-  const JobResult result = run(job, data);
+  const Analysis result = run(request, data);
   ASSERT_NE(result.fits[0].status, FitStatus::ok);
   const Answer answer = answer_of(result);
   EXPECT_TRUE(answer.fit == nullptr || answer.result == "λ is not determined by these data") << answer.result;
 }
 
 TEST(Answer, PutsModelsThatAreFarBehindInTheOrderOfTheirAicc) {
-  JobResult result = shipped("mergel2018");
+  Analysis result = shipped("mergel2018");
   ASSERT_EQ(result.comparison.size(), 3u);
   for (ComparedModel& one : result.comparison) one.weight = one.model == "c" ? 1 : 0;  // as with many points
   const std::vector<std::size_t> order = by_merit(result);

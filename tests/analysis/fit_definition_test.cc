@@ -31,9 +31,9 @@ TEST(FitDefinition, NamesNoModelThatDoesNotExist) {
 /// The published values of these were found as the paper does it.
 TEST(FitDefinition, EveryShippedOneStatesThePapersObjective) {
   for (const char* name : {"as4_peek_mmb", "mergel2018", "waters_guduru2010"}) {
-    const FitJob job = read_fit_definition(std::string(MIXITY_ROOT "/fits/") + name + ".toml");
-    EXPECT_EQ(job.options.objective, Objective::toughness) << name;
-    EXPECT_FALSE(job.published.empty()) << name;
+    const FitRequest request = read_fit_definition(std::string(MIXITY_ROOT "/fits/") + name + ".toml");
+    EXPECT_EQ(request.options.objective, Objective::toughness) << name;
+    EXPECT_FALSE(request.published.empty()) << name;
   }
 }
 

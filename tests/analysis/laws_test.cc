@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "analysis/fit_definition.h"
-#include "analysis/job.h"
+#include "analysis/request.h"
 #include "base/input_error.h"
 #include "dataset/temporary_folder.h"
 
@@ -105,21 +105,22 @@ class Definitions : public ::testing::Test {
 };
 
 TEST_F(Definitions, StateLawsThatAreModels) {
-  const FitJob job = read_fit_definition(
+  const FitRequest request = read_fit_definition(
       write("data = \"x.csv\"\nmodels = [\"c\", \"mine\"]\nhold = \"n=2\"\n[laws.mine]\nf = \"1 + p*tan(psi)^n\"\n"
             "p = [0, 1]\nn = { range = [0.5, 4], start = 2 }\n"));
-  EXPECT_EQ(job.models, (std::vector<std::string>{"c", "mine"}));
+  EXPECT_EQ(request.models, (std::vector<std::string>{"c", "mine"}));
   const std::shared_ptr<const ExpressionLaw> law = find_law("mine");
   ASSERT_TRUE(law);
   ASSERT_EQ(law->definition().parameters.size(), 2u);
   EXPECT_EQ(law->definition().parameters[0].name, "p");  // as they are written
   EXPECT_EQ(law->definition().parameters[1].start, 2);
-  EXPECT_EQ(job.law_notes.size(), 1u);  // n < 2: one area stands for several T
+  EXPECT_EQ(request.law_notes.size(), 1u);  // n < 2: one area stands for several T
 }
 
 TEST_F(Definitions, FitTheirLawsWhereTheyNameNoModels) {
-  const FitJob job = read_fit_definition(write("data = \"x.csv\"\n[laws.extra]\nf = \"1 + p*t^2\"\np = [0, 1]\n"));
-  EXPECT_EQ(job.models, (std::vector<std::string>{"a", "b", "c", "extra"}));
+  const FitRequest request =
+      read_fit_definition(write("data = \"x.csv\"\n[laws.extra]\nf = \"1 + p*t^2\"\np = [0, 1]\n"));
+  EXPECT_EQ(request.models, (std::vector<std::string>{"a", "b", "c", "extra"}));
 }
 
 TEST_F(Definitions, SayWhereALawIsWrong) {

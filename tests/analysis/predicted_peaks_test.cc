@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/run.h"
 #include "base/number_text.h"
 #include "dataset/temporary_folder.h"
 
@@ -33,10 +34,10 @@ TEST(PredictedPeaks, AreTheFoldsOfModelC) {
     }
     peaks += shortest(P) + "," + shortest(0.9 * jump_of_c(P)) + "\n";
   }
-  FitJob job;
-  job.data_path = folder.write("run.csv", points);
-  job.models = {"c"};
-  const JobResult result = run(job);
+  FitRequest request;
+  request.data_path = folder.write("run.csv", points);
+  request.models = {"c"};
+  const Analysis result = run(request);
   const PeakForces forces = load_peak_forces(folder.write("peaks.csv", peaks));
   const auto predicted = predict_peaks(result, forces);
   ASSERT_EQ(predicted.size(), 1u);
@@ -53,12 +54,12 @@ TEST(PredictedPeaks, AreTheFoldsOfModelC) {
 
 TEST(PredictedPeaks, OfPeaksInOtherUnitsThanTheDataAreNone) {
   const TemporaryFolder folder;
-  FitJob job;
-  job.data_path = folder.write("run.csv", "P,T,A\n3,0,21.87\n3,5,21.4\n3,10,20\n3,15,17.5\n");
-  job.models = {"c"};
+  FitRequest request;
+  request.data_path = folder.write("run.csv", "P,T,A\n3,0,21.87\n3,5,21.4\n3,10,20\n3,15,17.5\n");
+  request.models = {"c"};
   folder.write("peaks.toml", "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\n");
   const PeakForces forces = load_peak_forces(folder.write("peaks.csv", "P [mN],T_peak [mN]\n2,7\n"));
-  EXPECT_TRUE(predict_peaks(run(job), forces).empty());
+  EXPECT_TRUE(predict_peaks(run(request), forces).empty());
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "analysis/fit_definition.h"
+#include "analysis/judgement.h"
+#include "analysis/run.h"
 
 namespace mixity {
 namespace {
@@ -21,18 +23,18 @@ std::vector<std::string> definitions() {
 class Published : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Published, ValuesAreFoundAgain) {
-  const JobResult result = run(read_fit_definition(GetParam()));
+  const Analysis result = run(read_fit_definition(GetParam()));
   std::size_t compared = 0;
   EXPECT_TRUE(can_be_believed(result));  // of mergel2018, models a and b are left far behind by c
   for (const FitResult& fit : result.fits) {
-    for (const Agreement& agreement : compare(fit, result.job)) {
+    for (const Agreement& agreement : compare(fit, result.request)) {
       ++compared;
       EXPECT_TRUE(agreement.agrees) << "model " << fit.model << ": published " << agreement.published.name << " = "
                                     << agreement.published.value << " +- " << agreement.published.tolerance;
     }
   }
   std::size_t stated = 0;
-  for (const auto& [model, numbers] : result.job.published) stated += numbers.size();
+  for (const auto& [model, numbers] : result.request.published) stated += numbers.size();
   EXPECT_EQ(compared, stated) << "a published number belongs to a model that the definition does not fit";
 }
 

@@ -193,11 +193,11 @@ void check_definition(std::string_view text) {
   static const Scratch file("f.toml");
   const std::string& path = file.hold(text);
   accepts({path + ":"}, [&] {
-    const FitJob job = read_fit_definition(path);
-    promise(!job.data_path.empty() && !job.models.empty(), "a definition names data and models");
-    for (const HeldParameter& held : job.options.hold)
+    const FitRequest request = read_fit_definition(path);
+    promise(!request.data_path.empty() && !request.models.empty(), "a definition names data and models");
+    for (const HeldParameter& held : request.options.hold)
       promise(!held.value || std::isfinite(*held.value), "a held value is finite");
-    for (const auto& [model, numbers] : job.published)
+    for (const auto& [model, numbers] : request.published)
       for (const Published& number : numbers)
         promise(std::isfinite(number.value) && number.tolerance >= 0, "a published number can be compared with");
   });

@@ -10,8 +10,8 @@
 namespace mixity {
 
 /// A fit as it stands in outputs, made up, one for each status.
-inline JobResult example(FitStatus status) {
-  JobResult result;
+inline Analysis example(FitStatus status) {
+  Analysis result;
   result.data.path = "data/example.csv";
   result.data.name = "example";
   result.data.metadata.provenance = Provenance::measured;
@@ -23,7 +23,7 @@ inline JobResult example(FitStatus status) {
   result.data.display.area = "mm^2";
   result.data.excluded = {{7, "T is empty"}, {9, "include = 0"}};
 
-  result.job.options.objective = Objective::toughness;
+  result.request.options.objective = Objective::toughness;
 
   FitResult fit;
   fit.model = "c";
@@ -36,7 +36,7 @@ inline JobResult example(FitStatus status) {
   fit.rmse = 0.01541;
   fit.max_abs_residual = 0.0539;
   fit.area = AreaGoodness{0.99935, 0.0021636, 0.00655, 38, 2, {}};
-  result.job.published["c"] = {{"lambda", 0.0023, 0.00005}, {"r2", 0.9999, 0.00005}};
+  result.request.published["c"] = {{"lambda", 0.0023, 0.00005}, {"r2", 0.9999, 0.00005}};
   if (status == FitStatus::at_bound) {
     fit.message = "lambda is at its lower bound 0";
     fit.parameters[0] = {"lambda", 0.0, {}, 0, 1, true};
@@ -60,8 +60,8 @@ inline JobResult example(FitStatus status) {
 }
 
 /// A shipped definition, run as a report runs it; once for each name.
-inline const JobResult& shipped(const std::string& name) {
-  static std::map<std::string, JobResult> results;
+inline const Analysis& shipped(const std::string& name) {
+  static std::map<std::string, Analysis> results;
   const auto found = results.find(name);
   if (found != results.end()) return found->second;
   return results.emplace(name, run_for_report(read_fit_definition(MIXITY_ROOT "/fits/" + name + ".toml")))

@@ -21,24 +21,24 @@ std::vector<std::string> keys(const Json& object) {
 using Names = std::vector<std::string>;
 
 /// What `mixity fit --objective=curve --free=toughness --per=curve --models=a,c` computes.
-JobResult whole_job() {
-  JobResult result;
+Analysis whole_request() {
+  Analysis result;
   SeededNoise noise(1, 0.005);
   result.data = synthetic_runs<PapangeloCiavarella>({0.2}, {1, 5, 20}, 10, 0.8, noise);
   result.data.display = {"mN", "mm^2", "", 0.25, 0.01};
-  result.job.models = {"a", "c"};
-  result.job.options.objective = Objective::curve;
-  result.job.options.free = {kToughness};
-  for (const std::string& model : result.job.models) {
-    result.fits.push_back(fit_model(result.data, model, result.job.options));
-    result.per_curve.push_back(fit_per_curve(result.data, model, result.job.options));
+  result.request.models = {"a", "c"};
+  result.request.options.objective = Objective::curve;
+  result.request.options.free = {kToughness};
+  for (const std::string& model : result.request.models) {
+    result.fits.push_back(fit_model(result.data, model, result.request.options));
+    result.per_curve.push_back(fit_per_curve(result.data, model, result.request.options));
   }
-  result.comparison = compare_models(result.data, result.fits, result.job.options);
+  result.comparison = compare_models(result.data, result.fits, result.request.options);
   return result;
 }
 
 TEST(FitStatisticsJson, HasTheKeysOfItsSchema) {
-  const Json data = Json::parse(to_json({whole_job()}))["datasets"][0];
+  const Json data = Json::parse(to_json({whole_request()}))["datasets"][0];
   ASSERT_EQ(data["fits"].size(), 2);
   for (const Json& fit : data["fits"]) {
     EXPECT_EQ(keys(fit["errors"]), (Names{"raised_A", "raised_T", "relative_scatter", "sigma_A", "sigma_T"}));
@@ -93,7 +93,7 @@ TEST(FitStatisticsJson, WritesWhatIsMissingAsNull) {
   EXPECT_EQ(open["high"], 2.0);
   EXPECT_EQ(open["high_status"], "at_bound");
 
-  JobResult result;
+  Analysis result;
   result.comparison = {{"a", {}, {}, {}, {}}};
   const Json compared = comparison_json(result)[0];
   for (const char* key : {"aicc", "bic", "weight", "loo_rmse_area", "loo_beyond_fold"})

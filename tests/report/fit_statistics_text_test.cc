@@ -15,8 +15,8 @@ ShownInterval found(double low, double high) {
 }
 
 /// A fit of the curve with the toughness free, in 3 runs.
-JobResult example() {
-  JobResult result;
+Analysis example() {
+  Analysis result;
   result.data.path = "data/example.csv";
   result.data.name = "example";
   result.data.metadata.provenance = Provenance::measured;
@@ -51,7 +51,7 @@ JobResult example() {
 TEST(FitStatisticsText, IntervalsAndKnownErrors) { expect_golden(example(), "known_errors.txt"); }
 
 TEST(FitStatisticsText, ThePapersFitAndErrorsThatWereRaised) {
-  JobResult result = example();
+  Analysis result = example();
   FitResult& fit = result.fits[0];
   fit.errors->source_T = ErrorSource::exact;
   fit.errors->raised_T = 40;
@@ -73,7 +73,7 @@ TEST(FitStatisticsText, ThePapersFitSaysHowItEnded) {
 }
 
 TEST(FitStatisticsText, EstimatedErrorsWithARobustLossAndOneEndedIntervals) {
-  JobResult result = example();
+  Analysis result = example();
   FitResult& fit = result.fits[0];
   fit.status = FitStatus::at_bound;
   fit.message = "lambda is at its lower bound 0";
@@ -88,7 +88,7 @@ TEST(FitStatisticsText, EstimatedErrorsWithARobustLossAndOneEndedIntervals) {
 }
 
 TEST(FitStatisticsText, ComparisonIsSortedByTheErrorOnLoadsLeftOut) {
-  JobResult result = example();
+  Analysis result = example();
   result.fits.clear();
   result.comparison = {{"a", 321.5, 330.25, 2.3e-62, LeftOut{0.0123456, 0, {}}},
                        {"bk", {}, {}, {}, {}},
@@ -97,7 +97,7 @@ TEST(FitStatisticsText, ComparisonIsSortedByTheErrorOnLoadsLeftOut) {
 }
 
 TEST(FitStatisticsText, EachRunAndTheTestOfOneValue) {
-  JobResult result = example();
+  Analysis result = example();
   PerCurve per_curve;
   per_curve.model = "c";
   for (std::size_t c = 0; c < 3; ++c) {

@@ -27,7 +27,7 @@ TEST(FitTable, RoundsToTheErrorOfEachNumber) {
 }
 
 TEST(FitTable, ShowsThePapersFitBesideThatOfTheCurve) {
-  JobResult result = example(FitStatus::ok);
+  Analysis result = example(FitStatus::ok);
   const std::string heading = "The paper's fit: ln(Gc/GIc) against psi";
   EXPECT_EQ(cell(fit_table(result), 0, heading), "no such column");
   result.fits[0].objective = Objective::curve;
@@ -47,7 +47,7 @@ TEST(FitTable, HasNoColumnThatSaysNothing) {
 }
 
 TEST(FitTable, ShowsOpenAndBoundEndsHeldValuesAndStandardErrors) {
-  JobResult result = example(FitStatus::ok);
+  Analysis result = example(FitStatus::ok);
   FitResult& fit = result.fits[0];
   const auto text = [&] { return cell(fit_table(result), 0, fit_table(result).headings[1]); };
   EXPECT_EQ(text(), "lambda = 0.002346 ± 0.000012");
@@ -58,7 +58,7 @@ TEST(FitTable, ShowsOpenAndBoundEndsHeldValuesAndStandardErrors) {
 }
 
 TEST(FitTable, ForATerminalIsAligned) {
-  JobResult result = example(FitStatus::ok);
+  Analysis result = example(FitStatus::ok);
   result.fits.push_back(result.fits[0]);
   result.fits[1].model = "bk";
   result.fits[1].model_name = "B & K";
@@ -105,8 +105,8 @@ TEST(Assumptions, NameTheConstantsAndTheObjective) {
 }
 
 TEST(Assumptions, OfTheCurveNameThePapersFitAndErrorsThatWereRaised) {
-  JobResult result = example(FitStatus::ok);
-  result.job.options.objective = Objective::curve;
+  Analysis result = example(FitStatus::ok);
+  result.request.options.objective = Objective::curve;
   result.fits[0].paper = PaperFit{};
   result.fits[0].errors = StandardErrors{{}, {}, ErrorSource::exact, ErrorSource::columns, {}, 40, 0};
   std::string all;

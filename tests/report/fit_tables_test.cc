@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/fit_definition.h"
+#include "analysis/run.h"
 #include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 #include "report/fit_csv.h"
@@ -14,8 +15,8 @@
 namespace mixity {
 namespace {
 
-const JobResult& mergel() {
-  static const JobResult result = run(read_fit_definition(MIXITY_ROOT "/fits/mergel2018.toml"));
+const Analysis& mergel() {
+  static const Analysis result = run(read_fit_definition(MIXITY_ROOT "/fits/mergel2018.toml"));
   return result;
 }
 
@@ -100,11 +101,11 @@ TEST(FitCsv, ResidualsAreModelMinusDataForEveryUsedPoint) {
 /// The last area lies below the 55.9 of Hertz: it has no phase angle. Its two fields are empty, its residual is not.
 TEST(FitCsv, APointWithoutAPhaseAngleKeepsItsResidual) {
   const TemporaryFolder folder;
-  FitJob job;
-  job.data_path = folder.write("a.csv", "P,T,A\n100,0,74.4\n100,20,73\n100,40,67.4\n100,46,55\n");
-  job.models = {"c"};
-  job.options.objective = Objective::curve;
-  const auto rows = read_table(residuals_csv(run(job)));
+  FitRequest request;
+  request.data_path = folder.write("a.csv", "P,T,A\n100,0,74.4\n100,20,73\n100,40,67.4\n100,46,55\n");
+  request.models = {"c"};
+  request.options.objective = Objective::curve;
+  const auto rows = read_table(residuals_csv(run(request)));
   ASSERT_EQ(rows.size(), 5u);
   EXPECT_NE(rows[3][4], "");
   EXPECT_EQ(rows[4][4] + rows[4][5], "");
@@ -113,10 +114,10 @@ TEST(FitCsv, APointWithoutAPhaseAngleKeepsItsResidual) {
 
 /// The paper's fit beside the distance from the curve is the fit that the paper's objective makes.
 TEST(FitCsv, HoldsThePapersFitBesideThatOfTheCurve) {
-  FitJob job = read_fit_definition(MIXITY_ROOT "/fits/mergel2018.toml");
-  job.options.objective = Objective::curve;
-  job.compare = false;
-  const auto rows = read_table(fits_csv({run(job)})), of_toughness = read_table(fits_csv({mergel()}));
+  FitRequest request = read_fit_definition(MIXITY_ROOT "/fits/mergel2018.toml");
+  request.options.objective = Objective::curve;
+  request.compare = false;
+  const auto rows = read_table(fits_csv({run(request)})), of_toughness = read_table(fits_csv({mergel()}));
   const auto column = [&](const std::string& name) {
     return static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin());
   };

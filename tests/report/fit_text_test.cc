@@ -18,7 +18,7 @@ TEST(FitText, Multimodal) { expect_golden(example(FitStatus::multimodal), "multi
 TEST(FitText, NotConverged) { expect_golden(example(FitStatus::not_converged), "not_converged.txt"); }
 
 TEST(FitText, ReconstructedWithManyExclusionsAndAHeldParameter) {
-  JobResult result = example(FitStatus::ok);
+  Analysis result = example(FitStatus::ok);
   result.data.metadata.provenance = Provenance::reconstructed;
   for (std::size_t line = 10; line < 20; ++line) result.data.excluded.push_back({line, "T is not finite"});
   result.fits[0].scale = Scale::linear;
@@ -28,7 +28,7 @@ TEST(FitText, ReconstructedWithManyExclusionsAndAHeldParameter) {
 }
 
 TEST(FitText, ListsTheFirstOfThePointsThatAModelLeavesOut) {
-  JobResult result = example(FitStatus::ok);
+  Analysis result = example(FitStatus::ok);
   for (std::size_t line = 30; line < 50; ++line) result.fits[0].excluded.push_back({line, kNoPhaseAngle});
   const std::string text = to_text(result);
   EXPECT_NE(text.find("    without line 37: y <= 0"), std::string::npos) << text;

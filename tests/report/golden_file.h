@@ -18,7 +18,7 @@ inline void expect_golden_text(const std::string& text, const std::string& name)
   EXPECT_EQ(text, read_file(path)) << name;
 }
 
-inline void expect_golden(const JobResult& result, const std::string& name) {
+inline void expect_golden(const Analysis& result, const std::string& name) {
   expect_golden_text(to_text(result), name);
 }
 

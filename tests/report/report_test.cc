@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "analysis/run.h"
 #include "base/output_file.h"
 #include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
@@ -24,7 +25,7 @@ class Report : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
-    results_ = new std::vector<JobResult>{shipped("mergel2018"), shipped("waters_guduru2010")};
+    results_ = new std::vector<Analysis>{shipped("mergel2018"), shipped("waters_guduru2010")};
     const std::vector<ReportedData> data{reported_data((*results_)[0], "mergel2018"),
                                          reported_data((*results_)[1], "waters_guduru2010")};
     written_ = write_report(*results_, data, folder_->path(), {"mixity report 'a b.toml'", {}});
@@ -36,7 +37,7 @@ class Report : public testing::Test {
   static std::string content(const std::string& name) { return read_file(folder_->path(name)); }
 
   static inline TemporaryFolder* folder_ = nullptr;
-  static inline std::vector<JobResult>* results_ = nullptr;
+  static inline std::vector<Analysis>* results_ = nullptr;
   static inline WrittenReport written_;
 };
 
@@ -66,7 +67,7 @@ TEST_F(Report, JsonHoldsTheFitsAsFitDoes) {
   EXPECT_EQ(report["command"], "mixity report 'a b.toml'");
   std::size_t i = 0;
   for (const char* name : {"mergel2018", "waters_guduru2010"}) {
-    const JobResult fitted = run(read_fit_definition(MIXITY_ROOT "/fits/" + std::string(name) + ".toml"));
+    const Analysis fitted = run(read_fit_definition(MIXITY_ROOT "/fits/" + std::string(name) + ".toml"));
     const Json fit = Json::parse(to_json({fitted}))["datasets"][0];
     for (const char* key : {"path", "name", "provenance", "notice", "points", "excluded", "comparison"})
       EXPECT_EQ(report["datasets"][i][key], fit[key]) << name << ' ' << key;
@@ -102,7 +103,7 @@ TEST_F(Report, ResidualTableHoldsEveryResidualToTheLastBit) {
   EXPECT_EQ(
       line,
       "dataset,provenance,model,line,curve,psi [rad],Gc_over_GIc,residual,P,T,A,A_predicted,force_unit,area_unit");
-  for (const JobResult& result : *results_)
+  for (const Analysis& result : *results_)
     for (const FitResult& fit : result.fits)
       for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
         ASSERT_TRUE(std::getline(table, line));
@@ -142,7 +143,7 @@ TEST_F(Report, IsTheSameToTheByteWhenMadeAgain) {
 
 TEST(ReportProgress, RisesToOne) {
   const TemporaryFolder folder;
-  const std::vector<JobResult> results{shipped("as4_peek_mmb")};
+  const std::vector<Analysis> results{shipped("as4_peek_mmb")};
   double last = 0;
   write_report(results, {reported_data(results[0], "x")}, folder.path(), {"mixity", [&](double fraction) {
                                                                             EXPECT_GE(fraction, last);
@@ -154,7 +155,7 @@ TEST(ReportProgress, RisesToOne) {
 TEST(ReportFolder, ThatCannotBeWrittenIsSaid) {
   const TemporaryFolder folder;
   const std::string file = folder.write("file", "");
-  const std::vector<JobResult> results{shipped("as4_peek_mmb")};
+  const std::vector<Analysis> results{shipped("as4_peek_mmb")};
   EXPECT_THROW(write_report(results, {reported_data(results[0], "x")}, file + "/below", {}), OutputError);
 }
 

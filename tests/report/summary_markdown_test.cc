@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/run.h"
 #include "report/example_results.h"
 #include "report/golden_file.h"
 
@@ -11,7 +12,7 @@ namespace mixity {
 namespace {
 
 /// Without the last line, which names versions.
-std::string summary(const JobResult& result) {
+std::string summary(const Analysis& result) {
   const ReportedData data{result, "example", {}, {}, {}};
   const std::string text =
       summary_markdown({{"mixity report example.toml", {}}, {{&data, {}, answer_of(data.result)}}, {}});
@@ -26,10 +27,10 @@ TEST(SummaryMarkdown, OfEachStatus) {
 
 /// By the distance from the curve, which is what data with loads get.
 TEST(SummaryMarkdown, OfTheCurveHoldsThePapersFit) {
-  FitJob job = read_fit_definition(MIXITY_ROOT "/fits/mergel2018.toml");
-  job.options.objective.reset();
-  job.published.clear();
-  expect_golden_text(summary(run(job)), "summary_mergel2018_curve.md");
+  FitRequest request = read_fit_definition(MIXITY_ROOT "/fits/mergel2018.toml");
+  request.options.objective.reset();
+  request.published.clear();
+  expect_golden_text(summary(run(request)), "summary_mergel2018_curve.md");
 }
 
 TEST(SummaryMarkdown, OfAShippedDataSet) {
@@ -37,7 +38,7 @@ TEST(SummaryMarkdown, OfAShippedDataSet) {
 }
 
 TEST(SummaryMarkdown, ForeignTextDoesNotBreakTheTable) {
-  JobResult result = example(FitStatus::ok);
+  Analysis result = example(FitStatus::ok);
   result.data.name = "a|b_c*d";
   result.fits[0].model_name = "x|y";
   const std::string text = summary(result);

@@ -23,7 +23,7 @@ class AreaFigures {
     for (const FitResult* fit : fits_) {
       curves_.emplace_back();
       for (const std::size_t run : runs_)
-        curves_.back().push_back(drawn_curve(reported.result.data, reported.result.job.options, *fit,
+        curves_.back().push_back(drawn_curve(reported.result.data, reported.result.request.options, *fit,
                                              data_.curve_loads[run], kWidest * T_data_));
     }
   }
@@ -135,10 +135,10 @@ class AreaFigures {
       Series band{"", Look::band, color(k), {}};
       const double load = data_.curve_loads[runs_[k]];
       for (const DrawnPoint& q :
-           drawn_curve(reported_.result.data, reported_.result.job.options, *low, load, kWidest * T_data_).points)
+           drawn_curve(reported_.result.data, reported_.result.request.options, *low, load, kWidest * T_data_).points)
         band.points.emplace_back(q.T, q.A);
       const DrawnCurve other =
-          drawn_curve(reported_.result.data, reported_.result.job.options, *high, load, kWidest * T_data_);
+          drawn_curve(reported_.result.data, reported_.result.request.options, *high, load, kWidest * T_data_);
       for (auto q = other.points.rbegin(); q != other.points.rend(); ++q) band.points.emplace_back(q->T, q->A);
       figure.series.push_back(std::move(band));
     }

@@ -26,7 +26,7 @@ struct Behaviour {
     for (const FitResult* fit : fits) {
       curves.emplace_back();
       for (const std::size_t run : runs)
-        curves.back().push_back(drawn_curve(reported.result.data, reported.result.job.options, *fit,
+        curves.back().push_back(drawn_curve(reported.result.data, reported.result.request.options, *fit,
                                             reported.result.data.curve_loads[run], T_most));
     }
   }
@@ -83,7 +83,7 @@ Figure radii(const ReportedData& reported) {
     if (fits.size() > 1) figure.key.emplace_back("model " + fit->model, model_line(fit->model));
     for (std::size_t k = 0; k < 4; ++k) {
       const double T = T_data * static_cast<double>(k + 1) / 4;
-      DrawnRadii drawn = drawn_radii(reported.result.data, reported.result.job.options, *fit, T, P_most);
+      DrawnRadii drawn = drawn_radii(reported.result.data, reported.result.request.options, *fit, T, P_most);
       figure.series.push_back({fit == fits.front() ? rounded(T * units.force, 4) : "", model_line(fit->model), color(k),
                                std::move(drawn.stable)});
       figure.series.push_back({"", Look::dotted, color(k), std::move(drawn.unstable)});

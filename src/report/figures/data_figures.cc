@@ -41,7 +41,7 @@ std::string shown_note(std::size_t shown, std::size_t all) {
 
 std::vector<Figure> kept_log_figures(const ReportedData& reported, std::vector<MissingFigure>& left_out) {
   std::vector<Figure> figures;
-  const auto& paths = reported.result.job.log_figures;
+  const auto& paths = reported.result.request.log_figures;
   std::vector<std::size_t> all(paths.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   for (const std::size_t i : spread(all, kMostRuns)) {
@@ -64,7 +64,7 @@ std::vector<Figure> kept_log_figures(const ReportedData& reported, std::vector<M
 
 DataFigures data_figures(const ReportedData& reported) {
   DataFigures figures;
-  const JobResult& result = reported.result;
+  const Analysis& result = reported.result;
   const Dataset& data = result.data;
   const bool any_value = std::any_of(result.fits.begin(), result.fits.end(), has_all_values);
   const std::string no_value = "no fit has a value";

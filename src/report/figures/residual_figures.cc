@@ -17,7 +17,7 @@ std::string residual_label(const FitResult& fit) {
 }
 
 /// The order of drawing: the first fit on top of the others.
-std::vector<std::reference_wrapper<const FitResult>> last_first(const JobResult& result) {
+std::vector<std::reference_wrapper<const FitResult>> last_first(const Analysis& result) {
   return {result.fits.rbegin(), result.fits.rend()};
 }
 

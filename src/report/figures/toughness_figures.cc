@@ -23,7 +23,7 @@ std::optional<Series> band(const Dataset& data, const FitResult& fit, double las
 }  // namespace
 
 std::vector<Figure> toughness_figures(const ReportedData& reported) {
-  const JobResult& result = reported.result;
+  const Analysis& result = reported.result;
   const Dataset& data = result.data;
   Series points{"data", Look::circles, color(7), {}};
   std::vector<std::size_t> all;
@@ -73,7 +73,7 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
                                      "here: judge by the areas."
                                    : ".") +
                    shown_note(shown_points(all).size(), all.size());
-  if (!result.job.options.free.empty())
+  if (!result.request.options.free.empty())
     figure.caption += " Points are computed with the stated constants, not with those that were fitted.";
   return {figure};
 }

@@ -27,14 +27,14 @@ std::string content_if_any(const std::string& path) {
   return std::filesystem::exists(path, none) ? read_file(path) : "";
 }
 
-Json as_embedded(const JobResult& result) {
-  const FitJob& job = result.job;
-  Json embedded =
-      job_fields(job, job.runs.empty() ? job.constants : Overrides(constants_as_stated(result.data.metadata)));
-  if (job.runs.empty()) {
-    embedded["name"] = job.data_path.substr(job.data_path.find_last_of('/') + 1);
-    embedded["content"] = base64(read_file(job.data_path));
-    embedded["toml"] = base64(content_if_any(metadata_path(job.data_path)));
+Json as_embedded(const Analysis& result) {
+  const FitRequest& request = result.request;
+  Json embedded = job_fields(
+      request, request.runs.empty() ? request.constants : Overrides(constants_as_stated(result.data.metadata)));
+  if (request.runs.empty()) {
+    embedded["name"] = request.data_path.substr(request.data_path.find_last_of('/') + 1);
+    embedded["content"] = base64(read_file(request.data_path));
+    embedded["toml"] = base64(content_if_any(metadata_path(request.data_path)));
   } else {
     embedded["name"] = result.data.name + ".csv";
     embedded["content"] = base64(used_csv(result.data));

@@ -54,7 +54,7 @@ class Page {
   }
 
   void add_data_set(pugi::xml_node main, const ReportEntry& entry) {
-    const JobResult& result = entry.data->result;
+    const Analysis& result = entry.data->result;
     const Dataset& data = result.data;
     pugi::xml_node section = add(main, "section");
     pugi::xml_node heading = add(section, "h2", data.name, &entry == &content_.entries.front() ? "first" : nullptr);
@@ -123,7 +123,7 @@ class Page {
     if (!data.metadata.note.empty()) add(section, "p", data.metadata.note, "soft");
   }
 
-  static void add_fits(pugi::xml_node section, const JobResult& result) {
+  static void add_fits(pugi::xml_node section, const Analysis& result) {
     for (const std::string& sentence : findings(result)) add(section, "p", with_powers(sentence));
     const FitTable fits = fit_table(result);
     pugi::xml_node table = add(section, "table", {}, "fits");
@@ -143,7 +143,7 @@ class Page {
   }
 
   /// What the errors are made of and whether the data are consistent.
-  static void add_budgets(pugi::xml_node section, const JobResult& result) {
+  static void add_budgets(pugi::xml_node section, const Analysis& result) {
     if (result.unsheared) add(section, "p", with_powers(unsheared_sentence(*result.unsheared)) + ".");
     for (const FitResult& fit : result.fits) {
       std::vector<std::string> lines = budget_and_consistency(fit, result.data);
@@ -160,7 +160,7 @@ class Page {
                        beside);
   }
 
-  static void add_excluded(pugi::xml_node section, const JobResult& result) {
+  static void add_excluded(pugi::xml_node section, const Analysis& result) {
     std::vector<std::string> lines;
     for (const Excluded& point : result.data.excluded)
       lines.push_back(result.data.line_text(point.line) + ": " + std::string(point.reason));

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "analysis/run.h"
 #include "base/number_text.h"
 #include "dataset/temporary_folder.h"
 #include "report/example_results.h"
@@ -124,10 +125,10 @@ Figure figure_of_data_up_to(double share) {
     const double y = 3 * kPi + std::sqrt(9 * kPi * kPi + 6 * kPi * kLoad - kLambda * T * T);
     text += "3," + shortest(T) + "," + shortest(kPi * std::pow(0.75 * (y + kLoad), 2.0 / 3)) + "\n";
   }
-  FitJob job;
-  job.data_path = folder.write("run.csv", text);
-  job.models = {"c"};
-  const JobResult result = run(job);
+  FitRequest request;
+  request.data_path = folder.write("run.csv", text);
+  request.models = {"c"};
+  const Analysis result = run(request);
   return figure_named(area_figures(reported_data(result, "m")), "m_area_c");
 }
 

@@ -48,7 +48,7 @@ TEST(DataFigures, OfPsiAndGcHaveNoAreaMapOrLoads) {
 }
 
 TEST(DataFigures, WithoutAValueShowTheDataOnly) {
-  JobResult result = shipped("waters_guduru2010");
+  Analysis result = shipped("waters_guduru2010");
   for (FitResult& fit : result.fits) {
     for (FittedParameter& parameter : fit.parameters) {
       parameter.value.reset();
@@ -64,10 +64,10 @@ TEST(DataFigures, WithoutAValueShowTheDataOnly) {
 TEST(DataFigures, OfOneModelAndOneRunHaveNothingToCompare) {
   const TemporaryFolder folder;
   folder.write("one.csv", "P,T,A\n3,0,20\n3,5,19.6\n3,10,18\n3,15,16\n");
-  FitJob job;
-  job.data_path = folder.path("one.csv");
-  job.models = {"c"};
-  const JobResult result = run_for_report(job);
+  FitRequest request;
+  request.data_path = folder.path("one.csv");
+  request.models = {"c"};
+  const Analysis result = run_for_report(request);
   const DataFigures figures = data_figures(reported_data(result, "one"));
   EXPECT_EQ(names(figures), (std::set<std::string>{"one_area_c", "one_toughness", "one_profile_c", "one_residuals_T",
                                                    "one_residuals_psi", "one_residuals_qq", "one_u_T", "one_A_u",

@@ -24,7 +24,7 @@ std::string from_base64(std::string text) {
 }
 
 /// The JSON between the shell's own text.
-nlohmann::json embedded(const JobResult& result) {
+nlohmann::json embedded(const Analysis& result) {
   const ReportedData data = reported_data(result, "x");
   const std::string page = explorer_page(kShell, {{}, {{&data, {}}}, {}});
   const std::size_t begin = page.find("id=\"data\">") + 10, end = page.find("</script>");
@@ -41,26 +41,26 @@ TEST(ExplorerPage, HoldsTheFileAndWhatStandsBesideItByteForByte) {
   EXPECT_EQ(from_base64(data[0]["toml"]), read_file(MIXITY_ROOT "/data/mergel2018.toml"));
 }
 
-TEST(ExplorerPage, HasTheJobsOptionsAndConstantsAndCannotBeEndedByThem) {
-  JobResult result = shipped("mergel2018");
-  result.job.models = {"c"};
-  result.job.stated = {{"exclude", "7"}, {"bootstrap", "500"}};
-  result.job.constants = {{"note", "</script><script>"}};
+TEST(ExplorerPage, HasTheRequestsOptionsAndConstantsAndCannotBeEndedByThem) {
+  Analysis result = shipped("mergel2018");
+  result.request.models = {"c"};
+  result.request.stated = {{"exclude", "7"}, {"bootstrap", "500"}};
+  result.request.constants = {{"note", "</script><script>"}};
   const auto data = embedded(result);
   EXPECT_EQ(data[0]["models"], nlohmann::json({"c"}));
   EXPECT_EQ(data[0]["options"], nlohmann::json({{"exclude", "7"}}));  // not what takes long
   EXPECT_EQ(data[0]["constants"]["note"], "</script><script>");
 }
 
-TEST(ExplorerPage, HasTheLawsOfTheJobAsTheyAreTyped) {
-  JobResult result = shipped("mergel2018");
+TEST(ExplorerPage, HasTheLawsOfTheRequestAsTheyAreTyped) {
+  Analysis result = shipped("mergel2018");
   define_law_text("--law", "own: 1 + p*t^2; p=0..1 start 0.2");
-  result.job.models = {"c", "own"};
+  result.request.models = {"c", "own"};
   EXPECT_EQ(embedded(result)[0]["laws"], nlohmann::json({{"own", "1 + p*t^2; p=0..1 start 0.2"}}));
 }
 
 TEST(ExplorerPage, IsNoneWithoutAPlaceForData) {
-  const JobResult result = shipped("mergel2018");
+  const Analysis result = shipped("mergel2018");
   const ReportedData data = reported_data(result, "x");
   EXPECT_EQ(explorer_page("<p>something else</p>", {{}, {{&data, {}}}, {}}), "");
 }

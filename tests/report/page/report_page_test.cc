@@ -52,7 +52,7 @@ TEST(ReportPage, SaysFirstWhereTheDataComeFrom) {
 }
 
 TEST(ReportPage, LeadsWithTheResultOfTheBestModelAndItsJumps) {
-  const JobResult result = shipped("mergel2018");
+  const Analysis result = shipped("mergel2018");
   const ReportedData data{result, "mergel2018", {}, {}, {}};
   const Parsed page(report_page(content_of(data)));
   EXPECT_EQ(text_of(page.first("//p[@class='result']")), "λ = 0.002306 ± 0.000011");
@@ -80,7 +80,7 @@ TEST(ReportPage, HoldsTheFitTable) {
 TEST(ReportPage, MarksEveryStatusThatIsNotOk) {
   for (const FitStatus status : {FitStatus::ok, FitStatus::at_bound, FitStatus::not_identifiable, FitStatus::multimodal,
                                  FitStatus::not_converged}) {
-    const JobResult result = example(status);
+    const Analysis result = example(status);
     const ReportedData data{result, "example", {}, {}, {}};
     const Parsed page(report_page(content_of(data)));
     EXPECT_EQ(page.all("//td[@class='alert']").size(), status == FitStatus::ok                 ? 0u
@@ -94,7 +94,7 @@ TEST(ReportPage, MarksEveryStatusThatIsNotOk) {
 }
 
 TEST(ReportPage, ListsEveryExcludedPointWithItsReason) {
-  JobResult result = example(FitStatus::ok);
+  Analysis result = example(FitStatus::ok);
   for (std::size_t line = 10; line < 40; ++line) result.data.excluded.push_back({line, "T < 0"});
   result.fits[0].excluded = {{30, "infinite toughness"}};
   const ReportedData data{result, "example", {}, {}, {}};
@@ -105,7 +105,7 @@ TEST(ReportPage, ListsEveryExcludedPointWithItsReason) {
 }
 
 TEST(ReportPage, ForeignTextIsNotMarkup) {
-  JobResult result = example(FitStatus::ok);
+  Analysis result = example(FitStatus::ok);
   result.data.name = "<script>alert(1)</script> & \"x\"";
   result.data.metadata.source = "a < b && c > d";
   const ReportedData data{result, "example", {}, {}, {}};

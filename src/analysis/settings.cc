@@ -1,4 +1,4 @@
-#include "analysis/job_options.h"
+#include "analysis/settings.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "analysis/laws.h"
+#include "analysis/request.h"
 #include "base/number_text.h"
 #include "base/trim.h"
 
@@ -88,13 +89,13 @@ Complaint set_error(std::string_view text, std::optional<StatedError>& error) {
   return {};
 }
 
-Complaint set_models(std::string_view text, FitJob& job) {
-  job.models.clear();
+Complaint set_models(std::string_view text, FitRequest& request) {
+  request.models.clear();
   return for_each_item(text, [&](const std::string& model) -> Complaint {
     provide_law(model);
     if (!is_model(model))
       return "names the unknown model " + in_quotes(model) + " (known: " + listed(known_models()) + ")";
-    job.models.push_back(model);
+    request.models.push_back(model);
     return {};
   });
 }
@@ -112,15 +113,15 @@ Complaint set_hold(std::string_view text, std::vector<HeldParameter>& hold) {
 }
 
 /// Parameters of the models may be named, too: they are free unless they are held.
-Complaint set_free(std::string_view text, FitJob& job) {
-  job.options.free.clear();
-  job.free_parameters.clear();
+Complaint set_free(std::string_view text, FitRequest& request) {
+  request.options.free.clear();
+  request.free_parameters.clear();
   return for_each_item(text, [&](const std::string& name) -> Complaint {
     const auto found = std::find(kConstantNames.begin(), kConstantNames.end(), name);
     if (found != kConstantNames.end())
-      job.options.free.push_back(static_cast<Constant>(found - kConstantNames.begin()));
+      request.options.free.push_back(static_cast<Constant>(found - kConstantNames.begin()));
     else if (has_parameter(model_keys(), name))
-      job.free_parameters.push_back(name);
+      request.free_parameters.push_back(name);
     else
       return "names " + in_quotes(name) + ", which cannot be fitted (known: " + listed(kConstantNames) +
              ", model parameters)";
@@ -144,10 +145,10 @@ Complaint set_excluded(std::string_view text, std::vector<LineRange>& lines) {
   });
 }
 
-Complaint set_it(FitJob& job, std::string_view name, std::string_view text) {
+Complaint set_it(FitRequest& request, std::string_view name, std::string_view text) {
   constexpr std::size_t kMostReplicates = 10000000;
-  FitOptions& options = job.options;
-  if (name == "models") return set_models(text, job);
+  FitOptions& options = request.options;
+  if (name == "models") return set_models(text, request);
   if (name == "objective") return set_objective(text, options);
   if (name == "scale") return choose(text, {Scale::log, Scale::linear}, options.scale.emplace());
   if (name == "weighted") return set_bool(text, options.weighted);
@@ -157,11 +158,12 @@ Complaint set_it(FitJob& job, std::string_view name, std::string_view text) {
   if (name == "loss_scale")
     return set_number(text, std::numeric_limits<double>::infinity(), options.loss_scale.emplace());
   if (name == "hold") return set_hold(text, options.hold);
-  if (name == "free") return set_free(text, job);
-  if (name == "exclude") return set_excluded(text, job.exclusion.lines);
+  if (name == "free") return set_free(text, request);
+  if (name == "exclude") return set_excluded(text, request.exclusion.lines);
   if (name == "leave_out") {
-    job.exclusion.runs.clear();
-    return for_each_item(text, [&](const std::string& run) { return job.exclusion.runs.push_back(run), Complaint(); });
+    request.exclusion.runs.clear();
+    return for_each_item(text,
+                         [&](const std::string& run) { return request.exclusion.runs.push_back(run), Complaint(); });
   }
   if (name == "interval") {
     options.intervals = text == "profile";
@@ -176,33 +178,34 @@ Complaint set_it(FitJob& job, std::string_view name, std::string_view text) {
     return set_whole<std::uint64_t>(text, std::numeric_limits<std::int64_t>::max(), options.bootstrap.seed);
   if (name == "threads") return set_whole(text, 4096U, options.bootstrap.threads);
   if (name == "influence") return set_bool(text, options.influence);
-  if (name == "compare") return set_bool(text, job.compare);
+  if (name == "compare") return set_bool(text, request.compare);
   if (name == "per") {
-    job.per_curve = text == "curve";
-    return job.per_curve ? Complaint() : must_be(text, "curve");
+    request.per_curve = text == "curve";
+    return request.per_curve ? Complaint() : must_be(text, "curve");
   }
   throw std::invalid_argument("there is no option '" + std::string(name) + "'");
 }
 
 }  // namespace
 
-std::string set_option(FitJob& job, std::string_view name, std::string_view text) {
-  Complaint problem = set_it(job, name, text);
-  if (problem.empty()) job.stated.insert_or_assign(std::string(name), std::string(text));
+std::string set_option(FitRequest& request, std::string_view name, std::string_view text) {
+  Complaint problem = set_it(request, name, text);
+  if (problem.empty()) request.stated.insert_or_assign(std::string(name), std::string(text));
   return problem;
 }
 
-std::optional<Contradiction> contradiction(const FitJob& job) {
-  const FitOptions& options = job.options;
+std::optional<Contradiction> contradiction(const FitRequest& request) {
+  const FitOptions& options = request.options;
   const auto curve = Objective::curve, toughness = Objective::toughness;
   for (const HeldParameter& held : options.hold) {
-    if (!has_parameter(job.models, held.name))
+    if (!has_parameter(request.models, held.name))
       return Contradiction{"hold", "names " + in_quotes(held.name) + ", which no fitted model has"};
-    if (std::find(job.free_parameters.begin(), job.free_parameters.end(), held.name) != job.free_parameters.end())
+    if (std::find(request.free_parameters.begin(), request.free_parameters.end(), held.name) !=
+        request.free_parameters.end())
       return Contradiction{"free", "names " + in_quotes(held.name) + ", which is to be held"};
   }
-  for (const std::string& name : job.free_parameters)
-    if (!has_parameter(job.models, name))
+  for (const std::string& name : request.free_parameters)
+    if (!has_parameter(request.models, name))
       return Contradiction{"free", "names " + in_quotes(name) + ", which no fitted model has"};
   if (options.scale && options.objective == curve) return Contradiction{"scale", "needs objective=toughness"};
   if (options.weighted && options.objective == curve)
@@ -213,10 +216,10 @@ std::optional<Contradiction> contradiction(const FitJob& job) {
     return Contradiction{"loss_scale", "needs loss=huber or cauchy"};
   const bool resampled = options.bootstrap.replicates > 0;
   for (const char* name : {"resample", "seed"})
-    if (job.stated.contains(name) && !resampled) return Contradiction{name, "needs bootstrap"};
-  if (job.stated.contains("threads") && !resampled && !options.influence)
+    if (request.stated.contains(name) && !resampled) return Contradiction{name, "needs bootstrap"};
+  if (request.stated.contains("threads") && !resampled && !options.influence)
     return Contradiction{"threads", "needs bootstrap or influence"};
-  if (job.stated.contains("confidence") && !options.intervals && !resampled)
+  if (request.stated.contains("confidence") && !options.intervals && !resampled)
     return Contradiction{"confidence", "needs interval=profile, or bootstrap"};
   return std::nullopt;
 }

@@ -1,8 +1,8 @@
-#include "analysis/job_options.h"
-
 #include <gtest/gtest.h>
 
 #include "analysis/fit_definition.h"
+#include "analysis/request.h"
+#include "analysis/settings.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -17,45 +17,45 @@ const std::map<std::string_view, std::string_view> kTexts{
     {"bootstrap", "20"},   {"resample", "curves"},     {"seed", "7"},        {"threads", "2"},
     {"influence", "true"}, {"compare", "false"},       {"per", "curve"}};
 
-FitJob with_all() {
-  FitJob job;
-  job.data_path = "data.csv";
-  for (const std::string_view name : kJobOptions) EXPECT_EQ(set_option(job, name, kTexts.at(name)), "") << name;
-  return job;
+FitRequest with_all() {
+  FitRequest request;
+  request.data_path = "data.csv";
+  for (const std::string_view name : kOptionNames) EXPECT_EQ(set_option(request, name, kTexts.at(name)), "") << name;
+  return request;
 }
 
-TEST(JobOptions, EachTakesItsTextAndSaysWhatIsWrongWithAnother) {
-  const FitJob job = with_all();
-  EXPECT_EQ(job.stated.size(), kJobOptions.size());
-  for (const std::string_view name : kJobOptions) {
-    FitJob other;
+TEST(Settings, EachTakesItsTextAndSaysWhatIsWrongWithAnother) {
+  const FitRequest request = with_all();
+  EXPECT_EQ(request.stated.size(), kOptionNames.size());
+  for (const std::string_view name : kOptionNames) {
+    FitRequest other;
     if (name == "leave_out") continue;  // a run may have any name
     EXPECT_NE(set_option(other, name, "a wrong text,,"), "") << name;
     EXPECT_TRUE(other.stated.empty()) << name;
   }
 }
 
-TEST(JobOptions, AreReadBackFromTheDefinitionOfAJob) {
+TEST(Settings, AreReadBackFromTheDefinitionOfARequest) {
   const TemporaryFolder folder;
-  FitJob job = with_all();
-  job.constants = {{"modulus", "2.1 MPa +/- 5%"}, {"note", "with \"quotes\" and a \\"}};
+  FitRequest request = with_all();
+  request.constants = {{"modulus", "2.1 MPa +/- 5%"}, {"note", "with \"quotes\" and a \\"}};
   const std::string path = folder.path("fit.toml");
-  const FitJob again = read_fit_definition(folder.write("fit.toml", fit_definition_text(job, {}, path)));
-  EXPECT_EQ(again.stated, job.stated);
-  EXPECT_EQ(again.models, job.models);
-  EXPECT_EQ(again.constants, job.constants);
+  const FitRequest again = read_fit_definition(folder.write("fit.toml", fit_definition_text(request, {}, path)));
+  EXPECT_EQ(again.stated, request.stated);
+  EXPECT_EQ(again.models, request.models);
+  EXPECT_EQ(again.constants, request.constants);
   EXPECT_EQ(again.options.bootstrap.seed, 7U);
-  EXPECT_EQ(again.options.free, job.options.free);
+  EXPECT_EQ(again.options.free, request.options.free);
   ASSERT_EQ(again.exclusion.lines.size(), 2U);
   EXPECT_EQ(again.exclusion.lines[1].last, 9U);
-  EXPECT_EQ(again.exclusion.runs, job.exclusion.runs);
+  EXPECT_EQ(again.exclusion.runs, request.exclusion.runs);
 }
 
-TEST(JobOptions, ThatDoNotGoTogetherAreNamed) {
+TEST(Settings, ThatDoNotGoTogetherAreNamed) {
   const auto named = [](std::initializer_list<std::pair<std::string_view, std::string_view>> options) {
-    FitJob job;
-    for (const auto& [name, text] : options) EXPECT_EQ(set_option(job, name, text), "");
-    const auto wrong = contradiction(job);
+    FitRequest request;
+    for (const auto& [name, text] : options) EXPECT_EQ(set_option(request, name, text), "");
+    const auto wrong = contradiction(request);
     return wrong ? wrong->option : "";
   };
   EXPECT_EQ(named({}), "");

@@ -1,0 +1,42 @@
+// What a fit is asked for: a data set, the models and options, and published numbers to compare with.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dataset/exclusion.h"
+#include "dataset/pooled.h"
+#include "fitting/options.h"
+
+namespace mixity {
+
+/// A published number of one model: a parameter, or "r2" (in the fitted space).
+struct Published {
+  std::string name;
+  double value, tolerance;  // agreement means |found - value| <= tolerance, what the printed digits allow
+};
+
+struct FitRequest {
+  std::string path;                                // of its definition; empty if there is none
+  std::string data_path;                           // CSV, resolved against the definition's folder; the first of `runs`
+  std::vector<RunFile> runs;                       // of a data set of several files; else empty
+  std::string peaks_path;                          // CSV of peak forces, resolved likewise; empty: none
+  std::vector<std::string> log_figures;            // SVG, resolved likewise: figures of the log behind the data
+  std::vector<std::string> models{"a", "b", "c"};  // in the order of the report
+  FitOptions options;
+  std::vector<std::string> free_parameters;  // model parameters named as free; so are all that are not held
+  Exclusion exclusion;
+  Overrides constants;                 // override those beside the data; each name once
+  bool compare = true;                 // compare the models: information criteria, error on loads left out
+  bool per_curve = false;              // also fit each loading run by itself
+  std::vector<std::string> law_notes;  // warnings about the laws of the definition
+  std::map<std::string, std::vector<Published>> published;  // by model key
+  std::string source;                                       // of the published numbers
+  std::map<std::string, std::string> stated;                // texts of the options that were set (settings.h), by name
+};
+
+/// Every file that the request reads, existing or not. Results must not overwrite them.
+std::vector<std::string> files_read(const FitRequest& request);
+
+}  // namespace mixity

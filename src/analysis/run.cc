@@ -1,0 +1,110 @@
+#include "analysis/run.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <numeric>
+
+#include "analysis/judgement.h"
+#include "base/side_by_side.h"
+#include "fitting/consistency.h"
+
+namespace mixity {
+namespace {
+
+/// Adds up the progress of parts that run side by side. A part that starts again keeps the share that it had reached.
+class Meter {
+ public:
+  Meter(const Progress& progress, std::vector<double> costs)
+      : progress_(progress), costs_(std::move(costs)), done_(costs_.size()) {
+    for (const double cost : costs_) whole_ += cost;
+  }
+
+  /// Null if there is no callback.
+  Progress part(std::size_t i) {
+    if (!progress_) return {};
+    return [this, i](double fraction) {
+      const std::lock_guard lock(mutex_);
+      done_[i] = std::max(done_[i], fraction);
+      progress_(std::inner_product(done_.begin(), done_.end(), costs_.begin(), 0.0) / whole_);
+    };
+  }
+
+ private:
+  const Progress& progress_;
+  std::vector<double> costs_, done_;
+  double whole_ = 0;
+  std::mutex mutex_;
+};
+
+/// Cost of the parts of a request, in refits: each model's fit, the comparison, each model's fits of single runs.
+std::vector<double> costs(const FitRequest& request, const Dataset& data) {
+  const auto models = static_cast<double>(request.models.size()), runs = static_cast<double>(data.curves.size());
+  constexpr double kFit = 10;  // search for the minimum, and intervals
+  const FitOptions& options = request.options;
+  const double drawn = static_cast<double>(options.profile_points * (1 + options.free.size()));
+  const double resampled = static_cast<double>(options.bootstrap.replicates) +
+                           (options.influence ? static_cast<double>(data.points.size()) + runs : 0);
+  std::vector<double> list(request.models.size(), kFit + drawn + resampled);
+  list.push_back(request.compare ? models * runs : 0);
+  list.resize(list.size() + (request.per_curve ? request.models.size() : 0), kFit);
+  return list;
+}
+
+}  // namespace
+
+Analysis run(const FitRequest& request, const Progress& progress) {
+  return run(request,
+             request.runs.empty() ? load_dataset(request.data_path, request.constants)
+                                  : load_pooled(request.runs, request.constants),
+             progress);
+}
+
+Analysis run(const FitRequest& request, Dataset data, const Progress& progress) {
+  Analysis result{request, std::move(data), {}, {}, {}};
+  exclude(result.data, request.exclusion);
+  const std::size_t models = request.models.size();
+  Meter meter(progress, costs(request, result.data));
+  const auto part = [&](std::size_t i, const auto& body) {
+    FitOptions options = request.options;
+    options.progress = meter.part(i);
+    body(options);
+    if (options.progress) options.progress(1);
+  };
+  const auto for_each_of_the_models = [&](const auto& body) {
+    std::atomic<std::size_t> next = 0;
+    side_by_side(std::min(models, processors()), [&] {
+      for (std::size_t i; (i = next++) < models;) body(i);
+    });
+  };
+  result.fits.resize(models);
+  for_each_of_the_models([&](std::size_t i) {
+    part(i, [&](const FitOptions& options) { result.fits[i] = fit_and_test(result.data, request.models[i], options); });
+  });
+  for (FitResult& fit : result.fits)
+    if (!request.options.checks)
+      fit.message += (fit.message.empty() ? "" : "; ") + std::string("not checked for consistency (checks=false)");
+  part(models, [&](const FitOptions& options) {
+    if (request.compare && models > 1) result.comparison = compare_models(result.data, result.fits, options);
+  });
+  // The search for the cause of a failed test costs more than the fit. It is shorter where another model has won.
+  const bool decided = winner(result) != nullptr;
+  for_each_of_the_models([&](std::size_t i) {
+    find_cause(result.data, result.fits[i], request.options, decided);
+    part(i, [](const FitOptions&) {});  // lets the callback stop the analysis
+  });
+  if (request.options.checks) result.unsheared = test_unsheared(result.data, request.options);
+  reject_for_unsheared_areas(result);
+  reject_for_better_model(result);
+  if (request.per_curve) {
+    result.per_curve.resize(models);
+    for_each_of_the_models([&](std::size_t i) {
+      part(models + 1 + i, [&](const FitOptions& options) {
+        result.per_curve[i] = fit_per_curve(result.data, request.models[i], options);
+      });
+    });
+  }
+  return result;
+}
+
+}  // namespace mixity

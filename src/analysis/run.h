@@ -1,0 +1,15 @@
+// Runs a request.
+#pragma once
+
+#include "analysis/result.h"
+
+namespace mixity {
+
+/// Fits the models side by side, on as many threads as the machine has. Calls `progress` with the share done, from any
+/// thread. Throws what load_dataset, exclude and fit_model throw.
+Analysis run(const FitRequest& request, const Progress& progress = {});
+
+/// The same for data in memory; ignores the request's paths and constants.
+Analysis run(const FitRequest& request, Dataset data, const Progress& progress = {});
+
+}  // namespace mixity
