@@ -43,7 +43,7 @@ class Reader {
         continue;
       else if (key == "published")
         read_published(node, request);
-      else if (std::find(kOptionNames.begin(), kOptionNames.end(), key.str()) != kOptionNames.end())
+      else if (is_option(key.str()))
         read_option(std::string(key.str()), node, request);
       else
         fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: data, runs, columns, " + names_of_options() +
@@ -137,9 +137,13 @@ class Reader {
     return node.as_string()->get();
   }
 
+  static bool is_option(std::string_view name) {
+    return std::any_of(settings().begin(), settings().end(), [&](const Setting& one) { return one.name == name; });
+  }
+
   static std::string names_of_options() {
     std::string names;
-    for (const std::string_view name : kOptionNames) names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const Setting& one : settings()) names += (names.empty() ? "" : ", ") + one.name;
     return names;
   }
 
@@ -254,20 +258,19 @@ std::string fit_definition_text(const FitRequest& request, const Dataset& data, 
   for (std::size_t i = 0; i < request.log_figures.size(); ++i)
     out << (i == 0 ? "log_figures = [" : ", ") << from_there(request.log_figures[i])
         << (i + 1 == request.log_figures.size() ? "]\n" : "");
-  std::map<std::string, std::string> stated = request.stated;
-  // what is left to the data, or to a version of this program, is stated, too
-  stated.insert_or_assign("objective",
-                          std::string(to_string(request.options.objective.value_or(default_objective(data)))));
-  for (const std::string_view name : kOptionNames) {
-    const auto found = stated.find(std::string(name));
-    if (name == "models") {
+  // Defaults that depend on the data or on the version of this program are written, too.
+  for (const Setting& one : settings()) {
+    if (one.name == "models") {
       out << "models = [";
       for (std::size_t i = 0; i < request.models.size(); ++i)
         out << (i == 0 ? "" : ", ") << toml_text(request.models[i]);
       out << "]\n";
-    } else if (found != stated.end()) {
-      const bool bare = found->second == "true" || found->second == "false";
-      out << name << " = " << (bare ? found->second : toml_text(found->second)) << '\n';
+    } else if (one.name == "objective") {
+      out << "objective = "
+          << toml_text(std::string(to_string(request.options.objective.value_or(default_objective(data))))) << '\n';
+    } else if (request.stated.contains(one.name)) {
+      const std::string text = one.write(request);
+      out << one.name << " = " << (one.is_switch ? text : toml_text(text)) << '\n';
     }
   }
   if (!request.source.empty()) out << "source = " << toml_text(request.source) << '\n';

@@ -66,8 +66,8 @@ void reject_for_better_model(Analysis& result) {
   if (!best) return;
   for (FitResult& fit : result.fits) {
     if (fit.model == best->model) continue;
-    const bool far_behind = fit.status == FitStatus::ok &&
-                            comparison_of(result, fit.model)->weight.value_or(1) < kNearlyNone;
+    const bool far_behind =
+        fit.status == FitStatus::ok && comparison_of(result, fit.model)->weight.value_or(1) < kNearlyNone;
     if (fit.status != FitStatus::suspect && !far_behind) continue;
     const auto explained = information_explained(fit);
     if (explained && explained->aicc && best->aicc && *explained->aicc < *best->aicc + kMuchBetter) {

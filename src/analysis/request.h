@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,7 @@ struct FitRequest {
   std::vector<std::string> law_notes;  // warnings about the laws of the definition
   std::map<std::string, std::vector<Published>> published;  // by model key
   std::string source;                                       // of the published numbers
-  std::map<std::string, std::string> stated;                // texts of the options that were set (settings.h), by name
+  std::set<std::string, std::less<>> stated;                // names of the options that were set (settings.h)
 };
 
 /// Every file that the request reads, existing or not. Results must not overwrite them.

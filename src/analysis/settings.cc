@@ -1,197 +1,205 @@
 #include "analysis/settings.h"
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <limits>
+#include <stdexcept>
 
 #include "analysis/laws.h"
-#include "analysis/request.h"
-#include "base/number_text.h"
-#include "base/trim.h"
+#include "analysis/setting_forms.h"
 
 namespace mixity {
 namespace {
 
-using Complaint = std::string;  // empty: none
-
-std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
-
-Complaint must_be(std::string_view text, const std::string& what) {
-  return "is " + in_quotes(text) + "; it must be " + what;
-}
-
-/// "a, b, c".
-std::string listed(const auto& names, const char* last = ", ") {
-  std::string list;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    list += (i == 0 ? "" : i + 1 == names.size() ? last : ", ") + std::string(names[i]);
-  return list;
-}
-
-/// Calls use(item) for each item between commas, until one has a problem.
-Complaint for_each_item(std::string_view text, const auto& use) {
-  std::vector<std::string> items;
-  if (text.empty()) return "is empty";
-  for (bool more = true; more;) {
-    const std::size_t comma = text.find(',');
-    const std::string item(trim(text.substr(0, comma)));
-    if (item.empty()) return "has an empty entry, number " + std::to_string(items.size() + 1);
-    if (std::find(items.begin(), items.end(), item) != items.end()) return "names " + in_quotes(item) + " twice";
-    if (Complaint problem = use(item); !problem.empty()) return problem;
-    items.push_back(item);
-    more = comma != std::string_view::npos;
-    if (more) text.remove_prefix(comma + 1);
-  }
-  return {};
-}
-
+// Where a value lives in a request.
+struct WholeRequest {};
+auto& part(auto& request, WholeRequest) { return request; }
 template <class Value>
-Complaint choose(std::string_view text, std::initializer_list<Value> values, Value& chosen) {
-  std::vector<std::string_view> names;
-  for (const Value value : values) {
-    names.push_back(to_string(value));
-    if (text == names.back()) {
-      chosen = value;
+auto& part(auto& request, Value FitRequest::*member) {
+  return request.*member;
+}
+template <class Value>
+auto& part(auto& request, Value FitOptions::*member) {
+  return request.options.*member;
+}
+template <class Value>
+auto& part(auto& request, Value BootstrapOptions::*member) {
+  return request.options.bootstrap.*member;
+}
+template <class Value>
+auto& part(auto& request, Value Exclusion::*member) {
+  return request.exclusion.*member;
+}
+
+template <class Form>
+Setting setting(std::string name, auto member, Form form, std::string help) {
+  return {std::move(name), std::move(help), std::is_same_v<Form, Switch>,
+          [=](std::string_view text, FitRequest& request) { return form.read(text, part(request, member)); },
+          [=](const FitRequest& request) { return form.write(part(request, member)); }};
+}
+
+struct Models {
+  static Complaint read(std::string_view text, std::vector<std::string>& models) {
+    models.clear();
+    return for_each_item(text, [&](const std::string& model) -> Complaint {
+      provide_law(model);
+      if (!is_model(model))
+        return "names the unknown model " + in_quotes(model) + " (known: " + listed(known_models()) + ")";
+      models.push_back(model);
       return {};
-    }
+    });
   }
-  return must_be(text, listed(names, " or "));
-}
+  static std::string write(const std::vector<std::string>& models) { return listed(models, ","); }
+};
 
-Complaint set_bool(std::string_view text, bool& value) {
-  if (text != "true" && text != "false") return must_be(text, "true or false");
-  value = text == "true";
-  return {};
-}
-
-template <class Whole>
-Complaint set_whole(std::string_view text, Whole most, Whole& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value > most)
-    return must_be(text, "a whole number from 0 to " + std::to_string(most));
-  return {};
-}
-
-/// Above 0 and below `below`.
-Complaint set_number(std::string_view text, double below, double& value) {
-  const auto number = parse_number(text);
-  if (!number || !(*number > 0 && *number < below))
-    return must_be(text, "a number above 0" + (std::isinf(below) ? "" : " and below " + shortest(below)));
-  value = *number;
-  return {};
-}
-
-Complaint set_error(std::string_view text, std::optional<StatedError>& error) {
-  auto quantity = parse_quantity(text);
-  if (!quantity || !(quantity->value >= 0)) return must_be(text, "a percentage or a quantity of 0 or more");
-  error = std::move(quantity);
-  return {};
-}
-
-Complaint set_models(std::string_view text, FitRequest& request) {
-  request.models.clear();
-  return for_each_item(text, [&](const std::string& model) -> Complaint {
-    provide_law(model);
-    if (!is_model(model))
-      return "names the unknown model " + in_quotes(model) + " (known: " + listed(known_models()) + ")";
-    request.models.push_back(model);
-    return {};
-  });
-}
-
-Complaint set_hold(std::string_view text, std::vector<HeldParameter>& hold) {
-  hold.clear();
-  return for_each_item(text, [&](const std::string& item) -> Complaint {
-    const auto held = parse_held(item);
-    if (!held) return "has " + in_quotes(item) + ", which is neither a parameter nor PARAMETER=NUMBER";
-    if (std::any_of(hold.begin(), hold.end(), [&](const HeldParameter& other) { return other.name == held->name; }))
-      return "names " + in_quotes(held->name) + " twice";
-    hold.push_back(*held);
-    return {};
-  });
-}
-
-/// Parameters of the models may be named, too: they are free unless they are held.
-Complaint set_free(std::string_view text, FitRequest& request) {
-  request.options.free.clear();
-  request.free_parameters.clear();
-  return for_each_item(text, [&](const std::string& name) -> Complaint {
-    const auto found = std::find(kConstantNames.begin(), kConstantNames.end(), name);
-    if (found != kConstantNames.end())
-      request.options.free.push_back(static_cast<Constant>(found - kConstantNames.begin()));
-    else if (has_parameter(model_keys(), name))
-      request.free_parameters.push_back(name);
-    else
-      return "names " + in_quotes(name) + ", which cannot be fitted (known: " + listed(kConstantNames) +
-             ", model parameters)";
-    return {};
-  });
-}
-
-Complaint set_objective(std::string_view text, FitOptions& options) {
-  if (text == "area") return "is 'area'; " + std::string(kNoAreaObjective);
-  options.objective = parse_objective(text);
-  return options.objective ? Complaint() : must_be(text, "toughness or curve");
-}
-
-Complaint set_excluded(std::string_view text, std::vector<LineRange>& lines) {
-  lines.clear();
-  return for_each_item(text, [&](const std::string& item) -> Complaint {
-    const auto range = parse_lines(item);
-    if (!range) return "has " + in_quotes(item) + ", which is neither a line of the file nor lines such as 40-58";
-    lines.push_back(*range);
-    return {};
-  });
-}
-
-Complaint set_it(FitRequest& request, std::string_view name, std::string_view text) {
-  constexpr std::size_t kMostReplicates = 10000000;
-  FitOptions& options = request.options;
-  if (name == "models") return set_models(text, request);
-  if (name == "objective") return set_objective(text, options);
-  if (name == "scale") return choose(text, {Scale::log, Scale::linear}, options.scale.emplace());
-  if (name == "weighted") return set_bool(text, options.weighted);
-  if (name == "sigma_T") return set_error(text, options.sigma_T);
-  if (name == "sigma_A") return set_error(text, options.sigma_A);
-  if (name == "loss") return choose(text, {Loss::none, Loss::huber, Loss::cauchy}, options.loss);
-  if (name == "loss_scale")
-    return set_number(text, std::numeric_limits<double>::infinity(), options.loss_scale.emplace());
-  if (name == "hold") return set_hold(text, options.hold);
-  if (name == "free") return set_free(text, request);
-  if (name == "exclude") return set_excluded(text, request.exclusion.lines);
-  if (name == "leave_out") {
-    request.exclusion.runs.clear();
-    return for_each_item(text,
-                         [&](const std::string& run) { return request.exclusion.runs.push_back(run), Complaint(); });
+struct Objectives {
+  static Complaint read(std::string_view text, std::optional<Objective>& objective) {
+    if (text == "area") return "is 'area'; " + std::string(kNoAreaObjective);
+    objective = parse_objective(text);
+    return objective ? Complaint() : must_be(text, "toughness or curve");
   }
-  if (name == "interval") {
-    options.intervals = text == "profile";
-    return text == "profile" || text == "none" ? Complaint() : must_be(text, "profile or none");
+  static std::string write(const std::optional<Objective>& objective) {
+    return objective ? std::string(to_string(*objective)) : "";
   }
-  if (name == "confidence") return set_number(text, 1, options.confidence);
-  if (name == "checks") return set_bool(text, options.checks);
-  if (name == "lambda_prior") return choose(text, {RangePrior::uniform, RangePrior::log_uniform}, options.lambda_prior);
-  if (name == "bootstrap") return set_whole(text, kMostReplicates, options.bootstrap.replicates);
-  if (name == "resample") return choose(text, {Resample::points, Resample::curves}, options.bootstrap.resample);
-  if (name == "seed")
-    return set_whole<std::uint64_t>(text, std::numeric_limits<std::int64_t>::max(), options.bootstrap.seed);
-  if (name == "threads") return set_whole(text, 4096U, options.bootstrap.threads);
-  if (name == "influence") return set_bool(text, options.influence);
-  if (name == "compare") return set_bool(text, request.compare);
-  if (name == "per") {
-    request.per_curve = text == "curve";
-    return request.per_curve ? Complaint() : must_be(text, "curve");
+};
+
+struct Held {
+  static Complaint read(std::string_view text, std::vector<HeldParameter>& hold) {
+    hold.clear();
+    return for_each_item(text, [&](const std::string& item) -> Complaint {
+      const auto held = parse_held(item);
+      if (!held) return "has " + in_quotes(item) + ", which is neither a parameter nor PARAMETER=NUMBER";
+      if (std::any_of(hold.begin(), hold.end(), [&](const HeldParameter& other) { return other.name == held->name; }))
+        return "names " + in_quotes(held->name) + " twice";
+      hold.push_back(*held);
+      return {};
+    });
+  }
+  static std::string write(const std::vector<HeldParameter>& hold) {
+    std::vector<std::string> items;
+    for (const HeldParameter& held : hold) items.push_back(held.name + (held.value ? "=" + shortest(*held.value) : ""));
+    return listed(items, ",");
+  }
+};
+
+/// Constants of the experiment. Parameters of models may be named, too: they are free unless they are held.
+struct Free {
+  static Complaint read(std::string_view text, FitRequest& request) {
+    request.options.free.clear();
+    request.free_parameters.clear();
+    return for_each_item(text, [&](const std::string& name) -> Complaint {
+      const auto found = std::find(kConstantNames.begin(), kConstantNames.end(), name);
+      if (found != kConstantNames.end())
+        request.options.free.push_back(static_cast<Constant>(found - kConstantNames.begin()));
+      else if (has_parameter(model_keys(), name))
+        request.free_parameters.push_back(name);
+      else
+        return "names " + in_quotes(name) + ", which cannot be fitted (known: " + listed(kConstantNames) +
+               ", model parameters)";
+      return {};
+    });
+  }
+  static std::string write(const FitRequest& request) {
+    std::vector<std::string> names;
+    for (const Constant constant : request.options.free) names.emplace_back(kConstantNames[constant]);
+    names.insert(names.end(), request.free_parameters.begin(), request.free_parameters.end());
+    return listed(names, ",");
+  }
+};
+
+struct Lines {
+  static Complaint read(std::string_view text, std::vector<LineRange>& lines) {
+    lines.clear();
+    return for_each_item(text, [&](const std::string& item) -> Complaint {
+      const auto range = parse_lines(item);
+      if (!range) return "has " + in_quotes(item) + ", which is neither a line of the file nor lines such as 40-58";
+      lines.push_back(*range);
+      return {};
+    });
+  }
+  static std::string write(const std::vector<LineRange>& lines) {
+    std::vector<std::string> items;
+    for (const auto& [first, last, file] : lines)
+      items.push_back((file.empty() ? "" : file + ":") + std::to_string(first) +
+                      (last == first ? "" : "-" + std::to_string(last)));
+    return listed(items, ",");
+  }
+};
+
+struct Names {
+  static Complaint read(std::string_view text, std::vector<std::string>& names) {
+    names.clear();
+    return for_each_item(text, [&](const std::string& name) { return names.push_back(name), Complaint(); });
+  }
+  static std::string write(const std::vector<std::string>& names) { return listed(names, ","); }
+};
+
+}  // namespace
+
+const std::vector<Setting>& settings() {
+  constexpr std::uint64_t kMostReplicates = 10000000, kMostThreads = 4096,
+                          kMostSeed = std::numeric_limits<std::int64_t>::max();
+  static const std::vector<Setting> all{
+      setting("models", &FitRequest::models, Models{}, "models to fit, comma-separated (mixity help lists them)"),
+      setting("objective", &FitOptions::objective, Objectives{},
+              "what is fitted: curve (distance from the curve in T and A; the default where there are loads) or "
+              "toughness (Gc/GIc against psi, as the paper does)"),
+      setting("scale", &FitOptions::scale, Choice<Scale>{{Scale::log, Scale::linear}},
+              "toughness is compared as ln(Gc/GIc) (log) or as Gc/GIc (linear)"),
+      setting("weighted", &FitOptions::weighted, Switch{},
+              "objective toughness: weight each point by its standard error"),
+      setting("sigma_T", &FitOptions::sigma_T, ErrorSize{},
+              "standard error of T for all points: \"0.5%\", or \"0.2 mN\""),
+      setting("sigma_A", &FitOptions::sigma_A, ErrorSize{},
+              "standard error of A for all points: \"1%\", or \"0.002 mm^2\""),
+      setting("loss", &FitOptions::loss, Choice<Loss>{{Loss::none, Loss::huber, Loss::cauchy}},
+              "none, or a loss that outliers move less: huber or cauchy"),
+      setting("loss_scale", &FitOptions::loss_scale, PositiveNumber{},
+              "where the loss begins to bend, in standard errors (default 1.345 huber, 2.385 cauchy)"),
+      setting("hold", &FitOptions::hold, Held{},
+              "parameters to hold, comma-separated: NAME=VALUE, or NAME for the data set's own value"),
+      setting("free", WholeRequest{}, Free{},
+              "fit these, too, for all loads together: toughness, modulus, radius, area_scale, load_offset, "
+              "shear_offset, area_offset"),
+      setting("exclude", &Exclusion::lines, Lines{}, "lines of the data file to leave out: \"17,40-58\""),
+      setting("leave_out", &Exclusion::runs, Names{}, "runs to leave out, by name or load: \"4.68 mN\""),
+      setting("interval", &FitOptions::intervals, Word{"profile", "none"}, "confidence intervals: profile or none"),
+      setting("confidence", &FitOptions::confidence, PositiveNumber{1}, "confidence of intervals, above 0 and below 1"),
+      setting("checks", &FitOptions::checks, Switch{},
+              "tests of consistency and evidence; without them no fit is called suspect"),
+      setting("lambda_prior", &FitOptions::lambda_prior,
+              Choice<RangePrior>{{RangePrior::uniform, RangePrior::log_uniform}},
+              "prior of lambda for evidence and credible interval: uniform or log_uniform"),
+      setting("bootstrap", &BootstrapOptions::replicates, Whole{kMostReplicates},
+              "refits of resampled points for bootstrap intervals"),
+      setting("resample", &BootstrapOptions::resample, Choice<Resample>{{Resample::points, Resample::curves}},
+              "what the bootstrap draws: points within their runs, or whole runs (curves)"),
+      setting("seed", &BootstrapOptions::seed, Whole{kMostSeed}, "seed of the bootstrap"),
+      setting("threads", &BootstrapOptions::threads, Whole{kMostThreads},
+              "threads for bootstrap and influence (0: as many as the machine has)"),
+      setting("influence", &FitOptions::influence, Switch{},
+              "how much each point and each run moves the fit: jackknife, leverage, Cook's distance"),
+      setting("compare", &FitRequest::compare, Switch{},
+              "compare the models: AICc, weights, error on loads left out of the fit"),
+      setting("per", &FitRequest::per_curve, Word{"curve", ""},
+              "curve: fit each loading run by itself, too, and test one value against many"),
+  };
+  return all;
+}
+
+std::string set_option(FitRequest& request, std::string_view name, std::string_view text) {
+  for (const Setting& one : settings()) {
+    if (one.name != name) continue;
+    std::string problem = one.read(text, request);
+    if (problem.empty()) request.stated.insert(one.name);
+    return problem;
   }
   throw std::invalid_argument("there is no option '" + std::string(name) + "'");
 }
 
-}  // namespace
-
-std::string set_option(FitRequest& request, std::string_view name, std::string_view text) {
-  Complaint problem = set_it(request, name, text);
-  if (problem.empty()) request.stated.insert_or_assign(std::string(name), std::string(text));
-  return problem;
+std::vector<std::pair<std::string, std::string>> stated_options(const FitRequest& request) {
+  std::vector<std::pair<std::string, std::string>> list;
+  for (const Setting& one : settings())
+    if (request.stated.contains(one.name)) list.emplace_back(one.name, one.write(request));
+  std::sort(list.begin(), list.end());
+  return list;
 }
 
 std::optional<Contradiction> contradiction(const FitRequest& request) {

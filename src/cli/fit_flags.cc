@@ -40,10 +40,10 @@ FitRequest request_for(const std::string& path) {
   const auto refuse = [](const std::string& option, const std::string& problem) {
     throw UsageError("flag '--" + option + "' " + problem);
   };
-  for (const std::string_view option : kOptionNames) {
-    if (!is_set(option)) continue;
-    if (const std::string problem = set_option(request, option, value_of(option)); !problem.empty())
-      refuse(std::string(option), problem);
+  for (const Setting& option : settings()) {
+    if (!is_set(option.name)) continue;
+    if (const std::string problem = set_option(request, option.name, value_of(option.name)); !problem.empty())
+      refuse(option.name, problem);
   }
   if (!request.stated.contains("models"))
     request.models.insert(request.models.end(), laws_of_flags().begin(), laws_of_flags().end());
@@ -75,7 +75,7 @@ std::vector<FitRequest> requests_for(const std::vector<std::string>& arguments) 
 }
 
 std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags) {
-  flags.insert(flags.end(), kOptionNames.begin(), kOptionNames.end());
+  for (const Setting& option : settings()) flags.push_back(option.name);
   flags.push_back("pool");
   return with_metadata_flags(with_law_flags(std::move(flags)));
 }

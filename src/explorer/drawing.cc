@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/result.h"
 #include "dataset/display_units.h"
 #include "fitting/predicted_curves.h"
 #include "mechanics/contact_model.h"

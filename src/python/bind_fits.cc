@@ -48,8 +48,7 @@ void bind_fits(nb::module_& m) {
   auto results = nb::class_<Analysis>(m, "Results");
   results.def("json", [](const Analysis& result) { return to_json({result}); })
       .def("text", [](const Analysis& result) { return to_text(result); })
-      .def("options",
-           [](const Analysis& result) { return Stated(result.request.stated.begin(), result.request.stated.end()); })
+      .def("options", [](const Analysis& result) { return stated_options(result.request); })
       .def("models", [](const Analysis& result) { return result.request.models; })
       .def("residuals", [](const Analysis& result, std::size_t i) { return numpy_of(result.fits.at(i).residuals); })
       .def("used",
@@ -108,10 +107,10 @@ void bind_fits(nb::module_& m) {
                 return list;
               });
   m.def("fit", &fit, "data"_a, "options"_a, "progress"_a.none());
-  m.def("option_names", [] {
-    std::vector<std::string> names;
-    for (const std::string_view name : kOptionNames) names.emplace_back(name);
-    return names;
+  m.def("options", [] {  // name, help, default
+    std::vector<std::tuple<std::string, std::string, std::string>> all;
+    for (const Setting& one : settings()) all.emplace_back(one.name, one.help, one.initial());
+    return all;
   });
 }
 

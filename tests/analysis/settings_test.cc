@@ -1,8 +1,9 @@
+#include "analysis/settings.h"
+
 #include <gtest/gtest.h>
 
 #include "analysis/fit_definition.h"
 #include "analysis/request.h"
-#include "analysis/settings.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -20,18 +21,48 @@ const std::map<std::string_view, std::string_view> kTexts{
 FitRequest with_all() {
   FitRequest request;
   request.data_path = "data.csv";
-  for (const std::string_view name : kOptionNames) EXPECT_EQ(set_option(request, name, kTexts.at(name)), "") << name;
+  for (const Setting& one : settings()) EXPECT_EQ(set_option(request, one.name, kTexts.at(one.name)), "") << one.name;
   return request;
 }
 
 TEST(Settings, EachTakesItsTextAndSaysWhatIsWrongWithAnother) {
   const FitRequest request = with_all();
-  EXPECT_EQ(request.stated.size(), kOptionNames.size());
-  for (const std::string_view name : kOptionNames) {
+  EXPECT_EQ(request.stated.size(), settings().size());
+  for (const Setting& one : settings()) {
     FitRequest other;
-    if (name == "leave_out") continue;  // a run may have any name
-    EXPECT_NE(set_option(other, name, "a wrong text,,"), "") << name;
-    EXPECT_TRUE(other.stated.empty()) << name;
+    if (one.name == "leave_out") continue;  // a run may have any name
+    EXPECT_NE(set_option(other, one.name, "a wrong text,,"), "") << one.name;
+    EXPECT_TRUE(other.stated.empty()) << one.name;
+  }
+  FitRequest other;
+  EXPECT_THROW(set_option(other, "colour", "red"), std::invalid_argument);
+}
+
+TEST(Settings, WriteWhatTheyRead) {
+  const FitRequest request = with_all(), initial;
+  for (const Setting& one : settings()) {
+    EXPECT_EQ(one.write(request), kTexts.at(one.name)) << one.name;
+    EXPECT_NE(one.initial(), kTexts.at(one.name)) << one.name;
+    FitRequest other = request;
+    if (one.initial().empty()) continue;
+    EXPECT_EQ(one.read(one.initial(), other), "") << one.name;
+    EXPECT_EQ(one.write(other), one.initial()) << one.name;
+  }
+  EXPECT_EQ(stated_options(request).size(), settings().size());
+  EXPECT_TRUE(stated_options(initial).empty());
+}
+
+TEST(Settings, KeepUnitsFilesAndNumbersAsTheyAreTyped) {
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{{"sigma_T", "0.2 mN"},
+                                                                                   {"sigma_A", "0.01"},
+                                                                                   {"exclude", "run_3.csv:17,4-9"},
+                                                                                   {"hold", "lambda=0.1"},
+                                                                                   {"free", "modulus,lambda"},
+                                                                                   {"confidence", "0.6827"},
+                                                                                   {"seed", "9223372036854775807"}}) {
+    FitRequest request;
+    EXPECT_EQ(set_option(request, name, text), "");
+    EXPECT_EQ(stated_options(request), (std::vector<std::pair<std::string, std::string>>{{name, text}}));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/laws.h"
+#include "analysis/settings.h"
 #include "dataset/table/csv.h"
 #include "report/example_results.h"
 
@@ -44,7 +45,8 @@ TEST(ExplorerPage, HoldsTheFileAndWhatStandsBesideItByteForByte) {
 TEST(ExplorerPage, HasTheRequestsOptionsAndConstantsAndCannotBeEndedByThem) {
   Analysis result = shipped("mergel2018");
   result.request.models = {"c"};
-  result.request.stated = {{"exclude", "7"}, {"bootstrap", "500"}};
+  for (const auto& [name, text] : {std::pair("exclude", "7"), std::pair("bootstrap", "500")})
+    EXPECT_EQ(set_option(result.request, name, text), "");
   result.request.constants = {{"note", "</script><script>"}};
   const auto data = embedded(result);
   EXPECT_EQ(data[0]["models"], nlohmann::json({"c"}));

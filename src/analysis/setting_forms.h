@@ -1,0 +1,138 @@
+// Forms of options as text: each reads a value, and writes it so that it can be read back. `read` returns the problem
+// as the end of a sentence that begins with the option's name, or an empty string.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/number_text.h"
+#include "base/trim.h"
+#include "base/units.h"
+
+namespace mixity {
+
+using Complaint = std::string;  // empty: none
+
+inline std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+inline Complaint must_be(std::string_view text, const std::string& what) {
+  return "is " + in_quotes(text) + "; it must be " + what;
+}
+
+/// "a, b, c".
+std::string listed(const auto& names, const char* separator = ", ", const char* last = nullptr) {
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += (i == 0 ? "" : last && i + 1 == names.size() ? last : separator) + std::string(names[i]);
+  return list;
+}
+
+/// true or false.
+struct Switch {
+  static Complaint read(std::string_view text, bool& value) {
+    if (text != "true" && text != "false") return must_be(text, "true or false");
+    value = text == "true";
+    return {};
+  }
+  static std::string write(bool value) { return value ? "true" : "false"; }
+};
+
+/// One of the values of an enumeration, by its to_string(). An optional without a value has the first.
+template <class Enum>
+struct Choice {
+  std::vector<Enum> values;
+
+  Complaint read(std::string_view text, auto& value) const {
+    std::vector<std::string_view> names;
+    for (const Enum one : values) {
+      names.push_back(to_string(one));
+      if (text == names.back()) return value = one, Complaint();
+    }
+    return must_be(text, listed(names, ", ", " or "));
+  }
+  std::string write(Enum value) const { return std::string(to_string(value)); }
+  std::string write(const std::optional<Enum>& value) const { return write(value.value_or(values.front())); }
+};
+
+/// A word for true, and one for false, which may be empty: then only true can be stated.
+struct Word {
+  std::string if_true, if_false;
+
+  Complaint read(std::string_view text, bool& value) const {
+    if (text != if_true && (text != if_false || text.empty()))
+      return must_be(text, if_true + (if_false.empty() ? "" : " or " + if_false));
+    value = text == if_true;
+    return {};
+  }
+  std::string write(bool value) const { return value ? if_true : if_false; }
+};
+
+/// A whole number from 0 to `most`.
+struct Whole {
+  std::uint64_t most;
+
+  template <class Integer>
+  Complaint read(std::string_view text, Integer& value) const {
+    Integer number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size() || number > most)
+      return must_be(text, "a whole number from 0 to " + std::to_string(most));
+    value = number;
+    return {};
+  }
+  static std::string write(std::uint64_t value) { return std::to_string(value); }
+};
+
+/// A number above 0 and below `below`.
+struct PositiveNumber {
+  double below = std::numeric_limits<double>::infinity();
+
+  Complaint read(std::string_view text, auto& value) const {
+    const auto number = parse_number(text);
+    if (!number || !(*number > 0 && *number < below))
+      return must_be(text, "a number above 0" + (std::isinf(below) ? "" : " and below " + shortest(below)));
+    value = *number;
+    return {};
+  }
+  static std::string write(const std::optional<double>& value) { return value ? shortest(*value) : ""; }
+};
+
+/// A percentage, or a quantity of 0 or more.
+struct ErrorSize {
+  static Complaint read(std::string_view text, std::optional<Quantity>& value) {
+    auto quantity = parse_quantity(text);
+    if (!quantity || !(quantity->value >= 0)) return must_be(text, "a percentage or a quantity of 0 or more");
+    value = std::move(quantity);
+    return {};
+  }
+  static std::string write(const std::optional<Quantity>& value) {
+    if (!value) return {};
+    const std::string& unit = value->unit.text;
+    return shortest(value->value) + (unit.empty() || unit == "%" ? "" : " ") + unit;
+  }
+};
+
+/// Calls use(item) for each item between commas, up to the first that has a problem.
+Complaint for_each_item(std::string_view text, const auto& use) {
+  std::vector<std::string> items;
+  if (text.empty()) return "is empty";
+  for (bool more = true; more;) {
+    const std::size_t comma = text.find(',');
+    const std::string item(trim(text.substr(0, comma)));
+    if (item.empty()) return "has an empty entry, number " + std::to_string(items.size() + 1);
+    if (std::find(items.begin(), items.end(), item) != items.end()) return "names " + in_quotes(item) + " twice";
+    if (Complaint problem = use(item); !problem.empty()) return problem;
+    items.push_back(item);
+    more = comma != std::string_view::npos;
+    if (more) text.remove_prefix(comma + 1);
+  }
+  return {};
+}
+
+}  // namespace mixity
