@@ -5,7 +5,7 @@
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
 #include "cli/fitted_contact.h"
-#include "mechanics/prediction.h"
+#include "mechanics/states.h"
 
 namespace mixity::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include "cli/flags.h"
 #include "cli/quantity_list.h"
 #include "cli/usage_error.h"
-#include "mechanics/prediction.h"
+#include "mechanics/states.h"
 
 namespace mixity::cli {
 namespace {

@@ -5,12 +5,6 @@
 
 namespace mixity {
 
-/// A state at constant T, and whether it is stable when the normal load is what is controlled.
-struct ConstantShearPoint {
-  double y, P, a;
-  double dP_dy;  // > 0: stable, the load must grow for the contact to grow; 0 at pull-off under shear
-};
-
 /// The state with edge load y > 0 at tangential load T >= 0: equilibrium y^2 g = 6 pi (y + P) is explicit in P, and
 /// y^2 g = y^2 + tau^2(y, T). y runs from the unstable end (y -> 0, where P -> tau^2/(6 pi)) to infinity.
 template <class Model>

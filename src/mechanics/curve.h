@@ -16,16 +16,10 @@
 #include "mechanics/contact.h"
 #include "mechanics/model.h"
 #include "mechanics/registry.h"
+#include "mechanics/states.h"
 #include "mechanics/turning_curve.h"
 
 namespace mixity {
-
-/// A place on the curve: the edge load and cos^2(phi/2), sin^2(phi/2), each to full relative accuracy, since none
-/// follows from another without losing digits somewhere (near pull-off, near the ends).
-struct CurvePosition {
-  double y, cos2, sin2;
-  double t = 0;  // T/y, of a law that turns: cos2 and sin2 are those of no circle then
-};
 
 enum class CurveEnd { hertz, asymptote, unstable_jkr };
 
@@ -39,15 +33,7 @@ struct CurvePiece {
   bool from_asymptote;  // T -> infinity at the top, too
 };
 
-/// A point of the curve with its derivatives in phi. All finite: where one is infinite, the largest double stands for
-/// it.
-struct CurvePoint {
-  double phi, y, T, a, A, u, psi, f;
-  double dy, dT, da, dA, du, dpsi, df;
-};
-
 inline constexpr double kLargest = std::numeric_limits<double>::max();
-inline constexpr double kFar = 1e150;  // stands for T = infinity
 
 /// g - 1 = tau^2/y^2 at psi = pi/2.
 template <class Model>

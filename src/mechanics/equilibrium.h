@@ -31,25 +31,6 @@ ShearTerm<S> circle_residual(const Parameters<Model, S>& p, const S& P, const S&
   return {value, S(2) * v + tau2.d1, S(2) + tau2.d2};
 }
 
-/// One piece of the equilibrium curve on which A falls steadily as T rises: stable under load control.
-/// y falls from y_top (at T_top) to y_bottom (at T_bottom, which may be infinite: model a's asymptote).
-struct StableBranch {
-  double y_top, T_top, y_bottom, T_bottom;
-  bool ends_in_fold;               // otherwise y_bottom is Hertz (0) or an asymptote
-  double v_top = 0, v_bottom = 0;  // of a law that turns: its coordinates on the curve, along which A may rise, too
-};
-
-enum class EquilibriumStatus : unsigned char { ok, no_equilibrium, invalid };
-
-struct Equilibrium {
-  EquilibriumStatus status;
-  double y = 0;  // edge load; the other quantities follow from it
-  int iterations = 0;
-};
-
-/// Largest T for which the formulas are guaranteed not to overflow.
-inline constexpr double kLargestLoad = 1e150;
-
 /// Whether each parameter lies in the range of the published law.
 template <class Model>
 bool in_bounds(const Parameters<Model>& p) {

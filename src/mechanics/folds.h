@@ -2,41 +2,11 @@
 // stability, and what it jumps to.
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "mechanics/curve.h"
 
 namespace mixity {
-
-/// What drives the contact: v = T (load), u (displacement), or u + T/k (a spring of stiffness k > 0 in series).
-struct Control {
-  enum class Kind { load, displacement, stiffness } kind;
-  double stiffness = 0;  // k~ = k/(xi^2 G_Ic); only for Kind::stiffness
-};
-std::string_view to_string(Control::Kind kind);
-
-enum class Jump { hertz, lower_branch, upper_branch, off_contact };
-std::string_view to_string(Jump jump);
-
-/// Where the driving quantity has an extremum along the curve.
-struct FoldPlace {
-  std::size_t piece;  // of the curve
-  double coordinate;  // logistic, see EquilibriumCurve::position
-  CurvePosition position;
-  double T;
-  bool maximum;  // met on loading; a minimum is met on reversal from a lower branch
-};
-
-/// A fold with the state there and what follows it.
-struct Fold {
-  Control control;
-  FoldPlace place;
-  double T, u, A, psi;  // T is the place's
-  Jump jumps_to;
-  double area_after;  // area of the state it jumps to: 0 off contact
-  double area_lost;   // A - area_after; negative where the contact regains area
-};
 
 /// Only where the first folds are, in the order in which they are met along the curve from T = 0; see find_folds.
 template <class Model>

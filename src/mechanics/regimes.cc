@@ -76,6 +76,21 @@ CuspPoint model_a_jump_boundary(double P) {
   return cusp;
 }
 
+std::optional<std::span<const RegimeBoundary>> regime_boundaries(std::string_view key) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  static constexpr auto jump_of_a = [](double P) { return model_a_jump_boundary(P).lambda; };
+  // No Hertz contact exists at P <= 0.
+  static constexpr auto closing_of_a = [](double P) { return P <= 0 ? model_a_closing_lambda(P) : kNone; };
+  static constexpr auto pull_off = [](double lambda) { return lambda > 0 ? 0 : kNone; };
+  static constexpr RegimeBoundary kOfA[]{{"jump", true, jump_of_a}, {"off_contact", true, closing_of_a}};
+  static constexpr RegimeBoundary kOfB[]{{"jump", false, model_b_critical_load}, {"off_contact", false, pull_off}};
+  static constexpr RegimeBoundary kOfC[]{{"off_contact", false, pull_off}};
+  if (key == Johnson::info.key) return kOfA;
+  if (key == WatersGuduru::info.key) return kOfB;
+  if (key == PapangeloCiavarella::info.key) return kOfC;
+  return std::nullopt;
+}
+
 namespace {
 [[gnu::used]] const auto regime_instances =
     each_model([](auto model) { return std::tuple(&classify<decltype(model)>, &critical_load<decltype(model)>); });

@@ -1,8 +1,5 @@
-// What becomes of a contact that is sheared under a constant normal load, and the boundaries between the answers in
-// the plane of load and lambda.
-//
-//   1 shrinks to a non-Hertzian area    2 shrinks smoothly to Hertz    3 reaches a critical point and jumps
-//   4 slides first: T = tau0 A, the strength of the interface, is reached before 1, 2 or 3 is complete
+// What becomes of a contact that is sheared under a constant normal load (Regime), and the boundaries between the
+// answers in the plane of load and lambda.
 #pragma once
 
 #include <optional>
@@ -12,16 +9,6 @@
 #include "mechanics/limits.h"
 
 namespace mixity {
-
-enum class Regime { asymptote = 1, hertz = 2, jump = 3, strength = 4 };
-
-struct RegimeReport {
-  Regime fracture;                   // 1, 2 or 3: without a limit to the strength
-  Regime regime;                     // 4 if the strength is reached first, else the same
-  double T_end;                      // where 2 or 3 happens; infinite for 1
-  std::optional<Jump> jumps_to;      // for 3
-  std::optional<double> T_strength;  // smallest T with T = tau0 A on the stable branch; null if none or no tau0
-};
 
 /// For a contact that exists and a valid set of parameters. tau0 > 0 dimensionless, or null. A branch that jumps to a
 /// lower stable one is regime 3 (jumps_to lower_branch): its first critical point decides.
@@ -85,5 +72,8 @@ inline double model_a_closing_lambda(double P) { return 1 + 2 * P / (3 * pi<doub
 /// Model a jumps exactly at lambda above this: the cusp line down to P = -15 pi/64, below that the closing line.
 /// -3 pi/2 < P <= 1e8.
 CuspPoint model_a_jump_boundary(double P);
+
+/// Those of the model with this key; null if it has none in closed form.
+std::optional<std::span<const RegimeBoundary>> regime_boundaries(std::string_view key);
 
 }  // namespace mixity

@@ -10,7 +10,7 @@
 #include "dataset/table/csv.h"
 #include "fitting/predicted_area.h"
 #include "fitting/predicted_curves.h"
-#include "mechanics/prediction.h"
+#include "mechanics/states.h"
 
 namespace mixity {
 namespace {

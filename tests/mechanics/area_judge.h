@@ -8,8 +8,8 @@
 #include <string>
 
 #include "mechanics/equilibrium.h"
-#include "mechanics/prediction.h"
 #include "mechanics/printed_equation.h"
+#include "mechanics/states.h"
 
 namespace mixity {
 

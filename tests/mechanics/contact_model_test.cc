@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/prediction.h"
+#include "mechanics/states.h"
 
 namespace mixity {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "mechanics/prediction.h"
 #include "mechanics/printed_equation.h"
+#include "mechanics/states.h"
 
 namespace mixity {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "mechanics/area_judge.h"
 #include "mechanics/batch.h"
-#include "mechanics/prediction.h"
 #include "mechanics/printed_equation.h"
+#include "mechanics/states.h"
 
 namespace mixity {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "mechanics/equilibrium.h"
-#include "mechanics/prediction.h"
 #include "mechanics/printed_equation.h"
+#include "mechanics/states.h"
 
 namespace mixity {
 namespace {

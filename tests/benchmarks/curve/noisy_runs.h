@@ -7,8 +7,8 @@
 
 #include "dataset/dataset.h"
 #include "mechanics/equilibrium.h"
-#include "mechanics/prediction.h"
 #include "mechanics/registry.h"
+#include "mechanics/states.h"
 
 namespace mixity {
 

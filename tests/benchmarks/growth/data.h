@@ -9,7 +9,7 @@
 #include "dataset/dataset.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/models/waters_guduru.h"
-#include "mechanics/prediction.h"
+#include "mechanics/states.h"
 
 namespace mixity::growth {
 

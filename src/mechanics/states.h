@@ -1,0 +1,184 @@
+// States of a contact and what becomes of it, as plain numbers. All quantities are dimensionless (contact.h).
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "mechanics/contact.h"
+#include "mechanics/model.h"
+
+namespace mixity {
+
+/// Largest T and |P| for which the formulas are guaranteed not to overflow.
+inline constexpr double kLargestLoad = 1e150;
+
+/// Stands for T = infinity.
+inline constexpr double kFar = 1e150;
+
+// ---- Equilibrium at given loads ----
+
+enum class EquilibriumStatus : unsigned char { ok, no_equilibrium, invalid };
+/// The name of a status in every output format.
+std::string_view to_string(EquilibriumStatus status);
+
+struct Equilibrium {
+  EquilibriumStatus status;
+  double y = 0;  // edge load; the other quantities follow from it
+  int iterations = 0;
+};
+
+/// One piece of the equilibrium curve on which A falls steadily as T rises: stable under load control.
+/// y falls from y_top (at T_top) to y_bottom (at T_bottom, which may be infinite: model a's asymptote).
+struct StableBranch {
+  double y_top, T_top, y_bottom, T_bottom;
+  bool ends_in_fold;               // otherwise y_bottom is Hertz (0) or an asymptote
+  double v_top = 0, v_bottom = 0;  // of a law that turns: its coordinates on the curve, along which A may rise, too
+};
+
+struct ContactState {
+  double P, T;
+  double y;    // edge load, 4/3 a^3 - P
+  double a;    // contact radius
+  double A;    // contact area, pi a^2
+  double u;    // tangential displacement at nu = 1/2, 3/4 T/a
+  double psi;  // phase angle [rad], atan2(T, y)
+  double f;    // toughness ratio G_c/G_Ic in equilibrium, (y^2 + T^2)/(8 pi a^3); the largest double where it overflows
+};
+
+/// The state that follows from a solved edge load y with y + P > 0 (a contact that has not vanished).
+inline ContactState contact_state(double P, double T, double y) {
+  const double a = radius_from_edge_load(y, P);
+  const Mixity<double> mixity = mixity_from_loads(y, T);
+  const double f = T > 0 ? (y * y + T * T) / (6 * pi<double>() * (y + P)) : 1.0;
+  return {P,
+          T,
+          y,
+          a,
+          area_from_radius(a),
+          0.75 * T / a,
+          phase_angle(mixity),
+          std::fmin(f, std::numeric_limits<double>::max())};
+}
+
+/// A state at constant T, and whether it is stable when the normal load is what is controlled.
+struct ConstantShearPoint {
+  double y, P, a;
+  double dP_dy;  // > 0: stable, the load must grow for the contact to grow; 0 at pull-off under shear
+};
+
+// ---- The whole curve ----
+
+/// A place on the curve: the edge load and cos^2(phi/2), sin^2(phi/2), each to full relative accuracy, since none
+/// follows from another without losing digits somewhere (near pull-off, near the ends).
+struct CurvePosition {
+  double y, cos2, sin2;
+  double t = 0;  // T/y, of a law that turns: cos2 and sin2 are those of no circle then
+};
+
+/// A point of the curve with its derivatives in phi. All finite: where one is infinite, the largest double stands for
+/// it.
+struct CurvePoint {
+  double phi, y, T, a, A, u, psi, f;
+  double dy, dT, da, dA, du, dpsi, df;
+};
+
+// ---- Instabilities ----
+
+/// What drives the contact: v = T (load), u (displacement), or u + T/k (a spring of stiffness k > 0 in series).
+struct Control {
+  enum class Kind { load, displacement, stiffness } kind;
+  double stiffness = 0;  // k~ = k/(xi^2 G_Ic); only for Kind::stiffness
+};
+std::string_view to_string(Control::Kind kind);
+
+enum class Jump { hertz, lower_branch, upper_branch, off_contact };
+std::string_view to_string(Jump jump);
+
+/// Where the driving quantity has an extremum along the curve.
+struct FoldPlace {
+  std::size_t piece;  // of the curve
+  double coordinate;  // logistic, see EquilibriumCurve::position
+  CurvePosition position;
+  double T;
+  bool maximum;  // met on loading; a minimum is met on reversal from a lower branch
+};
+
+/// A fold with the state there and what follows it.
+struct Fold {
+  Control control;
+  FoldPlace place;
+  double T, u, A, psi;  // T is the place's
+  Jump jumps_to;
+  double area_after;  // area of the state it jumps to: 0 off contact
+  double area_lost;   // A - area_after; negative where the contact regains area
+};
+
+/// What becomes of a contact that is sheared under a constant normal load: it
+///
+///   1 shrinks to a non-Hertzian area    2 shrinks smoothly to Hertz    3 reaches a critical point and jumps
+///   4 slides first: T = tau0 A, the strength of the interface, is reached before 1, 2 or 3 is complete
+enum class Regime { asymptote = 1, hertz = 2, jump = 3, strength = 4 };
+
+struct RegimeReport {
+  Regime fracture;                   // 1, 2 or 3: without a limit to the strength
+  Regime regime;                     // 4 if the strength is reached first, else the same
+  double T_end;                      // where 2 or 3 happens; infinite for 1
+  std::optional<Jump> jumps_to;      // for 3
+  std::optional<double> T_strength;  // smallest T with T = tau0 A on the stable branch; null if none or no tau0
+};
+
+/// A line between regimes in the plane of load and lambda that is known in closed form.
+struct RegimeBoundary {
+  std::string_view name;  // jump; off_contact: where a jump ends off contact rather than on Hertz
+  bool of_load;           // the line gives lambda at a load; otherwise the load at a lambda
+  double (*at)(double);   // NaN where there is no line
+};
+
+// ---- Measured points ----
+
+/// Measured points in the plane of T and A: A > 0, both standard errors > 0, T of either sign (equilibrium depends on
+/// T^2). Spans of one size.
+struct PlanePoints {
+  std::span<const double> P, T, A, sigma_T, sigma_A;
+};
+
+/// local: the place of the curve that Newton's method reaches from the point, which is the nearest where the point lies
+/// within some standard errors of the curve, and never nearer than the nearest. global: the nearest of the whole curve
+/// that starts from JKR.
+/// rough: to first order, from a place of the curve beside the point, whatever Newton's method would make of it.
+enum class Search { rough, local, global };
+
+/// r is positive where the area of the model is the larger. The nearest place is found anew for each value, so that by
+/// the envelope theorem the derivatives are those of -F/|grad F| there; where the place is an end or a corner of the
+/// curve, those of the distance from it. `parameters` holds those in the model's parameters, point after point.
+/// d r/d ln sigma_T is -r (dT sigma_T)^2, and so for A.
+///
+/// `place_T` and `place_A`, unless empty, hold places to start from, as near a point's own as those of parameters
+/// nearby are (A = 0: none), and the nearest places afterwards.
+struct CurveDistances {
+  std::span<double> r, dP, dT, dA, parameters, place_T{}, place_A{};
+};
+
+/// Measured energies of the two modes with standard errors > 0, and the toughness G_Ic > 0 that each is compared with,
+/// all in one unit of energy per area. Spans of one size.
+struct EnergyPoints {
+  std::span<const double> G_I, G_II, sigma_I, sigma_II, G_Ic;
+};
+
+/// Signed distances in units of the standard errors, positive where the law's energies are the larger, with their
+/// derivatives in the model's parameters (point after point; empty: not wanted) and in ln G_Ic.
+struct EnergyDistances {
+  std::span<double> value, log_toughness, parameters;
+};
+
+/// ln f of the model minus ln f of a measured point at the point's psi, with its derivatives in the point's P, T and A
+/// and in the model's parameters (point after point).
+struct ToughnessResiduals {
+  std::span<double> value, P, T, A, parameters;
+};
+
+}  // namespace mixity
