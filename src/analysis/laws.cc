@@ -10,8 +10,8 @@
 #include "base/toml_file.h"
 #include "base/trim.h"
 #include "fitting/options.h"
+#include "mechanics/contact_model.h"
 #include "mechanics/laws/law_traits.h"
-#include "mechanics/registry.h"
 
 namespace mixity {
 
@@ -263,9 +263,7 @@ std::string law_text(const LawDefinition& law) {
   return text + (law.normalised ? "; normalised" : "");
 }
 
-bool is_model(std::string_view key) {
-  return with_model(key, [](auto) {});
-}
+bool is_model(std::string_view key) { return ContactModel::find(key).has_value(); }
 
 void provide_law(std::string_view key) {
   if (is_model(key)) return;  // the file is read only where it is needed

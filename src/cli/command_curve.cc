@@ -7,8 +7,6 @@
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
 #include "cli/fitted_contact.h"
-#include "mechanics/constant_shear.h"
-#include "mechanics/sampling.h"
 
 namespace mixity::cli {
 namespace {
@@ -18,22 +16,18 @@ std::size_t point_count() {
   return static_cast<std::size_t>(FLAGS_points);
 }
 
-template <class Model>
-void print_at_load(const Parameters<Model>& p, const OutputUnits& units) {
+void print_at_load(const ContactModel& model, const ParameterValues& p, const OutputUnits& units) {
   const Load load = load_from("load", FLAGS_load, units);
-  const LoadedContact<Model> contact(p, load.dimensionless);
-  if (!contact.obstacle().empty()) throw UsageError(std::string(contact.obstacle()));
-  if (!contact.in_contact())
+  if (const auto obstacle = model.obstacle(p, load.dimensionless); !obstacle.empty())
+    throw UsageError(std::string(obstacle));
+  if (above_pull_off(load.dimensionless) < 0)
     throw UsageError("flag '--load': no contact exists below the pull-off load -3 pi/2 R G_Ic");
-
-  const EquilibriumCurve<Model> curve(p, load.dimensionless);
-  const auto ranges = drawable_ranges(curve, kFarthestDrawn * shear_scale(curve));
-  std::vector<CurvePoint> points;
+  CurveSampling sampling;
   if (is_set("chord"))
-    points = sample_adaptive(curve, ranges, number_from("chord", FLAGS_chord, 1e-9));
+    sampling = {.rule = CurveSampling::Rule::fewest, .chord = number_from("chord", FLAGS_chord, 1e-9)};
   else
-    points = sample_uniform(curve, ranges, point_count());
-  if (curve.uncoupled()) points = {curve.point(0)};  // the area is the same at every T
+    sampling.points = point_count();
+  const std::vector<CurvePoint> points = model.curve(p, load.dimensionless, sampling).points;
   for (const CurvePoint& q : points)
     if (!(q.T < kFar)) throw UsageError("the curve runs to tangential loads beyond 1e150, where no T can be told");
 
@@ -48,25 +42,26 @@ void print_at_load(const Parameters<Model>& p, const OutputUnits& units) {
               << shortest(q.psi) << ',' << shortest(q.f) << ',' << (q.dT >= 0 ? 1 : 0) << '\n';
 }
 
-template <class Model>
-void print_at_shear(const Parameters<Model>& p, const OutputUnits& units) {
+void print_at_shear(const ContactModel& model, const ParameterValues& p, const OutputUnits& units) {
   const Load shear = load_from("shear", FLAGS_shear, units);
   if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
     throw UsageError("flag '--shear': T must lie between 0 and 1e150");
-  if (const auto domain = Model::equilibrium_domain(p); !domain.empty()) throw UsageError(std::string(domain));
+  if (const auto obstacle = model.obstacle(p); !obstacle.empty()) throw UsageError(std::string(obstacle));
   const std::size_t n = point_count();
   // From the unstable end to twice the edge load at which the load is that of Hertz a hundred times over
   const double largest = 40 * pi<double>() + shear.dimensionless;
   std::cout << units.header("P", units.force) << ',' << units.header("T", units.force) << ','
             << units.header("y", units.force) << ',' << units.header("a", units.length) << ','
             << units.header("A", units.area()) << ",stable\n";
+  std::vector<double> edge_loads;
   for (std::size_t i = 1; i <= n; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(n);
-    const ConstantShearPoint q = constant_shear_point<Model>(p, shear.dimensionless, largest * part * part);
+    edge_loads.push_back(largest * part * part);
+  }
+  for (const ConstantShearPoint& q : model.at_constant_shear(p, shear.dimensionless, edge_loads))
     std::cout << shortest(q.P * units.force_scale) << ',' << shortest(shear.shown) << ','
               << shortest(q.y * units.force_scale) << ',' << shortest(q.a * units.length_scale) << ','
               << shortest(area_from_radius(q.a) * units.area_scale) << ',' << (q.dP_dy > 0 ? 1 : 0) << '\n';
-  }
 }
 
 }  // namespace
@@ -80,17 +75,14 @@ int run_curve(const Arguments& arguments) {
     fitted.print_areas([&](const Load& P) { return fitted.shears_to_the_jump(P, points); });
     return fitted.exit_code();
   }
-  require_model("model", FLAGS_model);
+  const ContactModel model = model_from(FLAGS_model);
   if (is_set("load") == is_set("shear"))
     throw UsageError("curve needs either --load (A against T) or --shear (a against P)");
   if (is_set("chord") && is_set("shear")) throw UsageError("flag '--chord' needs --load");
   if (is_set("chord") && is_set("points")) throw UsageError("flags '--points' and '--chord': give one of them");
-  with_model(FLAGS_model, [](auto model) {
-    using Model = decltype(model);
-    const Parameters<Model> p = parameters_from_flags<Model>();
-    const OutputUnits units = output_units();
-    is_set("load") ? print_at_load<Model>(p, units) : print_at_shear<Model>(p, units);
-  });
+  const ParameterValues p = parameters_from_flags(model);
+  const OutputUnits units = output_units();
+  is_set("load") ? print_at_load(model, p, units) : print_at_shear(model, p, units);
   return kFine;
 }
 

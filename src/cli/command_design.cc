@@ -37,8 +37,12 @@ std::string odds_text(const Expectation::Rival& rival) {
   return rival.odds() > 1e6 ? "more than 10^6" : rounded(rival.odds(), 2);
 }
 
+std::string first_parameter(const Plan& plan) {
+  return std::string(ContactModel::find(plan.model).value().parameters()[0].name);
+}
+
 void print_expectation(const Plan& plan, const Expectation& expected) {
-  std::cout << "    expected standard error of " << parameter_names(plan.model)[0] << ": "
+  std::cout << "    expected standard error of " << first_parameter(plan) << ": "
             << error_text(plan, expected.standard_error) << '\n';
   for (const Expectation::Rival& rival : expected.rivals)
     std::cout << "    against model " << rival.model << ": chi^2 " << rounded(rival.chi2, 3) << ", odds "
@@ -143,7 +147,7 @@ int run_design(const Arguments& arguments) {
   std::vector<LoadCandidate> candidates;
   if (searches) candidates = next_loads(plan, range.least, range.most, kCandidates, rivals);
   if (FLAGS_format == "csv") return print_as_csv(candidates), kFine;
-  const std::string name = parameter_names(plan.model)[0];
+  const std::string name = first_parameter(plan);
   std::cout << "[[Plan]]\n    model " << plan.model << ", " << name << " = " << shortest(plan.parameters[0])
             << "; runs of " << plan.points << " points up to " << rounded(100 * plan.reach, 3) << "% of the jump\n";
   if (!plan.loads.empty()) {

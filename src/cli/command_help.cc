@@ -6,7 +6,7 @@
 #include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/usage_error.h"
-#include "mechanics/registry.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity::cli {
 namespace {
@@ -18,15 +18,14 @@ void explain_program() {
     std::cout << "  " << command.name << std::string(13 - command.name.size(), ' ') << command.summary << '\n';
   }
   std::cout << "\nModels\n";
-  for_each_model([](auto model) {
-    using Model = decltype(model);
-    std::cout << "  " << Model::info.key << std::string(13 - Model::info.key.size(), ' ') << Model::info.name << ": "
-              << Model::info.formula;
-    for (const ParameterInfo& parameter : Model::parameters)
+  for (const ContactModel& model : ContactModel::published()) {
+    const ModelInfo& info = model.info();
+    std::cout << "  " << info.key << std::string(13 - info.key.size(), ' ') << info.name << ": " << info.formula;
+    for (const ParameterInfo& parameter : model.parameters())
       std::cout << ", " << parameter.name << " in " << rounded(parameter.lower, 4) << ".."
                 << rounded(parameter.upper, 4);
     std::cout << '\n';
-  });
+  }
   for (const ShippedLaw& law : shipped_laws()) {
     std::cout << "  " << law.key << std::string(law.key.size() < 13 ? 13 - law.key.size() : 1, ' ') << law.name << ": "
               << law.shown;

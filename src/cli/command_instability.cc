@@ -8,7 +8,6 @@
 #include "cli/fitted_contact.h"
 #include "cli/quantity_list.h"
 #include "fitting/predicted_curves.h"
-#include "mechanics/contact_model.h"
 #include "report/instability_text.h"
 
 namespace mixity::cli {
@@ -26,12 +25,11 @@ std::vector<Control> controls(const std::optional<Contact>& contact) {
   return list;
 }
 
-template <class Model>
-InstabilityReport of_flags() {
-  const Parameters<Model> p = parameters_from_flags<Model>();
+InstabilityReport of_flags(const ContactModel& model) {
+  const ParameterValues p = parameters_from_flags(model);
   const OutputUnits shown = output_units();
   const Load load = load_from("load", FLAGS_load, shown);
-  InstabilityReport report{std::string(Model::info.key), {}};
+  InstabilityReport report{std::string(model.info().key), {}};
   if (shown.contact)
     report.units = {shown.force,
                     shown.area(),
@@ -42,12 +40,11 @@ InstabilityReport of_flags() {
                     shown.displacement_scale,
                     shown.contact->stiffness_unit()};
   for (std::size_t i = 0; i < p.size(); ++i)
-    report.parameters.push_back({std::string(Model::parameters[i].name), {p[i]}});
+    report.parameters.push_back({std::string(model.parameters()[i].name), {p[i]}});
   InstabilityReport::AtLoad at{load.shown, {}};
   for (const Control& control : controls(shown.contact)) {
-    const FoldsOrProblem found = folds_of(Model::info.key, p, load.dimensionless, control);
-    if (!found.problem.empty()) throw UsageError(found.problem);
-    for (const Fold& fold : found.folds)
+    if (const auto problem = model.problem(p, load.dimensionless); !problem.empty()) throw UsageError(problem);
+    for (const Fold& fold : model.folds(p, load.dimensionless, control))
       at.predicted.folds.push_back(
           {control, fold.place.maximum, {fold.T}, {fold.u}, {fold.A}, fold.psi, fold.jumps_to, fold.area_after});
   }
@@ -88,8 +85,7 @@ int run_instability(const Arguments& arguments) {
     print(of_fit(fitted));
     return fitted.exit_code();
   }
-  require_model("model", FLAGS_model);
-  with_model(FLAGS_model, [](auto model) { print(of_flags<decltype(model)>()); });
+  print(of_flags(model_from(FLAGS_model)));
   return kFine;
 }
 

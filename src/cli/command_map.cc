@@ -6,7 +6,6 @@
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
 #include "cli/quantity_list.h"
-#include "mechanics/regimes.h"
 
 namespace mixity::cli {
 namespace {
@@ -51,84 +50,69 @@ Range range_from(const std::string& flag, const std::string& text, double lowest
 std::string finite_or_empty(double value) { return std::isfinite(value) ? shortest(value) : std::string(); }
 
 /// Over loads and the parameter of number `axis`; the others are those of `p`.
-template <class Model>
-void print_grid(const Range& loads, Parameters<Model> p, std::size_t axis, const Range& values,
+void print_grid(const ContactModel& model, const Range& loads, ParameterValues p, std::size_t axis, const Range& values,
                 std::optional<double> tau0, const OutputUnits& units) {
-  std::cout << units.header("P", units.force) << ',' << Model::parameters[axis].name << ",regime,fracture,"
+  std::cout << units.header("P", units.force) << ',' << model.parameters()[axis].name << ",regime,fracture,"
             << units.header("T_end", units.force) << ",jumps_to," << units.header("T_strength", units.force) << '\n';
   for (int i = 0; i < FLAGS_grid; ++i)
     for (int j = 0; j < FLAGS_grid; ++j) {
       const double P = loads.at(i);
       p[axis] = values.at(j);
       std::cout << shortest(P) << ',' << shortest(p[axis]) << ',';
-      if (!Model::equilibrium_domain(p).empty()) {  // no unique equilibrium
+      const auto report = model.regime(p, P / units.force_scale, tau0);
+      if (!report) {  // no unique equilibrium
         std::cout << ",,,,\n";
         continue;
       }
-      const RegimeReport report = classify<Model>(p, P / units.force_scale, tau0);
-      std::cout << static_cast<int>(report.regime) << ',' << static_cast<int>(report.fracture) << ','
-                << finite_or_empty(report.T_end * units.force_scale) << ','
-                << (report.jumps_to ? to_string(*report.jumps_to) : "") << ','
-                << (report.T_strength ? shortest(*report.T_strength * units.force_scale) : "") << '\n';
+      std::cout << static_cast<int>(report->regime) << ',' << static_cast<int>(report->fracture) << ','
+                << finite_or_empty(report->T_end * units.force_scale) << ','
+                << (report->jumps_to ? to_string(*report->jumps_to) : "") << ','
+                << (report->T_strength ? shortest(*report->T_strength * units.force_scale) : "") << '\n';
     }
 }
 
 /// The lines between regimes inside the ranges, as points.
-template <class Model>
-void print_boundaries(const Range& loads, const Range& lambdas, const OutputUnits& units) {
+void print_boundaries(std::span<const RegimeBoundary> boundaries, const Range& loads, const Range& lambdas,
+                      const OutputUnits& units) {
   const auto inside = [](const Range& range, double x) { return x >= range.low && x <= range.high; };
-  const auto line = [&](std::string_view name, double P, double lambda) {
-    if (inside(loads, P) && inside(lambdas, lambda))
-      std::cout << name << ',' << shortest(P) << ',' << shortest(lambda) << '\n';
-  };
   std::cout << "boundary," << units.header("P", units.force) << ",lambda\n";
-  for (int i = 0; i < FLAGS_grid; ++i) {
-    if constexpr (std::is_same_v<Model, Johnson>)
-      line("jump", loads.at(i), model_a_jump_boundary(loads.at(i) / units.force_scale).lambda);
-    else if constexpr (std::is_same_v<Model, WatersGuduru>)
-      line("jump", model_b_critical_load(lambdas.at(i)) * units.force_scale, lambdas.at(i));
-  }
-  // Where a jump ends off contact rather than on Hertz: no Hertz contact exists at P <= 0.
-  for (int i = 0; i < FLAGS_grid; ++i) {
-    if constexpr (std::is_same_v<Model, Johnson>) {
-      if (loads.at(i) <= 0) line("off_contact", loads.at(i), model_a_closing_lambda(loads.at(i) / units.force_scale));
-    } else if (lambdas.at(i) > 0) {
-      line("off_contact", 0, lambdas.at(i));
+  for (const RegimeBoundary& line : boundaries)
+    for (int i = 0; i < FLAGS_grid; ++i) {
+      const double P = line.of_load ? loads.at(i) : line.at(lambdas.at(i)) * units.force_scale,
+                   lambda = line.of_load ? line.at(P / units.force_scale) : lambdas.at(i);
+      if (inside(loads, P) && inside(lambdas, lambda))
+        std::cout << line.name << ',' << shortest(P) << ',' << shortest(lambda) << '\n';
     }
-  }
 }
 
 }  // namespace
 
 int run_map(const Arguments& arguments) {
   require_flags_only("map", arguments);
-  require_model("model", FLAGS_model);
+  const ContactModel model = model_from(FLAGS_model);
+  const std::string key(model.info().key);
   if (FLAGS_grid < 2 || FLAGS_grid > 10000) throw UsageError("flag '--grid' must lie between 2 and 10000");
   if (is_set("tau0") && FLAGS_boundaries) throw UsageError("flags '--tau0' and '--boundaries': give one of them");
   const OutputUnits units = output_units();
   const std::optional<double> tau0 = strength(units);
-  with_model(FLAGS_model, [&](auto model) {
-    using Model = decltype(model);
-    std::size_t axis = 0;
-    if (is_set("axis"))
-      while (axis < parameter_count<Model> && Model::parameters[axis].name != FLAGS_axis) ++axis;
-    if (axis == parameter_count<Model>)
-      throw UsageError("flag '--axis': model " + std::string(Model::info.key) + " has no parameter '" + FLAGS_axis +
-                       "'");
-    const Parameters<Model> others = parameters_from_flags<Model>(axis);
-    const Range loads = load_range(units);
-    const ParameterInfo& info = Model::parameters[axis];
-    const bool usual = info.name == "lambda" || is_set("lambda_range");
-    const Range values =
-        usual ? range_from("lambda_range", FLAGS_lambda_range, info.lower, info.upper) : Range{info.lower, info.upper};
-    constexpr bool has_boundaries = std::is_same_v<Model, Johnson> || std::is_same_v<Model, WatersGuduru> ||
-                                    std::is_same_v<Model, PapangeloCiavarella>;
-    if (FLAGS_boundaries && !has_boundaries)
-      throw UsageError("flag '--boundaries': those of model " + std::string(Model::info.key) + " have no closed form");
-    if constexpr (has_boundaries)
-      if (FLAGS_boundaries) return print_boundaries<Model>(loads, values, units);
-    print_grid<Model>(loads, others, axis, values, tau0, units);
-  });
+  const std::span<const ParameterInfo> infos = model.parameters();
+  std::size_t axis = 0;
+  if (is_set("axis"))
+    while (axis < infos.size() && infos[axis].name != FLAGS_axis) ++axis;
+  if (axis == infos.size()) throw UsageError("flag '--axis': model " + key + " has no parameter '" + FLAGS_axis + "'");
+  const ParameterValues others = parameters_from_flags(model, axis);
+  const Range loads = load_range(units);
+  const ParameterInfo& info = infos[axis];
+  const bool usual = info.name == "lambda" || is_set("lambda_range");
+  const Range values =
+      usual ? range_from("lambda_range", FLAGS_lambda_range, info.lower, info.upper) : Range{info.lower, info.upper};
+  const auto boundaries = model.regime_boundaries();
+  if (FLAGS_boundaries && !boundaries)
+    throw UsageError("flag '--boundaries': those of model " + key + " have no closed form");
+  if (FLAGS_boundaries)
+    print_boundaries(*boundaries, loads, values, units);
+  else
+    print_grid(model, loads, others, axis, values, tau0, units);
   return kFine;
 }
 

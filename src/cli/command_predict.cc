@@ -5,39 +5,39 @@
 #include "cli/contact_flags.h"
 #include "cli/exit_code.h"
 #include "cli/fitted_contact.h"
-#include "mechanics/states.h"
 
 namespace mixity::cli {
 namespace {
 
-template <class Model>
-void predict() {
-  const Parameters<Model> p = parameters_from_flags<Model>();
+void predict(const ContactModel& model) {
+  const ParameterValues p = parameters_from_flags(model);
   const OutputUnits units = output_units();
   const Load load = load_from("load", FLAGS_load, units);
   const std::vector<Load> shears = loads_from("shear", FLAGS_shear, units);
   for (const Load& shear : shears)
     if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
       throw UsageError("flag '--shear': every T must lie between 0 and 1e150");
-  const LoadedContact<Model> contact(p, load.dimensionless);
-  if (!contact.obstacle().empty()) throw UsageError(std::string(contact.obstacle()));
+  if (const auto obstacle = model.obstacle(p, load.dimensionless); !obstacle.empty())
+    throw UsageError(std::string(obstacle));
+  std::vector<double> T;
+  for (const Load& shear : shears) T.push_back(shear.dimensionless);
+  const std::vector<Equilibrium> found = model.equilibria(p, load.dimensionless, T).at;
 
   std::cout << units.header("P", units.force) << ',' << units.header("T", units.force) << ','
             << units.header("y", units.force) << ',' << units.header("a", units.length) << ','
             << units.header("A", units.area()) << ',' << units.header("u", units.length) << ','
             << units.header("psi", units.angle()) << ",f,status\n";
-  for (const Load& shear : shears) {
-    std::cout << shortest(load.shown) << ',' << shortest(shear.shown) << ',';
-    const Equilibrium equilibrium = contact.at(shear.dimensionless);
-    if (equilibrium.status == EquilibriumStatus::ok) {
-      const ContactState state = contact_state(load.dimensionless, shear.dimensionless, equilibrium.y);
+  for (std::size_t i = 0; i < shears.size(); ++i) {
+    std::cout << shortest(load.shown) << ',' << shortest(shears[i].shown) << ',';
+    if (found[i].status == EquilibriumStatus::ok) {
+      const ContactState state = contact_state(load.dimensionless, T[i], found[i].y);
       std::cout << shortest(state.y * units.force_scale) << ',' << shortest(state.a * units.length_scale) << ','
                 << shortest(state.A * units.area_scale) << ',' << shortest(state.u * units.displacement_scale) << ','
                 << shortest(state.psi) << ',' << shortest(state.f) << ',';
     } else {
       std::cout << ",,,,,,";
     }
-    std::cout << to_string(equilibrium.status) << '\n';
+    std::cout << to_string(found[i].status) << '\n';
   }
 }
 
@@ -50,8 +50,7 @@ int run_predict(const Arguments& arguments) {
     fitted.print_areas([&](const Load&) { return shears; });
     return fitted.exit_code();
   }
-  require_model("model", FLAGS_model);
-  with_model(FLAGS_model, [](auto model) { predict<decltype(model)>(); });
+  predict(model_from(FLAGS_model));
   return kFine;
 }
 

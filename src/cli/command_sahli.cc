@@ -16,10 +16,8 @@ namespace {
 std::vector<double> prediction_parameters(const Dataset& data, const std::string& model, std::string& described) {
   std::vector<double> values;
   if (is_set("lambda") || is_set("parameters")) {
-    with_model(model, [&](auto chosen) {
-      const auto p = parameters_from_flags<decltype(chosen)>();
-      values.assign(p.begin(), p.end());
-    });
+    const ParameterValues p = parameters_from_flags(model_from(model));
+    values.assign(p.begin(), p.end());
     described = "model " + model + " with the given parameters";
     return values;
   }

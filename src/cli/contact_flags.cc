@@ -1,6 +1,7 @@
 #include "cli/contact_flags.h"
 
 #include <iostream>
+#include <map>
 
 #include "cli/quantity_list.h"
 #include "dataset/metadata.h"
@@ -66,6 +67,9 @@ Load load_from(const std::string& flag, const std::string& text, const OutputUni
   return loads[0];
 }
 
+namespace {
+
+/// --parameters and --lambda by name.
 std::map<std::string, std::string> parameter_texts() {
   std::map<std::string, std::string> given;
   for (const std::string& item : split_list("parameters", FLAGS_parameters)) {
@@ -78,6 +82,39 @@ std::map<std::string, std::string> parameter_texts() {
   if (is_set("lambda") && !given.emplace("lambda", FLAGS_lambda).second)
     throw UsageError("flags '--lambda' and '--parameters' both give lambda");
   return given;
+}
+
+}  // namespace
+
+ContactModel model_from(const std::string& key) {
+  require_model("model", key);
+  return ContactModel::find(key).value();
+}
+
+ParameterValues parameters_from_flags(const ContactModel& model, std::optional<std::size_t> except) {
+  const std::string key(model.info().key);
+  const std::span<const ParameterInfo> infos = model.parameters();
+  std::map<std::string, std::string> given = parameter_texts();
+  ParameterValues p = ParameterValues::zeros(infos.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const ParameterInfo& info = infos[i];
+    const std::string name(info.name);
+    if (i == except) continue;
+    const auto found = given.find(name);
+    if (found == given.end())
+      throw UsageError("model " + key + " needs " + (name == "lambda" ? "--lambda" : "--parameters=" + name + "=..."));
+    const auto value = parse_number(found->second);
+    if (!value || !(*value >= info.lower && *value <= info.upper))
+      throw UsageError(name + " is '" + found->second + "'; model " + key + " needs a number from " +
+                       shortest(info.lower) + " to " + shortest(info.upper));
+    p[i] = *value;
+    given.erase(found);
+  }
+  if (except && given.contains(std::string(infos[*except].name)))
+    throw UsageError("parameter " + std::string(infos[*except].name) +
+                     " is on the axis of the map: only the others are stated");
+  if (!given.empty()) throw UsageError("model " + key + " has no parameter '" + given.begin()->first + "'");
+  return p;
 }
 
 }  // namespace mixity::cli

@@ -1,7 +1,6 @@
 // Flags that describe one contact: its model, its constants, its loads.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +10,7 @@
 #include "cli/flags.h"
 #include "cli/usage_error.h"
 #include "mechanics/contact.h"
-#include "mechanics/registry.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity::cli {
 
@@ -43,36 +42,11 @@ std::vector<Load> loads_from(const std::string& flag, const std::string& text, c
 /// The same for a flag that must hold exactly one load.
 Load load_from(const std::string& flag, const std::string& text, const OutputUnits& units);
 
-/// --parameters and --lambda by name.
-std::map<std::string, std::string> parameter_texts();
+/// The model with this key; throws UsageError if there is none.
+ContactModel model_from(const std::string& key);
 
 /// The parameters of a model, all of them given and in range, except that of this number, which stays 0; throws
 /// UsageError otherwise.
-template <class Model>
-Parameters<Model> parameters_from_flags(std::optional<std::size_t> except = {}) {
-  std::map<std::string, std::string> given = parameter_texts();
-  Parameters<Model> p{};
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const ParameterInfo& info = Model::parameters[i];
-    const std::string name(info.name);
-    if (i == except) continue;
-    const auto found = given.find(name);
-    if (found == given.end())
-      throw UsageError("model " + std::string(Model::info.key) + " needs " +
-                       (name == "lambda" ? "--lambda" : "--parameters=" + name + "=..."));
-    const auto value = parse_number(found->second);
-    if (!value || !(*value >= info.lower && *value <= info.upper))
-      throw UsageError(name + " is '" + found->second + "'; model " + std::string(Model::info.key) +
-                       " needs a number from " + shortest(info.lower) + " to " + shortest(info.upper));
-    p[i] = *value;
-    given.erase(found);
-  }
-  if (except && given.contains(std::string(Model::parameters[*except].name)))
-    throw UsageError("parameter " + std::string(Model::parameters[*except].name) +
-                     " is on the axis of the map: only the others are stated");
-  if (!given.empty())
-    throw UsageError("model " + std::string(Model::info.key) + " has no parameter '" + given.begin()->first + "'");
-  return p;
-}
+ParameterValues parameters_from_flags(const ContactModel& model, std::optional<std::size_t> except = {});
 
 }  // namespace mixity::cli

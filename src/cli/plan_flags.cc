@@ -5,7 +5,6 @@
 #include "cli/law_flags.h"
 #include "cli/quantity_list.h"
 #include "cli/usage_error.h"
-#include "mechanics/contact_model.h"
 
 namespace mixity::cli {
 namespace {
@@ -21,12 +20,9 @@ StatedError error_from(const std::string& flag) {
 
 Plan plan_from_flags(bool needs_loads) {
   Plan plan;
-  require_model("model", FLAGS_model);
+  const ParameterValues p = parameters_from_flags(model_from(FLAGS_model));
   plan.model = FLAGS_model;
-  with_model(FLAGS_model, [&](auto model) {
-    const auto p = parameters_from_flags<decltype(model)>();
-    plan.parameters.assign(p.begin(), p.end());
-  });
+  plan.parameters.assign(p.begin(), p.end());
   apply_overrides(data_overrides(), plan.constants);
   if (is_set("loads"))
     for (const Quantity& load : quantity_list("loads", FLAGS_loads)) {

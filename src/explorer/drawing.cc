@@ -3,10 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/result.h"
 #include "dataset/display_units.h"
 #include "fitting/predicted_curves.h"
-#include "mechanics/contact_model.h"
 #include "mechanics/regime_map.h"
 
 namespace mixity::explorer {
@@ -30,14 +28,14 @@ Dataset of_constants(const Json& request) {
   return data;
 }
 
-FitResult as_chosen(const std::string& model, const std::vector<double>& parameters) {
+FitResult as_chosen(const ContactModel& model, const std::vector<double>& parameters) {
   FitResult fit;
-  fit.model = model;
+  fit.model = model.info().key;
   fit.status = FitStatus::ok;
-  const std::vector<std::string> names = parameter_names(model);
-  const auto bounds = parameter_bounds(model);
-  for (std::size_t k = 0; k < parameters.size(); ++k)
-    fit.parameters.push_back({names[k], parameters[k], {}, bounds[k].first, bounds[k].second});
+  for (const ParameterInfo& info : model.parameters()) {
+    const double value = parameters.at(fit.parameters.size());
+    fit.parameters.push_back({std::string(info.name), value, {}, info.lower, info.upper});
+  }
   return fit;
 }
 
@@ -53,13 +51,11 @@ Json curve(const DrawnCurve& drawn) {
 }
 
 /// The stable state at the load and shear.
-Json state(const std::string& model, const std::vector<double>& parameters, const DisplayUnits& units, double P,
+Json state(const ContactModel& model, const std::vector<double>& parameters, const DisplayUnits& units, double P,
            double T) {
-  std::vector<Values> values;
-  for (const double& one : parameters) values.push_back({&one, 0});
   double A = 0;
   EquilibriumStatus status{};
-  areas(model, values, {&P, 0}, {&T, 0}, {&A, 1}, {&status, 1});
+  model.areas_at(parameters, P, {&T, 1}, {&A, 1}, {&status, 1});
   if (status != EquilibriumStatus::ok) return nullptr;
   Json told{{"A", A * units.area_scale}};
   if (const auto toughness = toughness_of_area(P, T, A)) {
@@ -71,25 +67,31 @@ Json state(const std::string& model, const std::vector<double>& parameters, cons
 
 }  // namespace
 
+ContactModel model_of(const std::string& key) {
+  const auto model = ContactModel::find(key);
+  if (!model) throw std::invalid_argument("no model is called '" + key + "'");
+  return *model;
+}
+
 Json drawn_models(const Json& request) {
-  Analysis result{{}, of_constants(request), {}, {}, {}};
-  const DisplayUnits& units = result.data.display;
+  const Dataset data = of_constants(request);
+  const DisplayUnits& units = data.display;
   const double P = request.at("P").get<double>() / units.force_scale,
                T = std::abs(request.at("T").get<double>()) / units.force_scale,
                T_most = request.at("T_most").get<double>() / units.force_scale,
                P_most = request.at("P_most").get<double>() / units.force_scale;
   Json all = Json::array();
   for (const Json& one : request.at("models")) {
-    const std::string model = one.at("model");
+    const std::string key = one.at("model");
+    const ContactModel model = model_of(key);
     const auto parameters = one.at("parameters").get<std::vector<double>>();
     const FitResult fit = as_chosen(model, parameters);
-    const Json toughness = drawn_toughness(result.data, fit, 0.5 * pi<double>(), 1e3, kPoints);
-    const RegimeOrProblem regime = regime_of(model, parameters, P);
-    if (!regime.problem.empty()) {
-      all.push_back({{"model", model}, {"problem", regime.problem}, {"toughness", toughness}});
+    const Json toughness = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e3, kPoints);
+    if (const std::string problem = model.problem(parameters, P); !problem.empty()) {
+      all.push_back({{"model", key}, {"problem", problem}, {"toughness", toughness}});
       continue;
     }
-    const DrawnCurve drawn = drawn_curve(result.data, result.request.options, fit, P, T_most, Points::soonest);
+    const DrawnCurve drawn = drawn_curve(data, {}, fit, P, T_most, Points::soonest);
     Json folds = Json::array();
     for (const DrawnFold& fold : drawn.folds)
       folds.push_back({{"control", to_string(fold.control)},
@@ -98,14 +100,14 @@ Json drawn_models(const Json& request) {
                        {"u", fold.u},
                        {"jumps_to", fold.jumps_to},
                        {"area_after", fold.area_after}});
-    const DrawnRadii radii = drawn_radii(result.data, result.request.options, fit, T, P_most, kPoints);
-    all.push_back({{"model", model},
+    const DrawnRadii radii = drawn_radii(data, {}, fit, T, P_most, kPoints);
+    all.push_back({{"model", key},
                    {"curve", curve(drawn)},
                    {"folds", folds},
                    {"radii", {{"stable", radii.stable}, {"unstable", radii.unstable}}},
                    {"toughness", toughness},
                    {"state", state(model, parameters, units, P, T)},
-                   {"regime", std::string(regime_text(regime.regime->regime))}});
+                   {"regime", std::string(regime_text(model.regime(parameters, P).value().regime))}});
   }
   return all;
 }

@@ -3,10 +3,16 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
+
+#include "mechanics/contact_model.h"
 
 namespace mixity::explorer {
 
 using Json = nlohmann::ordered_json;
+
+/// Throws std::invalid_argument if there is none with this key.
+ContactModel model_of(const std::string& key);
 
 /// {"radius": m, "modulus": Pa, "toughness": J/m^2, "P": .., "T": .., "T_most": .., "P_most": .., "models":
 /// [{"model": "c", "parameters": [0.0023]}]}: of each model {"toughness": [[psi, f]], "curve": {"T", "A", "u",

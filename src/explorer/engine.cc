@@ -19,7 +19,6 @@
 #include "explorer/drawing.h"
 #include "explorer/experiment.h"
 #include "explorer/regime_map.h"
-#include "mechanics/contact_model.h"
 #include "report/fit_json.h"
 #include "report/job_fields.h"
 #include "report/used_csv.h"
@@ -41,10 +40,8 @@ double* at(std::uintptr_t address) { return reinterpret_cast<double*>(address); 
 /// Areas at n loads T, both arrays of doubles in the module's memory; NaN where there is no equilibrium.
 void areas_at(const std::string& model, const std::vector<double>& parameters, double P, std::uintptr_t T,
               std::uintptr_t A, std::size_t n) {
-  std::vector<Values> all;
-  for (const double& one : parameters) all.push_back({&one, 0});
   std::vector<EquilibriumStatus> status(n);
-  areas(model, all, {&P, 0}, {at(T), 1}, {at(A), n}, status);
+  model_of(model).areas_at(parameters, P, {at(T), n}, {at(A), n}, status);
 }
 
 /// Puts a file where `read` and `fit` find it: the TOML beside a data file. Files are passed as Uint8Array: a text of

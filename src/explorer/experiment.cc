@@ -8,7 +8,6 @@
 #include "base/units.h"
 #include "fitting/predicted_curves.h"
 #include "fitting/prediction.h"
-#include "mechanics/contact_model.h"
 
 namespace mixity::explorer {
 namespace {

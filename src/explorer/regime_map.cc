@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mechanics/contact_model.h"
+#include "explorer/drawing.h"
 
 namespace mixity::explorer {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kLeap = 0.03;          // of the loads: by which a boundary may
 }  // namespace
 
 RegimeMap::RegimeMap(const Json& request)
-    : model_(request.at("model")),
+    : model_(model_of(request.at("model"))),
       parameters_(request.at("parameters").get<std::vector<double>>()),
       axis_(request.at("axis")),
       low_(request.at("low")),
@@ -26,7 +26,7 @@ RegimeMap::RegimeMap(const Json& request)
       P_low_(request.at("P_low")),
       P_high_(request.at("P_high")),
       logarithmic_(request.at("logarithmic")) {
-  if (axis_ >= parameters_.size() || parameter_names(model_).size() != parameters_.size() || !(low_ < high_) ||
+  if (axis_ >= parameters_.size() || model_.parameters().size() != parameters_.size() || !(low_ < high_) ||
       !(P_low_ < P_high_) || (logarithmic_ && !(low_ > 0)))
     throw std::invalid_argument("no map: a model, its parameters and two rising ends of each axis are wanted");
 }
@@ -41,7 +41,7 @@ double RegimeMap::value_at(double part) const {
 RegimeMap::Line RegimeMap::line(double part) const {
   std::vector<double> p = parameters_;
   p[axis_] = value_at(part);
-  const auto critical = critical_load_of(model_, p);
+  const auto critical = model_.critical_load(p);
   if (!critical) return {{std::nullopt, P_low_, P_high_}};
   const double end = std::clamp(*critical, P_low_, P_high_), pressed = std::clamp(0.0, end, P_high_);
   const double least = 1e-9 * (P_high_ - P_low_);
@@ -50,8 +50,8 @@ RegimeMap::Line RegimeMap::line(double part) const {
     if (to - from <= least) return;
     std::optional<Regime> regime = Regime::jump;
     if (!jumps) {
-      const RegimeOrProblem told = regime_of(model_, p, 0.5 * (from + to));
-      regime = told.regime ? std::optional(told.regime->regime) : std::nullopt;
+      const auto report = model_.regime(p, 0.5 * (from + to));
+      regime = report ? std::optional(report->regime) : std::nullopt;
     }
     if (!found.empty() && found.back().regime == regime)
       found.back().to = to;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/contact_model.h"
 #include "mechanics/regime_map.h"
 
 namespace mixity::explorer {
@@ -33,7 +34,7 @@ class RegimeMap {
   bool differ(const Line& one, const Line& other) const;
   bool next(double& part) const;
 
-  std::string model_;
+  ContactModel model_;
   std::vector<double> parameters_;
   std::size_t axis_;
   double low_, high_, P_low_, P_high_;

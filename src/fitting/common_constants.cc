@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "fitting/fitted_parameters.h"
+#include "fitting/make_problem.h"
 #include "fitting/predicted_area.h"
-#include "fitting/prepare.h"
 #include "fitting/toughness_weights.h"
 #include "solver/joint.h"
 #include "solver/prior.h"
@@ -17,22 +17,26 @@ namespace {
 /// The joint problem takes time with the cube of the number of runs.
 constexpr std::size_t kMostIntervals = 40;
 
-template <class Model>
-std::optional<CommonConstants> solve_jointly(const Dataset& data, const FitOptions& options, const Constants& near,
-                                             const std::vector<std::vector<std::size_t>>& runs,
-                                             const std::vector<FitResult>& fits) {
+}  // namespace
+
+std::optional<CommonConstants> fit_common_constants(const Dataset& data, std::string_view key,
+                                                    const FitOptions& options, const Constants& near,
+                                                    const std::vector<std::vector<std::size_t>>& runs,
+                                                    const std::vector<FitResult>& fits) {
+  const auto model = ContactModel::find(key);
+  if (!model) return std::nullopt;
   const Objective objective = options.objective.value_or(default_objective(data));
   const std::vector<FittedConstant> constants = fitted_constants(data, options);
-  std::vector<std::unique_ptr<ModelProblem<Model>>> problems;
+  std::vector<std::unique_ptr<ModelProblem>> problems;
   std::vector<const Problem*> parts;
   std::vector<double> start;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const PreparedFit<Model> prepared = prepare<Model>(data, options, objective, &runs[i]);
+    const PreparedFit prepared = prepare(data, *model, options, objective, &runs[i]);
     std::vector<double> weights;
     if (objective == Objective::toughness && options.weighted)
-      weights = toughness_weights<Model>(data, scale_of(options), prepared.used, prepared.errors,
-                                         fitted_candidate<Model>(data, fits[i], options).parameters);
-    problems.push_back(make_problem<Model>(data, options, prepared, std::move(weights)));
+      weights = toughness_weights(data, scale_of(options), prepared.used, prepared.errors, *model,
+                                  fitted_candidate(data, *model, fits[i], options).parameters);
+    problems.push_back(make_problem(data, options, prepared, std::move(weights)));
     parts.push_back(problems.back().get());
     for (const FittedParameter& one : fits[i].parameters)
       if (!one.held && has_parameter({fits[i].model}, one.name)) start.push_back(*one.value);
@@ -54,10 +58,10 @@ std::optional<CommonConstants> solve_jointly(const Dataset& data, const FitOptio
   FitResult found;
   for (const FreeParameter& one : cost.parameters())
     found.parameters.push_back({one.name, {}, {}, one.lower, one.upper});
-  FitOptions told = options;
-  told.intervals &= runs.size() <= kMostIntervals;
-  told.profile_points = 0;
-  if (!tell_parameters(cost, solved.verdict, told, {}, found).empty()) return std::nullopt;
+  FitOptions asked = options;
+  asked.intervals &= runs.size() <= kMostIntervals;
+  asked.profile_points = 0;
+  if (!add_parameters(cost, solved.verdict, asked, {}, found).empty()) return std::nullopt;
   CommonConstants result{options.constants.value_or(stated_constants(data)), {}, 0, 0};
   for (std::size_t k = 0; k < constants.size(); ++k)
     result.constants[constants[k].constant] = solved.verdict.best.x[runs.size() * own + k];
@@ -67,17 +71,6 @@ std::optional<CommonConstants> solve_jointly(const Dataset& data, const FitOptio
   }
   result.sum_of_squares = solved.verdict.best.sum_of_squares * solved.unit * solved.unit;
   result.free_parameters = cost.parameters().size() - priors;
-  return result;
-}
-
-}  // namespace
-
-std::optional<CommonConstants> fit_common_constants(const Dataset& data, std::string_view model,
-                                                    const FitOptions& options, const Constants& near,
-                                                    const std::vector<std::vector<std::size_t>>& runs,
-                                                    const std::vector<FitResult>& fits) {
-  std::optional<CommonConstants> result;
-  with_model(model, [&](auto chosen) { result = solve_jointly<decltype(chosen)>(data, options, near, runs, fits); });
   return result;
 }
 

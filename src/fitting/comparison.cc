@@ -25,16 +25,14 @@ Information criteria(double sum_of_squares, std::size_t n, std::size_t parameter
 
 /// Sum of squared area errors at points of one run; adds those beyond the fold to `beyond`. Null where the law defines
 /// no area.
-template <class Model>
 std::optional<double> squared_area_errors(const Dataset& data, const std::vector<std::size_t>& run,
-                                          const Candidate<Model>& candidate, std::size_t& beyond) {
-  PredictedAreas<Model> areas(candidate);
+                                          const ContactModel& model, const Candidate& candidate, std::size_t& beyond) {
+  const std::vector<PredictedArea> areas = predicted_areas(model, candidate, data, run);
   double sum = 0;
-  for (const std::size_t i : run) {
-    const PredictedArea area = areas.at(data.points[i].P, data.shear_as_read(i));
-    if (area.state == PredictedArea::State::undefined) return std::nullopt;
-    beyond += area.state == PredictedArea::State::beyond_fold;
-    const double error = (area.value - data.points[i].A) * data.display.area_scale;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    if (areas[i].state == PredictedArea::State::undefined) return std::nullopt;
+    beyond += areas[i].state == PredictedArea::State::beyond_fold;
+    const double error = (areas[i].value - data.points[run[i]].A) * data.display.area_scale;
     sum += error * error;
   }
   return sum;
@@ -75,6 +73,7 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
   constexpr std::size_t kMostRuns = 200;
   if (!data.has_loads || data.curves.size() < 2 || data.curves.size() > kMostRuns || !has_all_values(whole))
     return std::nullopt;
+  const ContactModel model = model_of(whole);
   std::vector<std::vector<std::size_t>> runs = points_by_curve(data);
   std::erase_if(runs, [](const auto& run) { return run.empty(); });
   std::vector<std::optional<LeftOut::Run>> left_out(runs.size());
@@ -90,12 +89,8 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
       const FitResult without = refit_model(data, whole, options, others);
       if (!has_all_values(without) || without.status == FitStatus::not_converged) continue;
       LeftOut::Run run{data.curves[curve], data.curve_loads[curve], 0, runs[r].size(), 0};
-      std::optional<double> sum;
-      with_model(whole.model, [&](auto chosen) {
-        using Model = decltype(chosen);
-        sum =
-            squared_area_errors<Model>(data, runs[r], fitted_candidate<Model>(data, without, options), run.beyond_fold);
-      });
+      const auto sum =
+          squared_area_errors(data, runs[r], model, fitted_candidate(data, model, without, options), run.beyond_fold);
       if (!sum) continue;
       squares[r] = *sum;
       run.rmse_area = std::sqrt(*sum / static_cast<double>(run.points));

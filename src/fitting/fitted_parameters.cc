@@ -48,8 +48,8 @@ std::vector<FittedParameter*> free_parameters(FitResult& fit) {
 
 }  // namespace
 
-std::vector<double> tell_parameters(const Problem& cost, const Verdict& verdict, const FitOptions& options,
-                                    const Progress& progress, FitResult& fit) {
+std::vector<double> add_parameters(const Problem& cost, const Verdict& verdict, const FitOptions& options,
+                                   const Progress& progress, FitResult& fit) {
   std::vector<double> deeper;
   fit.free_parameters = cost.parameters().size();
   fit.sum_of_squares = verdict.best.sum_of_squares;
@@ -88,8 +88,8 @@ std::vector<double> tell_parameters(const Problem& cost, const Verdict& verdict,
   return deeper;
 }
 
-void tell_resampled(const Problem& cost, const Verdict& verdict, const Dataset& data, const FitOptions& options,
-                    const Progress& progress, FitResult& fit) {
+void add_resampled(const Problem& cost, const Verdict& verdict, const Dataset& data, const FitOptions& options,
+                   const Progress& progress, FitResult& fit) {
   if (verdict.status == FitStatus::not_converged) return;
   std::vector<std::size_t> runs;
   for (const std::size_t i : fit.used) runs.push_back(data.points[i].curve);

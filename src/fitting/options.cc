@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/registry.h"
+#include "mechanics/contact_model.h"
+#include "mechanics/laws/law.h"
 
 namespace mixity {
 
@@ -19,19 +20,17 @@ std::optional<HeldParameter> parse_held(std::string_view text) {
 
 std::vector<std::string> model_keys() {
   std::vector<std::string> keys;
-  for_each_model([&](auto model) { keys.emplace_back(decltype(model)::info.key); });
+  for (const ContactModel& model : ContactModel::published()) keys.emplace_back(model.info().key);
   for (std::string& key : law_keys()) keys.push_back(std::move(key));
   return keys;
 }
 
 bool has_parameter(const std::vector<std::string>& models, std::string_view name) {
-  bool found = false;
-  for (const std::string& key : models)
-    with_model(key, [&](auto model) {
-      const auto& parameters = decltype(model)::parameters;
-      found |= std::any_of(parameters.begin(), parameters.end(), [&](const auto& info) { return info.name == name; });
-    });
-  return found;
+  return std::any_of(models.begin(), models.end(), [&](const std::string& key) {
+    const auto model = ContactModel::find(key);
+    return model && std::any_of(model->parameters().begin(), model->parameters().end(),
+                                [&](const ParameterInfo& info) { return info.name == name; });
+  });
 }
 
 std::string_view to_string(Objective objective) { return objective == Objective::toughness ? "toughness" : "curve"; }

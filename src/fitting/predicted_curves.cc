@@ -5,8 +5,6 @@
 
 #include "dataset/display_units.h"
 #include "fitting/predicted_area.h"
-#include "mechanics/constant_shear.h"
-#include "mechanics/sampling.h"
 
 namespace mixity {
 namespace {
@@ -29,28 +27,31 @@ class Shown {
   ConstantsScale scale_;
 };
 
-template <class Model>
-DrawnCurve curve_of(const Dataset& data, const FitOptions& options, const FitResult& fit, double load, double T_most,
-                    Points points) {
-  const Candidate<Model> candidate = fitted_candidate<Model>(data, fit, options);
+}  // namespace
+
+DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load, double T_most,
+                       Points points) {
+  const ContactModel model = model_of(fit);
+  const Candidate candidate = fitted_candidate(data, model, fit, options);
   const Shown shown(data, candidate.constants);
   const double P = shown.scale().load(load), most = shown.scale().shear(T_most);
-  const LoadedContact<Model> contact(candidate.parameters, P);
-  if (!contact.obstacle().empty() || !contact.in_contact()) return {};
-  const EquilibriumCurve<Model> curve(candidate.parameters, P);
+  const CurveSampling sampling{
+      .rule = points == Points::fewest ? CurveSampling::Rule::fewest : CurveSampling::Rule::soonest,
+      .chord = kChord,
+      .T_most = most,
+      .first_range_only = true};
+  const SampledCurve curve = model.curve(candidate.parameters, P, sampling);
   DrawnCurve drawn;
-  if (curve.uncoupled()) {
+  if (curve.uncoupled) {
     const double a = jkr_radius(P);
     for (const double T : {0.0, most})
       drawn.points.push_back({shown.T(T), shown.A(area_from_radius(a)), shown.u(0.75 * T / a), true});
     return drawn;
   }
-  const std::vector<PhiRange> drawable{drawable_ranges(curve, most).front()};
-  for (const CurvePoint& q :
-       points == Points::fewest ? sample_adaptive(curve, drawable, kChord) : sample_halved(curve, drawable, kChord))
+  for (const CurvePoint& q : curve.points)
     drawn.points.push_back({shown.T(q.T), shown.A(q.A), shown.u(q.u), q.dT >= 0});
   for (const Control::Kind kind : {Control::Kind::load, Control::Kind::displacement})
-    for (const Fold& fold : find_folds(curve, {kind}))
+    for (const Fold& fold : model.folds(candidate.parameters, P, {kind}))
       if (fold.place.maximum)
         drawn.folds.push_back({kind, shown.T(fold.T), shown.A(fold.A), shown.u(fold.u),
                                std::string(to_string(fold.jumps_to)),
@@ -58,20 +59,49 @@ DrawnCurve curve_of(const Dataset& data, const FitOptions& options, const FitRes
   return drawn;
 }
 
-template <class Model>
-DrawnRadii radii_of(const Dataset& data, const FitOptions& options, const FitResult& fit, double T, double P_most,
-                    std::size_t points) {
-  const Candidate<Model> candidate = fitted_candidate<Model>(data, fit, options);
+std::vector<StableState> stable_states(const Dataset& data, const FitOptions& options, const FitResult& fit,
+                                       std::size_t run, std::size_t points) {
+  const ContactModel model = model_of(fit);
+  const Candidate candidate = fitted_candidate(data, model, fit, options);
+  const ConstantsScale scale(candidate.constants);
+  const double P = scale.load(data.curve_loads[run]);
+  double measured = 0;
+  for (const Point& point : data.points)
+    if (point.curve == run) measured = std::max(measured, scale.shear(point.shear()));
+  double end = model.first_stable_end(candidate.parameters, P);
+  if (std::isinf(end)) end = 1.2 * measured;
+  std::vector<double> shears;
+  for (std::size_t i = 0; i < points; ++i) {
+    const double rest = 1 - static_cast<double>(i) / static_cast<double>(points - 1);
+    shears.push_back(end * (1 - rest * rest));
+  }
+  std::vector<StableState> states;
+  const Equilibria found = model.equilibria(candidate.parameters, P, shears);
+  for (std::size_t i = 0; i < points; ++i) {
+    if (found.at[i].status != EquilibriumStatus::ok) continue;
+    const ContactState state = contact_state(P, shears[i], found.at[i].y);
+    states.push_back({state.T / scale.force, scale.measured_area(state.A), state.psi, state.f});
+  }
+  return states;
+}
+
+DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const FitResult& fit, double T, double P_most,
+                       std::size_t points) {
+  const ContactModel model = model_of(fit);
+  const Candidate candidate = fitted_candidate(data, model, fit, options);
   const Shown shown(data, candidate.constants);
   DrawnRadii drawn;
-  const std::string_view obstacle = Model::equilibrium_domain(candidate.parameters);
-  if (!obstacle.empty()) return drawn;
-  const double shear = shown.scale().shear(T), load = shown.scale().load(P_most);
+  if (!model.obstacle(candidate.parameters).empty()) return drawn;
+  const double load = shown.scale().load(P_most);
   // Far enough that the load passes P_most: y of JKR there, which shear only lowers
   const double largest = 1.05 * (3 * pi<double>() + circle_radius(std::max(load, 0.0)));
+  std::vector<double> edge_loads;
   for (std::size_t i = 1; i <= points; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(points);
-    const ConstantShearPoint q = constant_shear_point<Model>(candidate.parameters, shear, largest * part * part);
+    edge_loads.push_back(largest * part * part);
+  }
+  for (const ConstantShearPoint& q :
+       model.at_constant_shear(candidate.parameters, shown.scale().shear(T), edge_loads)) {
     if (!std::isfinite(q.P) || q.P > load) continue;
     const bool stable = q.dP_dy > 0;
     // the two parts share the point where they meet
@@ -81,36 +111,25 @@ DrawnRadii radii_of(const Dataset& data, const FitOptions& options, const FitRes
   return drawn;
 }
 
-}  // namespace
-
-DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load, double T_most,
-                       Points points) {
-  DrawnCurve drawn;
-  with_model(fit.model,
-             [&](auto model) { drawn = curve_of<decltype(model)>(data, options, fit, load, T_most, points); });
-  return drawn;
-}
-
-DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const FitResult& fit, double T, double P_most,
-                       std::size_t points) {
-  DrawnRadii drawn;
-  with_model(fit.model, [&](auto model) { drawn = radii_of<decltype(model)>(data, options, fit, T, P_most, points); });
-  return drawn;
+std::vector<std::pair<double, double>> toughness_curve(const ContactModel& model, std::span<const double> p,
+                                                       double last_psi, double most, std::size_t steps) {
+  std::vector<double> psi(steps + 1), log_f(steps + 1);
+  std::vector<Mixity<double>> at;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    psi[i] = last_psi * static_cast<double>(i) / static_cast<double>(steps);
+    at.push_back(mixity_from_angle(psi[i]));
+  }
+  model.log_toughness(p, at, log_f, {});
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t i = 0; i <= steps; ++i)
+    if (const double f = std::exp(log_f[i]); f <= most) points.emplace_back(psi[i], f);
+  return points;
 }
 
 std::vector<std::pair<double, double>> drawn_toughness(const Dataset& data, const FitResult& fit, double last_psi,
                                                        double most, std::size_t steps) {
-  std::vector<std::pair<double, double>> points;
-  with_model(fit.model, [&](auto chosen) {
-    using Model = decltype(chosen);
-    const Parameters<Model> p = fitted_candidate<Model>(data, fit, {}).parameters;
-    for (std::size_t i = 0; i <= steps; ++i) {
-      const double psi = last_psi * static_cast<double>(i) / static_cast<double>(steps);
-      const double f = std::exp(Model::log_toughness(p, mixity_from_angle(psi)).value);
-      if (f <= most) points.emplace_back(psi, f);
-    }
-  });
-  return points;
+  const ContactModel model = model_of(fit);
+  return toughness_curve(model, fitted_candidate(data, model, fit, {}).parameters, last_psi, most, steps);
 }
 
 std::vector<const FitResult*> fits_with_values(const std::vector<FitResult>& all) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,7 +10,7 @@
 #include "dataset/dataset.h"
 #include "fitting/options.h"
 #include "fitting/result.h"
-#include "mechanics/folds.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity {
 
@@ -41,6 +42,15 @@ enum class Points { fewest, soonest };
 DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load, double T_most,
                        Points points = Points::fewest);
 
+/// States of the stable branch at a run's load from T = 0 to the instability, or to a fifth beyond the largest measured
+/// T of the run, dense towards the fold. T and A as they would be measured, dimensionless; empty where there is no
+/// contact.
+struct StableState {
+  double T, A, psi, f;
+};
+std::vector<StableState> stable_states(const Dataset& data, const FitOptions& options, const FitResult& fit,
+                                       std::size_t run, std::size_t points);
+
 /// a(P) at a tangential load T (measured, dimensionless): stable and unstable part, which meet at pull-off, up to the
 /// load P_most.
 struct DrawnRadii {
@@ -50,6 +60,9 @@ DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const Fit
                        std::size_t points = 400);
 
 /// f(psi) at the ends of so many even steps of psi from 0 to last_psi, where it does not exceed `most`.
+std::vector<std::pair<double, double>> toughness_curve(const ContactModel& model, std::span<const double> p,
+                                                       double last_psi, double most, std::size_t steps);
+/// The same of a fit.
 std::vector<std::pair<double, double>> drawn_toughness(const Dataset& data, const FitResult& fit, double last_psi,
                                                        double most, std::size_t steps = 300);
 

@@ -1,7 +1,6 @@
 #include "fitting/prediction.h"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "fitting/predicted_area.h"
 
@@ -19,57 +18,27 @@ Fold measured(Fold fold, const Constants& c) {
 }
 
 /// The folds under one control; says why there is no curve.
-template <class Model>
-std::vector<Fold> folds_at(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
-                           Control control, std::string& problem) {
-  const Candidate<Model> candidate = fitted_candidate<Model>(data, fit, options);
+std::vector<Fold> folds_at(const Dataset& data, const ContactModel& model, const FitResult& fit,
+                           const FitOptions& options, double P, Control control, std::string& problem) {
+  const Candidate candidate = fitted_candidate(data, model, fit, options);
   const Constants& c = candidate.constants;
   const double load = ConstantsScale(c).load(P);
-  const LoadedContact<Model> contact(candidate.parameters, load);
-  problem = contact.obstacle();
-  if (problem.empty() && !contact.in_contact()) problem = "no contact exists below the pull-off load -3 pi/2 R G_Ic";
+  problem = model.problem(candidate.parameters, load);
   if (!problem.empty()) return {};
   control.stiffness /= std::exp(2.0 / 3 * (c[kModulus] + c[kRadius]) + c[kToughness] / 3);  // of xi^2 G_Ic
   std::vector<Fold> folds;
-  for (const Fold& fold : find_folds(EquilibriumCurve<Model>(candidate.parameters, load), control))
-    folds.push_back(measured(fold, c));
+  for (const Fold& fold : model.folds(candidate.parameters, load, control)) folds.push_back(measured(fold, c));
   return folds;
 }
 
-template <class Model>
-FoldsPrediction predict_folds(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
-                              const std::vector<Control>& controls) {
-  FoldsPrediction predicted;
-  for (const Control control : controls) {
-    const std::vector<Fold> folds = folds_at<Model>(data, fit, options, P, control, predicted.problem);
-    if (!predicted.problem.empty()) return predicted;
-    const std::vector<Derived> numbers = propagate(fit, [&](const FitResult& near) {
-      std::string ignored;
-      const std::vector<Fold> same = folds_at<Model>(data, near, options, P, control, ignored);
-      std::vector<std::optional<double>> values(3 * folds.size());
-      // a fold that appears or goes within a thousandth of a standard error has no derivative
-      for (std::size_t i = 0; same.size() == folds.size() && i < folds.size(); ++i) {
-        values[3 * i] = same[i].T;
-        values[3 * i + 1] = same[i].u;
-        values[3 * i + 2] = same[i].A;
-      }
-      return values;
-    });
-    for (std::size_t i = 0; i < folds.size(); ++i)
-      predicted.folds.push_back({control, folds[i].place.maximum, numbers[3 * i], numbers[3 * i + 1],
-                                 numbers[3 * i + 2], folds[i].psi, folds[i].jumps_to, folds[i].area_after});
-  }
-  return predicted;
-}
+}  // namespace
 
-template <class Model>
-std::vector<AreaPrediction> predict(const Dataset& data, const FitResult& fit, const FitOptions& options,
-                                    std::span<const double> P, std::span<const double> T) {
+std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResult& fit, const FitOptions& options,
+                                             std::span<const double> P, std::span<const double> T) {
+  if (!has_all_values(fit)) return {};
+  const ContactModel model = model_of(fit);
   const auto at_all = [&](const FitResult& with) {
-    PredictedAreas<Model> predicted(fitted_candidate<Model>(data, with, options));
-    std::vector<PredictedArea> areas;
-    for (std::size_t i = 0; i < P.size(); ++i) areas.push_back(predicted.at(P[i], T[i]));
-    return areas;
+    return predicted_areas(model, fitted_candidate(data, model, with, options), P, T);
   };
   const std::vector<Derived> numbers = propagate(fit, [&](const FitResult& with) {
     std::vector<std::optional<double>> values;
@@ -88,28 +57,30 @@ std::vector<AreaPrediction> predict(const Dataset& data, const FitResult& fit, c
   return predictions;
 }
 
-void require(bool known, const FitResult& fit) {
-  if (!known) throw std::invalid_argument("no model is called '" + fit.model + "'");
-}
-
-}  // namespace
-
-std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResult& fit, const FitOptions& options,
-                                             std::span<const double> P, std::span<const double> T) {
-  if (!has_all_values(fit)) return {};
-  std::vector<AreaPrediction> predictions;
-  require(with_model(fit.model, [&](auto model) { predictions = predict<decltype(model)>(data, fit, options, P, T); }),
-          fit);
-  return predictions;
-}
-
 FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
                                  const std::vector<Control>& controls) {
   if (!has_all_values(fit)) return {{}, "the fit has no values"};
+  const ContactModel model = model_of(fit);
   FoldsPrediction predicted;
-  require(with_model(fit.model,
-                     [&](auto model) { predicted = predict_folds<decltype(model)>(data, fit, options, P, controls); }),
-          fit);
+  for (const Control control : controls) {
+    const std::vector<Fold> folds = folds_at(data, model, fit, options, P, control, predicted.problem);
+    if (!predicted.problem.empty()) return predicted;
+    const std::vector<Derived> numbers = propagate(fit, [&](const FitResult& near) {
+      std::string ignored;
+      const std::vector<Fold> same = folds_at(data, model, near, options, P, control, ignored);
+      std::vector<std::optional<double>> values(3 * folds.size());
+      // a fold that appears or goes within a thousandth of a standard error has no derivative
+      for (std::size_t i = 0; same.size() == folds.size() && i < folds.size(); ++i) {
+        values[3 * i] = same[i].T;
+        values[3 * i + 1] = same[i].u;
+        values[3 * i + 2] = same[i].A;
+      }
+      return values;
+    });
+    for (std::size_t i = 0; i < folds.size(); ++i)
+      predicted.folds.push_back({control, folds[i].place.maximum, numbers[3 * i], numbers[3 * i + 1],
+                                 numbers[3 * i + 2], folds[i].psi, folds[i].jumps_to, folds[i].area_after});
+  }
   return predicted;
 }
 

@@ -1,7 +1,9 @@
 #include "fitting/prepare.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/input_error.h"
 #include "base/number_text.h"
 
 namespace mixity {
@@ -14,8 +16,7 @@ std::optional<double> stated_value(std::string_view parameter, const Metadata& m
   return std::nullopt;
 }
 
-}  // namespace
-
+/// The value at which a parameter is to be held. Throws InputError if that is outside its range, or none is stated.
 double held_value(const HeldParameter& held, const ParameterInfo& info, const Dataset& data) {
   const auto value = held.value ? held.value : stated_value(held.name, data.metadata);
   if (!value)
@@ -28,17 +29,7 @@ double held_value(const HeldParameter& held, const ParameterInfo& info, const Da
   return *value;
 }
 
-std::vector<FittedConstant> fitted_constants(const Dataset& data, const FitOptions& options) {
-  const Constants stated = stated_constants(data);
-  std::vector<FittedConstant> list;
-  for (const Constant constant : options.free) list.push_back({constant, stated[constant], 0});
-  if (options.constants) return list;
-  for (const FittedConstant& uncertain : uncertain_constants(data))
-    if (std::find(options.free.begin(), options.free.end(), uncertain.constant) == options.free.end())
-      list.push_back(uncertain);
-  return list;
-}
-
+/// Throws InputError where the options ask for what the data set does not have.
 void require_what_is_asked(const Dataset& data, const FitOptions& options, Objective objective) {
   const auto refuse = [&](const std::string& message) { throw InputError(data.path, message); };
   const bool uncertain = fitted_constants(data, options).size() > options.free.size();
@@ -71,19 +62,90 @@ void require_what_is_asked(const Dataset& data, const FitOptions& options, Objec
            (options.weighted ? "weighs the points anyway" : "compares no toughness"));
 }
 
-std::vector<double> solver_values(const Problem& problem, const std::vector<FittedParameter>& fitted) {
-  std::vector<double> x;
-  for (const FreeParameter& parameter : problem.parameters()) {
-    const auto same = std::find_if(fitted.begin(), fitted.end(),
-                                   [&](const FittedParameter& other) { return other.name == parameter.name; });
-    if (same != fitted.end() && same->value)
-      x.push_back(std::clamp(parameter.solver_value(*same->value), parameter.lower, parameter.upper));
-    else if (parameter.start)
-      x.push_back(*parameter.start);
+/// A model whose toughness is infinite at psi = pi/2 for every parameter in the interior of its range says nothing
+/// about points there.
+bool is_infinite_in_mode_II(const ContactModel& model) {
+  std::vector<double> typical;
+  for (const ParameterInfo& info : model.parameters()) typical.push_back(info.typical);
+  const Mixity<double> mode_II{0, 1};
+  double value = 0;
+  model.log_toughness(typical, {&mode_II, 1}, {&value, 1}, {});
+  return !std::isfinite(value);
+}
+
+/// The points that the model can describe, and why it cannot describe the others.
+void choose_points(const Dataset& data, const std::vector<std::size_t>* points, PreparedFit& prepared) {
+  const ConstantsScale scale(prepared.constants);
+  std::optional<bool> infinite;
+  const auto obstacle = [&](std::size_t i) -> std::string_view {
+    if (prepared.objective == Objective::toughness) {
+      const auto toughness = data.toughness(i);
+      if (!toughness) return kNoPhaseAngle;
+      if (toughness->mixity.cos > 0) return {};
+      if (!infinite) infinite = is_infinite_in_mode_II(prepared.model);
+      if (!*infinite) return {};
+      if (!prepared.excluded_reason)
+        prepared.excluded_reason = std::make_shared<const std::string>(
+            "model " + std::string(prepared.model.info().key) + " has an infinite toughness at this psi");
+      return *prepared.excluded_reason;
+    }
+    if (data.has_energies) return {};
+    // a freed constant may bring it back
+    const bool contact = !prepared.fitted.empty() || above_pull_off(scale.load(data.points[i].P)) >= 0;
+    return contact ? std::string_view() : kBelowPullOff;
+  };
+  const auto consider = [&](std::size_t i) {
+    if (const std::string_view reason = obstacle(i); reason.empty())
+      prepared.used.push_back(i);
     else
-      return {};
+      prepared.excluded.push_back({data.points[i].line, reason});
+  };
+  if (points)
+    for (const std::size_t i : *points) consider(i);
+  else
+    for (std::size_t i = 0; i < data.points.size(); ++i) consider(i);
+}
+
+/// Held values, and typical ones for the rest.
+void hold_parameters(const Dataset& data, const FitOptions& options, PreparedFit& prepared) {
+  const std::span<const ParameterInfo> infos = prepared.model.parameters();
+  prepared.held.assign(infos.size(), false);
+  std::vector<double> base;
+  for (const ParameterInfo& info : infos) {
+    base.push_back(info.typical);
+    for (const HeldParameter& held : options.hold)
+      if (held.name == info.name) {
+        base.back() = held_value(held, info, data);
+        prepared.held[base.size() - 1] = true;
+      }
   }
-  return x;
+  prepared.base = ParameterValues(base);
+}
+
+}  // namespace
+
+std::vector<FittedConstant> fitted_constants(const Dataset& data, const FitOptions& options) {
+  const Constants stated = stated_constants(data);
+  std::vector<FittedConstant> list;
+  for (const Constant constant : options.free) list.push_back({constant, stated[constant], 0});
+  if (options.constants) return list;
+  for (const FittedConstant& uncertain : uncertain_constants(data))
+    if (std::find(options.free.begin(), options.free.end(), uncertain.constant) == options.free.end())
+      list.push_back(uncertain);
+  return list;
+}
+
+PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOptions& options, Objective objective,
+                    const std::vector<std::size_t>* points) {
+  require_what_is_asked(data, options, objective);
+  PreparedFit prepared{model, objective};
+  prepared.constants = options.constants.value_or(stated_constants(data));
+  prepared.fitted = fitted_constants(data, options);
+  choose_points(data, points, prepared);
+  hold_parameters(data, options, prepared);
+  if (data.has_loads && (objective == Objective::curve || options.weighted))
+    prepared.errors = standard_errors(data, options.sigma_T, options.sigma_A, objective == Objective::curve);
+  return prepared;
 }
 
 }  // namespace mixity

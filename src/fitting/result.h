@@ -1,6 +1,7 @@
 // What a fit says, as plain numbers in a reader's units.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -146,9 +147,10 @@ struct FitResult {
   FitStatus status = FitStatus::not_converged;
   std::string message;
   std::vector<FittedParameter> parameters;
-  std::vector<std::size_t> used;   // indices into Dataset::points
-  std::vector<Excluded> excluded;  // usable points that this model cannot describe
-  std::optional<double> r2;        // in the fitted space; null without scatter or without a fit
+  std::vector<std::size_t> used;                         // indices into Dataset::points
+  std::vector<Excluded> excluded;                        // usable points that this model cannot describe
+  std::shared_ptr<const std::string> excluded_reason{};  // a text that `excluded` refers to
+  std::optional<double> r2;                              // in the fitted space; null without scatter or without a fit
   std::optional<double> rmse, max_abs_residual;
   std::vector<double> residuals;         // per used point, model minus data; empty without a fit
   std::optional<AreaGoodness> area;      // null without loads or without a fit

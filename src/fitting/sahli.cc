@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/limits.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity {
 namespace {
@@ -50,20 +50,10 @@ std::optional<PowerLaw> fit_power_law(const std::vector<SahliRun>& runs, bool pr
   return PowerLaw{std::exp(line->intercept), line->slope, line->slope_stderr};
 }
 
-std::optional<double> predicted_alpha(std::string_view model, const std::vector<double>& values, double A0) {
-  std::optional<double> alpha;
-  with_model(model, [&](auto chosen) {
-    using Model = decltype(chosen);
-    Parameters<Model> p{};
-    std::copy_n(values.begin(), p.size(), p.begin());
-    alpha = shear_sensitivity_at_area<Model>(p, A0);
-  });
-  return alpha;
-}
-
 }  // namespace
 
 SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model, const std::vector<double>& parameters) {
+  const auto predicting = ContactModel::find(model);
   SahliResult result;
   for (std::size_t c = 0; c < data.curves.size(); ++c) {
     double largest = 0;
@@ -82,7 +72,7 @@ SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model, 
     }
     result.runs.push_back({data.curves[c], data.curve_loads[c], squares.size(), line->intercept, -line->slope,
                            line->intercept_stderr, line->slope_stderr,
-                           predicted_alpha(model, parameters, line->intercept)});
+                           predicting ? predicting->shear_sensitivity(parameters, line->intercept) : std::nullopt});
   }
   result.power_law = fit_power_law(result.runs, false);
   result.predicted_power_law = fit_power_law(result.runs, true);

@@ -5,15 +5,12 @@
 #include <cmath>
 #include <set>
 
-#include "fitting/prepare.h"
+#include "fitting/make_problem.h"
 #include "fitting/stated_constants.h"
 #include "solver/solve.h"
 
 namespace mixity {
 namespace {
-
-/// Without shear every law is JKR's.
-using AnyModel = PapangeloCiavarella;
 
 std::vector<std::size_t> unsheared_points(const Dataset& data) {
   constexpr double kNoShear = 0.01;  // of the largest T
@@ -29,8 +26,8 @@ double beyond(double chi2, std::size_t freedom) {
   return freedom > 0 && chi2 > 0 ? cdf(complement(boost::math::chi_squared(static_cast<double>(freedom)), chi2)) : 1;
 }
 
-std::unique_ptr<ModelProblem<AnyModel>> problem_of(const Dataset& data, const PreparedFit<AnyModel>& prepared) {
-  auto problem = make_problem<AnyModel>(data, {}, prepared);
+std::unique_ptr<ModelProblem> problem_of(const Dataset& data, const PreparedFit& prepared) {
+  auto problem = make_problem(data, {}, prepared);
   problem->set_known_errors(true);  // as stated, or as neighbouring points scatter
   return problem;
 }
@@ -44,8 +41,9 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
   as_stated.sigma_T = options.sigma_T;
   as_stated.sigma_A = options.sigma_A;
   as_stated.constants = options.constants.value_or(stated_constants(data));
-  PreparedFit<AnyModel> prepared = prepare<AnyModel>(data, as_stated, Objective::curve, &points);
-  prepared.held.fill(true);
+  const ContactModel any_model = ContactModel::find("c").value();  // without shear every law is JKR's
+  PreparedFit prepared = prepare(data, any_model, as_stated, Objective::curve, &points);
+  prepared.held.assign(prepared.held.size(), true);
   const auto stated = problem_of(data, prepared);
   std::vector<double> residuals(stated->residual_count());
   if (residuals.empty() || residuals.size() < points.size() || !stated->evaluate({}, residuals, {}))

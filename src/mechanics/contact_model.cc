@@ -84,6 +84,13 @@ void ContactModel::areas(std::span<const Values> p, Values P, Values T, std::spa
   std::fill(status.begin(), status.end(), EquilibriumStatus::invalid);
 }
 
+void ContactModel::areas_at(ParameterSpan p, double P, std::span<const double> T, std::span<double> A,
+                            std::span<EquilibriumStatus> status) const {
+  std::vector<Values> all;
+  for (const double& one : p) all.push_back({&one, 0});
+  areas(all, {&P, 0}, {T.data(), 1}, A, status);
+}
+
 void ContactModel::area_slopes(std::span<const Values> p, Values P, Values T, std::span<const double> A,
                                std::span<const std::span<double>> slopes) const {
   for (const std::span<double> of_one : slopes) std::fill(of_one.begin(), of_one.end(), kNaN);
@@ -128,7 +135,9 @@ std::vector<ConstantShearPoint> ContactModel::at_constant_shear(ParameterSpan p,
   return operations_->curves->at_constant_shear(p, T, y);
 }
 
-double ContactModel::critical_load(ParameterSpan p) const { return operations_->curves->critical_load(p); }
+std::optional<double> ContactModel::critical_load(ParameterSpan p) const {
+  return obstacle(p).empty() ? std::optional(operations_->curves->critical_load(p)) : std::nullopt;
+}
 
 std::optional<std::span<const RegimeBoundary>> ContactModel::regime_boundaries() const {
   return mixity::regime_boundaries(info().key);

@@ -38,12 +38,16 @@ class ParameterValues {
   explicit ParameterValues(std::span<const double> values) : size_(std::min(values.size(), kMost)) {
     std::copy_n(values.begin(), size_, values_.begin());
   }
+  static ParameterValues zeros(std::size_t n) { return ParameterValues(std::vector<double>(n)); }
 
   std::size_t size() const { return size_; }
   double& operator[](std::size_t i) { return values_[i]; }
   double operator[](std::size_t i) const { return values_[i]; }
-  operator std::span<const double>() const { return {values_.data(), size_}; }
-  operator std::span<double>() { return {values_.data(), size_}; }
+  double* begin() { return values_.data(); }
+  double* end() { return values_.data() + size_; }
+  const double* begin() const { return values_.data(); }
+  const double* end() const { return values_.data() + size_; }
+  bool operator==(const ParameterValues&) const = default;
 
  private:
   std::array<double, kMost> values_{};
@@ -104,6 +108,9 @@ class ContactModel {
   /// parameters are found together.
   void areas(std::span<const Values> p, Values P, Values T, std::span<double> A,
              std::span<EquilibriumStatus> status) const;
+  /// The same for one set of parameters and one load.
+  void areas_at(std::span<const double> p, double P, std::span<const double> T, std::span<double> A,
+                std::span<EquilibriumStatus> status) const;
   /// Derivatives of these areas: slopes[k][i] = dA[i]/d parameter k, each of A's length. NaN where A[i] is; not finite
   /// on a fold, where dA/dT is not either.
   void area_slopes(std::span<const Values> p, Values P, Values T, std::span<const double> A,
@@ -135,8 +142,9 @@ class ContactModel {
   /// States at the tangential load T with edge loads y > 0.
   std::vector<ConstantShearPoint> at_constant_shear(std::span<const double> p, double T,
                                                     std::span<const double> y) const;
-  /// The load below which the contact jumps: infinite where it jumps at every load, -3 pi/2 where at none.
-  double critical_load(std::span<const double> p) const;
+  /// The load below which the contact jumps: infinite where it jumps at every load, -3 pi/2 where at none. Null where
+  /// obstacle(p) is not empty.
+  std::optional<double> critical_load(std::span<const double> p) const;
   /// Lines between regimes that have a closed form; null: this model has none.
   std::optional<std::span<const RegimeBoundary>> regime_boundaries() const;
   /// alpha of A = A0 - alpha T^2 at small T for a contact of the area A0 without shear. Null at or below pull-off, and

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/regimes.h"
+#include "mechanics/states.h"
 
 namespace mixity {
 

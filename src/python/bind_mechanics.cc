@@ -65,6 +65,25 @@ void require(const std::string& problem) {
   if (!problem.empty()) throw InputError("parameters", problem);
 }
 
+ContactModel model_of(const std::string& key) {
+  const auto model = ContactModel::find(key);
+  if (!model) require("no model is called '" + key + "'");
+  return *model;
+}
+
+/// One of these contacts.
+ContactModel model_of(const std::string& key, const std::vector<double>& parameters, double P) {
+  const ContactModel model = model_of(key);
+  require(model.problem(parameters, P));
+  return model;
+}
+
+std::vector<ParameterInfo> parameters_of(const std::string& key) {
+  const auto model = ContactModel::find(key);
+  if (!model) return {};
+  return {model->parameters().begin(), model->parameters().end()};
+}
+
 }  // namespace
 
 Control control_of(const std::string& kind, double stiffness) {
@@ -102,14 +121,22 @@ void bind_mechanics(nb::module_& m) {
     return std::tuple(defined.law->definition().key, defined.law->shown(), std::move(defined.warnings));
   };
   m.def("define_law", define, "text"_a, "parameters"_a, "key"_a, "name"_a, "normalised"_a, "function"_a.none());
-  m.def("parameter_names", [](const std::string& model) { return parameter_names(model); });
-  m.def("parameter_bounds", [](const std::string& model) { return parameter_bounds(model); });
+  m.def("parameter_names", [](const std::string& model) {  // none of a key that is none
+    std::vector<std::string> names;
+    for (const ParameterInfo& one : parameters_of(model)) names.emplace_back(one.name);
+    return names;
+  });
+  m.def("parameter_bounds", [](const std::string& model) {
+    std::vector<std::pair<double, double>> bounds;
+    for (const ParameterInfo& one : parameters_of(model)) bounds.emplace_back(one.lower, one.upper);
+    return bounds;
+  });
   m.def("areas", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
                     const Numbers& T, const Output& A, const Codes& status) {
     const std::vector<Values> all = all_values(parameters);
     const nb::gil_scoped_release released;
-    areas(model, all, values_of(P), values_of(T), span_of(A),
-          {reinterpret_cast<EquilibriumStatus*>(status.data()), status.size()});
+    model_of(model).areas(all, values_of(P), values_of(T), span_of(A),
+                          {reinterpret_cast<EquilibriumStatus*>(status.data()), status.size()});
   });
   m.def("area_slopes", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
                           const Numbers& T, const Numbers& A, const std::vector<Output>& slopes) {
@@ -117,19 +144,19 @@ void bind_mechanics(nb::module_& m) {
     std::vector<std::span<double>> out;
     for (const Output& one : slopes) out.push_back(span_of(one));
     const nb::gil_scoped_release released;
-    area_slopes(model, all, values_of(P), values_of(T), {A.data(), A.size()}, out);
+    model_of(model).area_slopes(all, values_of(P), values_of(T), {A.data(), A.size()}, out);
   });
   m.def("toughness_ratios",
         [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& psi, const Output& f) {
           const std::vector<Values> all = all_values(parameters);
           const nb::gil_scoped_release released;
-          toughness_ratios(model, all, values_of(psi), span_of(f));
+          model_of(model).toughness_ratios(all, values_of(psi), span_of(f));
         });
   m.def("tangential_loads", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
                                const Numbers& A, const Output& T) {
     const std::vector<Values> all = all_values(parameters);
     const nb::gil_scoped_release released;
-    tangential_loads(model, all, values_of(P), values_of(A), span_of(T));
+    model_of(model).tangential_loads(all, values_of(P), values_of(A), span_of(T));
   });
   m.def("phase_angles", [](const Numbers& P, const Numbers& T, const Numbers& A, const Output& psi, const Output& f) {
     const nb::gil_scoped_release released;
@@ -143,39 +170,36 @@ void bind_mechanics(nb::module_& m) {
   m.def("folds", [](const std::string& model, const std::vector<double>& parameters, double P,
                     const std::string& control, double stiffness) {
     const Control by = control_of(control, stiffness);
-    const FoldsOrProblem found = [&] {
+    const std::vector<Fold> folds = [&] {
       const nb::gil_scoped_release released;
-      return folds_of(model, parameters, P, by);
+      return model_of(model, parameters, P).folds(parameters, P, by);
     }();
-    require(found.problem);
     nb::list list;
-    for (const Fold& fold : found.folds) list.append(shown(fold));
+    for (const Fold& fold : folds) list.append(shown(fold));
     return list;
   });
   m.def(
       "regime",
       [](const std::string& model, const std::vector<double>& parameters, double P, std::optional<double> tau0) {
-        const RegimeOrProblem found = [&] {
+        if (tau0 && !(*tau0 > 0)) require("the shear strength must be positive");
+        const RegimeReport found = [&] {
           const nb::gil_scoped_release released;
-          return regime_of(model, parameters, P, tau0);
+          return model_of(model, parameters, P).regime(parameters, P, tau0).value();
         }();
-        require(found.problem);
         nb::dict one;
-        one["regime"] = static_cast<int>(found.regime->regime);
-        one["fracture"] = static_cast<int>(found.regime->fracture);
-        one["T_end"] = found.regime->T_end;
-        one["T_strength"] = found.regime->T_strength;
-        one["jumps_to"] =
-            found.regime->jumps_to ? std::optional(std::string(to_string(*found.regime->jumps_to))) : std::nullopt;
+        one["regime"] = static_cast<int>(found.regime);
+        one["fracture"] = static_cast<int>(found.fracture);
+        one["T_end"] = found.T_end;
+        one["T_strength"] = found.T_strength;
+        one["jumps_to"] = found.jumps_to ? std::optional(std::string(to_string(*found.jumps_to))) : std::nullopt;
         return one;
       },
       "model"_a, "parameters"_a, "P"_a, "tau0"_a.none());
   m.def("curve", [](const std::string& model, const std::vector<double>& parameters, double P, std::size_t points) {
-    const CurveOrProblem found = [&] {
+    const SampledCurve found = [&] {
       const nb::gil_scoped_release released;
-      return curve_of(model, parameters, P, points);
+      return model_of(model, parameters, P).curve(parameters, P, {.points = points});
     }();
-    require(found.problem);
     nb::dict columns;
     const auto column = [&](const char* name, double CurvePoint::*of) {
       std::vector<double> values;

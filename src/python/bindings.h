@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/folds.h"
+#include "mechanics/states.h"
 
 namespace nb = nanobind;
 using namespace nb::literals;

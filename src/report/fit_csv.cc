@@ -8,9 +8,7 @@
 
 #include "base/rounding.h"
 #include "dataset/table/csv.h"
-#include "fitting/predicted_area.h"
 #include "fitting/predicted_curves.h"
-#include "mechanics/states.h"
 
 namespace mixity {
 namespace {
@@ -34,34 +32,14 @@ Frame table_frame(const Dataset& data) {
           ',' + csv_field(data.display.force) + ',' + csv_field(data.display.area)};
 }
 
-/// Stable A(T) from T = 0 to the instability, or to a fifth beyond the largest measured T, dense towards the fold.
-template <class Model>
 void write_area_curve(std::ostringstream& out, const Analysis& result, const FitResult& fit, std::size_t curve,
                       const Frame& frame) {
-  const DisplayUnits& units = result.data.display;
-  const double measured_load = result.data.curve_loads[curve];
-  const Candidate<Model> candidate = fitted_candidate<Model>(result.data, fit, result.request.options);
-  const ConstantsScale scale(candidate.constants);
-  const double P = scale.load(measured_load);
-  const LoadedContact<Model> contact(candidate.parameters, P);
-  if (!contact.in_contact()) return;
-  double measured = 0;
-  for (const Point& point : result.data.points)
-    if (point.curve == curve) measured = std::max(measured, scale.shear(point.shear()));
-  double end = contact.branches().front().T_bottom;
-  if (std::isinf(end)) end = 1.2 * measured;
-  for (std::size_t i = 0; i < kCurvePoints; ++i) {
-    const double rest = 1 - static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
-    const double T = end * (1 - rest * rest);
-    const Equilibrium equilibrium = contact.at(T);
-    if (equilibrium.status != EquilibriumStatus::ok) continue;
-    const ContactState state = contact_state(P, T, equilibrium.y);
-    out << frame.before << to_string(result.data.metadata.provenance) << ',' << fit.model << ','
-        << csv_field(result.data.curves[curve]) << ',' << shortest(measured_load * units.force_scale) << ','
-        << shortest(T / scale.force * units.force_scale) << ','
-        << shortest(scale.measured_area(state.A) * units.area_scale) << ',' << shortest(state.psi) << ','
-        << shortest(state.f) << frame.after << '\n';
-  }
+  const Dataset& data = result.data;
+  for (const StableState& state : stable_states(data, result.request.options, fit, curve, kCurvePoints))
+    out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << ','
+        << csv_field(data.curves[curve]) << ',' << shortest(data.curve_loads[curve] * data.display.force_scale) << ','
+        << shortest(state.T * data.display.force_scale) << ',' << shortest(state.A * data.display.area_scale) << ','
+        << shortest(state.psi) << ',' << shortest(state.f) << frame.after << '\n';
 }
 
 void write_toughness_curve(std::ostringstream& out, const Dataset& data, const FitResult& fit, const Frame& frame) {
@@ -98,11 +76,8 @@ void write_curves(std::ostringstream& out, const Analysis& result, const Frame& 
       write_toughness_curve(out, result.data, fit, frame);
       continue;
     }
-    with_model(fit.model, [&](auto chosen) {
-      using Model = decltype(chosen);
-      for (std::size_t curve = 0; curve < result.data.curves.size(); ++curve)
-        write_area_curve<Model>(out, result, fit, curve, frame);
-    });
+    for (std::size_t curve = 0; curve < result.data.curves.size(); ++curve)
+      write_area_curve(out, result, fit, curve, frame);
   }
 }
 

@@ -8,7 +8,6 @@
 
 #include "base/number_text.h"
 #include "dataset/arrays.h"
-#include "mechanics/contact.h"
 #include "mechanics/contact_model.h"
 
 namespace mixity {
@@ -21,11 +20,10 @@ Contact contact_of(const Metadata& constants) {
 }
 
 /// The longest T of a stable contact, dimensionless; of one that never jumps the natural scale of T.
-double longest_shear(const Plan& plan, double P) {
-  const auto folds = folds_of(plan.model, plan.parameters, P, {Control::Kind::load}).folds;
-  for (const Fold& fold : folds)
+double longest_shear(const ContactModel& model, const Plan& plan, double P) {
+  for (const Fold& fold : model.folds(plan.parameters, P, {Control::Kind::load}))
     if (fold.place.maximum) return fold.T;
-  const auto regime = regime_of(plan.model, plan.parameters, P).regime;
+  const auto regime = model.regime(plan.parameters, P);
   return regime && std::isfinite(regime->T_end) ? regime->T_end : 3 * circle_radius(P);
 }
 
@@ -56,7 +54,9 @@ double error_of(const StatedError& stated, double value, double unit) {
 }  // namespace
 
 std::string problem_of(const Plan& plan) {
-  if (auto problem = parameters_problem(plan.model, plan.parameters); !problem.empty()) return problem;
+  const auto model = ContactModel::find(plan.model);
+  if (!model) return "no model is called '" + plan.model + "'";
+  if (auto problem = model->problem(plan.parameters); !problem.empty()) return problem;
   const Metadata& constants = plan.constants;
   if (!constants.radius || !constants.plane_strain_modulus() || !constants.toughness)
     return "radius, modulus and toughness must be stated";
@@ -76,6 +76,7 @@ std::string problem_of(const Plan& plan) {
 
 Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64_t> index) {
   if (const std::string problem = problem_of(plan); !problem.empty()) throw std::invalid_argument(problem);
+  const ContactModel model = ContactModel::find(plan.model).value();
   const Metadata& stated = plan.constants;
   Chance chance(seed, index);
   const auto factor = [&](std::string_view name, double value) {
@@ -102,14 +103,12 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
     // the apparatus is steered by its readings: the true load is what was wanted and the offset
     const double load = (plan.loads[k] + load_offset) / true_contact.force_unit();
     const double longest =
-        plan.reach * longest_shear(plan, plan.loads[k] / nominal.force_unit()) * nominal.force_unit();
-    std::vector<Values> parameters;
-    for (const double& value : plan.parameters) parameters.push_back({&value, 0});
+        plan.reach * longest_shear(model, plan, plan.loads[k] / nominal.force_unit()) * nominal.force_unit();
     std::vector<double> shears(plan.points), areas_found(plan.points);
     std::vector<EquilibriumStatus> status(plan.points);
     for (std::size_t i = 0; i < plan.points; ++i)
       shears[i] = longest * static_cast<double>(i) / static_cast<double>(plan.points - 1) / true_contact.force_unit();
-    areas(plan.model, parameters, {&load, 0}, {shears.data(), 1}, areas_found, status);
+    model.areas_at(plan.parameters, load, shears, areas_found, status);
     for (std::size_t i = 0; i < plan.points; ++i) {
       if (status[i] != EquilibriumStatus::ok) continue;  // it has jumped, and is no point
       const double shear = shears[i] * true_contact.force_unit() / kMilli - shear_offset / kMilli,

@@ -59,7 +59,7 @@ TEST(Information, IsNoneOfARobustLossInUnitsOfTheScatter) {
 
 Dataset noisy(unsigned seed, const std::vector<double>& loads = {0.5, 3, 10, 30}) {
   SeededNoise noise(seed, 0.005);
-  return synthetic_runs<PapangeloCiavarella>({0.15}, loads, 12, 0.85, noise);
+  return synthetic_runs("c", {0.15}, loads, 12, 0.85, noise);
 }
 
 FitOptions curve_options() {
@@ -112,13 +112,13 @@ TEST(LeaveOneLoadOut, IsRefittingWithoutEachRun) {
         if (data.points[i].curve != run) others.push_back(i);
       const FitResult fit = fit_model(data, "c", options, &others);
       ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
-      const LoadedContact<PapangeloCiavarella> contact({*fit.parameters[0].value}, data.curve_loads[run]);
+      const ParameterValues lambda{*fit.parameters[0].value};
       for (const Point& p : data.points) {
         if (p.curve != run) continue;
-        const Equilibrium at = contact.at(p.T);
-        const bool exists = at.status == EquilibriumStatus::ok;
+        const Equilibria found_at = model_named("c").equilibria(lambda, data.curve_loads[run], {&p.T, 1});
+        const bool exists = found_at.at[0].status == EquilibriumStatus::ok;
         beyond += !exists;
-        const double y = exists ? at.y : contact.branches().back().y_bottom;
+        const double y = exists ? found_at.at[0].y : found_at.last->y_bottom;
         squares += std::pow(area_from_radius(radius_from_edge_load(y, p.P)) - p.A, 2);
       }
     }
@@ -131,7 +131,7 @@ TEST(LeaveOneLoadOut, IsRefittingWithoutEachRun) {
 
 /// Of toughness model bk can be fitted where the law defines no equilibrium: that predicts no area, not one of 0.
 TEST(LeaveOneLoadOut, SaysNothingWhereTheLawDefinesNoArea) {
-  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.0023}, {1, 5, 20}, 20, 0.95);
+  const Dataset data = synthetic_runs("c", {0.0023}, {1, 5, 20}, 20, 0.95);
   const FitOptions options{.objective = Objective::toughness};
   const FitResult fit = fit_model(data, "bk", options);
   ASSERT_TRUE(has_all_values(fit)) << fit.message;
@@ -175,7 +175,7 @@ TEST(Preferences, AgreeOnlyWhereEachCriterionNamesTheSameModel) {
 TEST(LeaveOneLoadOut, NeedsTwoRunsWithLoads) {
   const Dataset one = noisy(4, {3});
   EXPECT_FALSE(leave_one_load_out(one, fit_model(one, "c", curve_options()), curve_options()));
-  const Dataset angles = synthetic<PapangeloCiavarella>({0.3}, angles_up_to(1.2, 10));
+  const Dataset angles = synthetic("c", {0.3}, angles_up_to(1.2, 10));
   EXPECT_FALSE(leave_one_load_out(angles, fit_model(angles, "c"), {}));
 }
 
@@ -192,7 +192,7 @@ TEST(LeaveOneLoadOut, LooksAtTwoHundredRunsAtMost) {
 TEST(LeaveOneLoadOut, CountsWhatLiesBeyondTheFold) {
   Dataset data = noisy(5);
   // a point 20 % beyond the fold of its run, where only the fold's area can stand for the model's
-  const double T = 1.2 * shear_to_lose_area<PapangeloCiavarella>({0.15}, 3);
+  const double T = 1.2 * shear_to_lose_area("c", {0.15}, 3);
   data.points.push_back({60, 1, 3, T, 15});
   const auto found = leave_one_load_out(data, fit_model(data, "c", curve_options()), curve_options());
   ASSERT_TRUE(found);
@@ -204,7 +204,7 @@ Dataset runs_of(double first, double second, unsigned seed) {
   SeededNoise noise(seed, 0.005);
   Dataset data = empty_runs();
   for (const double lambda : {first, second})
-    for (const double P : {2.0, 15.0}) add_run<PapangeloCiavarella>(data, {lambda}, P, 12, 0.8, noise);
+    for (const double P : {2.0, 15.0}) add_run(data, "c", {lambda}, P, 12, 0.8, noise);
   return data;
 }
 

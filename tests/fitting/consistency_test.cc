@@ -100,7 +100,7 @@ TEST(Consistency, TakesNoiseOfOtherProportionsForNoise) {
   int suspect = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
     SeededNoise noise(seed, 0.002), shear(seed + 1000, 0.02);
-    Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {-1, 0.5, 2, 5, 12, 30}, 25, 0.95, noise);
+    Dataset data = synthetic_runs("c", {0.15}, {-1, 0.5, 2, 5, 12, 30}, 25, 0.95, noise);
     for (Point& point : data.points) point.T *= 1 + shear();
     suspect += fit_model(data, "c", {.intervals = false}).status == FitStatus::suspect;
   }

@@ -18,7 +18,7 @@ constexpr unsigned kSeeds = 80;
 /// Model c at lambda = 0.15, three runs well before their folds; noise in A and in T.
 Dataset noisy(unsigned seed, double size_A, double size_T) {
   SeededNoise noise_A(seed, size_A), noise_T(seed + 1000000, size_T);
-  Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20}, 10, 0.8, noise_A);
+  Dataset data = synthetic_runs("c", {0.15}, {0.5, 5, 20}, 10, 0.8, noise_A);
   for (Point& p : data.points) p = {p.line, p.curve, p.P, p.T * (1 + noise_T()), p.A};
   return data;
 }

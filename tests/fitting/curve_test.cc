@@ -1,42 +1,38 @@
 // Objective curve on loads and areas: its residuals against what they are called, its Jacobian against differences.
-#include "fitting/curve.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "fitting/curve_objective.h"
 #include "fitting/problem_checks.h"
-#include "mechanics/model_types.h"
 
 namespace mixity {
 namespace {
 
-template <class Model>
-class CurveOf : public ::testing::Test {};
-TYPED_TEST_SUITE(CurveOf, ModelTypes);
+class CurveOf : public OfModel {};
+INSTANTIATE_TEST_SUITE_P(EachModel, CurveOf, ::testing::ValuesIn(published_keys()));
 
 /// A residual of size 1 to 10 is good to some 1e-13 (nearest points to 1e-15 over errors of 2 %), which h makes 1e-9 of
 /// it for lambda = 0.0023; h^4 = 1e-14 of a fifth derivative that reaches 1e4 near the fold.
-TYPED_TEST(CurveOf, JacobianMatchesDifferences) {
-  for (const Parameters<TypeParam>& p : typical_cases<TypeParam>())
+TEST_P(CurveOf, JacobianMatchesDifferences) {
+  for (const ParameterValues& p : typical_cases(model()))
     for (const Constants& c : kSomeConstants)
-      expect_jacobian(CurveObjective<TypeParam>(points_off<TypeParam>(p), everything_free<TypeParam>()),
-                      solver_point<TypeParam>(p, c), 1e-8, std::to_string(p[0]));
+      expect_jacobian(CurveObjective(points_off(key(), p), everything_free(model())), solver_point(p, c), 1e-8,
+                      std::to_string(p[0]));
 }
 
 /// Where T is nearly exact the distance is A's; for small errors of T it differs by (sigma_T dA/dT/sigma_A)^2.
-TYPED_TEST(CurveOf, DistanceTendsToThatInAWhereTIsExact) {
-  for (const Parameters<TypeParam>& p : typical_cases<TypeParam>())
+TEST_P(CurveOf, DistanceTendsToThatInAWhereTIsExact) {
+  for (const ParameterValues& p : typical_cases(model()))
     for (const double sigma_T : {1e-2, 3e-3, 1e-6}) {
-      const auto measured = points_off<TypeParam>(p, sigma_T, 0.6);
-      const auto r = residuals_of(CurveObjective<TypeParam>(measured, everything_free<TypeParam>()),
-                                  solver_point<TypeParam>(p, {}));
+      const auto measured = points_off(key(), p, sigma_T, 0.6);
+      const auto r = residuals_of(CurveObjective(measured, everything_free(model())), solver_point(p, {}));
       // |dA/dT| is below A/T_scale there, so that the errors' ratio is below sigma_T/0.02, and its square halves into
       // the secant of a small angle; residuals reach 3. Areas are good to 4e-15, of which 50 are a standard error.
       const double off = 3 * 0.5 * std::pow(sigma_T / 0.02, 2) + 1e-12;
       for (std::size_t i = 0; i < r.size(); ++i) {
         const MeasuredPoint& q = measured[i];
-        const double y = LoadedContact<TypeParam>(p, q.P).at(q.T).y;
+        const double y = model().equilibria(p, q.P, {&q.T, 1}).at[0].y;
         const double in_A = (area_from_radius(radius_from_edge_load(y, q.P)) - q.A) / q.sigma_A;
         EXPECT_NEAR(r[i], in_A, off) << sigma_T << ' ' << i;
       }
@@ -44,25 +40,24 @@ TYPED_TEST(CurveOf, DistanceTendsToThatInAWhereTIsExact) {
 }
 
 /// Constants that put misread data right: the same contact in other units has the same residuals.
-TYPED_TEST(CurveOf, ConstantsUndoWhatWrongOnesDo) {
-  const Parameters<TypeParam> p = typical_cases<TypeParam>()[1];
-  const auto right = points_off<TypeParam>(p);
-  const CurveObjective<TypeParam> one(right, everything_free<TypeParam>()),
-      other(misread(right, kWrongConstants), everything_free<TypeParam>());
-  const auto r = residuals_of(one, solver_point<TypeParam>(p, {})),
-             s = residuals_of(other, solver_point<TypeParam>(p, kWrongConstants));
+TEST_P(CurveOf, ConstantsUndoWhatWrongOnesDo) {
+  const ParameterValues p = typical_cases(model())[1];
+  const auto right = points_off(key(), p);
+  const CurveObjective one(right, everything_free(model())),
+      other(misread(right, kWrongConstants), everything_free(model()));
+  const auto r = residuals_of(one, solver_point(p, {})), s = residuals_of(other, solver_point(p, kWrongConstants));
   for (std::size_t i = 0; i < r.size(); ++i) EXPECT_NEAR(r[i], s[i], 1e-11);  // roundings over errors of 2 %
 }
 
 /// Points are looked at by load, and in blocks on several threads: residuals and rows stay in the order of the points.
-TYPED_TEST(CurveOf, ResidualsStandInTheOrderOfThePoints) {
-  const Parameters<TypeParam> p = typical_cases<TypeParam>()[1];
-  const auto few = points_off<TypeParam>(p);
+TEST_P(CurveOf, ResidualsStandInTheOrderOfThePoints) {
+  const ParameterValues p = typical_cases(model())[1];
+  const auto few = points_off(key(), p);
   std::vector<MeasuredPoint> many;
   while (many.size() < 40000) many.push_back(few[many.size() * 7 % few.size()]);
-  const auto choice = everything_free<TypeParam>();
-  const CurveObjective<TypeParam> one(few, choice), other(many, choice);
-  const std::vector<double> x = solver_point<TypeParam>(p, kSomeConstants[1]);
+  const auto choice = everything_free(model());
+  const CurveObjective one(few, choice), other(many, choice);
+  const std::vector<double> x = solver_point(p, kSomeConstants[1]);
   std::vector<double> r(few.size()), J(few.size() * x.size()), s(many.size()), K(many.size() * x.size());
   ASSERT_TRUE(one.evaluate(x, r, J));
   ASSERT_TRUE(other.evaluate(x, s, K));
@@ -75,20 +70,20 @@ TYPED_TEST(CurveOf, ResidualsStandInTheOrderOfThePoints) {
 
 /// Equilibrium depends on T^2: readings below zero are noise about zero, and as far from the curve as those above.
 /// Whatever the parameters were before, bounds among them, and whatever the constants.
-TYPED_TEST(CurveOf, PlacesRememberedFromOtherParametersChangeNoResidual) {
-  const auto measured = points_off<TypeParam>(typical_cases<TypeParam>()[1]);
-  const CurveObjective<TypeParam> objective(measured, everything_free<TypeParam>());
+TEST_P(CurveOf, PlacesRememberedFromOtherParametersChangeNoResidual) {
+  const auto measured = points_off(key(), typical_cases(model())[1]);
+  const CurveObjective objective(measured, everything_free(model()));
   const std::size_t n = objective.residual_count();
-  std::vector<Parameters<TypeParam>> walk = typical_cases<TypeParam>();
-  if constexpr (parameter_count<TypeParam> == 1)
+  std::vector<ParameterValues> walk = typical_cases(model());
+  if (parameter_count() == 1)
     for (const double share : {0.0, 0.9, 1.0, 1e-3, 0.3, 0.0, 0.31})
-      walk.push_back({share * TypeParam::parameters[0].upper});
+      walk.push_back({share * model().parameters()[0].upper});
   else
     for (const double r : {0.5, 1.5, 1.6, 1.0, 3.0}) walk.push_back({r, 2.5});
   std::vector<double> memory, jacobian(n * (walk[0].size() + kConstantNames.size())), warm(n);
   for (const Constants& c : kSomeConstants)
-    for (const Parameters<TypeParam>& p : walk) {
-      const std::vector<double> x = solver_point<TypeParam>(p, c);
+    for (const ParameterValues& p : walk) {
+      const std::vector<double> x = solver_point(p, c);
       ASSERT_TRUE(objective.evaluate_again(x, warm, jacobian, memory)) << p[0];
       const std::vector<double> cold = residuals_of(objective, x);
       // some roundings of T and A over errors of 2 %; of a place far off 1e-12 of the distance
@@ -101,19 +96,19 @@ TYPED_TEST(CurveOf, PlacesRememberedFromOtherParametersChangeNoResidual) {
 /// there.
 TEST(CurveObjective, OfModelAIsContinuousAtItsBound) {
   const std::vector<MeasuredPoint> slid{{4, 12, 9.5, 0.5, 0.3}, {4, 40, 6.7, 2, 0.3}};
-  const CurveObjective<Johnson> objective(slid, FreeChoice<Johnson>({{0.5}, {}}, {false}));
+  const CurveObjective objective(slid, FreeChoice(model_named("a"), {{0.5}, {}}, {false}));
   const auto at_bound = residuals_of(objective, {1}), below = residuals_of(objective, {1 - 1e-13});
   for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(at_bound[i], below[i], 1e-5) << i;  // the root of 1 - lambda
 }
 
-TYPED_TEST(CurveOf, DistanceOfANegativeShearIsThatOfAPositiveOne) {
-  const Parameters<TypeParam> p = typical_cases<TypeParam>()[1];
-  const auto right = points_off<TypeParam>(p);
+TEST_P(CurveOf, DistanceOfANegativeShearIsThatOfAPositiveOne) {
+  const ParameterValues p = typical_cases(model())[1];
+  const auto right = points_off(key(), p);
   auto mirrored = right;
   for (MeasuredPoint& q : mirrored) q.T = -q.T;
-  const std::vector<double> x = solver_point<TypeParam>(p, {});
-  const auto r = residuals_of(CurveObjective<TypeParam>(right, everything_free<TypeParam>()), x),
-             s = residuals_of(CurveObjective<TypeParam>(mirrored, everything_free<TypeParam>()), x);
+  const std::vector<double> x = solver_point(p, {});
+  const auto r = residuals_of(CurveObjective(right, everything_free(model())), x),
+             s = residuals_of(CurveObjective(mirrored, everything_free(model())), x);
   EXPECT_EQ(r, s);
 }
 
@@ -123,7 +118,7 @@ TEST(CurveObjective, AboveTheCornerOfASmallExponentTheDistanceCounts) {
   for (const double eta : {0.1, 0.36, 0.45}) {
     const double P = 17, A = area_from_radius(jkr_radius(P));
     for (const double T : {0.0, 0.01}) {
-      const CurveObjective<BenzeggaghKenane> problem({{P, T, A + 0.6, 1, 1}}, FreeChoice<BenzeggaghKenane>({}, {}));
+      const CurveObjective problem({{P, T, A + 0.6, 1, 1}}, FreeChoice(model_named("bk"), {}, {}));
       EXPECT_NEAR(residuals_of(problem, {0.68, eta})[0], -std::hypot(T, 0.6), 1e-9) << eta << ' ' << T;
     }
   }
@@ -131,8 +126,7 @@ TEST(CurveObjective, AboveTheCornerOfASmallExponentTheDistanceCounts) {
 
 /// Below pull-off no curve exists: no residual, and nothing thrown.
 TEST(CurveObjective, IsNotFiniteWhereALoadHasNoCurve) {
-  const CurveObjective<PapangeloCiavarella> problem({{-5, 1, 20, 1, 1}, {1, 1, 20, 1, 1}},
-                                                    FreeChoice<PapangeloCiavarella>({}, {}));
+  const CurveObjective problem({{-5, 1, 20, 1, 1}, {1, 1, 20, 1, 1}}, FreeChoice(model_named("c"), {}, {}));
   std::vector<double> residuals(2);
   const double lambda = 0.3;
   EXPECT_FALSE(problem.evaluate({&lambda, 1}, residuals, {}));

@@ -102,7 +102,7 @@ TEST(Diagnosis, SaysThatAConstantLiesFarFromWhatWasStated) {
 }
 
 TEST(Diagnosis, OfDataWithoutScatterIsSilent) {
-  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20});
+  const Dataset data = synthetic_runs("c", {0.15}, {0.5, 5, 20});
   EXPECT_EQ(fit_model(data, "c").status, FitStatus::ok);
 }
 

@@ -1,6 +1,4 @@
 // The distance from the law in the plane of two measured energies, through the whole fit.
-#include "fitting/energies.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,8 +8,9 @@
 #include "base/number_text.h"
 #include "dataset/load_text.h"
 #include "fitting/comparison.h"
+#include "fitting/energy_objective.h"
 #include "fitting/fit.h"
-#include "mechanics/model_types.h"
+#include "fitting/models.h"
 
 namespace mixity {
 namespace {
@@ -54,12 +53,11 @@ TEST(Energies, OfPearsonAndYorkRunThroughTheWholeFit) {
   EXPECT_NEAR(*one.parameters[0].interval->high, 0.540235934533822, 1e-9 * 0.540);
 }
 
-template <class Model>
-std::string exact(const Parameters<Model>& p, double toughness, const std::string& series) {
+std::string exact(const std::string& model, const ParameterValues& p, double toughness, const std::string& series) {
   std::string text;
   for (int i = 0; i < 8; ++i) {
     const Mixity<double> mixity = mixity_from_angle(0.19 * i);
-    const double Gc = toughness * std::exp(Model::log_toughness(p, mixity).value);
+    const double Gc = toughness * std::exp(log_f(model_named(model), p, mixity));
     text += shortest(Gc * mixity.cos * mixity.cos) + ',' + shortest(Gc * mixity.sin * mixity.sin) + ",1%,1%," + series;
     text += '\n';
   }
@@ -68,21 +66,15 @@ std::string exact(const Parameters<Model>& p, double toughness, const std::strin
   return text;
 }
 
-template <class Model>
-class EnergiesOf : public ::testing::Test {};
-TYPED_TEST_SUITE(EnergiesOf, ModelTypes);
+class EnergiesOf : public OfModel {};
+INSTANTIATE_TEST_SUITE_P(EachModel, EnergiesOf, ::testing::ValuesIn(published_keys()));
 
 /// Two interfaces of one lambda and toughnesses of their own.
-TYPED_TEST(EnergiesOf, SeveralSeriesGiveOneLawAndAToughnessOfEach) {
-  const Parameters<TypeParam> p = [] {
-    if constexpr (parameter_count<TypeParam> == 2)
-      return Parameters<TypeParam>{1.774, 2.284};
-    else
-      return Parameters<TypeParam>{0.35};
-  }();
+TEST_P(EnergiesOf, SeveralSeriesGiveOneLawAndAToughnessOfEach) {
+  const ParameterValues p = parameter_count() == 2 ? ParameterValues{1.774, 2.284} : ParameterValues{0.35};
   const Dataset data = load_text("G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n" +
-                                 exact<TypeParam>(p, 2, "dry") + exact<TypeParam>(p, 5, "wet"));
-  const FitResult fit = fit_model(data, TypeParam::info.key, {.free = {kToughness}});
+                                 exact(key(), p, 2, "dry") + exact(key(), p, 5, "wet"));
+  const FitResult fit = fit_model(data, key(), {.free = {kToughness}});
   ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
   ASSERT_EQ(fit.parameters.size(), p.size() + 2);
   // data of 16 digits, times the condition of the fit
@@ -95,7 +87,7 @@ TYPED_TEST(EnergiesOf, SeveralSeriesGiveOneLawAndAToughnessOfEach) {
 
 TEST(Energies, WithAStatedToughnessFitLambdaAlone) {
   const std::string text =
-      "G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n" + exact<PapangeloCiavarella>({0.35}, 2, "");
+      "G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n" + exact("c", {0.35}, 2, "");
   const FitResult fit = fit_model(load_text(text, "toughness = \"2 J/m^2\""), "c");
   ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
   ASSERT_EQ(fit.parameters.size(), 1u);
@@ -105,10 +97,9 @@ TEST(Energies, WithAStatedToughnessFitLambdaAlone) {
 /// The pooled fit has one lambda and both toughnesses, as the fits of each series have: their chi^2 differ by lambda's.
 TEST(Energies, OfEachSeriesAreTestedWithAToughnessOfTheirOwn) {
   const std::string columns = "G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n";
-  using Law = PapangeloCiavarella;
   const auto test = [&](double lambda_of_wet) {
     const PerCurve found =
-        fit_per_curve(load_text(columns + exact<Law>({0.35}, 2, "dry") + exact<Law>({lambda_of_wet}, 5, "wet"),
+        fit_per_curve(load_text(columns + exact("c", {0.35}, 2, "dry") + exact("c", {lambda_of_wet}, 5, "wet"),
                                 "toughness = \"9 J/m^2\""),
                       "c", {.free = {kToughness}});
     EXPECT_EQ(found.curves[1].fit.parameters.size(), 2u);

@@ -6,8 +6,8 @@
 #include <Eigen/Dense>
 #include <numbers>
 
+#include "fitting/make_problem.h"
 #include "fitting/measured_runs.h"
-#include "fitting/prepare.h"
 #include "solver/prior.h"
 #include "solver/solve.h"
 
@@ -55,12 +55,11 @@ Summed summed(const Problem& cost, const Verdict& verdict) {
 }
 
 TEST(EvidenceOfAFit, OverTwoConstantsIsThatOfTheTripleIntegral) {
-  using Model = PapangeloCiavarella;
   const Dataset data = measured_runs(3, {{"modulus", 1e5}, {"toughness", 2.7e-3}});
   const FitOptions options = stated_errors();
-  const PreparedFit<Model> prepared = prepare<Model>(data, options, Objective::curve, nullptr);
+  const PreparedFit prepared = prepare(data, model_named("c"), options, Objective::curve, nullptr);
   ASSERT_EQ(prepared.fitted.size(), 2U);
-  const auto problem = make_problem<Model>(data, options, prepared);
+  const auto problem = make_problem(data, options, prepared);
   ASSERT_TRUE(problem->known_errors());
   const ProblemWithPriors cost(*problem);
   const Verdict verdict = solve(cost);

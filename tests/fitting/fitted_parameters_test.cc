@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fitting/fit.h"
-#include "fitting/prepare.h"
+#include "fitting/make_problem.h"
 #include "fitting/synthetic_runs.h"
 #include "solver/interval.h"
 
@@ -22,7 +22,7 @@ double cost_at(const Problem& problem, const std::vector<double>& x) {
 /// Whatever the objective: at both ends the cost is the minimum plus the allowance.
 TEST(Profile, EndsWhereTheCostHasRisenByTheAllowance) {
   SeededNoise noise(5, 0.01);
-  const Dataset data = synthetic_runs<WatersGuduru>({0.3}, {0.5, 5, 20}, 15, 0.8, noise);
+  const Dataset data = synthetic_runs("b", {0.3}, {0.5, 5, 20}, 15, 0.8, noise);
   for (const Objective objective : {Objective::toughness, Objective::curve})
     for (const bool known : {false, true}) {
       FitOptions options{.objective = objective};
@@ -32,7 +32,7 @@ TEST(Profile, EndsWhereTheCostHasRisenByTheAllowance) {
       ASSERT_TRUE(fit.parameters[0].interval);
       const ShownInterval& interval = *fit.parameters[0].interval;
       const auto problem =
-          make_problem<WatersGuduru>(data, options, prepare<WatersGuduru>(data, options, *options.objective, nullptr));
+          make_problem(data, options, prepare(data, model_named("b"), options, *options.objective, nullptr));
       const double minimum = cost_at(*problem, {*fit.parameters[0].value});
       const bool size_known = known && objective != Objective::toughness;
       const double limit = minimum + cost_allowance(0.95, minimum, data.points.size(), 1, size_known);
@@ -47,14 +47,13 @@ TEST(Profile, EndsWhereTheCostHasRisenByTheAllowance) {
 /// Two parameters: the other is free on the way. Brute force minimises over it by golden section.
 TEST(Profile, OfATwoParameterLawMinimisesOverTheOther) {
   SeededNoise noise(9, 0.004);
-  const Parameters<BenzeggaghKenane> p{1.774, 2.284};
-  const Dataset data = synthetic_runs<BenzeggaghKenane>(p, {0.5, 5, 20}, 20, 0.9, noise);
+  const ParameterValues p{1.774, 2.284};
+  const Dataset data = synthetic_runs("bk", p, {0.5, 5, 20}, 20, 0.9, noise);
   for (const Objective objective : {Objective::toughness, Objective::curve}) {
     const FitOptions options{.objective = objective};
     const FitResult fit = fit_model(data, "bk", options);
     ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
-    const auto problem =
-        make_problem<BenzeggaghKenane>(data, options, prepare<BenzeggaghKenane>(data, options, objective, nullptr));
+    const auto problem = make_problem(data, options, prepare(data, model_named("bk"), options, objective, nullptr));
     const double r = *fit.parameters[0].value, eta = *fit.parameters[1].value;
     const double minimum = cost_at(*problem, {r, eta});
     const double limit = minimum + cost_allowance(0.95, minimum, data.points.size(), 2, false);
@@ -81,7 +80,7 @@ TEST(Profile, OfATwoParameterLawMinimisesOverTheOther) {
 /// Toughness is fitted as a logarithm and shown as itself: its interval is that of the logarithm, taken back.
 TEST(Profile, OfALogarithmIsShownAsTheNumberItself) {
   SeededNoise noise(11, 0.005);
-  Dataset data = synthetic_runs<PapangeloCiavarella>({0.2}, {0.5, 5, 20}, 15, 0.8, noise);
+  Dataset data = synthetic_runs("c", {0.2}, {0.5, 5, 20}, 15, 0.8, noise);
   const FitOptions options{.objective = Objective::curve, .free = {kToughness}, .sigma_A = *parse_quantity("0.5%")};
   const FitResult plain = fit_model(data, "c", options);
   data.contact = Contact{0.01, 2e6, 0.03};
@@ -104,7 +103,7 @@ TEST(Profile, OfALogarithmIsShownAsTheNumberItself) {
 }
 
 TEST(Profile, IsLeftOutWhereItIsNotAskedForOrCannotBe) {
-  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.2}, {5}, 10, 0.8, SeededNoise(1, 0.01));
+  const Dataset data = synthetic_runs("c", {0.2}, {5}, 10, 0.8, SeededNoise(1, 0.01));
   EXPECT_FALSE(fit_model(data, "c", {.intervals = false}).parameters[0].interval);
   const FitResult held = fit_model(data, "c", {.hold = {{"lambda", 0.2}}});
   EXPECT_FALSE(held.parameters[0].interval);

@@ -13,7 +13,7 @@ namespace mixity {
 inline Dataset measured_runs(unsigned seed, std::map<std::string, double, std::less<>> errors = {},
                              std::size_t points = 15, double upto = 0.9) {
   SeededNoise noise(seed, 0.01), shear(seed + 1000, 0.01);
-  Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {-1, 0.5, 2, 5, 12, 30}, points, upto, noise);
+  Dataset data = synthetic_runs("c", {0.15}, {-1, 0.5, 2, 5, 12, 30}, points, upto, noise);
   for (Point& point : data.points) point.T *= 1 + shear();
   data.contact = Contact{0.01, 2e6, 0.03};
   data.metadata.radius = 0.01;

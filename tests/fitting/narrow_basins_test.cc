@@ -6,15 +6,15 @@
 
 #include "base/number_text.h"
 #include "fitting/fit.h"
-#include "fitting/prepare.h"
+#include "fitting/make_problem.h"
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
 namespace {
 
-double bk_cost(const Dataset& data, const FitOptions& options, const Parameters<BenzeggaghKenane>& p) {
-  const auto problem = make_problem<BenzeggaghKenane>(
-      data, options, prepare<BenzeggaghKenane>(data, options, Objective::curve, nullptr));
+double bk_cost(const Dataset& data, const FitOptions& options, const ParameterValues& p) {
+  const auto problem =
+      make_problem(data, options, prepare(data, model_named("bk"), options, Objective::curve, nullptr));
   std::vector<double> residuals(problem->residual_count());
   return sum_of_squares(*problem, p, residuals).value();
 }
@@ -22,7 +22,7 @@ double bk_cost(const Dataset& data, const FitOptions& options, const Parameters<
 /// Areas a little smaller than even an ideally brittle contact would have.
 TEST(FitOfCurves, ThatWantsMoreThanLambdaOneIsAtThatBound) {
   for (const double missing : {0.003, 0.01}) {
-    const Dataset data = synthetic_runs<Johnson>({1}, {-2, 0.5, 20}, 8, 0.95, [&] { return -missing; });
+    const Dataset data = synthetic_runs("a", {1}, {-2, 0.5, 20}, 8, 0.95, [&] { return -missing; });
     const FitResult fit = fit_model(data, "a", {.objective = Objective::curve});
     EXPECT_EQ(fit.status, FitStatus::at_bound) << fit.message;
     EXPECT_EQ(*fit.parameters[0].value, 1);
@@ -35,16 +35,15 @@ TEST(FitOfCurves, OfTwoParametersIsNoWorseThanTheTruth) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(0, 1);
   for (unsigned round = 0; round < 20; ++round) {
-    Parameters<BenzeggaghKenane> truth{};
+    ParameterValues truth{};
     do
       for (double& value : truth) value = 0.5 * std::pow(10, uniform(random));
-    while (!BenzeggaghKenane::equilibrium_domain(truth).empty());
+    while (!model_named("bk").obstacle(truth).empty());
     const double size = std::pow(10, -5 + 3.5 * uniform(random));
     SeededNoise noise(round, size);
     Dataset data = empty_runs();
     for (unsigned run = 0; run <= round % 3; ++run)
-      add_run<BenzeggaghKenane>(data, truth, -4 + 34 * uniform(random), 3 + round % 5, 0.9 + 0.1 * uniform(random),
-                                noise);
+      add_run(data, "bk", truth, -4 + 34 * uniform(random), 3 + round % 5, 0.9 + 0.1 * uniform(random), noise);
     for (Point& p : data.points) p.T *= 1 + noise();
     const StatedError relative = *parse_quantity(shortest(100 * size) + "%");
     const FitOptions options{
@@ -78,7 +77,7 @@ Dataset measured_runs(const std::vector<double>& loads, const std::vector<Measur
   return data;
 }
 
-void expect_no_worse_than(const Parameters<BenzeggaghKenane>& truth, const Dataset& data) {
+void expect_no_worse_than(const ParameterValues& truth, const Dataset& data) {
   const FitOptions options{.objective = Objective::curve};
   const FitResult fit = fit_model(data, "bk", options);
   EXPECT_TRUE(fit.has_values()) << fit.message;

@@ -5,29 +5,27 @@
 
 #include <cmath>
 
-#include "fitting/toughness.h"
-#include "mechanics/registry.h"
+#include "fitting/models.h"
+#include "fitting/toughness_objective.h"
 
 namespace mixity {
 namespace {
 
-template <class Model>
-class PackedCost : public ::testing::Test {};
-using OneParameterModels = ::testing::Types<Johnson, WatersGuduru, PapangeloCiavarella>;
-TYPED_TEST_SUITE(PackedCost, OneParameterModels);
+class PackedCost : public OfModel {};
+INSTANTIATE_TEST_SUITE_P(OfLambda, PackedCost, ::testing::Values("a", "b", "c"));
 
-TYPED_TEST(PackedCost, IsTheGeneralOne) {
+TEST_P(PackedCost, IsTheGeneralOne) {
   constexpr std::size_t kPoints = 203;  // no multiple of any number of lanes
   std::vector<ToughnessPoint> points;
   std::vector<double> errors(kPoints), weights(kPoints);
   for (std::size_t i = 0; i < kPoints; ++i) {
     const auto t = static_cast<double>(i);
     const auto mixity = mixity_from_angle(1.5 * (t + 0.5) / kPoints);
-    points.push_back({mixity, std::exp(TypeParam::log_toughness({0.2}, mixity).value + 0.05 * std::sin(12 * t * t))});
+    points.push_back({mixity, std::exp(log_f(model(), {0.2}, mixity) + 0.05 * std::sin(12 * t * t))});
     errors[i] = 1 + 0.1 * static_cast<double>(i % 7);
     weights[i] = static_cast<double>(i % 4);
   }
-  const ToughnessObjective<TypeParam> problem(points, Scale::log, FreeChoice<TypeParam>({{0.15}, {}}, {}), errors);
+  const ToughnessObjective problem(points, Scale::log, FreeChoice(model(), {{0.15}, {}}, {}), errors);
   const auto packed = problem.cost();
   ASSERT_TRUE(packed->exact_curvature());
   const auto general = problem.Problem::cost();  // of any problem

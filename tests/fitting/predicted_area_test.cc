@@ -5,17 +5,20 @@
 
 #include "dataset/load_text.h"
 #include "fitting/comparison.h"
+#include "fitting/models.h"
 
 namespace mixity {
 namespace {
 
 TEST(PredictedAreas, HaveAPointWithinRoundingsOfTheFoldAtTheFold) {
   for (const double P : {-3.0, 0.5, 30.0}) {
-    const Parameters<PapangeloCiavarella> p{0.3};
-    const StableBranch last = LoadedContact<PapangeloCiavarella>(p, P).branches().back();
+    const ParameterValues p{0.3};
+    const ContactModel model = model_named("c");
+    const StableBranch last = model.equilibria(p, P, std::vector{kLargestLoad}).last.value();
     const double fold_area = area_from_radius(radius_from_edge_load(last.y_bottom, P));
-    PredictedAreas<PapangeloCiavarella> areas({p, {}});
-    const PredictedArea at = areas.at(P, last.T_bottom * (1 + 5e-10)), beyond = areas.at(P, last.T_bottom * (1 + 2e-9));
+    const std::vector<double> loads{P, P}, shears{last.T_bottom * (1 + 5e-10), last.T_bottom * (1 + 2e-9)};
+    const auto areas = predicted_areas(model, {p, {}}, loads, shears);
+    const PredictedArea at = areas[0], beyond = areas[1];
     EXPECT_EQ(at.state, PredictedArea::State::equilibrium);
     EXPECT_EQ(beyond.state, PredictedArea::State::beyond_fold);
     EXPECT_DOUBLE_EQ(at.value, fold_area);

@@ -5,7 +5,6 @@
 
 #include "fitting/fit.h"
 #include "fitting/synthetic_runs.h"
-#include "mechanics/models/papangelo_ciavarella.h"
 
 namespace mixity {
 namespace {
@@ -15,7 +14,7 @@ const std::vector<Control> kControls{{Control::Kind::load}, {Control::Kind::disp
 /// Model c jumps at T = S0/sqrt(lambda), y = 3 pi.
 TEST(FoldPredictions, OfModelCHaveTheErrorOfTheirFormula) {
   SeededNoise noise(3, 0.01);
-  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {1, 4, 9}, 12, 0.8, [&] { return noise(); });
+  const Dataset data = synthetic_runs("c", {0.15}, {1, 4, 9}, 12, 0.8, [&] { return noise(); });
   const FitOptions options;
   const FitResult fit = fit_model(data, "c", options);
   const FittedParameter& lambda = fit.parameters[0];
@@ -42,8 +41,7 @@ TEST(FoldPredictions, HoldTheTruthAsOftenAsTheyClaim) {
   int T_held = 0, A_held = 0;
   for (int i = 0; i < kLaboratories; ++i) {
     const double larger = std::exp(-2.0 / 3 * constants());  // areas in units of the modulus as stated
-    Dataset data =
-        synthetic_runs<PapangeloCiavarella>({lambda}, {1, P, 9}, 12, 0.8, [&] { return larger * (1 + noise()) - 1; });
+    Dataset data = synthetic_runs("c", {lambda}, {1, P, 9}, 12, 0.8, [&] { return larger * (1 + noise()) - 1; });
     data.contact = Contact{1, 1, 1};
     data.metadata.radius = data.metadata.modulus = data.metadata.toughness = 1;
     data.metadata.standard_errors["modulus"] = sigma;

@@ -9,40 +9,35 @@
 #include <string>
 #include <vector>
 
-#include "fitting/objective.h"
+#include "fitting/model_problem.h"
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
 
-template <class Model>
-std::vector<Parameters<Model>> typical_cases() {
-  if constexpr (parameter_count<Model> == 2)
-    return {{1.774, 2.284}, {0.7, 1.5}};
-  else
-    return {{0.0023}, {0.15}, {0.8}};
+inline std::vector<ParameterValues> typical_cases(const ContactModel& model) {
+  if (model.parameters().size() == 2) return {{1.774, 2.284}, {0.7, 1.5}};
+  return {{0.0023}, {0.15}, {0.8}};
 }
 
 /// Points off the curve by some percent, at T from none to close before the fold.
-template <class Model>
-std::vector<MeasuredPoint> points_off(const Parameters<Model>& p, double sigma_T = 0.02, double upto = 0.93) {
+inline std::vector<MeasuredPoint> points_off(const std::string& model, const ParameterValues& p, double sigma_T = 0.02,
+                                             double upto = 0.93) {
   std::vector<MeasuredPoint> list;
   SeededNoise noise(1, 0.02);
-  const Dataset data = synthetic_runs<Model>(p, {-1, 0.5, 20}, 6, upto, [&] { return 0.03 + noise(); });
+  const Dataset data = synthetic_runs(model, p, {-1, 0.5, 20}, 6, upto, [&] { return 0.03 + noise(); });
   for (const Point& q : data.points)
-    list.push_back({q.P, q.T, q.A, sigma_T * shear_to_lose_area<Model>(p, q.P), 0.02 * q.A});
+    list.push_back({q.P, q.T, q.A, sigma_T * shear_to_lose_area(model, p, q.P), 0.02 * q.A});
   return list;
 }
 
 /// All parameters of the model and all constants.
-template <class Model>
-FreeChoice<Model> everything_free() {
-  FreeChoice<Model> choice({}, {});
+inline FreeChoice everything_free(const ContactModel& model) {
+  FreeChoice choice(model, {}, {});
   for (const Constant c : kAllConstants) choice.add(c, {std::string(kConstantNames[c]), -1, 1, 0.0});
   return choice;
 }
 
-template <class Model>
-std::vector<double> solver_point(const Parameters<Model>& p, const Constants& constants) {
+inline std::vector<double> solver_point(const ParameterValues& p, const Constants& constants) {
   std::vector<double> x(p.begin(), p.end());
   x.insert(x.end(), constants.begin(), constants.end());
   return x;

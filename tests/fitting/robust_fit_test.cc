@@ -11,7 +11,7 @@ namespace {
 
 Dataset scattered(unsigned seed) {
   SeededNoise noise(seed, 0.01);
-  return synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20}, 30, 0.85, noise);
+  return synthetic_runs("c", {0.15}, {0.5, 5, 20}, 30, 0.85, noise);
 }
 
 FitOptions curve_with(Loss loss, std::optional<double> scale = {}) {

@@ -11,7 +11,7 @@ namespace {
 
 Dataset runs() {
   SeededNoise noise(7, 0.005);
-  return synthetic_runs<PapangeloCiavarella>({0.3}, {1.0, 4.0}, 15, 0.9, [&] { return noise(); });
+  return synthetic_runs("c", {0.3}, {1.0, 4.0}, 15, 0.9, [&] { return noise(); });
 }
 
 /// The same with the sign of every third shear changed.

@@ -69,8 +69,8 @@ TEST(StandardErrors, TakeTAsExactWhereOnlyAHasOneAndOneAxisCounts) {
 
 /// However densely T is sampled, and where it is stepped: readings that differ by less than their noise.
 TEST(StandardErrors, EstimatedFromTheScatterDoNotDependOnTheSampling) {
-  const double P = 4, last = 0.9 * shear_to_lose_area<PapangeloCiavarella>({0.01}, P);
-  const LoadedContact<PapangeloCiavarella> contact({0.01}, P);
+  const double P = 4, last = 0.9 * shear_to_lose_area("c", {0.01}, P);
+  const ContactModel model = model_named("c");
   const auto estimate = [&](std::size_t steps, std::size_t readings) {
     SeededNoise noise(5, 0.01), jitter(6, 1e-4);
     Dataset data = empty_runs();
@@ -78,7 +78,9 @@ TEST(StandardErrors, EstimatedFromTheScatterDoNotDependOnTheSampling) {
     data.curve_loads.push_back(P);
     for (std::size_t k = 0; k < steps * readings; ++k) {
       const double T = last * static_cast<double>(k / readings) / static_cast<double>(steps - 1);
-      const double A = area_from_radius(radius_from_edge_load(contact.at(T).y, P)) * (1 + noise());
+      const double A =
+          area_from_radius(radius_from_edge_load(model.equilibria(ParameterValues{0.01}, P, {&T, 1}).at[0].y, P)) *
+          (1 + noise());
       data.points.push_back({k + 2, 0, P, T * (1 + jitter()), A});
     }
     return *standard_errors(data, {}, {}).scatter;
@@ -93,7 +95,7 @@ TEST(StandardErrors, EstimatedFromTheScatterDoNotDependOnTheSampling) {
 /// An exact T that nobody stated made lambda ten of its errors wrong.
 TEST(StandardErrors, EstimateThatOfTFromTheScatterForBothAxesWhereOnlyAHasOne) {
   SeededNoise noise(7, 0.01);
-  const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5}, 20, 0.6, noise);
+  const Dataset data = synthetic_runs("c", {0.15}, {0.5, 5}, 20, 0.6, noise);
   const StandardErrors errors = standard_errors(data, {}, stated("1%"), true);
   EXPECT_EQ(errors.source_A, ErrorSource::stated);
   EXPECT_EQ(errors.source_T, ErrorSource::scatter);
@@ -119,7 +121,7 @@ TEST(StandardErrors, FromScatterFindTheNoiseOfTheData) {
   constexpr int kSeeds = 60;
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     SeededNoise noise(seed, 0.01);
-    const Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5, 20}, 60, 0.6, noise);
+    const Dataset data = synthetic_runs("c", {0.15}, {0.5, 5, 20}, 60, 0.6, noise);
     const StandardErrors errors = standard_errors(data, {}, {});
     ASSERT_TRUE(errors.scatter);
     EXPECT_EQ(errors.source_A, ErrorSource::scatter);
@@ -140,7 +142,7 @@ TEST(StandardErrors, FromScatterFindTheNoiseOfTheData) {
 
 TEST(StandardErrors, FromScatterAreNotMovedByTheOrderOfThePoints) {
   SeededNoise noise(7, 0.01);
-  Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5}, 20, 0.6, noise);
+  Dataset data = synthetic_runs("c", {0.15}, {0.5, 5}, 20, 0.6, noise);
   const double in_order = *standard_errors(data, {}, {}).scatter;
   std::reverse(data.points.begin(), data.points.end());
   EXPECT_NEAR(*standard_errors(data, {}, {}).scatter, in_order, 1e-12 * in_order);  // the order of roundings
@@ -148,7 +150,7 @@ TEST(StandardErrors, FromScatterAreNotMovedByTheOrderOfThePoints) {
 
 TEST(StandardErrors, FromScatterAreNotMovedByRowsThatRepeatOne) {
   SeededNoise noise(11, 0.01);
-  Dataset data = synthetic_runs<PapangeloCiavarella>({0.15}, {0.5, 5}, 20, 0.6, noise);
+  Dataset data = synthetic_runs("c", {0.15}, {0.5, 5}, 20, 0.6, noise);
   const double once = *standard_errors(data, {}, {}).scatter;
   const std::vector<Point> points = data.points;
   data.points.insert(data.points.end(), points.begin(), points.end());

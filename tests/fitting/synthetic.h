@@ -6,14 +6,13 @@
 #include <vector>
 
 #include "dataset/dataset.h"
-#include "mechanics/registry.h"
+#include "fitting/models.h"
 
 namespace mixity {
 
-/// Points of `Model` at these angles, ln f shifted by noise(i).
-template <class Model>
-Dataset synthetic(
-    const Parameters<Model>& p, const std::vector<double>& angles,
+/// Points of a model at these angles, ln f shifted by noise(i).
+inline Dataset synthetic(
+    const std::string& model, const ParameterValues& p, const std::vector<double>& angles,
     const std::function<double(std::size_t)>& noise = [](std::size_t) { return 0.0; }) {
   Dataset data;
   data.path = data.name = "synthetic";
@@ -21,7 +20,7 @@ Dataset synthetic(
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const auto mixity = mixity_from_angle(angles[i]);
     data.points.push_back({i + 2, 0, 0, 0, 0});
-    data.converted.push_back({mixity, std::exp(Model::log_toughness(p, mixity).value + noise(i))});
+    data.converted.push_back({mixity, std::exp(log_f(model_named(model), p, mixity) + noise(i))});
   }
   data.rows = angles.size();
   return data;

@@ -9,15 +9,21 @@
 #include <vector>
 
 #include "dataset/dataset.h"
-#include "mechanics/equilibrium.h"
-#include "mechanics/registry.h"
+#include "fitting/models.h"
 
 namespace mixity {
 
-/// A shear at which the contact of `Model` has lost a good part of its area: its first fold, or a natural scale of T.
-template <class Model>
-double shear_to_lose_area(const Parameters<Model>& p, double P) {
-  const double fold = LoadedContact<Model>(p, P).branches().front().T_bottom, w = Model::small_shear(p);
+/// tau^2/T^2 at small T of a published model.
+inline double small_shear(const std::string& model, const ParameterValues& p) {
+  if (model == "a" || model == "c") return p[0];
+  if (model == "b") return p[0] * (1 - 0.25 * p[0]);
+  if (p[1] > 1 || p[0] == 1) return 1;
+  return p[1] == 1 ? 2 - p[0] : std::copysign(HUGE_VAL, 1 - p[0]);
+}
+
+/// A shear at which the contact has lost a good part of its area: its first fold, or a natural scale of T.
+inline double shear_to_lose_area(const std::string& model, const ParameterValues& p, double P) {
+  const double fold = model_named(model).first_stable_end(p, P), w = small_shear(model, p);
   return std::min(fold, circle_radius(P) / std::sqrt(w > 0 && w < 1 ? w : 1.0));
 }
 
@@ -29,29 +35,28 @@ inline Dataset empty_runs() {
 }
 
 /// Appends the run of one load: n shears from 0 to `upto` of shear_to_lose_area, A multiplied by 1 + noise().
-template <class Model>
-void add_run(
-    Dataset& data, const Parameters<Model>& p, double P, std::size_t n, double upto,
+inline void add_run(
+    Dataset& data, const std::string& model, const ParameterValues& p, double P, std::size_t n, double upto,
     const std::function<double()>& noise = [] { return 0.0; }) {
-  const LoadedContact<Model> contact(p, P);
   const std::size_t curve = data.curves.size();
   data.curves.push_back("run " + std::to_string(curve + 1));
   data.curve_loads.push_back(P);
-  const double T_last = upto * shear_to_lose_area<Model>(p, P);
+  const double T_last = upto * shear_to_lose_area(model, p, P);
+  std::vector<double> T;
+  for (std::size_t i = 0; i < n; ++i) T.push_back(T_last * static_cast<double>(i) / static_cast<double>(n - 1));
+  const std::vector<Equilibrium> found = model_named(model).equilibria(p, P, T).at;
   for (std::size_t i = 0; i < n; ++i) {
-    const double T = T_last * static_cast<double>(i) / static_cast<double>(n - 1);
-    const double A = area_from_radius(radius_from_edge_load(contact.at(T).y, P)) * (1 + noise());
-    data.points.push_back({data.points.size() + 2, curve, P, T, A});
+    const double A = area_from_radius(radius_from_edge_load(found[i].y, P)) * (1 + noise());
+    data.points.push_back({data.points.size() + 2, curve, P, T[i], A});
   }
   data.rows = data.points.size();
 }
 
-template <class Model>
-Dataset synthetic_runs(
-    const Parameters<Model>& p, const std::vector<double>& loads, std::size_t n = 12, double upto = 0.9,
-    const std::function<double()>& noise = [] { return 0.0; }) {
+inline Dataset synthetic_runs(
+    const std::string& model, const ParameterValues& p, const std::vector<double>& loads, std::size_t n = 12,
+    double upto = 0.9, const std::function<double()>& noise = [] { return 0.0; }) {
   Dataset data = empty_runs();
-  for (const double P : loads) add_run<Model>(data, p, P, n, upto, noise);
+  for (const double P : loads) add_run(data, model, p, P, n, upto, noise);
   return data;
 }
 

@@ -1,11 +1,10 @@
-#include "fitting/toughness.h"
-
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "fitting/problem_checks.h"
+#include "fitting/toughness_objective.h"
 #include "mechanics/model_types.h"
 
 namespace mixity {
@@ -17,19 +16,23 @@ std::vector<ToughnessPoint> points() {
   return list;
 }
 
-template <class Model>
-class ToughnessOf : public ::testing::Test {};
-TYPED_TEST_SUITE(ToughnessOf, ModelTypes);
+template <class Law>
+class ToughnessOfLaw : public ::testing::Test {};
+TYPED_TEST_SUITE(ToughnessOfLaw, ModelTypes);
+
+class ToughnessOf : public OfModel {};
+INSTANTIATE_TEST_SUITE_P(EachModel, ToughnessOf, ::testing::ValuesIn(published_keys()));
 
 /// The analytic Jacobian against autodiff of the same expression: equal but for rounding.
-TYPED_TEST(ToughnessOf, JacobianMatchesAutodiff) {
+TYPED_TEST(ToughnessOfLaw, JacobianMatchesAutodiff) {
   constexpr int N = static_cast<int>(parameter_count<TypeParam>);
   using Jet = ceres::Jet<double, N>;
   for (const Scale scale : {Scale::log, Scale::linear})
     for (const double q : {0.01, 0.3, 0.8}) {
-      Parameters<TypeParam> p;
+      ParameterValues p = ParameterValues::zeros(N);
       for (int k = 0; k < N; ++k) p[k] = TypeParam::parameters[k].typical * (0.5 + q);
-      const ToughnessObjective<TypeParam> objective(points(), scale, FreeChoice<TypeParam>({p, {}}, {}));
+      const ContactModel model = model_named(std::string(TypeParam::info.key));
+      const ToughnessObjective objective(points(), scale, FreeChoice(model, {p, {}}, {}));
       const std::size_t n = objective.residual_count();
       std::vector<double> residuals(n), jacobian(n * N);
       ASSERT_TRUE(objective.evaluate(p, residuals, jacobian));
@@ -47,18 +50,18 @@ TYPED_TEST(ToughnessOf, JacobianMatchesAutodiff) {
 }
 
 /// Against central differences: right to h^2 of the third derivative.
-TYPED_TEST(ToughnessOf, JacobianMatchesFiniteDifferences) {
-  constexpr int N = static_cast<int>(parameter_count<TypeParam>);
-  Parameters<TypeParam> p;
-  for (int k = 0; k < N; ++k) p[k] = TypeParam::parameters[k].typical;
+TEST_P(ToughnessOf, JacobianMatchesFiniteDifferences) {
+  const std::size_t N = parameter_count();
+  ParameterValues p = ParameterValues::zeros(N);
+  for (std::size_t k = 0; k < N; ++k) p[k] = model().parameters()[k].typical;
   for (const Scale scale : {Scale::log, Scale::linear}) {
-    const ToughnessObjective<TypeParam> objective(points(), scale, FreeChoice<TypeParam>({p, {}}, {}));
+    const ToughnessObjective objective(points(), scale, FreeChoice(model(), {p, {}}, {}));
     const std::size_t n = objective.residual_count();
     std::vector<double> residuals(n), low(n), high(n), jacobian(n * N);
     ASSERT_TRUE(objective.evaluate(p, residuals, jacobian));
-    for (int k = 0; k < N; ++k) {
+    for (std::size_t k = 0; k < N; ++k) {
       const double h = 1e-5 * p[k];
-      Parameters<TypeParam> below = p, above = p;
+      ParameterValues below = p, above = p;
       below[k] -= h;
       above[k] += h;
       ASSERT_TRUE(objective.evaluate(below, low, {}));
@@ -73,49 +76,48 @@ TYPED_TEST(ToughnessOf, JacobianMatchesFiniteDifferences) {
 }
 
 /// The same residuals from loads and areas with their constants, Jacobian included.
-TYPED_TEST(ToughnessOf, LoadsIsThatOfThePhaseAngles) {
-  const Parameters<TypeParam> p = typical_cases<TypeParam>()[0];
-  const auto measured = points_off<TypeParam>(p);
+TEST_P(ToughnessOf, LoadsIsThatOfThePhaseAngles) {
+  const ParameterValues p = typical_cases(model())[0];
+  const auto measured = points_off(key(), p);
   std::vector<ToughnessPoint> converted;
   converted.reserve(measured.size());
   for (const MeasuredPoint& q : measured) converted.push_back(*toughness_of_area(q.P, q.T, q.A));
-  const FreeChoice<TypeParam> choice({p, {}}, {});
-  const ToughnessObjective<TypeParam> plain(converted, Scale::log, choice);
-  const ToughnessOfLoads<TypeParam> loaded(measured, choice);
+  const FreeChoice choice(model(), {p, {}}, {});
+  const ToughnessObjective plain(converted, Scale::log, choice);
+  const ToughnessOfLoads loaded(measured, choice);
   const std::vector<double> x(p.begin(), p.end()), one = residuals_of(plain, x), other = residuals_of(loaded, x);
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(one[i], other[i], 1e-13) << i;  // roundings of ln f
 }
 
 /// A residual is of order one, good to some eps, which h makes 1e-9 of it for lambda = 0.0023.
-TYPED_TEST(ToughnessOf, LoadsHasTheJacobianOfItsDifferences) {
-  for (const Parameters<TypeParam>& p : typical_cases<TypeParam>())
+TEST_P(ToughnessOf, LoadsHasTheJacobianOfItsDifferences) {
+  for (const ParameterValues& p : typical_cases(model()))
     for (const Constants& c : kSomeConstants)
-      expect_jacobian(ToughnessOfLoads<TypeParam>(points_off<TypeParam>(p), everything_free<TypeParam>()),
-                      solver_point<TypeParam>(p, c), 1e-8, std::to_string(p[0]));
+      expect_jacobian(ToughnessOfLoads(points_off(key(), p), everything_free(model())), solver_point(p, c), 1e-8,
+                      std::to_string(p[0]));
 }
 
-TYPED_TEST(ToughnessOf, LoadsWithTheRightConstantsIsThatOfRightData) {
-  const Parameters<TypeParam> p = typical_cases<TypeParam>()[1];
-  const auto right = points_off<TypeParam>(p);
-  const ToughnessOfLoads<TypeParam> one(right, everything_free<TypeParam>()),
-      other(misread(right, kWrongConstants), everything_free<TypeParam>());
-  const auto r = residuals_of(one, solver_point<TypeParam>(p, {})),
-             s = residuals_of(other, solver_point<TypeParam>(p, kWrongConstants));
+TEST_P(ToughnessOf, LoadsWithTheRightConstantsIsThatOfRightData) {
+  const ParameterValues p = typical_cases(model())[1];
+  const auto right = points_off(key(), p);
+  const ToughnessOfLoads one(right, everything_free(model())),
+      other(misread(right, kWrongConstants), everything_free(model()));
+  const auto r = residuals_of(one, solver_point(p, {})), s = residuals_of(other, solver_point(p, kWrongConstants));
   for (std::size_t i = 0; i < r.size(); ++i) EXPECT_NEAR(r[i], s[i], 1e-12);  // roundings of ln f, some of them
 }
 
 TEST(ToughnessObjective, LeavesHeldParametersAlone) {
-  const ToughnessObjective<BenzeggaghKenane> objective(points(), Scale::linear,
-                                                       FreeChoice<BenzeggaghKenane>({{1.774, 2}, {}}, {true, false}));
+  const ToughnessObjective objective(points(), Scale::linear,
+                                     FreeChoice(model_named("bk"), {{1.774, 2}, {}}, {true, false}));
   ASSERT_EQ(objective.parameters().size(), 1u);
   EXPECT_EQ(objective.parameters()[0].name, "eta");
   const double eta = 2.284;
-  EXPECT_EQ(objective.candidate({&eta, 1}).parameters, (Parameters<BenzeggaghKenane>{1.774, 2.284}));
+  EXPECT_EQ(objective.candidate({&eta, 1}).parameters, (ParameterValues{1.774, 2.284}));
 }
 
 TEST(ToughnessObjective, ReportsAnInfiniteValueInsteadOfReturningIt) {
-  const ToughnessObjective<PapangeloCiavarella> objective({{Mixity<double>{0, 1}, 5.0}}, Scale::log,
-                                                          FreeChoice<PapangeloCiavarella>({{0.5}, {}}, {false}));
+  const ToughnessObjective objective({{Mixity<double>{0, 1}, 5.0}}, Scale::log,
+                                     FreeChoice(model_named("c"), {{0.5}, {}}, {false}));
   std::vector<double> residual(1);
   const double zero = 0, small = 1e-3;
   EXPECT_FALSE(objective.evaluate({&zero, 1}, residual, {}));

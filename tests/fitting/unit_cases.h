@@ -10,7 +10,6 @@
 
 #include "dataset/load_text.h"
 #include "fitting/synthetic_runs.h"
-#include "mechanics/curve_distance.h"
 
 namespace mixity {
 
@@ -66,10 +65,9 @@ struct UnitCase {
 
 namespace unit_cases_detail {
 
-template <class Model>
-Dataset noisy(double lambda, double upto, unsigned seed, double size = 0.01) {
+inline Dataset noisy(const std::string& model, double lambda, double upto, unsigned seed, double size = 0.01) {
   SeededNoise noise(seed, size);
-  return synthetic_runs<Model>({lambda}, {0.5, 2, 5, 10, 20}, 20, upto, noise);
+  return synthetic_runs(model, {lambda}, {0.5, 2, 5, 10, 20}, 20, upto, noise);
 }
 
 }  // namespace unit_cases_detail
@@ -80,17 +78,17 @@ inline std::vector<UnitCase> unit_cases(const std::string& mergel) {
   using namespace unit_cases_detail;
   std::vector<UnitCase> cases;
   cases.emplace_back("mergel2018", "c", load_dataset(mergel));
-  cases.emplace_back("c, 0.15", "c", noisy<PapangeloCiavarella>(0.15, 0.95, 1));
-  cases.emplace_back("b, 0.3", "b", noisy<WatersGuduru>(0.3, 0.95, 2));
-  cases.emplace_back("a, 0.6", "a", noisy<Johnson>(0.6, 0.95, 3));
-  Dataset two = noisy<PapangeloCiavarella>(0.04, 0.9, 4);
+  cases.emplace_back("c, 0.15", "c", noisy("c", 0.15, 0.95, 1));
+  cases.emplace_back("b, 0.3", "b", noisy("b", 0.3, 0.95, 2));
+  cases.emplace_back("a, 0.6", "a", noisy("a", 0.6, 0.95, 3));
+  Dataset two = noisy("c", 0.04, 0.9, 4);
   for (const double P : {0.5, 2.0, 5.0, 10.0, 20.0}) {
     SeededNoise noise(5, 0.01);
-    add_run<PapangeloCiavarella>(two, {0.6}, P, 20, 0.97, noise);
+    add_run(two, "c", {0.6}, P, 20, 0.97, noise);
   }
   for (std::size_t i = 7; i < two.points.size(); i += 23) two.points[i].A *= 0.7;
   cases.emplace_back("c, two populations and outliers", "c", two);
-  Dataset growing = noisy<PapangeloCiavarella>(0.15, 1e-6, 6);
+  Dataset growing = noisy("c", 0.15, 1e-6, 6);
   for (std::size_t i = 0; i < growing.points.size(); ++i) {
     Point& point = growing.points[i];
     point.T = 0.5 * static_cast<double>(i % 20);
@@ -104,9 +102,8 @@ inline std::vector<UnitCase> unit_cases(const std::string& mergel) {
 using Residuals = std::function<std::optional<std::vector<double>>(double x)>;
 
 /// Distances from the equilibrium curves, as dimensionless data with these standard errors have them. The nearest place
-/// of the whole curve comes from mechanics/curve_distance.h, which tests of its own judge in 50 digits.
-template <class Model>
-Residuals curve_residuals(const Dataset& data, double sigma_T, double sigma_A) {
+/// of the whole curve comes from ContactModel, whose distances tests of its own judge in 50 digits.
+inline Residuals curve_residuals(const ContactModel& model, const Dataset& data, double sigma_T, double sigma_A) {
   std::vector<double> P, T, A;
   for (const Point& point : data.points) {
     P.push_back(point.P);
@@ -118,30 +115,31 @@ Residuals curve_residuals(const Dataset& data, double sigma_T, double sigma_A) {
   return [=](double x) -> std::optional<std::vector<double>> {
     std::vector<double> r(n);
     CurveDistances out{r, {}, {}, {}, {}};
-    if (!curve_distances<Model>({x}, {P, T, A, errors_T, errors_A}, Search::global, false, out)) return std::nullopt;
+    if (!model.curve_distances(ParameterValues{x}, {P, T, A, errors_T, errors_A}, Search::global, false, out))
+      return std::nullopt;
     return r;
   };
 }
 
 /// ln f of the model minus that of the points, each with its weight.
-template <class Model>
-Residuals toughness_residuals(const Dataset& data, const std::vector<double>& weights) {
+inline Residuals toughness_residuals(const ContactModel& model, const Dataset& data,
+                                     const std::vector<double>& weights) {
   std::vector<ToughnessPoint> points;
   for (const Point& point : data.points) points.push_back(toughness_of_area(point.P, point.T, point.A).value());
   return [=](double x) -> std::optional<std::vector<double>> {
     std::vector<double> r;
     for (std::size_t i = 0; i < points.size(); ++i)
-      r.push_back(weights[i] * (Model::log_toughness({x}, points[i].mixity).value - std::log(points[i].ratio)));
+      r.push_back(weights[i] * (log_f(model, {x}, points[i].mixity) - std::log(points[i].ratio)));
     return r;
   };
 }
 
 /// 1/standard error of these residuals at lambda = x, by central differences in what was measured.
-template <class Model>
-std::vector<double> toughness_weights(const Dataset& data, double sigma_T, double sigma_A, double x) {
+inline std::vector<double> toughness_weights(const ContactModel& model, const Dataset& data, double sigma_T,
+                                             double sigma_A, double x) {
   const auto residual = [&](double P, double T, double A) {
     const ToughnessPoint point = toughness_of_area(P, std::abs(T), A).value();
-    return Model::log_toughness({x}, point.mixity).value - std::log(point.ratio);
+    return log_f(model, {x}, point.mixity) - std::log(point.ratio);
   };
   std::vector<double> weights;
   for (const auto& [line, curve, P, T, A] : data.points) {

@@ -45,11 +45,11 @@ TEST(Simulate, AnExperimentIsAFunctionOfSeedAndIndex) {
 TEST(Simulate, WithoutChanceItIsTheModelWithTheStatedConstants) {
   const Plan plan = plan_of("b", 0.3);
   const Dataset data = simulate(plan, 1, std::nullopt);
-  const Values lambda[] = {{&plan.parameters[0], 0}};
+  const ContactModel model = ContactModel::find("b").value();
   for (const Point& point : data.points) {
     double A = 0;
     EquilibriumStatus status{};
-    areas("b", lambda, {&point.P, 0}, {&point.T, 0}, {&A, 1}, {&status, 1});
+    model.areas_at(plan.parameters, point.P, {&point.T, 1}, {&A, 1}, {&status, 1});
     EXPECT_NEAR(point.A, A, 1e-12 * A);  // through mN and mm^2 and back
   }
 }

@@ -4,16 +4,28 @@
 #include <functional>
 
 #include "base/number_text.h"
-#include "mechanics/folds.h"
-#include "mechanics/sampling.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity {
 namespace {
 
-template <class Model>
-Look look_of() {
-  return model_line(Model::info.key);
-}
+/// A published model at one lambda.
+struct PaperModel {
+  std::string key;
+  double lambda;
+
+  ContactModel model() const { return ContactModel::find(key).value(); }
+  Look look() const { return model_line(key); }
+  /// Evenly from JKR to the end of the curve, or to T_most where it runs to infinite T.
+  std::vector<CurvePoint> curve(double P, double T_most) const {
+    return model()
+        .curve(ParameterValues{lambda}, P, {.points = kPaperPoints, .T_most = T_most, .first_range_only = true})
+        .points;
+  }
+  std::vector<Fold> folds(double P, Control::Kind kind) const {
+    return model().folds(ParameterValues{lambda}, P, {kind});
+  }
+};
 
 const std::vector<std::pair<std::string, Look>> kModelKey{
     {"a", Look::dash_dot}, {"b", Look::dashed}, {"c", Look::solid}};
@@ -21,13 +33,11 @@ const std::vector<std::pair<std::string, Look>> kModelKey{
 using Projected = std::function<std::pair<double, double>(const CurvePoint&)>;
 
 /// Whole equilibrium curves of one model, a colour for each load; only c names the loads.
-template <class Model>
-void add_curves(Figure& figure, double lambda, const std::vector<double>& loads, double T_most,
+void add_curves(Figure& figure, const PaperModel& model, const std::vector<double>& loads, double T_most,
                 const Projected& project, bool stable_only) {
   for (std::size_t k = 0; k < loads.size(); ++k) {
-    const EquilibriumCurve<Model> curve({lambda}, loads[k]);
-    Series series{look_of<Model>() == Look::solid ? "P = " + shortest(loads[k]) : "", look_of<Model>(), color(k), {}};
-    for (const CurvePoint& q : sample_uniform(curve, {drawable_ranges(curve, T_most).front()}, kPaperPoints)) {
+    Series series{model.look() == Look::solid ? "P = " + shortest(loads[k]) : "", model.look(), color(k), {}};
+    for (const CurvePoint& q : model.curve(loads[k], T_most)) {
       if (stable_only && q.dT < 0) break;
       series.points.push_back(project(q));
       if (q.T > T_most) break;
@@ -38,13 +48,12 @@ void add_curves(Figure& figure, double lambda, const std::vector<double>& loads,
 
 /// Where the contacts jump: triangles under load control, diamonds under displacement control, which lie beyond what is
 /// stable under load.
-template <class Model>
-void add_jumps(Figure& figure, double lambda, const std::vector<double>& loads, const Projected& project) {
+void add_jumps(Figure& figure, const PaperModel& model, const std::vector<double>& loads, const Projected& project) {
   for (const auto& [kind, look] :
        {std::pair(Control::Kind::load, Look::triangles), std::pair(Control::Kind::displacement, Look::diamonds)}) {
-    Series marks{"", look, model_color(Model::info.key), {}};
+    Series marks{"", look, model_color(model.key), {}};
     for (const double P : loads)
-      for (const Fold& fold : find_folds(EquilibriumCurve<Model>({lambda}, P), {kind})) {
+      for (const Fold& fold : model.folds(P, kind)) {
         CurvePoint at{};
         at.T = fold.T;
         at.u = fold.u;
@@ -60,12 +69,8 @@ Figure curves(const std::string& name, const std::string& title, double lambda, 
               double T_most, Axis x, Axis y, const Projected& project) {
   Figure figure{name, title, std::move(x), std::move(y), {}, kModelKey, KeyPlace::beside};
   figure.wide = true;
-  add_curves<PapangeloCiavarella>(figure, lambda, loads, T_most, project, false);
-  add_curves<Johnson>(figure, lambda, loads, T_most, project, false);
-  add_curves<WatersGuduru>(figure, lambda, loads, T_most, project, false);
-  add_jumps<PapangeloCiavarella>(figure, lambda, loads, project);
-  add_jumps<Johnson>(figure, lambda, loads, project);
-  add_jumps<WatersGuduru>(figure, lambda, loads, project);
+  for (const char* key : {"c", "a", "b"}) add_curves(figure, {key, lambda}, loads, T_most, project, false);
+  for (const char* key : {"c", "a", "b"}) add_jumps(figure, {key, lambda}, loads, project);
   figure.key.emplace_back("jump, load controlled", Look::triangles);
   figure.key.emplace_back("jump, displacement controlled", Look::diamonds);
   figure.caption =
@@ -92,19 +97,17 @@ Figure behaviours() {
                 {},
                 KeyPlace::beside};
   figure.wide = true;
-  const auto add = [&](auto model, double lambda, const char* label, std::size_t i) {
-    using Model = decltype(model);
-    const EquilibriumCurve<Model> curve({lambda}, kLoad);
-    Series series{label, look_of<Model>(), color(i), {}};
-    for (const CurvePoint& q : sample_uniform(curve, {drawable_ranges(curve, kMost).front()}, kPaperPoints)) {
+  const auto add = [&](const PaperModel& model, const char* label, std::size_t i) {
+    Series series{label, model.look(), color(i), {}};
+    for (const CurvePoint& q : model.curve(kLoad, kMost)) {
       if (q.dT < 0 || q.T > kMost) break;
       series.points.emplace_back(q.T, q.A);
     }
     figure.series.push_back(std::move(series));
   };
-  add(Johnson{}, 0.5, "1 shrinks, never to Hertz (a, λ = 0.5)", 6);
-  add(WatersGuduru{}, 0.15, "2 shrinks to Hertz (b, λ = 0.15)", 3);
-  add(PapangeloCiavarella{}, 0.15, "3 jumps (c, λ = 0.15)", 1);
+  add({"a", 0.5}, "1 shrinks, never to Hertz (a, λ = 0.5)", 6);
+  add({"b", 0.15}, "2 shrinks to Hertz (b, λ = 0.15)", 3);
+  add({"c", 0.15}, "3 jumps (c, λ = 0.15)", 1);
   const double hertz = area_from_radius(hertz_radius(kLoad));
   figure.series.push_back(
       {"4 slides first, T = τ_0 A (τ_0 ξ/E^* = 4)", Look::dash_dots, color(7), {{0, 0}, {kMost, kMost / kStrength}}});
@@ -123,12 +126,11 @@ constexpr Contact kMergel{9.42e-3, 2.133e6, 27e-3};
 constexpr double kMergelStrength = 0.43e6;  // Pa
 
 /// Fig. 8: one model beside the data, the strength of the interface, the phase angle 3 pi/8 and the locus of the jump.
-template <class Model>
-Figure areas_of_mergel(const std::string& name, const std::vector<Dataset>& data) {
+Figure areas_of_mergel(const std::string& name, const std::string& key, const std::vector<Dataset>& data) {
   constexpr double kMost = 600;
+  const PaperModel model{key, kMergelLambda};
   Figure figure{name,
-                "Fig. 8: contact area against tangential load (Mergel et al. 2018), model " +
-                    std::string(Model::info.key) + ", λ = 0.0023",
+                "Fig. 8: contact area against tangential load (Mergel et al. 2018), model " + key + ", λ = 0.0023",
                 {kPaperT, 0.0, kMost},
                 {kPaperA, 0.0, 45.0},
                 {},
@@ -137,10 +139,9 @@ Figure areas_of_mergel(const std::string& name, const std::vector<Dataset>& data
   figure.wide = true;
   Series angle{"ψ = 3π/8", Look::circles, color(1), {}};
   for (std::size_t k = 0; k < kMergelLoads.size(); ++k) {
-    const EquilibriumCurve<Model> curve({kMergelLambda}, kMergelLoads[k]);
-    Series series{"P = " + shortest(kMergelLoads[k]), look_of<Model>(), color(k), {}};
+    Series series{"P = " + shortest(kMergelLoads[k]), model.look(), color(k), {}};
     const CurvePoint* last = nullptr;
-    const auto points = sample_uniform(curve, {drawable_ranges(curve, kMost).front()}, kPaperPoints);
+    const auto points = model.curve(kMergelLoads[k], kMost);
     for (const CurvePoint& q : points) {
       if (q.dT < 0 || q.T > kMost) break;
       series.points.emplace_back(q.T, q.A);
@@ -159,7 +160,7 @@ Figure areas_of_mergel(const std::string& name, const std::vector<Dataset>& data
   Series locus{"locus of the jump", Look::dotted, color(0), {}};
   for (int i = 0; i <= 60; ++i) {
     const double P = -1.5 * pi<double>() * 0.98 + (32 + 1.5 * pi<double>()) * i / 60;
-    for (const Fold& fold : find_folds(EquilibriumCurve<Model>({kMergelLambda}, P), {Control::Kind::load})) {
+    for (const Fold& fold : model.folds(P, Control::Kind::load)) {
       if (!fold.place.maximum) continue;
       locus.points.emplace_back(fold.T, fold.A);
       break;
@@ -200,8 +201,8 @@ std::vector<Figure> paper_behaviours() {
 }
 
 std::vector<Figure> paper_areas_of_mergel(const std::vector<Dataset>& data) {
-  return {areas_of_mergel<Johnson>("fig8a", data), areas_of_mergel<WatersGuduru>("fig8b", data),
-          areas_of_mergel<PapangeloCiavarella>("fig8c", data)};
+  return {areas_of_mergel("fig8a", "a", data), areas_of_mergel("fig8b", "b", data),
+          areas_of_mergel("fig8c", "c", data)};
 }
 
 Figure paper_areas_of_waters() {
@@ -216,8 +217,8 @@ Figure paper_areas_of_waters() {
   fig10.key = {{"b", Look::dashed}, {"c", Look::solid}};
   fig10.key_place = KeyPlace::beside;
   fig10.wide = true;
-  add_curves<PapangeloCiavarella>(fig10, 0.2331, loads, 30, area, true);
-  add_curves<WatersGuduru>(fig10, 0.30, loads, 30, area, true);
+  add_curves(fig10, {"c", 0.2331}, loads, 30, area, true);
+  add_curves(fig10, {"b", 0.30}, loads, 30, area, true);
   fig10.caption =
       "Stable branches of y^2 + T^2 = 8 pi a^3 f(psi). The paper draws the loads of the experiment, whose constants it "
       "does not give: these loads are those of Fig. 6.";

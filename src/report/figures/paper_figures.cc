@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "mechanics/constant_shear.h"
+#include "fitting/predicted_curves.h"
 #include "report/figures/paper_curves.h"
 
 namespace mixity {
@@ -11,26 +11,18 @@ namespace {
 
 const Axis kP{"P/(R G_{Ic})", -6.0, 30.0};
 
-template <class Model>
-Series toughness_curve(double lambda, double last_psi) {
-  Series series{"model " + std::string(Model::info.key) + ", λ = " + rounded(lambda, 4),
-                model_line(Model::info.key),
-                model_color(Model::info.key),
-                {}};
-  for (std::size_t i = 0; i <= kPaperPoints; ++i) {
-    const double psi = last_psi * static_cast<double>(i) / kPaperPoints;
-    const double f = std::exp(Model::log_toughness({lambda}, mixity_from_angle(psi)).value);
-    if (f < 1e6) series.points.emplace_back(psi, f);
-  }
+Series toughness_series(const std::string& key, double lambda, double last_psi) {
+  Series series{"model " + key + ", λ = " + rounded(lambda, 4), model_line(key), model_color(key), {}};
+  series.points =
+      toughness_curve(ContactModel::find(key).value(), ParameterValues{lambda}, last_psi, 1e6, kPaperPoints);
   return series;
 }
 
 /// a(P) at constant T: the stable part as the model's line, the rest dotted.
-template <class Model>
-Figure radius_against_load(const std::string& name, const std::vector<double>& shears) {
+Figure radius_against_load(const std::string& name, const std::string& key, const std::vector<double>& shears) {
+  const ContactModel model = ContactModel::find(key).value();
   Figure figure{name,
-                "Fig. 4: contact radius against normal load at constant tangential load, model " +
-                    std::string(Model::info.key) + ", λ = 0.15",
+                "Fig. 4: contact radius against normal load at constant tangential load, model " + key + ", λ = 0.15",
                 kP,
                 {"a ξ/R", 0.0, 4.5},
                 {},
@@ -38,10 +30,11 @@ Figure radius_against_load(const std::string& name, const std::vector<double>& s
                 KeyPlace::beside};
   for (std::size_t k = 0; k < shears.size(); ++k) {
     Series unstable{"", Look::dotted, color(k), {}},
-        stable{"T = " + shortest(shears[k]), model_line(Model::info.key), color(k), {}};
+        stable{"T = " + shortest(shears[k]), model_line(key), color(k), {}};
     const double largest = 40 * pi<double>() + shears[k];
-    for (int i = 1; i <= 1000; ++i) {
-      const ConstantShearPoint q = constant_shear_point<Model>({0.15}, shears[k], largest * std::pow(i / 1000.0, 2));
+    std::vector<double> edge_loads;
+    for (int i = 1; i <= 1000; ++i) edge_loads.push_back(largest * std::pow(i / 1000.0, 2));
+    for (const ConstantShearPoint& q : model.at_constant_shear(ParameterValues{0.15}, shears[k], edge_loads)) {
       (q.dP_dy > 0 ? stable : unstable).points.emplace_back(q.P, q.a);
       // the two meet at pull-off
       if (q.dP_dy > 0 && stable.points.size() == 1) unstable.points.emplace_back(q.P, q.a);
@@ -84,9 +77,8 @@ std::vector<Figure> paper_figures(const std::vector<Dataset>& data) {
     return Axis{"f = G_c/G_{Ic}", low, high, logarithmic};
   };
   const auto every_model = [&](double lambda) {
-    return std::vector{toughness_curve<Johnson>(lambda, right_angle),
-                       toughness_curve<WatersGuduru>(lambda, right_angle),
-                       toughness_curve<PapangeloCiavarella>(lambda, right_angle)};
+    return std::vector{toughness_series("a", lambda, right_angle), toughness_series("b", lambda, right_angle),
+                       toughness_series("c", lambda, right_angle)};
   };
   std::vector<Figure> figures;
   const auto toughness = [&](const char* name, const char* title, const Axis& x, const Axis& y,
@@ -98,9 +90,9 @@ std::vector<Figure> paper_figures(const std::vector<Dataset>& data) {
   };
   toughness("fig3", "Fig. 3: toughness ratio against phase angle, λ = 0.15", psi, f(0, 10, false), every_model(0.15));
 
-  figures.push_back(radius_against_load<Johnson>("fig4a", {10, 20, 30, 40}));
-  figures.push_back(radius_against_load<WatersGuduru>("fig4b", {10, 40, 70, 100}));
-  figures.push_back(radius_against_load<PapangeloCiavarella>("fig4c", {10, 20, 30, 40}));
+  figures.push_back(radius_against_load("fig4a", "a", {10, 20, 30, 40}));
+  figures.push_back(radius_against_load("fig4b", "b", {10, 40, 70, 100}));
+  figures.push_back(radius_against_load("fig4c", "c", {10, 20, 30, 40}));
 
   for (Figure& one : paper_behaviours()) figures.push_back(std::move(one));
 
@@ -109,8 +101,7 @@ std::vector<Figure> paper_figures(const std::vector<Dataset>& data) {
   add_toughness(figures.back(), data, true);
   for (Figure& one : paper_areas_of_mergel(data)) figures.push_back(std::move(one));
   toughness("fig9", "Fig. 9: toughness ratio against phase angle (Waters & Guduru 2010)", {"ψ [rad]", 0.0, 1.3},
-            f(0.5, 4, false),
-            {toughness_curve<WatersGuduru>(0.30, 1.25), toughness_curve<PapangeloCiavarella>(0.2331, 1.25)});
+            f(0.5, 4, false), {toughness_series("b", 0.30, 1.25), toughness_series("c", 0.2331, 1.25)});
   add_toughness(figures.back(), data, false);
   figures.push_back(paper_areas_of_waters());
   return figures;

@@ -4,6 +4,7 @@
 
 #include "base/number_text.h"
 #include "dataset/display_units.h"
+#include "fitting/predicted_area.h"
 #include "fitting/predicted_curves.h"
 #include "mechanics/regime_map.h"
 #include "report/figures/data_figures.h"
@@ -13,12 +14,16 @@ namespace {
 
 constexpr std::size_t kColumns = 96;
 
-template <class Model>
 class RegimeMap {
  public:
-  RegimeMap(const ReportedData& reported, const FitResult& fit)
-      : reported_(reported), data_(reported.result.data), units_(data_), lambda_(fit.parameters.front()), fit_(fit) {
-    const ParameterInfo& info = Model::parameters[0];
+  RegimeMap(const ReportedData& reported, const ContactModel& model, const FitResult& fit)
+      : reported_(reported),
+        data_(reported.result.data),
+        units_(data_),
+        lambda_(fit.parameters.front()),
+        model_(model),
+        fit_(fit) {
+    const ParameterInfo& info = model.parameters()[0];
     const auto [least, most] = std::minmax_element(data_.curve_loads.begin(), data_.curve_loads.end());
     const double margin = 0.1 * (*most - *least) + 0.5;
     P_low_ = std::max(*least - margin, -1.5 * pi<double>() * 0.999);
@@ -42,7 +47,7 @@ class RegimeMap {
     static constexpr std::array<std::size_t, 4> kTint{6, 3, 1, 7};
     std::array<bool, 5> named{};
     const std::vector<RegimeRegion> all =
-        regime_regions(loads, [&](double part, double P) { return regime(lambda_at(part), P); });
+        regime_regions(loads, [&](double part, double P) { return regime(lambda_at(part), P).value(); });
     if (all.size() == 1) {
       left_out.push_back({"regime map of model " + fit_.model,
                           "one regime everywhere: " + std::string(regime_text(*all.front().regime)).substr(2)});
@@ -65,7 +70,11 @@ class RegimeMap {
   double lambda_at(double part) const {
     return logarithmic_ ? first_ * std::pow(last_ / first_, part) : first_ + (last_ - first_) * part;
   }
-  Regime regime(double lambda, double P) const { return classify<Model>({std::min(lambda, last_)}, P, tau0_).regime; }
+  /// Null below pull-off.
+  std::optional<Regime> regime(double lambda, double P) const {
+    const auto report = model_.regime(ParameterValues{std::min(lambda, last_)}, P, tau0_);
+    return report ? std::optional(report->regime) : std::nullopt;
+  }
 
   Series data_loads() const {
     Series loads{"these data", model_symbol(fit_.model), color(0), {}};
@@ -75,8 +84,9 @@ class RegimeMap {
       loads.points.emplace_back(P, *lambda_.value);
       loads.bars.push_back({P, P, interval && interval->low ? std::max(*interval->low, first_) : *lambda_.value,
                             interval && interval->high ? *interval->high : *lambda_.value});
+      const auto at_load = regime(*lambda_.value, data_.curve_loads[run]);
       loads.hover.push_back("run " + data_.curves[run] + ": P = " + with_unit(P, 4, units_.force_unit) + ", " +
-                            regime_text(regime(*lambda_.value, data_.curve_loads[run])));
+                            (at_load ? regime_text(*at_load) : "no contact"));
     }
     return loads;
   }
@@ -85,6 +95,7 @@ class RegimeMap {
   const Dataset& data_;
   DrawnUnits units_;
   const FittedParameter& lambda_;
+  const ContactModel& model_;
   const FitResult& fit_;
   double P_low_, P_high_, first_, last_;
   bool logarithmic_;
@@ -96,12 +107,11 @@ class RegimeMap {
 std::vector<Figure> regime_figures(const ReportedData& reported, std::vector<MissingFigure>& left_out) {
   std::vector<Figure> figures;
   if (!reported.result.data.has_loads || reported.result.data.curve_loads.empty()) return figures;
-  for (const FitResult* fit : fits_with_values(reported.result.fits))
-    with_model(fit->model, [&](auto chosen) {
-      using Model = decltype(chosen);
-      if constexpr (parameter_count<Model> == 1)
-        if (auto figure = RegimeMap<Model>(reported, *fit).draw(left_out)) figures.push_back(std::move(*figure));
-    });
+  for (const FitResult* fit : fits_with_values(reported.result.fits)) {
+    const ContactModel model = model_of(*fit);
+    if (model.parameters().size() != 1) continue;
+    if (auto figure = RegimeMap(reported, model, *fit).draw(left_out)) figures.push_back(std::move(*figure));
+  }
   return figures;
 }
 

@@ -12,7 +12,8 @@ int main() {
   const mixity::FittedParameter& lambda = fit.parameters.at(0);
   std::cout << "lambda " << lambda.value.value() << " +/- " << lambda.stderr_.value() << ", "
             << mixity::to_string(fit.status) << '\n';
-  const double value[] = {lambda.value.value()};
-  const auto jump = mixity::folds_of("c", value, data.points[0].P, {mixity::Control::Kind::load});
-  std::cout << "jumps at " << jump.folds.at(0).T * data.contact->force_unit() * 1e3 << " mN\n";
+  const mixity::ContactModel model = mixity::ContactModel::find("c").value();
+  const auto folds =
+      model.folds(mixity::ParameterValues{*lambda.value}, data.points[0].P, {mixity::Control::Kind::load});
+  std::cout << "jumps at " << folds.at(0).T * data.contact->force_unit() * 1e3 << " mN\n";
 }

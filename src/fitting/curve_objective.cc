@@ -1,0 +1,122 @@
+#include "fitting/curve_objective.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include "base/side_by_side.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kSample = 32;             // points that tell one basin from another
+constexpr std::size_t kBlock = 512;             // points whose arrays stay in the processor's cache
+constexpr std::size_t kPointsOfAThread = 1024;  // fewer take less time than starting it
+
+}  // namespace
+
+/// Arrays of a block: the points as scaled, and their distances with derivatives.
+struct CurveObjective::Workspace {
+  Workspace(std::size_t n, std::size_t parameters) : values(new double[n * (9 + parameters)]), size(n) {}
+  std::span<double> array(std::size_t which, std::size_t n) { return {values.get() + which * size, n}; }
+  std::unique_ptr<double[]> values;
+  std::size_t size;
+};
+
+CurveObjective::CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice)
+    : ModelProblem(std::move(choice)), order_(points.size()) {
+  // by load: what looks for the nearest point of a whole curve then does so for all points of that curve together
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](std::size_t i, std::size_t j) { return points[i].P < points[j].P; });
+  points_.reserve(points.size());
+  for (const std::size_t i : order_) points_.push_back(points[i]);
+  for (const MeasuredPoint& point : points) {
+    targets_.push_back(point.A / point.sigma_A);
+    weights_.push_back(1 / point.sigma_A);
+  }
+  if (points.size() < 2 * kSample) return;
+  std::vector<MeasuredPoint> sample;
+  for (std::size_t i = 0; i < kSample; ++i) sample.push_back(points_[i * points_.size() / kSample]);
+  sample_ = std::make_unique<CurveObjective>(sample, choice_);
+}
+
+double CurveObjective::data_norm() const {
+  double square = std::pow(ModelProblem::data_norm(), 2);
+  for (const MeasuredPoint& point : points_) square += std::pow(point.T / point.sigma_T, 2);
+  return std::sqrt(square);
+}
+
+bool CurveObjective::evaluate(std::span<const double> x, std::span<double> residuals,
+                              std::span<double> jacobian) const {
+  return all_blocks(x, Search::global, residuals, jacobian, {});
+}
+
+bool CurveObjective::evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
+                                    std::vector<double>& memory) const {
+  memory.resize(2 * points_.size(), 0.0);
+  return all_blocks(x, Search::global, residuals, jacobian, memory);
+}
+
+bool CurveObjective::evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
+  if (!sample_) return all_blocks(x, Search::rough, residuals, {}, {});
+  std::fill(residuals.begin(), residuals.end(), 0.0);
+  return sample_->evaluate_roughly(x, residuals.first(sample_->residual_count()));
+}
+
+bool CurveObjective::all_blocks(std::span<const double> x, Search search, std::span<double> residuals,
+                                std::span<double> jacobian, std::span<double> places) const {
+  Candidate at = candidate(x);
+  model().make_continuous(at.parameters);
+  const std::size_t n = points_.size(), blocks = (n + kBlock - 1) / kBlock;
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> defined = true;
+  const auto work = [&] {
+    Workspace workspace(std::min(n, kBlock), model_parameters());
+    for (std::size_t block; defined && (block = next++) < blocks;)
+      if (!one_block(at, block * kBlock, std::min(n, (block + 1) * kBlock), search, workspace, residuals, jacobian,
+                     places))
+        defined = false;
+  };
+  side_by_side(std::clamp<std::size_t>(n / kPointsOfAThread, 1, processors()), work);
+  return defined;
+}
+
+bool CurveObjective::one_block(const Candidate& at, std::size_t begin, std::size_t end, Search search,
+                               Workspace& workspace, std::span<double> residuals, std::span<double> jacobian,
+                               std::span<double> places) const {
+  const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
+  const ConstantsScale scale(at.constants);
+  const auto array = [&](std::size_t which) { return workspace.array(which, n); };
+  const auto P = array(0), T = array(1), A = array(2), sigma_T = array(3), sigma_A = array(4);
+  for (std::size_t i = 0; i < n; ++i) {
+    const MeasuredPoint& point = points_[begin + i];
+    P[i] = scale.load(point.P);
+    T[i] = scale.shear(point.T);
+    A[i] = scale.true_area(point.A);
+    sigma_T[i] = scale.force * point.sigma_T;
+    sigma_A[i] = scale.area * point.sigma_A;
+    if (!(A[i] > 0)) return false;
+  }
+  CurveDistances out{array(5), array(6), array(7), array(8), {workspace.values.get() + 9 * workspace.size, n * p}};
+  if (!places.empty()) {
+    out.place_T = places.subspan(begin, n);
+    out.place_A = places.subspan(points_.size() + begin, n);
+  }
+  if (!model().curve_distances(at.parameters, {P, T, A, sigma_T, sigma_A}, search, !jacobian.empty(), out))
+    return false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t to = order_[begin + i];
+    residuals[to] = out.r[i];
+    if (jacobian.empty()) continue;
+    const auto of_error = [&](double slope, double sigma) { return -out.r[i] * slope * slope * sigma * sigma; };
+    const ResidualSlopes slopes{out.dP[i], out.dT[i], out.dA[i], of_error(out.dT[i], sigma_T[i]),
+                                of_error(out.dA[i], sigma_A[i])};
+    choice_.fill_row(jacobian.subspan(to * width, width), out.parameters.data() + i * p, slopes,
+                     {P[i], T[i], A[i], 0, 0}, scale);
+  }
+  return true;
+}
+
+}  // namespace mixity

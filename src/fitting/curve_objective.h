@@ -1,0 +1,40 @@
+// Objective `curve`: signed distances of measured points (P, T, A) from the equilibrium curves of their loads, in the
+// plane of T and A, each in units of its standard error; with any of the constants of the experiment free.
+#pragma once
+
+#include <memory>
+
+#include "fitting/model_problem.h"
+
+namespace mixity {
+
+class CurveObjective final : public ModelProblem {
+ public:
+  /// Standard errors > 0. The targets, which the reported R^2 compares with, are the areas.
+  CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice);
+
+  /// T is data, too.
+  double data_norm() const override;
+  /// The cost bends little over a factor of ten in lambda, and the paper's fit gives a start beside the search.
+  std::size_t scan_density(std::size_t searched) const override { return searched == 1 ? 10 : 5; }
+
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override;
+  /// From the nearest places of last time: T of each point, then A.
+  bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
+                      std::vector<double>& memory) const override;
+  /// To first order, and at some of the points.
+  bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
+
+ private:
+  struct Workspace;
+  bool all_blocks(std::span<const double> x, Search search, std::span<double> residuals, std::span<double> jacobian,
+                  std::span<double> places) const;
+  bool one_block(const Candidate& at, std::size_t begin, std::size_t end, Search search, Workspace& workspace,
+                 std::span<double> residuals, std::span<double> jacobian, std::span<double> places) const;
+
+  std::vector<MeasuredPoint> points_;       // by load
+  std::vector<std::size_t> order_;          // of each in points_: its place among the residuals
+  std::unique_ptr<CurveObjective> sample_;  // of some of many points, evenly over the loads
+};
+
+}  // namespace mixity

@@ -1,0 +1,208 @@
+#include "fitting/fitter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fitting/fitted_parameters.h"
+#include "fitting/toughness_weights.h"
+#include "solver/verdict.h"
+
+namespace mixity {
+namespace {
+
+constexpr int kMostRestarts = 3;
+
+/// How many points differ from each other, counted up to `enough`: rows that repeat one know nothing of its error.
+std::size_t distinct_points(const Dataset& data, const std::vector<std::size_t>& used, std::size_t enough) {
+  std::vector<std::size_t> distinct;
+  const auto same = [&](std::size_t one, std::size_t other) {
+    const Point &p = data.points[one], &q = data.points[other];
+    if (data.has_loads) return p.P == q.P && p.shear() == q.shear() && p.A == q.A;
+    const ToughnessPoint &f = data.converted[one], &g = data.converted[other];
+    return f.mixity.sin == g.mixity.sin && f.mixity.cos == g.mixity.cos && f.ratio == g.ratio;
+  };
+  for (const std::size_t i : used) {
+    if (distinct.size() == enough) break;
+    if (std::none_of(distinct.begin(), distinct.end(), [&](std::size_t known) { return same(i, known); }))
+      distinct.push_back(i);
+  }
+  return distinct.size();
+}
+
+}  // namespace
+
+Fitter::Fitter(const Dataset& data, const ContactModel& model, const FitOptions& options, Purpose purpose,
+               const std::vector<std::size_t>* points, const std::vector<FittedParameter>* near)
+    : data_(data),
+      options_(options),
+      purpose_(purpose),
+      prepared_(prepare(data, model, options, options.objective.value_or(default_objective(data)), points)),
+      points_(points) {
+  if (!options_.free.empty() && !near && data.has_loads) prepared_.start = jkr_start(data_, options_, prepared_);
+  problem_ = make_problem(data_, options_, prepared_);
+  describe();
+  if (near) starting_.near = solver_values(*problem_, *near);
+  if (purpose_ != Purpose::shown) {
+    solver_.engine = Engine::kernel;
+    solver_.last_digits = false;
+  }
+  if (purpose_ == Purpose::tried) solver_.most_iterations_shown = solver_.most_iterations;
+}
+
+FitResult Fitter::run() {
+  const std::size_t p = problem_->parameters().size(), unknown = p - prior_count(*problem_);
+  if (const std::size_t distinct = distinct_points(data_, prepared_.used, unknown + 1); p > 0 && distinct <= unknown) {
+    result_.status = FitStatus::not_identifiable;
+    result_.message = too_few_points(distinct, prepared_.used.size(), unknown);
+    return result_;
+  }
+  const bool as_the_paper = purpose_ == Purpose::shown || (p > 0 && starting_.near.empty());
+  if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper) fit_as_the_paper();
+  // how the time is shared, roughly: up to the minimum, and up to what is resampled
+  const double found = options_.profile_points > 0 ? 0.1 : 0.4,
+               fitted = options_.bootstrap.replicates > 0 || options_.influence ? 0.1 : 1;
+  report_progress(0.25 * found * fitted);
+  std::vector<double> x;
+  if (p == 0) {
+    result_.status = FitStatus::ok;
+    result_.message = "every parameter is held: nothing was fitted";
+  } else {
+    Verdict verdict;
+    const FitResult described = result_;
+    // An interval may come upon a lower cost, from which to start again.
+    for (int again = 0;; ++again) {
+      result_ = described;
+      verdict = find_minimum();
+      result_.status = verdict.status;
+      result_.message = verdict.message;
+      if (!result_.has_values() || verdict.best.x.empty()) return result_;
+      x = verdict.best.x;
+      const std::vector<double> deeper =
+          add_parameters(cost(), verdict, options_, stretch(options_.progress, found * fitted, fitted), result_);
+      result_.known_errors = problem_->known_errors();
+      result_.free_parameters = unknown;  // each of the others brings a residual of its own
+      result_.sum_of_squares *= unit_ * unit_;
+      if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
+      if (deeper.empty() && checked()) add_evidence(verdict);
+      if (deeper.empty() || again == kMostRestarts) break;
+      starting_.guesses.push_back(deeper);
+    }
+    report_progress(fitted);
+    add_resampled(cost(), verdict, data_, options_, stretch(options_.progress, fitted, 1), result_);
+  }
+  add_goodness(x);
+  if (checked() && p > 0) test_residuals();
+  suspect_wide_errors();
+  return result_;
+}
+
+void Fitter::report_progress(double fraction) const {
+  if (options_.progress) options_.progress(fraction);
+}
+
+/// What is known before the fit.
+void Fitter::describe() {
+  const ModelInfo& model = prepared_.model.info();
+  result_.model = model.key;
+  result_.model_name = model.name;
+  result_.formula = model.formula;
+  result_.objective = prepared_.objective;
+  result_.scale = scale_of(options_);
+  result_.used = prepared_.used;
+  result_.excluded = prepared_.excluded;
+  result_.excluded_reason = prepared_.excluded_reason;
+  result_.errors = prepared_.errors;
+  const std::span<const ParameterInfo> infos = prepared_.model.parameters();
+  for (std::size_t k = 0; k < infos.size(); ++k) {
+    result_.parameters.push_back({std::string(infos[k].name), {}, {}, infos[k].lower, infos[k].upper});
+    result_.parameters[k].held = prepared_.held[k];
+    if (prepared_.held[k]) result_.parameters[k].value = prepared_.base[k];
+  }
+  for (const FreeParameter& parameter : problem_->parameters())
+    if (parameter.start) {
+      result_.parameters.push_back(
+          {parameter.name, {}, {}, parameter.shown(parameter.lower), parameter.shown(parameter.upper)});
+      result_.parameters.back().unit = parameter.unit;
+      if (parameter.prior > 0)
+        result_.parameters.back().prior = {parameter.shown(*parameter.start),
+                                           parameter.prior * parameter.shown_slope(*parameter.start),
+                                           parameter.logarithmic};
+    }
+}
+
+/// The paper's fit is reported beside the result, and is a start for it.
+void Fitter::fit_as_the_paper() {
+  FitOptions options = value_only({});
+  options.objective = Objective::toughness;
+  options.hold = options_.hold;
+  options.constants = prepared_.constants;
+  const FitResult fit = Fitter(data_, prepared_.model, options, Purpose::values, points_, nullptr).run();
+  result_.paper = {fit.status, fit.parameters, fit.r2, fit.used.size()};
+  if (const std::vector<double> x = solver_values(*problem_, fit.parameters); !x.empty())
+    starting_.guesses.push_back(x);
+}
+
+Verdict Fitter::find_minimum() {
+  priors_.reset();  // of the problem before
+  robust_.reset();
+  Verdict verdict = minimum_of(*problem_);
+  const bool reweighted = prepared_.objective == Objective::toughness && options_.weighted;
+  if (reweighted && !settle_weights(verdict)) return verdict;
+  return options_.loss == Loss::none ? verdict : find_robust_minimum(std::move(verdict));
+}
+
+/// The standard errors depend on the model: fits until they no longer change. False if they go on changing.
+bool Fitter::settle_weights(Verdict& verdict) {
+  double change = 0;
+  for (int i = 0; i < 50; ++i) {
+    const std::vector<double> before = verdict.best.x;
+    const ParameterValues at = before.empty() ? prepared_.base : problem_->candidate(before).parameters;
+    problem_ = make_problem(
+        data_, options_, prepared_,
+        toughness_weights(data_, scale_of(options_), prepared_.used, prepared_.errors, prepared_.model, at));
+    verdict = minimum_of(*problem_);
+    if (verdict.best.x.empty()) break;
+    if (before.empty()) continue;
+    change = 0;
+    for (std::size_t k = 0; k < before.size(); ++k)
+      change = std::max(change, std::abs(verdict.best.x[k] - before[k]) / std::max(std::abs(before[k]), 1e-300));
+    if (change <= 1e-12) break;
+  }
+  if (!(change > 1e-8 && (verdict.status == FitStatus::ok || verdict.status == FitStatus::multimodal))) return true;
+  verdict.status = FitStatus::not_converged;
+  verdict.message = "the weights, which depend on the parameters, did not settle";
+  return false;
+}
+
+Verdict Fitter::find_robust_minimum(Verdict verdict) {
+  const double scale = options_.loss_scale.value_or(usual_scale(options_.loss));
+  const bool known = problem_->known_errors();
+  std::vector<double> x = verdict.best.x;
+  if (x.empty() && !known) x = value_of_least_spread(*problem_);
+  for (int i = 0; i < (known ? 1 : 3) && (known || !x.empty()); ++i) {
+    const double unit = known ? 1.0 : spread(*problem_, x);
+    if (!(unit > 0)) return verdict;  // no residuals to speak of
+    result_.loss_scale = scale * unit;
+    robust_.emplace(*problem_, options_.loss, result_.loss_scale);
+    verdict = minimum_of(*robust_);
+    x = verdict.best.x;
+  }
+  return verdict;
+}
+
+/// With what is known of the constants beforehand.
+Verdict Fitter::minimum_of(const Problem& data) {
+  if (prior_count(data) == 0) return solve(data, starting_, solver_);
+  SolvedWithPriors solved = solve_with_priors(data, starting_, solver_);
+  unit_ = solved.unit;
+  priors_.emplace(data, unit_);
+  return std::move(solved.verdict);
+}
+
+const Problem& Fitter::cost() const {
+  if (priors_) return *priors_;
+  if (robust_) return *robust_;
+  return *problem_;
+}
+
+}  // namespace mixity

@@ -1,0 +1,99 @@
+// What a fit says beyond its minimum: evidence, budget, goodness of fit, tests of its residuals.
+#include <algorithm>
+#include <cmath>
+
+#include "fitting/budget.h"
+#include "fitting/consistency.h"
+#include "fitting/fitter.h"
+#include "fitting/goodness.h"
+#include "fitting/predicted_area.h"
+#include "solver/evidence.h"
+
+namespace mixity {
+
+/// A robust loss is no likelihood.
+void Fitter::add_evidence(const Verdict& verdict) {
+  result_.evidence.reset();
+  const bool wanted = options_.intervals && !robust_;
+  const FreeParameter& first = cost().parameters()[0];
+  if (!wanted || first.start || verdict.best.x.empty() || verdict.status == FitStatus::not_converged) return;
+  const EvidenceOptions choice{options_.lambda_prior, options_.confidence,
+                               problem_->known_errors() ? 0
+                               : priors_                ? unit_
+                                                        : 1};
+  if (const auto found = evidence(cost(), verdict.best, verdict.standard_errors[0], choice))
+    result_.evidence = {first.name, options_.lambda_prior, options_.confidence, *found};
+}
+
+/// What the constants of the experiment do to the parameter.
+void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
+  const bool scaled = prepared_.objective == Objective::toughness && scale_of(options_) == Scale::linear;
+  if (scaled || data_.has_energies || verdict.status == FitStatus::not_converged || verdict.at_bound.size() != x.size())
+    return;
+  PreparedFit all = prepared_;
+  std::vector<double> beside = x;
+  std::vector<ConstantStep> exact;
+  double load = 0, shear = 0, area = 0;
+  for (const std::size_t i : prepared_.used) {
+    load = std::max(load, std::abs(data_.points[i].P));
+    shear = std::max(shear, data_.points[i].shear());
+    area = std::max(area, data_.points[i].A);
+  }
+  for (const Constant c : kAllConstants) {
+    const bool fitted = std::any_of(prepared_.fitted.begin(), prepared_.fitted.end(),
+                                    [&](const FittedConstant& one) { return one.constant == c; });
+    if (fitted || (!data_.has_loads && c != kToughness)) continue;
+    all.fitted.push_back({c, prepared_.constants[c], 0});
+    const double size = c == kLoadOffset ? load : c == kShearOffset ? shear : area;
+    exact.push_back({beside.size(), is_factor(c) ? std::log(1.05) : 0.01 * size});
+    beside.push_back(prepared_.constants[c]);
+  }
+  all.start.clear();
+  const auto data = make_problem(data_, options_, all, options_.weighted ? problem_->weights() : std::vector<double>{});
+  const double freedom = static_cast<double>(data->residual_count()) - static_cast<double>(result_.free_parameters);
+  const double unit = problem_->known_errors() ? 1 : priors_ ? unit_ : std::sqrt(result_.sum_of_squares / freedom);
+  if (robust_)
+    result_.budget =
+        error_budget(RobustProblem(*data, options_.loss, result_.loss_scale), beside, unit, verdict.at_bound, exact);
+  else
+    result_.budget = error_budget(*data, beside, unit, verdict.at_bound, exact);
+}
+
+/// Of the fit in the fitted space, and of the predicted areas.
+void Fitter::add_goodness(const std::vector<double>& x) {
+  result_.residuals.resize(problem_->residual_count());
+  if (result_.residuals.empty() || !problem_->evaluate(x, result_.residuals, {})) {
+    result_.residuals.clear();
+    result_.status = FitStatus::not_converged;
+    result_.message = "the model is not finite at the used points";
+    return;
+  }
+  const Goodness fit = goodness(result_.residuals, problem_->targets(), problem_->weights());
+  result_.r2 = fit.r2;
+  result_.rmse = fit.rmse;
+  result_.max_abs_residual = fit.max_abs_residual;
+  if (data_.has_loads && purpose_ == Purpose::shown)
+    result_.area = area_goodness(data_, result_.used, prepared_.model, problem_->candidate(x));
+}
+
+/// Whether the data are what the fit takes them for. Residuals of rounding alone are not tested.
+void Fitter::test_residuals() {
+  const double rounding = 100 * residual_rounding(*problem_);
+  const bool judged = result_.status == FitStatus::ok || result_.status == FitStatus::at_bound ||
+                      result_.status == FitStatus::multimodal;
+  if (!judged || result_.residuals.empty() || !(result_.sum_of_squares > rounding * rounding)) return;
+  result_.consistency = test_consistency(data_, result_);
+  if (result_.status == FitStatus::ok && !failed_test(result_).empty()) result_.status = FitStatus::suspect;
+}
+
+/// A value with an error beyond its whole range is none.
+void Fitter::suspect_wide_errors() {
+  for (const FittedParameter& one : result_.parameters) {
+    if (result_.status != FitStatus::ok || !one.stderr_ || !(*one.stderr_ > one.upper - one.lower)) continue;
+    result_.status = FitStatus::suspect;
+    result_.message = "the data do not tell " + one.name +
+                      ": its standard error exceeds its whole range; check the sizes and units of sigma_T and sigma_A";
+  }
+}
+
+}  // namespace mixity

@@ -1,0 +1,37 @@
+#include "fitting/model_problem.h"
+
+#include <cmath>
+
+namespace mixity {
+
+FreeChoice::FreeChoice(ContactModel model, const Candidate& base, const std::vector<bool>& held)
+    : model_(std::move(model)), base_(base) {
+  const std::span<const ParameterInfo> infos = model_.parameters();
+  if (base_.parameters.size() != infos.size()) base_.parameters = ParameterValues::zeros(infos.size());
+  for (std::size_t i = 0; i < infos.size(); ++i) {
+    if (!held.empty() && held[i]) continue;
+    of_model_.push_back(i);
+    parameters_.push_back({std::string(infos[i].name), infos[i].lower, infos[i].upper});
+    parameters_.back().neutral = infos[i].neutral;
+  }
+}
+
+void FreeChoice::add(Constant constant, FreeParameter parameter) {
+  constants_.push_back(constant);
+  parameters_.push_back(std::move(parameter));
+}
+
+Candidate FreeChoice::candidate(std::span<const double> x) const {
+  Candidate result = base_;
+  for (std::size_t k = 0; k < of_model_.size(); ++k) result.parameters[of_model_[k]] = x[k];
+  for (std::size_t k = 0; k < constants_.size(); ++k) result.constants[constants_[k]] = x[of_model_.size() + k];
+  return result;
+}
+
+double ModelProblem::data_norm() const {
+  double sum = 0;
+  for (const double target : targets_) sum += target * target;
+  return std::sqrt(sum);
+}
+
+}  // namespace mixity

@@ -1,0 +1,116 @@
+#include "fitting/predicted_area.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "fitting/goodness.h"
+#include "fitting/stated_constants.h"
+
+namespace mixity {
+namespace {
+
+/// Relative. Where a measured load is that of the fold, rounding alone says on which side it lies.
+constexpr double kFoldWidth = 1e-9;
+
+/// Areas of one contact, at shears that are not negative.
+void add_areas(const ContactModel& model, std::span<const double> p, const ConstantsScale& scale, double load,
+               std::span<const double> shears, std::vector<PredictedArea>& areas) {
+  if (!model.obstacle(p, load).empty())
+    return areas.resize(areas.size() + shears.size(), {PredictedArea::State::undefined, 0});
+  if (above_pull_off(load) < 0)
+    return areas.resize(areas.size() + shears.size(), {PredictedArea::State::below_pull_off, scale.measured_area(0)});
+  const auto measured = [&](double y) { return scale.measured_area(area_from_radius(radius_from_edge_load(y, load))); };
+  const Equilibria found = model.equilibria(p, load, shears);
+  for (std::size_t i = 0; i < shears.size(); ++i) {
+    if (found.at[i].status == EquilibriumStatus::ok) {
+      areas.push_back({PredictedArea::State::equilibrium, measured(found.at[i].y)});
+      continue;
+    }
+    areas.push_back({shears[i] <= (1 + kFoldWidth) * found.last->T_bottom ? PredictedArea::State::equilibrium
+                                                                          : PredictedArea::State::beyond_fold,
+                     measured(found.last->y_bottom)});
+  }
+}
+
+}  // namespace
+
+ContactModel model_of(const FitResult& fit) {
+  const auto model = ContactModel::find(fit.model);
+  if (!model) throw std::invalid_argument("no model is called '" + fit.model + "'");
+  return *model;
+}
+
+Constants with_fitted(Constants constants, const Dataset& data, const std::vector<FittedParameter>& parameters) {
+  for (const FittedParameter& parameter : parameters)
+    for (const Constant constant : kAllConstants) {
+      if (parameter.name != kConstantNames[constant]) continue;
+      const double value = *parameter.value / constant_scale(data, constant);
+      constants[constant] = is_factor(constant) ? std::log(value) : value;
+    }
+  return constants;
+}
+
+Candidate fitted_candidate(const Dataset& data, const ContactModel& model, const FitResult& fit,
+                           const FitOptions& options) {
+  const std::span<const ParameterInfo> infos = model.parameters();
+  ParameterValues values = ParameterValues::zeros(infos.size());
+  for (const FittedParameter& parameter : fit.parameters)
+    for (std::size_t k = 0; k < infos.size(); ++k)
+      if (parameter.name == infos[k].name) values[k] = *parameter.value;
+  return {values, with_fitted(options.constants.value_or(stated_constants(data)), data, fit.parameters)};
+}
+
+std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate,
+                                           std::span<const double> P, std::span<const double> T) {
+  const ConstantsScale scale(candidate.constants);
+  std::vector<PredictedArea> areas;
+  areas.reserve(P.size());
+  std::vector<double> shears;
+  for (std::size_t begin = 0; begin < P.size();) {
+    const double load = scale.load(P[begin]);
+    shears.clear();
+    std::size_t end = begin;
+    for (; end < P.size() && (end == begin || scale.load(P[end]) == load); ++end)
+      shears.push_back(std::abs(scale.shear(T[end])));
+    add_areas(model, candidate.parameters, scale, load, shears, areas);
+    begin = end;
+  }
+  return areas;
+}
+
+std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate, const Dataset& data,
+                                           const std::vector<std::size_t>& points) {
+  std::vector<double> P, T;
+  for (const std::size_t i : points) {
+    P.push_back(data.points[i].P);
+    T.push_back(data.shear_as_read(i));
+  }
+  return predicted_areas(model, candidate, P, T);
+}
+
+AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& used, const ContactModel& model,
+                           const Candidate& candidate) {
+  AreaGoodness area;
+  area.obstacle = model.obstacle(candidate.parameters);
+  std::vector<double> residuals, targets;
+  for (const PredictedArea& predicted : predicted_areas(model, candidate, data, used)) {
+    const double measured = data.points[used[area.areas.size()]].A;
+    if (predicted.state != PredictedArea::State::equilibrium) {
+      ++area.unpredicted;
+      area.areas.emplace_back();
+      continue;
+    }
+    area.areas.emplace_back(predicted.value);
+    residuals.push_back((predicted.value - measured) * data.display.area_scale);
+    targets.push_back(measured * data.display.area_scale);
+  }
+  area.predicted = targets.size();
+  if (targets.empty()) return area;
+  const Goodness fit = goodness(residuals, targets);
+  area.r2 = fit.r2;
+  area.rmse = fit.rmse;
+  area.max_abs_residual = fit.max_abs_residual;
+  return area;
+}
+
+}  // namespace mixity

@@ -1,0 +1,161 @@
+#include "fitting/toughness_objective.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fitting/packed_toughness.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kSample = 32;  // points that tell one basin from another
+constexpr std::size_t kChunk = 256;  // points whose arrays stay in the processor's cache
+
+}  // namespace
+
+ToughnessObjective::ToughnessObjective(const std::vector<ToughnessPoint>& points, Scale scale, FreeChoice choice,
+                                       std::vector<double> weights)
+    : ModelProblem(std::move(choice)), scale_(scale) {
+  weights_ = std::move(weights);
+  weights_.resize(points.size(), 1.0);
+  targets_.reserve(points.size());
+  mixities_.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    targets_.push_back(weights_[i] * (scale_ == Scale::log ? std::log(points[i].ratio) : points[i].ratio));
+    mixities_.push_back(points[i].mixity);
+  }
+  if (scale_ == Scale::log && model().has_packed_form()) packed_ = model().packed(mixities_);
+}
+
+double ToughnessObjective::data_norm() const {
+  double square = std::pow(ModelProblem::data_norm(), 2);
+  if (scale_ == Scale::log)
+    for (const double weight : weights_) square += weight * weight;
+  return std::sqrt(square);
+}
+
+double ToughnessObjective::residual(std::size_t i, double log_f) const {
+  return weights_[i] * (scale_ == Scale::log ? log_f : std::exp(log_f)) - targets_[i];
+}
+
+bool ToughnessObjective::evaluate_packed(const Candidate& at, std::span<double> residuals,
+                                         std::span<double> jacobian) const {
+  const std::size_t width = choice_.size(), free = choice_.of_model().size();
+  const double toughness = at.constants[kToughness];
+  bool finite = true;
+  sweep_log_toughness(model(), packed_, at.parameters[0],
+                      [&](std::size_t begin, std::size_t n, const double* value, const double* slope, const double*) {
+                        for (std::size_t j = 0; j < n; ++j) {
+                          const std::size_t i = begin + j;
+                          residuals[i] = weights_[i] * (value[j] + toughness) - targets_[i];
+                          finite &= std::isfinite(residuals[i]);
+                          if (jacobian.empty()) continue;
+                          if (width > free) jacobian[i * width + free] = weights_[i];
+                          if (free == 0) continue;
+                          jacobian[i * width] = weights_[i] * slope[j];
+                          finite &= std::isfinite(jacobian[i * width]);
+                        }
+                      });
+  return finite;
+}
+
+bool ToughnessObjective::evaluate(std::span<const double> x, std::span<double> residuals,
+                                  std::span<double> jacobian) const {
+  const Candidate at = candidate(x);
+  if (is_packed()) return evaluate_packed(at, residuals, jacobian);
+  const std::vector<std::size_t>& free = choice_.of_model();
+  const std::size_t width = choice_.size(), p = model_parameters();
+  const double toughness = at.constants[kToughness];  // of ln f: ln Gc/GIc is less by so much
+  std::array<double, kChunk> value;
+  std::array<double, kChunk * ParameterValues::kMost> gradient;
+  bool finite = true;
+  for (std::size_t begin = 0; begin < mixities_.size(); begin += kChunk) {
+    const std::size_t n = std::min(kChunk, mixities_.size() - begin);
+    model().log_toughness(at.parameters, std::span(mixities_).subspan(begin, n), value,
+                          std::span(gradient).first(jacobian.empty() ? 0 : n * p));
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t i = begin + j;
+      residuals[i] = residual(i, value[j] + toughness);
+      finite &= std::isfinite(residuals[i]);
+      if (jacobian.empty()) continue;
+      const double f = scale_ == Scale::log ? 1 : std::exp(value[j] + toughness);  // df = f d(ln f)
+      for (std::size_t k = 0; k < free.size(); ++k) {
+        const double slope = weights_[i] * f * gradient[j * p + free[k]];
+        jacobian[i * width + k] = slope;
+        finite &= std::isfinite(slope);
+      }
+      if (width > free.size()) jacobian[i * width + free.size()] = weights_[i] * f;
+    }
+  }
+  return finite;
+}
+
+bool ToughnessObjective::evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
+  if (is_packed()) return evaluate(x, residuals, {});
+  const Candidate at = candidate(x);
+  std::fill(residuals.begin(), residuals.end(), 0.0);
+  double value = 0;
+  for (std::size_t i = 0; i < mixities_.size(); i += std::max<std::size_t>(mixities_.size() / kSample, 1)) {
+    model().log_toughness(at.parameters, {&mixities_[i], 1}, {&value, 1}, {});
+    residuals[i] = residual(i, value + at.constants[kToughness]);
+    if (!std::isfinite(residuals[i])) return false;
+  }
+  return true;
+}
+
+std::unique_ptr<Cost> ToughnessObjective::cost() const {
+  if (is_packed() && choice_.size() == 1 && choice_.of_model().size() == 1)
+    return std::make_unique<PackedToughness>(model(), packed_, targets_, weights_);
+  return Problem::cost();
+}
+
+ToughnessOfLoads::ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice choice, std::vector<double> weights)
+    : ModelProblem(std::move(choice)), points_(std::move(points)) {
+  weights_ = std::move(weights);
+  weights_.resize(points_.size(), 1.0);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    targets_.push_back(weights_[i] *
+                       std::log(toughness_of_area(points_[i].P, std::abs(points_[i].T), points_[i].A)->ratio));
+}
+
+double ToughnessOfLoads::data_norm() const {
+  return std::hypot(ModelProblem::data_norm(), std::sqrt(static_cast<double>(points_.size())));
+}
+
+bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> residuals,
+                                std::span<double> jacobian) const {
+  const Candidate at = candidate(x);
+  const ConstantsScale scale(at.constants);
+  const std::size_t p = model_parameters(), width = choice_.size();
+  std::array<double, kChunk> P, T, A, by_P, by_T, by_A;
+  std::array<double, kChunk * ParameterValues::kMost> by_parameter;
+  bool finite = true;
+  for (std::size_t begin = 0; begin < points_.size(); begin += kChunk) {
+    const std::size_t n = std::min(kChunk, points_.size() - begin);
+    for (std::size_t j = 0; j < n; ++j) {
+      const MeasuredPoint& point = points_[begin + j];
+      P[j] = scale.load(point.P);
+      T[j] = scale.shear(point.T);
+      A[j] = scale.true_area(point.A);
+    }
+    if (!model().toughness_residuals(at.parameters, std::span(P).first(n), std::span(T).first(n), std::span(A).first(n),
+                                     {residuals.subspan(begin, n), by_P, by_T, by_A, by_parameter}))
+      return false;
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t i = begin + j;
+      residuals[i] *= weights_[i];
+      finite &= std::isfinite(residuals[i]);
+      if (jacobian.empty()) continue;
+      const std::span<double> row = jacobian.subspan(i * width, width);
+      choice_.fill_row(row, by_parameter.data() + j * p, {by_P[j], by_T[j], by_A[j]}, {P[j], T[j], A[j], 0, 0}, scale);
+      for (double& slope : row) {
+        slope *= weights_[i];
+        finite &= std::isfinite(slope);
+      }
+    }
+  }
+  return finite;
+}
+
+}  // namespace mixity

@@ -1,0 +1,50 @@
+// Objective `toughness`, the paper's: ln f (or f) of the model minus that of the points, at the points' psi.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fitting/model_problem.h"
+#include "fitting/options.h"
+#include "mechanics/measurement.h"
+
+namespace mixity {
+
+class ToughnessObjective final : public ModelProblem {
+ public:
+  /// `weights`: 1/standard error of each point's target, or empty: 1. Of the constants the toughness alone may be
+  /// fitted, in ln f.
+  ToughnessObjective(const std::vector<ToughnessPoint>& points, Scale scale, FreeChoice choice,
+                     std::vector<double> weights = {});
+
+  /// ln f inherits the rounding of f, an eps however small ln f is.
+  double data_norm() const override;
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override;
+  /// At some of many points, evenly over the file.
+  bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
+  std::unique_ptr<Cost> cost() const override;
+
+ private:
+  bool is_packed() const { return packed_.size() > 0; }
+  double residual(std::size_t i, double log_f) const;
+  bool evaluate_packed(const Candidate& at, std::span<double> residuals, std::span<double> jacobian) const;
+
+  Scale scale_;
+  PackedMixities packed_;                 // in ln f, of a model that has a packed form
+  std::vector<Mixity<double>> mixities_;  // else
+};
+
+/// The same in ln f, with constants of the experiment free: the points' psi and f follow from these.
+class ToughnessOfLoads final : public ModelProblem {
+ public:
+  /// `weights`: 1/standard error of each point's ln f, or empty: 1.
+  ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice choice, std::vector<double> weights = {});
+
+  double data_norm() const override;
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override;
+
+ private:
+  std::vector<MeasuredPoint> points_;
+};
+
+}  // namespace mixity
