@@ -1,9 +1,9 @@
 #include "fitting/budget.h"
 
-#include <Eigen/Dense>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+
+#include "solver/linear_algebra.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
@@ -19,8 +19,7 @@ double effective_number(const std::vector<Eigen::VectorXd>& columns) {
   for (Eigen::Index i = 0; i < m; ++i)
     for (Eigen::Index j = 0; j < m; ++j)
       correlations(i, j) = columns[static_cast<std::size_t>(i)].dot(columns[static_cast<std::size_t>(j)]);
-  const Eigen::VectorXd values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(correlations, Eigen::EigenvaluesOnly).eigenvalues().cwiseMax(0);
+  const Eigen::VectorXd values = eigenvalues(correlations).cwiseMax(0);
   return std::pow(values.cwiseSqrt().sum(), 2) / values.sum();
 }
 
@@ -28,13 +27,13 @@ double effective_number(const std::vector<Eigen::VectorXd>& columns) {
 
 std::optional<Budget> error_budget(const Problem& problem, const std::vector<double>& x, double unit,
                                    const std::vector<bool>& held, const std::vector<ConstantStep>& exact) {
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const std::size_t n = problem.residual_count(), fitted = held.size(), all = fitted + exact.size();
   const auto& parameters = problem.parameters();
   std::vector<double> residuals(n), jacobian(n * all);
   if (fitted == 0 || !(unit > 0) || !problem.evaluate(x, residuals, jacobian)) return std::nullopt;
   const auto rows = static_cast<Eigen::Index>(n);
-  const Matrix J = Eigen::Map<const Matrix>(jacobian.data(), rows, static_cast<Eigen::Index>(all)) / unit;
+  const RowMajorMatrix J =
+      Eigen::Map<const RowMajorMatrix>(jacobian.data(), rows, static_cast<Eigen::Index>(all)) / unit;
   const Eigen::VectorXd r = Eigen::Map<const Eigen::VectorXd>(residuals.data(), rows) / unit;
   if (!J.allFinite() || !r.allFinite()) return std::nullopt;
   const bool scatters = r.norm() * unit > kRounding * residual_rounding(problem);
@@ -50,10 +49,9 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
   // scaled to a unit diagonal, for the sake of rounding
   const Eigen::VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
   if (!scale.allFinite()) return std::nullopt;
-  std::optional<Eigen::LDLT<Eigen::MatrixXd>> factors;  // there is none of an empty matrix
-  if (!open.empty()) factors.emplace(scale.asDiagonal() * H * scale.asDiagonal());
+  H = scale.asDiagonal() * H * scale.asDiagonal();
   const auto solve = [&](const Eigen::VectorXd& right) -> Eigen::VectorXd {
-    return factors ? Eigen::VectorXd(scale.cwiseProduct(factors->solve(scale.cwiseProduct(right)))) : right;
+    return scale.cwiseProduct(solve_symmetric(H, scale.cwiseProduct(right)));
   };
   Budget budget{parameters[0].name, parameters[0].unit, {}, {}, {}, 0};
   std::vector<Eigen::VectorXd> tested;  // what each score test looks along
@@ -87,7 +85,7 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
       const double slope = column.dot(r), fall = slope * slope / left;
       const Eigen::VectorXd apart = column - open_J * moved;
       tested.push_back(apart.normalized());
-      double p_value = cdf(complement(boost::math::chi_squared(1), fall));
+      double p_value = chi_squared_p_value(fall, 1);
       if (const Eigen::Index freedom = rows - static_cast<Eigen::Index>(open.size()) - 1; !problem.known_errors()) {
         // Of unknown size: the larger p of two, one for errors that are all alike, one where each residual stands for
         // its own, larger by its leverage, with the constant free (MacKinnon & White's HC3).
@@ -99,8 +97,7 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
             robust += std::pow(moved[static_cast<Eigen::Index>(i)] / prior, 2);
         const double alike = left * std::max(r.squaredNorm() - fall, 0.0) / static_cast<double>(freedom);
         p_value = freedom > 0 && robust > 0 && alike > 0
-                      ? 2 * cdf(boost::math::students_t(static_cast<double>(freedom)),
-                                -std::abs(slope) / std::sqrt(std::max(robust, alike)))
+                      ? student_p_value(slope / std::sqrt(std::max(robust, alike)), static_cast<double>(freedom))
                       : 1;
       }
       constant.score = {fall, parameter.shown(at - slope / left), p_value};

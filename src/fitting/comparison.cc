@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +9,7 @@
 #include "fitting/common_constants.h"
 #include "fitting/predicted_area.h"
 #include "fitting/prepare.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
@@ -194,10 +193,10 @@ void test_runs(const FitResult& pooled, double separate, std::size_t parameters,
     PerCurve::Test test{known, 0, freedom, rest, 0, {}, {}};
     if (known) {
       test.statistic = gain;
-      test.p_value = cdf(complement(boost::math::chi_squared(freedom), gain));
+      test.p_value = chi_squared_p_value(gain, freedom);
     } else {
       test.statistic = gain / freedom / (separate / rest);
-      test.p_value = cdf(complement(boost::math::fisher_f(freedom, rest), test.statistic));
+      test.p_value = fisher_p_value(test.statistic, freedom, rest);
     }
     test.aicc_pooled = criteria(pooled.sum_of_squares, n, pooled.free_parameters, known).aicc;
     test.aicc_separate = criteria(separate, n, parameters, known).aicc;

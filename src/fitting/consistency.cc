@@ -1,21 +1,14 @@
 #include "fitting/consistency.h"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
 #include "base/number_text.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
-
-double below(double z) { return cdf(boost::math::normal(), z); }
-double beyond_chi2(double freedom, double value) {
-  return value > 0 ? cdf(complement(boost::math::chi_squared(freedom), value)) : 1;
-}
 
 /// z of the number of runs of one sign (Wald and Wolfowitz); 0 where one sign is all but alone.
 double runs_of_one_sign(const std::vector<double>& r) {
@@ -110,8 +103,8 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   }
   if (tests.runs.empty()) return tests;
   const auto m = static_cast<double>(tests.runs.size());
-  tests.runs_p = below(z / std::sqrt(m));
-  tests.trend_p = beyond_chi2(m, trend);
+  tests.runs_p = normal_below(z / std::sqrt(m));
+  tests.trend_p = chi_squared_p_value(trend, m);
   if (at_ends > 0) {
     // what scatters more at large T than elsewhere is measured by what lies beside it
     const bool measured = !fit.known_errors && near_ends >= kEnoughBeside && of_near > 0;
@@ -120,11 +113,10 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
     const double beside = near_ends >= kEnoughBeside ? near / near_ends : 0;
     const double variance = 1 / at_ends + (near_ends >= kEnoughBeside ? 1 / near_ends : 0);
     tests.ends = (ends / at_ends - beside) / std::sqrt(variance) / unit;
-    tests.ends_p =
-        2 * (measured ? cdf(boost::math::students_t(near_ends), -std::abs(tests.ends)) : below(-std::abs(tests.ends)));
+    tests.ends_p = measured ? student_p_value(tests.ends, near_ends) : 2 * normal_below(-std::abs(tests.ends));
   }
   if (squares > 0) tests.correlation = product / squares;
-  if (of_products > 0) tests.correlation_p = below(-product / std::sqrt(of_products));
+  if (of_products > 0) tests.correlation_p = normal_below(-product / std::sqrt(of_products));
   return tests;
 }
 
@@ -175,7 +167,7 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   if (fit.known_errors && fit.loss_scale == 0 && fit.used.size() > fit.free_parameters) {
     const auto freedom = static_cast<double>(fit.used.size() - fit.free_parameters);
     result.chi2_per_freedom = fit.sum_of_squares / freedom;
-    result.chi2_p = beyond_chi2(freedom, fit.sum_of_squares);
+    result.chi2_p = chi_squared_p_value(fit.sum_of_squares, freedom);
   }
   result.residuals = test_residuals(data, fit);
   // Errors of neighbours know nothing of the fit: residuals are in units of these.
@@ -196,7 +188,8 @@ const ExactConstant* wrong_constant(const FitResult& fit) {
   // Where the stated errors are too small for any constant, all of chi^2 counts less.
   const bool too_small = fit.known_errors && fit.consistency && fit.consistency->chi2_p.value_or(1) < kChance;
   if (too_small &&
-      beyond_chi2(1, worst->score->fall / *fit.consistency->chi2_per_freedom) * fit.budget->independent >= kChance)
+      chi_squared_p_value(worst->score->fall / *fit.consistency->chi2_per_freedom, 1) * fit.budget->independent >=
+          kChance)
     return nullptr;
   return worst;
 }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <optional>
 
@@ -7,6 +6,7 @@
 #include "base/units.h"
 #include "fitting/consistency.h"
 #include "fitting/predicted_area.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
@@ -179,7 +179,7 @@ bool explains(const Dataset& data, const FitResult& fit) {
 /// Whether chi^2 falls by more than chance makes it, when the best of so many constants is free.
 bool is_better(const FitResult& fit, const FitResult& freed, double constants) {
   const double fall = (fit.sum_of_squares - freed.sum_of_squares) / (fit.known_errors ? 1 : per_freedom(freed));
-  return fall > 0 && cdf(complement(boost::math::chi_squared(1), fall)) * constants < kChance;
+  return fall > 0 && chi_squared_p_value(fall, 1) * constants < kChance;
 }
 
 std::string alike(Constant constant) {

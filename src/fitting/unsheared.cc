@@ -1,13 +1,13 @@
 #include "fitting/unsheared.h"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <set>
 
 #include "fitting/make_problem.h"
 #include "fitting/stated_constants.h"
 #include "solver/solve.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
@@ -23,7 +23,7 @@ std::vector<std::size_t> unsheared_points(const Dataset& data) {
 }
 
 double beyond(double chi2, std::size_t freedom) {
-  return freedom > 0 && chi2 > 0 ? cdf(complement(boost::math::chi_squared(static_cast<double>(freedom)), chi2)) : 1;
+  return freedom > 0 ? chi_squared_p_value(chi2, static_cast<double>(freedom)) : 1;
 }
 
 std::unique_ptr<ModelProblem> problem_of(const Dataset& data, const PreparedFit& prepared) {

@@ -1,7 +1,9 @@
 #include "solver/covariance.h"
 
-#include <Eigen/Dense>
 #include <cmath>
+#include <utility>
+
+#include "solver/linear_algebra.h"
 
 namespace mixity {
 
@@ -11,8 +13,7 @@ Covariance covariance(const Problem& problem, const Minimum& best, const std::ve
   Covariance result{std::vector<std::optional<double>>(p), {}, {}};
   std::vector<double> residuals(n), jacobian(n * p);
   if (!problem.evaluate(best.x, residuals, jacobian)) return result;
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> J(
-      jacobian.data(), static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(p));
+  const Eigen::Map<const RowMajorMatrix> J(jacobian.data(), static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(p));
   std::vector<Eigen::Index> open;
   for (std::size_t k = 0; k < p; ++k)
     if (!at_bound[k]) open.push_back(static_cast<Eigen::Index>(k));
@@ -32,26 +33,19 @@ Covariance covariance(const Problem& problem, const Minimum& best, const std::ve
   Eigen::MatrixXd scaled(J.rows(), m);
   for (Eigen::Index i = 0; i < m; ++i) scaled.col(i) = J.col(open[i]) / norms[i];
   // The triangle of J itself: J'J would lose half of the digits of parameters that hardly differ.
-  const Eigen::MatrixXd R = Eigen::HouseholderQR<Eigen::MatrixXd>(scaled)
-                                .matrixQR()
-                                .topRows(std::min(J.rows(), m))
-                                .triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(R, Eigen::ComputeFullV);
-  const bool tall = J.rows() >= m;
-  if (!tall || !(svd.singularValues()[m - 1] > options.independent)) {
-    const Eigen::VectorXd weak = svd.matrixV().col(m - 1);  // the direction that no residual feels
-    return unconstrained([&](Eigen::Index i) { return std::abs(weak[i]) > 0.1; }, " independently");
-  }
+  const Eigen::MatrixXd R = qr_triangle(scaled);
+  const WeakDirection weak = weak_direction(R);
+  if (J.rows() < m || !(weak.singular_value > options.independent))
+    return unconstrained([&](Eigen::Index i) { return std::abs(weak.direction[i]) > 0.1; }, " independently");
   if (n <= p) return result;
   Eigen::MatrixXd inverse;
   if (const std::vector<double> bend = problem.curvatures(best.x); bend.empty()) {
-    const Eigen::MatrixXd root = R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(m, m));
-    inverse = root * root.transpose();
+    inverse = inverse_of_square(R);
   } else {
     const Eigen::Map<const Eigen::VectorXd> c(bend.data(), static_cast<Eigen::Index>(n));
-    const Eigen::LLT<Eigen::MatrixXd> factors(scaled.transpose() * c.asDiagonal() * scaled);
-    if (factors.info() != Eigen::Success) return result;  // outliers bend the cost more than the rest
-    inverse = factors.solve(Eigen::MatrixXd::Identity(m, m));
+    auto weighted = inverse_of_weighted_square(scaled, c);
+    if (!weighted) return result;  // outliers bend the cost more than the rest
+    inverse = std::move(*weighted);
   }
   const double variance = problem.known_errors() ? 1 : best.sum_of_squares / static_cast<double>(n - p);
   for (Eigen::Index i = 0; i < m; ++i)

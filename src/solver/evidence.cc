@@ -1,6 +1,5 @@
 #include "solver/evidence.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "solver/interval.h"
+#include "solver/linear_algebra.h"
 
 namespace mixity {
 namespace {
@@ -49,21 +49,21 @@ class LogDensity {
     const double x = std::clamp(outer(u), problem_.parameters()[0].lower, problem_.parameters()[0].upper);
     const auto here = profile_(x);
     if (!here) return none;
-    double of_priors = 0, log_determinant = 0;
+    double of_priors = 0, of_others = 0;
     const std::size_t p = problem_.parameters().size();
     for (std::size_t k = 1; k < p; ++k)
       if (const FreeParameter& parameter = problem_.parameters()[k]; parameter.prior > 0)
         of_priors += std::pow((profile_.point()[k] - *parameter.start) / parameter.prior, 2);
     if (p > 1) {
       const auto others = static_cast<Eigen::Index>(p - 1);
-      const Eigen::LLT<Eigen::MatrixXd> factors(profile_.cost().hessian.bottomRightCorner(others, others));
-      if (factors.info() != Eigen::Success) return none;
-      log_determinant = 2 * factors.matrixLLT().diagonal().array().log().sum();
+      const auto found = log_determinant(profile_.cost().hessian.bottomRightCorner(others, others));
+      if (!found) return none;
+      of_others = *found;
     }
-    if (choice_.unit == 0) return -0.5 * here->cost - 0.5 * log_determinant;
+    if (choice_.unit == 0) return -0.5 * here->cost - 0.5 * of_others;
     // the average over the unit leaves S^(-n/2) of the data's sum of squares S
     const double squares = (here->cost - of_priors) * choice_.unit * choice_.unit;
-    return squares > 0 ? -0.5 * n_ * std::log(squares) - 0.5 * of_priors - 0.5 * log_determinant : none;
+    return squares > 0 ? -0.5 * n_ * std::log(squares) - 0.5 * of_priors - 0.5 * of_others : none;
   }
 
  private:

@@ -1,11 +1,11 @@
 #include "solver/interval.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
+
+#include "solver/linear_algebra.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
@@ -88,12 +88,9 @@ std::string_view to_string(EndStatus status) {
 }
 
 double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors) {
-  using namespace boost::math;
-  // in double, to a few roundings: long double takes eight times as long, a sixth of a whole fit
-  using InDouble = policies::policy<policies::promote_double<false>>;
-  if (known_errors) return quantile(chi_squared_distribution<double, InDouble>(1), confidence);
+  if (known_errors) return chi_squared_quantile(confidence, 1);
   const auto freedom = static_cast<double>(n - p);
-  return sum_of_squares / freedom * quantile(fisher_f_distribution<double, InDouble>(1, freedom), confidence);
+  return sum_of_squares / freedom * fisher_quantile(confidence, 1, freedom);
 }
 
 Profile::Profile(const Problem& problem, const Minimum& best, double decrease, const SolverOptions& options)
@@ -120,9 +117,8 @@ std::optional<Kernel::Held> Profile::descend_from(const Anchor& anchor, double v
     if (i != k && anchor.cost.finite && anchor.cost.slope_size[i] > 0 && !held) others.push_back(i);
   }
   const Eigen::VectorXd shift =
-      Eigen::MatrixXd(anchor.cost.hessian(others, others))
-          .ldlt()
-          .solve(anchor.cost.hessian(others, k) * (anchor.x[k_] - value) - anchor.cost.gradient(others));
+      solve_symmetric(anchor.cost.hessian(others, others),
+                      anchor.cost.hessian(others, k) * (anchor.x[k_] - value) - anchor.cost.gradient(others));
   x[k_] = value;
   if (shift.allFinite())
     for (std::size_t i = 0; i < others.size(); ++i)

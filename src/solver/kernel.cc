@@ -1,8 +1,9 @@
 #include "solver/kernel.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+
+#include "solver/linear_algebra.h"
 
 namespace mixity {
 namespace {
@@ -23,9 +24,8 @@ class GeneralCost final : public Cost {
     cost.finite = problem_.evaluate_again(x, residuals_, jacobian_, memory_);
     if (!cost.finite) return;
     if (weights.empty() && p > 1) {
-      using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
       const auto n = static_cast<Eigen::Index>(residuals_.size());
-      const Eigen::Map<const Rows> J(jacobian_.data(), n, p);
+      const Eigen::Map<const RowMajorMatrix> J(jacobian_.data(), n, p);
       const Eigen::Map<const Eigen::VectorXd> r(residuals_.data(), n);
       cost.value = r.squaredNorm();
       cost.gradient.noalias() = J.transpose() * r;
@@ -181,7 +181,7 @@ double Kernel::find_step(double damping) {
       H(k, l) = here_.hessian(open_[k], open_[l]) / (here_.slope_size[open_[k]] * here_.slope_size[open_[l]]);
     H(k, k) += damping;
   }
-  step_ = H.ldlt().solve(-g);
+  step_ = solve_symmetric(H, -g);
   const double gain = -g.dot(step_);
   for (Eigen::Index k = 0; k < m; ++k) step_[k] /= here_.slope_size[open_[k]];
   return gain;

@@ -1,6 +1,5 @@
 #include "solver/polish.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -44,14 +43,11 @@ void measure(Linearised& at, const SolverOptions& options) {
     unit[k] = slope > 0 ? 1 / slope : 0;
     J.col(k) = at.J.col(k) * unit[k];
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(J.rows(), p);
-  factors.setThreshold(options.independent);  // what does not count as independent has no direction
-  factors.compute(J);
-  const Vector along = (factors.householderQ().adjoint() * at.r).head(std::min(factors.rank(), J.rows()));
+  const Projection found = project(J, at.r, options.independent);
   // Each column, too: a direction that was left out must not hide a gradient.
   const double r = at.r.norm(), gradient = at.gradient.cwiseProduct(unit).lpNorm<Eigen::Infinity>();
-  at.stationarity = r > 0 ? std::max(along.norm(), gradient) / r : 0;
-  at.step = unit.cwiseProduct(factors.solve(-at.r));
+  at.stationarity = r > 0 ? std::max(found.along.norm(), gradient) / r : 0;
+  at.step = unit.cwiseProduct(-found.solution);
 }
 
 }  // namespace
@@ -92,7 +88,7 @@ void polish(const Problem& problem, Vector& x, Linearised& at, double rounding, 
         H.col(k) = Vector::Unit(p, k);
         H.row(k) = Vector::Unit(p, k).transpose();
       }
-    return unit.cwiseProduct(H.fullPivLu().solve(-unit.cwiseProduct(at.gradient)));
+    return unit.cwiseProduct(solve_any(H, -unit.cwiseProduct(at.gradient)));
   };
   const auto take_step = [&](Vector step, double gain = 1) {
     if (!step.allFinite()) return false;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "solver/linear_algebra.h"
 #include "solver/options.h"
 #include "solver/problem.h"
 #include "solver/results.h"
@@ -13,7 +14,7 @@ namespace mixity {
 /// Residuals, Jacobian and what the first-order condition makes of them.
 struct Linearised {
   Eigen::VectorXd r;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> J;
+  RowMajorMatrix J;
   Eigen::VectorXd gradient;  // J'r, zero where a bound holds the parameter
   std::vector<bool> held;    // by a bound
   Eigen::VectorXd step;      // Gauss-Newton's

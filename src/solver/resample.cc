@@ -1,6 +1,5 @@
 #include "solver/resample.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <atomic>
 #include <boost/random/normal_distribution.hpp>
@@ -8,12 +7,12 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
 #include <cstdint>
-#include <future>
 #include <numeric>
 #include <random>
-#include <thread>
 
+#include "base/side_by_side.h"
 #include "solver/kernel.h"
+#include "solver/linear_algebra.h"
 
 namespace mixity {
 namespace {
@@ -73,7 +72,6 @@ class Refitter {
 template <class Body>
 void for_each_refit(const Problem& problem, const std::vector<double>& fitted, std::size_t points, std::size_t n,
                     unsigned threads, const Progress& progress, Body body) {
-  const std::size_t most = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
   constexpr std::size_t kShare = 16;  // taken at a time
   std::atomic<std::size_t> taken = 0, done = 0;
   const auto work = [&] {
@@ -86,12 +84,7 @@ void for_each_refit(const Problem& problem, const std::vector<double>& fitted, s
       if (progress) progress(static_cast<double>(done) / static_cast<double>(n));
     }
   };
-  // Where the system gives fewer threads some calls come later, and find no shares left.
-  std::vector<std::future<void>> others;
-  for (std::size_t i = 1; i < std::min(most, (n + kShare - 1) / kShare); ++i)
-    others.push_back(std::async(std::ref(work)));
-  work();
-  for (auto& other : others) other.get();
+  side_by_side(std::min(threads > 0 ? threads : processors(), (n + kShare - 1) / kShare), work);
 }
 
 std::vector<std::vector<std::size_t>> members(const std::vector<std::size_t>& runs) {
@@ -173,10 +166,8 @@ Influence influence(const Problem& problem, const std::vector<double>& fitted, c
   Influence result;
   std::vector<double> residuals(rows), jacobian(rows * p);
   if (rows <= p || p == 0 || !problem.evaluate(fitted, residuals, jacobian)) return result;
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> J(
-      jacobian.data(), static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(p));
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(J);
-  const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(J.rows(), J.cols());
+  const Eigen::VectorXd leverage = leverages(
+      Eigen::Map<const RowMajorMatrix>(jacobian.data(), static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(p)));
   double squares = 0;
   for (const double r : residuals) squares += r * r;
   const double variance = squares / static_cast<double>(rows - p);
@@ -199,7 +190,7 @@ Influence influence(const Problem& problem, const std::vector<double>& fitted, c
                      result.runs[i - n] = std::move(change);
                      return;
                    }
-                   const double h = Q.row(static_cast<Eigen::Index>(i)).squaredNorm(), rest = std::max(1 - h, 1e-12);
+                   const double h = leverage[static_cast<Eigen::Index>(i)], rest = std::max(1 - h, 1e-12);
                    const double r = residuals[i];
                    const double cook =
                        variance > 0 ? r * r * h / (static_cast<double>(p) * variance * rest * rest) : 0.0;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -7,6 +6,7 @@
 #include "base/number_text.h"
 #include "dataset/display_units.h"
 #include "report/figures/data_figures.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
@@ -68,7 +68,6 @@ Figure quantiles(const ReportedData& reported) {
                 {"normal quantile", {}, {}},
                 {"residual/RMS", {}, {}},
                 {}};
-  const boost::math::normal normal;
   double most = 0;
   for (const FitResult& fit : last_first(reported.result)) {
     if (fit.residuals.empty() || !fit.rmse || !(*fit.rmse > 0)) continue;
@@ -80,7 +79,7 @@ Figure quantiles(const ReportedData& reported) {
     std::vector<std::size_t> ranks(order.size());
     std::iota(ranks.begin(), ranks.end(), std::size_t{0});
     for (const std::size_t rank : shown_points(ranks, reported.result.fits.size())) {
-      const double q = quantile(normal, (static_cast<double>(rank) + 0.5) / static_cast<double>(order.size()));
+      const double q = normal_quantile((static_cast<double>(rank) + 0.5) / static_cast<double>(order.size()));
       series.points.emplace_back(q, fit.residuals[order[rank]] / *fit.rmse);
       series.hover.push_back("model " + fit.model + ", " + point_hover(reported.result.data, fit.used[order[rank]]));
       most = std::max(most, std::abs(q));

@@ -1,0 +1,66 @@
+#include "solver/linear_algebra.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+namespace mixity {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd qr_triangle(const MatrixXd& J) {
+  const Eigen::Index rows = std::min(J.rows(), J.cols());
+  MatrixXd R = MatrixXd::Zero(J.cols(), J.cols());
+  R.topRows(rows) = Eigen::HouseholderQR<MatrixXd>(J).matrixQR().topRows(rows).triangularView<Eigen::Upper>();
+  return R;
+}
+
+VectorXd leverages(const RowMajorMatrix& J) {
+  const Eigen::HouseholderQR<MatrixXd> qr(J);
+  const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(J.rows(), J.cols());
+  VectorXd squares(Q.rows());
+  for (Eigen::Index i = 0; i < Q.rows(); ++i) squares[i] = Q.row(i).squaredNorm();
+  return squares;
+}
+
+MatrixXd inverse_of_square(const MatrixXd& R) {
+  const MatrixXd root = R.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(R.rows(), R.rows()));
+  return root * root.transpose();
+}
+
+WeakDirection weak_direction(const MatrixXd& R) {
+  // The QR that Eigen begins with by default serves matrices that are not square, and takes 8 s to compile.
+  const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(R, Eigen::ComputeFullV);
+  return {svd.singularValues()[R.cols() - 1], svd.matrixV().col(R.cols() - 1)};
+}
+
+std::optional<MatrixXd> inverse_of_weighted_square(const MatrixXd& J, const VectorXd& c) {
+  const Eigen::LLT<MatrixXd> factors(J.transpose() * c.asDiagonal() * J);
+  if (factors.info() != Eigen::Success) return std::nullopt;
+  return factors.solve(MatrixXd::Identity(J.cols(), J.cols()));
+}
+
+std::optional<double> log_determinant(const MatrixXd& H) {
+  const Eigen::LLT<MatrixXd> factors(H);
+  if (factors.info() != Eigen::Success) return std::nullopt;
+  return 2 * factors.matrixLLT().diagonal().array().log().sum();
+}
+
+VectorXd eigenvalues(const MatrixXd& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+VectorXd solve_symmetric(const MatrixXd& H, const VectorXd& b) {
+  return b.size() == 0 ? b : VectorXd(H.ldlt().solve(b));
+}
+
+VectorXd solve_any(const MatrixXd& H, const VectorXd& b) { return H.fullPivLu().solve(b); }
+
+Projection project(const MatrixXd& J, const VectorXd& b, double independent) {
+  Eigen::ColPivHouseholderQR<MatrixXd> factors(J.rows(), J.cols());
+  factors.setThreshold(independent);
+  factors.compute(J);
+  return {(factors.householderQ().adjoint() * b).head(std::min(factors.rank(), J.rows())), factors.solve(b)};
+}
+
+}  // namespace mixity

@@ -1,0 +1,46 @@
+// Decompositions of small dense matrices. Eigen's take seconds to compile wherever they are used: only
+// linear_algebra.cc includes them. [n x m]: n rows, m columns.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace mixity {
+
+/// Residuals' Jacobians, row by row.
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The upper triangle R of J = QR, [m x m]; its last rows are 0 where J has fewer rows than columns.
+Eigen::MatrixXd qr_triangle(const Eigen::MatrixXd& J);
+/// Squared norm of each row of Q where J = QR: the leverage of each residual. J has at least as many rows as columns.
+Eigen::VectorXd leverages(const RowMajorMatrix& J);
+/// (R'R)^-1 of an upper triangle without a zero on its diagonal.
+Eigen::MatrixXd inverse_of_square(const Eigen::MatrixXd& R);
+
+/// The least singular value of a square matrix and its right singular vector.
+struct WeakDirection {
+  double singular_value;
+  Eigen::VectorXd direction;
+};
+WeakDirection weak_direction(const Eigen::MatrixXd& R);
+
+/// (J' diag(c) J)^-1; null unless that matrix is positive definite.
+std::optional<Eigen::MatrixXd> inverse_of_weighted_square(const Eigen::MatrixXd& J, const Eigen::VectorXd& c);
+/// ln of the determinant; null unless H is positive definite.
+std::optional<double> log_determinant(const Eigen::MatrixXd& H);
+/// Eigenvalues of a symmetric matrix, in ascending order.
+Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
+
+/// H x = b for a symmetric H of any size, 0 too (LDL').
+Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& H, const Eigen::VectorXd& b);
+/// H x = b with full pivoting, for an H that may be singular.
+Eigen::VectorXd solve_any(const Eigen::MatrixXd& H, const Eigen::VectorXd& b);
+
+/// What of b lies along the columns of J, as coordinates in an orthonormal basis that leaves out columns whose pivot is
+/// below `independent` of the largest, and the least-squares solution of J x = b, which does not leave them out.
+struct Projection {
+  Eigen::VectorXd along, solution;
+};
+Projection project(const Eigen::MatrixXd& J, const Eigen::VectorXd& b, double independent);
+
+}  // namespace mixity
