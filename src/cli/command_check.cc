@@ -6,7 +6,6 @@
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
 #include "cli/usage_error.h"
-#include "dataset/missing_constants.h"
 #include "dataset/pooled.h"
 #include "fitting/unsheared.h"
 #include "report/check_text.h"

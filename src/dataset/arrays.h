@@ -1,4 +1,4 @@
-// A data set of numbers that are already in memory.
+// A data set from arrays in memory.
 #pragma once
 
 #include <span>
@@ -9,17 +9,17 @@
 
 namespace mixity {
 
-/// One column: a heading as a file's would be ("P [mN]", "curve"), and as many numbers, or as many texts, as all others
-/// have. Not copied: what it refers to must live through the call.
+/// One column: a heading as in a file ("P [mN]", "curve"), and either numbers or texts, as many as in all others. Not
+/// copied: the arrays must outlive the call.
 struct ArrayColumn {
   std::string heading;
   std::span<const double> numbers{};
   std::span<const std::string> texts{};
 };
 
-/// What load_dataset makes of a file with these columns, to the last bit: the same names, units, notes and reasons. The
-/// first row is line 2, as below a header. `name` stands for the file in messages. Throws InputError as that does, and
-/// if columns differ in length or there are none.
+/// The data set that load_dataset makes of a file with these columns, to the last bit, with the same names, units,
+/// notes and reasons. The first row is line 2, as below a header. `name`: the file in messages. Throws InputError as
+/// load_dataset does, and if columns differ in length or there are none.
 Dataset make_dataset(const std::string& name, const std::vector<ArrayColumn>& columns, const Overrides& constants);
 Dataset make_dataset(const std::string& name, const std::vector<ArrayColumn>& columns, const Metadata& metadata);
 

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "base/number_text.h"
-#include "statistics/falls.h"
+#include "statistics/drops.h"
 #include "statistics/noise.h"
 
 namespace mixity {
@@ -51,7 +51,7 @@ void check_usable(const Dataset& data, Lines& odd) {
                   "probably off by a power of ten");
 }
 
-/// A fit that needs standard errors refuses a file that states them of some points only.
+/// A fit that needs standard errors rejects a file that states them for some points only.
 void check_errors(const Dataset& data, Lines& odd) {
   const auto look = [&](std::string_view column, auto error_of) {
     std::size_t without = 0, first = 0;
@@ -76,7 +76,7 @@ void check_errors(const Dataset& data, Lines& odd) {
 }
 
 void check_order(const Dataset& data, Lines& odd) {
-  constexpr double kNoise = 8;  // what two readings of a thousand of one value differ by, in standard deviations
+  constexpr double kNoise = 8;  // standard deviations: the range of a thousand readings of one value
   const auto runs = points_by_curve(data);
   for (std::size_t curve = 0; curve < runs.size(); ++curve) {
     std::vector<double> T;
@@ -95,7 +95,7 @@ void check_order(const Dataset& data, Lines& odd) {
                     rounded(*least * data.display.force_scale, 4) + " to " +
                     rounded(*most * data.display.force_scale, 4) + "; are runs of both directions mixed?");
     const double noise = noise_of(rising);
-    const std::vector<Fall> found = falls(rising, 0, rising.size(), kNoise * noise);
+    const std::vector<Drop> found = drops(rising, 0, rising.size(), kNoise * noise);
     if (!found.empty())
       odd.push_back("run " + data.curves[curve] + ": T falls " + (noise > 0 ? "by more than its noise " : "") +
                     times(found.size()) + ", first at " + data.line_text(points[found.front().seen]->line) +
@@ -103,7 +103,7 @@ void check_order(const Dataset& data, Lines& odd) {
   }
 }
 
-/// What the phase angles and the strength of the interface say of the unit of T.
+/// Checks the unit of T by the phase angles and the strength of the interface.
 void check_shear_units(const Dataset& data, Lines& odd) {
   const Point* last = nullptr;
   for (const Point& point : data.points)
@@ -150,7 +150,7 @@ void check_duplicates(const Dataset& data, Lines& odd) {
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](std::size_t i, std::size_t j) { return std::tuple(key(i), i) < std::tuple(key(j), j); });
-  std::vector<std::pair<std::size_t, std::size_t>> repeats;  // line, and the first that says the same
+  std::vector<std::pair<std::size_t, std::size_t>> repeats;  // line, and the first of equal values
   for (std::size_t k = 1, first = 0; k < order.size(); ++k)
     if (key(order[k]) == key(order[first]))
       repeats.emplace_back(data.points[order[k]].line, data.points[order[first]].line);
@@ -168,7 +168,7 @@ void check_loads(const Dataset& data, Lines& odd) {
     odd.push_back(std::to_string(single) + " of " + std::to_string(curves.size()) +
                   " runs have one point; if P scatters within a run, name the runs in a column 'curve'");
   for (const CurveSummary& curve : curves) {
-    if (many_single && curve.points == 1) continue;  // said once for all of them
+    if (many_single && curve.points == 1) continue;  // reported above
     if (curve.points < 3)
       odd.push_back("run " + curve.name + " has only " + std::to_string(curve.points) + " usable point" +
                     (curve.points == 1 ? "" : "s"));

@@ -1,4 +1,4 @@
-// What looks odd in a data set that could be read: the questions an experienced colleague would ask.
+// Oddities of a data set that could be read: the questions an experienced colleague would ask.
 #pragma once
 
 #include <optional>

@@ -10,65 +10,104 @@
 #include "dataset/load_sign.h"
 #include "dataset/nominal_loads.h"
 #include "dataset/repeated_shear.h"
+#include "dataset/shear_sign.h"
 #include "dataset/table/vocabulary.h"
 
 namespace mixity {
 namespace {
 
-template <class T>
-void append(std::vector<T>& all, const std::vector<T>& more) {
-  all.insert(all.end(), more.begin(), more.end());
+std::string name_by_load(double load, const DisplayUnits& units) {
+  return "P=" + rounded(load * units.force_scale, 6) + (units.force.empty() ? "" : " " + units.force);
 }
 
 }  // namespace
 
-void Collector::take(const Part& part) {
-  std::vector<std::size_t> run(part.runs.keys().size());
-  for (std::size_t i = 0; i < run.size(); ++i) run[i] = runs_.index(part.runs.keys()[i], part.runs.loads()[i]);
-  shear_.resize(runs_.keys().size());
-  for (std::size_t i = 0; i < run.size(); ++i) shear_[run[i]].add(part.shear[i]);
-  for (const Point& point : part.points) data_.points.emplace_back(point).curve = run[point.curve];
-  append(data_.converted, part.converted);
-  append(data_.errors, part.errors);
-  append(data_.energies, part.energies);
-  append(data_.excluded, part.excluded);
-  data_.rows += part.rows;
-  axes_.add(part.axes);
-  if (commented_ == 0) first_commented_ = part.first_commented;
-  commented_ += part.commented;
+std::size_t Runs::of(const std::optional<std::string_view>& name, const Point& point, const Dataset& data) {
+  const double load = data.has_loads ? point.P : 0;
+  if (!keys_.empty() && keys_[last_].second == name.has_value() &&
+      (name ? *name == keys_[last_].first : load == last_load_))
+    return last_;
+  last_load_ = load;
+  const Key key = name             ? Key{*name, true}
+                  : data.has_loads ? Key{name_by_load(load, data.display), false}
+                                   : Key{"", false};
+  const auto [found, is_new] = index_.try_emplace(key, keys_.size());
+  if (is_new) {
+    keys_.push_back(key);
+    loads_.push_back(load);
+  }
+  return last_ = found->second;
 }
 
-void Collector::finish(const PointReader& reader, const std::string& metadata_path) {
-  const std::string passed_over = std::to_string(commented_) +
-                                  (commented_ == 1 ? " row that begins" : " rows that begin") +
-                                  " with '#', the first in line " + std::to_string(first_commented_);
+void Runs::turn_loads(const Dataset& data) {
+  for (std::size_t i = 0; i < keys_.size(); ++i)
+    if (!keys_[i].second) keys_[i].first = name_by_load(0 - loads_[i], data.display);
+}
+
+std::vector<std::string> Runs::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, given] : keys_)
+    // Names go into figures, pages and tables: what would break these is shown as '?'.
+    names.push_back(
+        printable(name + (!given && index_.contains({name, true}) ? " (not named)" : ""), std::string::npos));
+  return names;
+}
+
+void Collector::row(const CsvRow& row) {
+  ++data_.rows;
+  ReadPoint read;
+  if (const std::string_view unusable = reader_.read(row, read); !unusable.empty()) {
+    data_.excluded.push_back({row.line(), unusable});
+    return;
+  }
+  if (read.axes > largest_axes_) {
+    largest_axes_ = read.axes;
+    line_of_largest_ = row.line();
+  }
+  read.point.curve = runs_.of(reader_.run_name(row), read.point, data_);
+  data_.points.push_back(read.point);
+  if (!data_.has_loads) data_.converted.push_back(read.converted);
+  if (reader_.has_errors()) data_.errors.push_back(read.errors);
+  if (data_.has_energies) data_.energies.push_back(read.energies);
+}
+
+void Collector::leave_out(const CsvRow& row) {
+  ++data_.rows;
+  data_.excluded.push_back({row.line(), "a summary of the rows above: words where they have numbers"});
+}
+
+void Collector::comment(const CsvRow& row) {
+  if (reader_.resembles_data(row) && comments_++ == 0) first_comment_ = row.line();
+}
+
+void Collector::finish(const std::string& metadata_path) {
+  const std::string passed_over = std::to_string(comments_) +
+                                  (comments_ == 1 ? " row that begins" : " rows that begin") +
+                                  " with '#', the first in line " + std::to_string(first_comment_);
   if (data_.rows == 0)
     throw InputError(data_.path, 2, 1,
-                     "has a header but no data rows" + (commented_ > 0 ? ", only " + passed_over : ""));
-  if (commented_ > 0) data_.notes.push_back("passed over as comments: " + passed_over);
+                     "has a header but no data rows" + (comments_ > 0 ? ", only " + passed_over : ""));
+  if (comments_ > 0) data_.notes.push_back("passed over as comments: " + passed_over);
   if (data_.has_energies) finish_energies(metadata_path, data_);
-  const bool turned = reader.columns().has(ColumnId::P) && compression_is_negative(data_);
+  const bool turned = reader_.columns().has(ColumnId::P) && compression_is_negative(data_);
   if (turned) runs_.turn_loads(data_);
-  // Names go into figures, pages and tables: what would break these is shown as '?'.
-  for (std::size_t i = 0; i < runs_.keys().size(); ++i)
-    data_.curves.push_back(printable(runs_.shown(i), std::string::npos));
+  data_.curves = runs_.names();
   if (!data_.has_loads) return;
   data_.curve_loads = runs_.loads();
   if (turned) turn_loads(data_);
-  // before contact and after it a log has frames that are no points
+  // a log has frames before contact and after it, which are no points
   data_.like_a_log = data_.excluded.size() > std::max<std::size_t>(data_.rows / 20, 2) && has_times();
   if (data_.like_a_log)
     data_.notes.push_back("the file has a column of times, and " + std::to_string(data_.excluded.size()) + " of " +
                           std::to_string(data_.rows) +
                           " rows are no points: if it is a log, mixity runs makes loading runs of it");
-  if (!reader.names_runs() && reader.columns().has(ColumnId::P)) {
-    const bool several = data_.curves.size() > 1;
-    if (several) join_noisy_loads(data_);
-    if (part_where_shear_begins_anew(data_) || several) shear_ = shear_ranges(data_.points, data_.curves.size());
+  if (!reader_.names_runs() && reader_.columns().has(ColumnId::P)) {
+    if (data_.curves.size() > 1) join_noisy_loads(data_);
+    split_repeated_shear(data_);
   }
   take_mean_loads(data_);
-  finish_shear(shear_, data_);
-  if (reader.has_axes()) finish_axes();
+  finish_shear(data_);
+  if (reader_.has_axes()) add_note_on_axes();
 }
 
 bool Collector::has_times() const {
@@ -77,17 +116,17 @@ bool Collector::has_times() const {
   });
 }
 
-/// Of the singular part of an elliptic punch's pressure K_I^2 at the end of a semi-axis goes with its length (Johnson
-/// & Greenwood 2005): the axes' ratio is that of the energy release rates around the edge, which the circle averages.
-void Collector::finish_axes() {
+/// In the singular part of the pressure of an elliptic punch K_I^2 at the end of a semi-axis is proportional to its
+/// length (Johnson & Greenwood 2005): the ratio of the axes is that of the energy release rates around the edge.
+void Collector::add_note_on_axes() {
   constexpr double kNearlyRound = 1.1;
-  const double eccentricity = std::sqrt(1 - 1 / (axes_.ratio * axes_.ratio));
-  std::string note = "areas are those of ellipses, axes as " + rounded(axes_.ratio, 4) + " to 1 (eccentricity " +
+  const double eccentricity = std::sqrt(1 - 1 / (largest_axes_ * largest_axes_));
+  std::string note = "areas are those of ellipses, axes as " + rounded(largest_axes_, 4) + " to 1 (eccentricity " +
                      rounded(eccentricity, 3) + ") at most";
-  if (axes_.ratio > 1) note += ", in line " + std::to_string(axes_.line);
-  if (axes_.ratio > kNearlyRound)
+  if (largest_axes_ > 1) note += ", in line " + std::to_string(line_of_largest_);
+  if (largest_axes_ > kNearlyRound)
     note += "; the models are of a circle, and around such an edge the energy release rate varies by about " +
-            rounded(100 * (axes_.ratio - 1), 2) + "%";
+            rounded(100 * (largest_axes_ - 1), 2) + "%";
   data_.notes.push_back(note);
 }
 

@@ -1,110 +1,61 @@
-// Points of rows that are read, from a file or from arrays, as they become a data set.
+// Makes a data set of rows, which a file or arrays hold.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "dataset/dataset.h"
 #include "dataset/point_reader.h"
-#include "dataset/runs.h"
-#include "dataset/shear_sign.h"
 #include "dataset/table/csv.h"
 
 namespace mixity {
 
-/// How far from circles elliptic contacts are: the longest axis over the shorter one, and where.
-struct EllipseAxes {
-  double ratio = 1;
-  std::size_t line = 0;
-  void add(const EllipseAxes& other) {
-    if (other.ratio > ratio) *this = other;
-  }
+/// The loading runs of rows, in the order in which they appear: by the name that the row states, else by equal load.
+class Runs {
+ public:
+  /// The index of the row's run, a new one if it is the first of its run.
+  std::size_t of(const std::optional<std::string_view>& name, const Point& point, const Dataset& data);
+  /// Names that state the load state the one of opposite sign from now on; loads() stay.
+  void turn_loads(const Dataset& data);
+  const std::vector<double>& loads() const { return loads_; }  // of the first point of each run
+  /// What readers see, no two the same.
+  std::vector<std::string> names() const;
+
+ private:
+  using Key = std::pair<std::string, bool>;  // a name, and whether a row states it: a run may be called "P=3 mN"
+  std::map<Key, std::size_t> index_;
+  std::vector<Key> keys_;
+  std::vector<double> loads_;
+  std::size_t last_ = 0;  // rows of a run mostly follow each other
+  double last_load_ = 0;
 };
 
-/// Rows that follow each other, and what they hold.
-struct Part {
-  std::size_t rows = 0, commented = 0, first_commented = 0;  // rows; those behind '#', and the line of the first
-  std::vector<Point> points;
-  std::vector<ToughnessPoint> converted;
-  std::vector<PointErrors> errors;
-  std::vector<PointEnergies> energies;
-  std::vector<Excluded> excluded;
-  Runs runs;
-  std::vector<ShearRange> shear;  // of each run
-  PointBatch batch;
-  EllipseAxes axes;
-
-  void clear(std::size_t expected) {
-    rows = commented = 0;
-    points.clear();
-    points.reserve(expected);
-    converted.clear();
-    errors.clear();
-    energies.clear();
-    excluded.clear();
-    runs = {};
-    axes = {};
-  }
-  void row(const PointReader& reader, const Dataset& data, const CsvRow& row) {
-    ++rows;
-    ReadPoint read;
-    const std::string_view unusable = reader.read(row, read);
-    if (!unusable.empty()) {
-      excluded.push_back({row.line(), unusable});
-      return;
-    }
-    axes.add({read.axes, row.line()});
-    read.point.curve = runs.of(reader.run_name(row), read.point, data);
-    points.push_back(read.point);
-    if (!data.has_loads) converted.push_back(read.converted);
-    if (reader.has_errors()) errors.push_back(read.errors);
-    if (data.has_energies) energies.push_back(read.energies);
-  }
-  void leave_out(const CsvRow& row) {
-    ++rows;
-    excluded.push_back({row.line(), "a summary of the rows above: words where they have numbers"});
-  }
-  void comment(const PointReader& reader, const CsvRow& row) {
-    if (reader.resembles_data(row) && commented++ == 0) first_commented = row.line();
-  }
-  void numbers(const PointReader& reader, const Dataset& data, const CsvNumbers& numbers) {
-    reader.read(numbers, batch);
-    const bool has_errors = reader.has_errors();
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (!batch.usable[i]) {
-        row(reader, data, numbers.row(i));
-        continue;
-      }
-      ++rows;
-      Point& point = points.emplace_back();
-      point.line = numbers.line(i);
-      point.P = batch.P[i];
-      point.T = batch.T[i];
-      point.A = batch.A[i];
-      point.curve = runs.of(reader.run_name(numbers, i), point, data);
-      if (has_errors) errors.push_back({batch.sigma_T[i], batch.sigma_A[i], 0});
-    }
-  }
-};
-
-/// Puts parts together in their order, and finishes what can only be told of all.
 class Collector {
  public:
-  explicit Collector(Dataset& data) : data_(data) {}
-  void take(const Part& part);
-  /// Throws InputError if there were no rows.
-  void finish(const PointReader& reader, const std::string& metadata_path);
+  Collector(const PointReader& reader, Dataset& data) : reader_(reader), data_(data) {}
+  /// Makes a point of a row, or lists it as excluded. Throws InputError for a row that cannot be understood.
+  void row(const CsvRow& row);
+  /// Lists a row of a summary as excluded.
+  void leave_out(const CsvRow& row);
+  void comment(const CsvRow& row);
+  /// Does what needs all points: runs, signs, notes. Throws InputError if there were no rows.
+  void finish(const std::string& metadata_path);
 
  private:
   bool has_times() const;
-  void finish_axes();
+  void add_note_on_axes();
 
+  const PointReader& reader_;
   Dataset& data_;
   Runs runs_;
-  std::vector<ShearRange> shear_;  // of each run
-  EllipseAxes axes_;
-  std::size_t commented_ = 0, first_commented_ = 0;
+  std::size_t comments_ = 0, first_comment_ = 0;  // that would be rows; the line of the first
+  double largest_axes_ = 1;                       // of elliptic contacts, the longer axis over the shorter
+  std::size_t line_of_largest_ = 0;
 };
 
 }  // namespace mixity

@@ -1,105 +1,51 @@
 #include "dataset/dataset.h"
 
 #include <filesystem>
-#include <limits>
-#include <utility>
 
 #include "base/input_error.h"
-#include "base/side_by_side.h"
 #include "dataset/collector.h"
-#include "dataset/large_pages.h"
-#include "dataset/pipeline.h"
+#include "dataset/table/csv_file.h"
 #include "dataset/table/table.h"
 
 namespace mixity {
 namespace {
 
-struct FilePart : Part {
-  CsvBlock block;
-};
-
-/// Reads a file into a data set.
-class Loader {
- public:
-  Loader(std::string metadata_path, Dataset& data)
-      : metadata_path_(std::move(metadata_path)), data_(data), file_(data.path) {}
-
-  void read() {
-    begin();
-    // What is small is read here: threads cost more than they save.
-    std::size_t bytes = 0;
-    for (FilePart part; bytes < kAlone || !reader_; bytes += part.block.bytes()) {
-      if (!file_.next(part.block)) return finish();
-      understand(part);
-      if (data_.points.empty() && !part.points.empty()) reserve(part);
-      collector_.take(part);
-    }
-    pipeline<FilePart>(
-        processors(), [&](FilePart& part) { return file_.next(part.block); }, [&](FilePart& part) { understand(part); },
-        [&](const FilePart& part) { collector_.take(part); });
-    finish();
-  }
-
- private:
-  static constexpr std::size_t kAlone = std::size_t{1} << 18;
-  static constexpr std::size_t kNoLine = std::numeric_limits<std::size_t>::max();
-
-  /// Finds the table. Where there is none the first row is taken for its headings, and what is wrong with it is told.
-  void begin() {
-    const Metadata& metadata = data_.metadata;
-    const auto table = find_table(data_.path, file_.start(), file_.line_end(), rules_of(metadata), metadata.decimal);
-    if (file_.encoding() != Encoding::utf8) data_.reading = to_string(file_.encoding());
-    if (!table) return;
-    reader_.emplace(metadata_path_, table->headings, data_);
-    data_.taken = reader_->taken();
+/// Reads the table of a file into a data set. If none is found, the first row is taken for its headings, which gives
+/// the message that it deserves.
+void read_table(const std::string& metadata_path, Dataset& data) {
+  constexpr std::size_t kSample = 1000;  // points
+  const Metadata& metadata = data.metadata;
+  CsvFile file(data.path);
+  const auto table = find_table(data.path, file.start(), file.line_end(), rules_of(metadata), metadata.decimal);
+  CsvRow row;
+  std::vector<Heading> headings;
+  std::size_t summary_line = 0;
+  if (file.encoding() != Encoding::utf8) data.reading = to_string(file.encoding());
+  if (table) {
+    headings = table->headings;
     const std::string how = describe(*table);
-    if (how != "commas") data_.reading += (data_.reading.empty() ? "" : ", ") + how;
-    if (table->summary_line > 0 && file_.at_end()) summary_line_ = table->summary_line;
-    file_.begin_at(table->offset, table->line, table->format);
+    if (how != "commas") data.reading += (data.reading.empty() ? "" : ", ") + how;
+    if (file.at_end()) summary_line = table->summary_line;
+    file.begin_at(table->offset, table->line, table->format);
+  } else {
+    if (!file.next(row)) throw InputError(data.path, 1, 1, "is empty: a header row is missing");
+    headings = headings_of(row);
   }
-
-  void understand(FilePart& part) {
-    part.clear(part.block.lines());
-    const auto one = [&](const CsvRow& row) {
-      if (row.line() >= summary_line_)
-        part.leave_out(row);
-      else if (reader_)
-        part.row(*reader_, data_, row);
-      else
-        reader_.emplace(metadata_path_, headings_of(row), data_);
-    };
-    const auto comment = [&](const CsvRow& row) {
-      if (reader_) part.comment(*reader_, row);
-    };
-    const CsvWanted* wanted = reader_ && summary_line_ == kNoLine ? reader_->wanted() : nullptr;
-    if (wanted)
-      part.block.rows(
-          *wanted, [&](const CsvNumbers& numbers) { part.numbers(*reader_, data_, numbers); }, one, comment);
+  const PointReader reader(metadata_path, headings, data);
+  if (table) data.taken = reader.taken();
+  Collector collector(reader, data);
+  while (file.next(row)) {
+    if (row.is_comment())
+      collector.comment(row);
+    else if (summary_line > 0 && row.line() >= summary_line)
+      collector.leave_out(row);
     else
-      part.block.rows(one, comment);
-    part.shear = shear_ranges(part.points, part.runs.keys().size());
+      collector.row(row);
+    // Room for the points to come, if the file goes on as it began: a growing vector takes up to three times as much.
+    if (data.points.size() == kSample) data.points.reserve(static_cast<std::size_t>(1.25 * kSample / file.progress()));
   }
-
-  /// Room for as many points as the file may hold if it goes on as this part of it: to move them takes twice their
-  /// memory, while what is never touched takes none.
-  void reserve(const FilePart& part) {
-    const double times = static_cast<double>(file_.bytes().value_or(0)) / static_cast<double>(part.block.bytes());
-    data_.points.reserve(static_cast<std::size_t>(1.25 * times * static_cast<double>(part.points.size())));
-    prefer_large_pages(data_.points.data(), data_.points.capacity() * sizeof(Point));
-  }
-
-  void finish() {
-    if (!reader_) throw InputError(data_.path, 1, 1, "is empty: a header row is missing");
-    collector_.finish(*reader_, metadata_path_);
-  }
-
-  std::string metadata_path_;
-  Dataset& data_;
-  CsvFile file_;
-  std::optional<PointReader> reader_;  // made of the first row, before any thread
-  Collector collector_{data_};
-  std::size_t summary_line_ = kNoLine;
-};
+  collector.finish(metadata_path);
+}
 
 }  // namespace
 
@@ -138,7 +84,7 @@ Dataset load_dataset(const std::string& path, const Metadata& metadata, const Ov
   data.metadata = metadata;
   apply_overrides(overrides, data.metadata);
   require_whole_modulus(data.metadata, metadata_path(path), overrides);
-  Loader(metadata_path(path), data).read();
+  read_table(metadata_path(path), data);
   return data;
 }
 

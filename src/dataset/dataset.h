@@ -16,30 +16,30 @@
 
 namespace mixity {
 
-/// One usable point. P, T, A are dimensionless and zero where the data set has no loads. T is as it was read but for
-/// runs that were turned round: below zero it is noise about zero.
+/// One usable point. P, T, A are dimensionless, and zero if the data set has no loads. T has the sign that was read,
+/// except in runs whose sign was changed; below zero it is noise about zero.
 struct Point {
   std::size_t line;   // in the CSV; of several, counted through (Dataset::line_text)
   std::size_t curve;  // index into Dataset::curves
   double P, T, A;
 
-  /// The tangential load that the contact knows of: equilibrium depends on T^2.
+  /// The tangential load without sign, as equilibrium depends on T^2.
   double shear() const { return std::abs(T); }
 };
 
-/// A standard error that the file does not state, which is not one that it states as 0.
+/// A standard error that the file does not state; one that it states as 0 is exact.
 inline constexpr double kNotStated = -1;
 
-/// A distance needs errors in both axes: of the largest value, what stands for an error of 0.
+/// In place of an error of 0, as a distance needs errors in both axes; relative to the largest value.
 inline constexpr double kLeastError = 1e-4;
 
-/// Standard errors in the units of T, A and the toughness ratio; one of the ratio is 0 where the file states none.
+/// Standard errors in the units of T, A and the toughness ratio; that of the ratio is 0 if the file states none.
 struct PointErrors {
   double T = kNotStated, A = kNotStated, ratio = 0;
 };
 
-/// Energies of the two modes and their standard errors (kNotStated where not given), in units of G_Ic. One below zero
-/// is noise about zero; the sum is positive.
+/// Energies of the two modes and their standard errors (or kNotStated), in units of G_Ic. One below zero is noise about
+/// zero; the sum is positive.
 struct PointEnergies {
   double G_I = 0, G_II = 0, sigma_GI = kNotStated, sigma_GII = kNotStated;
 };
@@ -48,14 +48,14 @@ struct PointEnergies {
 inline constexpr std::string_view kNoPhaseAngle =
     "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists";
 
-/// Why a point whose numbers made dimensionless no double can hold well has none.
+/// The same for a point whose dimensionless numbers are too large or small.
 inline constexpr std::string_view kOutOfRangeRatio = "the toughness ratio is out of range";
 
-/// An offset is one force or one area, which runs shown as on another sphere have not in common.
+/// An offset is one force or one area in SI, which is not the same for runs that are scaled to another sphere.
 inline constexpr const char* kNoOffsets =
     "its runs are on several spheres: offsets of load, shear and area can be neither stated nor fitted";
 
-/// A note.
+/// A note on a load that is stated twice.
 inline constexpr const char* kLoadNotUsed = "the load that is stated is not used: the file has a column of loads";
 
 struct Excluded {
@@ -72,7 +72,7 @@ struct DisplayUnits {
 /// One of several files that make a data set.
 struct SourceFile {
   std::string path;
-  std::size_t first_line;  // its lines are those of the data set behind this one
+  std::size_t first_line;  // line 1 of the file is the line behind this one
 };
 
 struct Dataset {
@@ -81,8 +81,8 @@ struct Dataset {
   Metadata metadata;
   bool has_loads = false;                 // (P, T, A) rather than (psi, Gc)
   bool has_energies = false;              // (G_I, G_II) rather than (psi, Gc)
-  bool several_spheres = false;           // runs were measured on others than `contact` and are shown as on it
-  bool toughness_known = true;            // false: energies in a unit without G_Ic; the largest G_I is 1
+  bool several_spheres = false;           // runs on other spheres than that of `contact` were scaled to it
+  bool toughness_known = true;            // false: energies with a unit but no G_Ic; the largest G_I is 1
   std::optional<Contact> contact;         // null if the data are dimensionless or (psi, f)
   std::size_t rows = 0;                   // data rows in the file: points + excluded
   std::vector<Point> points;              // usable, in file order
@@ -92,20 +92,20 @@ struct Dataset {
   std::vector<Excluded> excluded;
   std::vector<std::string> curves;  // names of the loading runs: the curve column, or one per load
   std::vector<double> curve_loads;  // dimensionless load of each run, the mean of its readings; empty without loads
-  std::vector<bool> turned;         // of each run: its shear was turned round; empty: of none
+  std::vector<bool> turned;         // of each run: the sign of T was changed; empty: of none
   std::vector<std::string> ignored_columns;
-  std::string reading;             // how the file was read, where that is not plain: "UTF-16LE, tabs, decimal commas"
+  std::string reading;             // the format of the file if not plain: "UTF-16LE, tabs, decimal commas"
   std::vector<std::string> taken;  // "P from 'Normalkraft (mN)'"
   bool like_a_log = false;         // a column of times, and many rows that are no points
-  std::vector<std::string> notes;  // what is passed over or not taken as it stands, as sentences that every fit shows
+  std::vector<std::string> notes;  // on what was skipped or changed: sentences that every fit shows
   DisplayUnits display;
 
-  /// What point i says of the toughness; null where its area does not exceed that of Hertz (kNoPhaseAngle).
+  /// Toughness and phase angle of point i; null if its area does not exceed that of Hertz (kNoPhaseAngle).
   std::optional<ToughnessPoint> toughness(std::size_t i) const {
     if (!has_loads) return converted[i];
     return toughness_of_area(points[i].P, points[i].T, points[i].A);
   }
-  /// T of point i with the sign that the file gives it, to which an offset of the load cell is to be added.
+  /// T of point i with the sign in the file, to which an offset of the load cell is to be added.
   double shear_as_read(std::size_t i) const {
     return !turned.empty() && turned[points[i].curve] ? -points[i].T : points[i].T;
   }
@@ -113,7 +113,7 @@ struct Dataset {
     const std::string more = files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "";
     return printable(path, std::string::npos) + more;
   }
-  /// Where a line (of a point, of an excluded row) is, counted through all files.
+  /// The file of a line that is counted through all files, and its number there.
   const std::string& file_of(std::size_t line) const { return files.empty() ? path : source_of(line).path; }
   std::size_t line_in_file(std::size_t line) const { return files.empty() ? line : line - source_of(line).first_line; }
   /// "line 17", or "run_3.csv line 17".
@@ -132,20 +132,19 @@ struct Dataset {
   }
 };
 
-/// Throws an InputError where a point's value of that column stands; the file is read again, and if that cannot be, the
-/// line alone is named.
+/// Throws an InputError at the place of a point's value in that column, which is found by reading the file again; if
+/// that fails, with the line alone.
 [[noreturn]] void refuse_value(const Dataset& data, const Point& point, std::string_view column,
                                const std::string& message);
 
 /// Indices into Dataset::points, by run.
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
 
-/// Reads PATH.csv and PATH.toml beside it. Throws InputError, with file, line and column, for anything in them that
-/// cannot be understood, and for a constant that this kind of data needs and neither the TOML nor an override states.
-/// Energies can do without G_Ic as long as one G_I is positive: whoever needs it asks for toughness_known. Points that
-/// are understood but cannot be used are listed in `excluded`.
+/// Reads PATH.csv and PATH.toml beside it. Throws InputError, with file, line and column, for anything that cannot be
+/// understood, and MissingConstants for constants that this kind of data needs. Energies do not need G_Ic as long as
+/// one G_I is positive (toughness_known). Rows that are understood but cannot be used are listed in `excluded`.
 Dataset load_dataset(const std::string& path, const Overrides& overrides = {});
-/// The same with this in place of the TOML, which is left unread.
+/// The same with this metadata in place of the TOML, which is not read.
 Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides);
 
 }  // namespace mixity

@@ -12,7 +12,7 @@ constexpr std::string_view kOnThisLine = "named in exclude", kOfThisRun = "its r
 
 std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-/// Which runs a name stands for.
+/// The runs of this name or load.
 std::vector<std::size_t> runs_named(const Dataset& data, const std::string& name) {
   std::vector<std::size_t> runs;
   for (std::size_t i = 0; i < data.curves.size(); ++i)
@@ -31,7 +31,7 @@ std::vector<std::size_t> runs_named(const Dataset& data, const std::string& name
   return runs;
 }
 
-/// Of each element, those to keep.
+/// Removes all elements but those to keep.
 template <class T>
 void keep(std::vector<T>& list, const std::vector<bool>& kept) {
   std::size_t to = 0;
@@ -43,7 +43,7 @@ void keep(std::vector<T>& list, const std::vector<bool>& kept) {
   list.resize(to);
 }
 
-/// Runs without points go, and the others move up.
+/// Removes runs without points.
 void remove_empty_runs(Dataset& data) {
   std::vector<bool> used(data.curves.size());
   for (const Point& point : data.points) used[point.curve] = true;

@@ -1,4 +1,4 @@
-// Points that a user leaves out of a data set.
+// Excludes points of a data set that a user names.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace mixity {
 /// Lines of the CSV, both included.
 struct LineRange {
   std::size_t first, last;
-  std::string file{};  // of a data set of several: its name, without folder; empty: of the only one
+  std::string file{};  // its name without folder; empty: the only file of the data set
 };
 /// "17" or "40-58", or "run_3.csv:17". Null if the text is neither.
 std::optional<LineRange> parse_lines(std::string_view text);
@@ -24,8 +24,8 @@ struct Exclusion {
   std::vector<std::string> runs{};
 };
 
-/// Moves these points to Dataset::excluded; a run that loses all of its points is none any more. Throws InputError for
-/// lines that hold no point and for a run that the data set does not have, or if no point is left.
+/// Moves these points to Dataset::excluded, and removes runs without points. Throws InputError for lines without a
+/// point and for a run that the data set does not have, or if no point is left.
 void exclude(Dataset& data, const Exclusion& which);
 
 }  // namespace mixity

@@ -1,24 +1,25 @@
-// Compression that a file has as negative.
+// Files in which compression is negative.
 #pragma once
 
 #include "dataset/dataset.h"
 
 namespace mixity {
 
-/// A note.
+/// The note of turn_loads.
 inline constexpr const char* kLoadsTurned =
     "compression is negative in the file: its loads lie far below JKR's pull-off load, and its areas are those of "
     "-P; loads are turned round (P -> -P)";
 
-/// Of points with loads, whether it surely has: contact under loads far below that of JKR's pull-off, -3 pi/2 R G_Ic,
-/// none above as much, and areas that grow as P falls or that are JKR's at -P.
+/// Whether compression is certainly negative: there are contacts at loads far below the pull-off load of JKR, -3 pi/2
+/// R G_Ic, none far above it, and areas grow as P falls or are those of JKR at -P.
 bool compression_is_negative(const Dataset& data);
 
-/// P -> -P of all points and runs, and of the offset that is to be added to P; with a note. Names of runs stay.
+/// Changes the sign of P of all points and runs, and of the offset that is to be added to it; adds a note. Names of
+/// runs stay.
 void turn_loads(Dataset& data);
 
-/// Turns those of the parts of one data set whose loads are too small to tell, where others were turned; not where the
-/// load is stated beside the file.
+/// If the sign of some parts of a data set was changed, changes it in those whose loads are too small to decide; not
+/// where the load is stated beside the file.
 void turn_as_others(std::vector<Dataset>& parts);
 
 }  // namespace mixity

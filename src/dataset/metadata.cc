@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <filesystem>
 
 #include "base/input_error.h"
 #include "base/number_text.h"
 #include "base/printable.h"
-#include "base/toml_file.h"
 #include "base/trim.h"
 #include "dataset/table/column_kinds.h"
 #include "mechanics/contact.h"
@@ -20,30 +17,30 @@ struct Field {
   std::string_view name;
   std::optional<double> Metadata::*value;
   Dimension dimension;
-  std::string_view example;
+  std::string_view si_unit, example;
 };
 
 constexpr std::array kFields{
-    Field{"radius", &Metadata::radius, dimension::length, "9.42 mm"},
-    Field{"modulus", &Metadata::modulus, dimension::stress, "2.133 MPa"},
-    Field{"youngs_modulus", &Metadata::youngs_modulus, dimension::stress, "1.6 MPa"},
-    Field{"poisson_ratio", &Metadata::poisson_ratio, dimension::none, "0.5"},
-    Field{"toughness", &Metadata::toughness, dimension::energy_per_area, "27 mJ/m^2"},
-    Field{"toughness_II", &Metadata::toughness_II, dimension::energy_per_area, "1.7 N/mm"},
-    Field{"shear_strength", &Metadata::shear_strength, dimension::stress, "0.43 MPa"},
-    Field{"load_offset", &Metadata::load_offset, dimension::force, "0 +/- 0.5 mN"},
-    Field{"shear_offset", &Metadata::shear_offset, dimension::force, "0 +/- 0.5 mN"},
-    Field{"area_offset", &Metadata::area_offset, dimension::area, "0 +/- 0.01 mm^2"},
-    Field{"area_scale", &Metadata::area_scale, dimension::none, "1 +/- 2%"},
-    Field{"pixel", &Metadata::pixel, dimension::length, "1.7 um"},
-    Field{"load", &Metadata::load, dimension::force, "4.68 mN"},
+    Field{"radius", &Metadata::radius, dimension::length, " m", "9.42 mm"},
+    Field{"modulus", &Metadata::modulus, dimension::stress, " Pa", "2.133 MPa"},
+    Field{"youngs_modulus", &Metadata::youngs_modulus, dimension::stress, " Pa", "1.6 MPa"},
+    Field{"poisson_ratio", &Metadata::poisson_ratio, dimension::none, "", "0.5"},
+    Field{"toughness", &Metadata::toughness, dimension::energy_per_area, " J/m^2", "27 mJ/m^2"},
+    Field{"toughness_II", &Metadata::toughness_II, dimension::energy_per_area, " J/m^2", "1.7 N/mm"},
+    Field{"shear_strength", &Metadata::shear_strength, dimension::stress, " Pa", "0.43 MPa"},
+    Field{"load_offset", &Metadata::load_offset, dimension::force, " N", "0 +/- 0.5 mN"},
+    Field{"shear_offset", &Metadata::shear_offset, dimension::force, " N", "0 +/- 0.5 mN"},
+    Field{"area_offset", &Metadata::area_offset, dimension::area, " m^2", "0 +/- 0.01 mm^2"},
+    Field{"area_scale", &Metadata::area_scale, dimension::none, "", "1 +/- 2%"},
+    Field{"pixel", &Metadata::pixel, dimension::length, " m", "1.7 um"},
+    Field{"load", &Metadata::load, dimension::force, " N", "4.68 mN"},
 };
 
-constexpr std::array kProvenances{Provenance::measured, Provenance::digitised, Provenance::reconstructed};
+constexpr std::array<std::string_view, 4> kProvenances{"unstated", "measured", "digitised", "reconstructed"};
 
 std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
-/// As it can be shown anywhere: line ends and tabs become blanks, other controls '?'.
+/// Line ends and tabs become blanks, other control characters '?'.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
@@ -53,24 +50,15 @@ std::string one_line(std::string text) {
 constexpr std::array<std::string_view, 7> kTextFields{"provenance", "source",  "note",     "columns",
                                                       "headings",   "decimal", "load_from"};
 
-std::string si_unit(const Dimension& d) {
-  return d == dimension::length            ? " m"
-         : d == dimension::stress          ? " Pa"
-         : d == dimension::energy_per_area ? " J/m^2"
-         : d == dimension::force           ? " N"
-         : d == dimension::area            ? " m^2"
-                                           : "";
-}
-
-/// Says how a file is to be read, rather than what holds for the experiment.
+/// Whether the field is about a file, rather than the experiment.
 bool is_reading(std::string_view name) { return name == "pixel" || name == "load"; }
 
 bool is_text(std::string_view name) {
   return std::find(kTextFields.begin(), kTextFields.end(), name) != kTextFields.end();
 }
 
-/// "P=Kanal 3 (mN), T=Kanal 4 (N)": a comma parts two columns where a quantity and "=" follow it. What is wrong, or
-/// empty.
+/// "P=Kanal 3 (mN), T=Kanal 4 (N)": a comma separates two columns if a quantity and "=" follow it. Returns what is
+/// wrong, or an empty string.
 std::string read_mapping(std::string_view text, std::map<std::string, std::string>& columns) {
   const auto quantity_at = [](std::string_view rest) {
     const std::size_t equals = rest.find('=');
@@ -98,32 +86,9 @@ const Field* find_field(std::string_view name) {
   return nullptr;
 }
 
-bool is_key(std::string_view name) { return is_text(name) || find_field(name); }
-
-std::filesystem::path without_ending(const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
-  return ending.size() > 1 && std::isalpha(static_cast<unsigned char>(ending[1]))
-             ? std::filesystem::path(path).replace_extension()
-             : path;
-}
-
-std::string example(std::string_view name) { return std::string(find_field(name)->example); }
-
 }  // namespace
 
-std::string_view to_string(Provenance provenance) {
-  switch (provenance) {
-    case Provenance::measured:
-      return "measured";
-    case Provenance::digitised:
-      return "digitised";
-    case Provenance::reconstructed:
-      return "reconstructed";
-    case Provenance::unstated:
-      break;
-  }
-  return "unstated";
-}
+std::string_view to_string(Provenance provenance) { return kProvenances[static_cast<std::size_t>(provenance)]; }
 
 std::optional<double> Metadata::plane_strain_modulus() const {
   if (modulus) return modulus;
@@ -148,8 +113,8 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
   if (name == "source") return metadata.source = one_line(std::string(text)), "";
   if (name == "note") return metadata.note = one_line(std::string(text)), "";
   if (name == "provenance") {
-    for (const Provenance provenance : kProvenances)
-      if (text == to_string(provenance)) return metadata.provenance = provenance, "";
+    for (const auto one : {Provenance::measured, Provenance::digitised, Provenance::reconstructed})
+      if (text == to_string(one)) return metadata.provenance = one, "";
     return "provenance is " + quoted(text) + "; it must be measured, digitised or reconstructed";
   }
   if (name == "columns") return read_mapping(text, metadata.columns);
@@ -183,7 +148,7 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
       return std::string(name) + " is " + quoted(text) + "; its error belongs in " +
              (name == "pixel" ? "area_scale, which has twice that of a length: area_scale = \"1 +/- 2%\""
                               : "load_offset: load_offset = \"0 +/- 0.5 mN\"");
-    if (name == "load") metadata.load_from.clear();  // what is said last holds
+    if (name == "load") metadata.load_from.clear();  // the last statement holds
     metadata.*field->value = value;
     metadata.standard_errors.erase(std::string(name));
     if (uncertain->standard_error > 0) metadata.standard_errors.emplace(name, uncertain->standard_error);
@@ -196,41 +161,10 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
   return "unknown key " + quoted(name) + " (known: " + known + ")";
 }
 
-std::string metadata_path(const std::string& csv_path) { return without_ending(csv_path).string() + ".toml"; }
-
-std::string data_name(const std::string& csv_path) {
-  return printable(without_ending(csv_path).filename().string(), std::string::npos);
-}
-
-Metadata read_metadata(const std::string& path) {
-  Metadata metadata;
-  std::error_code error;
-  const auto kind = std::filesystem::status(path, error).type();
-  if (kind == std::filesystem::file_type::not_found) return metadata;
-  if (error) throw InputError(path, "cannot be looked up: " + error.message());
-  for (const auto& [key, node] : read_toml(path)) {
-    const std::string name(key.str());
-    if (name == "data" || name == "models")
-      fail_at(path, key, "key \"" + name + "\" is one of a fit definition, which needs another name than its data");
-    if (!is_key(name)) fail_at(path, key, set_field(metadata, name, ""));
-    std::string text;
-    if (name == "columns" && node.is_table())
-      text = mapping_text(path, *node.as_table());
-    else if (node.is_string())
-      text = node.as_string()->get();
-    else if (name == "poisson_ratio" && node.is_number())
-      text =
-          shortest(node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get());
-    else
-      fail_at(path, node,
-              name + " must be a string" +
-                  (is_text(name) ? "" : " with a number and a unit, such as \"" + example(name) + '"'));
-    const std::string problem = set_field(metadata, name, text);
-    if (!problem.empty()) fail_at(path, node, problem);
-  }
-  if (!metadata.headings.empty())
-    metadata.headings = (std::filesystem::path(path).parent_path() / metadata.headings).string();
-  return metadata;
+std::string kind_of_field(std::string_view name) {
+  if (is_text(name)) return "a string";
+  const Field* field = find_field(name);
+  return field ? "a string with a number and a unit, such as " + quoted(field->example) : "";
 }
 
 std::string add_constants(const Metadata& more, Metadata& constants) {
@@ -255,9 +189,9 @@ Overrides constants_as_stated(const Metadata& metadata) {
   for (const Field& field : kFields) {
     const std::optional<double>& value = metadata.*field.value;
     if (!value || is_reading(field.name)) continue;
-    const std::string unit = si_unit(field.dimension);
     const double error = metadata.standard_error(field.name);
-    list.emplace_back(field.name, shortest(*value) + (error > 0 ? " +/- " + shortest(error) : "") + unit);
+    list.emplace_back(field.name,
+                      shortest(*value) + (error > 0 ? " +/- " + shortest(error) : "") + std::string(field.si_unit));
   }
   return list;
 }

@@ -1,4 +1,4 @@
-// What stands beside a CSV: the constants of the contact and where the data come from.
+// The metadata of a CSV: the constants of the contact, where the data come from, how to read the file.
 #pragma once
 
 #include <functional>
@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/input_error.h"
 #include "base/units.h"
 #include "dataset/table/column_rules.h"
 
@@ -25,8 +26,7 @@ inline constexpr std::string_view kReconstructedNotice =
 /// Names and texts as given on a command line, in order: {"radius", "9.42 mm"}.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
-/// Constants in SI; null where not stated. Offsets are what is to be added to a reading, area_scale what an area is to
-/// be multiplied by.
+/// Constants in SI; null if not stated. Offsets are added to readings, areas are multiplied by area_scale.
 struct Metadata {
   std::optional<double> radius;                                // m, > 0
   std::optional<double> modulus;                               // plane-strain E*, Pa, > 0
@@ -38,7 +38,7 @@ struct Metadata {
   std::optional<double> area_offset;                           // m^2
   std::optional<double> area_scale;                            // > 0
   std::optional<double> pixel;                                 // m, the side of one, > 0
-  std::optional<double> load;                                  // N, of all points, where no column states it
+  std::optional<double> load;                                  // N, of all points, if no column states it
   std::map<std::string, double, std::less<>> standard_errors;  // of those that have one, in their units, by name
   Provenance provenance = Provenance::unstated;
   std::string source, note;
@@ -56,8 +56,21 @@ struct Metadata {
   double modulus_error() const;
 };
 
+/// A file that could be read if the constants were stated that make its points dimensionless.
+class MissingConstants : public InputError {
+ public:
+  MissingConstants(const std::string& file, const std::string& message, std::vector<std::string> missing)
+      : InputError(file, message), names(std::move(missing)) {}
+
+  std::vector<std::string> names;
+};
+
 /// Sets one field from its text. Returns what is wrong with it, or an empty string.
 std::string set_field(Metadata& metadata, std::string_view name, std::string_view text);
+
+/// What the value of a field is in a TOML: "a string with a number and a unit, such as ..."; empty if there is no such
+/// field.
+std::string kind_of_field(std::string_view name);
 
 /// The file that states the metadata of a CSV: its path with the ending .toml. An ending begins with a letter: that of
 /// run_0.5 is none.
@@ -70,12 +83,12 @@ std::string data_name(const std::string& csv_path);
 /// and column for a syntax error, an unknown key or a value without a unit.
 Metadata read_metadata(const std::string& path);
 
-/// Adds what is stated of one file to what is stated of others of the same experiment, but for how they are to be read.
-/// Returns what contradicts, or an empty string. Of provenances that differ the less direct one holds.
+/// Adds the constants stated beside one file to those of other files of the same experiment. Returns the contradiction,
+/// or an empty string. If provenances differ, the less direct one holds.
 std::string add_constants(const Metadata& more, Metadata& constants);
-/// Those of them that are constants, as set_field would have them: {"radius", "0.00942 m +/- 1e-05 m"}.
+/// The constants as texts that set_field accepts: {"radius", "0.00942 m +/- 1e-05 m"}.
 Overrides constants_as_stated(const Metadata& metadata);
-/// Makes `to` say how to read a file as `from` does.
+/// Copies the fields that are about how to read a file.
 void copy_reading(const Metadata& from, Metadata& to);
 
 /// Applies overrides; one of modulus and youngs_modulus replaces the other. Throws InputError naming the flag.

@@ -13,10 +13,10 @@
 namespace mixity {
 namespace {
 
-constexpr std::size_t kOfEach = 5;  // readings of a level at least, as a rule
+constexpr std::size_t kOfEach = 5;  // readings of a group, at least
 
-/// Standard deviation of readings about their levels, by the median of the steps between successive ones: few of these
-/// lead to another level. Where half of them are 0, the smallest that is not.
+/// Standard deviation of readings about their nominal loads, by the median of successive differences, few of which lead
+/// to another load. If half of them are 0, the smallest difference between readings that is not.
 double scatter(const std::vector<double>& readings, const std::vector<double>& distinct) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < readings.size(); ++i) steps.push_back(std::abs(readings[i] - readings[i - 1]));
@@ -27,18 +27,18 @@ double scatter(const std::vector<double>& readings, const std::vector<double>& d
   return least;
 }
 
-using Ends = std::vector<double>;  // where each level but the first begins, rising
+using Limits = std::vector<double>;  // where each group but the first begins, rising
 
-std::size_t level_of(double reading, const Ends& ends) {
-  return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), reading) - ends.begin());
+std::size_t group_of(double reading, const Limits& limits) {
+  return static_cast<std::size_t>(std::upper_bound(limits.begin(), limits.end(), reading) - limits.begin());
 }
 
-/// Levels of sorted readings, whatever the order in which they came: what is parted by gaps of more than three standard
-/// deviations within the levels, each of some readings. Of a few normal readings one in a thousand lies so far from the
+/// Groups of sorted readings, in whatever order they were taken: separated by gaps of more than three standard
+/// deviations within the groups, each of a few readings. Of a few normal readings one in a thousand is so far from the
 /// next.
-Ends gaps(const std::vector<double>& sorted) {
+Limits gaps(const std::vector<double>& sorted) {
   constexpr double kGap = 3;
-  constexpr std::size_t kMostLevels = 200;
+  constexpr std::size_t kMostGroups = 200;
   const std::size_t n = sorted.size();
   std::vector<double> y(n + 1), yy(n + 1);  // sums
   for (std::size_t i = 0; i < n; ++i) {
@@ -53,14 +53,14 @@ Ends gaps(const std::vector<double>& sorted) {
   for (std::size_t i = 1; i < n; ++i)
     if (sorted[i] > sorted[i - 1]) widest.push_back(i);
   const auto gap = [&](std::size_t i) { return sorted[i] - sorted[i - 1]; };
-  const std::size_t most = std::min({widest.size(), n / kOfEach, kMostLevels});
+  const std::size_t most = std::min({widest.size(), n / kOfEach, kMostGroups});
   std::partial_sort(widest.begin(), widest.begin() + static_cast<std::ptrdiff_t>(most), widest.end(),
                     [&](std::size_t one, std::size_t other) { return gap(one) > gap(other); });
   double step = sorted.back() - sorted.front();  // of what is rounded
   for (const std::size_t i : widest) step = std::min(step, gap(i));
   std::set<std::size_t> cuts{0, n};
   double within = squares(0, n);
-  std::size_t few = 0;  // levels of too few readings
+  std::size_t few = 0;  // groups of too few readings
   std::set<std::size_t> best;
   for (std::size_t k = 0; k < most && few <= 2; ++k) {
     const auto behind = cuts.insert(widest[k]).first;
@@ -70,14 +70,13 @@ Ends gaps(const std::vector<double>& sorted) {
     const double deviation = std::sqrt(std::max(0.0, within) / static_cast<double>(n + 1 - cuts.size()));
     if (few == 0 && gap(at) > kGap * std::max(deviation, step)) best = cuts;
   }
-  Ends ends;
+  Limits limits;
   for (const std::size_t at : best)
-    if (at > 0 && at < n) ends.push_back(sorted[at]);
-  return ends;
+    if (at > 0 && at < n) limits.push_back(sorted[at]);
+  return limits;
 }
 
-/// Where readings in their order go over to another level: changes of the mean that are sudden, of nearly four standard
-/// deviations of a reading; what drifts stays one.
+/// Where the mean of the readings changes suddenly, by nearly four standard deviations of a reading.
 std::vector<std::size_t> sudden_changes(const std::vector<double>& readings, double noise) {
   constexpr std::size_t kMost = 4000, kBeside = 3;
   constexpr double kStep = 3.75;
@@ -85,7 +84,7 @@ std::vector<std::size_t> sudden_changes(const std::vector<double>& readings, dou
   std::vector<double> means;
   for (std::size_t i = 0; i < n; i += each) means.push_back(mean_of(readings, i, std::min(n, i + each)));
   std::vector<std::size_t> changes =
-      level_changes(means, noise * noise / static_cast<double>(each), 4 * std::log(static_cast<double>(n)));
+      mean_changes(means, noise * noise / static_cast<double>(each), 4 * std::log(static_cast<double>(n)));
   for (std::size_t& at : changes) at *= each;
   for (std::size_t k = 1; k < changes.size() && each > 1; ++k) {  // to the reading, by least squares
     const std::size_t block = changes[k] / each, from = changes[k] - each, to = std::min(n, changes[k] + each);
@@ -106,7 +105,7 @@ std::vector<std::size_t> sudden_changes(const std::vector<double>& readings, dou
   for (std::size_t k = 1; k + 1 < changes.size(); ++k) {
     const std::size_t at = changes[k], before = std::min(kBeside, at - sudden.back()),
                       behind = std::min(kBeside, changes[k + 1] - at);
-    // a reading or two that lie far off are no level
+    // an outlier or two make no group
     if (before < kBeside || behind < kBeside) continue;
     if (std::abs(mean_of(readings, at, at + behind) - mean_of(readings, at - before, at)) > kStep * noise)
       sudden.push_back(at);
@@ -114,24 +113,24 @@ std::vector<std::size_t> sudden_changes(const std::vector<double>& readings, dou
   return sudden;
 }
 
-/// Levels of the stretches that begin at these readings, of which some may be at the same.
-std::vector<std::size_t> levels_of(const std::vector<double>& readings, const std::vector<std::size_t>& begins,
-                                   double noise) {
+/// Groups of the segments that begin at these readings; those of equal mean are one.
+std::vector<std::size_t> join_equal(const std::vector<double>& readings, const std::vector<std::size_t>& begins,
+                                    double noise) {
   constexpr double kSame = 4;
-  std::vector<std::size_t> levels;
+  std::vector<std::size_t> groups;
   std::vector<double> means;
   for (std::size_t k = 0; k < begins.size(); ++k) {
     const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : readings.size();
     const double mean = mean_of(readings, begins[k], end);
     const auto same =
         std::find_if(means.begin(), means.end(), [&](double one) { return std::abs(one - mean) <= kSame * noise; });
-    levels.resize(end, static_cast<std::size_t>(same - means.begin()));
+    groups.resize(end, static_cast<std::size_t>(same - means.begin()));
     if (same == means.end()) means.push_back(mean);
   }
-  return levels;
+  return groups;
 }
 
-/// Whether readings of one level come as loads that were set do: all of one value, then all of another.
+/// Whether readings of a group are loads that were set: all of one value, then all of another.
 bool comes_in_blocks(const std::vector<double>& readings) {
   std::size_t changes = 0;
   for (std::size_t i = 1; i < readings.size(); ++i) changes += readings[i] != readings[i - 1];
@@ -153,7 +152,7 @@ double von_neumann_ratio(const std::vector<double>& readings) {
 
 }  // namespace
 
-std::vector<std::size_t> nominal_levels(const std::vector<double>& readings) {
+std::vector<std::size_t> group_by_nominal_load(const std::vector<double>& readings) {
   constexpr std::size_t kFewSet = 12;
   constexpr double kOneLoad = 0.05, kDrift = 0.25;  // of their mean: readings of one load; how far it may drift
   std::vector<double> sorted = readings;
@@ -164,61 +163,61 @@ std::vector<std::size_t> nominal_levels(const std::vector<double>& readings) {
   const double range = distinct.back() - distinct.front();
   const double middle = std::abs(distinct.back() + distinct.front()) / 2;
   const bool one_load = range <= kOneLoad * middle;
-  // a few loads that come again and again were set
+  // a few loads that recur were set
   if (!one_load &&
       (distinct.size() <= 4 || (distinct.size() <= kFewSet && readings.size() >= kOfEach * distinct.size())))
     return {};
-  const Ends ends = gaps(sorted);
-  std::size_t turns = 0;  // from one level to another
+  const Limits limits = gaps(sorted);
+  std::size_t changes = 0;  // from one group to another
   for (std::size_t i = 1; i < readings.size(); ++i)
-    turns += level_of(readings[i], ends) != level_of(readings[i - 1], ends);
+    changes += group_of(readings[i], limits) != group_of(readings[i - 1], limits);
   std::vector<std::size_t> numbered;
-  if (kOfEach * turns > readings.size()) {  // rows come in an order of something else
+  if (kOfEach * changes > readings.size()) {  // the rows are ordered by something else
     std::map<std::size_t, std::size_t> number;
     for (const double reading : readings)
-      numbered.push_back(number.try_emplace(level_of(reading, ends), number.size()).first->second);
+      numbered.push_back(number.try_emplace(group_of(reading, limits), number.size()).first->second);
   } else {
     const double noise = scatter(readings, distinct);
-    numbered = levels_of(readings, sudden_changes(readings, noise), noise);
+    numbered = join_equal(readings, sudden_changes(readings, noise), noise);
   }
-  std::vector<std::vector<double>> levels(*std::max_element(numbered.begin(), numbered.end()) + 1);
-  for (std::size_t i = 0; i < readings.size(); ++i) levels[numbered[i]].push_back(readings[i]);
+  std::vector<std::vector<double>> groups(*std::max_element(numbered.begin(), numbered.end()) + 1);
+  for (std::size_t i = 0; i < readings.size(); ++i) groups[numbered[i]].push_back(readings[i]);
   bool scatters = false;
-  for (const auto& level : levels) {
-    if (std::all_of(level.begin(), level.end(), [&](double one) { return one == level[0]; })) continue;
-    if (comes_in_blocks(level)) return {};
+  for (const auto& group : groups) {
+    if (std::all_of(group.begin(), group.end(), [&](double one) { return one == group[0]; })) continue;
+    if (comes_in_blocks(group)) return {};
     scatters = true;
   }
   if (!scatters) return {};
-  if (!one_load && readings.size() < kOfEach * levels.size()) return {};
-  // readings that know nothing of each other lie about 2
-  if (levels.size() == 1 && range > kDrift * middle && !(von_neumann_ratio(readings) > 1)) return {};
+  if (!one_load && readings.size() < kOfEach * groups.size()) return {};
+  // about 2 for independent readings
+  if (groups.size() == 1 && range > kDrift * middle && !(von_neumann_ratio(readings) > 1)) return {};
   return numbered;
 }
 
 void join_noisy_loads(Dataset& data) {
   std::vector<double> readings;
   for (const Point& point : data.points) readings.push_back(point.P);
-  const std::vector<std::size_t> levels = nominal_levels(readings);
-  if (levels.empty()) return;
-  const std::size_t before = data.curves.size(), count = *std::max_element(levels.begin(), levels.end()) + 1;
+  const std::vector<std::size_t> groups = group_by_nominal_load(readings);
+  if (groups.empty()) return;
+  const std::size_t before = data.curves.size(), count = *std::max_element(groups.begin(), groups.end()) + 1;
   if (count >= before) return;
   std::vector<std::vector<double>> loads(count);
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    data.points[i].curve = levels[i];
-    loads[levels[i]].push_back(readings[i]);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    data.points[i].curve = groups[i];
+    loads[groups[i]].push_back(readings[i]);
   }
   data.curves.clear();
   data.curve_loads.clear();
   double scatter = 0;
   const DisplayUnits& units = data.display;
-  for (std::vector<double>& level : loads) {
-    const double n = static_cast<double>(level.size()), mean = std::accumulate(level.begin(), level.end(), 0.0) / n;
+  for (std::vector<double>& group : loads) {
+    const double n = static_cast<double>(group.size()), mean = std::accumulate(group.begin(), group.end(), 0.0) / n;
     double squares = 0;
-    for (const double load : level) squares += (load - mean) * (load - mean);
+    for (const double load : group) squares += (load - mean) * (load - mean);
     const double deviation = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
     scatter = std::max(scatter, deviation);
-    // as many digits as the mean of so many readings has
+    // as many digits as the mean is certain to
     const double error = std::max(deviation / std::sqrt(n), 1e-4 * std::abs(mean));
     const int digits = error > 0 && mean != 0 ? static_cast<int>(std::floor(std::log10(std::abs(mean) / error))) : 1;
     std::string name = "P=" + rounded(mean * units.force_scale, std::clamp(digits, 1, 6)) +

@@ -5,7 +5,7 @@
 
 #include "base/input_error.h"
 #include "dataset/table/columns.h"
-#include "dataset/table/csv.h"
+#include "dataset/table/csv_file.h"
 #include "mechanics/contact.h"
 
 namespace mixity {
@@ -108,8 +108,8 @@ PeakForces load_peak_forces(const std::string& path) {
   forces.metadata = read_metadata(metadata_path(path));
   require_whole_modulus(forces.metadata, metadata_path(path));
   Reader reader(forces, metadata_path(path));
-  read_csv(
-      path, [&](const CsvRow& row) { reader.row(row); }, [&](const CsvRow& row) { reader.comment(row); });
+  CsvFile file(path);
+  for (CsvRow row; file.next(row);) row.is_comment() ? reader.comment(row) : reader.row(row);
   if (!reader.has_header()) throw InputError(path, 1, 1, "is empty: a header row is missing");
   if (forces.rows.empty() && forces.excluded.empty()) throw InputError(path, 2, 1, "has a header but no data rows");
   return forces;

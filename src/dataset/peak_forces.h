@@ -1,5 +1,5 @@
-// Tangential loads at the first maximum (peak) and the following minimum of a shear test, against normal load: what
-// Waters & Guduru (2010), Fig. 6, give and the paper's Fig. 11 compares as mean stresses T/A_Hertz.
+// Tangential loads at the first maximum (peak) and the following minimum of a shear test, against normal load, as in
+// Waters & Guduru (2010), Fig. 6, and as mean stresses T/A_Hertz in the paper's Fig. 11.
 #pragma once
 
 #include <optional>

@@ -35,7 +35,7 @@ bool by_number(const std::string& one, const std::string& other) {
   return one.size() - i < other.size() - j;
 }
 
-/// What their names begin with, without numbers and signs at its end.
+/// The common beginning of their names, without numbers and signs at its end.
 std::string common_name(const std::vector<RunFile>& files) {
   std::string name = data_name(files.front().path);
   for (const RunFile& file : files) {
@@ -56,7 +56,7 @@ void add_all(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// A run on another sphere is one on the whole's, by its dimensionless quantities.
+/// Notes the scale factors of a run on another sphere.
 void note_sphere(const Dataset& part, const std::string& name, Dataset& whole) {
   if (!part.contact || part.contact->radius == whole.contact->radius) return;
   whole.several_spheres = true;
@@ -67,7 +67,7 @@ void note_sphere(const Dataset& part, const std::string& name, Dataset& whole) {
                         rounded(std::cbrt(times * times * times * times), 4) + " times the area");
 }
 
-/// The runs of a file become some of the whole.
+/// Adds the runs of a file.
 void add(Dataset part, const RunFile& file, Dataset& whole) {
   if (!part.has_loads) throw InputError(part.path, "holds no loads; only runs with P, T and A make one data set");
   if (whole.contact.has_value() != part.contact.has_value())
@@ -87,7 +87,7 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
     part.turned.resize(part.curves.size(), false);
     add_all(whole.turned, part.turned);
   }
-  // once any file states errors, points of all have them: of those without, none is known
+  // once any file states errors, all points have them: kNotStated where the file states none
   if (!part.errors.empty() || !whole.errors.empty()) {
     whole.errors.resize(whole.points.size());
     part.errors.resize(part.points.size());
@@ -143,13 +143,13 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
   }
   Metadata common = constants;
   apply_overrides(overrides, common);
-  // what is uncertain of the radius is a share of it, that of every sphere
+  // the relative error of the radius is that of every sphere
   const double uncertain = common.radius ? common.standard_error("radius") / *common.radius : 0;
   Dataset whole;
   std::size_t lines = 0;
   std::vector<Dataset> parts;
   for (const RunFile& file : files) {
-    // how a file is to be read is its own
+    // how to read a file is stated beside it
     Metadata metadata = constants;
     copy_reading(stated[parts.size()], metadata);
     Overrides own = overrides;

@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kNearStart = 0.1, kHigh = 0.5;  // of the largest |T| of the run so far, less the T it began with
 
-/// The shear of a run as its points come.
+/// The shear of a run, point by point.
 struct ShearCourse {
   bool begun = false;
   double start = 0, last = 0, most = 0;
 
   /// Whether this point is the first of another run.
-  bool begins_anew(double T) {
+  bool begins_again(double T) {
     if (!begun) {
       *this = {true, T, 0, 0};
       return false;
@@ -31,28 +31,28 @@ struct ShearCourse {
   }
 };
 
-/// Whether T rises from begin to before end, with few falls, to some share of `most`.
+/// Whether T rises from begin to before end, with few drops, to some share of `most`.
 bool rises(const std::vector<double>& T, std::size_t begin, std::size_t end, double most) {
   constexpr std::size_t kFewest = 4;
-  constexpr double kSome = 0.3, kFall = 0.02;
-  std::size_t falls = 0;
+  constexpr double kSome = 0.3, kDrop = 0.02;
+  std::size_t drops = 0;
   double reached = 0;
   for (std::size_t i = begin + 1; i < end; ++i) {
     const double before = std::abs(T[i - 1] - T[begin]), shear = std::abs(T[i] - T[begin]);
     reached = std::max(reached, shear);
-    falls += shear < before - kFall * most;
+    drops += shear < before - kDrop * most;
   }
-  return end - begin >= kFewest && reached >= kSome * most && 4 * falls < end - begin;
+  return end - begin >= kFewest && reached >= kSome * most && 4 * drops < end - begin;
 }
 
-/// Where other runs begin among these readings of T; empty if they are those of one.
+/// The indices at which runs begin among these readings of T; empty if there is only one.
 std::vector<std::size_t> beginnings(const std::vector<double>& T) {
   std::vector<std::size_t> begins{0};
   double most = 0;
   ShearCourse course;
   for (std::size_t i = 0; i < T.size(); ++i) {
     most = std::max(most, std::abs(T[i] - T[0]));
-    if (course.begins_anew(T[i])) begins.push_back(i);
+    if (course.begins_again(T[i])) begins.push_back(i);
   }
   for (std::size_t k = begins.size(); k-- > 0;) {
     if (rises(T, begins[k], k + 1 < begins.size() ? begins[k + 1] : T.size(), most)) continue;
@@ -64,15 +64,15 @@ std::vector<std::size_t> beginnings(const std::vector<double>& T) {
 
 }  // namespace
 
-bool part_where_shear_begins_anew(Dataset& data) {
+void split_repeated_shear(Dataset& data) {
   std::vector<ShearCourse> courses(data.curves.size());
   bool any = false;
-  for (const Point& point : data.points) any |= courses[point.curve].begins_anew(point.T);
-  if (!any) return false;
+  for (const Point& point : data.points) any |= courses[point.curve].begins_again(point.T);
+  if (!any) return;
   std::vector<std::string> names;
   std::string parted;
   const auto by_run = points_by_curve(data);
-  std::map<std::size_t, std::size_t> run_at;  // by the place of its first point, which orders them
+  std::map<std::size_t, std::size_t> run_at;  // by the index of its first point
   std::vector<std::size_t> run(data.points.size());
   std::vector<double> loads;
   for (std::size_t one = 0; one < by_run.size(); ++one) {
@@ -91,7 +91,7 @@ bool part_where_shear_begins_anew(Dataset& data) {
     if (!begins.empty())
       parted += (parted.empty() ? "" : ", ") + data.curves[one] + " (" + std::to_string(begins.size()) + ")";
   }
-  if (parted.empty()) return false;
+  if (parted.empty()) return;
   std::vector<std::size_t> number(names.size());
   data.curves.clear();
   data.curve_loads.clear();
@@ -102,7 +102,6 @@ bool part_where_shear_begins_anew(Dataset& data) {
   }
   for (std::size_t i = 0; i < run.size(); ++i) data.points[i].curve = number[run[i]];
   data.notes.push_back("T goes back to where it began and rises anew: taken for several runs at one load: " + parted);
-  return true;
 }
 
 }  // namespace mixity

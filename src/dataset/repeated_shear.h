@@ -1,13 +1,13 @@
-// Runs at one load that follow each other in a file which does not name them.
+// Runs at one load that follow each other in a file without names of runs.
 #pragma once
 
 #include "dataset/dataset.h"
 
 namespace mixity {
 
-/// Parts a run where T goes back, from one point to the next in the file, from half of its largest to near where it
-/// began, and then rises anew; what falls and stays, or comes in no order of T, remains one run. Adds a note. False if
-/// there is no such run.
-bool part_where_shear_begins_anew(Dataset& data);
+/// Splits a run where T goes back, from one point to the next, from more than half of its largest value to near its
+/// start, and then rises again. A run in which T falls and stays low, or that is not ordered by T, remains one. Adds a
+/// note.
+void split_repeated_shear(Dataset& data);
 
 }  // namespace mixity

@@ -1,14 +1,36 @@
 #include "dataset/shear_sign.h"
 
+#include <algorithm>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "base/printable.h"
 
 namespace mixity {
 namespace {
 
-/// Returns how many points of the runs that were turned lie below zero then.
+/// The shear of the points of a run.
+struct ShearRange {
+  double least = 0, most = 0;  // zero among them
+  std::size_t points = 0, below = 0;
+
+  bool is_negative() const { return points >= 3 && least < 0 && most <= -0.1 * least; }
+};
+
+std::vector<ShearRange> shear_ranges(const Dataset& data) {
+  std::vector<ShearRange> ranges(data.curves.size());
+  for (const Point& point : data.points) {
+    ShearRange& range = ranges[point.curve];
+    range.least = std::min(range.least, point.T);
+    range.most = std::max(range.most, point.T);
+    ++range.points;
+    range.below += point.T < 0;
+  }
+  return ranges;
+}
+
+/// Returns how many points of the runs that were turned are below zero then.
 std::size_t turn_negative_runs(const std::vector<ShearRange>& ranges, Dataset& data) {
   constexpr std::size_t kNamed = 4, kLongest = 40;  // runs, characters
   std::size_t count = 0, below = 0;
@@ -29,7 +51,7 @@ std::size_t turn_negative_runs(const std::vector<ShearRange>& ranges, Dataset& d
   return below;
 }
 
-/// Runs that rise through zero from well below it, reading by reading: of noise four such in a row are one in 400.
+/// Notes runs that rise through zero from well below it. By noise four rising readings in a row are one in 400.
 void ask_for_zero(Dataset& data) {
   constexpr std::size_t kInARow = 4;
   std::string names;
@@ -56,19 +78,8 @@ void ask_for_zero(Dataset& data) {
 
 }  // namespace
 
-std::vector<ShearRange> shear_ranges(const std::vector<Point>& points, std::size_t runs) {
-  std::vector<ShearRange> ranges(runs);
-  // Points of a run mostly follow each other: what is known of them stays in registers.
-  for (auto point = points.begin(); point != points.end();) {
-    const std::size_t run = point->curve;
-    ShearRange stretch;
-    for (; point != points.end() && point->curve == run; ++point) stretch.add(point->T);
-    ranges[run].add(stretch);
-  }
-  return ranges;
-}
-
-void finish_shear(const std::vector<ShearRange>& ranges, Dataset& data) {
+void finish_shear(Dataset& data) {
+  const std::vector<ShearRange> ranges = shear_ranges(data);
   std::size_t below = turn_negative_runs(ranges, data);
   for (const ShearRange& range : ranges) below += range.is_negative() ? 0 : range.below;
   if (below == 0) return;

@@ -33,9 +33,6 @@ MeasuredToughness<S> measured_toughness(const S& P, const S& T, const S& a) {
   return {mixity_from_loads(y, T < S(0) ? S(-T) : T), toughness_ratio(y, T, a)};
 }
 
-/// toughness_ratio of n points (P, T, A); -1 where y <= 0. Vectorised.
-void toughness_ratios(const double* P, const double* T, const double* A, double* ratios, std::size_t n);
-
 /// The same from the area A > 0; null at y <= 0.
 inline std::optional<ToughnessPoint> toughness_of_area(double P, double T, double A) {
   const double a = radius_from_area(A);

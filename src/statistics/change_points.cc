@@ -82,7 +82,7 @@ ChangePoint best(const std::vector<double>& costs, std::size_t offset) {
 
 }  // namespace
 
-std::vector<std::size_t> level_changes(const std::vector<double>& values, double variance, double penalty) {
+std::vector<std::size_t> mean_changes(const std::vector<double>& values, double variance, double penalty) {
   const std::size_t n = values.size();
   if (n == 0) return {};
   const PartialSums sums(values, 0, n);
@@ -121,7 +121,7 @@ std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::
   return best(costs, begin + kLeast - 1);
 }
 
-ChangePoint beginning_of_fall(const Course& course, std::size_t begin, std::size_t end, const ChangePoint& about,
+ChangePoint beginning_of_drop(const Course& course, std::size_t begin, std::size_t end, const ChangePoint& about,
                               std::size_t reach) {
   constexpr std::size_t kLeast = 3;
   const PartialSums sums(*course.values, begin, end);
@@ -134,22 +134,22 @@ ChangePoint beginning_of_fall(const Course& course, std::size_t begin, std::size
   for (std::size_t low = first; low <= last; ++low)
     behind.push_back({sums.line(low, end).at(low - begin), sums.about_line(low, end)});
   std::vector<double> costs;
-  for (std::size_t fall = first; fall <= last; ++fall) {
-    const double before = sums.about_line(begin, fall);
-    const double top = sums.line(begin, fall).at(fall - 1 - begin);
+  for (std::size_t drop = first; drop <= last; ++drop) {
+    const double before = sums.about_line(begin, drop);
+    const double top = sums.line(begin, drop).at(drop - 1 - begin);
     double least = kUnbounded;
-    for (std::size_t low = std::max(fall, middle); low <= last; ++low) {
+    for (std::size_t low = std::max(drop, middle); low <= last; ++low) {
       const Behind& rest = behind[low - first];
-      const double slope = (rest.level - top) / static_cast<double>(low - fall + 1);
-      const Line between{top - slope * static_cast<double>(fall - 1 - begin), slope};
-      least = std::min(least, sums.about_given(between, fall, low) + rest.squares);
+      const double slope = (rest.level - top) / static_cast<double>(low - drop + 1);
+      const Line between{top - slope * static_cast<double>(drop - 1 - begin), slope};
+      least = std::min(least, sums.about_given(between, drop, low) + rest.squares);
     }
     costs.push_back((before + least) / (course.noise * course.noise));
   }
   return best(costs, first - 1);
 }
 
-std::optional<FallEnds> ends_of_fall(const Course& course, std::size_t begin, std::size_t end, const FallSpan& span) {
+std::optional<DropEnds> ends_of_drop(const Course& course, std::size_t begin, std::size_t end, const DropSpan& span) {
   constexpr std::size_t kLeast = 3;
   constexpr int kTurns = 50;
   if (end < begin + 2 * kLeast) return std::nullopt;
@@ -158,12 +158,12 @@ std::optional<FallEnds> ends_of_fall(const Course& course, std::size_t begin, st
   if (first > seen) return std::nullopt;
   const PartialSums sums(*course.values, begin, end);
   const double variance = course.noise * course.noise;
-  // `fall`: the first reading of it; `low`: the first one behind
-  const auto cost = [&](std::size_t fall, std::size_t low) {
-    const double top = sums.line(begin, fall).at(fall - 1 - begin), bottom = sums.line(low, end).at(low - begin),
-                 slope = (bottom - top) / static_cast<double>(low - fall + 1);
-    const Line between{top - slope * static_cast<double>(fall - 1 - begin), slope};
-    return (sums.about_line(begin, fall) + (low > fall ? sums.about_given(between, fall, low) : 0) +
+  // `drop`: the first reading of it; `low`: the first one behind
+  const auto cost = [&](std::size_t drop, std::size_t low) {
+    const double top = sums.line(begin, drop).at(drop - 1 - begin), bottom = sums.line(low, end).at(low - begin),
+                 slope = (bottom - top) / static_cast<double>(low - drop + 1);
+    const Line between{top - slope * static_cast<double>(drop - 1 - begin), slope};
+    return (sums.about_line(begin, drop) + (low > drop ? sums.about_given(between, drop, low) : 0) +
             sums.about_line(low, end)) /
            variance;
   };
@@ -172,16 +172,16 @@ std::optional<FallEnds> ends_of_fall(const Course& course, std::size_t begin, st
     for (std::size_t i = from; i <= to; ++i) list.push_back(one(i));
     return list;
   };
-  // one cut first, then a fall about that, then each end in turn
+  // one cut first, then a drop about that, then each end in turn
   const std::size_t cut = best(costs(first, seen, [&](std::size_t i) { return cost(i, i); }), first).at;
   const std::size_t wide = std::min(cut - first, last - cut);
   const std::size_t half = best(costs(0, wide, [&](std::size_t i) { return cost(cut - i, cut + i); }), 0).at;
-  ChangePoint fall{cut - half, 0, 0}, low{cut + half, 0, 0};
+  ChangePoint drop{cut - half, 0, 0}, low{cut + half, 0, 0};
   for (int turn = 0; turn < kTurns; ++turn) {
-    const std::size_t before = fall.at, behind = low.at;
-    fall = best(costs(first, std::min(seen, low.at), [&](std::size_t i) { return cost(i, low.at); }), first);
-    low = best(costs(fall.at, last, [&](std::size_t i) { return cost(fall.at, i); }), fall.at);
-    if (fall.at == before && low.at == behind) break;
+    const std::size_t before = drop.at, behind = low.at;
+    drop = best(costs(first, std::min(seen, low.at), [&](std::size_t i) { return cost(i, low.at); }), first);
+    low = best(costs(drop.at, last, [&](std::size_t i) { return cost(drop.at, i); }), drop.at);
+    if (drop.at == before && low.at == behind) break;
   }
   const auto ending = [&](std::size_t from, std::size_t to, const ChangePoint& place) {
     const Line line = sums.line(from, to);
@@ -191,7 +191,7 @@ std::optional<FallEnds> ends_of_fall(const Course& course, std::size_t begin, st
     return LineEnd{at, (*course.values)[begin] + line.level + line.slope * (at - static_cast<double>(begin)),
                    std::sqrt(variance * (1 / n + x * x / spread) + line.slope * line.slope * (off * off + 1 / 12.0))};
   };
-  return FallEnds{ending(begin, fall.at, fall), ending(low.at, end, low)};
+  return DropEnds{ending(begin, drop.at, drop), ending(low.at, end, low)};
 }
 
 std::optional<Hinge> hinge_point(const Course& course, std::size_t begin, std::size_t end) {

@@ -1,4 +1,4 @@
-// Where a noisy course changes: levels, and the two kinds of cut that a loading run has.
+// Change points of noisy readings: of their mean, and of the lines that they follow.
 #pragma once
 
 #include <cstddef>
@@ -7,52 +7,52 @@
 
 namespace mixity {
 
-/// From where on readings have another mean: the exact minimum of squares over all partitions, each change paid with
-/// `penalty` variances, by PELT (Killick, Fearnhead & Eckley 2012, J. Am. Stat. Assoc. 107, 1590). Begins with 0.
-std::vector<std::size_t> level_changes(const std::vector<double>& values, double variance, double penalty);
+/// Where the mean of the readings changes: the first index of each segment, 0 among them. The exact minimum, over all
+/// partitions, of the sum of squares plus `penalty` variances for each change, by PELT (Killick, Fearnhead & Eckley
+/// 2012, J. Am. Stat. Assoc. 107, 1590).
+std::vector<std::size_t> mean_changes(const std::vector<double>& values, double variance, double penalty);
 
-/// A cut behind reading `at`, and the first and last that the likelihood cannot tell from it (95 %: twice the logarithm
-/// less than 3.84 below its maximum).
+/// A change behind reading `at`, and its 95 % interval by the likelihood ratio (2 ln L at most 3.84 below its maximum).
 struct ChangePoint {
   std::size_t at, first, last;
 };
 
-/// One of several courses that change at one time, and its standard deviation.
+/// One of several series that change at the same time, and the standard deviation of its readings.
 struct Course {
   const std::vector<double>* values;
   double noise;
 };
 
-/// Where in begin..end (end not included) courses break: before and behind each is a straight line, and they need not
-/// meet. Null if fewer than three readings are on either side.
+/// Where in begin..end (end excluded) all courses go from one straight line to another, which need not meet. Null if
+/// fewer than three readings are on either side.
 std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::size_t begin, std::size_t end);
 
-/// Where in begin..end a course leaves a line and falls or rises along a second to a third: the cut behind the first,
-/// where break_point finds the middle of the second if noise hides that it takes time. Nearer than `reach` readings to
-/// `about`, which is of break_point.
-ChangePoint beginning_of_fall(const Course& course, std::size_t begin, std::size_t end, const ChangePoint& about,
+/// Where in begin..end a course leaves a line for a drop (or rise) that takes several readings, behind which a third
+/// line follows: the change behind the first line. break_point finds the middle of the drop if noise hides its
+/// duration. `about`: the result of break_point; the change is less than `reach` readings from it.
+ChangePoint beginning_of_drop(const Course& course, std::size_t begin, std::size_t end, const ChangePoint& about,
                               std::size_t reach);
 
-/// Where a line ends or begins: its value there, and the standard error of that, with what the place may be off by.
+/// The end or beginning of a line: its value there, and its standard error, that of the position included.
 struct LineEnd {
-  double at;  // in readings, between two of them
+  double at;  // position in readings, not rounded
   double value, error;
 };
 
-/// Where a fall can be: its first reading is in first..seen, the first one behind it not after `last`.
-struct FallSpan {
+/// Where a drop is looked for: its first reading is in first..seen, the first one behind it not after `last`.
+struct DropSpan {
   std::size_t first, seen, last;
 };
 
-/// A line that ends in a fall along a second one, or between two readings, and a third one from its end on: least
-/// squares over begin..end (end not included), by turns in where the fall begins and where it ends. Null if fewer than
-/// three readings are on either side.
-struct FallEnds {
+/// The ends of a drop from one line to another along a line between them, or between two readings: least squares over
+/// begin..end (end excluded), alternately in the beginning and the end of the drop. Null if fewer than three readings
+/// are on either side.
+struct DropEnds {
   LineEnd top, bottom;
 };
-std::optional<FallEnds> ends_of_fall(const Course& course, std::size_t begin, std::size_t end, const FallSpan& span);
+std::optional<DropEnds> ends_of_drop(const Course& course, std::size_t begin, std::size_t end, const DropSpan& span);
 
-/// Where in begin..end a course that was level begins to rise or fall along a straight line; also its level before.
+/// Where in begin..end a constant course begins to rise or fall along a straight line, and its value before.
 struct Hinge {
   ChangePoint change;
   double level, slope;  // per reading

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "dataset/table/csv.h"
+#include "base/files.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {

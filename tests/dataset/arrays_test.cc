@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "dataset/metadata.h"
-#include "dataset/table/csv.h"
+#include "dataset/table/csv_file.h"
 #include "dataset/table/heading.h"
 #include "dataset/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-// Files of many blocks are read on several threads; nothing of that may show.
+// Files of many blocks.
 #include <gtest/gtest.h>
 
 #include "dataset/load_text.h"

@@ -39,41 +39,41 @@ const std::vector<double> kLoads{7.73, 3.81, 2.92, 1.58, 0.94, 0.51, -0.06, -0.4
 TEST(NominalLoads, AreTheLevelsOfNoisyReadings) {
   for (unsigned seed = 0; seed < 200; ++seed)
     for (const std::size_t each : {5u, 25u, 400u}) {
-      EXPECT_EQ(nominal_levels(readings(kLoads, each, 0.02, 0, seed)), blocks(kLoads.size(), each)) << seed;
-      EXPECT_EQ(nominal_levels(readings({4.68}, each, 0.02, 0, seed)), blocks(1, each)) << seed;
-      EXPECT_EQ(nominal_levels(readings({0.01}, 4 * each, 0.02, 0, seed)), blocks(1, 4 * each)) << seed;
+      EXPECT_EQ(group_by_nominal_load(readings(kLoads, each, 0.02, 0, seed)), blocks(kLoads.size(), each)) << seed;
+      EXPECT_EQ(group_by_nominal_load(readings({4.68}, each, 0.02, 0, seed)), blocks(1, each)) << seed;
+      EXPECT_EQ(group_by_nominal_load(readings({0.01}, 4 * each, 0.02, 0, seed)), blocks(1, 4 * each)) << seed;
     }
 }
 
 TEST(NominalLoads, AreTheLevelsOfReadingsInSteps) {
   for (unsigned seed = 0; seed < 200; ++seed) {
-    EXPECT_EQ(nominal_levels(readings(kLoads, 50, 0.02, 0.01, seed)), blocks(kLoads.size(), 50)) << seed;
-    EXPECT_EQ(nominal_levels(readings({4.68}, 50, 0.004, 0.01, seed)), blocks(1, 50)) << seed;
+    EXPECT_EQ(group_by_nominal_load(readings(kLoads, 50, 0.02, 0.01, seed)), blocks(kLoads.size(), 50)) << seed;
+    EXPECT_EQ(group_by_nominal_load(readings({4.68}, 50, 0.004, 0.01, seed)), blocks(1, 50)) << seed;
   }
 }
 
 TEST(NominalLoads, ThatLieCloseTogetherAreTwoIfTheirNoiseSaysSo) {
-  EXPECT_EQ(nominal_levels(readings({10, 10.4}, 15, 0.02, 0, 3)).back(), 1u);
-  const Levels one = nominal_levels(readings({10}, 30, 0.2, 0, 3));
+  EXPECT_EQ(group_by_nominal_load(readings({10, 10.4}, 15, 0.02, 0, 3)).back(), 1u);
+  const Levels one = group_by_nominal_load(readings({10}, 30, 0.2, 0, 3));
   EXPECT_EQ(*std::max_element(one.begin(), one.end()), 0u);
 }
 
 TEST(NominalLoads, OneAfterTheOtherMayHaveExtremeReadingsThatTouch) {
   for (unsigned seed = 0; seed < 100; ++seed) {
-    EXPECT_EQ(nominal_levels(readings({5, 5.5, 6}, 300, 0.05, 0, seed)), blocks(3, 300)) << seed;
-    EXPECT_EQ(nominal_levels(readings({2.5, 2.6, 2.7}, 30, 0.012, 0, seed)), blocks(3, 30)) << seed;
-    EXPECT_EQ(nominal_levels(readings({0.5, 1}, 40, 0.05, 0, seed)), blocks(2, 40)) << seed;
+    EXPECT_EQ(group_by_nominal_load(readings({5, 5.5, 6}, 300, 0.05, 0, seed)), blocks(3, 300)) << seed;
+    EXPECT_EQ(group_by_nominal_load(readings({2.5, 2.6, 2.7}, 30, 0.012, 0, seed)), blocks(3, 30)) << seed;
+    EXPECT_EQ(group_by_nominal_load(readings({0.5, 1}, 40, 0.05, 0, seed)), blocks(2, 40)) << seed;
   }
   // of many readings, to the reading
-  EXPECT_EQ(nominal_levels(readings({5, 5.5, 6}, 20001, 0.03, 0, 1)), blocks(3, 20001));
+  EXPECT_EQ(group_by_nominal_load(readings({5, 5.5, 6}, 20001, 0.03, 0, 1)), blocks(3, 20001));
 }
 
 TEST(NominalLoads, ThatDriftAreOne) {
   std::vector<double> ten, noisy = readings({5}, 300, 0.02, 0, 1);
   for (int i = 0; i < 10; ++i) ten.push_back(4.68 * (1 + 0.03 * i / 9));
   for (std::size_t i = 0; i < noisy.size(); ++i) noisy[i] += 0.001 * static_cast<double>(i);
-  EXPECT_EQ(nominal_levels(ten), blocks(1, 10));
-  const Levels drift = nominal_levels(noisy);
+  EXPECT_EQ(group_by_nominal_load(ten), blocks(1, 10));
+  const Levels drift = group_by_nominal_load(noisy);
   EXPECT_EQ(drift, Levels(drift.size(), 0));
 }
 
@@ -85,19 +85,19 @@ TEST(NominalLoads, OfRowsInTheOrderOfSomethingElseAreTheirLevels) {
     in_turn.push_back(rows[i % 3 * 100 + i / 3]);
     wanted.push_back(i % 3);
   }
-  EXPECT_EQ(nominal_levels(in_turn), wanted);
+  EXPECT_EQ(group_by_nominal_load(in_turn), wanted);
 }
 
 TEST(NominalLoads, ThatWereSetAreTakenAsTheyStand) {
-  EXPECT_EQ(nominal_levels(readings(kLoads, 25, 0, 0, 0)), Levels());
-  EXPECT_EQ(nominal_levels(readings(kLoads, 1, 0, 0, 0)), Levels());
-  EXPECT_EQ(nominal_levels(readings({4, 4.1}, 25, 0, 0, 0)), Levels());
+  EXPECT_EQ(group_by_nominal_load(readings(kLoads, 25, 0, 0, 0)), Levels());
+  EXPECT_EQ(group_by_nominal_load(readings(kLoads, 1, 0, 0, 0)), Levels());
+  EXPECT_EQ(group_by_nominal_load(readings({4, 4.1}, 25, 0, 0, 0)), Levels());
   std::vector<double> in_turn;
   for (int i = 0; i < 20; ++i) in_turn.insert(in_turn.end(), kLoads.begin(), kLoads.end());
-  EXPECT_EQ(nominal_levels(in_turn), Levels());
+  EXPECT_EQ(group_by_nominal_load(in_turn), Levels());
   std::vector<double> ramp;
   for (int i = 0; i < 100; ++i) ramp.push_back(0.1 * i);
-  EXPECT_EQ(nominal_levels(ramp), Levels());
+  EXPECT_EQ(group_by_nominal_load(ramp), Levels());
 }
 
 TEST(NominalLoads, AreRunsWhosePointsKeepTheLoadThatWasRead) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kRows = 3000;
 
-/// Rows of measurements, among them all kinds that are left out; with ",1" at the end they are read one by one.
+/// Rows of measurements, among them all kinds that are left out.
 std::string measured_rows(const std::string& header, const std::vector<std::string>& odd, const std::string& behind) {
   std::string text = header;
   for (std::size_t i = 0; i < kRows; ++i) {
@@ -33,7 +33,7 @@ std::size_t points_below_zero(const Dataset& data) {
   return below;
 }
 
-TEST(PointReader, RowsReadSeveralAtATimeAreThoseReadOneByOne) {
+TEST(PointReader, AColumnThatIncludesEachRowChangesNothing) {
   const std::vector<std::string> odd{"1,-1,3,0,0,x",    "1,1,0,0,0,x",     "1,1,-3,0,0,x",      "1,1,1,0,0,x",
                                      "1,,3,0,0,x",      "1,nan,3,0,0,x",   "1,1e200,3,0,0,x",   "-1e90,1,3,0,0,x",
                                      "1,1,1e60,0,0,x",  "1,1,1e-60,0,0,x", "0,0,1e-60,0,0,x",   "1,1,3,-1,0,x",

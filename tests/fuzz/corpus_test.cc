@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "dataset/table/csv.h"
+#include "base/files.h"
 #include "fuzz/fuzz_input.h"
 #include "fuzz/promise.h"
 

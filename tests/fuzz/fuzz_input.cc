@@ -16,7 +16,7 @@
 #include "dataset/dataset.h"
 #include "dataset/peak_forces.h"
 #include "dataset/table/columns.h"
-#include "dataset/table/csv.h"
+#include "dataset/table/csv_file.h"
 #include "dataset/table/plot_import.h"
 #include "dataset/temporary_folder.h"
 #include "mechanics/laws/law_traits.h"
@@ -91,40 +91,19 @@ void check_metadata(const Metadata& metadata) {
   if (metadata.poisson_ratio) promise(*metadata.poisson_ratio >= 0 && *metadata.poisson_ratio <= 0.5, "poisson_ratio");
 }
 
-/// Rows that come as numbers are those that come one by one.
-void check_numbers(const std::string& path) {
-  CsvFile file(path);
-  std::size_t fields = 0;
-  for (CsvBlock block; file.next(block);) {
-    std::vector<std::pair<std::size_t, std::vector<std::string>>> rows;
-    block.rows([&](const CsvRow& row) {
-      rows.push_back({row.line(), {}});
-      for (std::size_t i = 0; i < row.size(); ++i) rows.back().second.emplace_back(row[i]);
-    });
-    if (fields == 0 && !rows.empty()) fields = rows.front().second.size();
-    if (fields == 0) continue;
-    CsvWanted wanted{{}, {}, fields};
-    for (std::size_t i = 0; i < fields; ++i) (i % 4 == 3 ? wanted.texts : wanted.numbers).push_back(i);
-    std::size_t at = 0;
-    const auto next = [&](std::size_t line) -> const std::vector<std::string>& {
-      promise(at < rows.size() && rows[at].first == line, "each row comes once and in order", path);
-      return rows[at++].second;
-    };
-    block.rows(
-        wanted,
-        [&](const CsvNumbers& numbers) {
-          for (std::size_t i = 0; i < numbers.size(); ++i) {
-            const auto& row = next(numbers.line(i));
-            promise(row.size() == fields, "a row of numbers is whole");
-            for (std::size_t k = 0; k < wanted.numbers.size(); ++k)
-              promise(parse_number(row[wanted.numbers[k]]) == numbers.numbers(k)[i], "a number is what its text says");
-            for (std::size_t k = 0; k < wanted.texts.size(); ++k)
-              promise(row[wanted.texts[k]] == numbers.text(k, i), "a text is the field's");
-          }
-        },
-        [&](const CsvRow& row) { promise(row.size() == next(row.line()).size(), "a row is itself"); });
-    promise(at == rows.size(), "no row is left out");
+/// Rows that come out of small blocks are those of large ones.
+void check_blocks(const std::string& path) {
+  CsvFile whole(path), parts(path, 1);
+  CsvRow row, same;
+  while (whole.next(row)) {
+    promise(parts.next(same) && row.line() == same.line() && row.size() == same.size(), "a row comes once", path);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      promise(row[i] == same[i], "a field is itself in blocks of any size", path);
+      double value = 0;
+      promise(!row.number(i, value) || !row[i].empty(), "an empty field is no number");
+    }
   }
+  promise(!parts.next(same), "no row comes twice", path);
 }
 
 void check_data(const Dataset& data) {
@@ -165,7 +144,7 @@ void check_dataset(std::string_view text) {
   const auto [toml, csv] = cut(text, "\n---\n");
   const std::string &path = table.hold(csv), &beside = metadata.hold(toml);
   accepts({path + ":", beside + ":"}, [&] { check_data(load_dataset(path)); });
-  accepts({path + ":"}, [&] { check_numbers(path); });
+  accepts({path + ":"}, [&] { check_blocks(path); });
 }
 
 void check_peaks(std::string_view text) {

@@ -7,7 +7,6 @@
 
 #include "analysis/fit_definition.h"
 #include "analysis/run.h"
-#include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/files.h"
 #include "base/output_file.h"
-#include "dataset/table/csv.h"
 #include "report/fit_text.h"
 
 namespace mixity {

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "analysis/run.h"
+#include "base/files.h"
 #include "base/output_file.h"
-#include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 #include "report/example_results.h"
 #include "report/fit_json.h"

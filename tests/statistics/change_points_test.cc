@@ -55,7 +55,7 @@ TEST(ChangePoints, OfLevelsAreTheBestPartitionOfAll) {
     for (std::size_t i = 20; i < 45; ++i) y[i] += 3;
     for (std::size_t i = 60; i < 80; ++i) y[i] -= 2;
     const double penalty = 10;
-    EXPECT_NEAR(cost_of(y, level_changes(y, 1, penalty), 1, penalty), by_brute_force(y, 1, penalty),
+    EXPECT_NEAR(cost_of(y, mean_changes(y, 1, penalty), 1, penalty), by_brute_force(y, 1, penalty),
                 1e-9);  // 80 sums of O(1)
   }
 }
@@ -98,16 +98,16 @@ TEST(Noise, OfASmoothCourseIsWhatScatters) {
 // 10 kHz of a load cell that is noisier than what one sample falls by: the break of two lines is the fall's middle.
 TEST(ChangePoints, AFallBeginsWhereItDoesThoughNoiseHidesThatItTakesTime) {
   constexpr std::size_t kBefore = 1600, kFalling = 40, kBehind = 300;
-  constexpr double kNoise = 5, kFall = 20;
+  constexpr double kNoise = 5, kDrop = 20;
   int held = 0, held_by_the_middle = 0;
   for (unsigned seed = 1; seed <= 200; ++seed) {
     Values y = noise(kBefore + kFalling + kBehind, kNoise, seed);
     for (std::size_t i = 0; i < y.size(); ++i) {
       y[i] += 0.002 * static_cast<double>(i);
-      if (i >= kBefore) y[i] -= kFall * std::min(1.0, static_cast<double>(i - kBefore + 1) / kFalling);
+      if (i >= kBefore) y[i] -= kDrop * std::min(1.0, static_cast<double>(i - kBefore + 1) / kFalling);
     }
     const ChangePoint middle = *break_point({{&y, kNoise}}, 0, y.size());
-    const ChangePoint top = beginning_of_fall({&y, kNoise}, 0, y.size(), middle, 400);
+    const ChangePoint top = beginning_of_drop({&y, kNoise}, 0, y.size(), middle, 400);
     const auto holds = [&](const ChangePoint& cut) { return cut.first <= kBefore - 1 && kBefore - 1 <= cut.last; };
     held += holds(top);
     held_by_the_middle += holds(middle);

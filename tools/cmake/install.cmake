@@ -15,7 +15,7 @@ configure_package_config_file(tools/cmake/mixityConfig.cmake.in ${PROJECT_BINARY
   INSTALL_DESTINATION ${package})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/mixityConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/mixityConfig.cmake ${PROJECT_BINARY_DIR}/mixityConfigVersion.cmake
-  tools/cmake/FindLibCsv.cmake DESTINATION ${package})
+  DESTINATION ${package})
 configure_file(tools/cmake/mixity.pc.in ${PROJECT_BINARY_DIR}/mixity.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/mixity.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

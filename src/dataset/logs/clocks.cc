@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNearLoad = 0.4;           // s, about the lag by the load
 constexpr double kSure = 6, kSureNear = 4;  // standard deviations: of few shifts, fewer are high by chance
-constexpr double kNearly = 0.85;            // of the best shift: what is no less tells nothing
+constexpr double kNearly = 0.85;            // of the best score: another shift with as much makes it ambiguous
 constexpr double kApart = 3;                // frames
 
 /// Means over steps of so much time from the first reading on; of a step without any, that of the one before.
@@ -32,8 +32,8 @@ std::vector<double> means_over(const std::vector<double>& time, const std::vecto
   return means;
 }
 
-/// Times at which T changes suddenly: means over so much time by more than noise and ramps change them in
-/// two steps.
+/// Times at which T changes suddenly: at which its means over `step` change within two steps by more than noise and the
+/// ramps about it explain.
 std::vector<double> sudden_changes(const Frames& frames, double step) {
   constexpr double kSudden = 6;  // standard deviations
   constexpr std::size_t kBeside = 10;
@@ -59,13 +59,13 @@ struct Lag {
   double error;     // s
 };
 
-/// Shifts about `middle` that are looked at.
+/// The shifts that are tried: middle +- half.
 struct LagRange {
   double middle, half;
 };
 
-/// The shift by which sudden changes of T fall together with falls of A: the middle of those that give the largest sum
-/// of falls. Null if that is not `sure` standard deviations of what noise gives, or another shift gives nearly as much.
+/// The shift at which sudden changes of T coincide with drops of A: the middle of those with the largest sum of drops.
+/// Null if that is less than `sure` standard deviations of what noise gives, or another shift gives nearly as much.
 std::optional<Lag> lag_of(const std::vector<double>& events, const Pictures& shown, double interval, LagRange range,
                           double sure) {
   constexpr double kMost = 15;     // standard deviations
@@ -77,21 +77,21 @@ std::optional<Lag> lag_of(const std::vector<double>& events, const Pictures& sho
     if (A > 0.3 * largest) touching.push_back(A);
   const double noise = noise_of(touching);
   if (events.empty() || !(noise > 0)) return std::nullopt;
-  // how much more the area falls from one frame to the next than it changes before and after that
-  std::vector<double> falls(shown.A.size());
+  // how much more the area drops from one frame to the next than it changes before and after that
+  std::vector<double> drops(shown.A.size());
   double squares = 0;
-  for (std::size_t i = 2; i + 1 < falls.size(); ++i) {
-    const auto fall = [&](std::size_t k) { return shown.A[k - 1] - shown.A[k]; };
-    const double more = fall(i) - std::max(std::abs(fall(i - 1)), std::abs(fall(i + 1)));
+  for (std::size_t i = 2; i + 1 < drops.size(); ++i) {
+    const auto drop = [&](std::size_t k) { return shown.A[k - 1] - shown.A[k]; };
+    const double more = drop(i) - std::max(std::abs(drop(i - 1)), std::abs(drop(i + 1)));
     if (shown.A[i - 1] > 0.3 * largest && shown.A[i] > 0)
-      falls[i] = std::clamp(more / (std::sqrt(2.0) * noise), 0.0, kMost);
-    squares += std::pow(std::min(falls[i], 3.0), 2);  // of noise
+      drops[i] = std::clamp(more / (std::sqrt(2.0) * noise), 0.0, kMost);
+    squares += std::pow(std::min(drops[i], 3.0), 2);  // of noise
   }
   const double by_chance = std::sqrt(squares / static_cast<double>(touching.size()));
   const double step = interval / kSteps;
   const auto half = static_cast<std::ptrdiff_t>(range.half / step);
   std::vector<double> scores(static_cast<std::size_t>(2 * half + 1));
-  // The fall that ends a long rise is the one at which the contact loses area; later slips resemble each other.
+  // The drop that ends a long rise is the one at which the contact loses area; later slips resemble each other.
   std::vector<double> weights;
   double weighed = 0;
   for (std::size_t e = 0; e < events.size(); ++e) {
@@ -104,7 +104,7 @@ std::optional<Lag> lag_of(const std::vector<double>& events, const Pictures& sho
       const auto next = std::lower_bound(shown.time.begin(), shown.time.end(), at);
       if (next == shown.time.begin() || next == shown.time.end()) continue;
       const auto i = static_cast<std::size_t>(next - shown.time.begin());
-      scores[static_cast<std::size_t>(k + half)] += weights[e] * falls[i];
+      scores[static_cast<std::size_t>(k + half)] += weights[e] * drops[i];
     }
   const auto best = std::max_element(scores.begin(), scores.end());
   const double sureness = *best / std::max(by_chance * std::sqrt(weighed), 1e-9);
@@ -112,7 +112,7 @@ std::optional<Lag> lag_of(const std::vector<double>& events, const Pictures& sho
   const auto apart = static_cast<std::ptrdiff_t>(kApart * kSteps);
   for (auto other = scores.begin(); other != scores.end(); ++other)
     if (std::abs(other - best) > apart && *other > kNearly * *best) return std::nullopt;
-  // the stretch about it of nearly the same sum: a frame cannot tell more
+  // the interval about it of nearly the same sum: frames resolve no more
   auto first = best, last = best;
   while (first != scores.begin() && *(first - 1) > 0.98 * *best) --first;
   while (last + 1 != scores.end() && *(last + 1) > 0.98 * *best) ++last;
@@ -121,8 +121,8 @@ std::optional<Lag> lag_of(const std::vector<double>& events, const Pictures& sho
              interval / std::sqrt(12.0)};
 }
 
-/// The shift at which the area follows P^(2/3) best, by their correlation; null if it hardly does. Good to some tenths
-/// of a second: contact begins and ends with the load.
+/// The shift at which the area correlates best with P^(2/3); null if it hardly does. Good to a few tenths of a second,
+/// as contact begins and ends with the load.
 std::optional<double> lag_by_load(const std::vector<double>& time, const std::vector<double>& P, const Pictures& shown,
                                   double interval, double longest) {
   constexpr double kCorrelated = 0.6, kOutOfContact = 0.15;  // share of the time
@@ -146,7 +146,7 @@ std::optional<double> lag_by_load(const std::vector<double>& time, const std::ve
   const auto n = static_cast<std::ptrdiff_t>(area.size()), m = static_cast<std::ptrdiff_t>(load.size());
   double best = 0, lag = 0;
   for (auto k = static_cast<std::ptrdiff_t>((-longest - begin) / step);
-       static_cast<double>(k) * step + begin <= longest; ++k) {  // of the area's grid, the place of the first load
+       static_cast<double>(k) * step + begin <= longest; ++k) {  // where the first load is in the grid of the area
     double sum = 0;
     for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, -k); i < std::min(m, n - k); ++i)
       sum += load[static_cast<std::size_t>(i)] * area[static_cast<std::size_t>(i + k)];
@@ -158,8 +158,8 @@ std::optional<double> lag_by_load(const std::vector<double>& time, const std::ve
   return best > kCorrelated * scale ? std::optional(lag) : std::nullopt;
 }
 
-/// The shift at which the area leaves its course where T alone says that contacts begin to slide: for onsets without a
-/// fall of T. Null if they do not agree on one.
+/// The shift at which the area leaves its course when T alone shows the onset of sliding: for onsets without a drop of
+/// T. Null if the runs do not agree on one.
 std::optional<Lag> lag_by_onsets(const Frames& frames, double half) {
   constexpr double kAgree = 1.5;  // frames, standard error
   RunOptions alone;
@@ -185,7 +185,7 @@ std::optional<Lag> lag_by_onsets(const Frames& frames, double half) {
   const double middle = median(shifts);
   std::vector<double> apart;
   for (const double shift : shifts) apart.push_back(std::abs(shift - middle));
-  // not less with more of them: what begins to lose area a moment late does so each time
+  // not divided by the root of their number: a delay of the area is the same each time
   const double error = std::max(kOfMedian * median(apart), frames.interval / 2);
   if (shifts.size() < 2 || error > kAgree * frames.interval) return std::nullopt;
   return Lag{frames.lag + middle, shifts.size(), 0, error};
@@ -197,7 +197,7 @@ Frames on_one_clock(const Recording& forces, const Recording& areas, const Frame
   if (&forces == &areas || options.lag) {
     Frames frames = make_frames(forces, areas, options.lag.value_or(0));
     frames.lag_source = options.lag ? "stated" : "one clock";
-    // the picture was taken at any time up to a sample before the row that it stands in
+    // the picture was taken at any time up to a sample before its row
     if (!options.lag && frames.samples > 1) frames.lag_error = 0.5 * typical_step(forces.time);
     return frames;
   }
@@ -205,7 +205,7 @@ Frames on_one_clock(const Recording& forces, const Recording& areas, const Frame
   const auto near = lag_by_load(forces.time, forces.P, shown, typical_step(shown.time), options.longest_lag);
   const Frames rough = make_frames(forces, areas, near.value_or(0));
   const LagRange range = near ? LagRange{0, std::max(kNearLoad, 4 * rough.interval)} : LagRange{0, options.longest_lag};
-  // of means over a fifth of a frame, or where noise hides a fall then, over half of one or all of it
+  // by means over a fifth of a frame, or where noise hides a drop, over half a frame or a whole one
   std::optional<Lag> found;
   for (const double share : {0.2, 0.5, 1.0}) {
     const double step = std::max(share * rough.interval, typical_step(forces.time));

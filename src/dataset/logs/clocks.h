@@ -1,4 +1,4 @@
-// Forces and areas with clocks of their own, on one.
+// Brings forces and areas that have clocks of their own to one clock.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@ namespace mixity {
 
 struct FrameOptions {
   std::optional<double> lag{};  // s; null: from events
-  double longest_lag = 30;      // s, that is looked for
+  double longest_lag = 30;      // s: the search goes from minus to plus this
 };
 
-/// make_frames with the lag between the two clocks. Where it is not stated, the area follows the load to within some
-/// tenths of a second, and there the lag is the shift at which sudden changes of T coincide best with falls of the
-/// area, or the area breaks where T says that sliding begins. Throws InputError if nothing tells it, or two shifts do
-/// nearly as well.
+/// make_frames with the lag between the two clocks. If it is not stated, it is estimated: to a few tenths of a second
+/// by the correlation of area and load, and then by the shift at which sudden changes of T coincide best with drops of
+/// the area, or at which the area leaves its course when T shows the onset of sliding. Throws InputError if the data do
+/// not determine the lag, or two shifts fit nearly equally well.
 Frames on_one_clock(const Recording& forces, const Recording& areas, const FrameOptions& options);
 
 }  // namespace mixity

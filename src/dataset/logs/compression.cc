@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "base/input_error.h"
-#include "dataset/logs/levels.h"
+#include "dataset/logs/contacts.h"
 #include "statistics/noise.h"
 
 namespace mixity {
 namespace {
 
-/// Correlation of load and area where `is_one` of a frame says so; 0 where one of them is the same everywhere.
+/// Correlation of load and area over the frames for which `is_one` is true; 0 if one of them is constant.
 template <class IsOne>
 double correlation(const Frames& frames, const IsOne& is_one) {
   double n = 0, P = 0, A = 0, pp = 0, pa = 0, aa = 0;
@@ -37,14 +37,14 @@ bool compression_is_negative(const Recording& forces, const Recording& areas, do
   Frames frames;
   try {
     frames = make_frames(forces, areas, lag);
-  } catch (const InputError&) {  // no time is shared, or too little: said by whoever needs it
+  } catch (const InputError&) {  // no overlap in time: reported when frames are needed
     return false;
   }
   std::vector<bool> touching(frames.time.size());
   double least = 0, most = 0;  // of P in contact, less the zero
   const auto contact = contacts(frames, noise_of(frames.A));
   const double zero = load_zero(frames, contact).value;
-  for (const Stretch& one : contact)
+  for (const FrameRange& one : contact)
     for (std::size_t i = one.begin; i < one.end; ++i) {
       touching[i] = true;
       least = std::min(least, frames.P[i] - zero);

@@ -1,12 +1,13 @@
-// The sign of the load of a log.
+// The sign of the load in a log.
 #pragma once
 
 #include "dataset/logs/recording.h"
 
 namespace mixity {
 
-/// Whether the log has compression as negative: P lies lower in contact than out of it, and areas of the contact grow
-/// as P falls. False where neither shows, as where the load hardly changes in contact. `lag`: of the areas' clock.
+/// Whether compression is negative in the log: P is lower in contact than out of it, and the contact area grows as P
+/// falls. False if the data do not show it, as when the load hardly changes in contact. `lag`: of the clock of the
+/// areas.
 bool compression_is_negative(const Recording& forces, const Recording& areas, double lag);
 
 }  // namespace mixity

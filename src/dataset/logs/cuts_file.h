@@ -1,4 +1,4 @@
-// Cuts of the runs of a log that a user states.
+// Times, stated by the user, at which the runs of a log are cut.
 #pragma once
 
 #include <map>

@@ -5,35 +5,35 @@
 
 #include "dataset/logs/onset.h"
 #include "statistics/change_points.h"
-#include "statistics/falls.h"
+#include "statistics/drops.h"
 #include "statistics/noise.h"
 #include "statistics/readings.h"
 
 namespace mixity {
 namespace {
 
-constexpr double kPeak = 0.1;  // of the largest T: what stays below that is no sliding
+constexpr double kPeak = 0.1;  // of the largest T; sliding does not stay below it
 
-/// The lowest reading of a fall, up to where readings rise by more than `least` again, or have fallen no further for
-/// twice as long as the fall took: T of steady sliding is a minimum, too.
-std::size_t end_of_fall(const std::vector<double>& T, const Fall& fall, std::size_t end, double least) {
+/// The lowest reading of a drop, which ends where readings rise by more than `least` again, or do not fall further for
+/// twice its duration: T of steady sliding is a minimum, too.
+std::size_t end_of_drop(const std::vector<double>& T, const Drop& drop, std::size_t end, double least) {
   constexpr std::size_t kFew = 12;
-  std::size_t low = fall.seen, lower = fall.seen;  // `lower`: where the last step down of `least` was seen
-  for (std::size_t i = fall.seen; i < end && !(T[i] - T[low] > least); ++i) {
+  std::size_t low = drop.seen, lower = drop.seen;  // `lower`: where the last step down of `least` was seen
+  for (std::size_t i = drop.seen; i < end && !(T[i] - T[low] > least); ++i) {
     if (T[i] < T[low]) low = i;
     if (T[i] < T[lower] - least) lower = i;
-    if (i - lower > std::max(kFew, 2 * (lower - fall.top))) break;
+    if (i - lower > std::max(kFew, 2 * (lower - drop.top))) break;
   }
   return low;
 }
 
-/// All falls, the last of which may be where the shear is taken back.
-std::vector<Fall> all_falls(const std::vector<double>& T, std::size_t begin, std::size_t end, double least) {
-  std::vector<Fall> found;
-  for (auto fall = first_fall(T, begin, end, least, kLeastFall); fall;
-       fall = first_fall(T, fall->low, end, least, kLeastFall)) {
-    fall->low = end_of_fall(T, *fall, end, least);
-    found.push_back(*fall);
+/// All drops; the last may be the unloading.
+std::vector<Drop> all_drops(const std::vector<double>& T, std::size_t begin, std::size_t end, double least) {
+  std::vector<Drop> found;
+  for (auto drop = first_drop(T, begin, end, least, kLeastDrop); drop;
+       drop = first_drop(T, drop->low, end, least, kLeastDrop)) {
+    drop->low = end_of_drop(T, *drop, end, least);
+    found.push_back(*drop);
   }
   return found;
 }
@@ -41,7 +41,7 @@ std::vector<Fall> all_falls(const std::vector<double>& T, std::size_t begin, std
 /// What maxima and minima are read from: the samples of the force, or frames.
 class Source {
  public:
-  Source(const Frames& frames, const TurnedShear& shear, std::size_t begin, std::size_t end) : frames_(frames) {
+  Source(const Frames& frames, const Shear& shear, std::size_t begin, std::size_t end) : frames_(frames) {
     constexpr double kEnough = 4;  // samples in a frame
     if (frames.samples < kEnough) {
       from_ = begin;
@@ -67,7 +67,7 @@ class Source {
   bool by_frame() const { return by_frame_; }
   Course course() const { return {&T_, noise_}; }
   std::size_t size() const { return T_.size(); }
-  /// Between readings, as ends_of_fall counts.
+  /// Between readings, as ends_of_drop counts.
   double time(double at) const {
     const auto i = std::min(static_cast<std::size_t>(at), T_.size() - 2);
     return time_[i] + (at - static_cast<double>(i)) * (time_[i + 1] - time_[i]);
@@ -88,19 +88,19 @@ class Source {
   double noise_ = 0;
 };
 
-/// How many readings tell the end of a line so long: over a tenth of it T bends little.
-std::size_t told_by(std::size_t length) {
+/// How many readings of a line of this length give its end: over a tenth of it T bends little.
+std::size_t readings_for(std::size_t length) {
   constexpr std::size_t kShare = 10, kFew = 24;
   return std::min(length, std::max(length / kShare, kFew));
 }
 
 }  // namespace
 
-std::vector<Cycle> slip_cycles(const Frames& frames, const TurnedShear& shear, std::size_t begin, std::size_t end) {
+std::vector<Cycle> slip_cycles(const Frames& frames, const Shear& shear, std::size_t begin, std::size_t end) {
   const std::vector<double>& T = shear.T;
-  const std::vector<Fall> falls = all_falls(T, begin, end, kFallOfNoise * shear.noise);
+  const std::vector<Drop> drops = all_drops(T, begin, end, kDropOfNoise * shear.noise);
   std::vector<Cycle> cycles;
-  if (falls.empty()) return cycles;
+  if (drops.empty()) return cycles;
   const auto all = [&](std::size_t from, auto holds) {
     return std::all_of(T.begin() + static_cast<std::ptrdiff_t>(from), T.begin() + static_cast<std::ptrdiff_t>(end),
                        holds);
@@ -108,23 +108,23 @@ std::vector<Cycle> slip_cycles(const Frames& frames, const TurnedShear& shear, s
   const double least = kPeak * *std::max_element(T.begin() + static_cast<std::ptrdiff_t>(begin),
                                                  T.begin() + static_cast<std::ptrdiff_t>(end));
   const Source source(frames, shear, begin, end);
-  std::size_t low = source.first_of(begin);  // where the last fall was over
-  for (std::size_t k = 0; k < falls.size(); ++k) {
-    const Fall& fall = falls[k];
-    const bool ends = fall.low + 1 < end;
-    if (all(fall.low, [&](double one) { return one < least; }) || (!ends && k > 0)) break;  // the shear is taken back
-    const FallSpan span{source.first_of(fall.top) + (source.by_frame() ? 1 : 0), source.end_of(fall.seen),
-                        source.end_of(fall.low)};
-    const std::size_t next = k + 1 < falls.size() ? source.first_of(falls[k + 1].top) : source.size();
-    const std::size_t from = span.first > low ? span.first - told_by(span.first - low) : low,
-                      to = next > span.last ? span.last + told_by(next - span.last) : span.last;
-    Cycle cycle{frames.time[fall.top], T[fall.top], shear.noise, frames.time[fall.low], {}, 0};
+  std::size_t low = source.first_of(begin);  // where the last drop ended
+  for (std::size_t k = 0; k < drops.size(); ++k) {
+    const Drop& drop = drops[k];
+    const bool ends = drop.low + 1 < end;
+    if (all(drop.low, [&](double one) { return one < least; }) || (!ends && k > 0)) break;  // unloading
+    const DropSpan span{source.first_of(drop.top) + (source.by_frame() ? 1 : 0), source.end_of(drop.seen),
+                        source.end_of(drop.low)};
+    const std::size_t next = k + 1 < drops.size() ? source.first_of(drops[k + 1].top) : source.size();
+    const std::size_t from = span.first > low ? span.first - readings_for(span.first - low) : low,
+                      to = next > span.last ? span.last + readings_for(next - span.last) : span.last;
+    Cycle cycle{frames.time[drop.top], T[drop.top], shear.noise, frames.time[drop.low], {}, 0};
     if (ends) {
-      cycle.T_min = T[fall.low];
+      cycle.T_min = T[drop.low];
       cycle.error_min = shear.noise;
     }
     low = span.last;
-    if (const auto found = ends ? ends_of_fall(source.course(), from, to, span) : std::nullopt) {
+    if (const auto found = ends ? ends_of_drop(source.course(), from, to, span) : std::nullopt) {
       cycle.time = source.time(found->top.at);
       cycle.T_peak = found->top.value;
       cycle.error_peak = found->top.error;

@@ -1,5 +1,4 @@
-// The loading runs of a log: in each contact at one normal load, what lies between the start of the shear and the onset
-// of sliding.
+// The loading runs of a log: each is the part of a load step between the start of the shear and the onset of sliding.
 #pragma once
 
 #include <map>
@@ -11,22 +10,17 @@
 #include "base/input_error.h"
 #include "dataset/logs/cycles.h"
 #include "dataset/logs/frames.h"
-#include "statistics/change_points.h"
+#include "dataset/logs/onset.h"
 
 namespace mixity {
-
-/// A time of the areas' clock, and the shortest stretch about it that holds it with 95 %.
-struct CutTime {
-  double time = 0, low = 0, high = 0;  // s
-  bool stated = false;
-};
 
 struct LoadingRun {
   std::string name;
   double P = 0, scatter_P = 0;  // N: mean and standard deviation of what was read
-  double baseline = 0;          // N, of T before the shear, which was taken off; in the direction of the shear
+  double baseline = 0;          // N, T before the shear, subtracted; in the direction of the shear
   double baseline_time = 0;     // s, where that was read
-  double direction = 1;         // of the shear: -1 where T was turned round
+  double direction = 1;         // of the shear: -1 where the sign of T was changed
+  double noise_T = 0;           // N, standard deviation of a frame
   std::size_t contact = 0, begin = 0, end = 0,
               last = 0;          // frames: of the contact; kept, from begin to before end; behind
   CutTime shear;                 // its start
@@ -35,7 +29,7 @@ struct LoadingRun {
   std::vector<Cycle> cycles;                          // T less the baseline
 };
 
-/// What becomes of a stretch of frames.
+/// What a range of frames is used for.
 struct Phase {
   std::size_t begin, end;
   std::string_view name;    // "out of contact", "approach", "hold", "shear", "sliding", "no run"
@@ -51,28 +45,26 @@ struct StatedCut {
 
 struct RunOptions {
   std::map<std::string, StatedCut> cuts{};  // by the name of a run
-  bool by_shear_alone = false;              // the area has no say in where sliding begins
-  std::optional<bool> drift{};              // take a line through the baselines of all runs off T; null: if it is sure
+  bool by_shear_alone = false;              // the onset of sliding is found without the area
+  std::optional<bool> drift{};              // subtract a line through the baselines of all runs; null: if it is sure
 };
 
 struct LoadingRuns {
   Frames frames;
-  double zero_P = 0;                          // N, what was read out of contact and taken off P
+  double zero_P = 0;                          // N, read out of contact and subtracted from P
   double zero_P_error = 0, zero_T_error = 0;  // N, standard errors: of that; of the zeros of T and of the lag, typical
   double drift_T = 0;                         // N/s, of the zero of T from run to run
   double drift_error = 0;                     // N/s, standard error; 0 of two runs
   bool drift_removed = false;
-  bool drifts = false;  // by more than noise, and it was not taken off
+  bool drifts = false;  // by more than noise, and it was not subtracted
   std::vector<LoadingRun> runs;
   std::vector<Phase> phases;  // of all frames, in order
 };
 
-/// Contact is where the area is above its noise and a twentieth of the largest. In it, levels of the load are found by
-/// PELT; a level of some length is one try. The shear begins where T leaves its level (hinge_point); it ends before the
-/// first fall of T that is more than noise (Page's CUSUM of 1954 tells of it), where T and A together break most likely
-/// (break_point), or where T stops rising. What happens later is sliding. Names are the loads, "P=4.68 mN", in the unit
-/// given. Throws InputError for a cut that
-/// is stated outside the contact of its run; `cuts` of names that no run has are left to the caller.
+/// Finds the contacts of a log and the load steps in each (contacts.h). The shear of a step begins where T leaves its
+/// baseline (hinge_point), and the run ends at the onset of sliding (onset_of), or where T stops rising. Names are the
+/// loads, "P=4.68 mN", in the unit given. Throws InputError for a cut that is stated outside the load step of its run;
+/// `cuts` of names that no run has are left to the caller.
 LoadingRuns find_loading_runs(Frames frames, const std::string& force_unit, double force_factor,
                               const RunOptions& options);
 

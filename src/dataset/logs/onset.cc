@@ -5,16 +5,18 @@
 #include <cmath>
 #include <numeric>
 
-#include "statistics/falls.h"
+#include "statistics/drops.h"
+#include "statistics/noise.h"
+#include "statistics/readings.h"
 
 namespace mixity {
 namespace {
 
-constexpr std::size_t kBefore = 12;  // readings that tell how a course goes on
+constexpr std::size_t kBefore = 12;  // readings that a course is extrapolated from
 
-/// Where the parabola through a dozen readings leads to so many steps behind the last of them: the value, its slope
-/// there, and the variance of the value in those of one reading. A stage that pulls through a spring bends T, and the
-/// area bends towards the fold: a straight line would take that for a break.
+/// A parabola through a dozen readings, extrapolated by so many steps behind the last: its value, and its slope at the
+/// last. A stage that pulls through a spring bends T, and the area bends towards the fold: a straight line would show a
+/// break there.
 struct Ahead {
   double value, slope;
 };
@@ -31,6 +33,8 @@ Ahead ahead_of(const std::vector<double>& y, std::size_t end, double steps) {
   const double x = middle + steps;
   return {sum / n + first / xx * x + second / qq * (x * x - mean_square), first / xx + 2 * second / qq * middle};
 }
+
+/// The variance of that value, in variances of one reading.
 double variance_ahead(double steps) {
   constexpr double n = kBefore, middle = (n - 1) / 2, xx = n * (n * n - 1) / 12, mean_square = (n * n - 1) / 12,
                    qq = n * (n * n - 1) * (n * n - 4) / 180;
@@ -48,8 +52,8 @@ std::vector<double> blocks(const std::vector<double>& y, std::size_t begin, std:
   return means;
 }
 
-/// Where three blocks lie below what those before lead to, in T alone or in T and A, and T has lost a good part of its
-/// slope there. Indices of frames; `seen` is the last of them.
+/// Where three blocks are below what those before extrapolate to, in T alone or in T and A, and T has lost a good part
+/// of its slope. Indices of frames; `seen` is the last of them.
 struct Break {
   std::size_t before, seen, width;  // the last frame before the three blocks
 };
@@ -78,23 +82,23 @@ std::optional<Break> first_break(const std::vector<double>& T, const std::vector
 
 constexpr std::size_t kAround = 15;
 
-/// Where a break lies, so far: what is looked at for it, and the last frame that may be before it.
+/// Where a break is looked for: in first..last, and `top` is the last frame that may be before it.
 struct Place {
   std::size_t first, seen, last, top;
 };
 
-/// The earliest break that means of 1, 4 or 16 frames show: fast cameras and slow ramps hide it in noise.
+/// The earliest break in means of 1, 4 or 16 frames: fast cameras and slow ramps hide it in noise.
 void take_break(const std::vector<double>& T, const std::vector<double>& A, std::size_t begin, std::size_t end,
                 double noise_T, double noise_A, std::optional<Place>& place) {
   for (const std::size_t width : {1, 4, 16})
     if (const auto found = first_break(T, A, begin, end, noise_T, noise_A, width);
         found && (!place || found->seen < place->seen))
-      // what slides relaxes along no line: no more of it than is needed
+      // a sliding contact relaxes along no line: no more of it than is needed
       place = Place{found->before > kAround + width ? found->before - kAround - width : 0, found->seen,
                     found->seen + std::max<std::size_t>(width, 2), found->before};
 }
 
-/// The most likely break of the courses in the place, without frames behind it that already saw a part of it.
+/// The most likely break of the courses there, without frames before it that already saw a part of it.
 ChangePoint settle(const std::vector<Course>& courses, std::size_t begin, std::size_t end, const Place& place) {
   constexpr double kFar = 3.5;  // standard deviations
   ChangePoint found = break_point(courses, std::max(place.first, begin), std::min(place.last, end))
@@ -121,13 +125,13 @@ std::optional<ChangePoint> onset_of(const std::vector<double>& T, const std::vec
                                     std::size_t end, double noise_T, double noise_A) {
   constexpr std::size_t kFewBehind = 4;
   std::optional<Place> place;
-  if (const auto fall = first_fall(T, rising_from(T, shear, end), end, kFallOfNoise * noise_T, kLeastFall))
-    place = Place{fall->top > kAround ? fall->top - kAround : 0, fall->seen,
-                  std::max(fall->seen + 3, std::min(fall->low + 1, fall->seen + kFewBehind)), fall->top};
+  if (const auto drop = first_drop(T, rising_from(T, shear, end), end, kDropOfNoise * noise_T, kLeastDrop))
+    place = Place{drop->top > kAround ? drop->top - kAround : 0, drop->seen,
+                  std::max(drop->seen + 3, std::min(drop->low + 1, drop->seen + kFewBehind)), drop->top};
   take_break(T, A, shear, end, noise_T, noise_A, place);
   if (!place) return std::nullopt;
   ChangePoint found = settle({{&T, noise_T}, {&A, noise_A}}, shear, end, *place);
-  // a frame that saw part of the fall belongs to it
+  // a frame that saw part of the drop belongs to it
   const auto highest = [&](std::size_t i) {
     const auto at = T.begin() + static_cast<std::ptrdiff_t>(i);
     return *std::max_element(at - static_cast<std::ptrdiff_t>(std::min<std::size_t>(i, 3)), at + 1);
@@ -135,6 +139,45 @@ std::optional<ChangePoint> onset_of(const std::vector<double>& T, const std::vec
   while (found.at > shear + 3 && T[found.at] < highest(found.at) - 3 * noise_T) --found.at;
   found.first = std::min(found.first, found.at);
   return found;
+}
+
+CutTime cut_of(const Frames& frames, const ChangePoint& change) {
+  const auto behind = [&](std::size_t i) {
+    return i + 1 < frames.time.size() ? 0.5 * (frames.time[i] + frames.time[i + 1]) : frames.time[i];
+  };
+  const double margin = frames.interval / 2 + 1.96 * frames.lag_error;  // 95 % of what the lag may be off by
+  return {behind(change.at), behind(change.first) - margin, behind(change.last) + margin, false};
+}
+
+std::optional<CutTime> onset_in_samples(const Frames& frames, const ChangePoint& change, std::size_t shear,
+                                        double direction) {
+  constexpr double kEnough = 4;  // samples in a frame
+  constexpr std::size_t kLead = 8, kFew = 12;
+  constexpr std::size_t kLongestDrop = 400;  // samples; frames see a longer one
+  const auto& times = frames.force_time;
+  const CutTime rough = cut_of(frames, change);
+  if (frames.samples < kEnough) return std::nullopt;
+  const auto at = [&](double time) {
+    return static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
+  };
+  const std::size_t begin = at(frames.time[std::max(shear, change.at > kLead ? change.at - kLead : 0)]),
+                    end = at(rough.time + 3 * frames.interval);
+  if (end < begin + kFew) return std::nullopt;
+  std::vector<double> T = part_of(frames.force_T, begin, end);
+  const double noise = noise_of(T);
+  for (double& one : T) one *= direction;
+  std::size_t last = T.size();
+  if (const auto drop = first_drop(T, 0, T.size(), kDropOfNoise * noise)) last = drop->low + 6;
+  const std::size_t end_of_drop = std::min(last, T.size());
+  auto cut = noise > 0 ? break_point({{&T, noise}}, 0, end_of_drop) : std::nullopt;
+  if (!cut) return std::nullopt;
+  cut = beginning_of_drop({&T, noise}, 0, end_of_drop, *cut, kLongestDrop);
+  const auto behind = [&](std::size_t i) {
+    return 0.5 * (times[begin + i] + times[std::min(begin + i + 1, times.size() - 1)]);
+  };
+  const double margin = 1.96 * frames.lag_error;
+  const CutTime exact{behind(cut->at), behind(cut->first) - margin, behind(cut->last) + margin, false};
+  return std::abs(exact.time - rough.time) < 3 * frames.interval ? std::optional(exact) : std::nullopt;
 }
 
 std::optional<ChangePoint> first_break_below(const Course& course, std::size_t begin, std::size_t end) {

@@ -1,24 +1,39 @@
-// Where a sheared contact begins to slide.
+// When a sheared contact begins to slide.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "dataset/logs/frames.h"
 #include "statistics/change_points.h"
 
 namespace mixity {
 
-inline constexpr double kFallOfNoise = 8;   // standard deviations of T that a fall exceeds and noise does not
-inline constexpr double kLeastFall = 0.01;  // of the rise so far
+inline constexpr double kDropOfNoise = 8;   // standard deviations of T: a drop of more is no noise
+inline constexpr double kLeastDrop = 0.01;  // of the rise so far
 
-/// The last frame in shear..end before the contact slides, and how well it is known: of a fall of T that is more than
-/// noise, or a break of T, or of T and A, from the line before it, the most likely break of both. Null if there is
-/// none. Standard deviations of T and A are positive.
+/// A time of the areas' clock, and the shortest interval about it that contains it with 95 %.
+struct CutTime {
+  double time = 0, low = 0, high = 0;  // s
+  bool stated = false;
+};
+
+/// A change behind a frame, with what the lag between the clocks may be off by.
+CutTime cut_of(const Frames& frames, const ChangePoint& change);
+
+/// The last frame in shear..end (end excluded) before the contact slides: where T and A together go most likely from
+/// one line to another, near a drop of T that exceeds its noise, or near where T, or T and A, leave the course that
+/// they followed. Null if there is no such place. `noise_T`, `noise_A`: standard deviations, positive.
 std::optional<ChangePoint> onset_of(const std::vector<double>& T, const std::vector<double>& A, std::size_t shear,
                                     std::size_t end, double noise_T, double noise_A);
 
-/// The last frame in begin..end before a course leaves, downwards, the parabola that it followed. Null if it does not.
+/// The onset of sliding among the samples of the force, where a frame holds many. `change`: the frame before it.
+/// `shear`: the first frame of the shear. Null if they are few, or show another time.
+std::optional<CutTime> onset_in_samples(const Frames& frames, const ChangePoint& change, std::size_t shear,
+                                        double direction);
+
+/// The last frame in begin..end before a course falls below the parabola that it followed. Null if it does not.
 std::optional<ChangePoint> first_break_below(const Course& course, std::size_t begin, std::size_t end);
 
 }  // namespace mixity

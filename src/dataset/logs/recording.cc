@@ -1,25 +1,26 @@
 #include "dataset/logs/recording.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "base/input_error.h"
 #include "base/printable.h"
 #include "dataset/table/clock_time.h"
 #include "dataset/table/columns.h"
+#include "dataset/table/csv_file.h"
 #include "dataset/table/number.h"
 #include "dataset/table/table.h"
 
 namespace mixity {
 namespace {
 
-/// A column of the log, and where its values go.
+/// A column of the log.
 struct Channel {
   ColumnId id;
   std::size_t index;
   double factor;
-  std::vector<double>* values;
+  std::vector<double> values{};
 };
 
 class LogReader {
@@ -30,45 +31,40 @@ class LogReader {
 
   Recording read() {
     find_columns();
-    CsvWanted wanted{{}, {}, width_};
-    for (const Channel& channel : channels_) wanted.numbers.push_back(channel.index);
-    const auto rows = [&](const CsvNumbers& numbers) {
-      for (std::size_t k = 0; k < channels_.size(); ++k)
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-          channels_[k].values->push_back(numbers.numbers(k)[i] * channels_[k].factor);
-    };
-    const auto row = [&](const CsvRow& one) {
-      require_width(recording_.path, one, width_);
-      for (const Channel& channel : channels_) {
-        double value = 0;
-        if (channel.id == ColumnId::time && clock_time(one, channel.index, value)) {
-          channel.values->push_back(value);
-          continue;
-        }
-        const bool given = number_at(recording_.path, one, channel.index, to_string(channel.id), value);
-        channel.values->push_back(given ? value * channel.factor : std::nan(""));
-      }
-    };
-    for (CsvBlock block; file_.next(block);) block.rows(wanted, rows, row);
-    for (std::size_t i = 1; i < recording_.time.size(); ++i)
-      if (!(recording_.time[i] >= recording_.time[i - 1]))
+    for (CsvRow row; file_.next(row);) {
+      if (row.is_comment()) continue;
+      require_width(recording_.path, row, width_);
+      for (Channel& channel : channels_) channel.values.push_back(value_of(row, channel));
+    }
+    using enum ColumnId;
+    recording_.time = values(ColumnId::time);
+    const std::vector<double>& times = recording_.time;
+    for (std::size_t i = 1; i < times.size(); ++i)
+      if (!(times[i] >= times[i - 1]))
         throw InputError(recording_.path, first_line_ + i, 1, "the time does not rise from row to row");
-    if (recording_.time.size() < 3) throw InputError(recording_.path, "holds fewer than three rows of a log");
-    make_areas();
-    if (recording_.P.empty() && recording_.holds_forces())
-      recording_.P.assign(recording_.time.size(), metadata_.load.value_or(0));
+    if (times.size() < 3) throw InputError(recording_.path, "holds fewer than three rows of a log");
+    recording_.T = values(T);
+    recording_.A = has(A) ? values(A) : areas();
+    recording_.P = has(P) || !has(T) ? values(P) : std::vector<double>(times.size(), metadata_.load.value_or(0));
     return std::move(recording_);
   }
 
  private:
-  /// Of a field that holds no number, the seconds since the first row, which a clock shows; false of a number or an
-  /// empty field. Without a date a clock that goes back by hours has passed midnight.
-  bool clock_time(const CsvRow& row, std::size_t i, double& seconds) {
+  /// In SI; NaN where there is none.
+  double value_of(const CsvRow& row, const Channel& channel) {
+    double value = 0;
+    if (row.number(channel.index, value)) return value * channel.factor;
+    if (channel.id == ColumnId::time && !is_missing(row[channel.index]) && !row[channel.index].empty())
+      return clock_time(row, channel.index, channel.values.empty());
+    const bool given = number_at(recording_.path, row, channel.index, to_string(channel.id), value);
+    return given ? value * channel.factor : std::nan("");
+  }
+
+  /// The seconds since the first row by a clock time. Without a date, a clock that goes back by hours has passed
+  /// midnight.
+  double clock_time(const CsvRow& row, std::size_t i, bool first) {
     constexpr std::int64_t kDay = 86400;
-    double number = 0;
-    if (row.number(i, number) || is_missing(row[i]) || row[i].empty()) return false;
     auto time = parse_clock(row[i]);
-    const bool first = recording_.time.empty();
     if (!time || (!first && (!began_ || began_->dated != time->dated)))
       throw InputError(recording_.path, row.place(i),
                        "column 'time': '" + printable(row[i], 60) +
@@ -83,8 +79,7 @@ class LogReader {
       }
     }
     last_ = time;
-    seconds = static_cast<double>(time->seconds - began_->seconds) + (time->fraction - began_->fraction);
-    return true;
+    return static_cast<double>(time->seconds - began_->seconds) + (time->fraction - began_->fraction);
   }
 
   void find_columns() {
@@ -93,20 +88,21 @@ class LogReader {
     const auto table = find_table(recording_.path, file_.start(), file_.line_end(), rules, metadata_.decimal);
     if (!table) throw InputError(recording_.path, "holds no table with headings and rows of numbers");
     recording_.reading = describe(*table);
+    using enum ColumnId;
     for (const NamedColumn& column : name_columns(recording_.path, table->headings, rules)) {
+      const auto read = {ColumnId::time, P, T, A, a, a_par, a_perp, major, minor};
+      if (std::find(read.begin(), read.end(), column.id) == read.end()) continue;
       const ColumnKind& kind = kind_of(column.id);
-      std::vector<double>* const values = values_of(column.id);
-      if (!values) continue;
       const Unit unit = unit_of(column.heading, kind, recording_.path, false, metadata_.pixel);
       if (unit.dimension == dimension::none && column.id != ColumnId::time)
         throw InputError(recording_.path, column.heading.place,
                          "column '" + column.heading.name + "' needs a unit: a log is not dimensionless");
-      channels_.push_back({column.id, column.index, unit.factor, values});
+      channels_.push_back({column.id, column.index, unit.factor});
       width_ = std::max(width_, column.index + 1);
-      if (column.id == ColumnId::T) {
+      if (column.id == T) {
         recording_.force_unit = unit.text;
         recording_.force_factor = unit.factor;
-      } else if (column.id == ColumnId::A && kind.dimension == dimension::area) {
+      } else if (column.id == A) {
         recording_.area_unit = unit.text;
         recording_.area_factor = unit.factor;
       }
@@ -120,61 +116,38 @@ class LogReader {
       recording_.area_unit = "mm^2";
       recording_.area_factor = 1e-6;
     }
-    const auto has = [&](const std::vector<double>& values) {
-      for (const Channel& channel : channels_)
-        if (channel.values == &values) return true;
-      return false;
-    };
-    if (!has(recording_.time))
-      throw InputError(recording_.path, table->header_line, 1,
-                       "column 'time' is missing; to say which it is: --columns=\"time=HEADING (s)\"");
-    if (!has(recording_.T) && !has(recording_.A) && !has(one_))
-      throw InputError(recording_.path, table->header_line, 1, "neither T nor A is there");
-    if (has(recording_.T) && !has(recording_.P) && !metadata_.load)
-      throw InputError(recording_.path, table->header_line, 1, "column 'P' is missing, and no load is stated");
+    const auto fail = [&](const char* message) { throw InputError(recording_.path, table->header_line, 1, message); };
+    if (!has(ColumnId::time)) fail("column 'time' is missing; to say which it is: --columns=\"time=HEADING (s)\"");
+    if (!has(T) && !has(A) && !has(a) && !has(a_par) && !has(major)) fail("neither T nor A is there");
+    if (has(T) && !has(P) && !metadata_.load) fail("column 'P' is missing, and no load is stated");
     first_line_ = table->line;
     file_.begin_at(table->offset, table->line, table->format);
   }
 
-  std::vector<double>* values_of(ColumnId id) {
-    switch (id) {
-      case ColumnId::time:
-        return &recording_.time;
-      case ColumnId::P:
-        return &recording_.P;
-      case ColumnId::T:
-        return &recording_.T;
-      case ColumnId::A:
-        return &recording_.A;
-      case ColumnId::a:
-      case ColumnId::a_par:
-      case ColumnId::major:
-        whole_ = id == ColumnId::major;
-        round_ = id == ColumnId::a;
-        return &one_;
-      case ColumnId::a_perp:
-      case ColumnId::minor:
-        return &other_;
-      default:
-        return nullptr;
-    }
+  const Channel* channel(ColumnId id) const {
+    const auto found =
+        std::find_if(channels_.begin(), channels_.end(), [&](const Channel& one) { return one.id == id; });
+    return found == channels_.end() ? nullptr : &*found;
   }
+  bool has(ColumnId id) const { return channel(id); }
+  std::vector<double> values(ColumnId id) const { return has(id) ? channel(id)->values : std::vector<double>{}; }
 
-  /// Of radii or axes.
-  void make_areas() {
-    if (!recording_.A.empty() || one_.empty()) return;
-    if (!round_ && other_.size() != one_.size())
+  /// Of radii or axes; empty without them.
+  std::vector<double> areas() const {
+    using enum ColumnId;
+    const bool round = has(a), whole = has(major);
+    std::vector<double> areas = values(round ? a : whole ? major : a_par);
+    const std::vector<double> other = values(round ? a : whole ? minor : a_perp);
+    if (areas.size() != other.size())
       throw InputError(recording_.path, "states one axis of an ellipse without the other");
-    for (std::size_t i = 0; i < one_.size(); ++i)
-      recording_.A.push_back(std::numbers::pi * one_[i] * (round_ ? one_[i] : other_[i]) / (whole_ ? 4 : 1));
+    for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = std::numbers::pi * areas[i] * other[i] / (whole ? 4 : 1);
+    return areas;
   }
 
   CsvFile file_;
   const Metadata& metadata_;
   Recording recording_;
   std::vector<Channel> channels_;
-  std::vector<double> one_, other_;  // radii or axes
-  bool whole_ = false, round_ = false;
   std::size_t width_ = 0, first_line_ = 1;
   std::optional<ClockTime> began_, last_;
   std::int64_t days_ = 0;

@@ -1,4 +1,4 @@
-// What an apparatus has recorded over time, with one clock: forces, or areas, or all.
+// A log: forces, areas or both over time, recorded with one clock.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ struct Recording {
   std::vector<double> P, T, A;
   std::string force_unit, area_unit;         // as the file has them; empty: not there
   double force_factor = 1, area_factor = 1;  // SI units in one of them
-  std::string reading;                       // how the file was read, where that is not plain
-  std::vector<std::string> taken;            // what was taken for what
+  std::string reading;                       // the format of the file, where that is not plain
+  std::vector<std::string> taken;            // which headings were taken for which quantities
 
   bool holds_forces() const { return !T.empty(); }
   bool holds_areas() const { return !A.empty(); }

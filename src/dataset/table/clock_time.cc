@@ -1,28 +1,33 @@
 #include "dataset/table/clock_time.h"
 
-#include <cctype>
 #include <chrono>
+#include <initializer_list>
 #include <string>
 
 #include "base/trim.h"
 #include "base/units.h"
+#include "dataset/table/number.h"
 
 namespace mixity {
 namespace {
 
-/// So many digits at the front of a text, taken off; null if there are others.
-std::optional<int> take_digits(std::string_view& text, std::size_t count) {
-  if (text.size() < count) return std::nullopt;
-  int value = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!std::isdigit(static_cast<unsigned char>(text[i]))) return std::nullopt;
-    value = 10 * value + (text[i] - '0');
+/// Takes a pattern off the front of a text: each run of 'd' stands for the digits of a number, other characters for
+/// themselves. False if the text does not match.
+bool take(std::string_view& text, std::string_view pattern, std::initializer_list<int*> numbers) {
+  if (text.size() < pattern.size()) return false;
+  auto number = numbers.begin();
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    if (pattern[i] != 'd' ? text[i] != pattern[i] : !is_digit(text[i])) return false;
+    if (pattern[i] != 'd')
+      ++number;
+    else
+      **number = 10 * **number + (text[i] - '0');
   }
-  text.remove_prefix(count);
-  return value;
+  text.remove_prefix(pattern.size());
+  return true;
 }
 
-bool take_sign(std::string_view& text, std::string_view signs) {
+bool take_one_of(std::string_view& text, std::string_view signs) {
   if (text.empty() || signs.find(text[0]) == std::string_view::npos) return false;
   text.remove_prefix(1);
   return true;
@@ -34,43 +39,32 @@ std::optional<ClockTime> parse_clock(std::string_view text) {
   text = trim(text);
   ClockTime time;
   if (text.size() > 10 && text[4] == '-') {
-    const auto year = take_digits(text, 4);
-    const bool first = take_sign(text, "-");
-    const auto month = take_digits(text, 2);
-    const bool second = take_sign(text, "-");
-    const auto day = take_digits(text, 2);
-    if (!year || !first || !month || !second || !day || !take_sign(text, "T ")) return std::nullopt;
+    int year = 0, month = 0, day = 0;
+    if (!take(text, "dddd-dd-dd", {&year, &month, &day}) || !take_one_of(text, "T ")) return std::nullopt;
     using namespace std::chrono;
-    const year_month_day date{std::chrono::year{*year}, std::chrono::month{static_cast<unsigned>(*month)},
-                              std::chrono::day{static_cast<unsigned>(*day)}};
+    const year_month_day date{std::chrono::year{year}, std::chrono::month{static_cast<unsigned>(month)},
+                              std::chrono::day{static_cast<unsigned>(day)}};
     if (!date.ok()) return std::nullopt;
     time.dated = true;
     time.seconds = std::int64_t{86400} * sys_days{date}.time_since_epoch().count();
   }
-  const auto hours = take_digits(text, text.find(':') == 1 ? 1 : 2);
-  const bool first = take_sign(text, ":");
-  const auto minutes = take_digits(text, 2);
-  const bool second = take_sign(text, ":");
-  const auto seconds = take_digits(text, 2);
-  if (!hours || !first || !minutes || !second || !seconds || *hours > 23 || *minutes > 59 || *seconds > 59)
+  int hours = 0, minutes = 0, seconds = 0;
+  if (!take(text, text.find(':') == 1 ? "d:dd:dd" : "dd:dd:dd", {&hours, &minutes, &seconds}) || hours > 23 ||
+      minutes > 59 || seconds > 59)
     return std::nullopt;
-  time.seconds += 3600 * *hours + 60 * *minutes + *seconds;
-  if (take_sign(text, ".,")) {
-    std::size_t digits = 0;
-    while (digits < text.size() && std::isdigit(static_cast<unsigned char>(text[digits]))) ++digits;
-    const auto fraction = parse_number("0." + std::string(text.substr(0, digits)));
-    if (digits == 0 || !fraction) return std::nullopt;
-    time.fraction = *fraction;
-    text.remove_prefix(digits);
+  time.seconds += 3600 * hours + 60 * minutes + seconds;
+  if (take_one_of(text, ".,")) {
+    std::string digits = "0.";
+    for (; !text.empty() && is_digit(text[0]); text.remove_prefix(1)) digits += text[0];
+    if (digits.size() == 2 || !parse_number(digits, time.fraction)) return std::nullopt;
   }
-  if (time.dated && !text.empty() && !take_sign(text, "Z")) {
+  if (time.dated && !text.empty() && !take_one_of(text, "Z")) {
     const int direction = text[0] == '-' ? 1 : -1;
-    if (!take_sign(text, "+-")) return std::nullopt;
-    const auto zone_hours = take_digits(text, 2);
-    take_sign(text, ":");
-    const auto zone_minutes = text.empty() ? std::optional(0) : take_digits(text, 2);
-    if (!zone_hours || !zone_minutes) return std::nullopt;
-    time.seconds += direction * (3600 * *zone_hours + 60 * *zone_minutes);
+    int zone_hours = 0, zone_minutes = 0;
+    if (!take_one_of(text, "+-") || !take(text, "dd", {&zone_hours})) return std::nullopt;
+    take_one_of(text, ":");
+    if (!text.empty() && !take(text, "dd", {&zone_minutes})) return std::nullopt;
+    time.seconds += direction * (3600 * zone_hours + 60 * zone_minutes);
   }
   return text.empty() ? std::optional(time) : std::nullopt;
 }

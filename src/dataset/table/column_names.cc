@@ -9,59 +9,7 @@
 namespace mixity {
 namespace {
 
-/// Whether a heading may have this unit as that quantity; none is fine.
-bool fits(const std::optional<std::string>& unit, ColumnId id) {
-  if (!unit) return true;
-  const ColumnKind& kind = kind_of(id);
-  const auto parsed = parse_unit(*unit);
-  if (!parsed) return false;
-  if (parsed->text == "%") return kind.name.starts_with("sigma_");
-  if (kind.always_a_number) return parsed->dimension == dimension::none;
-  return parsed->dimension == kind.dimension || is_pixels(parsed->dimension, kind.dimension);
-}
-
-/// A name by the program's own or the vocabulary.
-std::optional<ColumnId> meaning(std::string_view name, const Vocabulary& vocabulary) {
-  if (const auto own = column_named(name)) return own;
-  if (const auto found = vocabulary.find(name)) return found;
-  // "Normal force F_N", "friction force, T": a name and the symbol of the same
-  const std::size_t behind = name.find_last_of(" ,");
-  if (behind == std::string_view::npos) return std::nullopt;
-  const auto first = vocabulary.find(trim_name(name.substr(0, name.find_last_not_of(" ,", behind) + 1)));
-  const std::string_view symbol = name.substr(behind + 1);
-  const auto second = column_named(symbol) ? column_named(symbol) : vocabulary.find(symbol);
-  return first && first == second ? first : std::nullopt;
-}
-
-/// A heading by the vocabulary, with its unit found; null if it says nothing that is known.
-std::optional<NamedColumn> read_heading(const Heading& heading, std::size_t index, const Vocabulary& vocabulary,
-                                        bool with_unit = false) {
-  const auto named = [&](std::string_view name, const std::optional<std::string>& unit) -> std::optional<NamedColumn> {
-    const auto id = meaning(trim_name(name), vocabulary);
-    if (!id || !fits(unit, *id)) return std::nullopt;
-    NamedColumn column{*id, index, heading};
-    column.heading.unit = unit;
-    return column;
-  };
-  if (!with_unit)
-    if (auto found = named(heading.name, heading.unit)) return found;
-  if (heading.unit && heading.closed) {
-    // "Normal force (F_N)": what stands in the brackets is a symbol
-    if (!parse_unit(*heading.unit)) return named(heading.name + " " + *heading.unit, std::nullopt);
-    // "F_N (cell 2) [mN]", with a name that is none before the first bracket
-    return named(without_brackets(heading.text), heading.unit);
-  }
-  std::string_view text = heading.text;
-  while (text.ends_with('_')) text.remove_suffix(1);  // what MATLAB makes of a closing bracket
-  for (const std::string_view sign : {"/", " in ", " en ", ",", "_", " "}) {
-    const std::size_t at = text.rfind(sign);
-    if (at == std::string_view::npos || at == 0) continue;
-    const std::string unit(without_brackets(text.substr(at + sign.size())));
-    if (!parse_unit(unit) || parse_unit(unit)->text == "1") continue;
-    if (auto found = named(text.substr(0, at), unit)) return found;
-  }
-  return std::nullopt;
-}
+std::string name_of(ColumnId id) { return std::string(to_string(id)); }
 
 /// "Kanal 3 (mN)" names a heading with or without its unit, "3" the third.
 NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& headings, ColumnId id,
@@ -74,9 +22,8 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
       if (found)
         throw InputError(path, headings[i].place,
                          "columns " + std::to_string(*found + 1) + " and " + std::to_string(i + 1) + " are both '" +
-                             wanted + "', which is to be " + std::string(to_string(id)) +
-                             "; say which by its number: --columns=\"" + std::string(to_string(id)) + "=" +
-                             std::to_string(i + 1) + "\"");
+                             wanted + "', which is to be " + name_of(id) + "; say which by its number: --columns=\"" +
+                             name_of(id) + "=" + std::to_string(i + 1) + "\"");
       found = i;
     }
   };
@@ -93,7 +40,7 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
     for (const Heading& heading : headings)
       if (!heading.text.empty()) names += (names.empty() ? "'" : ", '") + printable(heading.text, 40) + "'";
     throw InputError(path, line,
-                     "no column '" + wanted + "', which is to be " + std::string(to_string(id)) + "; there are " +
+                     "no column '" + wanted + "', which is to be " + name_of(id) + "; there are " +
                          (names.empty() ? "none with a name" : names));
   }
   NamedColumn column{id, *found, headings[*found]};
@@ -110,41 +57,144 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
   return column;
 }
 
-bool holds(const std::vector<NamedColumn>& columns, ColumnId id) {
-  return std::any_of(columns.begin(), columns.end(), [&](const NamedColumn& column) { return column.id == id; });
-}
+/// The columns that have been named so far.
+class Names {
+ public:
+  Names(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules)
+      : path_(path), headings_(headings), rules_(rules) {}
 
-/// Whether they say how large the contact is.
-bool is_sized(const std::vector<NamedColumn>& columns) {
-  const auto has = [&](ColumnId id) { return holds(columns, id); };
-  using enum ColumnId;
-  return has(A) || has(ColumnId::a) || (has(a_par) && has(a_perp)) || (has(major) && has(minor));
-}
-
-/// Whether points can be made of these.
-bool is_complete(const std::vector<NamedColumn>& columns, const ColumnRules& rules) {
-  const auto has = [&](ColumnId id) { return holds(columns, id); };
-  using enum ColumnId;
-  const bool loads = has(T) && (has(P) || rules.load_stated) && is_sized(columns);
-  if (rules.log) return loads && has(ColumnId::time);  // a log of forces or of areas alone never is
-  return loads || ((has(psi) || has(mode_ratio)) && (has(Gc) || has(Gc_over_GIc))) || (has(G_I) && has(G_II));
-}
-
-/// Throws for a heading that has the name of a quantity that is wanted still, and a unit that is not known or does not
-/// fit.
-void refuse_unit(const std::string& path, const std::vector<Heading>& headings, const std::vector<NamedColumn>& columns,
-                 const Vocabulary& vocabulary, const ColumnRules& rules) {
-  for (std::size_t i = 0; i < headings.size(); ++i) {
-    const Heading& heading = headings[i];
-    const auto id = vocabulary.find(heading.name);
-    if (!id || !heading.unit || fits(heading.unit, *id) || holds(columns, *id)) continue;
-    if (*id == ColumnId::T || (*id == ColumnId::P && !rules.load_stated) || (*id == ColumnId::A && !is_sized(columns)))
-      throw InputError(path, heading.place,
-                       "'" + printable(heading.text, 60) + "' may be " + std::string(to_string(*id)) + ", but '" +
-                           *heading.unit + "' is not " + describe(kind_of(*id).dimension) +
-                           "; if it is another way to write one: " + mapping_flag(*id, headings, i));
+  void add_mapped() {
+    for (const auto& [name, heading] : rules_.mapping) {
+      NamedColumn column = mapped_column(path_, headings_, *column_named(name), heading);
+      if (const NamedColumn* other = at(column.index))
+        throw InputError(
+            path_, column.heading.place,
+            "column " + std::to_string(column.index + 1) + " is mapped to " + name + " and to " + name_of(other->id));
+      columns_.push_back(std::move(column));
+    }
   }
-}
+
+  /// Of the program's own names those whose unit fits.
+  void add_own_names() {
+    for (std::size_t i = 0; i < headings_.size(); ++i) {
+      const auto id = column_named(headings_[i].name);
+      if (!id || at(i) || !is_read(*id) || is_mapped(*id) || (rules_.vocabulary && !unit_fits(headings_[i].unit, *id)))
+        continue;
+      if (const NamedColumn* before = find(*id))
+        throw InputError(path_, headings_[i].place,
+                         "column '" + headings_[i].name + "' stands twice" +
+                             (rules_.vocabulary ? ", in columns " + std::to_string(before->index + 1) + " and " +
+                                                      std::to_string(i + 1) + "; --columns=\"" + headings_[i].name +
+                                                      "=" + std::to_string(i + 1) +
+                                                      "\" says which; runs beside each other are to stand below each "
+                                                      "other"
+                                                : ""));
+      columns_.push_back({*id, i, headings_[i]});
+    }
+  }
+
+  void add_by_vocabulary(const Vocabulary& vocabulary) {
+    for (std::size_t i = 0; i < headings_.size(); ++i) {
+      if (at(i) || column_named(headings_[i].name)) continue;  // of the latter the unit does not fit
+      auto column = read_heading(headings_[i], i, vocabulary);
+      if (!column || !is_read(column->id)) continue;
+      const NamedColumn* before = find(column->id);
+      if (!before)
+        columns_.push_back(std::move(*column));
+      else if (!is_mapped(column->id) && !column_named(headings_[before->index].name))
+        throw InputError(path_, headings_[i].place,
+                         "'" + before->heading.text + "' and '" + headings_[i].text + "' may both be " +
+                             name_of(column->id) +
+                             "; say which: " + mapping_flag(column->id, headings_, before->index) + " or " +
+                             mapping_flag(column->id, headings_, i));
+    }
+    // "normal force_N" may be a symbol's index; beside headings that end with units it ends with one
+    if (std::any_of(columns_.begin(), columns_.end(), [](const NamedColumn& column) { return column.heading.unit; }))
+      for (NamedColumn& column : columns_)
+        if (!column.heading.unit && !is_mapped(column.id))
+          if (auto better = read_heading(headings_[column.index], column.index, vocabulary, true);
+              better && better->id == column.id)
+            column = std::move(*better);
+    if (!is_complete() && (!rules_.log || find(ColumnId::P) || find(ColumnId::T))) refuse_unit(vocabulary);
+  }
+
+  /// Own names whose unit does not fit, where nothing else has that name: whoever reads the column refuses the unit.
+  void add_misfits() {
+    for (std::size_t i = 0; i < headings_.size(); ++i)
+      if (const auto id = column_named(headings_[i].name); id && is_read(*id) && !find(*id) && !at(i))
+        columns_.push_back({*id, i, headings_[i]});
+  }
+
+  /// Whether points can be made of these.
+  bool is_complete() const {
+    using enum ColumnId;
+    const bool loads = find(T) && (find(P) || rules_.load_stated) && is_sized();
+    if (rules_.log) return loads && find(ColumnId::time);  // a log of forces or of areas alone never is
+    return loads || ((find(psi) || find(mode_ratio)) && (find(Gc) || find(Gc_over_GIc))) || (find(G_I) && find(G_II));
+  }
+
+  /// An export may hold areas with the radii or axes that they were made of, or the other way round: one of them goes.
+  void drop_redundant_sizes() {
+    using enum ColumnId;
+    const auto drop = [&](ColumnId id) {
+      if (!is_mapped(id)) std::erase_if(columns_, [&](const NamedColumn& column) { return column.id == id; });
+    };
+    const auto has_unit = [&](ColumnId id) { return find(id) && find(id)->heading.unit; };
+    const auto is_called_a = [](const Heading& heading) { return column_named(heading.name) == ColumnId::a; };
+    if (find(A) && is_mapped(ColumnId::a))
+      drop(A);
+    else if (find(A) && std::none_of(headings_.begin(), headings_.end(), is_called_a))
+      drop(ColumnId::a);
+    // axes without a unit beside an area with one add nothing that is needed
+    const auto axes = {a_par, a_perp, major, minor};
+    if (has_unit(A) && std::any_of(axes.begin(), axes.end(), [&](ColumnId id) { return find(id) && !has_unit(id); }))
+      for (const ColumnId axis : axes) drop(axis);
+  }
+
+  std::vector<NamedColumn> sorted() && {
+    std::sort(columns_.begin(), columns_.end(),
+              [](const auto& one, const auto& other) { return one.index < other.index; });
+    return std::move(columns_);
+  }
+
+ private:
+  const NamedColumn* find(ColumnId id) const {
+    const auto found =
+        std::find_if(columns_.begin(), columns_.end(), [&](const NamedColumn& column) { return column.id == id; });
+    return found == columns_.end() ? nullptr : &*found;
+  }
+  const NamedColumn* at(std::size_t index) const {
+    const auto found = std::find_if(columns_.begin(), columns_.end(),
+                                    [&](const NamedColumn& column) { return column.index == index; });
+    return found == columns_.end() ? nullptr : &*found;
+  }
+  bool is_mapped(ColumnId id) const { return rules_.mapping.contains(name_of(id)); }
+  bool is_read(ColumnId id) const { return rules_.log || id != ColumnId::time; }
+  bool is_sized() const {
+    using enum ColumnId;
+    return find(A) || find(ColumnId::a) || (find(a_par) && find(a_perp)) || (find(major) && find(minor));
+  }
+
+  /// Throws for a heading that has the name of a quantity that is still needed, and a unit that is not known or does
+  /// not fit.
+  void refuse_unit(const Vocabulary& vocabulary) const {
+    for (std::size_t i = 0; i < headings_.size(); ++i) {
+      const Heading& heading = headings_[i];
+      const auto id = vocabulary.find(heading.name);
+      if (!id || unit_fits(heading.unit, *id) || find(*id)) continue;
+      if (*id == ColumnId::T || (*id == ColumnId::P && !rules_.load_stated) || (*id == ColumnId::A && !is_sized()))
+        throw InputError(path_, heading.place,
+                         "'" + printable(heading.text, 60) + "' may be " + name_of(*id) + ", but '" + *heading.unit +
+                             "' is not " + describe(kind_of(*id).dimension) +
+                             "; if it is another way to write one: " + mapping_flag(*id, headings_, i));
+    }
+  }
+
+  const std::string& path_;
+  const std::vector<Heading>& headings_;
+  const ColumnRules& rules_;
+  std::vector<NamedColumn> columns_;
+};
 
 }  // namespace
 
@@ -156,112 +206,37 @@ std::string mapping_flag(ColumnId id, const std::vector<Heading>& headings, std:
                      }) == 1;
   const bool plain = alone && heading.closed && !heading.name.empty() && heading.text.size() <= kLong &&
                      heading.text.find_first_of("\",=") == std::string::npos && printable(heading.text) == heading.text;
-  const bool known = !heading.unit || fits(heading.unit, id);
+  const bool known = !heading.unit || unit_fits(heading.unit, id);
   std::string said = plain && known ? heading.text : plain ? heading.name : std::to_string(index + 1);
   if (!known) said += " (UNIT)";
-  return "--columns=\"" + std::string(to_string(id)) + "=" + said + "\"";
-}
-
-bool has_unit_of(const Heading& heading, ColumnId id) { return heading.unit && fits(heading.unit, id); }
-
-bool is_pixels(const Dimension& found, const Dimension& wanted) {
-  // a number of pixels is an area, and so are square pixels
-  const bool area = wanted == dimension::area;
-  return found == Dimension{0, 0, 0, 0, 1} ? area || wanted == dimension::length
-                                           : area && found == Dimension{0, 0, 0, 0, 2};
+  return "--columns=\"" + name_of(id) + "=" + said + "\"";
 }
 
 std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,
                                       const ColumnRules& rules) {
-  std::vector<NamedColumn> columns;
-  const auto holder = [&](const auto& wanted) { return std::find_if(columns.begin(), columns.end(), wanted); };
-  const auto has = [&](ColumnId id) {
-    return holder([&](const NamedColumn& column) { return column.id == id; }) != columns.end();
-  };
-  const auto taken = [&](std::size_t index) {
-    return holder([&](const NamedColumn& column) { return column.index == index; }) != columns.end();
-  };
-  for (const auto& [name, heading] : rules.mapping) {
-    NamedColumn column = mapped_column(path, headings, *column_named(name), heading);
-    if (taken(column.index))
-      throw InputError(path, column.heading.place,
-                       "column " + std::to_string(column.index + 1) + " is mapped to " + name + " and to " +
-                           std::string(to_string(
-                               holder([&](const NamedColumn& other) { return other.index == column.index; })->id)));
-    columns.push_back(std::move(column));
+  Names names(path, headings, rules);
+  names.add_mapped();
+  names.add_own_names();
+  if (rules.vocabulary && !names.is_complete()) {
+    if (rules.headings.empty())
+      names.add_by_vocabulary(Vocabulary::shipped());
+    else
+      names.add_by_vocabulary(Vocabulary::with(rules.headings));
   }
-  const std::size_t mapped = columns.size();
-  const auto is_read = [&](ColumnId id) { return rules.log || id != ColumnId::time; };
-  for (std::size_t i = 0; i < headings.size(); ++i) {
-    const auto id = column_named(headings[i].name);
-    if (!id || taken(i) || !is_read(*id) || (rules.vocabulary && !fits(headings[i].unit, *id))) continue;
-    const auto before = holder([&](const NamedColumn& column) { return column.id == *id; });
-    if (before != columns.end() && before < columns.begin() + static_cast<std::ptrdiff_t>(mapped)) continue;
-    if (before != columns.end())
-      throw InputError(path, headings[i].place,
-                       "column '" + headings[i].name + "' stands twice" +
-                           (rules.vocabulary ? ", in columns " + std::to_string(before->index + 1) + " and " +
-                                                   std::to_string(i + 1) + "; --columns=\"" + headings[i].name + "=" +
-                                                   std::to_string(i + 1) +
-                                                   "\" says which; runs beside each other are to stand below each other"
-                                             : ""));
-    columns.push_back({*id, i, headings[i]});
+  if (rules.vocabulary) names.add_misfits();
+  names.drop_redundant_sizes();
+  return std::move(names).sorted();
+}
+
+std::vector<NamedColumn> number_columns(const std::string& path, const std::vector<Heading>& headings,
+                                        const ColumnRules& rules) {
+  try {
+    std::vector<NamedColumn> columns = name_columns(path, headings, rules);
+    std::erase_if(columns, [](const NamedColumn& column) { return column.id == ColumnId::curve; });
+    return columns;
+  } catch (const InputError&) {
+    return {};
   }
-  if (rules.vocabulary && !is_complete(columns, rules)) {
-    const std::size_t own = columns.size();
-    const Vocabulary more = rules.headings.empty() ? Vocabulary{} : Vocabulary::with(rules.headings);
-    const Vocabulary& vocabulary = rules.headings.empty() ? Vocabulary::shipped() : more;
-    for (std::size_t i = 0; i < headings.size(); ++i) {
-      if (taken(i) || column_named(headings[i].name)) continue;  // of the latter the unit does not fit
-      auto column = read_heading(headings[i], i, vocabulary);
-      if (!column || !is_read(column->id)) continue;
-      const auto before = holder([&](const NamedColumn& other) { return other.id == column->id; });
-      if (before == columns.end())
-        columns.push_back(std::move(*column));
-      else if (before >= columns.begin() + static_cast<std::ptrdiff_t>(own))
-        throw InputError(path, headings[i].place,
-                         "'" + before->heading.text + "' and '" + headings[i].text + "' may both be " +
-                             std::string(to_string(column->id)) +
-                             "; say which: " + mapping_flag(column->id, headings, before->index) + " or " +
-                             mapping_flag(column->id, headings, i));
-    }
-    // "normal force_N" may be a symbol's index; beside headings that end with units it ends with one
-    if (std::any_of(columns.begin(), columns.end(), [](const NamedColumn& column) { return column.heading.unit; }))
-      for (NamedColumn& column : columns)
-        if (!column.heading.unit && !rules.mapping.contains(std::string(to_string(column.id))))
-          if (auto better = read_heading(headings[column.index], column.index, vocabulary, true);
-              better && better->id == column.id)
-            column = std::move(*better);
-    if (!is_complete(columns, rules) && (!rules.log || has(ColumnId::P) || has(ColumnId::T)))
-      refuse_unit(path, headings, columns, vocabulary, rules);
-  }
-  if (rules.vocabulary)
-    for (std::size_t i = 0; i < headings.size(); ++i)
-      if (const auto id = column_named(headings[i].name); id && is_read(*id) && !has(*id) && !taken(i))
-        columns.push_back({*id, i, headings[i]});
-  // an export may hold both; the radius is then what the area was made of, or the other way round
-  const auto is_mapped = [&](ColumnId id) { return rules.mapping.contains(std::string(to_string(id))); };
-  const auto drop = [&](ColumnId id) {
-    if (!is_mapped(id)) std::erase_if(columns, [&](const NamedColumn& column) { return column.id == id; });
-  };
-  const auto unit_stated = [&](ColumnId id) {
-    const auto found = holder([&](const NamedColumn& column) { return column.id == id; });
-    return found != columns.end() && found->heading.unit;
-  };
-  if (has(ColumnId::A) && is_mapped(ColumnId::a))
-    drop(ColumnId::A);
-  else if (has(ColumnId::A) && std::none_of(headings.begin(), headings.end(), [](const Heading& heading) {
-             return column_named(heading.name) == ColumnId::a;
-           }))
-    drop(ColumnId::a);
-  // axes without a unit beside an area with one tell nothing that is needed
-  for (const ColumnId axis : {ColumnId::a_par, ColumnId::a_perp, ColumnId::major, ColumnId::minor})
-    if (unit_stated(ColumnId::A) && has(axis) && !unit_stated(axis)) {
-      for (const ColumnId one : {ColumnId::a_par, ColumnId::a_perp, ColumnId::major, ColumnId::minor}) drop(one);
-      break;
-    }
-  std::sort(columns.begin(), columns.end(), [](const auto& one, const auto& other) { return one.index < other.index; });
-  return columns;
 }
 
 }  // namespace mixity

@@ -7,7 +7,7 @@
 
 namespace mixity {
 
-/// What is said beside a table of how to read it.
+/// What is stated beside a table.
 struct ColumnRules {
   std::map<std::string, std::string>
       mapping{};                  // quantity -> heading, with or without its unit, or the column's number

@@ -21,7 +21,7 @@ std::string bare_name(std::string_view name) {
   return bare;
 }
 
-/// What "P1" and "P2", or "P" and "P.1", have in common.
+/// The common part of "P1" and "P2", or "P" and "P.1".
 std::string letters_of(std::string_view name) {
   std::string letters = bare_name(name);
   std::erase_if(letters, [](unsigned char c) { return std::isdigit(c); });
@@ -149,12 +149,12 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
 
 void Columns::require_a_complete_set(const std::string& path, const std::vector<Heading>& headings,
                                      const ColumnRules& rules) const {
-  const bool sized = has(ColumnId::A) || has(ColumnId::a) || holds_axes();
-  const bool loads = has(ColumnId::P) || has(ColumnId::T) || sized;
-  const bool toughness =
-      has(ColumnId::psi) || has(ColumnId::mode_ratio) || has(ColumnId::Gc) || has(ColumnId::Gc_over_GIc);
-  const bool energies = has(ColumnId::G_I) || has(ColumnId::G_II);
-  const auto fail = [&](const std::string& message, ColumnId missing = ColumnId::P, const char* tail = "") {
+  using enum ColumnId;
+  const bool sized = has(A) || has(a) || holds_axes();
+  const bool loads = has(P) || has(T) || sized;
+  const bool toughness = has(psi) || has(mode_ratio) || has(Gc) || has(Gc_over_GIc);
+  const bool energies = has(G_I) || has(G_II);
+  const auto fail = [&](const std::string& message, ColumnId missing = P, const char* tail = "") {
     std::string others;
     std::vector<std::size_t> fitting;  // of what is not understood
     for (std::size_t i = 0; rules.vocabulary && i < headings.size(); ++i) {
@@ -162,11 +162,11 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
                                                   [&](const auto& column) { return column && column->index == i; }))
         continue;
       others += (others.empty() ? "'" : ", '") + printable(headings[i].text, 40) + "'";
-      if (has_unit_of(headings[i], missing)) fitting.push_back(i);
+      if (headings[i].unit && unit_fits(headings[i].unit, missing)) fitting.push_back(i);
     }
-    // which of two forces is which nobody can tell
-    const bool one = fitting.size() == 1 && (kind_of(missing).dimension != dimension::force ||
-                                             has(missing == ColumnId::T ? ColumnId::P : ColumnId::T));
+    // of two unknown forces either may be the one
+    const bool one =
+        fitting.size() == 1 && (kind_of(missing).dimension != dimension::force || has(missing == T ? P : T));
     const std::string name(to_string(missing));
     throw InputError(path, headings.at(0).place.line, 1,
                      message +
@@ -196,22 +196,23 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
     fail("the header mixes " + sets + "; give one set");
   }
   if (loads) {
-    all_of({ColumnId::T});
-    if (!rules.load_stated && !has(ColumnId::P))
-      fail("column 'P' is missing", ColumnId::P,
+    all_of({T});
+    if (!rules.load_stated && !has(P))
+      fail("column 'P' is missing", P,
            rules.vocabulary ? "; one normal load of all points is stated by --load=\"5 mN\", or the key load" : "");
-    if (!holds_axes()) exactly_one(ColumnId::A, ColumnId::a);
-    if (has(ColumnId::a_par) || has(ColumnId::a_perp)) all_of({ColumnId::a_par, ColumnId::a_perp});
-    if (has(ColumnId::major) || has(ColumnId::minor)) all_of({ColumnId::major, ColumnId::minor});
+    if (!holds_axes()) exactly_one(A, a);
+    if (has(a_par) || has(a_perp)) all_of({a_par, a_perp});
+    if (has(major) || has(minor)) all_of({major, minor});
   } else if (energies) {
-    all_of({ColumnId::G_I, ColumnId::G_II});
+    all_of({G_I, G_II});
   } else {
-    exactly_one(ColumnId::psi, ColumnId::mode_ratio);
-    exactly_one(ColumnId::Gc, ColumnId::Gc_over_GIc);
+    exactly_one(psi, mode_ratio);
+    exactly_one(Gc, Gc_over_GIc);
   }
 }
 
 void Columns::require_consistent_units(const std::string& path, const std::vector<Heading>& headings) const {
+  using enum ColumnId;
   const auto require_like = [&](ColumnId id, const Column* reference, const std::string& rule) {
     const Column* column = find(id);
     if (!column || !reference || column->unit.text == "%") return;
@@ -224,17 +225,15 @@ void Columns::require_consistent_units(const std::string& path, const std::vecto
             (bare ? "has no unit while " + other + " has one" : "has a unit while " + other + " has none") + "; " +
             rule);
   };
-  for (const ColumnId id :
-       {ColumnId::T, ColumnId::A, ColumnId::a, ColumnId::a_par, ColumnId::a_perp, ColumnId::major, ColumnId::minor})
-    require_like(id, find(ColumnId::P) ? find(ColumnId::P) : find(ColumnId::T),
-                 "P, T and A are either all dimensionless or none is");
-  require_like(ColumnId::G_II, find(ColumnId::G_I), "G_I and G_II either both have a unit or neither has");
+  for (const ColumnId id : {T, A, a, a_par, a_perp, major, minor})
+    require_like(id, find(P) ? find(P) : find(T), "P, T and A are either all dimensionless or none is");
+  require_like(G_II, find(G_I), "G_I and G_II either both have a unit or neither has");
   const std::string sigma_rule = "a standard error has the kind of unit of its quantity, or %";
-  require_like(ColumnId::sigma_T, find(ColumnId::T), sigma_rule);
-  require_like(ColumnId::sigma_A, find(ColumnId::T), sigma_rule);
-  require_like(ColumnId::sigma_Gc, find(has(ColumnId::Gc) ? ColumnId::Gc : ColumnId::Gc_over_GIc), sigma_rule);
-  require_like(ColumnId::sigma_GI, find(ColumnId::G_I), sigma_rule);
-  require_like(ColumnId::sigma_GII, find(ColumnId::G_II), sigma_rule);
+  require_like(sigma_T, find(T), sigma_rule);
+  require_like(sigma_A, find(T), sigma_rule);
+  require_like(sigma_Gc, find(has(Gc) ? Gc : Gc_over_GIc), sigma_rule);
+  require_like(sigma_GI, find(G_I), sigma_rule);
+  require_like(sigma_GII, find(G_II), sigma_rule);
 }
 
 }  // namespace mixity

@@ -1,4 +1,4 @@
-// The header of a data CSV: which quantity stands in which column, in which unit.
+// The columns of a data CSV: which quantity each holds, in which unit.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ struct Column {
 
 class Columns {
  public:
-  /// Understands a header; throws InputError for what name_columns refuses, a unit that is none or of the wrong kind,
-  /// and for a set of columns from which no data point can be made.
+  /// Throws InputError as name_columns does, for a unit that is none or of the wrong kind, and for a set of columns of
+  /// which no point can be made.
   Columns(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules = {});
 
   const Column* find(ColumnId id) const {
@@ -31,13 +31,13 @@ class Columns {
   }
   bool has(ColumnId id) const { return find(id) != nullptr; }
   std::size_t count() const { return count_; }                          // fields in the header, to the last with a name
-  const std::vector<std::string>& ignored() const { return ignored_; }  // names of columns that mean nothing to us
-  /// Of these the ones that differ from a quantity's name, which no column has, in case or signs only; with that name.
+  const std::vector<std::string>& ignored() const { return ignored_; }  // names of columns that are not read
+  /// Those of them that differ from the name of a missing quantity in case or punctuation only; with that name.
   const std::vector<std::pair<std::string, std::string>>& misspelt() const { return misspelt_; }
-  /// What was taken for what, where it is not called that: "P from 'Normalkraft (mN)'".
+  /// Headings other than the program's own names: "P from 'Normalkraft (mN)'".
   const std::vector<std::string>& taken() const { return taken_; }
-  /// Columns that have the names of all of P, T and A but for a number: other runs, beside that which is read. Empty if
-  /// there are none.
+  /// Columns that have the names of all those of P, T and A but for a number: other runs beside the one that is read.
+  /// Empty if there are none.
   const std::string& beside() const { return beside_; }
   /// P, T and A (or a, or the axes of an ellipse), rather than psi and Gc, or energies.
   bool holds_loads() const { return has(ColumnId::T); }
@@ -58,22 +58,22 @@ class Columns {
   std::size_t count_ = 0;
 };
 
-// ---- What any file with such a header is read by. Each throws InputError that names line and column. ----
+// ---- For any file with such a header. Each throws InputError with line and column. ----
 
-/// The heading's unit, checked against what the quantity may have; none if it states none. Pixels become metres, where
-/// the size of one is stated. `alone`: it is the table's only heading.
+/// The unit of a heading, if the quantity may have it; none if it states none. Pixels become metres if their size is
+/// stated. `alone`: it is the only heading of the table.
 Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& path, bool alone,
              std::optional<double> pixel = {});
 
 bool holds_a_number(const CsvRow& row);
 
-/// A row must have as many fields as the header; further ones must be empty.
+/// Requires as many fields as the header has; further ones must be empty.
 void require_width(const std::string& path, const CsvRow& row, std::size_t count);
 
-/// Behind what is said of a text that is no number.
+/// Advice behind the message on a text that is no number.
 std::string_view decimal_comma_hint(std::string_view text);
 
-/// Reads the number in field i, as it stands; false if the field is empty. `name`: of the column.
+/// Reads the number in field i, without its unit; false if the field is empty. `name`: of the column.
 bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value);
 
 }  // namespace mixity

@@ -1,18 +1,56 @@
 #include "dataset/table/csv.h"
 
-#include <csv.h>
-
 #include <algorithm>
 #include <array>
 
-#include "base/input_error.h"
 #include "base/trim.h"
-#include "dataset/table/csv_rows.h"
 #include "dataset/table/number.h"
 
 namespace mixity {
+namespace {
+
+constexpr const char* kReturnInside = "has a carriage return inside the line";
+
+std::size_t byte(char c) { return static_cast<unsigned char>(c); }
+
+std::string_view without_line_end(std::string_view line) { return line.substr(0, line.find_last_not_of("\r\n") + 1); }
+
+/// Fields of a line in which quotes are ordinary characters.
+void split_line(std::string_view line, char delimiter, std::vector<std::string_view>& fields) {
+  if (delimiter == kBlanks) {
+    for (line = trim(line); !line.empty(); line = trim(line)) {
+      fields.push_back(line.substr(0, line.find_first_of(" \t")));
+      line.remove_prefix(fields.back().size());
+    }
+    return;
+  }
+  for (;;) {
+    const std::size_t end = line.find(delimiter);
+    fields.push_back(trim(line.substr(0, end)));
+    if (end == std::string_view::npos) return;
+    line.remove_prefix(end + 1);
+  }
+}
+
+/// Comma, semicolon or tab, whichever the line has most of outside quotes and the brackets of units.
+char delimiter_of(std::string_view line) {
+  constexpr std::string_view kCandidates = ",;\t";
+  std::array<std::size_t, 3> counts{};
+  bool quoted = false, bracketed = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (!quoted && (c == '[' || c == '(')) bracketed = true;
+    if (!quoted && (c == ']' || c == ')')) bracketed = false;
+    const std::size_t which = kCandidates.find(c);
+    if (!quoted && !bracketed && which != std::string_view::npos) ++counts[which];
+  }
+  return kCandidates[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
+}
+
+}  // namespace
 
 FilePlace CsvRow::place(std::size_t i) const {
+  if (!numbers_.empty()) return {line_, i + 1};
   FilePlace place{line_, 1};
   std::size_t field = 0;
   bool quoted = false;
@@ -32,210 +70,122 @@ FilePlace CsvRow::place(std::size_t i) const {
 }
 
 bool CsvRow::number(std::size_t i, double& value) const {
+  if (!numbers_.empty()) {
+    value = numbers_[i];
+    return true;
+  }
   NumberStyle style;
   return parse_number(fields_[i], format_.decimal, value, &style) && (format_.grouped || !style.doubtful);
 }
 
-void CsvRow::begin(std::string_view line, std::size_t number, const CsvFormat& format) {
-  line_ = number;
-  format_ = format;
-  raw_ = {line.data(), 0};
-  add(line);
+CsvSplitter::CsvSplitter(const std::string& path, const CsvFormat& format, std::size_t line)
+    : path_(path), format_(format), line_(line) {
+  for (const char c : {format.delimiter, format.line_end, '\r', '"'}) ends_field_[byte(c)] = true;
 }
 
-void CsvRow::add(std::string_view line) {
-  raw_ = {raw_.data(), static_cast<std::size_t>(line.data() - raw_.data()) + line.find_last_not_of("\r\n") + 1};
+bool CsvSplitter::next(std::string_view& text, bool is_rest, CsvRow& row) {
+  while (!text.empty()) {
+    const std::size_t size = take(text, is_rest, row);
+    if (size == 0) return false;
+    text.remove_prefix(size);
+    if (!row.blank()) return true;
+  }
+  return false;
 }
 
-void CsvRow::split(std::string_view line, std::size_t number, const CsvFormat& format) {
-  begin(line, number, format);
-  fields_.clear();
-  if (format.delimiter == kBlanks) {
-    for (std::string_view rest = trim(raw_); !rest.empty(); rest = trim(rest)) {
-      fields_.push_back(rest.substr(0, rest.find_first_of(" \t")));
-      rest.remove_prefix(fields_.back().size());
-    }
-    return;
-  }
-  for (std::string_view rest = raw_;;) {
-    const std::size_t end = rest.find(format.delimiter);
-    fields_.push_back(trim(rest.substr(0, end)));  // as libcsv does
-    if (end == std::string_view::npos) return;
-    rest.remove_prefix(end + 1);
-  }
+bool CsvSplitter::is_blank(char c) const { return (c == ' ' || c == '\t') && c != format_.delimiter; }
+
+void CsvSplitter::fail(std::string_view before, const char* message) const {
+  const auto lines = std::count(before.begin(), before.end(), format_.line_end);
+  throw InputError(path_, line_ + static_cast<std::size_t>(lines), 1, message);
 }
 
-namespace {
-
-/// Comma, semicolon or tab, whichever the line has most of outside quotes and the brackets of units.
-char delimiter_of(std::string_view line) {
-  constexpr std::string_view kCandidates = ",;\t";
-  std::array<std::size_t, 3> counts{};
-  bool quoted = false, bracketed = false;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    if (!quoted && (c == '[' || c == '(')) bracketed = true;
-    if (!quoted && (c == ']' || c == ')')) bracketed = false;
-    const std::size_t which = kCandidates.find(c);
-    if (!quoted && !bracketed && which != std::string_view::npos) ++counts[which];
-  }
-  return kCandidates[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
-}
-
-/// The first line of a text, its end included; takes it off.
-std::string_view take_line(std::string_view& text, char line_end) {
-  const std::string_view line = text.substr(0, std::min(text.find(line_end), text.size() - 1) + 1);
-  text.remove_prefix(line.size());
-  return line;
-}
-
-/// What follows it in the line would be lost with a comment.
-bool has_return_inside(std::string_view line) { return line.find('\r') < line.find_last_not_of("\r\n") + 1; }
-constexpr std::string_view kReturnInside = "has a carriage return inside the line";
-
-bool odd_quotes(std::string_view line) { return std::count(line.begin(), line.end(), '"') % 2 != 0; }
-
-}  // namespace
-
-/// Makes rows of lines. For quotes it owns libcsv's state, whose callbacks do not throw: libcsv is C.
-struct CsvParser {
-  csv_parser state;
-  CsvFormat format;
-  CsvRow row;
-  std::string text;               // the fields libcsv has found, one after the other
-  std::vector<std::size_t> ends;  // where each ends in it
-  int completed = 0;
-  bool stray_return = false, quote_open = false;
-
-  explicit CsvParser(const CsvFormat& of_file) : format(of_file) {
-    csv_init(&state, CSV_STRICT | CSV_STRICT_FINI);
-    csv_set_delim(&state, static_cast<unsigned char>(format.delimiter));
-  }
-  ~CsvParser() { csv_free(&state); }
-  CsvParser(const CsvParser&) = delete;
-  CsvParser& operator=(const CsvParser&) = delete;
-
-  /// True of quotes, and of a carriage return inside the line.
-  bool needs_library(std::string_view line) const {
-    if (format.delimiter == kBlanks) return false;
-    return quote_open || line.find('"') != std::string_view::npos || has_return_inside(line);
-  }
-  void split(std::string_view line, std::size_t number) { row.split(line, number, format); }
-
-  static void on_field(void* field, std::size_t size, void* self) {
-    CsvParser& parser = *static_cast<CsvParser*>(self);
-    if (parser.completed > 0) parser.stray_return = true;
-    parser.text.append(static_cast<const char*>(field), size);
-    parser.ends.push_back(parser.text.size());
-  }
-  static void on_row(int, void* self) { ++static_cast<CsvParser*>(self)->completed; }
-
-  /// Feeds one line with its line end; a quoted field may run over several, and the row then counts as the first.
-  bool feed(std::string_view line, std::size_t number) {
-    if (quote_open) {
-      row.add(line);
-    } else {
-      row.begin(line, number, format);
-      text.clear();
-      ends.clear();
-      completed = 0;
-    }
-    if (csv_parse(&state, line.data(), line.size(), on_field, on_row, this) != line.size()) return false;
-    if (odd_quotes(line)) quote_open = !quote_open;
-    if (completed > 0 && quote_open) stray_return = true;  // a field began after the row's end
-    return true;
-  }
-  bool finish() { return csv_fini(&state, on_field, on_row, this) == 0; }
-
-  /// The fields that libcsv has found become the row's.
-  void gather() {
-    row.fields_.clear();
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const std::size_t begin = i == 0 ? 0 : ends[i - 1];
-      row.fields_.push_back(trim(std::string_view(text).substr(begin, ends[i] - begin)));
-    }
-  }
-};
-
-void read_rows(std::string_view text, std::size_t first_line, const CsvFormat& format, const std::string& path,
-               const UseRow& use, const UseRow& use_comment, NumberRows* numbers) {
-  CsvParser parser(format);
-  std::size_t number = first_line;
-  // Of most files this can be said at once, which saves looking through each of their lines for what none has.
-  const bool unquoted = format.delimiter == kBlanks || text.find('"') == std::string_view::npos;
-  const bool plain = unquoted && text.find('\r') == std::string_view::npos;
-  const auto hand_over = [&] {
-    if (parser.stray_return) throw InputError(path, number, 1, std::string(kReturnInside));
-    if (parser.completed == 0) return;
-    parser.gather();
-    if (!parser.row.blank()) use(parser.row);
+/// Reads the row that the text begins with, blank or not. Returns its bytes; 0 if its end is not in the text.
+std::size_t CsvSplitter::take(std::string_view text, bool is_rest, CsvRow& row) {
+  row.fields_.clear();
+  row.unquoted_.clear();
+  row.line_ = line_;
+  row.format_ = format_;
+  row.is_comment_ = format_.comments && text[0] == '#';
+  if (row.is_comment_ || format_.delimiter == kBlanks) return take_line(text, is_rest, row);
+  const char *at = text.data(), *const end = at + text.size();
+  const auto before = [&] { return text.substr(0, static_cast<std::size_t>(at - text.data())); };
+  const auto skip_returns = [&] {
+    while (at != end && *at != format_.line_end && (*at == '\r' || is_blank(*at))) ++at;
   };
-  const char* const whole_lines = text.data() + (text.find_last_of(format.line_end) + 1);  // npos + 1 is 0
-  bool fed = false;
-  for (; !text.empty(); ++number) {
-    if (numbers && unquoted) {
-      number += numbers->take(text, whole_lines, number);
-      if (text.empty()) break;
+  bool quotes = false;
+  skip_returns();
+  for (;; ++at) {
+    while (at != end && is_blank(*at)) ++at;
+    if (at != end && *at == '"') {
+      quotes = true;
+      at = quoted_field(at, end, row);
+      if (!at && is_rest) fail({}, "a quote (\") is opened but not closed before the end of the file");
+      if (!at) return 0;
+    } else {
+      const char* const begin = at;
+      while (at != end && !ends_field_[byte(*at)]) ++at;
+      row.fields_.push_back(trim({begin, at}));
     }
-    const std::string_view line = take_line(text, format.line_end);
-    if (format.comments && line.starts_with('#') && !parser.quote_open) {
-      if (!plain && has_return_inside(line)) throw InputError(path, number, 1, std::string(kReturnInside));
-      if (!use_comment) continue;
-      parser.split(line, number);
-      use_comment(parser.row);
-      continue;
-    }
-    fed = !plain && parser.needs_library(line);
-    if (!fed) {
-      parser.split(line, number);
-      if (!parser.row.blank()) use(parser.row);
-      continue;
-    }
-    if (!parser.feed(line, number))
-      throw InputError(path, number, 1, "a quote (\") inside a field is not doubled or not closed");
-    hand_over();
+    if (at == end || *at != format_.delimiter) break;
   }
-  if (!fed || parser.completed > 0) return;
-  if (!parser.finish())
-    throw InputError(path, parser.row.line(), 1, "a quote (\") is opened but not closed before the end of the file");
-  hand_over();
+  if (at != end && *at != format_.line_end) {
+    if (*at != '\r') fail(before(), "a quote (\") inside a field is not doubled or not closed");
+    skip_returns();
+    if (at != end && *at != format_.line_end) fail(before(), kReturnInside);
+  }
+  if (at == end && !is_rest) return 0;
+  row.raw_ = without_line_end(before());
+  if (at != end) ++at;
+  line_ += quotes ? static_cast<std::size_t>(std::count(text.data(), at, format_.line_end)) : 1;
+  return before().size();
 }
 
-std::size_t end_of_rows(std::string_view text, const CsvFormat& format) {
-  if (format.delimiter == kBlanks || text.find('"') == std::string_view::npos)
-    return text.find_last_of(format.line_end) + 1;  // npos + 1 is 0
-  std::size_t end = 0;
-  bool quote_open = false;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::string_view line = take_line(rest, format.line_end);
-    if (!(format.comments && line.starts_with('#') && !quote_open) && odd_quotes(line)) quote_open = !quote_open;
-    if (!quote_open && line.back() == format.line_end) end = text.size() - rest.size();
-  }
-  return end;
+/// The same for a line in which quotes are ordinary characters.
+std::size_t CsvSplitter::take_line(std::string_view text, bool is_rest, CsvRow& row) {
+  const std::size_t end = text.find(format_.line_end);
+  if (end == std::string_view::npos && !is_rest) return 0;
+  row.raw_ = without_line_end(text.substr(0, end));
+  // what follows it in the line would be lost with the comment
+  if (row.is_comment_ && row.raw_.find('\r') != std::string_view::npos) fail({}, kReturnInside);
+  split_line(row.raw_, format_.delimiter, row.fields_);
+  ++line_;
+  return std::min(end, text.size() - 1) + 1;
 }
 
-std::size_t end_of_first_row(std::string_view text, const CsvFormat& format) {
-  bool quote_open = false;
-  for (std::string_view rest = text; !rest.empty();) {
-    if (odd_quotes(take_line(rest, format.line_end))) quote_open = !quote_open;
-    if (!quote_open) return text.size() - rest.size();
+/// Takes a field in quotes. Returns the first character that is not blank behind it; null if the quotes are not closed.
+const char* CsvSplitter::quoted_field(const char* at, const char* end, CsvRow& row) const {
+  const char* const begin = ++at;
+  bool doubled = false;
+  for (;; at += 2) {
+    at = std::find(at, end, '"');
+    if (at == end) return nullptr;
+    if (at + 1 == end || at[1] != '"') break;
+    doubled = true;
   }
-  return text.size();
+  std::string_view field(begin, at);
+  if (doubled) {
+    std::string& text = row.unquoted_.emplace_back();
+    for (const char* c = begin; c != at; c += *c == '"' ? 2 : 1) text += *c;
+    field = text;
+  }
+  row.fields_.push_back(trim(field));
+  for (++at; at != end && is_blank(*at);) ++at;
+  return at;
 }
 
 bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format) {
   for (; !text.empty(); ++line) {
-    std::string_view after = text;
-    const std::string_view first = take_line(after, format.line_end);
-    const bool comment = format.comments && first.starts_with('#') && !has_return_inside(first);
-    // how Excel would be told the delimiter, which may be a tab
-    const std::string_view bare = first.substr(0, first.find_last_not_of("\r\n") + 1);
-    const bool for_excel = bare.starts_with("sep=") && bare.size() > 4 && trim(bare.substr(5)).empty();
-    if (!comment && !for_excel && first.find_first_not_of(" \t\r\n") != std::string_view::npos) {
+    const std::size_t end = std::min(text.find(format.line_end), text.size() - 1) + 1;
+    const std::string_view first = without_line_end(text.substr(0, end));
+    const bool comment = format.comments && first.starts_with('#') && first.find('\r') == std::string_view::npos;
+    // by which Excel knows the delimiter, which may be a tab
+    const bool for_excel = first.starts_with("sep=") && first.size() > 4 && trim(first.substr(5)).empty();
+    if (!comment && !for_excel && !trim(first).empty()) {
       format.delimiter = delimiter_of(first);
       return true;
     }
-    text = after;
+    text.remove_prefix(end);
   }
   return false;
 }

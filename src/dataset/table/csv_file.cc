@@ -1,12 +1,12 @@
+#include "dataset/table/csv_file.h"
+
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 
+#include "base/files.h"
 #include "base/input_error.h"
-#include "dataset/table/csv.h"
-#include "dataset/table/csv_rows.h"
 
 namespace mixity {
 
@@ -15,121 +15,111 @@ CsvFile::CsvFile(const std::string& path, std::size_t block_bytes)
   if (!file_) throw InputError(path, std::string("cannot be opened: ") + std::strerror(errno));
 }
 
-std::optional<std::size_t> CsvFile::bytes() const {
-  std::error_code problem;
-  const auto size = std::filesystem::file_size(path_, problem);
-  return problem ? std::nullopt : std::optional<std::size_t>(size);
-}
-
-/// Appends what up to so many bytes say. False at the end of the file.
-bool CsvFile::read(std::string& text, std::size_t bytes) {
-  const std::size_t before = text.size();
-  text.resize(before + bytes);
-  const std::size_t got = std::fread(text.data() + before, 1, bytes, file_.get());
-  text.resize(before + got);
+/// Appends up to so many bytes, decoded.
+void CsvFile::read(std::size_t bytes) {
+  const std::size_t before = text_.size();
+  text_.resize(before + bytes);
+  const std::size_t got = std::fread(text_.data() + before, 1, bytes, file_.get());
+  text_.resize(before + got);
   if (std::ferror(file_.get())) throw InputError(path_, std::string("cannot be read: ") + std::strerror(errno));
+  bytes_read_ += got;
   at_end_ = got < bytes;
-  if (decoder_) {
-    const std::string raw = text.substr(before);
-    text.resize(before);
-    decoder_->append(raw, text);
-    if (at_end_) decoder_->finish(text);
-  }
-  return got > 0;
+  decode(before);
 }
 
-/// Nothing that is data comes near: a device without end, or what a crash left of a file.
-void CsvFile::require_a_row_within(const std::string& text) const {
-  if (text.size() > kMostText) throw InputError(path_, line_, 1, "a row of more than 256 MB, or a quote never closed");
+void CsvFile::decode(std::size_t from) {
+  if (!decoder_) return;
+  const std::string raw = text_.substr(from);
+  text_.resize(from);
+  decoder_->append(raw, text_);
+  if (at_end_) decoder_->finish(text_);
 }
 
-constexpr std::size_t kForEncoding = 64;  // bytes, which a mark and a few characters have room in
+/// No data come near this size: it is a device without end, or what a crash left of a file.
+void CsvFile::require_a_row() const {
+  if (text_.size() > kMostText)
+    throw InputError(path_, splitter_ ? splitter_->line() : line_, 1,
+                     "a row of more than 256 MB, or a quote never closed");
+}
 
-/// What is known from the file's first bytes on.
+/// Reads another block, or where a row is longer than that, as much again as is held.
+void CsvFile::read_more() {
+  text_.erase(0, at_);
+  at_ = 0;
+  require_a_row();
+  read(text_.size() < block_bytes_ ? block_bytes_ - text_.size() : text_.size());
+}
+
+/// Reads the first block, and finds the encoding and the line ends.
 void CsvFile::begin() {
+  constexpr std::size_t kForEncoding = 64;  // bytes: a byte order mark and a few characters
   if (begun_) return;
   begun_ = true;
-  std::string& text = rest_;
-  read(text, std::max(block_bytes_, kForEncoding));
+  read(std::max(block_bytes_, kForEncoding));
   for (const std::string_view magic : {"PK\x03\x04", "\xD0\xCF\x11\xE0"})
-    if (text.starts_with(magic))
+    if (text_.starts_with(magic))
       throw InputError(path_, "is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)");
-  std::string_view marked = text;
+  std::string_view marked = text_;
   encoding_ = detect_encoding(marked);
-  text.erase(0, text.size() - marked.size());
+  text_.erase(0, text_.size() - marked.size());
   if (encoding_ != Encoding::utf8) {
     decoder_.emplace(encoding_);
     if (!decoder_->usable())
       throw InputError(path_, "is " + std::string(to_string(encoding_)) + ", which this system's iconv does not know");
-    std::string raw;
-    std::swap(raw, text);
-    decoder_->append(raw, text);
-    if (at_end_) decoder_->finish(text);
+    decode(0);
   }
-  // A file without a single line feed is one of the old Macintosh: that takes reading to the first, or to the end.
-  while (text.find('\n') == std::string::npos && !at_end_) {
-    if (text.find('\r') == std::string::npos) require_a_row_within(text);
-    read(text, std::max(block_bytes_, text.size()));
+  // A file without a single line feed has the carriage returns of the old Macintosh: read up to the first, or to the
+  // end.
+  while (text_.find('\n') == std::string::npos && !at_end_) {
+    if (text_.find('\r') == std::string::npos) require_a_row();
+    read(std::max(block_bytes_, text_.size()));
   }
-  if (text.find('\n') == std::string::npos) format_.line_end = '\r';
+  if (text_.find('\n') == std::string::npos) format_.line_end = '\r';
 }
 
 std::string_view CsvFile::start() {
   begin();
-  const std::string_view text = rest_;
-  return at_end_ ? text : text.substr(0, text.rfind(format_.line_end) + 1);
+  const std::string_view rest = std::string_view(text_).substr(at_);
+  return at_end_ ? rest : rest.substr(0, rest.rfind(format_.line_end) + 1);
 }
 
 void CsvFile::begin_at(std::size_t offset, std::size_t line, const CsvFormat& format) {
-  rest_.erase(0, offset);
-  line_ = line;
-  format_ = format;
+  at_ = offset;
+  splitter_.emplace(path_, format, line);
 }
 
-bool CsvFile::next(CsvBlock& block) {
+bool CsvFile::next(CsvRow& row) {
   begin();
-  std::string& text = block.text_;
-  text.assign(rest_);
-  rest_.clear();
-  if (text.size() < block_bytes_ && !at_end_) read(text, block_bytes_ - text.size());
-  std::size_t end = end_of_rows(text, format_);
-  for (; end == 0 && !at_end_; end = end_of_rows(text, format_)) {  // a row of many lines
-    require_a_row_within(text);
-    read(text, text.size());
+  while (!splitter_) {
+    std::string_view lines = start();
+    const bool found = find_first_row(lines, line_, format_);
+    at_ = static_cast<std::size_t>(lines.data() - text_.data());
+    if (found)
+      splitter_.emplace(path_, format_, line_);
+    else if (at_end_)
+      return false;
+    else
+      read_more();
   }
-  if (at_end_) end = text.size();
-  if (end == 0) return false;
-  block.first_line_ = line_;
-  std::size_t begin = 0;
-  if (format_.delimiter == 0) {
-    std::string_view rows = std::string_view(text).substr(0, end);
-    find_first_row(rows, block.first_line_, format_);
-    begin = end - rows.size();
-    end = begin + end_of_first_row(rows, format_);
+  for (;;) {
+    std::string_view text = std::string_view(text_).substr(at_);
+    const bool found = splitter_->next(text, at_end_, row);
+    at_ = text_.size() - text.size();
+    if (found || at_end_) return found;
+    read_more();
   }
-  rest_.assign(text, end);
-  text.resize(end);
-  block.lines_ = static_cast<std::size_t>(std::count(text.begin(), text.end(), format_.line_end));
-  line_ += block.lines_;
-  text.erase(0, begin);
-  block.path_ = path_;
-  block.format_ = format_;
-  return true;
 }
 
-void CsvBlock::rows(const UseRow& use, const UseRow& use_comment) const {
-  read_rows(text_, first_line_, format_, path_, use, use_comment);
+double CsvFile::progress() const {
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(path_, unknown);
+  return unknown ? 1 : static_cast<double>(bytes_read_ - (text_.size() - at_)) / static_cast<double>(size);
 }
 
-void CsvBlock::rows(const CsvWanted& wanted, const UseNumbers& use_numbers, const UseRow& use_row,
-                    const UseRow& use_comment) const {
-  NumberRows numbers(wanted, format_, use_numbers);
-  read_rows(text_, first_line_, format_, path_, use_row, use_comment, &numbers);
-}
-
-void read_csv(const std::string& path, const UseRow& use, const UseRow& use_comment) {
+void read_csv(const std::string& path, const UseRow& use) {
   CsvFile file(path);
-  for (CsvBlock block; file.next(block);) block.rows(use, use_comment);
+  for (CsvRow row; file.next(row);)
+    if (!row.is_comment()) use(row);
 }
 
 void read_csv_text(std::string_view text, const std::string& name, bool comments, const UseRow& use) {
@@ -138,7 +128,10 @@ void read_csv_text(std::string_view text, const std::string& name, bool comments
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (text.find('\n') == std::string_view::npos) format.line_end = '\r';
   std::size_t line = 1;
-  if (find_first_row(text, line, format)) read_rows(text, line, format, name, use);
+  if (!find_first_row(text, line, format)) return;
+  CsvSplitter splitter(name, format, line);
+  for (CsvRow row; splitter.next(text, true, row);)
+    if (!row.is_comment()) use(row);
 }
 
 }  // namespace mixity

@@ -23,7 +23,7 @@ bool is_utf8(std::string_view text) {
     utf8proc_int32_t character = 0;
     const auto* const at = reinterpret_cast<const utf8proc_uint8_t*>(text.data());
     const auto length = utf8proc_iterate(at, static_cast<utf8proc_ssize_t>(text.size()), &character);
-    if (length <= 0) {  // its first byte says how many follow
+    if (length <= 0) {  // the first byte gives the length
       const auto wanted = static_cast<std::size_t>(utf8proc_utf8class[at[0]]);
       if (wanted <= text.size() || wanted < 2) return false;
       for (std::size_t i = 1; i < text.size(); ++i)
@@ -38,17 +38,8 @@ bool is_utf8(std::string_view text) {
 }  // namespace
 
 std::string_view to_string(Encoding encoding) {
-  switch (encoding) {
-    case Encoding::utf16_le:
-      return "UTF-16LE";
-    case Encoding::utf16_be:
-      return "UTF-16BE";
-    case Encoding::windows_1252:
-      return "Windows-1252";
-    case Encoding::utf8:
-      break;
-  }
-  return "UTF-8";
+  constexpr std::array<std::string_view, 4> kNames{"UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252"};
+  return kNames[static_cast<std::size_t>(encoding)];
 }
 
 Encoding detect_encoding(std::string_view& start) {

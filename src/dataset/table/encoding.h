@@ -1,4 +1,4 @@
-// The bytes of a text file as UTF-8, whatever the program that wrote it took.
+// Converts text files to UTF-8.
 #pragma once
 
 #include <iconv.h>
@@ -12,25 +12,25 @@ enum class Encoding { utf8, utf16_le, utf16_be, windows_1252 };
 /// "UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252".
 std::string_view to_string(Encoding encoding);
 
-/// What the first bytes of a file are; takes its byte order mark off. UTF-16 without one is known by its zero bytes;
-/// what is neither that nor UTF-8 is Windows-1252, which Latin-1 is a part of. No guess by letter frequencies: of a
-/// heading with one "²" they make Windows-1250, of one with "µ" a code page of DOS.
+/// Detects the encoding by the first bytes of a file, and removes its byte order mark. UTF-16 without one is recognised
+/// by its zero bytes; everything else that is not UTF-8 is Windows-1252, of which Latin-1 is a part. Letter frequencies
+/// are not used: for a heading with one "²" they find Windows-1250, for one with "µ" a code page of DOS.
 Encoding detect_encoding(std::string_view& start);
 
-/// Turns bytes into UTF-8 by iconv.
+/// Converts bytes to UTF-8 by iconv.
 class Decoder {
  public:
   explicit Decoder(Encoding from);
   ~Decoder();
   Decoder(const Decoder&) = delete;
   Decoder& operator=(const Decoder&) = delete;
-  /// False where the system's iconv does not know the encoding.
+  /// False if the system's iconv does not support the encoding.
   bool usable() const { return state_ != reinterpret_cast<iconv_t>(-1); }
 
-  /// Appends what these bytes, behind those of earlier calls, say; the first bytes of a character wait for its last.
-  /// What stands for no character becomes U+FFFD.
+  /// Converts bytes that follow those of earlier calls and appends them to the text; an incomplete character waits for
+  /// its last bytes. An invalid one becomes U+FFFD.
   void append(std::string_view bytes, std::string& text);
-  /// At the end of the file: a character that is not whole becomes U+FFFD.
+  /// Ends the file: an incomplete character becomes U+FFFD.
   void finish(std::string& text);
 
  private:

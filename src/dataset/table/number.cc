@@ -1,7 +1,6 @@
 #include "dataset/table/number.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "base/trim.h"
 #include "base/units.h"
@@ -9,9 +8,7 @@
 namespace mixity {
 namespace {
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
-
-/// Bytes of what may part groups at the front of a text; 0 if nothing does.
+/// The bytes of a separator of groups at the front of a text; 0 if there is none.
 std::size_t group_sign(std::string_view text, char decimal) {
   const std::string_view other = decimal == '.' ? "," : ".";
   for (const std::string_view sign :
@@ -21,7 +18,7 @@ std::size_t group_sign(std::string_view text, char decimal) {
   return 0;
 }
 
-/// The digits before the decimal sign without what parts them, of which there must be groups; false if there are none.
+/// Joins the groups of digits before the decimal sign; false if there are none.
 bool join_groups(std::string_view& rest, char decimal, std::string& plain, NumberStyle& style) {
   std::size_t digits = 0;
   while (digits < rest.size() && is_digit(rest[digits])) ++digits;

@@ -1,10 +1,12 @@
-// Numbers as tables have them: with a decimal point or comma, and groups of three digits.
+// Numbers in tables: with a decimal point or comma, and groups of three digits.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 namespace mixity {
+
+/// Of ASCII.
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// How a number was written.
 struct NumberStyle {
@@ -12,11 +14,11 @@ struct NumberStyle {
   bool doubtful = false;  // the one group could as well be decimals: "1,234"
 };
 
-/// The whole field, blanks around it allowed, as one number; false if it is none. `decimal`: '.' or ','; the other one,
-/// an apostrophe, or a blank (no-break and thin ones, too) may part groups of three digits. Null `style`: not wanted.
+/// Reads a field, blanks around it allowed, as one number; false if it is none. `decimal`: '.' or ','; the other one,
+/// an apostrophe, or a blank (also no-break and thin ones) may separate groups of three digits. `style` may be null.
 bool parse_number(std::string_view text, char decimal, double& value, NumberStyle* style = nullptr);
 
-/// Whether a text says that there is no number, as spreadsheets and statistics programs have it: "NA", "#N/A", "-".
+/// Whether a text marks a missing number, as in spreadsheets and statistics programs: "NA", "#N/A", "-".
 bool is_missing(std::string_view text);
 
 }  // namespace mixity

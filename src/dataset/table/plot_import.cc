@@ -4,11 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "base/files.h"
 #include "base/input_error.h"
 #include "base/number_text.h"
 #include "base/printable.h"
 #include "dataset/table/columns.h"
-#include "dataset/table/csv.h"
+#include "dataset/table/csv_file.h"
 
 namespace mixity {
 namespace {
@@ -80,7 +81,7 @@ std::string import_plot(const std::string& path, const PlotImport& options) {
     text += unit.text.empty() ? "P," : "P [" + unit.text + "],";
   }
   text += options.x_column + "," + options.y_column + "\n";
-  // The header must mean to us what it says: two axes, known, with fitting units.
+  // the header must be read back as two axes with fitting units
   const std::string name = path + ": the header '" + text.substr(0, text.size() - 1) + "'";
   read_csv_text(text, name, true, [&](const CsvRow& header) {
     const std::vector<Heading> headings = headings_of(header);

@@ -1,4 +1,4 @@
-// Turns a WebPlotDigitizer export of several data sets into a mixity CSV.
+// Converts a WebPlotDigitizer export of several data sets to a mixity CSV.
 #pragma once
 
 #include <string>

@@ -1,59 +1,138 @@
 #include "dataset/table/table.h"
 
-#include <cmath>
+#include <algorithm>
 
-#include "base/input_error.h"
-#include "base/number_text.h"
-#include "base/printable.h"
 #include "base/trim.h"
-#include "dataset/table/clock_time.h"
-#include "dataset/table/csv_rows.h"
+#include "dataset/table/decimal_sign.h"
+#include "dataset/table/header_lines.h"
 #include "dataset/table/number.h"
-#include "dataset/table/partition.h"
 
 namespace mixity {
 namespace {
 
+using Lines = std::vector<Line>;
+using Indices = std::vector<std::size_t>;  // of columns
+
 constexpr std::size_t kLooked = std::size_t{1} << 16;  // bytes of the start that are looked at
 
-/// The numbers that a cut gives with one decimal sign.
-struct Reading {
-  char decimal = '.';
-  std::size_t valid = 0;  // rows
-  bool grouped = false;   // some numbers are, surely
-  // Numbers with a point or comma, those of them that may be groups of three, and those without.
-  std::size_t signs = 0, in_threes = 0, bare = 0;
-  std::vector<double> values;                                 // of all rows, NaN where there is none
-  std::vector<std::pair<std::size_t, std::size_t>> places{};  // of the values: line, field
+Indices indices_of_numbers(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules) {
+  Indices columns;
+  for (const NamedColumn& column : number_columns(path, headings, rules)) columns.push_back(column.index);
+  return columns;
+}
 
-  bool doubtful() const { return in_threes > 0; }
+/// Takes the row of units between the headings and the numbers, or above the headings. Returns its line, 0 if none.
+std::size_t take_row_of_units(const std::string& path, const Lines& lines, const HeadingLine& at,
+                              const Indices& columns, const CsvFormat& format, const ColumnRules& rules,
+                              std::vector<Heading>& headings) {
+  constexpr std::size_t kAbove = 12;  // lines
+  const std::size_t heading = at.index.value_or(at.first_row);
+  Indices order;
+  for (std::size_t i = heading + 1; i < at.first_row; ++i) order.push_back(i);
+  if (!columns.empty())
+    for (std::size_t i = heading; i-- > heading - std::min(heading, kAbove);) order.push_back(i);
+  for (const std::size_t i : order) {
+    if (!is_row_of_units(lines[i], columns)) continue;
+    take_units(path, lines[i], format, rules, headings);
+    return lines[i].number;
+  }
+  return 0;
+}
+
+/// Sets where the rows begin below the headings: lines of words alone, as Origin writes them, are skipped.
+void find_first_row(const Lines& lines, const HeadingLine& at, Table& table) {
+  std::size_t begin = at.index ? *at.index + 1 : at.first_row;
+  for (; begin < at.first_row; ++begin) {
+    const Line& line = lines[begin];
+    if (line.comment || line.number == table.units_line) continue;
+    if (std::any_of(line.fields.begin(), line.fields.end(), is_number)) break;
+    table.passed_over.push_back(line.number);
+  }
+  table.offset = lines[begin].offset;
+  table.line = lines[begin].number;
+}
+
+/// What a row is called that sums up all above it.
+bool names_a_summary(std::string_view text) {
+  const std::string bare = folded(text);
+  for (const std::string_view name :
+       {"mean", "average", "median", "sd", "std", "stdev", "stddev", "min", "minimum", "max", "maximum", "sum",
+        "mittelwert", "standardabweichung", "moyenne", "ecarttype", "media", "promedio", "desviacion"})
+    if (bare == name) return true;
+  return false;
+}
+
+/// The line of the first of the rows at the end that are called so, as ImageJ's "Mean" below its results, or have words
+/// where all others have numbers; 0 if there are none, or more than a few.
+std::size_t find_summary(const Lines& lines, std::size_t first_row, const Indices& columns, const Table& table) {
+  constexpr std::size_t kMostRows = 8, kLeastRows = 3;
+  std::optional<std::size_t> runs;  // the column that names them, with any word
+  for (std::size_t i = 0; i < table.headings.size(); ++i)
+    if (column_named(table.headings[i].name) == ColumnId::curve) runs = i;
+  const std::size_t n = lines.size();
+  const auto numbers_above = [&](std::size_t k) {  // in all rows but those at the end
+    for (std::size_t row = first_row; row + kMostRows < n || row < first_row + kLeastRows; ++row)
+      if (k >= lines[row].fields.size() || !is_number(lines[row].fields[k])) return false;
+    return true;
+  };
+  const auto is_summary = [&](const Line& line) {
+    for (std::size_t k = 0; k < line.fields.size() && holds_numbers(line); ++k) {
+      const std::string_view text = trim(line.fields[k]);
+      if (k == runs || std::count(columns.begin(), columns.end(), k) > 0 || text.empty() || is_missing(text) ||
+          is_number(text))
+        continue;
+      if (names_a_summary(text) || numbers_above(k)) return true;
+    }
+    return false;
+  };
+  std::size_t first = n;
+  while (first > first_row + kLeastRows && n - first < kMostRows && is_summary(lines[first - 1])) --first;
+  return first < n ? lines[first].number : 0;
+}
+
+/// A table as one separator cuts it.
+struct Candidate {
+  Table table;
+  Indices columns;  // of numbers that are read; empty: the headings name nothing that is known
+  Reading reading;
 };
 
-Reading read(const Partition& cut, char decimal) {
-  Reading reading;
-  reading.decimal = decimal;
-  for (std::size_t i = cut.first; i < cut.lines.size(); ++i) {
-    const Line& line = cut.lines[i];
-    if (line.comment) continue;
-    bool valid = true;
-    for (const std::size_t k : cut.wanted) {
-      double value = std::nan("");
-      NumberStyle style;
-      if (k >= line.fields.size() ||
-          (!trim(line.fields[k]).empty() && !parse_number(line.fields[k], decimal, value, &style) &&
-           !parse_clock(line.fields[k])))
-        valid = false;
-      reading.grouped |= style.grouped && !style.doubtful;
-      reading.in_threes += style.doubtful;
-      const bool has_sign = k < line.fields.size() && line.fields[k].find_first_of(".,") != std::string::npos;
-      reading.signs += has_sign;
-      reading.bare += !has_sign && value == value;
-      reading.values.push_back(value);
-      reading.places.emplace_back(i, k);
-    }
-    reading.valid += valid;
-  }
-  return reading;
+/// Guesses what the lines are, in an order in which each step needs only the results of those before it. The separator
+/// comes first, as nothing can be recognised in a line before it is cut; since a wrong one misleads all that follows,
+/// find_table calls this with each and takes the table that explains most.
+///
+/// 1. Rows of numbers, by the number of fields that most of them have: a table surely has these.
+/// 2. Headings: the line above the rows that names most quantities. This decides which column is which (name_columns).
+/// 3. The row of units: a word is a unit only beside a heading that it fits.
+/// 4. The columns again: with its unit a heading may mean another quantity; "T" in degrees is no force.
+/// 5. The first row: a line with numbers that is neither headings nor units is data, so that no data are lost.
+/// 6. The summary at the end: it has words in columns of numbers that are not read, so these must be known.
+/// 7. The decimal sign: only numbers that are read count, as dates or versions beside them would mislead.
+///
+/// Null if there are no rows or no headings.
+std::optional<Candidate> guess(const std::string& path, std::string_view text, std::size_t first_line,
+                               const CsvFormat& format, const ColumnRules& rules, char decimal) {
+  const Lines lines = split_lines(text, first_line, format);
+  const std::size_t width = usual_width(lines);
+  if (width == 0) return std::nullopt;
+  const auto at = find_headings(path, lines, width, format, rules);
+  if (!at) return std::nullopt;
+  Candidate made;
+  Table& table = made.table;
+  table.format = format;
+  table.headings = at->headings;
+  table.header_line = at->index ? lines[*at->index].number : 0;
+  made.columns = indices_of_numbers(path, table.headings, rules);
+  table.units_line = take_row_of_units(path, lines, *at, made.columns, format, rules, table.headings);
+  made.columns = indices_of_numbers(path, table.headings, rules);
+  find_first_row(lines, *at, table);
+  table.summary_line = find_summary(lines, at->first_row, made.columns, table);
+  if (made.columns.empty()) return made;
+  // where commas part columns, the decimal sign of a field without quotes is a point
+  if (decimal == 0 && format.delimiter == ',' && text.find('"') == std::string_view::npos) decimal = '.';
+  made.reading = decimal == 0 ? read_numbers(path, lines, at->first_row, made.columns, format)
+                              : read_numbers(lines, at->first_row, made.columns, decimal);
+  return made;
 }
 
 std::string name_of(char delimiter) {
@@ -64,38 +143,13 @@ std::string name_of(char delimiter) {
                              : "blanks";
 }
 
-/// Throws if both fit and differ.
-const Reading& better(const std::string& path, const Partition& cut, const Reading& point, const Reading& comma) {
-  if (point.valid != comma.valid) return point.valid > comma.valid ? point : comma;
-  for (std::size_t i = 0; i < point.values.size(); ++i) {
-    const double one = point.values[i], other = comma.values[i];
-    if (one == other || (std::isnan(one) && std::isnan(other))) continue;
-    // "1.234" without any comma has a decimal point; where semicolons part columns, "1,234" has a decimal comma: unless
-    // all have three digits there, and others none, as integers in groups would
-    const auto all_in_threes = [](const Reading& groups) {
-      return groups.in_threes == groups.signs && groups.bare > 0;
-    };
-    if (comma.doubtful() && !comma.grouped && !all_in_threes(comma)) return point;
-    if (point.doubtful() && !point.grouped && cut.table.format.delimiter == ';' && !all_in_threes(point)) return comma;
-    const auto [line, field] = point.places[i];
-    const Line& row = cut.lines[line];
-    const std::string& text = row.fields[field];
-    throw InputError(path, places_of(row, cut.table.format)[field],
-                     "'" + printable(text, 40) + "' may be " + shortest(comma.values[i]) + " (decimal comma) or " +
-                         shortest(point.values[i]) +
-                         (text.find('.') == std::string::npos ? " (comma between thousands)" : " (decimal point)") +
-                         "; say which: --decimal=\",\" or --decimal=\".\"");
-  }
-  return point;
-}
-
 }  // namespace
 
 std::optional<Table> find_table(const std::string& path, std::string_view start, char line_end,
                                 const ColumnRules& rules, char decimal) {
   std::string delimiters = ";\t,| ";
   std::string_view text = start;
-  std::size_t before = 0, first_line = 1;  // Excel's "sep=;", which a table may begin with
+  std::size_t before = 0, first_line = 1;  // Excel's "sep=;", with which a table may begin
   if (const std::string_view first = text.substr(0, text.find(line_end));
       first.starts_with("sep=") && first.size() > 4) {
     delimiters = first[4];
@@ -105,8 +159,7 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
   }
   const bool cut = text.size() > kLooked;
   if (cut) text = text.substr(0, text.rfind(line_end, kLooked) + 1);
-  std::optional<Reading> best;
-  std::optional<Partition> best_cut, unknown;
+  std::optional<Candidate> best, unknown;
   for (const char delimiter : delimiters) {
     if (text.find(delimiter) == std::string_view::npos &&
         !(delimiter == kBlanks && text.find('\t') != std::string_view::npos))
@@ -115,39 +168,20 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
     CsvFormat format;
     format.delimiter = delimiter;
     format.line_end = line_end;
-    const std::size_t end = end_of_rows(text, format);
-    auto made = part_by(path, text.substr(0, std::max(end, text.ends_with(line_end) ? std::size_t{0} : text.size())),
-                        first_line, format, rules);
+    auto made = guess(path, text, first_line, format, rules, decimal);
     if (!made) continue;
-    if (made->wanted.empty()) {
-      if (!unknown) unknown = std::move(made);
-      continue;
-    }
-    // where commas part columns, the sign of a field without quotes is a point
-    const bool commas = delimiter != ',' || text.find('"') != std::string_view::npos;
-    Reading chosen;
-    if (decimal != 0 || !commas) {
-      chosen = read(*made, decimal == 0 ? '.' : decimal);
-    } else {
-      const Reading point = read(*made, '.'), comma = read(*made, ',');
-      chosen = better(path, *made, point, comma);
-    }
-    const bool more = !best || made->wanted.size() > best_cut->wanted.size() ||
-                      (made->wanted.size() == best_cut->wanted.size() && chosen.valid > best->valid);
-    if (!more) continue;
-    best = std::move(chosen);
-    best_cut = std::move(made);
+    std::optional<Candidate>& other = made->columns.empty() ? unknown : best;
+    const auto merit = [](const Candidate& one) { return std::pair(one.columns.size(), one.reading.valid_rows); };
+    if (!other || merit(*made) > merit(*other)) other = std::move(made);
   }
-  if (!best) best_cut = std::move(unknown);
-  if (!best_cut) return std::nullopt;
-  Table& table = best_cut->table;
-  if (best) {
-    table.format.decimal = best->decimal;
-    table.format.grouped = best->grouped || (decimal != 0 && best->doubtful());
-  }
+  if (!best && !unknown) return std::nullopt;
+  const Candidate& found = best ? *best : *unknown;
+  Table table = found.table;
+  table.format.decimal = found.reading.decimal;
+  table.format.grouped = found.reading.grouped || (decimal != 0 && found.reading.in_threes > 0);
   table.offset += before;
   if (cut) table.summary_line = 0;  // the end was not seen
-  return std::move(table);
+  return table;
 }
 
 std::string describe(const Table& table) {

@@ -1,5 +1,4 @@
-// Where the table of a lab's export begins, and how it is written: what stands before it, the separator, the decimal
-// sign, a row of units.
+// Finds the table in an export of a laboratory, and its format: separator, headings, units, decimal sign.
 #pragma once
 
 #include <optional>
@@ -21,11 +20,10 @@ struct Table {
   std::size_t summary_line = 0;                 // from there on rows say something of those above; 0: none do
 };
 
-/// How the start of a file (whole lines, or all of it) is to be read: of all separators and decimal signs the pair by
-/// which most rows hold what the headings name. The headings are the line, among the few above the first row of
-/// numbers, that names most quantities. Null if no line holds two numbers, or no heading can be told. Throws InputError
-/// if two pairs fit equally well and give other numbers; it shows both readings. `decimal`: '.' or ',' where that is
-/// stated, else 0.
+/// The table in the start of a file (whole lines, or all of it), read with the separator and decimal sign by which the
+/// headings name most quantities and most rows hold them. Null if no line holds two numbers, or there are no headings.
+/// Throws InputError if two decimal signs fit equally well and give different numbers, and for a row of units that
+/// contradicts the headings. `decimal`: '.' or ',' if that is stated, else 0.
 std::optional<Table> find_table(const std::string& path, std::string_view start, char line_end,
                                 const ColumnRules& rules, char decimal);
 

@@ -51,7 +51,7 @@ void Vocabulary::add(const std::string& path, const toml::table& table) {
         if (!is_new && at->second != *id)
           fail_at(path, entry, "\"" + text + "\" already is a name of " + std::string(to_string(at->second)));
         if (symbols) continue;
-        // words that name two quantities in two orders name none out of order
+        // words that name two quantities in two orders name none when sorted
         const auto [same, first] = words_.try_emplace(sorted_words(text), *id);
         if (!first && same->second != id) same->second = std::nullopt;
       }

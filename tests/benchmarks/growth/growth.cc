@@ -12,7 +12,7 @@
 #include "base/side_by_side.h"
 #include "base/units.h"
 #include "dataset/check.h"
-#include "dataset/table/csv.h"
+#include "dataset/table/csv_file.h"
 #include "fitting/fit.h"
 #include "growth/data.h"
 #include "growth/measure.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "statistics/falls.h"
+#include "statistics/drops.h"
 #include "statistics/noise.h"
 
 namespace mixity {

@@ -1,9 +1,9 @@
-#include "dataset/table/csv.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
+#include "base/files.h"
+#include "dataset/table/csv_file.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -147,6 +147,7 @@ TEST(Csv, WhatIsNoCsvIsRefusedWithItsPlace) {
            {"a,b\n# c\r1,2\n3,4\n", ":2:1: has a carriage return inside the line"},  // not a row lost with a comment
            {"# c\ra,b\r1,2\r\n", ":1:1: has a carriage return inside the line"},
            {"a,b\n1,2\r\"3,4\n5\",6\n", ":2:1: has a carriage return inside the line"},
+           {"a,b\n1,2\r3", ":2:1: has a carriage return inside the line"},
            {"PK\x03\x04", ": is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)"},
        })
     EXPECT_EQ(error_of(text), "a.csv" + std::string(error)) << text;

@@ -9,7 +9,6 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "dataset/table/csv.h"
 #include "dataset/temporary_folder.h"
 #include "report/without_programs.h"
 

@@ -9,7 +9,7 @@
 
 #include "analysis/laws.h"
 #include "analysis/settings.h"
-#include "dataset/table/csv.h"
+#include "base/files.h"
 #include "report/example_results.h"
 
 namespace mixity {

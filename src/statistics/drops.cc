@@ -1,4 +1,4 @@
-#include "statistics/falls.h"
+#include "statistics/drops.h"
 
 #include <algorithm>
 
@@ -19,23 +19,23 @@ std::size_t rising_from(const std::vector<double>& values, std::size_t begin, st
   return static_cast<std::size_t>(std::find_if(from, to, [&](double one) { return one >= tenth; }) - values.begin());
 }
 
-std::optional<Fall> first_fall(const std::vector<double>& values, std::size_t begin, std::size_t end, double least,
+std::optional<Drop> first_drop(const std::vector<double>& values, std::size_t begin, std::size_t end, double least,
                                double share) {
   std::size_t top = begin;
   for (std::size_t i = begin; i < end; ++i) {
     if (values[i] > values[top]) top = i;
     if (!(values[top] - values[i] > std::max(least, share * values[top]))) continue;
-    return Fall{top, i, bottom(values, i, end, least)};
+    return Drop{top, i, bottom(values, i, end, least)};
   }
   return std::nullopt;
 }
 
-std::vector<Fall> falls(const std::vector<double>& values, std::size_t begin, std::size_t end, double least,
+std::vector<Drop> drops(const std::vector<double>& values, std::size_t begin, std::size_t end, double least,
                         double share) {
-  std::vector<Fall> found;
-  for (auto fall = first_fall(values, begin, end, least, share); fall;
-       fall = first_fall(values, fall->low, end, least, share))
-    found.push_back(*fall);
+  std::vector<Drop> found;
+  for (auto drop = first_drop(values, begin, end, least, share); drop;
+       drop = first_drop(values, drop->low, end, least, share))
+    found.push_back(*drop);
   return found;
 }
 

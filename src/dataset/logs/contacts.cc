@@ -1,4 +1,4 @@
-#include "dataset/logs/levels.h"
+#include "dataset/logs/contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,12 @@
 #include "statistics/readings.h"
 
 namespace mixity {
-std::vector<Stretch> contacts(const Frames& frames, double noise) {
+std::vector<FrameRange> contacts(const Frames& frames, double noise) {
   constexpr std::size_t kLost = 3;
   std::vector<double> sorted = frames.A;
   std::sort(sorted.begin(), sorted.end());
   const double largest = sorted[sorted.size() * 95 / 100], least = std::max(0.05 * largest, 5 * noise);
-  std::vector<Stretch> found;
+  std::vector<FrameRange> found;
   for (std::size_t i = 0; i < frames.A.size(); ++i) {
     if (!(frames.A[i] > least)) continue;
     if (!found.empty() && i <= found.back().end + kLost)
@@ -24,20 +24,20 @@ std::vector<Stretch> contacts(const Frames& frames, double noise) {
   return found;
 }
 
-std::vector<Stretch> load_levels(const Frames& frames, Stretch contact, double noise, double range) {
+std::vector<FrameRange> load_steps(const Frames& frames, FrameRange contact, double noise, double range) {
   constexpr std::size_t kFewest = 10;
   constexpr double kShortest = 0.2;  // s: a ramp of the load looks like stairs to a fast camera
   const std::vector<double> inside = part_of(frames.P, contact.begin, contact.end);
   const double n = static_cast<double>(inside.size());
-  auto changes = level_changes(inside, noise * noise, 4 * std::log(std::max(n, 2.0)));
+  auto changes = mean_changes(inside, noise * noise, 4 * std::log(std::max(n, 2.0)));
   changes.push_back(inside.size());
-  // what drifts or is moved by the shear remains one level
+  // a drift, or what the shear does to the load, is no new step
   const auto moved = [&](double load) {
     return std::max({6 * noise, 0.06 * std::abs(load), std::min(0.02 * range, 0.15 * std::abs(load))});
   };
-  std::vector<Stretch> found;
+  std::vector<FrameRange> found;
   for (std::size_t k = 0; k + 1 < changes.size(); ++k) {
-    const Stretch one{contact.begin + changes[k], contact.begin + changes[k + 1]};
+    const FrameRange one{contact.begin + changes[k], contact.begin + changes[k + 1]};
     if (one.end - one.begin < kFewest) continue;
     if (!found.empty()) {
       const double before = mean_of(frames.P, found.back().begin, found.back().end);
@@ -48,15 +48,15 @@ std::vector<Stretch> load_levels(const Frames& frames, Stretch contact, double n
     }
     found.push_back(one);
   }
-  std::erase_if(found, [&](const Stretch& level) {
-    const StraightLine P = line_through(frames.P, level.begin, level.end);
-    return frames.time[level.end - 1] - frames.time[level.begin] < kShortest ||
-           std::abs(P.slope * static_cast<double>(level.end - level.begin - 1)) > moved(P.mean);
+  std::erase_if(found, [&](const FrameRange& step) {
+    const StraightLine P = line_through(frames.P, step.begin, step.end);
+    return frames.time[step.end - 1] - frames.time[step.begin] < kShortest ||
+           std::abs(P.slope * static_cast<double>(step.end - step.begin - 1)) > moved(P.mean);
   });
   return found;
 }
 
-LoadZero load_zero(const Frames& frames, const std::vector<Stretch>& touching) {
+LoadZero load_zero(const Frames& frames, const std::vector<FrameRange>& touching) {
   constexpr double kSamples = 30, kBeside = 0.2;  // least of them; of each gap, what may be drawn to contact
   std::vector<double> read;
   std::size_t begin = 0;

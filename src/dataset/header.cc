@@ -1,0 +1,187 @@
+#include "dataset/header.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "base/input_error.h"
+#include "dataset/table/number.h"
+#include "mechanics/contact.h"
+
+namespace mixity {
+namespace {
+
+/// The load at {P} of the pattern "run_{P}mN" in the name of the file, in SI. Throws InputError if the name does not
+/// match.
+double load_in_name(const Dataset& data) {
+  const std::string& pattern = data.metadata.load_from;
+  const std::string name = data.path.substr(data.path.find_last_of('/') + 1);
+  const std::size_t at = pattern.find("{P}");
+  const std::string before = pattern.substr(0, at), behind = pattern.substr(at + 3);
+  const auto fail = [&](const std::string& message) -> double {
+    throw InputError(data.path, message + " (load_from is \"" + pattern + "\")");
+  };
+  // the unit is the longest one among the letters that follow, perhaps behind a blank or an underscore
+  const std::size_t begin_of_unit = std::min(behind.find_first_not_of(" _"), behind.size());
+  std::size_t letters = begin_of_unit;
+  while (letters < behind.size() && std::isalpha(static_cast<unsigned char>(behind[letters]))) ++letters;
+  std::optional<Unit> unit;
+  for (std::size_t n = letters; n > begin_of_unit && !unit; --n)
+    unit = parse_unit(behind.substr(begin_of_unit, n - begin_of_unit));
+  if (!unit || unit->dimension != dimension::force) fail("no unit of force follows the load in the file's name");
+  for (std::size_t begin = name.find(before); begin != std::string::npos; begin = name.find(before, begin + 1)) {
+    const std::size_t first = begin + before.size();
+    std::size_t end = first;
+    while (end < name.size() && (std::isdigit(static_cast<unsigned char>(name[end])) || std::strchr("+-.,", name[end])))
+      ++end;
+    double value = 0;
+    NumberStyle style;
+    const std::string text = name.substr(first, end - first);
+    if (name.compare(end, behind.size(), behind) == 0 && end > first &&
+        (parse_number(text, '.', value, &style) || parse_number(text, ',', value, &style))) {
+      if (style.doubtful) fail("'" + text + "' in the file's name may be a thousand or a decimal");
+      if (text[0] == '-' && first > 0 && std::isalnum(static_cast<unsigned char>(name[first - 1])))
+        fail("'-' in the file's name may be a sign or part two words; write it into load_from where it parts them");
+      return value * unit->factor;
+    }
+    if (begin + 1 >= name.size()) break;
+  }
+  return fail("the file's name states no load");
+}
+
+/// The values. Throws MissingConstants, with the names of all that are not stated.
+std::vector<double> demand(const std::vector<std::pair<std::string, std::optional<double>>>& constants,
+                           const std::string& path, const std::string& metadata_path) {
+  std::vector<double> values;
+  std::vector<std::string> missing;
+  std::string names, flags;
+  for (const auto& [name, value] : constants) {
+    values.push_back(value.value_or(0));
+    if (value) continue;
+    names += (names.empty() ? "" : ", ") + name;
+    flags += (flags.empty() ? "--" : ", --") + name + "=...";
+    missing.push_back(name);
+  }
+  if (missing.empty()) return values;
+  const bool several = missing.size() > 1;
+  throw MissingConstants(path,
+                         "needs " + names + " to be made dimensionless: state " + (several ? "them" : "it") + " in " +
+                             metadata_path + " or by " + (several ? "flags" : "a flag") + " (" + flags + ")",
+                         missing);
+}
+
+/// The column that has the unit of toughness; null without one.
+const Column* toughness_column(const Columns& columns) {
+  return columns.find(columns.holds_energies() ? ColumnId::G_I : ColumnId::Gc);
+}
+
+void add_notes(const Columns& columns, Dataset& data) {
+  for (const std::string_view name : {"toughness_II", "shear_strength"})
+    if (data.metadata.standard_error(name) > 0)
+      data.notes.push_back("the standard error of " + std::string(name) +
+                           " is in no result: its value is taken as exact");
+  std::string constants;
+  const auto unused = [&](bool stated, std::string_view name) {
+    if (stated) constants += (constants.empty() ? "" : ", ") + std::string(name);
+  };
+  const Column* Gc = toughness_column(columns);
+  if (data.has_loads && !data.contact) {
+    unused(data.metadata.radius.has_value(), "radius");
+    unused(data.metadata.plane_strain_modulus().has_value(), "modulus");
+    unused(data.metadata.toughness.has_value(), "toughness");
+  } else if (Gc && Gc->unit.dimension == dimension::none) {
+    unused(data.metadata.toughness.has_value(), "toughness");
+  }
+  const std::string taken = data.has_loads      ? "the columns have no unit and are taken as dimensionless"
+                            : data.has_energies ? "G_I and G_II have no unit and are taken for G_I/GIc and G_II/GIc"
+                                                : "Gc has no unit and is taken for Gc/GIc";
+  if (!constants.empty()) data.notes.push_back(taken + ": " + constants + " (stated) not used");
+  for (const std::string& one : columns.taken())
+    if (one.starts_with("sigma_")) data.notes.push_back("standard errors: " + one);
+  if (!columns.beside().empty())
+    data.notes.push_back(
+        "one run is read and those beside it are not: " + columns.beside() +
+        " have the names of its columns but for a number; they are to stand below it, or in files of their own");
+  for (const auto& [name, quantity] : columns.misspelt())
+    data.notes.push_back("column '" + name + "' is not used; it is read if it is called '" + quantity + "'");
+}
+
+void set_display(const Columns& columns, Dataset& data) {
+  DisplayUnits& display = data.display;
+  if (const Column* shear = columns.find(ColumnId::T)) {
+    display.force = shear->unit.text;
+    display.force_scale = data.contact->force_unit() / shear->unit.factor;
+  }
+  const Column *area = columns.find(ColumnId::A), *length = columns.find(ColumnId::a);
+  if (!area && !length) length = columns.find(columns.has(ColumnId::a_par) ? ColumnId::a_par : ColumnId::major);
+  const Column& size = area ? *area : *length;
+  const auto parsed = parse_unit(size.unit.text);
+  if (parsed && parsed->dimension.pixel != 0) {  // shown in a unit that means something
+    display.area = "mm^2";
+    display.area_scale = data.contact->area_unit() / 1e-6;
+  } else if (area) {
+    display.area = area->unit.text;
+    display.area_scale = data.contact->area_unit() / area->unit.factor;
+  } else {
+    display.area = length->unit.text + "^2";
+    display.area_scale = data.contact->area_unit() / (length->unit.factor * length->unit.factor);
+  }
+  if (!in_range(display.force_scale) || !in_range(display.area_scale))
+    throw InputError(data.path, "the units of its columns are out of range beside radius, modulus and toughness");
+}
+
+/// Of data without loads: the unit of toughness.
+void take_toughness_unit(const Columns& columns, const std::string& metadata_path, PointUnits& units, Dataset& data) {
+  const Column* Gc = toughness_column(columns);
+  if (!Gc || Gc->unit.dimension == dimension::none) return;
+  const std::optional<double>& toughness = data.metadata.toughness;
+  data.toughness_known = toughness || !data.has_energies;
+  if (data.toughness_known) units.ratio = demand({{"toughness", toughness}}, data.path, metadata_path)[0];
+  data.display.energy = Gc->unit.text;
+  data.display.energy_scale = units.ratio / Gc->unit.factor;
+}
+
+/// Of data with loads: the contact.
+void take_contact(const Columns& columns, bool load_stated, const std::string& metadata_path, PointUnits& units,
+                  Dataset& data) {
+  const Column* const kind = columns.find(columns.has(ColumnId::P) ? ColumnId::P : ColumnId::T);
+  if (kind->unit.dimension == dimension::none) {
+    if (load_stated) throw InputError(data.path, "states a load in a unit, but its columns have none");
+    return;
+  }
+  const Metadata& stated = data.metadata;
+  const auto known =
+      demand({{"radius", stated.radius}, {"modulus", stated.plane_strain_modulus()}, {"toughness", stated.toughness}},
+             data.path, metadata_path);
+  data.contact = Contact{known[0], known[1], known[2]};
+  units.force = data.contact->force_unit();
+  units.length = data.contact->length_unit();
+  if (!data.contact->usable()) throw InputError(data.path, "radius, modulus and toughness together are out of range");
+}
+
+}  // namespace
+
+std::optional<double> stated_load(const Dataset& data) {
+  return data.metadata.load_from.empty() ? data.metadata.load : std::optional(load_in_name(data));
+}
+
+PointUnits take_header(const Columns& columns, bool load_stated, const std::string& metadata_path, Dataset& data) {
+  data.has_loads = columns.holds_loads();
+  data.has_energies = columns.holds_energies();
+  data.ignored_columns = columns.ignored();
+  PointUnits units;
+  if (data.has_loads)
+    take_contact(columns, load_stated, metadata_path, units, data);
+  else
+    take_toughness_unit(columns, metadata_path, units, data);
+  add_notes(columns, data);
+  if (data.contact) set_display(columns, data);
+  if (!in_range(data.display.energy_scale))
+    throw InputError(data.path, "the unit of " + std::string(to_string(toughness_column(columns)->id)) +
+                                    " is out of range beside the toughness");
+  return units;
+}
+
+}  // namespace mixity

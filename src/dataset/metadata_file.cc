@@ -1,0 +1,57 @@
+#include <cctype>
+#include <filesystem>
+
+#include "base/input_error.h"
+#include "base/number_text.h"
+#include "base/printable.h"
+#include "base/toml_file.h"
+#include "dataset/metadata.h"
+
+namespace mixity {
+namespace {
+
+std::filesystem::path without_ending(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  return ending.size() > 1 && std::isalpha(static_cast<unsigned char>(ending[1]))
+             ? std::filesystem::path(path).replace_extension()
+             : path;
+}
+
+}  // namespace
+
+std::string metadata_path(const std::string& csv_path) { return without_ending(csv_path).string() + ".toml"; }
+
+std::string data_name(const std::string& csv_path) {
+  return printable(without_ending(csv_path).filename().string(), std::string::npos);
+}
+
+Metadata read_metadata(const std::string& path) {
+  Metadata metadata;
+  std::error_code error;
+  const auto kind = std::filesystem::status(path, error).type();
+  if (kind == std::filesystem::file_type::not_found) return metadata;
+  if (error) throw InputError(path, "cannot be looked up: " + error.message());
+  for (const auto& [key, node] : read_toml(path)) {
+    const std::string name(key.str());
+    if (name == "data" || name == "models")
+      fail_at(path, key, "key \"" + name + "\" is one of a fit definition, which needs another name than its data");
+    if (kind_of_field(name).empty()) fail_at(path, key, set_field(metadata, name, ""));
+    std::string text;
+    if (name == "columns" && node.is_table())
+      text = mapping_text(path, *node.as_table());
+    else if (node.is_string())
+      text = node.as_string()->get();
+    else if (name == "poisson_ratio" && node.is_number())
+      text =
+          shortest(node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get());
+    else
+      fail_at(path, node, name + " must be " + kind_of_field(name));
+    const std::string problem = set_field(metadata, name, text);
+    if (!problem.empty()) fail_at(path, node, problem);
+  }
+  if (!metadata.headings.empty())
+    metadata.headings = (std::filesystem::path(path).parent_path() / metadata.headings).string();
+  return metadata;
+}
+
+}  // namespace mixity

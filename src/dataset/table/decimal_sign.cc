@@ -1,0 +1,75 @@
+#include "dataset/table/decimal_sign.h"
+
+#include <cmath>
+#include <optional>
+
+#include "base/input_error.h"
+#include "base/number_text.h"
+#include "base/printable.h"
+#include "base/trim.h"
+#include "dataset/table/clock_time.h"
+#include "dataset/table/number.h"
+
+namespace mixity {
+
+namespace {
+
+/// Null where the line has no such field or the field is no number.
+std::optional<double> number_in(const Line& line, std::size_t k, char decimal, NumberStyle* style = nullptr) {
+  double value = 0;
+  const bool found = k < line.fields.size() && parse_number(line.fields[k], decimal, value, style);
+  return found ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+Reading read_numbers(const std::vector<Line>& lines, std::size_t first_row, const std::vector<std::size_t>& columns,
+                     char decimal) {
+  Reading reading;
+  reading.decimal = decimal;
+  for (std::size_t i = first_row; i < lines.size(); ++i) {
+    const Line& line = lines[i];
+    if (line.comment) continue;
+    bool valid = true;
+    for (const std::size_t k : columns) {
+      NumberStyle style;
+      const auto number = number_in(line, k, decimal, &style);
+      const std::string_view field = k < line.fields.size() ? std::string_view(line.fields[k]) : std::string_view();
+      valid &= number || (k < line.fields.size() && (trim(field).empty() || parse_clock(field)));
+      reading.grouped |= style.grouped && !style.doubtful;
+      reading.in_threes += style.doubtful;
+      const bool has_sign = field.find_first_of(".,") != std::string::npos;
+      reading.signs += has_sign;
+      reading.bare += !has_sign && number && !std::isnan(*number);
+    }
+    reading.valid_rows += valid;
+  }
+  return reading;
+}
+
+Reading read_numbers(const std::string& path, const std::vector<Line>& lines, std::size_t first_row,
+                     const std::vector<std::size_t>& columns, const CsvFormat& format) {
+  const Reading point = read_numbers(lines, first_row, columns, '.'),
+                comma = read_numbers(lines, first_row, columns, ',');
+  if (point.valid_rows != comma.valid_rows) return point.valid_rows > comma.valid_rows ? point : comma;
+  const auto all_in_threes = [](const Reading& groups) { return groups.in_threes == groups.signs && groups.bare > 0; };
+  for (std::size_t i = first_row; i < lines.size(); ++i)
+    for (const std::size_t k : columns) {
+      const double one = number_in(lines[i], k, '.').value_or(std::nan("")),
+                   other = number_in(lines[i], k, ',').value_or(std::nan(""));
+      if (lines[i].comment || one == other || (std::isnan(one) && std::isnan(other))) continue;
+      // "1.234" without any comma has a decimal point; where semicolons separate columns, "1,234" has a decimal comma:
+      // unless all have three digits there, and others none, as integers in groups would
+      if (comma.in_threes > 0 && !comma.grouped && !all_in_threes(comma)) return point;
+      if (point.in_threes > 0 && !point.grouped && format.delimiter == ';' && !all_in_threes(point)) return comma;
+      const std::string& text = lines[i].fields[k];
+      throw InputError(path, places_of(lines[i], format)[k],
+                       "'" + printable(text, 40) + "' may be " + shortest(other) + " (decimal comma) or " +
+                           shortest(one) +
+                           (text.find('.') == std::string::npos ? " (comma between thousands)" : " (decimal point)") +
+                           "; say which: --decimal=\",\" or --decimal=\".\"");
+    }
+  return point;
+}
+
+}  // namespace mixity
