@@ -26,7 +26,7 @@ std::string with_greek(std::string text) {
   return text;
 }
 
-/// At each load of a run.
+/// At the loads of all runs.
 std::vector<PredictedJump> jumps(const Analysis& result, const FitResult& fit) {
   const Dataset& data = result.data;
   const DisplayUnits& units = data.display;
@@ -56,7 +56,7 @@ std::vector<PredictedJump> jumps(const Analysis& result, const FitResult& fit) {
   return list;
 }
 
-/// How far the jumps are from what was measured.
+/// Warns if the jumps are extrapolated.
 std::string reach(const std::vector<PredictedJump>& jumps) {
   double farthest = 0;
   for (const PredictedJump& jump : jumps)
@@ -66,7 +66,7 @@ std::string reach(const std::vector<PredictedJump>& jumps) {
                          : "";
 }
 
-/// Where the interface slides before the contact jumps.
+/// Loads at which the interface slides before the contact jumps.
 std::string sliding(const Dataset& data, const std::vector<PredictedJump>& jumps) {
   const auto strength = stated_strength(data);
   if (!strength) return {};
@@ -81,7 +81,7 @@ std::string sliding(const Dataset& data, const std::vector<PredictedJump>& jumps
                              loads + unit_text(units.force) + ".";
 }
 
-/// Constants without a standard error whose influence outweighs the stated error.
+/// Constants without a standard error of which 5 % would move the result by more than its standard error.
 std::string exact_constants(const FitResult& fit) {
   const FittedParameter* const parameter = leading_parameter(fit);
   if (!fit.budget || !parameter || !parameter->stderr_) return {};
@@ -107,7 +107,7 @@ std::string rivals(const Analysis& result) {
   return text.find(',') == std::string::npos ? "" : "Which model is right: the AICc weights are " + text + ".";
 }
 
-/// Every value of its range fits, as far as is known.
+/// True if the interval covers the whole range.
 bool is_unknown(const FittedParameter& one) {
   constexpr double kWhole = 0.99;
   if (one.stderr_ || !one.interval) return false;

@@ -1,4 +1,4 @@
-// What a report leads with: the result, the jumps that follow from it, and what the data cannot say.
+// What a report begins with: the result, the predicted jumps, and what the data do not determine.
 #pragma once
 
 #include <string>
@@ -9,27 +9,27 @@
 
 namespace mixity {
 
-/// Where the contact of a run's load jumps under load control; in the units of the file.
+/// Where the contact jumps under load control at the load of a run. In the units of the file.
 struct PredictedJump {
   double P;
   Derived T, A;
-  double largest_T;  // that was measured at this load
+  double largest_T;  // measured at this load
 };
 
 struct Answer {
-  const FitResult* fit = nullptr;                      // that describes the data best; null if none has a value
+  const FitResult* fit = nullptr;                      // the best one (by_merit); null if none has a value
   std::string result;                                  // "λ = 0.002306 ± 0.000011"
   std::string model;                                   // "model c, Papangelo-Ciavarella 2019: f = ..."
   std::string interval;                                // "95 % interval 0.002285 .. 0.002328"; empty without one
-  std::string doubt;                                   // why it cannot be believed, and what helps; empty if it can
-  std::vector<std::pair<std::string, double>> budget;  // parts of its variance; empty where there is one part
-  std::vector<PredictedJump> jumps;                    // by falling load; those that exist
-  std::vector<std::string> cannot_say;                 // sentences
+  std::string doubt;                                   // what is wrong and what helps; empty for status ok
+  std::vector<std::pair<std::string, double>> budget;  // shares of its variance; empty if there is one part
+  std::vector<PredictedJump> jumps;                    // by falling load, where there is a jump
+  std::vector<std::string> cannot_say;                 // limitations of the result: sentences
 };
 
 Answer answer_of(const Analysis& result);
 
-/// The jumps as a table, rounded to their errors: headings first.
+/// The jumps as rows of a table, rounded to their errors. The first row has the headings.
 std::vector<std::vector<std::string>> jump_table(const Answer& answer, const Dataset& data);
 
 }  // namespace mixity

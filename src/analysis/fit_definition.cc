@@ -14,7 +14,7 @@
 namespace mixity {
 namespace {
 
-/// Reads one definition, with the file's name and the place of each node at hand for messages.
+/// Reads one definition; errors name its path and the position of the node.
 class Reader {
  public:
   explicit Reader(const std::string& path) : path_(path) {}
@@ -23,7 +23,7 @@ class Reader {
     const toml::table table = read_toml(path_);
     FitRequest request;
     request.path = path_;
-    read_laws(table, request);  // before what names them
+    read_laws(table, request);  // first, as models may name them
     for (const auto& [key, node] : table) {
       if (key == "data")
         read_data(node, request);
@@ -64,8 +64,7 @@ class Reader {
     fail_at(path_, node, message);
   }
 
-  /// A path as written, against the definition's folder; shortened where that names the same file, which links may keep
-  /// it from.
+  /// A path relative to the definition's folder. Normalised, unless symbolic links make that another file.
   std::string beside(const toml::node& node, const std::string& key) const {
     const std::string path = text(node, key);
     if (path.empty()) fail(node, key + " is empty");
@@ -77,7 +76,7 @@ class Reader {
     return (same ? brief : whole).string();
   }
 
-  /// A file, a pattern, or a list of them; several files are one data set.
+  /// A file, a pattern, or a list of them. Several files form one data set.
   void read_data(const toml::node& node, FitRequest& request) const {
     const toml::array* const list = node.as_array();
     std::vector<std::string> files;
@@ -99,7 +98,7 @@ class Reader {
     for (const toml::node& entry : *node.as_array()) request.log_figures.push_back(beside(entry, "log_figures"));
   }
 
-  /// [[runs]]: file, and what is said of it.
+  /// [[runs]]: a file, with its name, load and sphere if stated.
   void read_runs(const toml::node& node, FitRequest& request) const {
     if (!node.is_array_of_tables()) fail(node, "runs must be tables, each written [[runs]]");
     for (const toml::node& entry : *node.as_array()) {
@@ -147,7 +146,7 @@ class Reader {
     return names;
   }
 
-  /// As a flag has it: a list with commas.
+  /// The value as the text of an option: a list becomes comma-separated.
   std::string flag_text(const toml::node& node, const std::string& key) const {
     if (const toml::array* list = node.as_array()) {
       std::string joined;
@@ -235,7 +234,7 @@ FitRequest read_fit_definition(const std::string& path) { return Reader(path).re
 std::string fit_definition_text(const FitRequest& request, const Dataset& data, const std::string& path) {
   const auto from_there = [&](const std::string& file) {
     std::error_code none;
-    // by the names alone: what is stated beside a link need not stand beside what it leads to
+    // Links are not resolved: constants are read from beside the link.
     const std::filesystem::path folder = std::filesystem::absolute(path).lexically_normal().parent_path(),
                                 whole = std::filesystem::absolute(file).lexically_normal(),
                                 relative = std::filesystem::canonical(folder, none) == folder

@@ -1,5 +1,5 @@
-// fits/NAME.toml: which data, which models, how, and what was published about them. Its keys are the flags of
-// `mixity fit` (job_options.h), data, peaks, source and tables of constants and of published numbers.
+// Fit definitions, fits/NAME.toml: data, models, options, and published numbers to compare with. Keys are the options
+// of settings.h, data, runs, peaks, log_figures, source, and the tables columns, constants, laws and published.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace mixity {
 
-/// Throws InputError with file, line and column for anything not understood.
+/// Throws InputError with file, line and column.
 FitRequest read_fit_definition(const std::string& path);
 
-/// The definition of a request that was run with these data, to be written to `path`: files are named as seen from
-/// there. Running it gives the same numbers, as long as the data and the constants beside them stay as they are.
+/// A definition that repeats this analysis, to be written to `path`: file names are relative to its folder. It gives
+/// the same numbers as long as the data and the constants beside them do not change.
 std::string fit_definition_text(const FitRequest& request, const Dataset& data, const std::string& path);
 
 }  // namespace mixity

@@ -9,7 +9,7 @@
 namespace mixity {
 namespace {
 
-/// Where the contact jumps under load control, measured and dimensionless; null if it does not, or has no values.
+/// Dimensionless T at the jump under load control, as it would be read; null if there is none.
 std::optional<double> jump(const Analysis& result, const FitResult& fit, double load) {
   const auto predicted = predict_jump_of(result.data, fit, result.request.options, load);
   return predicted ? predicted->T.value : std::nullopt;

@@ -1,5 +1,5 @@
-// What a fitted model predicts of the peak force: the tangential load of its fold over the area of Hertz (the paper's
-// Fig. 11), and how the peaks that were measured compare.
+// The predicted peak force: tangential load at the fold over the Hertz area (the paper's Fig. 11), compared with
+// measured peaks.
 #pragma once
 
 #include <optional>
@@ -12,20 +12,20 @@
 namespace mixity {
 
 struct PredictedPeak {
-  double P, stress, low, high;  // in the units of the peak forces; low and high at the ends of lambda's interval
+  double P, stress, low, high;  // in the units of the peaks; low and high: at the ends of lambda's interval
 };
 
 struct PredictedPeaks {
   std::string model;
-  std::vector<PredictedPeak> loads;  // those of the peaks that were measured, without loads at which nothing jumps
-  /// First measured peaks over predicted ones, and the standard error of that mean; null with fewer than two.
+  std::vector<PredictedPeak> loads;  // of the measured peaks, where there is a jump
+  /// Mean of measured over predicted peaks (first cycles), and its standard error; null with fewer than two.
   std::optional<double> ratio{}, ratio_error{};
 };
 
-/// The first row of each load that has such a value, by load: of a test that slips again and again, the first cycle.
+/// The first row with this value at each load, by load: the first cycle of a stick-slip test.
 std::vector<const PeakForce*> first_of_loads(const PeakForces& peaks, std::optional<double> PeakForce::*value);
 
-/// Of each fit that has values. Empty if the peaks have units and the data have none, or the other way round.
+/// One entry per fit with values. Empty if only one of peaks and data has units.
 std::vector<PredictedPeaks> predict_peaks(const Analysis& result, const PeakForces& peaks);
 
 }  // namespace mixity

@@ -1,4 +1,4 @@
-// Numbers and names as a reader would have them.
+// Numbers and names as readers expect them.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace mixity {
 
-/// MPa rather than Pa, by the size of the value; the drawn profile stays as it is.
+/// The parameter in a unit that suits the size of its value: MPa rather than Pa. Its profile keeps the old unit.
 FittedParameter readable(FittedParameter parameter);
 
-/// "not converged".
+/// "not converged" for not_converged.
 std::string in_words(FitStatus status);
 
 /// A parameter's letter, or its name: λ for "lambda".
 std::string parameter_symbol(const std::string& name);
 
-/// Foreign text without what gnuplot would take for markup.
+/// Escapes what gnuplot would read as markup.
 std::string plain(std::string_view text);
 
 }  // namespace mixity

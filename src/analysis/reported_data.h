@@ -1,4 +1,4 @@
-// What a report knows of one data set: its fits, and what else is found out for the figures.
+// Everything that a report shows of one data set: its fits, and what figures need beside them.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,17 @@
 
 namespace mixity {
 
-/// Runs a request with what the figures need beyond `fit`: cost profiles, and each run by itself where there are
-/// several. The fit that describes the data best comes first.
+/// Runs a request, with the cost profiles and, if there are several runs, the fits of single runs that figures need.
+/// The best fit comes first.
 Analysis run_for_report(FitRequest request, const Progress& progress = {});
 
 struct ReportedData {
-  const Analysis& result;            // outlives this
-  std::string stem;                  // of its files, distinct within the report
-  std::optional<SahliResult> sahli;  // null without loads
-  std::string sahli_model;           // what predicts alpha there, the first fit with values; empty: nothing
-  std::optional<PeakForces> peaks;   // null without a file of them
-  std::vector<PredictedPeaks> predicted_peaks{};  // where there are some
+  const Analysis& result;                         // outlives this
+  std::string stem;                               // of its file names, unique within the report
+  std::optional<SahliResult> sahli;               // null without loads
+  std::string sahli_model;                        // the model whose alpha is drawn there; empty: none
+  std::optional<PeakForces> peaks;                // null without a file of peaks
+  std::vector<PredictedPeaks> predicted_peaks{};  // if there are measured peaks
 };
 
 /// Throws InputError if the file of peak forces cannot be used.

@@ -135,4 +135,25 @@ Complaint for_each_item(std::string_view text, const auto& use) {
   return {};
 }
 
+/// A list between commas. Item reads one item and adds it to the list, and writes one.
+template <class Item>
+struct ListOf {
+  static Complaint read(std::string_view text, auto& list) {
+    list.clear();
+    return for_each_item(text, [&](const std::string& item) { return Item::read(item, list); });
+  }
+  static std::string write(const auto& list) {
+    std::vector<std::string> items;
+    for (const auto& one : list) items.push_back(Item::write(one));
+    return listed(items, ",");
+  }
+};
+
+struct Name {
+  static Complaint read(const std::string& name, std::vector<std::string>& names) {
+    return names.push_back(name), Complaint();
+  }
+  static std::string write(const std::string& name) { return name; }
+};
+
 }  // namespace mixity

@@ -35,18 +35,12 @@ Setting setting(std::string name, auto member, Form form, std::string help) {
           [=](const FitRequest& request) { return form.write(part(request, member)); }};
 }
 
-struct Models {
-  static Complaint read(std::string_view text, std::vector<std::string>& models) {
-    models.clear();
-    return for_each_item(text, [&](const std::string& model) -> Complaint {
-      provide_law(model);
-      if (!is_model(model))
-        return "names the unknown model " + in_quotes(model) + " (known: " + listed(known_models()) + ")";
-      models.push_back(model);
-      return {};
-    });
+struct Model : Name {
+  static Complaint read(const std::string& model, std::vector<std::string>& models) {
+    provide_law(model);
+    if (is_model(model)) return Name::read(model, models);
+    return "names the unknown model " + in_quotes(model) + " (known: " + listed(known_models()) + ")";
   }
-  static std::string write(const std::vector<std::string>& models) { return listed(models, ","); }
 };
 
 struct Objectives {
@@ -61,21 +55,15 @@ struct Objectives {
 };
 
 struct Held {
-  static Complaint read(std::string_view text, std::vector<HeldParameter>& hold) {
-    hold.clear();
-    return for_each_item(text, [&](const std::string& item) -> Complaint {
-      const auto held = parse_held(item);
-      if (!held) return "has " + in_quotes(item) + ", which is neither a parameter nor PARAMETER=NUMBER";
-      if (std::any_of(hold.begin(), hold.end(), [&](const HeldParameter& other) { return other.name == held->name; }))
-        return "names " + in_quotes(held->name) + " twice";
-      hold.push_back(*held);
-      return {};
-    });
+  static Complaint read(const std::string& item, std::vector<HeldParameter>& hold) {
+    const auto held = parse_held(item);
+    if (!held) return "has " + in_quotes(item) + ", which is neither a parameter nor PARAMETER=NUMBER";
+    if (std::any_of(hold.begin(), hold.end(), [&](const HeldParameter& other) { return other.name == held->name; }))
+      return "names " + in_quotes(held->name) + " twice";
+    return hold.push_back(*held), Complaint();
   }
-  static std::string write(const std::vector<HeldParameter>& hold) {
-    std::vector<std::string> items;
-    for (const HeldParameter& held : hold) items.push_back(held.name + (held.value ? "=" + shortest(*held.value) : ""));
-    return listed(items, ",");
+  static std::string write(const HeldParameter& held) {
+    return held.name + (held.value ? "=" + shortest(*held.value) : "");
   }
 };
 
@@ -105,30 +93,15 @@ struct Free {
 };
 
 struct Lines {
-  static Complaint read(std::string_view text, std::vector<LineRange>& lines) {
-    lines.clear();
-    return for_each_item(text, [&](const std::string& item) -> Complaint {
-      const auto range = parse_lines(item);
-      if (!range) return "has " + in_quotes(item) + ", which is neither a line of the file nor lines such as 40-58";
-      lines.push_back(*range);
-      return {};
-    });
+  static Complaint read(const std::string& item, std::vector<LineRange>& lines) {
+    const auto range = parse_lines(item);
+    if (!range) return "has " + in_quotes(item) + ", which is neither a line of the file nor lines such as 40-58";
+    return lines.push_back(*range), Complaint();
   }
-  static std::string write(const std::vector<LineRange>& lines) {
-    std::vector<std::string> items;
-    for (const auto& [first, last, file] : lines)
-      items.push_back((file.empty() ? "" : file + ":") + std::to_string(first) +
-                      (last == first ? "" : "-" + std::to_string(last)));
-    return listed(items, ",");
+  static std::string write(const LineRange& range) {
+    return (range.file.empty() ? "" : range.file + ":") + std::to_string(range.first) +
+           (range.last == range.first ? "" : "-" + std::to_string(range.last));
   }
-};
-
-struct Names {
-  static Complaint read(std::string_view text, std::vector<std::string>& names) {
-    names.clear();
-    return for_each_item(text, [&](const std::string& name) { return names.push_back(name), Complaint(); });
-  }
-  static std::string write(const std::vector<std::string>& names) { return listed(names, ","); }
 };
 
 }  // namespace
@@ -137,7 +110,8 @@ const std::vector<Setting>& settings() {
   constexpr std::uint64_t kMostReplicates = 10000000, kMostThreads = 4096,
                           kMostSeed = std::numeric_limits<std::int64_t>::max();
   static const std::vector<Setting> all{
-      setting("models", &FitRequest::models, Models{}, "models to fit, comma-separated (mixity help lists them)"),
+      setting("models", &FitRequest::models, ListOf<Model>{},
+              "models to fit, comma-separated (mixity help lists them)"),
       setting("objective", &FitOptions::objective, Objectives{},
               "what is fitted: curve (distance from the curve in T and A; the default where there are loads) or "
               "toughness (Gc/GIc against psi, as the paper does)"),
@@ -153,13 +127,13 @@ const std::vector<Setting>& settings() {
               "none, or a loss that outliers move less: huber or cauchy"),
       setting("loss_scale", &FitOptions::loss_scale, PositiveNumber{},
               "where the loss begins to bend, in standard errors (default 1.345 huber, 2.385 cauchy)"),
-      setting("hold", &FitOptions::hold, Held{},
+      setting("hold", &FitOptions::hold, ListOf<Held>{},
               "parameters to hold, comma-separated: NAME=VALUE, or NAME for the data set's own value"),
       setting("free", WholeRequest{}, Free{},
               "fit these, too, for all loads together: toughness, modulus, radius, area_scale, load_offset, "
               "shear_offset, area_offset"),
-      setting("exclude", &Exclusion::lines, Lines{}, "lines of the data file to leave out: \"17,40-58\""),
-      setting("leave_out", &Exclusion::runs, Names{}, "runs to leave out, by name or load: \"4.68 mN\""),
+      setting("exclude", &Exclusion::lines, ListOf<Lines>{}, "lines of the data file to leave out: \"17,40-58\""),
+      setting("leave_out", &Exclusion::runs, ListOf<Name>{}, "runs to leave out, by name or load: \"4.68 mN\""),
       setting("interval", &FitOptions::intervals, Word{"profile", "none"}, "confidence intervals: profile or none"),
       setting("confidence", &FitOptions::confidence, PositiveNumber{1}, "confidence of intervals, above 0 and below 1"),
       setting("checks", &FitOptions::checks, Switch{},

@@ -2,10 +2,8 @@
 #include <iostream>
 
 #include "cli/commands.h"
-#include "cli/exit_code.h"
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
-#include "cli/usage_error.h"
 #include "dataset/pooled.h"
 #include "fitting/unsheared.h"
 #include "report/check_text.h"
@@ -14,7 +12,7 @@ namespace mixity::cli {
 
 namespace {
 
-/// A file whose errors no fit would take says so among what is odd.
+/// Null if the stated errors cannot be used, which the text reports elsewhere.
 std::optional<UnshearedTest> unsheared_if_errors_allow(const Dataset& data) {
   try {
     return test_unsheared(data, {});
@@ -23,7 +21,7 @@ std::optional<UnshearedTest> unsheared_if_errors_allow(const Dataset& data) {
   }
 }
 
-/// With values for constants that are not known: how a file is read does not depend on them.
+/// Adds values for missing constants, on which the reading of a file does not depend.
 Overrides with_some(const std::vector<std::string>& constants, Overrides stated) {
   for (const std::string& name : constants)
     stated.emplace_back(name, name == "radius" ? "1 mm" : name == "modulus" ? "1 MPa" : "1 J/m^2");

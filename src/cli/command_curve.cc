@@ -5,8 +5,11 @@
 
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
-#include "cli/exit_code.h"
 #include "cli/fitted_contact.h"
+
+DEFINE_string(
+    chord, "",
+    "instead of --points: as few points as keep straight lines within this fraction of the ranges of T and A");
 
 namespace mixity::cli {
 namespace {
@@ -17,14 +20,14 @@ std::size_t point_count() {
 }
 
 void print_at_load(const ContactModel& model, const ParameterValues& p, const OutputUnits& units) {
-  const Load load = load_from("load", FLAGS_load, units);
+  const Load load = load_from("load", units);
   if (const auto obstacle = model.obstacle(p, load.dimensionless); !obstacle.empty())
     throw UsageError(std::string(obstacle));
   if (above_pull_off(load.dimensionless) < 0)
     throw UsageError("flag '--load': no contact exists below the pull-off load -3 pi/2 R G_Ic");
   CurveSampling sampling;
   if (is_set("chord"))
-    sampling = {.rule = CurveSampling::Rule::fewest, .chord = number_from("chord", FLAGS_chord, 1e-9)};
+    sampling = {.rule = CurveSampling::Rule::fewest, .chord = number_from("chord", 1e-9)};
   else
     sampling.points = point_count();
   const std::vector<CurvePoint> points = model.curve(p, load.dimensionless, sampling).points;
@@ -43,7 +46,7 @@ void print_at_load(const ContactModel& model, const ParameterValues& p, const Ou
 }
 
 void print_at_shear(const ContactModel& model, const ParameterValues& p, const OutputUnits& units) {
-  const Load shear = load_from("shear", FLAGS_shear, units);
+  const Load shear = load_from("shear", units);
   if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
     throw UsageError("flag '--shear': T must lie between 0 and 1e150");
   if (const auto obstacle = model.obstacle(p); !obstacle.empty()) throw UsageError(std::string(obstacle));

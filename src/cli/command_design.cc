@@ -6,14 +6,18 @@
 
 #include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/exit_code.h"
+#include "cli/contact_flags.h"
 #include "cli/flags.h"
 #include "cli/plan_flags.h"
 #include "cli/progress.h"
-#include "cli/quantity_list.h"
-#include "cli/usage_error.h"
 #include "mechanics/contact_model.h"
 #include "studies/design.h"
+
+DEFINE_string(runs, "", "how many more runs to find the best loads for");
+DEFINE_string(goal, "error", "what these are to serve: error (of lambda) or model (telling models apart)");
+DEFINE_string(wanted, "",
+              "an error of lambda, 2% or 0.0001: how many runs it takes, and how many 95% odds between models");
+DEFINE_string(experiments, "", "so many experiments are simulated and fitted, as a check of what is expected");
 
 namespace mixity::cli {
 namespace {
@@ -53,9 +57,9 @@ struct Range {
   double least, most;
 };
 Range range_of_loads() {
-  const auto ends = quantity_list("load_range", FLAGS_load_range);
+  const auto ends = quantities_from("load_range");
   if (ends.size() != 2 || ends[0].unit.dimension != dimension::force || !(ends[0].si() < ends[1].si()))
-    throw UsageError("flag '--load_range' is '" + FLAGS_load_range + "'; it must be two loads, \"0.5,10 mN\"");
+    throw must("load_range", "be two loads, \"0.5,10 mN\"");
   return {ends[0].si(), ends[1].si()};
 }
 
@@ -102,9 +106,9 @@ void print_best(const Plan& plan, const Plan& chosen, const Range& range, Goal g
 }
 
 void print_runs_needed(const Plan& plan, const Range& range, const std::vector<std::string>& rivals) {
-  const auto wanted = parse_quantity(FLAGS_wanted);
+  const auto wanted = parse_quantity(value_of("wanted"));
   if (!wanted || wanted->unit.dimension != dimension::none || !(wanted->value > 0))
-    throw UsageError("flag '--wanted' is '" + FLAGS_wanted + "'; it must be an error such as 2% or 0.0001");
+    throw must("wanted", "be an error such as 2% or 0.0001");
   const double error = wanted->unit.text == "%" ? wanted->si() * plan.parameters[0] : wanted->si();
   const auto runs_until = [&](Goal goal, double cost) {
     const std::vector<std::string> others = goal == Goal::error ? std::vector<std::string>{} : rivals;
@@ -136,10 +140,9 @@ int run_design(const Arguments& arguments) {
   require_flags_only("design", arguments);
   const bool searches = is_set("load_range");
   const Plan plan = plan_from_flags(!searches);
-  const std::vector<std::string> rivals = split_list("models", FLAGS_models);
+  const std::vector<std::string> rivals = list_from("models");
   for (const std::string& model : rivals) require_model("models", model);
-  if (FLAGS_goal != "error" && FLAGS_goal != "model")
-    throw UsageError("flag '--goal' is '" + FLAGS_goal + "'; it must be error or model");
+  if (FLAGS_goal != "error" && FLAGS_goal != "model") throw must("goal", "be error or model");
   const Goal goal = FLAGS_goal == "error" ? Goal::error : Goal::model;
   if ((is_set("runs") || is_set("wanted")) && !searches)
     throw UsageError("flag '--load_range' is missing: between which loads runs may be, \"0.5,10 mN\"");

@@ -2,13 +2,13 @@
 #include <iostream>
 
 #include "cli/commands.h"
-#include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
-#include "cli/usage_error.h"
 #include "report/figures/gnuplot.h"
 #include "report/figures/paper_figures.h"
 #include "report/page/paper_page.h"
+
+DEFINE_bool(paper, false, "the figures of Papangelo & Ciavarella (2019)");
 
 namespace mixity::cli {
 

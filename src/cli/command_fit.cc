@@ -8,19 +8,37 @@
 #include "analysis/judgement.h"
 #include "analysis/run.h"
 #include "base/output_file.h"
+#include "base/units.h"
 #include "cli/commands.h"
-#include "cli/exit_code.h"
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
-#include "cli/shard.h"
-#include "cli/usage_error.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"
 #include "report/fit_text.h"
 
+DEFINE_string(shard, "",
+              "fit a part of the files only: i/n, every n-th from the i-th on (mixity merge puts parts together)");
+DEFINE_string(save, "", "write what was just run to this fit definition (TOML)");
+
 namespace mixity::cli {
 namespace {
+
+/// With --shard=i/n every n-th argument, starting with the i-th; `mixity merge` restores the order. Throws UsageError.
+Arguments shard_of(const Arguments& arguments) {
+  if (FLAGS_shard.empty()) return arguments;
+  const std::size_t slash = FLAGS_shard.find('/');
+  const auto part = parse_number(FLAGS_shard.substr(0, slash)),
+             parts = slash == std::string::npos ? std::nullopt : parse_number(FLAGS_shard.substr(slash + 1));
+  const auto whole = [](double value) {
+    return value >= 1 && value <= 1e6 && value == static_cast<double>(static_cast<std::size_t>(value));
+  };
+  if (!part || !parts || !whole(*part) || !whole(*parts) || *part > *parts) throw must("shard", "be i/n, such as 2/10");
+  Arguments mine;
+  for (auto i = static_cast<std::size_t>(*part) - 1; i < arguments.size(); i += static_cast<std::size_t>(*parts))
+    mine.push_back(arguments[i]);
+  return mine;
+}
 
 void write_folder(const std::string& folder, const std::vector<Analysis>& results, const std::string& text,
                   const Shard& shard) {
@@ -42,7 +60,7 @@ void write_folder(const std::string& folder, const std::vector<Analysis>& result
   write_files(files, inputs);
 }
 
-/// What the parts of this list must share to be merged: all that decides what is found.
+/// What parts of a list must have in common to be merged: everything that affects results.
 Shard campaign_of(const Arguments& arguments) {
   Shard shard{FLAGS_shard, arguments};
   for (const std::string_view flag : with_fit_flags({}))
@@ -50,9 +68,9 @@ Shard campaign_of(const Arguments& arguments) {
   return shard;
 }
 
-/// A definition ends in .toml, and is not what stands beside a data file of the same name.
+/// Refuses a path that does not end in .toml, or that would hold the constants of a data file.
 void require_definition_path(const std::string& path) {
-  if (!path.ends_with(".toml")) throw UsageError("flag '--save' is '" + path + "'; it must end in .toml");
+  if (!path.ends_with(".toml")) throw must("save", "end in .toml");
   for (const char* ending : {".csv", ".CSV", ".txt", ".dat"}) {
     const std::string data = path.substr(0, path.size() - 5) + ending;
     if (std::filesystem::exists(data))
@@ -80,7 +98,7 @@ int run_fit(const Arguments& arguments) {
     all_ok &= can_be_believed(results.back());
   }
   if (progress) progress(1);
-  tell_names_apart(results);
+  make_names_unique(results);
   std::string text;
   for (const Analysis& result : results) text += (text.empty() ? "" : "\n") + to_text(result);
   if (!FLAGS_out.empty()) write_folder(FLAGS_out, results, text, shard);

@@ -3,9 +3,7 @@
 #include "analysis/laws.h"
 #include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/exit_code.h"
 #include "cli/flags.h"
-#include "cli/usage_error.h"
 #include "mechanics/contact_model.h"
 
 namespace mixity::cli {
@@ -60,7 +58,7 @@ void explain(const Command& command) {
   }
 }
 
-/// Text for roff: a hyphen that is one, no line that begins as a request.
+/// Escapes hyphens, backslashes and leading dots for roff.
 std::string roff(std::string_view text) {
   std::string escaped;
   for (const char c : text) {

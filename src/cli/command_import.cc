@@ -3,11 +3,12 @@
 
 #include "base/output_file.h"
 #include "cli/commands.h"
-#include "cli/exit_code.h"
+#include "cli/contact_flags.h"
 #include "cli/flags.h"
-#include "cli/quantity_list.h"
-#include "cli/usage_error.h"
 #include "dataset/table/plot_import.h"
+
+DEFINE_string(x, "", "header of the column on the x axis, with its unit: \"T [mN]\"");
+DEFINE_string(y, "", "header of the column on the y axis, with its unit: \"A [mm^2]\"");
 
 namespace mixity::cli {
 
@@ -15,7 +16,7 @@ int run_import(const Arguments& arguments) {
   if (arguments.size() != 1) throw UsageError("import needs one WebPlotDigitizer CSV (see mixity help import)");
   if (FLAGS_x.empty() || FLAGS_y.empty()) throw UsageError("import needs the axes: --x=\"T [mN]\" --y=\"A [mm^2]\"");
   PlotImport options{FLAGS_x, FLAGS_y, {}};
-  if (is_set("loads")) options.loads = quantity_list("loads", FLAGS_loads);
+  if (is_set("loads")) options.loads = quantities_from("loads");
   for (const Quantity& load : options.loads)
     if (load.unit.text != options.loads.front().unit.text ||
         (!load.unit.text.empty() && load.unit.dimension != dimension::force))

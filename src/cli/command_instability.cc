@@ -4,11 +4,12 @@
 
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
-#include "cli/exit_code.h"
 #include "cli/fitted_contact.h"
-#include "cli/quantity_list.h"
 #include "fitting/predicted_curves.h"
 #include "report/instability_text.h"
+
+DEFINE_string(stiffness, "",
+              "stiffness k of the loading apparatus, such as \"1200 N/m\", or dimensionless; adds the folds it sees");
 
 namespace mixity::cli {
 namespace {
@@ -19,8 +20,8 @@ const std::string kStiffness = "N/m";
 std::vector<Control> controls(const std::optional<Contact>& contact) {
   std::vector<Control> list{{Control::Kind::load}, {Control::Kind::displacement}};
   if (!is_set("stiffness")) return list;
-  const double stiffness = positive_quantity("stiffness", FLAGS_stiffness, kStiffness,
-                                             contact ? std::optional(contact->stiffness_unit()) : std::nullopt);
+  const double stiffness =
+      positive_quantity("stiffness", kStiffness, contact ? std::optional(contact->stiffness_unit()) : std::nullopt);
   list.push_back({Control::Kind::stiffness, stiffness});
   return list;
 }
@@ -28,7 +29,7 @@ std::vector<Control> controls(const std::optional<Contact>& contact) {
 InstabilityReport of_flags(const ContactModel& model) {
   const ParameterValues p = parameters_from_flags(model);
   const OutputUnits shown = output_units();
-  const Load load = load_from("load", FLAGS_load, shown);
+  const Load load = load_from("load", shown);
   InstabilityReport report{std::string(model.info().key), {}};
   if (shown.contact)
     report.units = {shown.force,

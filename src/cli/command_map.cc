@@ -4,8 +4,14 @@
 #include "base/rounding.h"
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
-#include "cli/exit_code.h"
-#include "cli/quantity_list.h"
+
+DEFINE_string(axis, "", "the parameter that the map is over beside the load; empty: the model's first");
+DEFINE_string(lambda_range, "0,1", "smallest and largest lambda of the map");
+DEFINE_int32(grid, 41, "points of the map along each axis");
+DEFINE_bool(boundaries, false, "print the exact boundaries between regimes instead of the grid");
+DEFINE_string(tau0, "",
+              "shear strength of the interface, such as \"0.43 MPa\", or dimensionless (tau0 xi/E*): sliding at T = "
+              "tau0 A competes");
 
 namespace mixity::cli {
 namespace {
@@ -19,31 +25,28 @@ struct Range {
 Range load_range(const OutputUnits& units) {
   constexpr double kPullOff = -4.71238898038469, kLargest = 1e8;
   const bool given = is_set("load_range");
-  const std::vector<Load> ends = loads_from("load_range", FLAGS_load_range, given ? units : OutputUnits{});
+  const std::vector<Load> ends = loads_from("load_range", given ? units : OutputUnits{});
   if (ends.size() == 2 && ends[0].dimensionless >= kPullOff && ends[0].dimensionless < ends[1].dimensionless &&
       ends[1].dimensionless <= kLargest) {
     const double unit = given ? 1 : units.force_scale;
     return {ends[0].shown * unit, ends[1].shown * unit};
   }
   const auto shown = [&](double load) { return rounded(load * units.force_scale, 15) + unit_text(units.force); };
-  throw UsageError("flag '--load_range' is '" + FLAGS_load_range + "'; it must be two rising loads from " +
-                   shown(kPullOff) + " to " + shown(kLargest));
+  throw must("load_range", "be two rising loads from " + shown(kPullOff) + " to " + shown(kLargest));
 }
 
 /// tau0 in units of E*/xi.
 std::optional<double> strength(const OutputUnits& units) {
   if (!is_set("tau0")) return std::nullopt;
-  return positive_quantity("tau0", FLAGS_tau0, "MPa",
-                           units.contact ? std::optional(units.contact->stress_unit()) : std::nullopt);
+  return positive_quantity("tau0", "MPa", units.contact ? std::optional(units.contact->stress_unit()) : std::nullopt);
 }
 
-Range range_from(const std::string& flag, const std::string& text, double lowest, double highest) {
-  const std::vector<std::string> items = split_list(flag, text);
+Range range_from(const std::string& flag, double lowest, double highest) {
+  const std::vector<std::string> items = list_from(flag);
   const auto low = items.size() == 2 ? parse_number(items[0]) : std::nullopt;
   const auto high = items.size() == 2 ? parse_number(items[1]) : std::nullopt;
   if (!low || !high || !(*low >= lowest && *low < *high && *high <= highest))
-    throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be two rising numbers from " + shortest(lowest) +
-                     " to " + shortest(highest));
+    throw must(flag, "be two rising numbers from " + shortest(lowest) + " to " + shortest(highest));
   return {*low, *high};
 }
 
@@ -105,7 +108,7 @@ int run_map(const Arguments& arguments) {
   const ParameterInfo& info = infos[axis];
   const bool usual = info.name == "lambda" || is_set("lambda_range");
   const Range values =
-      usual ? range_from("lambda_range", FLAGS_lambda_range, info.lower, info.upper) : Range{info.lower, info.upper};
+      usual ? range_from("lambda_range", info.lower, info.upper) : Range{info.lower, info.upper};
   const auto boundaries = model.regime_boundaries();
   if (FLAGS_boundaries && !boundaries)
     throw UsageError("flag '--boundaries': those of model " + key + " have no closed form");

@@ -3,9 +3,7 @@
 
 #include "base/output_file.h"
 #include "cli/commands.h"
-#include "cli/exit_code.h"
 #include "cli/flags.h"
-#include "cli/usage_error.h"
 #include "report/merge_json.h"
 
 namespace mixity::cli {

@@ -3,7 +3,6 @@
 
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
-#include "cli/exit_code.h"
 #include "cli/fitted_contact.h"
 
 namespace mixity::cli {
@@ -12,8 +11,8 @@ namespace {
 void predict(const ContactModel& model) {
   const ParameterValues p = parameters_from_flags(model);
   const OutputUnits units = output_units();
-  const Load load = load_from("load", FLAGS_load, units);
-  const std::vector<Load> shears = loads_from("shear", FLAGS_shear, units);
+  const Load load = load_from("load", units);
+  const std::vector<Load> shears = loads_from("shear", units);
   for (const Load& shear : shears)
     if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
       throw UsageError("flag '--shear': every T must lie between 0 and 1e150");
@@ -46,7 +45,7 @@ void predict(const ContactModel& model) {
 int run_predict(const Arguments& arguments) {
   if (!arguments.empty()) {
     const FittedContact fitted("predict", arguments);
-    const std::vector<Load> shears = fitted.loads_of("shear", FLAGS_shear);
+    const std::vector<Load> shears = fitted.loads_of("shear");
     fitted.print_areas([&](const Load&) { return shears; });
     return fitted.exit_code();
   }

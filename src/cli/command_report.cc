@@ -5,18 +5,16 @@
 
 #include "analysis/judgement.h"
 #include "cli/commands.h"
-#include "cli/exit_code.h"
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
-#include "cli/usage_error.h"
 #include "report/fit_table.h"
 #include "report/report.h"
 
 namespace mixity::cli {
 namespace {
 
-/// The explorer's page where an installation or a build has it (tools/explorer); empty if neither does.
+/// The page of the explorer in the installation or the build tree (tools/explorer); empty if there is none.
 std::string explorer() {
   std::error_code unread;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unread);
@@ -34,8 +32,7 @@ int run_report(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("report needs a data CSV or a fit definition (see mixity help report)");
   if (FLAGS_out.empty()) throw UsageError("report needs --out=DIR");
   const Progress progress = progress_line("report");
-  // Fits take the longer part of what takes long.
-  constexpr double kFits = 0.7;
+  constexpr double kFits = 0.7;  // share of the time
   const std::vector<FitRequest> requests = requests_for(arguments);
   const double share = kFits / static_cast<double>(requests.size());
   std::vector<Analysis> results;
@@ -43,9 +40,9 @@ int run_report(const Arguments& arguments) {
     const auto before = static_cast<double>(results.size());
     results.push_back(run_for_report(request, stretch(progress, share * before, share * (before + 1))));
   }
-  // contacts first: they have jumps to foretell
+  // contacts first, as they have jumps to predict
   std::stable_partition(results.begin(), results.end(), [](const Analysis& one) { return one.data.has_loads; });
-  tell_names_apart(results);
+  make_names_unique(results);
   std::vector<ReportedData> data;
   data.reserve(results.size());
   std::set<std::string> taken;

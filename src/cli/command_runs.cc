@@ -5,10 +5,8 @@
 #include "base/input_error.h"
 #include "base/output_file.h"
 #include "cli/commands.h"
-#include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
-#include "cli/usage_error.h"
 #include "dataset/logs/clocks.h"
 #include "dataset/logs/compression.h"
 #include "dataset/logs/cuts_file.h"
@@ -16,18 +14,22 @@
 #include "report/figures/log_figures.h"
 #include "report/runs_files.h"
 
+DEFINE_string(
+    lag, "", "what the clock of the areas is ahead of that of the forces: \"0.12 s\"; else from events that both show");
+DEFINE_bool(drift, false, "take a line through the zeros of T of all runs off T; left out, where it is sure");
+DEFINE_string(cuts, "", "a TOML that states cuts of runs (cuts.toml, which runs writes)");
+
 namespace mixity::cli {
 namespace {
 
-std::optional<double> seconds(const std::string& flag, const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  const auto quantity = parse_quantity(text);
-  if (!quantity || quantity->unit.dimension != dimension::time)
-    throw UsageError("flag '--" + flag + "' is '" + text + "'; it must be a time such as \"0.12 s\"");
+std::optional<double> seconds(const std::string& flag) {
+  if (!is_set(flag)) return std::nullopt;
+  const auto quantity = parse_quantity(value_of(flag));
+  if (!quantity || quantity->unit.dimension != dimension::time) throw must(flag, "be a time such as \"0.12 s\"");
   return quantity->si();
 }
 
-/// One file holds all, or the first one that has forces them and another one the areas.
+/// Reads one file with forces and areas, or two files; the first with forces gives the forces.
 std::pair<Recording, std::optional<Recording>> read_logs(const Arguments& paths, const Overrides& overrides,
                                                          Metadata& metadata) {
   std::vector<Recording> read;
@@ -58,7 +60,7 @@ int run_runs(const Arguments& arguments) {
   if (arguments.empty() || arguments.size() > 2)
     throw UsageError("runs needs a log, or one of forces and one of areas (see mixity help runs)");
   FrameOptions frame_options;
-  frame_options.lag = seconds("lag", FLAGS_lag);
+  frame_options.lag = seconds("lag");
   RunOptions options;
   if (is_set("drift")) options.drift = FLAGS_drift;
   if (!FLAGS_cuts.empty()) options.cuts = read_cuts(FLAGS_cuts);

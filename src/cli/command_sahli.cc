@@ -4,10 +4,11 @@
 #include "base/input_error.h"
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
-#include "cli/exit_code.h"
 #include "fitting/fit.h"
 #include "fitting/sahli.h"
 #include "report/sahli_text.h"
+
+DEFINE_string(upto, "0.5", "use points up to this fraction of the largest T of each run");
 
 namespace mixity::cli {
 namespace {
@@ -36,7 +37,7 @@ std::vector<double> prediction_parameters(const Dataset& data, const std::string
 
 int run_sahli(const Arguments& arguments) {
   if (arguments.size() != 1) throw UsageError("sahli needs one data CSV (see mixity help sahli)");
-  const double upto = number_from("upto", FLAGS_upto, 0, 1);
+  const double upto = number_from("upto", 0, 1);
   if (!(upto > 0)) throw UsageError("flag '--upto' must be above 0");
   const std::string model = FLAGS_model.empty() ? "c" : FLAGS_model;
   require_model("model", model);

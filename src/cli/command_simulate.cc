@@ -6,12 +6,12 @@
 #include "base/output_file.h"
 #include "base/toml_file.h"
 #include "cli/commands.h"
-#include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/plan_flags.h"
-#include "cli/usage_error.h"
 #include "dataset/table/csv.h"
 #include "studies/simulate.h"
+
+DEFINE_string(index, "0", "number of the experiment in the stream of the seed");
 
 namespace mixity::cli {
 
@@ -32,7 +32,7 @@ int run_simulate(const Arguments& arguments) {
     std::cout << table.str();
     return kFine;
   }
-  if (!FLAGS_out.ends_with(".csv")) throw UsageError("flag '--out' is '" + FLAGS_out + "'; it must end in .csv");
+  if (!FLAGS_out.ends_with(".csv")) throw must("out", "end in .csv");
   std::string constants;
   for (const auto& [name, text] : constants_as_stated(plan.constants))
     constants += name + " = " + toml_text(text) + "\n";

@@ -1,14 +1,30 @@
-// The commands of the program: one function each, from arguments to exit code.
+// The commands of the program. Each is a function that takes arguments and returns an exit code.
 #pragma once
 
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace mixity::cli {
 
-using Arguments = std::vector<std::string>;  // what is left of the command line after command and flags
+/// Process exit codes. Scripts rely on them: codes may be added but not changed.
+enum ExitCode : int {
+  kFine = 0,
+  kFitNotOk = 1,  // a fit did not end with status ok
+  kBadUsage = 2,  // unknown command or flag, unusable value of a flag
+  kBadInput = 3,  // a file cannot be read or understood
+  kCannotWrite = 4,
+  kInternalError = 5,  // a fault of the program
+};
+
+/// A command line that cannot be carried out: one line on standard error, exit code 2.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+using Arguments = std::vector<std::string>;  // of the command line, without the command and flags
 
 int run_fit(const Arguments& arguments);
 int run_report(const Arguments& arguments);
@@ -32,12 +48,12 @@ struct Command {
   std::string_view usage;    // after the program's name
   std::string_view summary;  // one sentence
   std::vector<std::string_view> flags;
-  std::vector<std::string_view> formats{};  // that --format may name
+  std::vector<std::string_view> formats{};  // values of --format
 };
 
 std::span<const Command> commands();
 
-/// Null if there is no such command.
+/// Null for an unknown name.
 const Command* find_command(std::string_view name);
 
 }  // namespace mixity::cli

@@ -3,10 +3,38 @@
 #include <iostream>
 #include <map>
 
-#include "cli/quantity_list.h"
 #include "dataset/metadata.h"
 
+DEFINE_string(lambda, "", "mode-mixity parameter lambda");
+DEFINE_string(parameters, "", "all parameters of the model, such as r=1.77,eta=2.28");
+DEFINE_string(shear, "", "tangential loads T: \"0,5,10\", or \"0,5,10 mN\" if dimensional");
+DEFINE_string(units, "mN,mm", "force and length unit of dimensional output, and of numbers without a unit");
+
 namespace mixity::cli {
+
+std::vector<Quantity> quantities_from(const std::string& flag) {
+  std::vector<Quantity> list;
+  for (const std::string& item : list_from(flag)) {
+    const auto quantity = parse_quantity(item);
+    if (!quantity) throw UsageError("flag '--" + flag + "': '" + item + "' is not a number, or its unit is unknown");
+    list.push_back(*quantity);
+  }
+  if (list.empty()) throw UsageError("flag '--" + flag + "' is missing or empty");
+  for (Quantity& quantity : list)
+    if (quantity.unit.text.empty()) quantity.unit = list.back().unit;
+  return list;
+}
+
+double positive_quantity(const std::string& flag, const std::string& unit, std::optional<double> size) {
+  const auto given = parse_quantity(value_of(flag));
+  const bool bare = given && given->unit.text.empty();
+  if (!given || (size ? bare || given->unit.dimension != parse_unit(unit)->dimension : !bare))
+    throw must(flag, size ? "be a quantity with its unit, such as " + unit
+                          : "be a number; a unit needs --radius, --modulus and --toughness");
+  const double value = size ? given->si() / *size : given->value;
+  if (!(value >= 1e-150 && value <= 1e150)) throw UsageError("flag '--" + flag + "' must be above 0");
+  return value;
+}
 
 OutputUnits output_units() {
   Metadata metadata;
@@ -19,11 +47,11 @@ OutputUnits output_units() {
   if (given == 0 && is_set("units")) throw UsageError("flag '--units' needs --radius, --modulus and --toughness");
   if (given == 0) return {};
   if (given < 3) throw UsageError("a dimensional prediction needs all of --radius, --modulus and --toughness");
-  const std::vector<std::string> names = split_list("units", FLAGS_units);
+  const std::vector<std::string> names = list_from("units");
   const auto force = names.size() == 2 ? parse_unit(names[0]) : std::nullopt;
   const auto length = names.size() == 2 ? parse_unit(names[1]) : std::nullopt;
   if (!force || !length || force->dimension != dimension::force || length->dimension != dimension::length)
-    throw UsageError("flag '--units' is '" + FLAGS_units + "'; it must be a force and a length, such as mN,mm");
+    throw must("units", "be a force and a length, such as mN,mm");
   if (!metadata.standard_errors.empty())
     std::cerr << "mixity: standard errors of constants need a fit to be carried over (DATA.csv in place of a model)\n";
   const Contact contact{*metadata.radius, *modulus, *metadata.toughness};
@@ -40,10 +68,10 @@ OutputUnits output_units() {
           contact};
 }
 
-std::vector<Load> loads_from(const std::string& flag, const std::string& text, const OutputUnits& units) {
+std::vector<Load> loads_from(const std::string& flag, const OutputUnits& units) {
   const std::optional<Contact>& contact = units.contact;
   std::vector<Load> loads;
-  for (Quantity quantity : quantity_list(flag, text)) {
+  for (Quantity quantity : quantities_from(flag)) {
     const bool bare = quantity.unit.text.empty();
     if (!contact && !bare)
       throw UsageError("flag '--" + flag + "' has a unit; that needs --radius, --modulus and --toughness");
@@ -61,8 +89,8 @@ std::vector<Load> loads_from(const std::string& flag, const std::string& text, c
   return loads;
 }
 
-Load load_from(const std::string& flag, const std::string& text, const OutputUnits& units) {
-  const std::vector<Load> loads = loads_from(flag, text, units);
+Load load_from(const std::string& flag, const OutputUnits& units) {
+  const std::vector<Load> loads = loads_from(flag, units);
   if (loads.size() != 1) throw UsageError("flag '--" + flag + "' must be one number");
   return loads[0];
 }
@@ -72,7 +100,7 @@ namespace {
 /// --parameters and --lambda by name.
 std::map<std::string, std::string> parameter_texts() {
   std::map<std::string, std::string> given;
-  for (const std::string& item : split_list("parameters", FLAGS_parameters)) {
+  for (const std::string& item : list_from("parameters")) {
     const std::size_t equals = item.find('=');
     if (equals == std::string::npos) throw UsageError("flag '--parameters': '" + item + "' is not NAME=NUMBER");
     const std::string name(trim(std::string_view(item).substr(0, equals)));

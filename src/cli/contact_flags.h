@@ -1,4 +1,4 @@
-// Flags that describe one contact: its model, its constants, its loads.
+// Flags of a single contact: model, constants, loads.
 #pragma once
 
 #include <optional>
@@ -8,17 +8,16 @@
 #include "base/number_text.h"
 #include "base/units.h"
 #include "cli/flags.h"
-#include "cli/usage_error.h"
 #include "mechanics/contact.h"
 #include "mechanics/contact_model.h"
 
 namespace mixity::cli {
 
-/// How dimensionless numbers are printed: all scales one, without unit names, if dimensionless.
+/// Units of the output: scales from dimensionless numbers. For dimensionless output all scales are 1 and names empty.
 struct OutputUnits {
   std::string force, length;
   double force_scale = 1, length_scale = 1, area_scale = 1, displacement_scale = 1, stiffness_scale = 1;
-  Unit force_unit{};               // of numbers given without one
+  Unit force_unit{};               // of numbers that were given without a unit
   std::optional<Contact> contact;  // null if dimensionless
 
   std::string area() const { return length.empty() ? "" : length + "^2"; }
@@ -29,21 +28,29 @@ struct OutputUnits {
   }
 };
 
-/// From --radius, --modulus (or --youngs_modulus, --poisson_ratio), --toughness and --units: all or none.
+/// From --radius, --modulus (or --youngs_modulus and --poisson_ratio), --toughness and --units. Throws UsageError if
+/// only some of them are given.
 OutputUnits output_units();
 
 struct Load {
-  double dimensionless, shown;  // shown: in the output's unit, as given where it was given in that
+  double dimensionless, shown;  // shown: in the unit of the output
 };
 
-/// A list of loads from the text of a flag; throws UsageError if a unit is missing, wrong or out of place.
-std::vector<Load> loads_from(const std::string& flag, const std::string& text, const OutputUnits& units);
+/// A list of loads. Throws UsageError for a wrong or missing unit.
+std::vector<Load> loads_from(const std::string& flag, const OutputUnits& units);
 
-/// The same for a flag that must hold exactly one load.
-Load load_from(const std::string& flag, const std::string& text, const OutputUnits& units);
+/// The same for a flag with exactly one load.
+Load load_from(const std::string& flag, const OutputUnits& units);
 
 /// The model with this key; throws UsageError if there is none.
 ContactModel model_from(const std::string& key);
+
+/// Comma-separated quantities. The unit of the last applies to those without one. Throws UsageError.
+std::vector<Quantity> quantities_from(const std::string& flag);
+
+/// A positive quantity of the dimension of `unit`, divided by `size` [SI]; without a size a bare number. Throws
+/// UsageError.
+double positive_quantity(const std::string& flag, const std::string& unit, std::optional<double> size);
 
 /// The parameters of a model, all of them given and in range, except that of this number, which stays 0; throws
 /// UsageError otherwise.

@@ -11,15 +11,16 @@
 #include "base/printable.h"
 #include "cli/flags.h"
 #include "cli/law_flags.h"
-#include "cli/usage_error.h"
+
+DEFINE_bool(pool, false, "the files are the runs of one data set");
 
 namespace mixity::cli {
 namespace {
 
-/// One of modulus and youngs_modulus replaces the other.
+/// Overrides constants. modulus replaces youngs_modulus and poisson_ratio, youngs_modulus replaces modulus.
 void replace(Overrides& constants, const Overrides& with) {
   for (const auto& [name, text] : with) {
-    const bool both = name == "modulus";  // instead of the two that it follows from
+    const bool both = name == "modulus";
     const std::string_view other = both ? "youngs_modulus" : name == "youngs_modulus" ? "modulus" : "";
     std::erase_if(constants, [&](const auto& one) {
       return one.first == name || one.first == other || (both && one.first == "poisson_ratio");
@@ -80,7 +81,7 @@ std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags
   return with_metadata_flags(with_law_flags(std::move(flags)));
 }
 
-void tell_names_apart(std::vector<Analysis>& results) {
+void make_names_unique(std::vector<Analysis>& results) {
   const auto place = [](const Dataset& data) { return std::filesystem::absolute(data.path).lexically_normal(); };
   std::vector<std::string> names;
   for (const Analysis& result : results) {

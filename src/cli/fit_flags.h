@@ -1,4 +1,4 @@
-// Flags that describe fits, and the requests they make of definitions and data sets.
+// Flags of fits, and requests made from them.
 #pragma once
 
 #include <set>
@@ -7,24 +7,27 @@
 #include <vector>
 
 #include "analysis/result.h"
+#include "cli/flags.h"
+
+DECLARE_bool(pool);
 
 namespace mixity::cli {
 
-/// A definition as it stands, or the default request for a CSV; flags that were given win over both. Throws UsageError.
+/// The request of a definition, or the default one for a data file, with the flags applied. Throws UsageError.
 FitRequest request_for(const std::string& path);
 
-/// One request for each argument, or with --pool one for all. Throws UsageError.
+/// One request per argument, or one for all with --pool. Throws UsageError.
 std::vector<FitRequest> requests_for(const std::vector<std::string>& arguments);
-/// The files of --pool. Throws UsageError for a definition among them.
+/// The data files of --pool. Throws UsageError for a definition.
 std::vector<RunFile> pooled_files(const std::vector<std::string>& arguments);
 
-/// These flags and those that request_for reads, metadata included.
+/// Adds the flags that request_for reads.
 std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags);
 
-/// Gives data sets of one name that are different files the names of their folders, too: "a/run", "b/run".
-void tell_names_apart(std::vector<Analysis>& results);
+/// Prefixes the folder to names shared by different files: "a/run", "b/run".
+void make_names_unique(std::vector<Analysis>& results);
 
-/// File names from data set names, made distinct where two data sets share one.
+/// A file name from the name of the data set, made unique among those in `taken`.
 std::string file_stem(const Analysis& result, std::set<std::string>& taken);
 
 }  // namespace mixity::cli

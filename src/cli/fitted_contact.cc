@@ -8,11 +8,9 @@
 #include "base/input_error.h"
 #include "base/number_text.h"
 #include "base/rounding.h"
-#include "cli/exit_code.h"
+#include "cli/contact_flags.h"
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
-#include "cli/quantity_list.h"
-#include "cli/usage_error.h"
 #include "mechanics/states.h"
 
 namespace mixity::cli {
@@ -42,7 +40,7 @@ Analysis fitted(const std::string& command, const Arguments& arguments) {
 FittedContact::FittedContact(const std::string& command, const Arguments& arguments)
     : result_(fitted(command, arguments)), best_(by_merit(result_).front()) {
   if (is_set("loads")) {
-    loads_ = loads_of("loads", FLAGS_loads);
+    loads_ = loads_of("loads");
     return;
   }
   std::vector<double> of_runs = data().curve_loads;
@@ -51,11 +49,11 @@ FittedContact::FittedContact(const std::string& command, const Arguments& argume
   for (const double load : of_runs) loads_.push_back({load, load * data().display.force_scale});
 }
 
-std::vector<Load> FittedContact::loads_of(const std::string& flag, const std::string& text) const {
+std::vector<Load> FittedContact::loads_of(const std::string& flag) const {
   std::vector<Load> loads;
   const Dataset& of = data();
   const double unit = of.contact ? of.contact->force_unit() / of.display.force_scale : 1;  // of the data, in SI
-  for (const Quantity& load : quantity_list(flag, text)) {
+  for (const Quantity& load : quantities_from(flag)) {
     const bool bare = load.unit.text.empty();
     if (!bare && (!of.contact || load.unit.dimension != dimension::force))
       throw UsageError("flag '--" + flag + "' must be " +

@@ -1,4 +1,4 @@
-// A contact that is fitted to data, for commands that say what follows from it.
+// A contact fitted to data, for commands that predict from it.
 #pragma once
 
 #include <functional>
@@ -12,27 +12,27 @@
 
 namespace mixity::cli {
 
-/// The model that describes a data set best, or that of --model. Loads are as read.
+/// The fit of the best model, or of --model. Loads are as read.
 class FittedContact {
  public:
-  /// One data CSV or fit definition. Throws UsageError, and what requests throw.
+  /// From one data file or fit definition. Throws UsageError and what run() throws.
   FittedContact(const std::string& command, const Arguments& arguments);
 
   const Dataset& data() const { return result_.data; }
   const FitResult& fit() const { return result_.fits[best_]; }
 
-  /// --loads, or those of the runs, falling.
+  /// --loads, or the loads of the runs in falling order.
   const std::vector<Load>& loads() const { return loads_; }
-  /// A list of loads in the data's unit; throws UsageError for another one.
-  std::vector<Load> loads_of(const std::string& flag, const std::string& text) const;
+  /// The loads of a flag, in the data's unit if they have none; throws UsageError.
+  std::vector<Load> loads_of(const std::string& flag) const;
   FoldsPrediction folds(const Load& P, const std::vector<Control>& controls) const;
-  /// So many from 0 to where the contact jumps, or to the data's largest T if it does not.
+  /// Evenly spaced from 0 to the jump, or to the largest T of the data if there is no jump.
   std::vector<Load> shears_to_the_jump(const Load& P, std::size_t points) const;
 
-  /// CSV of the areas at each load and these shears of it, with standard errors.
+  /// Prints a CSV of the areas at each load and its shears, with standard errors.
   void print_areas(const std::function<std::vector<Load>(const Load& P)>& shears) const;
 
-  /// Says on the error stream why the fit cannot be believed, if so.
+  /// Also prints to standard error if the fit is not ok.
   int exit_code() const;
 
  private:

@@ -7,6 +7,12 @@
 #include "base/toml_file.h"
 #include "cli/flags.h"
 
+DEFINE_string(
+    law, "",
+    "a law of one's own: \"mine: 1 + (1-l)*tan(psi)^2; l=0..1\", of psi, B = sin^2 psi, t = tan psi, or an equation "
+    "in K_I and K_II; several are parted by |, or the flag is given again");
+DEFINE_string(laws, "", "a TOML of laws in the form of data/laws.toml");
+
 namespace mixity::cli {
 namespace {
 
@@ -34,7 +40,7 @@ void define_laws_of_flags() {
     end = std::min(all.find(kNextLaw, line), all.size());
     for (std::size_t at = line, next; at < end; at = next + 1) {
       next = std::min(all.find('|', at), end);
-      // behind blanks for those before it, so that columns are those of the flag
+      // padded, so that columns in messages count from the start of the flag's value
       add(define_law_text("--law", std::string(at - line, ' ') + all.substr(at, next - at)));
     }
   }

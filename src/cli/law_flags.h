@@ -1,4 +1,4 @@
-// Flags that state laws of one's own: --law and --laws.
+// Flags that define laws: --law and --laws.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace mixity::cli {
 
-/// These flags and those two.
+/// Adds these flags.
 std::vector<std::string_view> with_law_flags(std::vector<std::string_view> flags);
 
-/// Makes what they state models, and prints to standard error what is to be said of them. Throws InputError.
+/// Defines the laws of these flags as models, and prints warnings about them to standard error. Throws InputError.
 void define_laws_of_flags();
 
 /// Keys of these laws.

@@ -11,10 +11,8 @@
 #include "base/output_file.h"
 #include "base/printable.h"
 #include "cli/commands.h"
-#include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/law_flags.h"
-#include "cli/usage_error.h"
 
 namespace {
 
@@ -29,6 +27,7 @@ int run(const Arguments& words) {
     return kFine;
   }
   if (name == "--help" || name == "-help" || name == "-h") return run_help({});
+  define_flags_of_tables();
   const Command* command = find_command(name);
   if (!command) throw UsageError("unknown command '" + name + "' (see mixity help)");
   for (const std::string& word : words)
@@ -47,9 +46,9 @@ int fail(const std::string& message, int code) {
 
 int main(int argc, char** argv) {
   FLAGS_logtostderr = true;
-  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres warns of what the fit's status says better
+  FLAGS_minloglevel = google::GLOG_FATAL;  // silences Ceres: the status of a fit says more
   google::InitGoogleLogging(argv[0]);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of write(), not the end of the program
+  std::signal(SIGXFSZ, SIG_IGN);  // makes write() fail if a file grows too large, instead of ending the program
   int code = kFine;
   try {
     code = run({argv + 1, argv + argc});

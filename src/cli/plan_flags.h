@@ -1,4 +1,4 @@
-// Flags that describe an experiment that is to be done.
+// Flags of a planned experiment.
 #pragma once
 
 #include <string_view>
@@ -8,14 +8,14 @@
 
 namespace mixity::cli {
 
-/// Of --model, --lambda or --parameters, the constants, --loads, --points, --reach, --sigma_T and --sigma_A. Loads may
-/// be missing if the command finds some itself. Throws UsageError.
+/// From --model, --lambda or --parameters, the constants, --loads, --points, --reach, --sigma_T and --sigma_A. Throws
+/// UsageError, also for missing loads if the plan needs them.
 Plan plan_from_flags(bool needs_loads);
 
-/// These flags and those of a plan.
+/// Adds the flags of a plan.
 std::vector<std::string_view> with_plan_flags(std::vector<std::string_view> flags);
 
-/// A number of things from a flag that is one: "500". Throws UsageError for less than `least`.
+/// A whole number, `least` or more. Throws UsageError.
 std::size_t count_from(const std::string& flag, std::size_t least);
 
 }  // namespace mixity::cli

@@ -16,7 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// Draws by a clock of its own, so that a step that takes long does not look like a halt.
+/// Redrawn by a thread, so that the time goes on during a long step.
 class Line {
  public:
   explicit Line(std::string what) : what_(std::move(what)) {}
@@ -30,7 +30,7 @@ class Line {
     const std::lock_guard lock(mutex_);
     fraction_ = fraction;
     if (fraction < 1 || !shown_) return;
-    std::fprintf(stderr, "\r\033[K");  // what comes next is not the bar's
+    std::fprintf(stderr, "\r\033[K");  // removes the bar
     shown_ = false;
   }
 
@@ -70,7 +70,7 @@ Progress progress_line(const std::string& what) try {
   if (!isatty(STDERR_FILENO)) return {};
   const auto line = std::make_shared<Line>(what);
   return [line](double fraction) { line->reach(fraction); };
-} catch (const std::system_error&) {  // no thread to be had: the work goes on without a line
+} catch (const std::system_error&) {  // no thread: go on without a bar
   return {};
 }
 

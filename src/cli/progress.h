@@ -1,11 +1,11 @@
-// A line on standard error that says how far a long computation is.
+// A progress bar on standard error.
 #pragma once
 
 #include "solver/options.h"
 
 namespace mixity::cli {
 
-/// Says nothing before a second has passed, and nothing at all if standard error is no terminal. Copies share the line.
+/// Appears after one second, and only on a terminal. Copies share the bar.
 Progress progress_line(const std::string& what);
 
 }  // namespace mixity::cli

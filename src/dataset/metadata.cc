@@ -13,28 +13,40 @@
 namespace mixity {
 namespace {
 
-struct Field {
-  std::string_view name;
-  std::optional<double> Metadata::*value;
-  Dimension dimension;
-  std::string_view si_unit, example;
-};
-
-constexpr std::array kFields{
-    Field{"radius", &Metadata::radius, dimension::length, " m", "9.42 mm"},
-    Field{"modulus", &Metadata::modulus, dimension::stress, " Pa", "2.133 MPa"},
-    Field{"youngs_modulus", &Metadata::youngs_modulus, dimension::stress, " Pa", "1.6 MPa"},
-    Field{"poisson_ratio", &Metadata::poisson_ratio, dimension::none, "", "0.5"},
-    Field{"toughness", &Metadata::toughness, dimension::energy_per_area, " J/m^2", "27 mJ/m^2"},
-    Field{"toughness_II", &Metadata::toughness_II, dimension::energy_per_area, " J/m^2", "1.7 N/mm"},
-    Field{"shear_strength", &Metadata::shear_strength, dimension::stress, " Pa", "0.43 MPa"},
-    Field{"load_offset", &Metadata::load_offset, dimension::force, " N", "0 +/- 0.5 mN"},
-    Field{"shear_offset", &Metadata::shear_offset, dimension::force, " N", "0 +/- 0.5 mN"},
-    Field{"area_offset", &Metadata::area_offset, dimension::area, " m^2", "0 +/- 0.01 mm^2"},
-    Field{"area_scale", &Metadata::area_scale, dimension::none, "", "1 +/- 2%"},
-    Field{"pixel", &Metadata::pixel, dimension::length, " m", "1.7 um"},
-    Field{"load", &Metadata::load, dimension::force, " N", "4.68 mN"},
-};
+constexpr std::array<MetadataField, 20> kFields{{
+    {"radius", "radius of the sphere, such as \"9.42 mm\"", true, &Metadata::radius, dimension::length, "9.42 mm"},
+    {"modulus", "plane-strain modulus E*, such as \"2.133 MPa\"", true, &Metadata::modulus, dimension::stress,
+     "2.133 MPa"},
+    {"youngs_modulus", "Young's modulus of the soft half-space; needs poisson_ratio", true, &Metadata::youngs_modulus,
+     dimension::stress, "1.6 MPa"},
+    {"poisson_ratio", "Poisson's ratio of the soft half-space, 0..0.5", true, &Metadata::poisson_ratio, dimension::none,
+     "0.5"},
+    {"toughness", "mode-I toughness G_Ic, such as \"27 mJ/m^2\"", true, &Metadata::toughness,
+     dimension::energy_per_area, "27 mJ/m^2"},
+    {"toughness_II", "mode-II toughness G_IIc, such as \"1.7 N/mm\"", true, &Metadata::toughness_II,
+     dimension::energy_per_area, "1.7 N/mm"},
+    {"shear_strength", "shear strength tau0 of the interface, such as \"0.43 MPa\"", true, &Metadata::shear_strength,
+     dimension::stress, "0.43 MPa"},
+    {"load_offset", "to be added to readings of P, such as \"0 +/- 0.5 mN\"", true, &Metadata::load_offset,
+     dimension::force, "0 +/- 0.5 mN"},
+    {"shear_offset", "to be added to readings of T, such as \"0 +/- 0.5 mN\"", true, &Metadata::shear_offset,
+     dimension::force, "0 +/- 0.5 mN"},
+    {"area_offset", "to be added to readings of A, such as \"0 +/- 0.01 mm^2\"", true, &Metadata::area_offset,
+     dimension::area, "0 +/- 0.01 mm^2"},
+    {"area_scale", "what readings of A are to be multiplied by, such as \"1 +/- 2%\"", true, &Metadata::area_scale,
+     dimension::none, "1 +/- 2%"},
+    {"provenance", "measured, digitised or reconstructed", true},
+    {"source", "where the data come from", true},
+    {"note", "a note on the data", true},
+    {"columns", "which column is which: \"P=Kanal 3 (mN),T=Kanal 4 (N)\", by heading or number", false},
+    {"headings", "a TOML that adds to the names of columns that are known (data/headings.toml)", false},
+    {"decimal", "the decimal sign, where a file can be read in two ways: , or .", false},
+    {"pixel", "the side of a camera's pixel, for areas in pixels: \"1.7 um\"", false, &Metadata::pixel,
+     dimension::length, "1.7 um"},
+    {"load", "normal load P of all points, where no column states it", false, &Metadata::load, dimension::force,
+     "4.68 mN"},
+    {"load_from", "where a file's name states the normal load: \"run_{P}mN\"", false},
+}};
 
 constexpr std::array<std::string_view, 4> kProvenances{"unstated", "measured", "digitised", "reconstructed"};
 
@@ -45,16 +57,6 @@ std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
   return printable(trim(text), std::string::npos);
-}
-
-constexpr std::array<std::string_view, 7> kTextFields{"provenance", "source",  "note",     "columns",
-                                                      "headings",   "decimal", "load_from"};
-
-/// Whether the field is about a file, rather than the experiment.
-bool is_reading(std::string_view name) { return name == "pixel" || name == "load"; }
-
-bool is_text(std::string_view name) {
-  return std::find(kTextFields.begin(), kTextFields.end(), name) != kTextFields.end();
 }
 
 /// "P=Kanal 3 (mN), T=Kanal 4 (N)": a comma separates two columns if a quantity and "=" follow it. Returns what is
@@ -80,13 +82,25 @@ std::string read_mapping(std::string_view text, std::map<std::string, std::strin
   return columns.empty() ? "columns is empty" : "";
 }
 
-const Field* find_field(std::string_view name) {
-  for (const Field& field : kFields)
+const MetadataField* find_field(std::string_view name) {
+  for (const MetadataField& field : kFields)
     if (field.name == name) return &field;
   return nullptr;
 }
 
 }  // namespace
+
+std::span<const MetadataField> metadata_fields() { return kFields; }
+
+std::string_view si_unit(const Dimension& d) {
+  return d == dimension::length            ? "m"
+         : d == dimension::stress          ? "Pa"
+         : d == dimension::energy_per_area ? "J/m^2"
+         : d == dimension::force           ? "N"
+         : d == dimension::area            ? "m^2"
+         : d == dimension::angle           ? "rad"
+                                           : "";
+}
 
 std::string_view to_string(Provenance provenance) { return kProvenances[static_cast<std::size_t>(provenance)]; }
 
@@ -130,7 +144,7 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
     if (text != "," && text != ".") return "decimal is " + quoted(text) + "; it must be \",\" or \".\"";
     return metadata.decimal = text[0], "";
   }
-  if (const Field* field = find_field(name)) {
+  if (const MetadataField* const field = find_field(name)) {
     const auto uncertain = parse_uncertain(text);
     if (!uncertain)
       return std::string(name) + " is " + quoted(text) + "; it must be a number with a unit, such as " +
@@ -144,34 +158,34 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
                                 : !name.ends_with("_offset") && name != "load" && !(value > 0))
       return std::string(name) + " is " + quoted(text) +
              (name == "poisson_ratio" ? "; it must lie between 0 and 0.5" : "; it must be positive");
-    if (is_reading(name) && uncertain->standard_error > 0)
+    if (!field->of_experiment && uncertain->standard_error > 0)
       return std::string(name) + " is " + quoted(text) + "; its error belongs in " +
              (name == "pixel" ? "area_scale, which has twice that of a length: area_scale = \"1 +/- 2%\""
                               : "load_offset: load_offset = \"0 +/- 0.5 mN\"");
     if (name == "load") metadata.load_from.clear();  // the last statement holds
-    metadata.*field->value = value;
+    metadata.*field->number = value;
     metadata.standard_errors.erase(std::string(name));
     if (uncertain->standard_error > 0) metadata.standard_errors.emplace(name, uncertain->standard_error);
     return "";
   }
   std::string known;
-  for (const Field& field : kFields) known += std::string(field.name) + ", ";
-  for (const std::string_view text_name : kTextFields)
-    known += std::string(text_name) + (text_name == kTextFields.back() ? "" : ", ");
+  for (const bool numbers : {true, false})
+    for (const MetadataField& field : kFields)
+      if ((field.number != nullptr) == numbers) known += (known.empty() ? "" : ", ") + std::string(field.name);
   return "unknown key " + quoted(name) + " (known: " + known + ")";
 }
 
 std::string kind_of_field(std::string_view name) {
-  if (is_text(name)) return "a string";
-  const Field* field = find_field(name);
-  return field ? "a string with a number and a unit, such as " + quoted(field->example) : "";
+  const MetadataField* const field = find_field(name);
+  if (!field) return "";
+  return field->number ? "a string with a number and a unit, such as " + quoted(field->example) : "a string";
 }
 
 std::string add_constants(const Metadata& more, Metadata& constants) {
-  for (const Field& field : kFields) {
-    const std::optional<double>& value = more.*field.value;
-    if (!value || is_reading(field.name)) continue;
-    std::optional<double>& before = constants.*field.value;
+  for (const MetadataField& field : kFields) {
+    if (!field.number || !field.of_experiment || !(more.*field.number)) continue;
+    const std::optional<double>& value = more.*field.number;
+    std::optional<double>& before = constants.*field.number;
     const std::string name(field.name);
     if (before && (*before != *value || constants.standard_error(name) != more.standard_error(name)))
       return "states another " + name + " than a file before it; constants are those of the whole experiment";
@@ -186,12 +200,12 @@ std::string add_constants(const Metadata& more, Metadata& constants) {
 
 Overrides constants_as_stated(const Metadata& metadata) {
   Overrides list;
-  for (const Field& field : kFields) {
-    const std::optional<double>& value = metadata.*field.value;
-    if (!value || is_reading(field.name)) continue;
+  for (const MetadataField& field : kFields) {
+    if (!field.number || !field.of_experiment || !(metadata.*field.number)) continue;
+    const std::string_view unit = si_unit(field.dimension);
     const double error = metadata.standard_error(field.name);
-    list.emplace_back(field.name,
-                      shortest(*value) + (error > 0 ? " +/- " + shortest(error) : "") + std::string(field.si_unit));
+    list.emplace_back(field.name, shortest(*(metadata.*field.number)) + (error > 0 ? " +/- " + shortest(error) : "") +
+                                      (unit.empty() ? "" : " ") + std::string(unit));
   }
   return list;
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -64,6 +65,20 @@ class MissingConstants : public InputError {
 
   std::vector<std::string> names;
 };
+
+/// Something that may be stated of an experiment, or of how to read its file: a key of the TOML, a flag, a keyword.
+struct MetadataField {
+  std::string_view name, help;                        // help: a clause
+  bool of_experiment;                                 // else of how the file is read
+  std::optional<double> Metadata::*number = nullptr;  // null: a text
+  Dimension dimension{};                              // of the number
+  std::string_view example{};                         // of its text
+};
+/// In the order in which help lists them.
+std::span<const MetadataField> metadata_fields();
+
+/// "Pa"; empty for a number without a unit.
+std::string_view si_unit(const Dimension& dimension);
 
 /// Sets one field from its text. Returns what is wrong with it, or an empty string.
 std::string set_field(Metadata& metadata, std::string_view name, std::string_view text);

@@ -6,6 +6,7 @@
 
 #include "dataset/arrays.h"
 #include "dataset/pooled.h"
+#include "dataset/table/column_kinds.h"
 #include "dataset/table/column_names.h"
 #include "python/bindings.h"
 
@@ -62,6 +63,18 @@ void bind_data(nb::module_& m) {
     return load_pooled(files, constants);
   });
   m.def("files_of", &files_of);
+  m.def("column_names", [] {
+    std::vector<std::string_view> names;
+    for (const ColumnKind& kind : kColumnKinds) names.push_back(kind.name);
+    return names;
+  });
+  m.def("si_units", [] {  // of columns and constants that have a unit
+    std::map<std::string_view, std::string_view> units;
+    for (const ColumnKind& kind : kColumnKinds) units[kind.name] = si_unit(kind.dimension);
+    for (const MetadataField& field : metadata_fields()) units[field.name] = si_unit(field.dimension);
+    std::erase_if(units, [](const auto& one) { return one.second.empty(); });
+    return units;
+  });
   m.def("named_columns", [](const std::string& name, const std::vector<std::string>& texts, bool load_stated) {
     std::vector<Heading> headings;
     for (const std::string& text : texts) headings.push_back(split_heading(text, {1, headings.size() + 1}));
@@ -71,6 +84,10 @@ void bind_data(nb::module_& m) {
     for (const NamedColumn& one : name_columns(name, headings, rules))
       columns.emplace_back(to_string(one.id), one.index, one.heading.unit);
     return columns;
+  });
+  m.def("contact_units", [](double radius, double modulus, double toughness) {
+    const Contact contact{radius, modulus, toughness};
+    return std::tuple(contact.force_unit(), contact.area_unit(), contact.displacement_unit(), contact.stress_unit());
   });
   m.def("unit_in_heading", [](const std::string& text) { return split_heading(text, {}).unit; });
   m.def("same_unit", [](const std::string& one, const std::string& other) {

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "analysis/fit_definition.h"
 #include "analysis/request.h"
+#include "base/files.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -80,6 +83,21 @@ TEST(Settings, AreReadBackFromTheDefinitionOfARequest) {
   ASSERT_EQ(again.exclusion.lines.size(), 2U);
   EXPECT_EQ(again.exclusion.lines[1].last, 9U);
   EXPECT_EQ(again.exclusion.runs, request.exclusion.runs);
+}
+
+/// The page passes the names of its fields on.
+TEST(Settings, AndConstantsHaveTheNamesOfTheExplorersFields) {
+  const std::string page = read_file(MIXITY_ROOT "/src/explorer/page/index.html");
+  const std::size_t begin = page.find("<form id=\"constants\""), end = page.find("</form>", begin);
+  ASSERT_NE(end, std::string::npos);
+  const std::string form = page.substr(begin, end - begin);
+  std::size_t fields = 0;
+  for (std::size_t at = 0; (at = form.find("<input name=\"", at)) != std::string::npos; ++fields) {
+    at += 13;
+    const std::string name = form.substr(at, form.find('"', at) - at);
+    EXPECT_TRUE(std::ranges::any_of(metadata_fields(), [&](const auto& field) { return field.name == name; })) << name;
+  }
+  EXPECT_EQ(fields, 5u);
 }
 
 TEST(Settings, ThatDoNotGoTogetherAreNamed) {

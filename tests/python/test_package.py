@@ -1,7 +1,10 @@
 """What a notebook meets: data sets, fits, arrays, errors, pickles."""
 
+import ast
 import doctest
+import graphlib
 import importlib
+import pathlib
 import pickle
 import signal
 import subprocess
@@ -365,6 +368,21 @@ def test_types_are_complete(tmp_path):
     assert told[0] == 'note: Revealed type is "str"' and told[1] == 'note: Revealed type is "float"', done.stdout
     assert "unsignedinteger" in told[2].lower() or "uint8" in told[2], done.stdout
     assert 'Module has no attribute "fitt"' in told[3] and '"Fit" has no attribute "state"' in told[4], done.stdout
+
+
+def test_modules_import_each_other_one_way():
+    imports = {}
+    for path in pathlib.Path(mixity.__path__[0]).glob("*.py"):
+        of_package = [node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.ImportFrom) and node.level]
+        imports[path.stem] = {name for node in of_package for name in ([node.module] if node.module else [one.name for one in node.names])}
+    assert "plots" in imports["_fits"]
+    list(graphlib.TopologicalSorter(imports).static_order())  # raises CycleError
+
+
+def test_fit_describes_every_option():
+    for name in ("sigma_T", "lambda_prior", "per", "bootstrap"):
+        assert f"``{name}``: " in mixity.fit.__doc__
+    assert "(default profile)" in mixity.fit.__doc__
 
 
 def test_import_needs_numpy_alone():

@@ -17,9 +17,7 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
 
-_COLUMNS = (
-    "P T A a a_par a_perp major minor psi mode_ratio Gc Gc_over_GIc G_I G_II sigma_T sigma_A sigma_Gc sigma_GI sigma_GII"
-).split()
+_COLUMNS = [name for name in _core.column_names() if name not in ("curve", "include", "time")]
 
 # How a file's sentences call what is an argument here.
 _FLAG = (

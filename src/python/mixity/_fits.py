@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING, Any, Iterator, Sequence
 
 import numpy as np
 
-from . import _core
+from . import _core, plots
 from ._data import Dataset
 from ._law import Law, define, definitions
 from ._units import carries_units, plain_array
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
     FloatArray = NDArray[np.float64]
@@ -192,75 +191,11 @@ class Fit:
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._fields]
 
-    def plot_area(self, ax: Axes | None = None) -> Axes:
-        """Draws A(T) of each run: points, the model with its 95 % band, and where it jumps.
-
-        Parameters
-        ----------
-        ax : matplotlib Axes, optional
-            Left out: new axes.
-
-        Returns
-        -------
-        matplotlib Axes
-
-        Raises
-        ------
-        InputError
-            Where the data have no loads.
-        """
-        from . import plots
-
-        return plots.area(self, ax)
-
-    def plot_toughness(self, ax: Axes | None = None) -> Axes:
-        """Draws G_c/G_Ic against psi [deg]: points, the model, and the band of its first parameter's interval.
-
-        ``ax`` and what is returned as of :meth:`plot_area`.
-        """
-        from . import plots
-
-        return plots.toughness(self, ax)
-
-    def plot_residuals(self, ax: Axes | None = None) -> Axes:
-        """Draws the residuals against T, or against psi [deg] where there are no loads.
-
-        ``ax`` and what is returned as of :meth:`plot_area`.
-        """
-        from . import plots
-
-        return plots.residuals(self, ax)
-
-    def plot_profile(self, parameter: str | None = None, ax: Axes | None = None) -> Axes:
-        """Draws the profile likelihood of a parameter and the level of its interval.
-
-        Parameters
-        ----------
-        parameter : str, optional
-            Left out: the model's first.
-        ax : matplotlib Axes, optional
-
-        Returns
-        -------
-        matplotlib Axes
-
-        Raises
-        ------
-        InputError
-            For a parameter that there is not, or that is held, at a bound or not identifiable.
-        """
-        from . import plots
-
-        return plots.profile(self, parameter, ax)
-
-    def plot_budget(self, ax: Axes | None = None) -> Axes:
-        """Draws the shares of the first parameter's variance: scatter, and what is not known of each constant.
-
-        ``ax`` and what is returned as of :meth:`plot_area`; an InputError where the fit has no budget.
-        """
-        from . import plots
-
-        return plots.budget(self, ax)
+    plot_area = plots.area
+    plot_toughness = plots.toughness
+    plot_residuals = plots.residuals
+    plot_profile = plots.profile
+    plot_budget = plots.budget
 
 
 class Fits:

@@ -10,11 +10,11 @@ import numpy as np
 from . import _core
 from ._data import Dataset, _made
 from ._fits import Fits
-from ._law import Law, key_of
+from ._law import Law, model_keys
 from ._log import DEBUG, INFO, listening
 from ._units import error_text, si_names
 
-_KEYS = frozenset(_core.model_keys())
+_OPTIONS = {name: (help, initial) for name, help, initial in _core.options()}
 
 
 def _option_text(value: Any) -> str:
@@ -31,17 +31,6 @@ def _option_text(value: Any) -> str:
     if isinstance(value, (list, tuple, set, range)):
         return ",".join(map(_option_text, value))
     return repr(value)
-
-
-def _model_keys(models: Any) -> Any:
-    if isinstance(models, Law):
-        return models.key
-    if isinstance(models, (list, tuple)):
-        return [key_of(model) for model in models]
-    if not isinstance(models, str) or "," in models:
-        return models
-    # "abc" are three
-    return models if models in _KEYS or not all(key in _KEYS for key in models) else ",".join(models)
 
 
 def fit(
@@ -68,9 +57,9 @@ def fit(
     progress : callable or bool, optional
         Called with the share that is done, 0..1, on the calling thread; True: a bar of tqdm, where that is installed.
     **options
-        Every option of ``mixity fit`` by its name: sigma_T="2%", loss="cauchy", hold={"lambda": 0.3}, bootstrap=1000,
-        per="curve", exclude=[17], checks=False, ... (``mixity help fit``). ``sigma_T`` and ``sigma_A`` may be floats in SI
-        (dimensionless as the data are) or pint quantities.
+        The options of ``mixity fit``: sigma_T="2%", loss="cauchy", hold={"lambda": 0.3}, bootstrap=1000, per="curve",
+        exclude=[17], checks=False. ``sigma_T`` and ``sigma_A`` may be floats in SI (dimensionless as the data are) or pint
+        quantities.
 
     Returns
     -------
@@ -88,9 +77,9 @@ def fit(
     """
     if not isinstance(data, Dataset):
         raise TypeError("data must be a mixity.Dataset: Dataset(P=..., T=..., A=...), from_frame(...) or read(...)")
-    stated = [("models", _option_text(_model_keys(models)))]
+    stated = [("models", _option_text(model_keys(models)))]
     for name, value in {"objective": objective, "free": free, **options}.items():
-        if name in si_names() and name not in _core.option_names():
+        if name in si_names() and name not in _OPTIONS:
             raise _core.InputError(f"{name}: is no option of a fit: state it in mixity.Dataset({name}=...), or in mixity.read")
         if name in ("sigma_T", "sigma_A") and value is not None:
             value = error_text(name, value, bool(data._core.force_unit_text))
@@ -122,3 +111,16 @@ def fit(
                 if one.message:
                     logger.debug("%s: %s", key, one.message)
     return fits
+
+
+def _described() -> str:
+    """The options that are no parameters of :func:`fit` itself."""
+    lines = []
+    for name, (help, initial) in _OPTIONS.items():
+        if name not in ("models", "objective", "free"):
+            lines.append(f"``{name}``: {help}" + (f" (default {initial})" if initial else ""))
+    return "".join(f"\n        {line}\n" for line in lines)
+
+
+if fit.__doc__:  # python -OO has none
+    fit.__doc__ = fit.__doc__.replace("        quantities.\n", "        quantities.\n" + _described(), 1)

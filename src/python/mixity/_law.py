@@ -198,3 +198,17 @@ def key_of(model):
     if isinstance(model, str):
         _core.provide_law(model)
     return model
+
+
+_BUILT_IN = frozenset(_core.model_keys())
+
+
+def model_keys(models: Any) -> Any:
+    """Keys of models as :func:`fit` takes them: a text or a list. "abc" are three models."""
+    if isinstance(models, Law):
+        return models.key
+    if isinstance(models, (list, tuple)):
+        return [key_of(model) for model in models]
+    if not isinstance(models, str) or "," in models:
+        return models
+    return models if models in _BUILT_IN or not all(key in _BUILT_IN for key in models) else ",".join(models)

@@ -38,9 +38,7 @@ class _Units:
             radius = modulus = toughness = 0.0
         if not (0 < radius < np.inf and 0 < modulus < np.inf and 0 < toughness < np.inf):
             raise _core.InputError(f"contact is {contact!r}; it must be (radius [m], modulus [Pa], toughness [J/m^2]), all above 0")
-        xi = np.cbrt(modulus * radius / toughness)
-        self.force, self.area = radius * toughness, (radius / xi) ** 2
-        self.displacement, self.stress = radius / xi**2, modulus / xi
+        self.force, self.area, self.displacement, self.stress = _core.contact_units(radius, modulus, toughness)
 
 
 def _scaled(name, value, unit, contact):
@@ -98,38 +96,20 @@ def _shown(array):
 
 @overload
 def area(
-    model: str | Law,
-    lam: Parameters,
-    P: ArrayLike,
-    T: ArrayLike,
-    *,
-    contact: Contact = None,
-    out: FloatArray | None = None,
+    model: str | Law, lam: Parameters, P: ArrayLike, T: ArrayLike, *, contact: Contact = None, out: FloatArray | None = None,
     return_status: Literal[False] = False,
 ) -> FloatArray: ...
 
 
 @overload
 def area(
-    model: str | Law,
-    lam: Parameters,
-    P: ArrayLike,
-    T: ArrayLike,
-    *,
-    contact: Contact = None,
-    out: FloatArray | None = None,
+    model: str | Law, lam: Parameters, P: ArrayLike, T: ArrayLike, *, contact: Contact = None, out: FloatArray | None = None,
     return_status: Literal[True],
 ) -> tuple[FloatArray, Codes]: ...
 
 
 def area(
-    model: str | Law,
-    lam: Parameters,
-    P: ArrayLike,
-    T: ArrayLike,
-    *,
-    contact: Contact = None,
-    out: FloatArray | None = None,
+    model: str | Law, lam: Parameters, P: ArrayLike, T: ArrayLike, *, contact: Contact = None, out: FloatArray | None = None,
     return_status: bool = False,
 ) -> Any:
     """Contact area at loads, on the branch that a contact follows when it is sheared from T = 0.
@@ -215,38 +195,20 @@ def tangential_load(
 
 @overload
 def displacement(
-    model: str | Law,
-    lam: Parameters,
-    P: ArrayLike,
-    T: ArrayLike,
-    *,
-    contact: Contact = None,
-    out: FloatArray | None = None,
+    model: str | Law, lam: Parameters, P: ArrayLike, T: ArrayLike, *, contact: Contact = None, out: FloatArray | None = None,
     return_status: Literal[False] = False,
 ) -> FloatArray: ...
 
 
 @overload
 def displacement(
-    model: str | Law,
-    lam: Parameters,
-    P: ArrayLike,
-    T: ArrayLike,
-    *,
-    contact: Contact = None,
-    out: FloatArray | None = None,
+    model: str | Law, lam: Parameters, P: ArrayLike, T: ArrayLike, *, contact: Contact = None, out: FloatArray | None = None,
     return_status: Literal[True],
 ) -> tuple[FloatArray, Codes]: ...
 
 
 def displacement(
-    model: str | Law,
-    lam: Parameters,
-    P: ArrayLike,
-    T: ArrayLike,
-    *,
-    contact: Contact = None,
-    out: FloatArray | None = None,
+    model: str | Law, lam: Parameters, P: ArrayLike, T: ArrayLike, *, contact: Contact = None, out: FloatArray | None = None,
     return_status: bool = False,
 ) -> Any:
     """Tangential displacement u = 3 T/(4 a) of an incompressible half-space (nu = 1/2), dimensionless or [m].

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Callable, Sequence
 
-from . import _core
+from . import _core, plots
 from ._data import Dataset, _made
 from ._fitting import _model_keys
-from ._law import Law, define, definitions, key_of
+from ._law import Law, define, definitions, key_of, model_keys
 from ._units import constant_text, error_text, load_list, load_number, whole_number
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     Models = str | Law | Sequence[str | Law]
 
 
 def _keys(models: Models) -> list[str]:
     """"abc", "bk", "a,bk" or a list as a list of keys."""
-    keys = _model_keys(models)
+    keys = model_keys(models)
     return [key.strip() for key in keys.split(",") if key.strip()] if isinstance(keys, str) else list(keys)
 
 
@@ -103,11 +101,7 @@ class Plan:
         least, most = load_number("least", least), load_number("most", most)
         return self._core.next_loads(least, most, whole_number("candidates", candidates, 2), _keys(rivals))
 
-    def plot_loads(self, least: Any, most: Any, rivals: Models = "abc", ax: Axes | None = None) -> Axes:
-        """The error of lambda and the odds between models with one more run, against its load; on matplotlib axes."""
-        from . import plots
-
-        return plots.loads(self, least, most, rivals, ax)
+    plot_loads = plots.loads
 
     def best(self, least: Any, most: Any, runs: int, goal: str = "error", rivals: Models = "abc") -> Plan:
         """The plan with so many more runs at the loads that serve best: goal "error" of lambda, or "model"."""

@@ -4,36 +4,7 @@ import numpy as np
 
 from . import _core
 
-_SI = {
-    "P": "N",
-    "T": "N",
-    "A": "m^2",
-    "a": "m",
-    "a_par": "m",
-    "a_perp": "m",
-    "major": "m",
-    "minor": "m",
-    "sigma_T": "N",
-    "sigma_A": "m^2",
-    "psi": "rad",
-    "Gc": "J/m^2",
-    "G_I": "J/m^2",
-    "G_II": "J/m^2",
-    "sigma_Gc": "J/m^2",
-    "sigma_GI": "J/m^2",
-    "sigma_GII": "J/m^2",
-    "radius": "m",
-    "modulus": "Pa",
-    "youngs_modulus": "Pa",
-    "toughness": "J/m^2",
-    "toughness_II": "J/m^2",
-    "shear_strength": "Pa",
-    "load_offset": "N",
-    "shear_offset": "N",
-    "area_offset": "m^2",
-    "pixel": "m",
-    "load": "N",
-}
+_SI = _core.si_units()  # of columns and constants that have a unit
 _PINT = {"J/m^2": "J/m**2", "m^2": "m**2"}
 
 

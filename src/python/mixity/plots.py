@@ -1,5 +1,5 @@
-"""Figures of fits on matplotlib axes, in the styles of the report. Each function draws on ``ax``, or on new axes, and
-returns them."""
+"""Figures of fits and plans on matplotlib axes, in the style of the report: methods of :class:`mixity.Fit` and
+:class:`mixity.Plan`. Each draws on ``ax``, or on new axes, and returns them."""
 
 from __future__ import annotations
 
@@ -13,10 +13,7 @@ from ._core import InputError, parameter_names
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ._fits import Fit
-    from ._studies import Plan
-
-# Of the report: told apart without colour, too.
+# As in the report: distinct without colour, too.
 _STYLE = {"a": ("#0072b2", "--"), "b": ("#d55e00", "-."), "c": ("#009e73", "-"), "bk": ("#cc79a7", ":")}
 _POINTS: dict[str, Any] = {"linestyle": "none", "marker": "o", "fillstyle": "none", "color": "0.3", "markersize": 4}
 
@@ -40,8 +37,24 @@ def _lam(fit):
     return tuple(fit.params[name].value for name in parameter_names(fit.model))
 
 
-def area(fit: Fit, ax: Axes | None = None) -> Axes:
-    """A(T) of each run: points, the model with its 95 % band, and where it jumps."""
+def area(fit: Any, ax: Axes | None = None) -> Axes:
+    """Draws A(T) of each run: points, the model with its 95 % band, and where it jumps.
+
+    Parameters
+    ----------
+    fit : Fit
+    ax : matplotlib Axes, optional
+        New axes by default.
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    InputError
+        If the data have no loads.
+    """
     data = fit.data
     if not data._core.has_loads:
         raise InputError(f"{data.name} has no loads, so that there is no A(T) to draw; plot_toughness() draws what was fitted")
@@ -66,8 +79,11 @@ def area(fit: Fit, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def toughness(fit: Fit, ax: Axes | None = None) -> Axes:
-    """f(psi): points, the model, and the band of its first parameter's interval."""
+def toughness(fit: Any, ax: Axes | None = None) -> Axes:
+    """Draws G_c/G_Ic against psi [deg]: points, the model, and the band of its first parameter's interval.
+
+    Arguments and return value as for :func:`area`.
+    """
     ax = _axes(ax)
     data = fit.data
     colour, line = _STYLE.get(fit.model, ("k", "-"))
@@ -86,8 +102,11 @@ def toughness(fit: Fit, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def residuals(fit: Fit, ax: Axes | None = None) -> Axes:
-    """Residuals against T, or against psi where there are no loads."""
+def residuals(fit: Any, ax: Axes | None = None) -> Axes:
+    """Draws the residuals against T, or against psi [deg] if the data have no loads.
+
+    Arguments and return value as for :func:`area`.
+    """
     ax = _axes(ax)
     data = fit.data
     loads = data._core.has_loads
@@ -99,9 +118,25 @@ def residuals(fit: Fit, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def profile(fit: Fit, parameter: str | None = None, ax: Axes | None = None) -> Axes:
-    """The profile likelihood of a parameter, by default the model's first: how the cost rises when it is held there, and
-    the level of the interval."""
+def profile(fit: Any, parameter: str | None = None, ax: Axes | None = None) -> Axes:
+    """Draws the profile likelihood of a parameter: the rise of the cost when it is held, and the limit of the interval.
+
+    Parameters
+    ----------
+    fit : Fit
+    parameter : str, optional
+        The model's first by default.
+    ax : matplotlib Axes, optional
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    InputError
+        If there is no such parameter, or if it is held, at a bound or not identifiable.
+    """
     if parameter is None:
         parameter = next(iter(fit.params))
     if parameter not in fit.params:
@@ -118,8 +153,11 @@ def profile(fit: Fit, parameter: str | None = None, ax: Axes | None = None) -> A
     return ax
 
 
-def budget(fit: Fit, ax: Axes | None = None) -> Axes:
-    """The variance of the first parameter: scatter, and what is not known of each constant."""
+def budget(fit: Any, ax: Axes | None = None) -> Axes:
+    """Draws the shares of the first parameter's variance: scatter, and the uncertainty of each constant.
+
+    Arguments and return value as for :func:`area`. An InputError if the fit has no budget.
+    """
     ax = _axes(ax)
     found = fit.budget
     if not found or found["scatter"] is None:
@@ -137,9 +175,9 @@ def budget(fit: Fit, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def loads(plan: Plan, least: Any, most: Any, rivals: Any = "abc", ax: Axes | None = None) -> Axes:
-    """Of a plan with one more run, against its load [mN]: the expected error of lambda in percent, and on an axis of its own
-    the odds against the model that is hardest to tell from the plan's, as a power of ten."""
+def loads(plan: Any, least: Any, most: Any, rivals: Any = "abc", ax: Axes | None = None) -> Axes:
+    """Draws, for a plan with one more run, the expected error of lambda [%] against the load of that run [mN]; on a second
+    axis the odds against the rival that is hardest to distinguish, as a power of ten."""
     ax = _axes(ax)
     candidates = plan.next_loads(least, most, 41, rivals)
     load = [1e3 * one for one, _ in candidates]
