@@ -20,7 +20,6 @@
 #include "explorer/experiment.h"
 #include "explorer/regime_map.h"
 #include "report/fit_json.h"
-#include "report/job_fields.h"
 #include "report/used_csv.h"
 
 namespace mixity::explorer {
@@ -97,8 +96,8 @@ std::string define(const std::string& text) {
   });
 }
 
-/// A fit definition that was written: {"data": name, and job_fields.h}. Keys of its laws may be those of others that
-/// were typed: what was defined is forgotten, and what it defines, too.
+/// A fit definition that was written: {"data": name, and the rest as request_fields has it}. Keys of its laws may be
+/// those of others that were typed: what was defined is forgotten, and what it defines, too.
 std::string read_definition(const std::string& name) {
   return guarded([&] {
     struct Forgetting {
@@ -109,7 +108,7 @@ std::string read_definition(const std::string& name) {
     if (!request.runs.empty())
       throw InputError(name, "it is of several files, which the program pools: mixity fit " + name);
     Json told{{"data", std::filesystem::path(request.data_path).filename().string()}};
-    told.update(job_fields(request, request.constants));
+    told.update(request_fields(request, request.constants));
     return told;
   });
 }

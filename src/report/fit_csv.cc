@@ -3,174 +3,149 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <tuple>
 
-#include "base/rounding.h"
-#include "dataset/table/csv.h"
 #include "fitting/predicted_curves.h"
+#include "report/csv_table.h"
 
 namespace mixity {
 namespace {
 
 constexpr std::size_t kCurvePoints = 101;
 
-std::string number(const std::optional<double>& value) { return value ? shortest(*value) : std::string(); }
-
-std::string notice(const Dataset& data) {
-  return data.metadata.provenance == Provenance::reconstructed ? std::string(kReconstructedNotice) : std::string();
-}
-
-/// What a row has around it in a table of several data sets: their names, their units, and empty fields where this data
-/// set has no loads.
-struct Frame {
-  std::string before, blanks, after;
+struct ResidualRow {
+  const Dataset* data;
+  const FitResult* fit;
+  std::size_t index;
+  const Point& point() const { return data->points[fit->used[index]]; }
 };
 
-Frame table_frame(const Dataset& data) {
-  return {csv_field(data.name) + ',', data.has_loads ? "" : ",,,,",
-          ',' + csv_field(data.display.force) + ',' + csv_field(data.display.area)};
+/// In the units of the file; P, T and A of data with loads only.
+struct CurveRow {
+  const Dataset* data;
+  const FitResult* fit;
+  std::size_t curve;
+  std::optional<double> P, T, A;
+  double psi, f;
+};
+
+/// Columns of a table of one data set have its units in their headings and are those that it has. Tables of several,
+/// where `alone` is null, have its name and its units in columns of their own.
+template <class Row>
+struct Table {
+  const Dataset* alone;
+  CsvTable<Row> column{};
+
+  void begin() {
+    if (!alone) column("dataset", [](auto& row) { return row.data->name; });
+    column("provenance", [](auto& row) { return row.data->metadata.provenance; });
+    column("model", [](auto& row) { return row.fit->model; });
+  }
+  template <class Get>
+  void of_loads(const std::string& name, std::string DisplayUnits::*unit, Get get) {
+    if (!alone || alone->has_loads) column.quantity(name, alone ? alone->display.*unit : "", get);
+  }
+  void end() {
+    if (alone) return;
+    column("force_unit", [](auto& row) { return row.data->display.force; });
+    column("area_unit", [](auto& row) { return row.data->display.area; });
+  }
+};
+
+Table<ResidualRow> residual_columns(const Dataset* alone) {
+  Table<ResidualRow> table{alone};
+  const auto toughness = [](auto get) {
+    return [=](const ResidualRow& row) {
+      const auto found = row.data->toughness(row.fit->used[row.index]);
+      return found ? std::optional(get(*found)) : std::nullopt;
+    };
+  };
+  const auto measured = [](auto member, auto scale) {
+    return [=](const ResidualRow& row) {
+      return row.data->has_loads ? std::optional(row.point().*member * row.data->display.*scale) : std::nullopt;
+    };
+  };
+  table.begin();
+  table.column("line", [](auto& row) { return row.data->line_in_file(row.point().line); });
+  table.column("curve", [](auto& row) { return row.data->curves[row.point().curve]; });
+  table.column("psi [rad]", toughness([](auto& found) { return found.psi(); }));
+  table.column("Gc_over_GIc", toughness([](auto& found) { return found.ratio; }));
+  table.column("residual", [](auto& row) { return row.fit->residuals[row.index]; });
+  table.of_loads("P", &DisplayUnits::force, measured(&Point::P, &DisplayUnits::force_scale));
+  table.of_loads("T", &DisplayUnits::force, measured(&Point::T, &DisplayUnits::force_scale));
+  table.of_loads("A", &DisplayUnits::area, measured(&Point::A, &DisplayUnits::area_scale));
+  table.of_loads("A_predicted", &DisplayUnits::area, [](const ResidualRow& row) {
+    const auto predicted = row.fit->area ? row.fit->area->areas[row.index] : std::nullopt;
+    return predicted ? std::optional(*predicted * row.data->display.area_scale) : std::nullopt;
+  });
+  table.end();
+  return table;
 }
 
-void write_area_curve(std::ostringstream& out, const Analysis& result, const FitResult& fit, std::size_t curve,
-                      const Frame& frame) {
-  const Dataset& data = result.data;
-  for (const StableState& state : stable_states(data, result.request.options, fit, curve, kCurvePoints))
-    out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << ','
-        << csv_field(data.curves[curve]) << ',' << shortest(data.curve_loads[curve] * data.display.force_scale) << ','
-        << shortest(state.T * data.display.force_scale) << ',' << shortest(state.A * data.display.area_scale) << ','
-        << shortest(state.psi) << ',' << shortest(state.f) << frame.after << '\n';
+Table<CurveRow> curve_columns(const Dataset* alone) {
+  Table<CurveRow> table{alone};
+  table.begin();
+  if (!alone || alone->has_loads)
+    table.column("curve", [](auto& row) { return row.P ? row.data->curves[row.curve] : std::string(); });
+  table.of_loads("P", &DisplayUnits::force, &CurveRow::P);
+  table.of_loads("T", &DisplayUnits::force, &CurveRow::T);
+  table.of_loads("A", &DisplayUnits::area, &CurveRow::A);
+  table.column("psi [rad]", &CurveRow::psi);
+  table.column("f", &CurveRow::f);
+  table.end();
+  return table;
 }
 
-void write_toughness_curve(std::ostringstream& out, const Dataset& data, const FitResult& fit, const Frame& frame) {
-  const double finite = std::numeric_limits<double>::max();
-  for (const auto& [psi, f] : drawn_toughness(data, fit, 0.5 * pi<double>(), finite, kCurvePoints - 1))
-    out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << frame.blanks << ','
-        << shortest(psi) << ',' << shortest(f) << frame.after << '\n';
+void add_residuals(CsvTable<ResidualRow>& table, const Analysis& result) {
+  for (const FitResult& fit : result.fits)
+    for (std::size_t i = 0; i < fit.residuals.size(); ++i) table.add({&result.data, &fit, i});
 }
 
-void write_residuals(std::ostringstream& out, const Analysis& result, const Frame& frame) {
+/// Stable A(T) from T = 0 to the instability, or to a fifth beyond the largest measured T, dense towards the fold.
+void add_area_curve(CsvTable<CurveRow>& table, const Analysis& result, const FitResult& fit, std::size_t curve) {
   const Dataset& data = result.data;
   const DisplayUnits& units = data.display;
-  for (const FitResult& fit : result.fits)
-    for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
-      const Point& point = data.points[fit.used[i]];
-      const auto toughness = data.toughness(fit.used[i]);
-      out << frame.before << to_string(data.metadata.provenance) << ',' << fit.model << ','
-          << data.line_in_file(point.line) << ',' << csv_field(data.curves[point.curve]) << ','
-          << (toughness ? shortest(toughness->psi()) + ',' + shortest(toughness->ratio) : ",") << ','
-          << shortest(fit.residuals[i]);
-      if (data.has_loads) {
-        out << ',' << shortest(point.P * units.force_scale) << ',' << shortest(point.T * units.force_scale) << ','
-            << shortest(point.A * units.area_scale) << ',';
-        if (fit.area && fit.area->areas[i]) out << shortest(*fit.area->areas[i] * units.area_scale);
-      }
-      out << frame.blanks << frame.after << '\n';
-    }
+  for (const StableState& state : stable_states(data, result.request.options, fit, curve, kCurvePoints))
+    table.add({&data, &fit, curve, data.curve_loads[curve] * units.force_scale, state.T * units.force_scale,
+               state.A * units.area_scale, state.psi, state.f});
 }
 
-void write_curves(std::ostringstream& out, const Analysis& result, const Frame& frame) {
+void add_curves(CsvTable<CurveRow>& table, const Analysis& result) {
   for (const FitResult& fit : result.fits) {
     if (!has_all_values(fit)) continue;
     if (!result.data.has_loads) {
-      write_toughness_curve(out, result.data, fit, frame);
+      for (const auto& [psi, f] :
+           drawn_toughness(result.data, fit, 0.5 * pi<double>(), std::numeric_limits<double>::max(), kCurvePoints - 1))
+        table.add({&result.data, &fit, 0, {}, {}, {}, psi, f});
       continue;
     }
-    for (std::size_t curve = 0; curve < result.data.curves.size(); ++curve)
-      write_area_curve(out, result, fit, curve, frame);
+    for (std::size_t curve = 0; curve < result.data.curves.size(); ++curve) add_area_curve(table, result, fit, curve);
   }
-}
-
-/// What was known of a constant, and its part in the budget; of the parameter that has the budget, the scatter's part.
-std::string budget_fields(const FitResult& fit, const FittedParameter& parameter) {
-  std::optional<double> share, pull;
-  if (fit.budget && fit.budget->parameter == parameter.name) share = fit.budget->scatter;
-  for (const BudgetPart& part : fit.budget ? fit.budget->parts : std::vector<BudgetPart>{})
-    if (part.constant == parameter.name) std::tie(share, pull) = std::tuple(part.share, part.pull);
-  const bool known = parameter.prior.has_value();
-  return (known ? shortest(parameter.prior->mean) : "") + ',' +
-         (known ? shortest(parameter.prior->standard_error) : "") + ',' + number(share) + ',' + number(pull);
-}
-
-std::string evidence_fields(const FitResult& fit, const FittedParameter& parameter) {
-  if (!fit.evidence || fit.evidence->parameter != parameter.name) return ",,,,";
-  const Evidence& evidence = fit.evidence->evidence;
-  return shortest(evidence.log_evidence) + ',' + shortest(evidence.mean) + ',' + shortest(evidence.standard_deviation) +
-         ',' + shortest(evidence.low) + ',' + shortest(evidence.high);
 }
 
 }  // namespace
 
-std::string fits_csv(const std::vector<Analysis>& results) {
-  std::ostringstream out;
-  out << "dataset,provenance,model,objective,scale,status,parameter,value,stderr,lower,upper,at_bound,r2,rmse,"
-         "max_abs_residual,area_r2,area_rmse,area_unit,area_unpredicted,notice,unit,low,high,low_status,high_status,"
-         "paper_value,paper_status,paper_r2,prior_mean,prior_standard_error,variance_share,pull,"
-         "log_evidence,posterior_mean,posterior_standard_deviation,credible_low,credible_high\n";
-  for (const Analysis& result : results)
-    for (const FitResult& fit : result.fits)
-      for (const FittedParameter& parameter : fit.parameters) {
-        out << csv_field(result.data.name) << ',' << to_string(result.data.metadata.provenance) << ',' << fit.model
-            << ',' << to_string(fit.objective) << ',' << to_string(fit.scale) << ',' << to_string(fit.status) << ','
-            << parameter.name << ',' << number(parameter.value) << ',' << number(parameter.stderr_) << ','
-            << shortest(parameter.lower) << ',' << shortest(parameter.upper) << ',' << (parameter.at_bound ? 1 : 0)
-            << ',' << number(fit.r2) << ',' << number(fit.rmse) << ',' << number(fit.max_abs_residual) << ',';
-        if (fit.area && fit.area->predicted > 0)
-          out << number(fit.area->r2) << ',' << shortest(fit.area->rmse) << ',';
-        else
-          out << ",,";
-        out << csv_field(result.data.display.area) << ',' << (fit.area ? std::to_string(fit.area->unpredicted) : "")
-            << ',' << csv_field(notice(result.data)) << ',' << parameter.unit << ',';
-        if (parameter.interval)
-          out << number(parameter.interval->low) << ',' << number(parameter.interval->high) << ','
-              << to_string(parameter.interval->low_status) << ',' << to_string(parameter.interval->high_status);
-        else
-          out << ",,,";
-        out << ',' << number(fit.paper ? fit.paper->value_of(parameter.name) : std::nullopt) << ','
-            << (fit.paper ? to_string(fit.paper->status) : "") << ','
-            << number(fit.paper ? fit.paper->r2 : std::nullopt) << ',' << budget_fields(fit, parameter) << ','
-            << evidence_fields(fit, parameter) << '\n';
-      }
-  return out.str();
-}
-
 std::string residuals_csv(const Analysis& result) {
-  const Dataset& data = result.data;
-  const DisplayUnits& units = data.display;
-  std::ostringstream out;
-  out << "provenance,model,line,curve,psi [rad],Gc_over_GIc,residual";
-  if (data.has_loads)
-    out << ',' << bracketed("P", units.force) << ',' << bracketed("T", units.force) << ',' << bracketed("A", units.area)
-        << ',' << bracketed("A_predicted", units.area);
-  out << '\n';
-  write_residuals(out, result, {});
-  return out.str();
+  auto table = residual_columns(&result.data);
+  add_residuals(table.column, result);
+  return table.column.text();
 }
 
 std::string curves_csv(const Analysis& result) {
-  const DisplayUnits& units = result.data.display;
-  std::ostringstream out;
-  if (result.data.has_loads)
-    out << "provenance,model,curve," << bracketed("P", units.force) << ',' << bracketed("T", units.force) << ','
-        << bracketed("A", units.area) << ",psi [rad],f\n";
-  else
-    out << "provenance,model,psi [rad],f\n";
-  write_curves(out, result, {});
-  return out.str();
+  auto table = curve_columns(&result.data);
+  add_curves(table.column, result);
+  return table.column.text();
 }
 
 std::string residuals_table(const std::vector<Analysis>& results) {
-  std::ostringstream out;
-  out << "dataset,provenance,model,line,curve,psi [rad],Gc_over_GIc,residual,P,T,A,A_predicted,force_unit,area_unit\n";
-  for (const Analysis& result : results) write_residuals(out, result, table_frame(result.data));
-  return out.str();
+  auto table = residual_columns(nullptr);
+  for (const Analysis& result : results) add_residuals(table.column, result);
+  return table.column.text();
 }
 
 std::string curves_table(const std::vector<Analysis>& results) {
-  std::ostringstream out;
-  out << "dataset,provenance,model,curve,P,T,A,psi [rad],f,force_unit,area_unit\n";
-  for (const Analysis& result : results) write_curves(out, result, table_frame(result.data));
-  return out.str();
+  auto table = curve_columns(nullptr);
+  for (const Analysis& result : results) add_curves(table.column, result);
+  return table.column.text();
 }
 
 }  // namespace mixity

@@ -5,13 +5,11 @@
 #include <vector>
 
 #include "analysis/result.h"
+#include "report/fit_fields.h"
 
 namespace mixity {
 
-/// One row per data set, model and parameter.
-std::string fits_csv(const std::vector<Analysis>& results);
-
-/// One row per used point and model: what was measured, what the model says, and the difference.
+/// A row for each model and used point: what was measured, what the model predicts, and the difference.
 std::string residuals_csv(const Analysis& result);
 
 /// Predicted curves of every fitted model: A(T) at each load of the data, or f(psi) if it has no loads.

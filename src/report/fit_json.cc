@@ -1,110 +1,195 @@
 #include "report/fit_json.h"
 
-#include "analysis/judgement.h"
-#include "report/fit_statistics_json.h"
+#include "analysis/laws.h"
+#include "analysis/settings.h"
+#include "fitting/consistency.h"
+#include "report/fit_fields.h"
 
 namespace mixity {
 namespace {
 
-Json parameters_json(const FitResult& fit) {
-  Json parameters = Json::object();
-  for (const FittedParameter& parameter : fit.parameters)
-    parameters[parameter.name] = {{"value", number_or_null(parameter.value)},
-                                  {"stderr", number_or_null(parameter.stderr_)},
-                                  {"lower", parameter.lower},
-                                  {"upper", parameter.upper},
-                                  {"at_bound", parameter.at_bound},
-                                  {"held", parameter.held},
-                                  {"unit", parameter.unit},
-                                  {"interval", interval_json(parameter.interval)},
-                                  {"bootstrap", bootstrap_json(parameter, fit)},
-                                  {"prior", prior_json(parameter)}};
-  return parameters;
-}
+struct StatedConstant {
+  const char* constant;
+  double value, standard_error;
+  const char* unit;
+};
 
-Json area_json(const FitResult& fit, const Dataset& data) {
-  if (!fit.area) return {};
-  const AreaGoodness& area = *fit.area;
-  const bool any = area.predicted > 0;
-  return {{"r2", number_or_null(area.r2)},
-          {"rmse", any ? Json(area.rmse) : Json()},
-          {"max_abs_residual", any ? Json(area.max_abs_residual) : Json()},
-          {"unit", data.display.area},
-          {"unpredicted", area.unpredicted},
-          {"obstacle", area.obstacle.empty() ? Json() : Json(area.obstacle)}};
-}
-
-Json paper_json(const FitResult& fit) {
-  if (!fit.paper) return {};
-  Json parameters = Json::object();
-  for (const FittedParameter& parameter : fit.paper->parameters)
-    parameters[parameter.name] = number_or_null(parameter.value);
-  return {{"status", to_string(fit.paper->status)},
-          {"parameters", parameters},
-          {"r2", number_or_null(fit.paper->r2)},
-          {"points", fit.paper->points}};
-}
-
-Json fit_json(const FitResult& fit, const FitRequest& request, const Dataset& data) {
-  Json published = Json::object();
-  for (const Agreement& agreement : compare(fit, request))
-    published[agreement.published.name] = {{"value", agreement.published.value},
-                                           {"tolerance", agreement.published.tolerance},
-                                           {"agrees", agreement.agrees}};
-  return {{"model", fit.model},
-          {"objective", to_string(fit.objective)},
-          {"scale", to_string(fit.scale)},
-          {"status", to_string(fit.status)},
-          {"message", fit.message},
-          {"parameters", parameters_json(fit)},
-          {"used", fit.used.size()},
-          {"excluded", excluded_json(fit.excluded, &data)},
-          {"r2", number_or_null(fit.r2)},
-          {"rmse", number_or_null(fit.rmse)},
-          {"max_abs_residual", number_or_null(fit.max_abs_residual)},
-          {"errors", errors_json(fit)},
-          {"loss_scale", fit.loss_scale > 0 ? Json(fit.loss_scale) : Json()},
-          {"correlations", correlations_json(fit)},
-          {"influence", influence_json(fit, data)},
-          {"area", area_json(fit, data)},
-          {"paper", paper_json(fit)},
-          {"evidence", evidence_json(fit)},
-          {"budget", budget_json(fit)},
-          {"consistency", consistency_json(fit, data)},
-          {"outdone_by", fit.outdone_by.empty() ? Json() : Json(fit.outdone_by)},
-          {"published", published}};
-}
-
-}  // namespace
-
-Json excluded_json(const std::vector<Excluded>& excluded, const Dataset* data) {
-  Json list = Json::array();
-  for (const Excluded& point : excluded) {
-    list.push_back({{"line", data ? data->line_in_file(point.line) : point.line}, {"reason", point.reason}});
-    if (data && !data->files.empty()) list.back()["file"] = data->file_of(point.line);
-  }
+std::vector<StatedConstant> stated_constants(const Metadata& metadata) {
+  std::vector<StatedConstant> list;
+  const auto add = [&](const char* name, const std::optional<double>& value, const char* unit) {
+    if (value) list.push_back({name, *value, metadata.standard_error(name), unit});
+  };
+  add("radius", metadata.radius, "m");
+  if (const auto modulus = metadata.plane_strain_modulus())
+    list.push_back({"modulus", *modulus, metadata.modulus_error() * *modulus, "Pa"});
+  add("toughness", metadata.toughness, "J/m^2");
+  add("toughness_II", metadata.toughness_II, "J/m^2");
+  add("shear_strength", metadata.shear_strength, "Pa");
+  add("area_scale", metadata.area_scale, "");
+  add("load_offset", metadata.load_offset, "N");
+  add("shear_offset", metadata.shear_offset, "N");
+  add("area_offset", metadata.area_offset, "m^2");
   return list;
 }
 
-Json dataset_json(const Analysis& result) {
-  const Dataset& data = result.data;
-  const bool reconstructed = data.metadata.provenance == Provenance::reconstructed;
-  Json fits = Json::array();
-  for (const FitResult& fit : result.fits) fits.push_back(fit_json(fit, result.request, data));
-  return {{"path", data.path},
-          {"name", data.name},
-          {"provenance", to_string(data.metadata.provenance)},
-          {"notice", reconstructed ? Json(kReconstructedNotice) : Json()},
-          {"source", data.metadata.source},
-          {"notes", data.notes},
-          {"points", data.rows},
-          {"used", data.points.size()},
-          {"excluded", excluded_json(data.excluded, &data)},
-          {"constants", constants_json(data)},
-          {"unsheared", unsheared_json(result.unsheared)},
-          {"fits", fits},
-          {"comparison", comparison_json(result)},
-          {"per_curve", per_curve_json(result)}};
+/// A parameter of a run's own fit.
+struct RunParameter {
+  const FittedParameter* fitted;
+};
+
+struct Campaign {
+  std::vector<std::string> files;
+  std::map<std::string, std::string> flags;
+};
+
+struct FitDocument {
+  const std::vector<Analysis>* results;
+  const Shard* shard;
+};
+
+/// Of a load as the file has it.
+auto shown_load(const double& P, const Within& in) { return P * in.result->data.display.force_scale; }
+
+}  // namespace
+
+void describe(Fields<StatedConstant>& field) {
+  field("constant", "name of the constant", &StatedConstant::constant);
+  field("value", "in SI units", &StatedConstant::value);
+  field("standard_error", "0 if the constant is taken as exact", &StatedConstant::standard_error);
+  field("unit", "SI unit; empty if dimensionless", &StatedConstant::unit);
+}
+
+void describe(Fields<UnshearedTest::Implied>& field) {
+  field("constant", "name of the constant", &UnshearedTest::Implied::constant);
+  field("unit", "unit of the values", &UnshearedTest::Implied::unit);
+  field("stated", "stated value", &UnshearedTest::Implied::stated);
+  field("value", "value that the areas without shear imply", &UnshearedTest::Implied::value);
+  field("standard_error", "of that value", &UnshearedTest::Implied::standard_error);
+  field("chi2", "chi^2 with that value", &UnshearedTest::Implied::chi2);
+  field("p_value", "probability of so large a chi^2", &UnshearedTest::Implied::p_value);
+}
+
+void describe(Fields<UnshearedTest>& field) {
+  field("points", "number of points without shear", &UnshearedTest::points);
+  field("loads", "number of their loads", &UnshearedTest::loads);
+  field("chi2", "chi^2 of JKR with the constants as stated", &UnshearedTest::chi2);
+  field("p_value", "probability of so large a chi^2", &UnshearedTest::p_value);
+  field("agrees", "whether the areas agree with JKR", [](auto& test) { return test.p_value >= kChance; });
+  field("implied", "value of one constant, the others as stated, that these areas imply", &UnshearedTest::implied);
+}
+
+void describe(Fields<LeftOut::Run>& field) {
+  field("curve", "name of the run", &LeftOut::Run::curve);
+  field("load", "load, in the unit of the file", [](auto& run, auto& in) { return shown_load(run.P, in); });
+  field("rmse_area", "root mean square error of its areas", R"({"minimum": 0})", &LeftOut::Run::rmse_area);
+  field("points", "number of points", &LeftOut::Run::points);
+  field("beyond_fold", "of these, points beyond the last equilibrium", &LeftOut::Run::beyond_fold);
+}
+
+void describe(Fields<ComparedModel>& field) {
+  const auto of_left_out = [](const auto member) {
+    return [member](const ComparedModel& one) {
+      return one.left_out ? std::optional((*one.left_out).*member) : std::nullopt;
+    };
+  };
+  field("model", "key of the model", &ComparedModel::model);
+  const char* const kInformation =
+      "null for a model that could not use all the points that the others used, and under a robust loss in units of "
+      "the "
+      "scatter";
+  field("aicc", kInformation, &ComparedModel::aicc);
+  field("bic", kInformation, &ComparedModel::bic);
+  field("weight", "Akaike weight by AICc; null without AICc", &ComparedModel::weight);
+  field("probability",
+        "by the evidence, all models equally probable beforehand; null unless all models have an evidence",
+        &ComparedModel::probability);
+  field(
+      "loo_rmse_area",
+      "root mean square error of the areas at loads left out of the fit, in the unit of the file; null with more than "
+      "200 runs, and where the law defines no area",
+      of_left_out(&LeftOut::rmse_area));
+  field("loo_beyond_fold", "points beyond the last equilibrium there", of_left_out(&LeftOut::beyond_fold));
+  field("loo_curves", "the same of each run",
+        [](auto& one) { return one.left_out ? one.left_out->runs : std::vector<LeftOut::Run>{}; });
+}
+
+void describe(Fields<RunParameter>& field) {
+  field("value", "best value", [](auto& one) { return one.fitted->value; });
+  field("stderr", "standard error", [](auto& one) { return one.fitted->stderr_; });
+  field("interval", "confidence interval", [](auto& one) { return one.fitted->interval; });
+}
+
+void describe(Fields<CurveFit>& field) {
+  const auto if_loads = [](const Within& in, double value) {
+    return in.result->data.has_loads ? std::optional(value) : std::nullopt;
+  };
+  field("curve", "name of the run", &CurveFit::curve);
+  field("load", "in the unit of the file", [=](auto& run, auto& in) { return if_loads(in, shown_load(run.P, in)); });
+  field("load_dimensionless", "P/(R G_Ic)", [=](auto& run, auto& in) { return if_loads(in, run.P); });
+  field("points", "number of points", [](auto& run) { return run.fit.used.size(); });
+  field("status", "as of a fit", [](auto& run) { return run.fit.status; });
+  field("parameters", "by name", [](const CurveFit& run) {
+    Named<RunParameter> named;
+    for (const FittedParameter& parameter : run.fit.parameters) named.push_back({parameter.name, {&parameter}});
+    return named;
+  });
+}
+
+void describe(Fields<PerCurve::Test>& field) {
+  field("kind", "chi_squared where the standard errors are known", R"({"enum": ["F", "chi_squared"]})",
+        [](auto& test) { return test.chi_squared ? "chi_squared" : "F"; });
+  field("statistic", "F or chi^2", &PerCurve::Test::statistic);
+  field("freedom", "degrees of freedom", &PerCurve::Test::freedom);
+  field("residual_freedom", "degrees of freedom of the separate fits", &PerCurve::Test::residual_freedom);
+  field("p_value", "of one value for all runs", R"({"minimum": 0, "maximum": 1})", &PerCurve::Test::p_value);
+  field("aicc_pooled", "AICc with one value for all runs", &PerCurve::Test::aicc_pooled);
+  field("aicc_separate", "AICc with one value for each run", &PerCurve::Test::aicc_separate);
+}
+
+void describe(Fields<PerCurve>& field) {
+  field("model", "key of the model", &PerCurve::model);
+  field("curves", "each run's own fit", &PerCurve::curves);
+  field("fitted", "number of runs whose own fit has a value", &PerCurve::fitted);
+  field("test", "test of one value for all runs against one for each", &PerCurve::test);
+  field("untested", "why there is no test; else null",
+        [](auto& one) { return one.test ? std::nullopt : std::optional(one.untested); });
+}
+
+void describe(Fields<Analysis>& field) {
+  field("path", "path as it was given; of several files, the first", [](auto& result) { return result.data.path; });
+  field("name", "name of the data set", [](auto& result) { return result.data.name; });
+  field("provenance", "where the data come from", [](auto& result) { return result.data.metadata.provenance; });
+  field("notice", "warning, if the data are reconstructed", [](auto& result) { return notice_on(result.data); });
+  field("source", "source, as it was stated", [](auto& result) { return result.data.metadata.source; });
+  field("notes", "what of the file was ignored or reinterpreted", [](auto& result) { return result.data.notes; });
+  field("points", "number of rows in the file", [](auto& result) { return result.data.rows; });
+  field("used", "number of usable rows", [](auto& result) { return result.data.points.size(); });
+  field("excluded", "the other rows", [](auto& result) { return lines_of(result.data.excluded, &result.data); });
+  field("constants", "constants that were stated", [](auto& result) { return stated_constants(result.data.metadata); });
+  field("unsheared", "test of the areas without shear against JKR; null if there are none", &Analysis::unsheared);
+  field("fits", "a fit for each model", R"({"minItems": 1})", &Analysis::fits);
+  field("comparison", "comparison of the models; empty with one model", &Analysis::comparison);
+  field("per_curve", "fits of each run by itself, if asked for", &Analysis::per_curve);
+}
+
+void describe(Fields<Campaign>& field) {
+  field("files", "the whole list of files, as it was given", &Campaign::files);
+  field("flags", "flags that decide the results, by name", &Campaign::flags);
+}
+
+void describe(Fields<FitDocument>& field) {
+  field("schema", "of this document", R"({"const": "mixity-fit-1"})", [](auto&) { return "mixity-fit-1"; });
+  field("version", "of mixity", [](auto&) { return MIXITY_VERSION; });
+  field("shard", "\"i/n\": this is part i of n", [](const FitDocument& document) {
+    const std::string& part = document.shard->part;
+    return IfAny<std::string>{part.empty() ? std::nullopt : std::optional(part)};
+  });
+  field("campaign", "of a part: what all parts share", [](const FitDocument& document) {
+    const auto& [part, files, flags] = *document.shard;
+    return IfAny<Campaign>{part.empty() ? std::nullopt : std::optional(Campaign{files, flags})};
+  });
+  field(
+      "datasets", "one for each data set", [](auto& document) -> auto& { return *document.results; });
 }
 
 std::string json_text(const Json& document) {
@@ -112,15 +197,19 @@ std::string json_text(const Json& document) {
 }
 
 std::string to_json(const std::vector<Analysis>& results, const Shard& shard) {
-  Json datasets = Json::array();
-  for (const Analysis& result : results) datasets.push_back(dataset_json(result));
-  Json document{{"schema", "mixity-fit-1"}, {"version", MIXITY_VERSION}};
-  if (!shard.part.empty()) {
-    document["shard"] = shard.part;
-    document["campaign"] = {{"files", shard.files}, {"flags", shard.flags}};
-  }
-  document["datasets"] = std::move(datasets);
-  return json_text(document);
+  return json_text(json_of(FitDocument{&results, &shard}));
+}
+
+Json fits_schema() { return schema_of<FitDocument>(); }
+
+Json request_fields(const FitRequest& request, const Overrides& constants) {
+  Json options = Json::object(), laws = Json::object();
+  for (const auto& [name, text] : stated_options(request))
+    if (name != "models" && name != "bootstrap" && name != "influence" && name != "per" && name != "threads")
+      options[name] = text;
+  for (const std::string& model : request.models)
+    if (const auto law = find_law(model)) laws[model] = law_text(law->definition());
+  return {{"constants", json_of(constants)}, {"options", options}, {"models", request.models}, {"laws", laws}};
 }
 
 }  // namespace mixity

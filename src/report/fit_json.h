@@ -1,4 +1,4 @@
-// Fits as JSON; the schema stands in README.md beside this file.
+// Fits as JSON, schema mixity-fit-1. docs/fits.schema.json says what each field means.
 #pragma once
 
 #include <map>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/result.h"
+#include "report/fields.h"
 
 namespace mixity {
 
@@ -18,5 +19,19 @@ struct Shard {
 
 /// {schema, version, datasets: [...]}, indented, with a final newline.
 std::string to_json(const std::vector<Analysis>& results, const Shard& shard = {});
+
+/// The schema of what to_json writes.
+Json fits_schema();
+
+/// All that was found about one data set.
+void describe(Fields<Analysis>& field);
+
+/// Names and paths may hold bytes that are not UTF-8; they are replaced.
+std::string json_text(const Json& document);
+
+/// What a request states beside its data, as the fields of a page hold it: {"constants": {name: text}, "options":
+/// {name: text}, "models": [key], "laws": {key: text of the law as it is typed}}. Options without those that take long:
+/// a page fits at once.
+Json request_fields(const FitRequest& request, const Overrides& constants);
 
 }  // namespace mixity

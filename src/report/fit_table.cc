@@ -58,49 +58,62 @@ std::string weight_text(double weight) { return weight < 1e-4 ? "< 0.0001" : rou
 
 FitTable fit_table(const Analysis& result) {
   using Cell = FitTable::Cell;
+  FitTable table;
+  table.rows.resize(result.fits.size());
+  // a column that is empty for every fit is left out
+  const auto column = [&](const std::string& heading, const std::string& short_heading, const auto& cell_of) {
+    std::vector<Cell> cells;
+    for (const FitResult& fit : result.fits) cells.push_back(cell_of(fit));
+    if (std::all_of(cells.begin(), cells.end(), [](const Cell& cell) { return cell.lines.empty(); })) return;
+    table.headings.push_back(heading);
+    table.short_headings.push_back(short_heading);
+    for (std::size_t i = 0; i < cells.size(); ++i) table.rows[i].push_back(std::move(cells[i]));
+  };
+  const auto r2 = [](const std::optional<double>& value) { return value ? Cell{{r2_text(*value)}} : Cell{}; };
+  const auto area = [](const FitResult& fit) { return fit.area && fit.area->predicted > 0 ? &*fit.area : nullptr; };
   const std::string unit = unit_text(result.data.display.area);
   std::string percent;
   for (const FitResult& fit : result.fits)
     for (const FittedParameter& parameter : fit.parameters)
       if (parameter.interval) percent = " (" + rounded(100 * parameter.interval->confidence, 4) + " % interval)";
-  FitTable table{
-      {"Model", "Parameters" + percent, "Status", "R² in the fitted space", "The paper's fit: ln(Gc/GIc) against psi",
-       "R² of A(T)", "RMS error of A(T)", "AICc weight", "RMS error on left-out loads", "Published"},
-      {"Model", "Parameters" + percent, "Status", "R² fit", "Paper's fit", "R² A(T)", "RMS A(T)", "AICc weight",
-       "RMS left out", "Published"},
-      {}};
-  for (const FitResult& fit : result.fits) {
-    std::vector<Cell> row(table.headings.size());
-    row[0].lines = {fit.model, fit.model_name};
-    for (const FittedParameter& parameter : fit.parameters) row[1].lines.push_back(parameter_text(parameter));
-    row[2] = {{in_words(fit.status)}, fit.status != FitStatus::ok};
-    if (fit.r2) row[3].lines = {r2_text(*fit.r2)};
-    if (fit.paper) row[4].lines = paper_lines(*fit.paper);
-    if (fit.area && fit.area->predicted > 0) {
-      if (fit.area->r2) row[5].lines = {r2_text(*fit.area->r2)};
-      row[6].lines = {rounded(fit.area->rmse, 3) + unit};
-      if (fit.area->unpredicted > 0)
-        row[6].lines.push_back("without " + std::to_string(fit.area->unpredicted) + " past the fold");
-    }
-    if (const ComparedModel* entry = compared(result, fit.model)) {
-      if (entry->weight) row[7].lines = {weight_text(*entry->weight)};
-      if (entry->left_out) row[8].lines = {rounded(entry->left_out->rmse_area, 3) + unit};
-    }
+
+  column("Model", "Model", [](const FitResult& fit) { return Cell{{fit.model, fit.model_name}}; });
+  column("Parameters" + percent, "Parameters" + percent, [](const FitResult& fit) {
+    Cell cell;
+    for (const FittedParameter& parameter : fit.parameters) cell.lines.push_back(parameter_text(parameter));
+    return cell;
+  });
+  column("Status", "Status", [](const FitResult& fit) {
+    return Cell{{in_words(fit.status)}, fit.status != FitStatus::ok};
+  });
+  column("R² in the fitted space", "R² fit", [&](const FitResult& fit) { return r2(fit.r2); });
+  column("The paper's fit: ln(Gc/GIc) against psi", "Paper's fit",
+         [](const FitResult& fit) { return fit.paper ? Cell{paper_lines(*fit.paper)} : Cell{}; });
+  column("R² of A(T)", "R² A(T)", [&](const FitResult& fit) { return area(fit) ? r2(area(fit)->r2) : Cell{}; });
+  column("RMS error of A(T)", "RMS A(T)", [&](const FitResult& fit) {
+    if (!area(fit)) return Cell{};
+    Cell cell{{rounded(area(fit)->rmse, 3) + unit}};
+    if (const std::size_t n = area(fit)->unpredicted; n > 0)
+      cell.lines.push_back("without " + std::to_string(n) + " past the fold");
+    return cell;
+  });
+  column("AICc weight", "AICc weight", [&](const FitResult& fit) {
+    const ComparedModel* entry = compared(result, fit.model);
+    return entry && entry->weight ? Cell{{weight_text(*entry->weight)}} : Cell{};
+  });
+  column("RMS error on left-out loads", "RMS left out", [&](const FitResult& fit) {
+    const ComparedModel* entry = compared(result, fit.model);
+    return entry && entry->left_out ? Cell{{rounded(entry->left_out->rmse_area, 3) + unit}} : Cell{};
+  });
+  column("Published", "Published", [&](const FitResult& fit) {
+    Cell cell;
     for (const Agreement& agreement : compare(fit, result.request)) {
-      row[9].lines.push_back(agreement.published.name + " = " + shortest(agreement.published.value) +
-                             (agreement.agrees ? " agrees" : " DOES NOT AGREE"));
-      row[9].alert |= !agreement.agrees;
+      cell.lines.push_back(agreement.published.name + " = " + shortest(agreement.published.value) +
+                           (agreement.agrees ? " agrees" : " DOES NOT AGREE"));
+      cell.alert |= !agreement.agrees;
     }
-    table.rows.push_back(std::move(row));
-  }
-  for (std::size_t column = table.headings.size(); column-- > 0;) {
-    if (std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return !row[column].lines.empty(); }))
-      continue;
-    const auto at = static_cast<std::ptrdiff_t>(column);
-    table.headings.erase(table.headings.begin() + at);
-    table.short_headings.erase(table.short_headings.begin() + at);
-    for (auto& row : table.rows) row.erase(row.begin() + at);
-  }
+    return cell;
+  });
   return table;
 }
 

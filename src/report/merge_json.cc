@@ -5,7 +5,7 @@
 
 #include "base/input_error.h"
 #include "dataset/table/csv.h"
-#include "report/fit_statistics_json.h"
+#include "report/fit_json.h"
 
 namespace mixity {
 namespace {

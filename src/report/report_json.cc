@@ -1,114 +1,168 @@
 #include "report/report_json.h"
 
-#include "analysis/answer.h"
-#include "report/fit_statistics_json.h"
+#include "report/fit_fields.h"
+#include "report/fit_json.h"
 #include "report/fit_table.h"
 #include "report/versions.h"
 
 namespace mixity {
 namespace {
 
-Json sahli_json(const std::optional<SahliResult>& sahli) {
-  if (!sahli) return {};
-  Json runs = Json::array();
-  for (const SahliRun& run : sahli->runs)
-    runs.push_back({{"curve", run.curve},
-                    {"P", run.P},
-                    {"points", run.points},
-                    {"A0", run.A0},
-                    {"A0_stderr", number_or_null(run.A0_stderr)},
-                    {"alpha", run.alpha},
-                    {"alpha_stderr", number_or_null(run.alpha_stderr)},
-                    {"alpha_predicted", number_or_null(run.alpha_predicted)}});
-  Json law;
-  if (sahli->power_law)
-    law = {{"factor", sahli->power_law->factor},
-           {"exponent", sahli->power_law->exponent},
-           {"exponent_stderr", number_or_null(sahli->power_law->exponent_stderr)}};
-  return {{"runs", runs}, {"power_law", law}};
-}
+struct ListedFigure {
+  const Figure* figure;
+  std::vector<std::string> files;
+};
 
-Json peaks_json(const std::optional<PeakForces>& peaks, const std::vector<PredictedPeaks>& predicted) {
-  if (!peaks) return {};
-  Json rows = Json::array();
-  for (const PeakForce& row : peaks->rows)
-    rows.push_back({{"line", row.line},
-                    {"P", row.P},
-                    {"peak_stress", number_or_null(row.peak)},
-                    {"minimum_stress", number_or_null(row.minimum)}});
-  Json models = Json::array();
-  for (const PredictedPeaks& one : predicted) {
-    Json loads = Json::array();
-    for (const PredictedPeak& load : one.loads)
-      loads.push_back({{"P", load.P}, {"stress", load.stress}, {"low", load.low}, {"high", load.high}});
-    models.push_back({{"model", one.model},
-                      {"loads", loads},
-                      {"ratio", number_or_null(one.ratio)},
-                      {"ratio_error", number_or_null(one.ratio_error)}});
+struct ListedEntry {
+  const ReportEntry* entry;
+  std::vector<ListedFigure> figures;
+};
+
+struct ReportDocument {
+  const ReportContent* content;
+  std::vector<ListedEntry> entries;
+};
+
+ReportDocument document_of(const ReportContent& content) {
+  ReportDocument document{&content, {}};
+  auto svg = content.drawn.svg.begin();
+  for (const ReportEntry& entry : content.entries) {
+    std::vector<ListedFigure> figures;
+    for (const FigureGroup& group : entry.figures.groups)
+      for (const Figure& figure : group.figures) {
+        figures.push_back({&figure, {}});
+        const bool drawn = !(svg++)->empty();
+        for (const char* ending : {".dat", ".gp", ".svg", ".pdf", ".png"})
+          if (!figure.drawn.empty() ? ending[1] == 's' : drawn || ending[1] == 'd' || ending[1] == 'g')
+            figures.back().files.push_back("figures/" + figure.name + ending);
+      }
+    document.entries.push_back({&entry, std::move(figures)});
   }
-  return {{"path", peaks->path},
-          {"provenance", to_string(peaks->metadata.provenance)},
-          {"force_unit", peaks->force_unit},
-          {"stress_unit", peaks->stress_unit},
-          {"rows", rows},
-          {"predicted", models},
-          {"excluded", excluded_json(peaks->excluded, nullptr)}};
+  return document;
 }
 
-Json answer_json(const Answer& answer) {
-  if (!answer.fit) return {};
-  Json jumps = Json::array();
-  for (const PredictedJump& jump : answer.jumps)
-    jumps.push_back({{"P", jump.P},
-                     {"T", number_or_null(jump.T.value)},
-                     {"T_stderr", number_or_null(jump.T.standard_error)},
-                     {"A", number_or_null(jump.A.value)},
-                     {"A_stderr", number_or_null(jump.A.standard_error)},
-                     {"largest_T", jump.largest_T}});
-  return {{"model", answer.fit->model}, {"result", answer.result}, {"jumps", jumps}, {"cannot_say", answer.cannot_say}};
-}
-
-/// `svg`: those of this entry's figures and further ones; moves on past them.
-Json entry_json(const ReportEntry& entry, std::vector<std::string>::const_iterator& svg) {
-  Json json = dataset_json(entry.data->result);
-  Json settings = Json::object(), figures = Json::array(), left_out = Json::array();
-  for (const auto& [name, value] : fit_settings(entry.data->result)) settings[name] = value;
-  for (const FigureGroup& group : entry.figures.groups)
-    for (const Figure& figure : group.figures) {
-      Json files = Json::array();
-      const bool drawn = !(svg++)->empty();
-      for (const char* ending : {".dat", ".gp", ".svg", ".pdf", ".png"})
-        if (!figure.drawn.empty() ? ending[1] == 's' : drawn || ending[1] == 'd' || ending[1] == 'g')
-          files.push_back("figures/" + figure.name + ending);
-      figures.push_back(
-          {{"name", figure.name}, {"title", figure.title}, {"caption", figure.caption}, {"files", files}});
-    }
-  for (const MissingFigure& figure : entry.figures.left_out)
-    left_out.push_back({{"figure", figure.what}, {"reason", figure.why}});
-  json["answer"] = answer_json(entry.answer);
-  json["settings"] = settings;
-  json["findings"] = findings(entry.data->result);
-  json["assumptions"] = assumptions(entry.data->result);
-  json["sahli"] = sahli_json(entry.data->sahli);
-  json["peaks"] = peaks_json(entry.data->peaks, entry.data->predicted_peaks);
-  json["figures"] = figures;
-  json["figures_left_out"] = left_out;
-  return json;
-}
+/// Peaks that were measured, and those that the fits predict.
+struct BothPeaks {
+  const PeakForces* measured;
+  const std::vector<PredictedPeaks>* predicted;
+};
 
 }  // namespace
 
-std::string report_json(const ReportContent& content) {
-  Json datasets = Json::array(), made_with = Json::object();
-  auto svg = content.drawn.svg.begin();
-  for (const ReportEntry& entry : content.entries) datasets.push_back(entry_json(entry, svg));
-  for (const auto& [name, version] : versions()) made_with[name] = version;
-  return json_text({{"schema", "mixity-report-1"},
-                    {"version", MIXITY_VERSION},
-                    {"command", content.settings.command},
-                    {"made_with", made_with},
-                    {"missing", content.drawn.missing.empty() ? Json() : Json(content.drawn.missing)},
-                    {"datasets", datasets}});
+void describe(Fields<SahliRun>& field) {
+  field("curve", "name of the run", &SahliRun::curve);
+  field("P", "load", &SahliRun::P);
+  field("points", "number of points", &SahliRun::points);
+  field("A0", "area without shear", &SahliRun::A0);
+  field("A0_stderr", "standard error of A0; null with fewer than three points", &SahliRun::A0_stderr);
+  field("alpha", "coefficient of T^2", &SahliRun::alpha);
+  field("alpha_stderr", "standard error of alpha; null with fewer than three points", &SahliRun::alpha_stderr);
+  field("alpha_predicted", "alpha of the first model with values, at this A0", &SahliRun::alpha_predicted);
 }
+
+void describe(Fields<PowerLaw>& field) {
+  field("factor", "alpha at A0 = 1", &PowerLaw::factor);
+  field("exponent", "of A0", &PowerLaw::exponent);
+  field("exponent_stderr", "standard error of the exponent; null with two runs", &PowerLaw::exponent_stderr);
+}
+
+void describe(Fields<SahliResult>& field) {
+  field("runs", "the parabola of each run", &SahliResult::runs);
+  field("power_law", "alpha over the runs; null with fewer than two distinct A0", &SahliResult::power_law);
+}
+
+void describe(Fields<PeakForce>& field) {
+  field("line", "line in the file", &PeakForce::line);
+  field("P", "load", &PeakForce::P);
+  field("peak_stress", "maximum of T over the area of Hertz", &PeakForce::peak);
+  field("minimum_stress", "minimum of T over the area of Hertz", &PeakForce::minimum);
+}
+
+void describe(Fields<PredictedPeak>& field) {
+  field("P", "load", &PredictedPeak::P);
+  field("stress", "T at the jump over the area of Hertz", &PredictedPeak::stress);
+  field("low", "the stress at one end of the parameter's interval", &PredictedPeak::low);
+  field("high", "the stress at the other end", &PredictedPeak::high);
+}
+
+void describe(Fields<PredictedPeaks>& field) {
+  field("model", "key of the model", &PredictedPeaks::model);
+  field("loads", "measured loads at which the contact jumps", &PredictedPeaks::loads);
+  field("ratio", "mean of measured over predicted first maxima", &PredictedPeaks::ratio);
+  field("ratio_error", "standard error of the ratio; null with fewer than two maxima", &PredictedPeaks::ratio_error);
+}
+
+void describe(Fields<BothPeaks>& field) {
+  field("path", "path of the file", [](auto& peaks) { return peaks.measured->path; });
+  field("provenance", "where the data come from", [](auto& peaks) { return peaks.measured->metadata.provenance; });
+  field("force_unit", "unit of loads; empty if dimensionless", [](auto& peaks) { return peaks.measured->force_unit; });
+  field("stress_unit", "unit of stresses; empty if they are in units of E*/xi",
+        [](auto& peaks) { return peaks.measured->stress_unit; });
+  field("rows", "usable rows of the file", [](auto& peaks) { return peaks.measured->rows; });
+  field("predicted", "of each model with values", [](auto& peaks) { return *peaks.predicted; });
+  field("excluded", "the other rows", [](auto& peaks) { return lines_of(peaks.measured->excluded, nullptr); });
+}
+
+void describe(Fields<PredictedJump>& field) {
+  field("P", "load", &PredictedJump::P);
+  field("T", "tangential load at which the contact jumps", [](auto& jump) { return jump.T.value; });
+  field("T_stderr", "standard error of T", [](auto& jump) { return jump.T.standard_error; });
+  field("A", "area from which the contact jumps", [](auto& jump) { return jump.A.value; });
+  field("A_stderr", "standard error of A", [](auto& jump) { return jump.A.standard_error; });
+  field("largest_T", "largest T that was measured at this load", &PredictedJump::largest_T);
+}
+
+void describe(Fields<Answer>& field) {
+  field("model", "key of the model that describes the data best", [](auto& answer) { return answer.fit->model; });
+  field("result", "its first parameter with its standard error", &Answer::result);
+  field("jumps", "where the contact jumps under load control, in the units of the file", &Answer::jumps);
+  field("cannot_say", "what the data cannot say, in sentences", &Answer::cannot_say);
+}
+
+void describe(Fields<ListedFigure>& field) {
+  field("name", "name of its files", [](auto& listed) { return listed.figure->name; });
+  field("title", "title", [](auto& listed) { return listed.figure->title; });
+  field("caption", "caption", [](auto& listed) { return listed.figure->caption; });
+  field("files", "paths within the report", &ListedFigure::files);
+}
+
+void describe(Fields<MissingFigure>& field) {
+  field("figure", "the figure", &MissingFigure::what);
+  field("reason", "why it is left out", &MissingFigure::why);
+}
+
+void describe(Fields<ListedEntry>& field) {
+  const auto result = [](const ListedEntry& listed) -> const Analysis& { return listed.entry->data->result; };
+  field.all_of(result);
+  field("answer", "the result in short; null if no fit has a value",
+        [](auto& listed) { return listed.entry->answer.fit ? std::optional(listed.entry->answer) : std::nullopt; });
+  field("settings", "how the fits were made, by name", [=](auto& listed) { return fit_settings(result(listed)); });
+  field("findings", "what the fits show, in sentences", [=](auto& listed) { return findings(result(listed)); });
+  field("assumptions", "what was assumed, in sentences", [=](auto& listed) { return assumptions(result(listed)); });
+  field("sahli", "parabolas A = A0 - alpha T^2, dimensionless; null for data without loads",
+        [](auto& listed) { return listed.entry->data->sahli; });
+  field("peaks", "peak forces; null without a file of them", [](const ListedEntry& listed) {
+    const ReportedData& data = *listed.entry->data;
+    return data.peaks ? std::optional(BothPeaks{&*data.peaks, &data.predicted_peaks}) : std::nullopt;
+  });
+  field("figures", "figures of the report", &ListedEntry::figures);
+  field("figures_left_out", "figures that do not apply", [](auto& listed) { return listed.entry->figures.left_out; });
+}
+
+void describe(Fields<ReportDocument>& field) {
+  field("schema", "of this document", R"({"const": "mixity-report-1"})", [](auto&) { return "mixity-report-1"; });
+  field("version", "of mixity", [](auto&) { return MIXITY_VERSION; });
+  field("command", "that makes this report again", [](auto& document) { return document.content->settings.command; });
+  field("made_with", "versions of the program and its libraries, by name", [](auto&) { return versions(); });
+  field("missing", "why nothing was drawn; null if all figures were", [](const ReportDocument& document) {
+    const std::string& missing = document.content->drawn.missing;
+    return missing.empty() ? std::nullopt : std::optional(missing);
+  });
+  field("datasets", "one for each data set", R"({"minItems": 1})", &ReportDocument::entries);
+}
+
+std::string report_json(const ReportContent& content) { return json_text(json_of(document_of(content))); }
+
+Json report_schema() { return schema_of<ReportDocument>(); }
 
 }  // namespace mixity

@@ -4,16 +4,17 @@
 #include <map>
 #include <sstream>
 
-#include "base/number_text.h"
 #include "base/printable.h"
+#include "base/rounding.h"
 #include "base/toml_file.h"
-#include "dataset/table/csv.h"
+#include "report/csv_table.h"
 
 namespace mixity {
 namespace {
 
-/// As many digits as tell readings apart: 1e-6 of the largest is far below any noise.
-std::string reading(double value) { return rounded(value, 7); }
+/// Enough digits to distinguish readings: 1e-6 of the largest is far below any noise.
+constexpr int kDigits = 7;
+std::string reading(double value) { return rounded(value, kDigits); }
 
 /// A time to a hundredth of a frame.
 std::string time_text(double seconds, double interval) {
@@ -31,20 +32,24 @@ std::string cut_text(const CutTime& cut, double interval) {
 }  // namespace
 
 std::string runs_csv(const ReducedLog& log) {
-  std::ostringstream out;
-  const std::string force = " [" + log.force_unit + "]", area = " [" + log.area_unit + "]";
-  out << "curve,time [s],P" << force << ",T" << force << ",A" << area << ",sigma_T" << force << ",sigma_A" << area
-      << '\n';
+  struct Row {
+    const LoadingRun& run;
+    std::size_t k;  // of its frames
+    std::size_t frame() const { return run.begin + k; }
+  };
   const Frames& frames = log.runs.frames;
+  const std::string &force = log.force_unit, &area = log.area_unit;
+  CsvTable<Row> column;
+  column("curve", [](auto& row) { return row.run.name; });
+  column("time [s]", [&](auto& row) { return reading(frames.time[row.frame()]); });
+  column.quantity("P", force, kDigits, [&](auto& row) { return row.run.smooth_P[row.k] / log.force_factor; });
+  column.quantity("T", force, kDigits, [&](auto& row) { return row.run.T[row.k] / log.force_factor; });
+  column.quantity("A", area, kDigits, [&](auto& row) { return frames.A[row.frame()] / log.area_factor; });
+  column.quantity("sigma_T", force, 3, [&](auto& row) { return row.run.sigma_T[row.k] / log.force_factor; });
+  column.quantity("sigma_A", area, 3, [&](auto& row) { return row.run.sigma_A[row.k] / log.area_factor; });
   for (const LoadingRun& run : log.runs.runs)
-    for (std::size_t k = 0; k < run.T.size(); ++k) {
-      const std::size_t i = run.begin + k;
-      out << csv_field(run.name) << ',' << reading(frames.time[i]) << ',' << reading(run.smooth_P[k] / log.force_factor)
-          << ',' << reading(run.T[k] / log.force_factor) << ',' << reading(frames.A[i] / log.area_factor) << ','
-          << rounded(run.sigma_T[k] / log.force_factor, 3) << ',' << rounded(run.sigma_A[k] / log.area_factor, 3)
-          << '\n';
-    }
-  return out.str();
+    for (std::size_t k = 0; k < run.T.size(); ++k) column.add({run, k});
+  return column.text();
 }
 
 std::string runs_toml(const ReducedLog& log) {
@@ -66,31 +71,40 @@ std::string runs_toml(const ReducedLog& log) {
 }
 
 std::string peaks_csv(const ReducedLog& log) {
-  std::ostringstream out;
-  const std::string force = " [" + log.force_unit + "]";
-  out << "run,P" << force << ",cycle,time [s],T_peak" << force << ",T_min" << force << ",sigma_T_peak" << force
-      << ",sigma_T_min" << force << '\n';
+  struct Row {
+    const LoadingRun& run;
+    std::size_t k;  // of its cycles
+    const Cycle& cycle() const { return run.cycles[k]; }
+    std::optional<double> if_minimum(double value) const { return cycle().T_min ? std::optional(value) : std::nullopt; }
+  };
+  const std::string& force = log.force_unit;
+  CsvTable<Row> column;
+  column("run", [](auto& row) { return row.run.name; });
+  column.quantity("P", force, kDigits, [&](auto& row) { return row.run.P / log.force_factor; });
+  column("cycle", [](auto& row) { return row.k + 1; });
+  column("time [s]", [](auto& row) { return reading(row.cycle().time); });
+  column.quantity("T_peak", force, kDigits, [&](auto& row) { return row.cycle().T_peak / log.force_factor; });
+  column.quantity("T_min", force, kDigits,
+                  [&](auto& row) { return row.if_minimum(row.cycle().T_min.value_or(0) / log.force_factor); });
+  column.quantity("sigma_T_peak", force, 3, [&](auto& row) { return row.cycle().error_peak / log.force_factor; });
+  column.quantity("sigma_T_min", force, 3,
+                  [&](auto& row) { return row.if_minimum(row.cycle().error_min / log.force_factor); });
   for (const LoadingRun& run : log.runs.runs)
-    for (std::size_t k = 0; k < run.cycles.size(); ++k) {
-      const Cycle& cycle = run.cycles[k];
-      out << csv_field(run.name) << ',' << reading(run.P / log.force_factor) << ',' << k + 1 << ','
-          << reading(cycle.time) << ',' << reading(cycle.T_peak / log.force_factor) << ','
-          << (cycle.T_min ? reading(*cycle.T_min / log.force_factor) : std::string()) << ','
-          << rounded(cycle.error_peak / log.force_factor, 3) << ','
-          << (cycle.T_min ? rounded(cycle.error_min / log.force_factor, 3) : std::string()) << '\n';
-    }
-  return out.str();
+    for (std::size_t k = 0; k < run.cycles.size(); ++k) column.add({run, k});
+  return column.text();
 }
 
 std::string phases_csv(const ReducedLog& log) {
-  std::ostringstream out;
-  out << "phase,from [s],to [s],frames,kept,reason\n";
-  const Frames& frames = log.runs.frames;
-  for (const Phase& phase : log.runs.phases)
-    out << phase.name << ',' << reading(frames.time[phase.begin]) << ',' << reading(frames.time[phase.end - 1]) << ','
-        << phase.end - phase.begin << ',' << (phase.reason.empty() ? 1 : 0) << ','
-        << csv_field(std::string(phase.reason)) << '\n';
-  return out.str();
+  const std::vector<double>& time = log.runs.frames.time;
+  CsvTable<Phase> column;
+  column("phase", &Phase::name);
+  column("from [s]", [&](auto& phase) { return reading(time[phase.begin]); });
+  column("to [s]", [&](auto& phase) { return reading(time[phase.end - 1]); });
+  column("frames", [](auto& phase) { return phase.end - phase.begin; });
+  column("kept", [](auto& phase) { return phase.reason.empty(); });
+  column("reason", &Phase::reason);
+  for (const Phase& phase : log.runs.phases) column.add(phase);
+  return column.text();
 }
 
 std::string cuts_toml(const ReducedLog& log) {

@@ -3,8 +3,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "base/number_text.h"
-#include "dataset/table/csv.h"
+#include "base/rounding.h"
+#include "report/csv_table.h"
 #include "report/excluded_text.h"
 
 namespace mixity {
@@ -15,8 +15,6 @@ double alpha_scale(const DisplayUnits& units) { return units.area_scale / (units
 std::string alpha_unit(const DisplayUnits& units) {
   return units.area.empty() ? "" : units.area + "/" + units.force + "^2";
 }
-
-std::string bracketed(const std::string& unit) { return unit.empty() ? "" : " [" + unit + "]"; }
 
 std::string with_error(double value, const std::optional<double>& error, double scale) {
   return rounded(value * scale, 5) + (error ? " +/- " + rounded(*error * scale, 2) : "");
@@ -38,8 +36,8 @@ std::string sahli_text(const Dataset& data, const SahliResult& result, const std
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
   for (const std::string& note : data.notes) out << "    NOTE: " << note << '\n';
   write_excluded(out, data, "mixity check lists them");
-  out << "[[A = A0 - alpha T^2]]  P" << bracketed(units.force) << ", A0" << bracketed(units.area) << ", alpha"
-      << bracketed(alpha_unit(units)) << '\n'
+  out << "[[A = A0 - alpha T^2]]  " << bracketed("P", units.force) << ", " << bracketed("A0", units.area) << ", "
+      << bracketed("alpha", alpha_unit(units)) << '\n'
       << "    run             P         points  A0                      alpha                     predicted\n";
   for (const SahliRun& run : result.runs)
     out << "    " << std::left << std::setw(15) << run.curve << ' ' << std::setw(9)
@@ -57,21 +55,26 @@ std::string sahli_text(const Dataset& data, const SahliResult& result, const std
 }
 
 std::string sahli_csv(const Dataset& data, const SahliResult& result) {
-  const DisplayUnits& units = data.display;
-  const auto number = [](const std::optional<double>& value, double scale) {
-    return value ? shortest(*value * scale) : std::string();
+  CsvTable<SahliRun> column;
+  const auto shown = [&](const char* name, const std::string& unit, auto member, double scale) {
+    column.quantity(name, unit, [=](const SahliRun& run) {
+      const std::optional<double> value = run.*member;
+      return value ? std::optional(*value * scale) : std::nullopt;
+    });
   };
-  std::ostringstream out;
-  const std::string area = bracketed(units.area), alpha = bracketed(alpha_unit(units));
-  out << "provenance,curve,P" << bracketed(units.force) << ",points,A0" << area << ",A0_stderr" << area << ",alpha"
-      << alpha << ",alpha_stderr" << alpha << ",alpha_predicted" << alpha << '\n';
-  for (const SahliRun& run : result.runs)
-    out << to_string(data.metadata.provenance) << ',' << csv_field(run.curve) << ','
-        << shortest(run.P * units.force_scale) << ',' << run.points << ',' << shortest(run.A0 * units.area_scale) << ','
-        << number(run.A0_stderr, units.area_scale) << ',' << shortest(run.alpha * alpha_scale(units)) << ','
-        << number(run.alpha_stderr, alpha_scale(units)) << ',' << number(run.alpha_predicted, alpha_scale(units))
-        << '\n';
-  return out.str();
+  const DisplayUnits& units = data.display;
+  const double scale = alpha_scale(units);
+  column("provenance", [&](auto&) { return data.metadata.provenance; });
+  column("curve", &SahliRun::curve);
+  shown("P", units.force, &SahliRun::P, units.force_scale);
+  column("points", &SahliRun::points);
+  shown("A0", units.area, &SahliRun::A0, units.area_scale);
+  shown("A0_stderr", units.area, &SahliRun::A0_stderr, units.area_scale);
+  shown("alpha", alpha_unit(units), &SahliRun::alpha, scale);
+  shown("alpha_stderr", alpha_unit(units), &SahliRun::alpha_stderr, scale);
+  shown("alpha_predicted", alpha_unit(units), &SahliRun::alpha_predicted, scale);
+  for (const SahliRun& run : result.runs) column.add(run);
+  return column.text();
 }
 
 }  // namespace mixity

@@ -1,5 +1,4 @@
-#include "report/fit_statistics_json.h"
-
+// The statistics of fits in JSON.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,34 +83,42 @@ TEST(FitStatisticsJson, HasTheKeysOfItsSchema) {
 }
 
 TEST(FitStatisticsJson, WritesWhatIsMissingAsNull) {
-  EXPECT_TRUE(interval_json({}).is_null());
-  EXPECT_TRUE(errors_json({}).is_null());
-  EXPECT_EQ(correlations_json({}), Json::array());
-  const Json open = interval_json(ShownInterval{"profile", 0.9, {}, 2.0, EndStatus::open, EndStatus::at_bound});
+  Analysis result;
+  result.fits.resize(2);
+  result.fits[1].parameters = {{"lambda", 2, {}, 0, 2, true}};
+  result.fits[1].parameters[0].interval = {"profile", 0.9, {}, 2.0, EndStatus::open, EndStatus::at_bound};
+  const Json fits = Json::parse(to_json({result}))["datasets"][0]["fits"];
+  EXPECT_TRUE(fits[0]["errors"].is_null());
+  EXPECT_EQ(fits[0]["correlations"], Json::array());
+  const Json open = fits[1]["parameters"]["lambda"]["interval"];
   EXPECT_TRUE(open["low"].is_null());
   EXPECT_EQ(open["low_status"], "open");
   EXPECT_EQ(open["high"], 2.0);
   EXPECT_EQ(open["high_status"], "at_bound");
+  result.fits[1].parameters[0].interval.reset();
+  EXPECT_TRUE(Json::parse(to_json({result}))["datasets"][0]["fits"][1]["parameters"]["lambda"]["interval"].is_null());
 
-  Analysis result;
   result.comparison = {{"a", {}, {}, {}, {}}};
-  const Json compared = comparison_json(result)[0];
-  for (const char* key : {"aicc", "bic", "weight", "loo_rmse_area", "loo_beyond_fold"})
-    EXPECT_TRUE(compared[key].is_null()) << key;
   result.per_curve.resize(1);
   result.per_curve[0].curves.push_back({"all", 0, {}});
   result.per_curve[0].untested = "too few points";
-  const Json per_curve = per_curve_json(result)[0];
+  const Json data = Json::parse(to_json({result}))["datasets"][0];
+  const Json compared = data["comparison"][0];
+  for (const char* key : {"aicc", "bic", "weight", "loo_rmse_area", "loo_beyond_fold"})
+    EXPECT_TRUE(compared[key].is_null()) << key;
+  const Json per_curve = data["per_curve"][0];
   EXPECT_TRUE(per_curve["test"].is_null());
   EXPECT_EQ(per_curve["untested"], "too few points");
   EXPECT_TRUE(per_curve["curves"][0]["load"].is_null());  // (psi, Gc) data have none
 }
 
 TEST(FitStatisticsJson, LeavesOutHeldParametersFromCorrelations) {
-  FitResult fit;
-  fit.parameters = {{"r", 2, {}, 0, 10, false, true}, {"eta", 2, 0.1, 0, 10}, {"modulus", 1, 0.1, 0, 10}};
-  fit.correlations = {1, -0.25, -0.25, 1};
-  EXPECT_EQ(correlations_json(fit), Json::parse(R"([{"parameters": ["eta", "modulus"], "value": -0.25}])"));
+  Analysis result;
+  result.fits.resize(1);
+  result.fits[0].parameters = {{"r", 2, {}, 0, 10, false, true}, {"eta", 2, 0.1, 0, 10}, {"modulus", 1, 0.1, 0, 10}};
+  result.fits[0].correlations = {1, -0.25, -0.25, 1};
+  EXPECT_EQ(Json::parse(to_json({result}))["datasets"][0]["fits"][0]["correlations"],
+            Json::parse(R"([{"parameters": ["eta", "modulus"], "value": -0.25}])"));
 }
 
 }  // namespace

@@ -12,10 +12,14 @@
 
 namespace mixity {
 
-inline void expect_golden_text(const std::string& text, const std::string& name) {
-  const std::string path = MIXITY_ROOT "/tests/report/golden/" + name;
+inline void expect_text_of_file(const std::string& text, const std::string& name) {
+  const std::string path = MIXITY_ROOT "/" + name;
   if (std::getenv("MIXITY_UPDATE_GOLDEN")) write_file(path, text);
   EXPECT_EQ(text, read_file(path)) << name;
+}
+
+inline void expect_golden_text(const std::string& text, const std::string& name) {
+  expect_text_of_file(text, "tests/report/golden/" + name);
 }
 
 inline void expect_golden(const Analysis& result, const std::string& name) {

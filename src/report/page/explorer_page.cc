@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dataset/table/csv.h"
-#include "report/job_fields.h"
+#include "report/fit_json.h"
 #include "report/used_csv.h"
 
 namespace mixity {
@@ -29,7 +29,7 @@ std::string content_if_any(const std::string& path) {
 
 Json as_embedded(const Analysis& result) {
   const FitRequest& request = result.request;
-  Json embedded = job_fields(
+  Json embedded = request_fields(
       request, request.runs.empty() ? request.constants : Overrides(constants_as_stated(result.data.metadata)));
   if (request.runs.empty()) {
     embedded["name"] = request.data_path.substr(request.data_path.find_last_of('/') + 1);

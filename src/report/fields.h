@@ -1,0 +1,203 @@
+// Outputs by description: the fields of a type are listed once, each with its name, how it is read and what it means.
+// The list gives both the JSON of a value and the JSON Schema of all values.
+//
+//   void describe(Fields<BudgetPart>& field) {
+//     field("share", "part of the variance, 0 to 1", &BudgetPart::share);
+//   }
+#pragma once
+
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mixity {
+
+struct FitResult;
+struct Analysis;
+
+using Json = nlohmann::ordered_json;
+
+/// The fit and the data set that a value belongs to, which know its unit and its line; null outside of them.
+struct Within {
+  const Analysis* result = nullptr;
+  const FitResult* fit = nullptr;
+};
+
+/// An object with these names. Its schema leaves the names open.
+template <class Value>
+using Named = std::vector<std::pair<std::string, Value>>;
+
+/// A field that is absent without a value. std::optional and null pointers are written as null.
+template <class Value>
+struct IfAny {
+  std::optional<Value> value;
+};
+
+template <class T>
+class Fields;
+
+/// The list that describe(Fields<T>&) fills, which must be declared where this is used.
+template <class T>
+const Fields<T>& fields() {
+  static const Fields<T> all = [] {
+    Fields<T> described;
+    describe(described);
+    return described;
+  }();
+  return all;
+}
+
+template <class Value, template <class...> class Template>
+inline constexpr bool is_a = false;
+template <template <class...> class Template, class... Arguments>
+inline constexpr bool is_a<Template<Arguments...>, Template> = true;
+
+template <class Value>
+inline constexpr bool is_text = std::is_convertible_v<Value, std::string_view>;
+template <class Value>
+inline constexpr bool may_be_null = is_a<Value, std::optional> || (std::is_pointer_v<Value> && !is_text<Value>);
+template <class Value>
+inline constexpr bool is_named = is_a<Value, std::map>;
+template <class Value>
+inline constexpr bool is_named<Named<Value>> = true;
+
+template <class Value>
+Json json_of(const Value& value, const Within& within = {}) {
+  if constexpr (is_a<Value, IfAny>) {
+    return value.value ? json_of(*value.value, within) : Json(Json::value_t::discarded);
+  } else if constexpr (may_be_null<Value>) {
+    return value ? json_of(*value, within) : Json();
+  } else if constexpr (is_named<Value>) {
+    Json object = Json::object();
+    for (const auto& [name, one] : value) object[name] = json_of(one, within);
+    return object;
+  } else if constexpr (is_a<Value, std::vector>) {
+    Json list = Json::array();
+    for (const auto& one : value) list.push_back(json_of(one, within));
+    return list;
+  } else if constexpr (std::is_enum_v<Value>) {
+    return to_string(value);
+  } else if constexpr (is_text<Value> || std::is_arithmetic_v<Value>) {
+    return value;
+  } else {
+    return fields<Value>().json(value, within);
+  }
+}
+
+template <class Value>
+Json schema_of() {
+  if constexpr (is_a<Value, IfAny>) {
+    return schema_of<typename decltype(Value::value)::value_type>();
+  } else if constexpr (may_be_null<Value>) {
+    Json schema = schema_of<std::remove_cvref_t<decltype(*std::declval<Value>())>>();
+    if (schema.contains("enum"))
+      schema["enum"].push_back(nullptr);
+    else
+      schema["type"] = {schema["type"], "null"};
+    return schema;
+  } else if constexpr (is_named<Value>) {
+    return {
+        {"type", "object"},
+        {"additionalProperties", schema_of<std::remove_cvref_t<decltype(std::declval<Value>().begin()->second)>>()}};
+  } else if constexpr (is_a<Value, std::vector>) {
+    return {{"type", "array"}, {"items", schema_of<typename Value::value_type>()}};
+  } else if constexpr (std::is_enum_v<Value>) {
+    Json names = Json::array();  // to_string gives numbers beyond the last enumerator a name that it gave before
+    for (int i = 0; std::find(names.begin(), names.end(), to_string(Value(i))) == names.end(); ++i)
+      names.push_back(to_string(Value(i)));
+    return {{"enum", names}};
+  } else if constexpr (is_text<Value>) {
+    return {{"type", "string"}};
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return {{"type", "boolean"}};
+  } else if constexpr (std::is_integral_v<Value>) {
+    return {{"type", "integer"}, {"minimum", 0}};
+  } else if constexpr (std::is_arithmetic_v<Value>) {
+    return {{"type", "number"}};
+  } else {
+    return fields<Value>().schema();
+  }
+}
+
+template <class T>
+class Fields {
+ public:
+  /// `get`: a member of T, or a function of a const T&, or of that and a const Within&. `limits`: JSON of what the
+  /// schema says beyond the type.
+  template <class Get>
+  void operator()(const char* name, const char* meaning, const char* limits, Get get) {
+    using Value = std::remove_cvref_t<decltype(got(get, std::declval<const T&>(), Within{}))>;
+    list_.push_back({name, meaning, limits, !is_a<Value, IfAny>, &schema_of<Value>,
+                     [get](const T& of, const Within& within) { return json_of(got(get, of, within), within); }});
+  }
+  template <class Get>
+  void operator()(const char* name, const char* meaning, Get get) {
+    (*this)(name, meaning, "{}", get);
+  }
+
+  /// All fields of another type, which `get` finds for a T.
+  template <class Get>
+  void all_of(Get get) {
+    using Other = std::remove_cvref_t<std::invoke_result_t<Get, const T&>>;
+    for (const auto& field : fields<Other>().list_)
+      list_.push_back({field.name, field.meaning, field.limits, field.required, field.schema,
+                       [get, &field](const T& of, const Within& within) {
+                         const Other& other = get(of);
+                         return field.read(other, Fields<Other>::entered(other, within));
+                       }});
+  }
+
+  Json json(const T& value, const Within& within) const {
+    const Within inside = entered(value, within);
+    Json object = Json::object();
+    for (const Field& field : list_)
+      if (Json one = field.read(value, inside); !one.is_discarded()) object[field.name] = std::move(one);
+    return object;
+  }
+
+  Json schema() const {
+    Json properties = Json::object(), required = Json::array();
+    for (const Field& field : list_) {
+      Json one = {{"description", field.meaning}};
+      one.update(field.schema());
+      one.update(Json::parse(field.limits));
+      properties[field.name] = std::move(one);
+      if (field.required) required.push_back(field.name);
+    }
+    return {{"type", "object"}, {"required", required}, {"additionalProperties", false}, {"properties", properties}};
+  }
+
+ private:
+  template <class>
+  friend class Fields;
+
+  struct Field {
+    const char *name, *meaning, *limits;
+    bool required;
+    Json (*schema)();
+    std::function<Json(const T&, const Within&)> read;
+  };
+
+  template <class Get>
+  static decltype(auto) got(const Get& get, const T& of, const Within& within) {
+    if constexpr (std::is_invocable_v<const Get&, const T&, const Within&>)
+      return std::invoke(get, of, within);
+    else
+      return std::invoke(get, of);
+  }
+
+  static Within entered([[maybe_unused]] const T& value, Within within) {
+    if constexpr (std::is_same_v<T, Analysis>) within.result = &value;
+    if constexpr (std::is_same_v<T, FitResult>) within.fit = &value;
+    return within;
+  }
+
+  std::vector<Field> list_;
+};
+
+}  // namespace mixity

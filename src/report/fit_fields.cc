@@ -1,0 +1,232 @@
+#include "report/fit_fields.h"
+
+#include <tuple>
+
+#include "analysis/judgement.h"
+#include "report/csv_table.h"
+#include "report/fit_statistics_fields.h"
+
+namespace mixity {
+namespace {
+
+std::optional<std::string_view> null_if_empty(std::string_view text) {
+  return text.empty() ? std::nullopt : std::optional(text);
+}
+
+}  // namespace
+
+std::optional<std::string_view> notice_on(const Dataset& data) {
+  return data.metadata.provenance == Provenance::reconstructed ? std::optional(kReconstructedNotice) : std::nullopt;
+}
+
+std::vector<ExcludedLine> lines_of(const std::vector<Excluded>& excluded, const Dataset* data) {
+  std::vector<ExcludedLine> lines;
+  for (const Excluded& one : excluded) {
+    lines.push_back({data ? data->line_in_file(one.line) : one.line, one.reason, {}});
+    if (data && !data->files.empty()) lines.back().file.value = data->file_of(one.line);
+  }
+  return lines;
+}
+
+void describe(Fields<ExcludedLine>& field) {
+  field("line", "line in the file, from 1", &ExcludedLine::line);
+  field("reason", "why it is left out", &ExcludedLine::reason);
+  field("file", "path, of a data set of several files", &ExcludedLine::file);
+}
+
+void describe(Fields<ShownInterval>& field) {
+  field("method", "profile likelihood", R"({"const": "profile"})", &ShownInterval::method);
+  field("confidence", "0 to 1", &ShownInterval::confidence);
+  field("low", "lower end; null if open", &ShownInterval::low);
+  field("high", "upper end; null if open", &ShownInterval::high);
+  const char* const kStatus = "found, at_bound (the parameter's bound lies within the interval) or open";
+  field("low_status", kStatus, &ShownInterval::low_status);
+  field("high_status", kStatus, &ShownInterval::high_status);
+}
+
+void describe(Fields<Bootstrapped>& field) {
+  const auto drawn = [](const auto member) {
+    return [member](const Bootstrapped&, const Within& in) { return (*in.fit->bootstrap).*member; };
+  };
+  field("replicates", "number of refits", drawn(&BootstrapResult::replicates));
+  field("failed", "refits without a minimum, which are left out", drawn(&BootstrapResult::failed));
+  field("resampled", "points within their runs, or whole runs", R"({"enum": ["points", "curves"]})",
+        [](auto&, auto& in) { return in.fit->bootstrap->of_runs ? "curves" : "points"; });
+  field("seed", "seed of the random numbers", drawn(&BootstrapResult::seed));
+  field("low", "lower end of the percentile interval", &Bootstrapped::low);
+  field("high", "upper end of the percentile interval", &Bootstrapped::high);
+  field("standard_deviation", "of the replicates", &Bootstrapped::standard_deviation);
+  field("bias", "mean of the replicates minus the fit", &Bootstrapped::bias);
+}
+
+void describe(Fields<ShownPrior>& field) {
+  field("mean", "the stated value", &ShownPrior::mean);
+  field("standard_error", "its stated standard error", &ShownPrior::standard_error);
+  field("distribution", "log-normal for constants that are positive", R"({"enum": ["normal", "log-normal"]})",
+        [](auto& prior) { return prior.logarithmic ? "log-normal" : "normal"; });
+}
+
+void describe(Fields<FittedParameter>& field) {
+  field("value", "best value; null if the status is not_identifiable", &FittedParameter::value);
+  field("stderr", "standard error; null at a bound, of a held parameter or without a value", &FittedParameter::stderr_);
+  field("lower", "lower bound", &FittedParameter::lower);
+  field("upper", "upper bound", &FittedParameter::upper);
+  field("at_bound", "whether the best value is a bound", &FittedParameter::at_bound);
+  field("held", "whether the parameter was held, not fitted", &FittedParameter::held);
+  field("unit", "unit; empty if dimensionless", &FittedParameter::unit);
+  field("interval", "confidence interval; null if none was asked for or found", &FittedParameter::interval);
+  field("bootstrap", "bootstrap interval; null if none was asked for",
+        [](auto& parameter, auto& in) { return in.fit->bootstrap ? parameter.bootstrap : std::nullopt; });
+  field("prior", "of a constant that was stated with a standard error; else null", &FittedParameter::prior);
+}
+
+void describe(Fields<StandardErrors>& field) {
+  const char* const kSource =
+      "where the standard errors come from: columns of the file, stated for all points, the scatter of neighbouring "
+      "points, assumed (too few points for an estimate), or exact (none)";
+  field("sigma_T", kSource, &StandardErrors::source_T);
+  field("sigma_A", kSource, &StandardErrors::source_A);
+  field("relative_scatter", "relative error that was estimated or assumed; else null", &StandardErrors::scatter);
+  const char* const kRaised =
+      "points whose standard error of 0 was raised to 1e-4 of the largest value, as a distance needs errors in both "
+      "axes";
+  field("raised_T", kRaised, &StandardErrors::raised_T);
+  field("raised_A", kRaised, &StandardErrors::raised_A);
+}
+
+void describe(Fields<AreaGoodness>& field) {
+  const auto if_any = [](const auto member) {
+    return
+        [member](const AreaGoodness& area) { return area.predicted > 0 ? std::optional(area.*member) : std::nullopt; };
+  };
+  field("r2", "coefficient of determination; null if the areas do not vary", &AreaGoodness::r2);
+  field("rmse", "root mean square error, in `unit`; null without a predicted point", if_any(&AreaGoodness::rmse));
+  field("max_abs_residual", "largest error, in `unit`", if_any(&AreaGoodness::max_abs_residual));
+  field("unit", "unit of areas in the file", [](auto&, auto& in) { return in.result->data.display.area; });
+  field("unpredicted", "points beyond the last equilibrium of the model", &AreaGoodness::unpredicted);
+  field("obstacle", "why the law defines no area with these parameters; else null",
+        [](auto& area) { return null_if_empty(area.obstacle); });
+}
+
+void describe(Fields<PaperFit>& field) {
+  field("status", "as of the fit", &PaperFit::status);
+  field("parameters", "value by name", R"({"minProperties": 1})", [](const PaperFit& paper) {
+    Named<std::optional<double>> values;
+    for (const FittedParameter& parameter : paper.parameters) values.emplace_back(parameter.name, parameter.value);
+    return values;
+  });
+  field("r2", "coefficient of determination in ln(Gc/GIc)", &PaperFit::r2);
+  field("points", "points with a phase angle", &PaperFit::points);
+}
+
+void describe(Fields<Agreement>& field) {
+  field("value", "published value", [](auto& one) { return one.published.value; });
+  field("tolerance", "what its printed digits allow", [](auto& one) { return one.published.tolerance; });
+  field("agrees", "whether the fit agrees within the tolerance", &Agreement::agrees);
+}
+
+void describe(Fields<FitResult>& field) {
+  field("model", "key of the model", &FitResult::model);
+  field("objective", "what was fitted: distance from the curve in (T, A), or ln(Gc/GIc) against psi",
+        &FitResult::objective);
+  field("scale", "of the toughness: logarithmic or linear", &FitResult::scale);
+  field("status", "whether the result can be used as it is", &FitResult::status);
+  field("message", "one sentence on the status; empty if it is ok", &FitResult::message);
+  field("parameters", "parameters of the model and fitted constants, by name", R"({"minProperties": 1})",
+        [](const FitResult& fit) {
+          Named<const FittedParameter*> named;
+          for (const FittedParameter& parameter : fit.parameters) named.emplace_back(parameter.name, &parameter);
+          return named;
+        });
+  field("used", "number of points that the model could use", [](auto& fit) { return fit.used.size(); });
+  field("excluded", "usable points that this model cannot describe",
+        [](auto& fit, auto& in) { return lines_of(fit.excluded, &in.result->data); });
+  field("r2", "coefficient of determination in the fitted space; null if the data do not vary", &FitResult::r2);
+  field("rmse", "root mean square residual in the fitted space", &FitResult::rmse);
+  field("max_abs_residual", "largest residual in the fitted space", &FitResult::max_abs_residual);
+  field("errors", "standard errors of the points; null if the objective does not use them", &FitResult::errors);
+  field("loss_scale", "residual at which a robust loss bends; null without one",
+        [](auto& fit) { return fit.loss_scale > 0 ? std::optional(fit.loss_scale) : std::nullopt; });
+  field("correlations", "correlations of the free parameters", correlations);
+  field("influence", "what moves the fit; null if it was not asked for", &FitResult::influence);
+  field("area", "how well the areas are predicted; null for data without loads", &FitResult::area);
+  field("paper",
+        "the paper's fit of the same points, ln(Gc/GIc) against psi with equal weights; null unless the objective is "
+        "curve and the data have loads",
+        &FitResult::paper);
+  field("evidence", "evidence of the model and posterior of its first free parameter", &FitResult::evidence);
+  field("budget", "what the variance of the first free parameter is made of", &FitResult::budget);
+  field("consistency", "whether the residuals are what the fit assumes", &FitResult::consistency);
+  field("outdone_by", "of a suspect fit, the model that describes the data far better; else null",
+        [](auto& fit) { return null_if_empty(fit.outdone_by); });
+  field("published", "comparison with published values, by name", [](const FitResult& fit, const Within& in) {
+    Named<Agreement> named;
+    for (Agreement& one : compare(fit, in.result->request)) named.emplace_back(one.published.name, std::move(one));
+    return named;
+  });
+}
+
+namespace {
+
+/// Columns of fits.csv: HEADING=PATH, or HEADING where the path is the same, of a field of what row_of gathers.
+constexpr std::string_view kColumns =
+    "dataset provenance model objective scale status parameter value=own/value stderr=own/stderr lower=own/lower "
+    "upper=own/upper at_bound=own/at_bound r2 rmse max_abs_residual area_r2=area/r2 area_rmse=area/rmse area_unit "
+    "area_unpredicted=area/unpredicted notice unit=own/unit low=own/interval/low high=own/interval/high "
+    "low_status=own/interval/low_status high_status=own/interval/high_status paper_value paper_status=paper/status "
+    "paper_r2=paper/r2 prior_mean=own/prior/mean prior_standard_error=own/prior/standard_error variance_share pull "
+    "log_evidence=posterior/log_evidence posterior_mean=posterior/mean "
+    "posterior_standard_deviation=posterior/standard_deviation credible_low=posterior/low "
+    "credible_high=posterior/high ";
+
+/// The fields of the fit, those of the parameter as "own", and what else is said of it.
+Json row_of(const Dataset& data, const FitResult& fit, const FittedParameter& parameter, Json row) {
+  std::optional<double> share, pull;
+  if (fit.budget && fit.budget->parameter == parameter.name) share = fit.budget->scatter;
+  for (const BudgetPart& part : fit.budget ? fit.budget->parts : std::vector<BudgetPart>{})
+    if (part.constant == parameter.name) std::tie(share, pull) = std::tuple(part.share, part.pull);
+  row.update({{"dataset", data.name},
+              {"provenance", to_string(data.metadata.provenance)},
+              {"notice", json_of(notice_on(data))},
+              {"area_unit", data.display.area},
+              {"parameter", parameter.name},
+              {"own", row["parameters"][parameter.name]},
+              {"posterior", fit.evidence && fit.evidence->parameter == parameter.name ? row["evidence"] : Json()},
+              {"paper_value", json_of(fit.paper ? fit.paper->value_of(parameter.name) : std::nullopt)},
+              {"variance_share", json_of(share)},
+              {"pull", json_of(pull)}});
+  return row;
+}
+
+/// What stands at "own/interval/low", for instance; null where a part of the path is null.
+const Json& at_path(const Json& row, std::string_view path) {
+  const std::size_t end = std::min(path.find('/'), path.size());
+  const Json& part = row.at(std::string(path.substr(0, end)));
+  return part.is_null() || end == path.size() ? part : at_path(part, path.substr(end + 1));
+}
+
+std::string cell(const Json& value) {
+  if (value.is_null()) return {};
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
+  return value.is_number_float() ? shortest(value.get<double>()) : value.dump();
+}
+
+}  // namespace
+
+std::string fits_csv(const std::vector<Analysis>& results) {
+  CsvTable<Json> column;
+  for (std::size_t at = 0, end; (end = kColumns.find(' ', at)) != kColumns.npos; at = end + 1) {
+    const std::string_view one = kColumns.substr(at, end - at);
+    const std::string_view path = one.substr(one.find('=') + 1);  // all of it where there is no =
+    column(std::string(one.substr(0, one.find('='))), [path](const Json& row) { return cell(at_path(row, path)); });
+  }
+  for (const Analysis& result : results)
+    for (const FitResult& fit : result.fits) {
+      const Json shown = json_of(fit, {&result});
+      for (const FittedParameter& parameter : fit.parameters) column.add(row_of(result.data, fit, parameter, shown));
+    }
+  return column.text();
+}
+
+}  // namespace mixity
