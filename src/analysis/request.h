@@ -18,6 +18,12 @@ struct Published {
   double value, tolerance;  // agreement means |found - value| <= tolerance, what the printed digits allow
 };
 
+/// What gnuplot makes of a report's figures, beside their SVG.
+struct FigureFormats {
+  bool pdf = false, png = false;
+  bool gnuplot = false;  // the script and the data
+};
+
 struct FitRequest {
   std::string path;                                // of its definition; empty if there is none
   std::string data_path;                           // CSV, resolved against the definition's folder; the first of `runs`
@@ -31,6 +37,7 @@ struct FitRequest {
   Overrides constants;                 // override those beside the data; each name once
   bool compare = true;                 // compare the models: information criteria, error on loads left out
   bool per_curve = false;              // also fit each loading run by itself
+  FigureFormats formats;
   std::vector<std::string> law_notes;  // warnings about the laws of the definition
   std::map<std::string, std::vector<Published>> published;  // by model key
   std::string source;                                       // of the published numbers

@@ -104,6 +104,30 @@ struct Lines {
   }
 };
 
+struct Formats {
+  static Complaint read(std::string_view text, FigureFormats& formats) {
+    FigureFormats wanted;
+    if (text != "none") {
+      Complaint problem = for_each_item(text, [&](const std::string& name) -> Complaint {
+        if (name != "pdf" && name != "png" && name != "gnuplot")
+          return "names the unknown format " + in_quotes(name) + " (known: pdf, png, gnuplot, none)";
+        (name == "pdf" ? wanted.pdf : name == "png" ? wanted.png : wanted.gnuplot) = true;
+        return {};
+      });
+      if (!problem.empty()) return problem;
+    }
+    formats = wanted;
+    return {};
+  }
+  static std::string write(const FigureFormats& formats) {
+    std::vector<std::string> names;
+    if (formats.pdf) names.emplace_back("pdf");
+    if (formats.png) names.emplace_back("png");
+    if (formats.gnuplot) names.emplace_back("gnuplot");
+    return names.empty() ? "none" : listed(names, ",");
+  }
+};
+
 }  // namespace
 
 const std::vector<Setting>& settings() {
@@ -154,6 +178,10 @@ const std::vector<Setting>& settings() {
               "compare the models: AICc, weights, error on loads left out of the fit"),
       setting("per", &FitRequest::per_curve, Word{"curve", ""},
               "curve: fit each loading run by itself, too, and test one value against many"),
+      setting(
+          "formats", &FitRequest::formats, Formats{},
+          "what gnuplot makes of figures beside their SVG: pdf, png, gnuplot (script and data), comma-separated, or "
+          "none"),
   };
   return all;
 }

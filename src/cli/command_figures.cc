@@ -4,7 +4,7 @@
 #include "cli/commands.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
-#include "report/figures/gnuplot.h"
+#include "report/figures/drawn_figures.h"
 #include "report/figures/paper_figures.h"
 #include "report/page/paper_page.h"
 
@@ -18,7 +18,7 @@ int run_figures(const Arguments& arguments) {
   std::vector<Dataset> data;
   for (const std::string& path : arguments) data.push_back(load_dataset(path));
   const std::vector<Figure> figures = paper_figures(data);
-  const DrawnFigures drawn = draw_figures(figures, FLAGS_out, progress_line("figures"));
+  const DrawnFigures drawn = draw_figures(figures, FLAGS_out, figure_formats(), progress_line("figures"));
   std::vector<OutputFile> files = drawn.files;
   files.push_back({FLAGS_out + "/figures.html", paper_page(figures, drawn)});
   write_files(files);

@@ -10,7 +10,7 @@
 #include "dataset/logs/clocks.h"
 #include "dataset/logs/compression.h"
 #include "dataset/logs/cuts_file.h"
-#include "report/figures/gnuplot.h"
+#include "report/figures/drawn_figures.h"
 #include "report/figures/log_figures.h"
 #include "report/runs_files.h"
 
@@ -92,7 +92,8 @@ int run_runs(const Arguments& arguments) {
   if (!FLAGS_out.empty()) {
     const std::string folder = FLAGS_out + "/";
     const std::vector<Figure> figures = log_figures(log);
-    const DrawnFigures drawn = draw_figures(figures, FLAGS_out + "/figures", progress_line("figures"));
+    const DrawnFigures drawn =
+        draw_figures(figures, FLAGS_out + "/figures", figure_formats(), progress_line("figures"));
     std::vector<OutputFile> files = drawn.files;
     files.push_back({folder + "runs.csv", runs_csv(log)});
     files.push_back({folder + "runs.toml", runs_toml(log)});
@@ -100,7 +101,7 @@ int run_runs(const Arguments& arguments) {
     files.push_back({folder + "peaks.toml", runs_toml(log)});
     files.push_back({folder + "phases.csv", phases_csv(log)});
     files.push_back({folder + "cuts.toml", cuts_toml(log)});
-    files.push_back({folder + "fit.toml", runs_definition(figures, drawn)});
+    files.push_back({folder + "fit.toml", runs_definition(figures)});
     std::vector<std::string> inputs(arguments.begin(), arguments.end());
     for (const std::string& path : arguments) inputs.push_back(metadata_path(path));
     for (const std::string& kept : keep_former(files))

@@ -117,6 +117,13 @@ Arguments parse_flags(const Command& command, const Arguments& words) {
   return arguments;
 }
 
+FigureFormats figure_formats() {
+  FitRequest request;
+  if (const std::string problem = set_option(request, "formats", value_of("formats")); !problem.empty())
+    throw UsageError("flag '--formats' " + problem);
+  return request.formats;
+}
+
 std::string formats_text(const Command& command) {
   std::string text;
   const std::size_t n = command.formats.size();

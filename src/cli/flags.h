@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/request.h"
 #include "cli/commands.h"
 #include "dataset/metadata.h"
 
@@ -26,6 +27,9 @@ void define_flags_of_tables();
 
 /// Adds the flags of metadata.
 std::vector<std::string_view> with_metadata_flags(std::vector<std::string_view> flags);
+
+/// What --formats says. Throws UsageError.
+FigureFormats figure_formats();
 
 /// Sets flags from "--name=value" or "--name value", and returns the other words; all words after "--" are such. Throws
 /// UsageError for an unknown flag, a missing value, or a format that the command does not have.

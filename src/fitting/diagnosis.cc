@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "fitting/consistency.h"
 #include "fitting/predicted_area.h"
+#include "fitting/stated_constants.h"
 #include "statistics/distributions.h"
 
 namespace mixity {

@@ -1,7 +1,7 @@
 #include "report/report.h"
 
+#include "base/files.h"
 #include "base/output_file.h"
-#include "dataset/table/csv.h"
 #include "report/fit_csv.h"
 #include "report/page/explorer_page.h"
 #include "report/page/report_page.h"
@@ -12,22 +12,26 @@ namespace mixity {
 
 WrittenReport write_report(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
                            const std::string& folder, const ReportSettings& settings) {
-  ReportContent content{settings, {}, {}};
+  ReportContent content{settings, {}};
   const auto advance = [&](double fraction) {
     if (settings.progress) settings.progress(fraction);
   };
   std::vector<std::string> inputs;
   for (const ReportedData& one : data)
     for (std::string& input : files_read(one.result.request)) inputs.push_back(std::move(input));
-  std::vector<Figure> figures;
   for (const ReportedData& one : data) {
     content.entries.push_back({&one, data_figures(one), answer_of(one.result)});
+    std::vector<Figure> figures;
     for (const FigureGroup& group : content.entries.back().figures.groups)
       figures.insert(figures.end(), group.figures.begin(), group.figures.end());
-    advance(0.3 * static_cast<double>(content.entries.size()) / static_cast<double>(data.size()));
+    const auto done = static_cast<double>(content.entries.size()), all = static_cast<double>(data.size());
+    DrawnFigures drawn = draw_figures(figures, folder + "/figures", one.result.request.formats,
+                                      stretch(settings.progress, 0.9 * (done - 0.7) / all, 0.9 * done / all));
+    content.drawn.files.insert(content.drawn.files.end(), drawn.files.begin(), drawn.files.end());
+    content.drawn.endings.merge(drawn.endings);
+    if (content.drawn.missing.empty()) content.drawn.missing = drawn.missing;
+    advance(0.9 * done / all);
   }
-  content.drawn = draw_figures(figures, folder + "/figures", stretch(settings.progress, 0.3, 0.9));
-  advance(0.9);
   std::vector<OutputFile> files = content.drawn.files;
   files.push_back({folder + "/fits.csv", fits_csv(results)});
   files.push_back({folder + "/residuals.csv", residuals_table(results)});

@@ -7,7 +7,7 @@
 #include "analysis/answer.h"
 #include "analysis/reported_data.h"
 #include "report/figures/data_figures.h"
-#include "report/figures/gnuplot.h"
+#include "report/figures/drawn_figures.h"
 
 namespace mixity {
 
@@ -27,7 +27,7 @@ struct ReportEntry {
 struct ReportContent {
   ReportSettings settings;
   std::vector<ReportEntry> entries;
-  DrawnFigures drawn;  // of all figures, in order
+  DrawnFigures drawn{};  // all figures
 };
 
 struct WrittenReport {

@@ -25,16 +25,13 @@ struct ReportDocument {
 
 ReportDocument document_of(const ReportContent& content) {
   ReportDocument document{&content, {}};
-  auto svg = content.drawn.svg.begin();
   for (const ReportEntry& entry : content.entries) {
     std::vector<ListedFigure> figures;
     for (const FigureGroup& group : entry.figures.groups)
       for (const Figure& figure : group.figures) {
         figures.push_back({&figure, {}});
-        const bool drawn = !(svg++)->empty();
-        for (const char* ending : {".dat", ".gp", ".svg", ".pdf", ".png"})
-          if (!figure.drawn.empty() ? ending[1] == 's' : drawn || ending[1] == 'd' || ending[1] == 'g')
-            figures.back().files.push_back("figures/" + figure.name + ending);
+        for (const std::string& ending : content.drawn.endings.at(figure.name))
+          figures.back().files.push_back("figures/" + figure.name + ending);
       }
     document.entries.push_back({&entry, std::move(figures)});
   }

@@ -19,7 +19,7 @@ const std::map<std::string_view, std::string_view> kTexts{
     {"hold", "r,eta=2"},   {"free", "load_offset"},    {"exclude", "4,7-9"}, {"leave_out", "P=3"},
     {"interval", "none"},  {"confidence", "0.9"},      {"checks", "false"},  {"lambda_prior", "log_uniform"},
     {"bootstrap", "20"},   {"resample", "curves"},     {"seed", "7"},        {"threads", "2"},
-    {"influence", "true"}, {"compare", "false"},       {"per", "curve"}};
+    {"influence", "true"}, {"compare", "false"},       {"per", "curve"},     {"formats", "pdf,png"}};
 
 FitRequest with_all() {
   FitRequest request;
@@ -98,6 +98,17 @@ TEST(Settings, AndConstantsHaveTheNamesOfTheExplorersFields) {
     EXPECT_TRUE(std::ranges::any_of(metadata_fields(), [&](const auto& field) { return field.name == name; })) << name;
   }
   EXPECT_EQ(fields, 5u);
+}
+
+TEST(Settings, FormatsOfFiguresAreAList) {
+  FitRequest request;
+  EXPECT_EQ(set_option(request, "formats", "pdf, gnuplot"), "");
+  EXPECT_TRUE(request.formats.pdf && request.formats.gnuplot && !request.formats.png);
+  EXPECT_EQ(set_option(request, "formats", "none"), "");
+  EXPECT_FALSE(request.formats.pdf || request.formats.gnuplot || request.formats.png);
+  EXPECT_EQ(set_option(request, "formats", "pdf,eps"),
+            "names the unknown format 'eps' (known: pdf, png, gnuplot, none)");
+  EXPECT_EQ(set_option(request, "formats", "pdf,pdf"), "names 'pdf' twice");
 }
 
 TEST(Settings, ThatDoNotGoTogetherAreNamed) {

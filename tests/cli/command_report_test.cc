@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "cli/run_program.h"
@@ -23,7 +24,8 @@ TEST(Report, AFileNameIsNeverACommand) {
        {"`touch $MIXITY_TOUCHED`", "<touch $MIXITY_TOUCHED;", "|touch $MIXITY_TOUCHED;", "-k", "$a", "a\nb"}) {
     const std::string data = folder.write(name + ".csv", text);
     folder.write(name + ".toml", constants);
-    const ProgramResult result = run_program({"report", data, "--models=c", "--out", folder.path("out")});
+    const ProgramResult result =
+        run_program({"report", data, "--models=c", "--formats=pdf,gnuplot", "--out", folder.path("out")});
     EXPECT_EQ(result.exit_code, 0) << name;
     EXPECT_EQ(result.err, "") << name;
     EXPECT_FALSE(std::filesystem::exists(touched)) << name;
@@ -101,7 +103,7 @@ TEST(Report, HasItsAnglesAndAreasWhereAPointHasNoPhaseAngle) {
       "run.csv", "P,T,A\n1,-0.01,19.6\n1,5,19.2\n1,7,18.9\n1,10,18\n1,25,2.59\n5,0,23.9\n5,8,23\n5,12,22\n");
   run_program({"report", data, "--models=a,c", "--objective=toughness", "--out", folder.path("out")});
   for (const char* figure : {"toughness", "residuals_psi", "residuals_T", "area_models"})
-    EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/run_" + std::string(figure) + ".dat"))) << figure;
+    EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/run_" + std::string(figure) + ".svg"))) << figure;
   const std::string page = content_of(folder.path("out/report.html"));
   for (const char* words : {"8 data rows, 8 used, 0 excluded", "line 6, models c, a: y &lt;= 0"})
     EXPECT_NE(page.find(words), std::string::npos) << words;
@@ -116,20 +118,46 @@ TEST(Report, OfEnergiesShowsTheirToughness) {
   const ProgramResult result =
       run_program({"report", data, "--models=c", "--toughness=0.25 N/mm", "--out", folder.path("out")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/mmb_toughness.dat")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/mmb_toughness.svg")));
   const std::string page = content_of(folder.path("out/report.html"));
   EXPECT_NE(page.find("the data are (G_I, G_II): they have no loads and areas"), std::string::npos);
+}
+
+/// Endings of the files of one figure.
+std::set<std::string> endings(const std::string& figures) {
+  std::set<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(figures))
+    if (entry.path().stem() == "as4_peek_mmb_toughness") found.insert(entry.path().extension());
+  return found;
+}
+
+TEST(Report, HasFiguresInTheFormatsThatAreAskedFor) {
+  const TemporaryFolder folder;
+  const auto made = [&](const std::string& name, const Words& more) {
+    Words words{"report", kDefinition, "--out", folder.path(name)};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramResult result = run_program(words);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return endings(folder.path(name + "/figures"));
+  };
+  EXPECT_EQ(made("all", {"--formats=pdf,png,gnuplot"}), (std::set<std::string>{".svg", ".pdf", ".png", ".gp", ".dat"}));
+  EXPECT_EQ(made("png", {"--formats=png"}), (std::set<std::string>{".svg", ".png"}));
+  expect_refused({"report", kDefinition, "--out", folder.path("none"), "--formats=eps"}, 2,
+                 "flag '--formats' names the unknown format 'eps' (known: pdf, png, gnuplot, none)");
+  const WithoutPrograms nothing;
+  EXPECT_EQ(made("svg", {}), std::set<std::string>{".svg"});
+  EXPECT_EQ(made("script", {"--formats=gnuplot"}), (std::set<std::string>{".svg", ".gp", ".dat"}));
 }
 
 TEST(Report, WithoutGnuplotLeavesTablesScriptsAndALineOnWhatIsMissing) {
   const TemporaryFolder folder;
   const WithoutPrograms nothing;
-  const ProgramResult result = run_program({"report", kDefinition, "--out", folder.path("out")});
+  const ProgramResult result =
+      run_program({"report", kDefinition, "--formats=pdf,gnuplot", "--out", folder.path("out")});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_NE(result.complaint().find("gnuplot"), std::string::npos) << result.complaint();
   EXPECT_TRUE(std::filesystem::exists(folder.path("out/results.json")));
-  EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/as4_peek_mmb_toughness.gp")));
-  EXPECT_FALSE(std::filesystem::exists(folder.path("out/figures/as4_peek_mmb_toughness.svg")));
+  EXPECT_EQ(endings(folder.path("out/figures")), (std::set<std::string>{".svg", ".gp", ".dat"}));
 }
 
 TEST(Report, WithoutDataOrAPlaceToGoIsBadUsage) {

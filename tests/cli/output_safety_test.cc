@@ -96,7 +96,7 @@ TEST(OutputSafety, AFullDiskBehindStandardOutputEndsWithFour) {
 TEST(OutputSafety, AFolderForTemporaryFilesThatIsNoneEndsWithFour) {
   const TemporaryFolder folder;
   const std::string err = folder.path("err");
-  const Words words{"figures", "--paper", "--out", folder.path("out")};
+  const Words words{"figures", "--paper", "--formats=pdf", "--out", folder.path("out")};
   const ProgramResult result = finish(start(words, err, [] { ::setenv("TMPDIR", "/nonexistent", 1); }), err);
   EXPECT_EQ(result.exit_code, 4);
   EXPECT_EQ(result.complaint(), "mixity: TMPDIR names no folder for temporary files: No such file or directory");
@@ -182,7 +182,8 @@ TEST(OutputSafety, AFileThatWasReadIsNotWrittenOver) {
   refuses({"fit", folder.write("fits.csv", data), "--out", here}, "fits.csv");
   refuses({"report", folder.write("curves.csv", data), "--out", here}, "curves.csv");
   std::filesystem::create_directory(folder.path("figures"));
-  refuses({"report", folder.write("d.csv", data), folder.write("figures/d_toughness.dat", data), "--out", here},
+  refuses({"report", folder.write("d.csv", data), folder.write("figures/d_toughness.dat", data), "--formats=gnuplot",
+           "--out", here},
           "d_toughness.dat");
   const std::string plot = folder.write("plot.csv", "a,\nX,Y\n1,2\n");
   std::filesystem::create_symlink(plot, folder.path("link.csv"));
@@ -264,14 +265,11 @@ void be_traced() { ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr); }
 /// last.
 class Killed : public testing::TestWithParam<const char*> {
  protected:
-  /// Without gnuplot, whose figures take most of the time and whose processes would live on.
   void SetUp() override {
-    ::setenv("PATH", "/nowhere", 1);
     ::setenv("TMPDIR", folder_.path().c_str(), 1);  // what a killed program leaves goes with the folder
     ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);  // which cannot be done to a program that is traced
   }
   void TearDown() override {
-    ::setenv("PATH", path_.c_str(), 1);
     ::unsetenv("TMPDIR");
     ::unsetenv("ASAN_OPTIONS");
   }
@@ -288,7 +286,6 @@ class Killed : public testing::TestWithParam<const char*> {
     }
   }
 
-  const std::string path_ = std::getenv("PATH");
   const TemporaryFolder folder_;
   const std::string out_ = folder_.path("out"), err_ = folder_.path("err");
 };

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <numeric>
 
-#include "dataset/table/csv.h"
+#include "base/files.h"
 #include "fitting/predicted_area.h"
-#include "report/figures/svg.h"
+#include "report/figures/kept_svg.h"
 
 namespace mixity {
 namespace {
@@ -52,12 +52,10 @@ std::vector<Figure> kept_log_figures(const ReportedData& reported, std::vector<M
       leave_out("the file that the fit definition names is not there");
       continue;
     }
-    if (auto kept = kept_figure(read_file(path.string()))) {
-      kept->name = reported.stem + "_log_" + std::to_string(i + 1);
+    if (auto kept = kept_figure(read_file(path.string()), reported.stem + "_log_" + std::to_string(i + 1)))
       figures.push_back(std::move(*kept));
-    } else {
+    else
       leave_out("the file that the fit definition names is no SVG");
-    }
   }
   return figures;
 }

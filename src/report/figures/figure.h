@@ -1,4 +1,4 @@
-// Figures as data: what is drawn, in which look, with which axes. gnuplot.h draws them.
+// Figures as data: what is drawn, in which look, with which axes. svg.h and gnuplot.h draw them.
 #pragma once
 
 #include <optional>
@@ -54,12 +54,5 @@ std::string color(std::size_t i);
 Look model_line(std::string_view key);
 Look model_symbol(std::string_view key);
 std::string model_color(std::string_view key);
-
-/// Blocks of "x y [x_low x_high y_low y_high] ["hover"]", one for each series, under its name; gnuplot counts them by
-/// `index`.
-std::string figure_data(const Figure& figure);
-/// Draws NAME.svg, NAME.pdf, NAME.png (300 dots an inch) and, of a wide figure, NAME_narrow.svg from NAME.dat, all in
-/// the folder gnuplot is started in.
-std::string figure_script(const Figure& figure);
 
 }  // namespace mixity

@@ -9,11 +9,13 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <thread>
 
+#include "base/files.h"
+#include "base/output_file.h"
 #include "base/side_by_side.h"
-#include "dataset/table/csv.h"
-#include "report/figures/svg.h"
+#include "report/figures/gnuplot_script.h"
 
 namespace mixity {
 namespace {
@@ -84,71 +86,52 @@ class ScratchFolder {
   std::string path_;
 };
 
+/// What gnuplot drew, or nothing if the file does not end as one does: gnuplot does not report a full disk.
+std::string whole(const std::string& path) {
+  if (!std::filesystem::exists(path)) return {};
+  std::string text = read_file(path);
+  const std::string_view end = path.ends_with(".pdf") ? "%%EOF" : "IEND\xae\x42\x60\x82";
+  const bool is_whole = std::string_view(text).substr(0, text.find_last_not_of("\r\n") + 1).ends_with(end);
+  return is_whole ? text : std::string();
+}
+
 }  // namespace
 
-DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string& folder, const Progress& progress) {
+GnuplotFigures draw_by_gnuplot(const std::vector<const Figure*>& figures, const std::vector<std::string>& endings,
+                               const Progress& progress) {
   const ScratchFolder scratch;
-  DrawnFigures drawn;
+  GnuplotFigures drawn{std::vector<std::vector<std::string>>(figures.size()), {}};
   std::vector<std::string> scripts;
-  for (const Figure& figure : figures) {
-    if (!figure.drawn.empty()) continue;
-    for (const auto& [file, text] : {std::pair(figure.name + ".dat", figure_data(figure)),
-                                     std::pair(figure.name + ".gp", figure_script(figure))}) {
-      write_file(scratch.path() + '/' + file, text);
-      drawn.files.push_back({folder + '/' + file, text});
-    }
-    scripts.push_back(figure.name + ".gp");
-  }
-  drawn.svg.resize(figures.size());
-  drawn.narrow.resize(figures.size());
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    if (figures[i].drawn.empty()) continue;
-    drawn.svg[i] = readable_svg(figures[i].drawn, figures[i]);
-    drawn.files.push_back({folder + '/' + figures[i].name + ".svg", drawn.svg[i]});
-  }
-  if (scripts.empty()) return drawn;
-  // What gnuplot drew, or nothing if the file does not end as one does: gnuplot does not tell of a full disk.
-  const auto whole = [&](const std::string& file, std::string_view end) -> std::string {
-    const std::string path = scratch.path() + '/' + file;
-    if (!std::filesystem::exists(path)) return {};
-    std::string text = read_file(path);
-    const bool is_whole = std::string_view(text).substr(0, text.find_last_not_of("\r\n") + 1).ends_with(end);
-    return is_whole ? text : std::string();
+  const auto path = [&](const Figure& figure, const std::string& ending) {
+    return scratch.path() + '/' + figure.name + ending;
   };
+  for (const Figure* figure : figures) {
+    write_file(path(*figure, ".dat"), figure_data(*figure));
+    write_file(path(*figure, ".gp"), figure_script(*figure, endings));
+    scripts.push_back(figure->name + ".gp");
+  }
   const auto count = [&] {
-    const auto begun = std::count_if(figures.begin(), figures.end(), [&](const Figure& figure) {
-      return std::filesystem::exists(scratch.path() + '/' + figure.name + ".svg");
+    const auto begun = std::count_if(figures.begin(), figures.end(), [&](const Figure* figure) {
+      return std::filesystem::exists(path(*figure, endings.front()));
     });
     progress(static_cast<double>(begun) / static_cast<double>(figures.size()));
   };
   if (!run_gnuplot(scripts, scratch.path(), progress ? count : std::function<void()>())) {
-    drawn.missing = "gnuplot is not installed: no SVG, PDF and PNG; the scripts draw them (gnuplot NAME.gp)";
+    drawn.missing = "gnuplot is not installed: no PDF and PNG";
     return drawn;
   }
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    const Figure& figure = figures[i];
-    if (!figure.drawn.empty()) continue;
-    std::string svg, narrow, pdf, png;
+    std::vector<std::string>& files = drawn.files[i];
     const auto is_drawn = [&] {
-      svg = whole(figure.name + ".svg", "</svg>");
-      narrow = figure.wide ? whole(figure.name + "_narrow.svg", "</svg>") : std::string();
-      pdf = whole(figure.name + ".pdf", "%%EOF");
-      png = whole(figure.name + ".png", "IEND\xae\x42\x60\x82");
-      return !svg.empty() && narrow.empty() != figure.wide && !pdf.empty() && !png.empty();
+      files.clear();
+      for (const std::string& ending : endings)
+        if (std::string file = whole(path(*figures[i], ending)); !file.empty()) files.push_back(std::move(file));
+      return files.size() == endings.size();
     };
     // A script that fails takes with it those that the same program would have drawn next.
-    if (!is_drawn() && !(run_gnuplot({figure.name + ".gp"}, scratch.path()) && is_drawn())) {
-      drawn.missing += (drawn.missing.empty() ? "gnuplot failed at " : ", ") + figure.name;
-      continue;
-    }
-    drawn.svg[i] = readable_svg(svg, figure);
-    drawn.files.push_back({folder + '/' + figure.name + ".svg", drawn.svg[i]});
-    drawn.files.push_back({folder + '/' + figure.name + ".pdf", pdf});
-    drawn.files.push_back({folder + '/' + figure.name + ".png", png});
-    if (!figure.wide) continue;
-    Figure small = figure;
-    small.name += "_narrow";  // its ids are its own
-    drawn.narrow[i] = readable_svg(narrow, small);
+    if (is_drawn() || (run_gnuplot({scripts[i]}, scratch.path()) && is_drawn())) continue;
+    files.clear();
+    drawn.missing += (drawn.missing.empty() ? "gnuplot failed at " : ", ") + figures[i]->name;
   }
   return drawn;
 }

@@ -51,7 +51,7 @@ Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t nu
   shade(frames.time[begin], kept_from, "hold, not kept", color(7));
   shade(kept_from, kept_to, "kept", color(2));
   shade(kept_to, frames.time[end - 1], run.onset ? "sliding, not kept" : "not kept", color(5));
-  Series course{"", Look::circles, "#333333", {}};
+  Series course{"", Look::circles, color(0), {}};
   const std::size_t step = std::max<std::size_t>(1, (end - begin) / kMostShown);
   for (std::size_t i = begin; i < end; i += step) course.points.emplace_back(frames.time[i], values[i]);
   figure.series.push_back(std::move(course));
@@ -92,11 +92,11 @@ std::vector<Figure> log_figures(const ReducedLog& log) {
   return figures;
 }
 
-std::string runs_definition(const std::vector<Figure>& figures, const DrawnFigures& drawn) {
+std::string runs_definition(const std::vector<Figure>& figures) {
   std::string list;
-  for (std::size_t i = 0; i < figures.size(); ++i)
-    if (figures[i].name.ends_with("_T") && !drawn.svg.at(i).empty())
-      list += (list.empty() ? "log_figures = [" : ", ") + toml_text("figures/" + figures[i].name + ".svg");
+  for (const Figure& figure : figures)
+    if (figure.name.ends_with("_T"))
+      list += (list.empty() ? "log_figures = [" : ", ") + toml_text("figures/" + figure.name + ".svg");
   return "data = \"runs.csv\"\npeaks = \"peaks.csv\"\n" + (list.empty() ? list : list + "]\n");
 }
 

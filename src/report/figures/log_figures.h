@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "report/figures/figure.h"
-#include "report/figures/gnuplot.h"
 #include "report/runs_files.h"
 
 namespace mixity {
@@ -12,7 +11,7 @@ namespace mixity {
 /// Two for each run: run_1_T, run_1_A, ...
 std::vector<Figure> log_figures(const ReducedLog& log);
 
-/// The fit definition that `mixity runs` writes: points, peaks, and those of T(t) that were drawn, for the report.
-std::string runs_definition(const std::vector<Figure>& figures, const DrawnFigures& drawn);
+/// The fit definition that `mixity runs` writes: points, peaks, and the figures of T(t) for the report.
+std::string runs_definition(const std::vector<Figure>& figures);
 
 }  // namespace mixity

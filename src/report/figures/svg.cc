@@ -1,180 +1,219 @@
 #include "report/figures/svg.h"
 
-#include <charconv>
-#include <cstdio>
-#include <pugixml.hpp>
-#include <sstream>
+#include <algorithm>
 
-#include "base/output_file.h"
+#include "report/figures/kept_svg.h"
+#include "report/figures/layout.h"
+#include "report/figures/polyline.h"
+#include "report/figures/svg_text.h"
 
 namespace mixity {
 namespace {
 
-constexpr std::size_t kColors = 8;
+constexpr double kUnseen = 0.04;          // by which a line may differ from its points
+constexpr std::size_t kManyPoints = 500;  // of one series: drawn as dots
 
-pugi::xml_document parsed(const std::string& svg) {
-  pugi::xml_document document;
-  if (!document.load_string(svg.c_str()) || !document.child("svg")) throw OutputError("gnuplot wrote no SVG");
-  return document;
+bool is_symbol(Look look) { return look >= Look::circles && look != Look::band; }
+
+const char* dashes(Look look) {
+  switch (look) {
+    case Look::dashed:
+      return "9 4";
+    case Look::dash_dot:
+      return "10 3.5 1.5 3.5";
+    case Look::dash_dots:
+      return "10 3 1.5 3 1.5 3";
+    case Look::dotted:
+      return "1.5 3";
+    default:
+      return nullptr;
+  }
 }
 
-std::string text_of(const pugi::xml_document& document) {
-  std::ostringstream out;
-  document.save(out, "", pugi::format_raw | pugi::format_no_declaration);
-  return out.str();
+/// The path of a symbol.
+void add_symbol(SvgText& path, Look look, double x, double y) {
+  constexpr double r = 2.9;
+  path << "M";
+  switch (look) {
+    case Look::squares:
+      path << x - r << " " << y - r << "h" << 2 * r << "v" << 2 * r << "h" << -2 * r;
+      break;
+    case Look::triangles:
+      path << x << " " << y - 1.35 * r << "l" << 1.2 * r << " " << 2 * r << "h" << -2.4 * r;
+      break;
+    case Look::diamonds:
+      path << x << " " << y - 1.4 * r << "l" << 1.4 * r << " " << 1.4 * r << "l" << -1.4 * r << " " << 1.4 * r << "l"
+           << -1.4 * r << " " << -1.4 * r;
+      break;
+    default:
+      path << x - r << " " << y << "a" << r << " " << r << " 0 1 0 " << 2 * r << " 0a" << r << " " << r << " 0 1 0 "
+           << -2 * r << " 0";
+  }
+  path << "z";
 }
 
-/// Calls visit(node) for every element, children first, so that visit may remove it.
-template <class Visit>
-void for_each_element(pugi::xml_node node, const Visit& visit) {
-  for (pugi::xml_node child = node.first_child(); child;) {
-    const pugi::xml_node next = child.next_sibling();
-    if (child.type() == pugi::node_element) {
-      for_each_element(child, visit);
-      visit(child);
-    } else if (child.type() == pugi::node_pcdata &&
-               std::string_view(child.value()).find_first_not_of(" \t\r\n") == std::string_view::npos) {
-      node.remove_child(child);
+class Drawing {
+ public:
+  Drawing(const Figure& figure, Medium medium, bool narrow)
+      : figure_(figure), page_(medium == Medium::page), at_(lay_out(figure, narrow)) {}
+
+  std::string text() {
+    const std::string title = xml_escaped(figure_.title), caption = xml_escaped(figure_.caption);
+    out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << at_.width << " " << at_.height
+         << "\" role=\"img\" aria-label=\"" << title << ". " << caption << "\"><title>" << title << "</title><desc>"
+         << caption << "</desc>";
+    if (!page_) out_ << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>";
+    out_ << "<g font-family=\"Helvetica,Arial,sans-serif\" font-size=\"" << kFont << "\" fill=\"" << paint(color(0))
+         << "\">";
+    draw_axes();
+    for (const Series& series : figure_.series) is_symbol(series.look) ? draw_symbols(series) : draw_line(series);
+    draw_key();
+    out_ << "</g></svg>\n";
+    return std::move(out_.text);
+  }
+
+ private:
+  std::string paint(const std::string& hex) const { return page_ ? themed(hex) : hex; }
+
+  /// `room`: for the text; what is longer is squeezed.
+  void add_label(const std::string& label, double x, double y, const char* anchor, double room, bool upright = false) {
+    out_ << "<text text-anchor=\"" << anchor;
+    if (upright)
+      out_ << "\" transform=\"translate(" << x << " " << y << ")rotate(-90)\"";
+    else
+      out_ << "\" x=\"" << x << "\" y=\"" << y << "\"";
+    if (label_width(label, kFont) > room) out_ << " textLength=\"" << room << "\" lengthAdjust=\"spacingAndGlyphs\"";
+    out_ << ">" << label_markup(label, kFont) << "</text>";
+  }
+
+  void add_path(Look look, const std::string& color, const std::string& path) {
+    const std::string painted = paint(color);
+    if (look == Look::band) {
+      out_ << "<path fill=\"" << painted << "\" fill-opacity=\".25\" d=\"" << path << "\"/>";
+    } else if (is_symbol(look)) {
+      out_ << "<path fill=\"" << painted << "\" fill-opacity=\".12\" stroke=\"" << painted
+           << "\" stroke-width=\"1.2\" d=\"" << path << "\"/>";
+    } else {
+      out_ << "<path fill=\"none\" stroke=\"" << painted << "\" stroke-width=\"" << (look == Look::dotted ? 1.2 : 1.6)
+           << "\" stroke-linejoin=\"round\"";
+      if (const char* pattern = dashes(look)) out_ << " stroke-dasharray=\"" << pattern << "\"";
+      out_ << " d=\"" << path << "\"/>";
     }
-    child = next;
   }
-}
 
-std::string attributes_of(const pugi::xml_node& node) {
-  std::string text;
-  for (const pugi::xml_attribute& attribute : node.attributes())
-    text += std::string(attribute.name()) + '=' + attribute.value() + '\n';
-  return text;
-}
+  void draw_axes() {
+    const auto& [width, height, left, right, top, bottom, x, y, key, title_x, title_y] = at_;
+    SvgText grid, axes;
+    axes << "M" << left << " " << top << "V" << bottom << "H" << right;
+    for (const Tick& tick : x.ticks) {
+      axes << "M" << x.of(tick.value) << " " << bottom << "v" << (tick.label.empty() ? 0.5 : 1) * kTick;
+      if (tick.label.empty()) continue;
+      grid << "M" << x.of(tick.value) << " " << top << "V" << bottom;
+      add_label(tick.label, x.of(tick.value), bottom + kTick + 14, "middle", width);
+    }
+    for (const Tick& tick : y.ticks) {
+      axes << "M" << left << " " << y.of(tick.value) << "h" << -(tick.label.empty() ? 0.5 : 1) * kTick;
+      if (tick.label.empty()) continue;
+      grid << "M" << left << " " << y.of(tick.value) << "H" << right;
+      add_label(tick.label, left - kTick - 4, y.of(tick.value) + 0.35 * kFont, "end", width);
+    }
+    add_label(figure_.x.label, 0.5 * (left + right), height - 9, "middle", right - left);
+    add_label(figure_.y.label, kFont + 4, 0.5 * (top + bottom), "middle", bottom - top, true);
+    out_ << "<path fill=\"none\" stroke=\"" << paint(color(0)) << "\" stroke-opacity=\".1\" d=\"" << grid.text
+         << "\"/><path fill=\"none\" stroke=\"" << paint(color(0)) << "\" d=\"" << axes.text << "\"/>";
+  }
 
-/// gnuplot opens a group for each symbol: neighbours that say the same become one, which halves a figure of points.
-void join_groups(pugi::xml_node node) {
-  for (pugi::xml_node child = node.first_child(); child; child = child.next_sibling()) {
-    join_groups(child);
-    const auto joins = [](const pugi::xml_node& one) {
-      return std::string_view(one.name()) == "g" && !one.attribute("id") && !one.child("title");
-    };
-    if (!joins(child)) continue;
-    const std::string attributes = attributes_of(child);
-    for (pugi::xml_node next = child.next_sibling(); joins(next) && attributes_of(next) == attributes;
-         next = child.next_sibling()) {
-      while (const pugi::xml_node moved = next.first_child()) child.append_move(moved);
-      node.remove_child(next);
+  void draw_line(const Series& series) {
+    const bool closed = series.look == Look::band;
+    Polyline places;
+    places.reserve(series.points.size());
+    for (const auto& [x, y] : series.points) places.emplace_back(at_.x.of(x), at_.y.of(y));
+    SvgText path;
+    for (const Polyline& part : cut_to_frame(places, closed, {at_.left, at_.top}, {at_.right, at_.bottom})) {
+      std::string_view command = "M";
+      for (const auto& [x, y] : simplified(part, kUnseen)) {
+        path << command << x << " " << y;
+        command = command == "M" ? "L" : " ";
+      }
+      if (closed) path << "Z";
+    }
+    if (!path.text.empty()) add_path(series.look, series.color, path.text);
+  }
+
+  bool across(double x) const { return x > at_.left - 1 && x < at_.right + 1; }
+  bool along(double y) const { return y > at_.top - 1 && y < at_.bottom + 1; }
+
+  void draw_symbols(const Series& series) {
+    const std::string painted = paint(series.color);
+    draw_bars(series, painted);
+    const bool speaks = !series.hover.empty(), dots = !speaks && series.points.size() > kManyPoints;
+    SvgText path;
+    if (speaks)
+      out_ << "<g fill=\"" << painted << "\" fill-opacity=\".12\" stroke=\"" << painted << "\" stroke-width=\"1.2\">";
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+      const double x = at_.x.of(series.points[i].first), y = at_.y.of(series.points[i].second);
+      if (!across(x) || !along(y)) continue;
+      if (dots)
+        path << "M" << x << " " << y << "h0";
+      else
+        add_symbol(path, series.look, x, y);
+      if (!speaks) continue;
+      out_ << "<path d=\"" << path.text << "\"><title>" << xml_escaped(series.hover[i]) << "</title></path>";
+      path.text.clear();
+    }
+    if (speaks)
+      out_ << "</g>";
+    else if (dots)
+      out_ << "<path fill=\"none\" stroke=\"" << painted << "\" stroke-width=\"3\" stroke-linecap=\"round\" d=\""
+           << path.text << "\"/>";
+    else if (!path.text.empty())
+      add_path(series.look, series.color, path.text);
+  }
+
+  void draw_bars(const Series& series, const std::string& painted) {
+    constexpr double kLeast = 0.2;
+    SvgText path;
+    for (std::size_t i = 0; i < series.bars.size(); ++i) {
+      const Bars& bars = series.bars[i];
+      const double x = at_.x.of(series.points[i].first), y = at_.y.of(series.points[i].second);
+      const double left = std::max(at_.x.of(bars.x_low), at_.left), right = std::min(at_.x.of(bars.x_high), at_.right);
+      const double low = std::min(at_.y.of(bars.y_low), at_.bottom), high = std::max(at_.y.of(bars.y_high), at_.top);
+      if (along(y) && right - left > kLeast) path << "M" << left << " " << y << "H" << right;
+      if (across(x) && low - high > kLeast) path << "M" << x << " " << low << "V" << high;
+    }
+    if (!path.text.empty())
+      out_ << "<path fill=\"none\" stroke=\"" << painted << "\" stroke-opacity=\".6\" d=\"" << path.text << "\"/>";
+  }
+
+  void draw_key() {
+    const double right = at_.width - 4;
+    if (!figure_.key_title.empty() && !at_.key.empty())
+      add_label(figure_.key_title, at_.title_x, at_.title_y + 0.35 * kFont, "start", right - at_.title_x);
+    for (const KeyEntry& entry : at_.key) {
+      SvgText path;
+      if (entry.look == Look::band)
+        path << "M" << entry.x << " " << entry.y - 5 << "h" << kSample << "v10h" << -kSample << "z";
+      else if (is_symbol(entry.look))
+        add_symbol(path, entry.look, entry.x + 0.5 * kSample, entry.y);
+      else
+        path << "M" << entry.x << " " << entry.y << "h" << kSample;
+      add_path(entry.look, entry.color, path.text);
+      const double label = entry.x + kSample + kSampleGap;
+      add_label(entry.label, label, entry.y + 0.35 * kFont, "start", right - label);
     }
   }
-}
 
-/// The hover text within gnuplot's call of its own script: showHypertext(evt,'TEXT').
-std::string hover_text(std::string_view call) {
-  const std::size_t begin = call.find("evt,'"), end = call.rfind("')");
-  return begin == std::string_view::npos || end == std::string_view::npos || end < begin + 5
-             ? std::string()
-             : std::string(call.substr(begin + 5, end - begin - 5));
-}
-
-/// "rgb(  0, 114, 178)", "#0072b2" or "black" as "#0072b2"; empty if it is none.
-std::string hexadecimal(const std::string& value) {
-  if (value == "black") return "#000000";
-  int r = 0, g = 0, b = 0;
-  if (std::sscanf(value.c_str(), "rgb(%d,%d,%d)", &r, &g, &b) == 3) {
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", r & 255, g & 255, b & 255);
-    return text;
-  }
-  return value.size() == 7 && value[0] == '#' ? value : std::string();
-}
-
-std::string themed(const std::string& value) {
-  const std::string hex = hexadecimal(value);
-  if (hex == "#FFFFFF" || hex == "#ffffff") return "var(--paper)";
-  if (hex == "#000000") return "var(--ink)";
-  for (std::size_t i = 0; i < kColors; ++i)
-    if (hex == color(i)) return "var(--color-" + std::to_string(i) + ")";
-  return value;
-}
+  const Figure& figure_;
+  bool page_;
+  Layout at_;
+  SvgText out_;
+};
 
 }  // namespace
 
-std::string readable_svg(const std::string& text, const Figure& figure) {
-  pugi::xml_document document = parsed(text);
-  pugi::xml_node svg = document.child("svg");
-  svg.remove_child("title");
-  svg.remove_child("desc");
-  const std::string prefix = figure.name + "-";
-  for_each_element(svg, [&](pugi::xml_node node) {
-    if (const pugi::xml_attribute call = node.attribute("onmousemove")) {
-      const std::string hover = hover_text(call.value());
-      for (const char* handler : {"onmousemove", "onmouseout", "onclick"}) node.remove_attribute(handler);
-      node.child("title").text().set(hover.c_str());
-    } else if (const pugi::xml_node title = node.child("title")) {
-      node.remove_child(title);  // the name of a plot, on all of its line
-    }
-    if (pugi::xml_attribute id = node.attribute("id")) id.set_value((prefix + id.value()).c_str());
-    for (const char* name : {"xlink:href", "clip-path"})
-      if (pugi::xml_attribute reference = node.attribute(name)) {
-        std::string target = reference.value();
-        if (const std::size_t hash = target.find('#'); hash != std::string::npos) target.insert(hash + 1, prefix);
-        reference.set_value(target.c_str());
-      }
-    if (std::string_view(node.name()) == "g" && !node.first_child()) node.parent().remove_child(node);
-  });
-  join_groups(svg);
-  pugi::xml_node description = svg.prepend_child("desc");
-  description.text().set(figure.caption.c_str());
-  pugi::xml_node title = svg.prepend_child("title");
-  title.text().set(figure.title.c_str());
-  svg.append_attribute("role").set_value("img");
-  svg.append_attribute("aria-label").set_value((figure.title + ". " + figure.caption).c_str());
-  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" + text_of(document) + "\n";
-}
-
-std::optional<Figure> kept_figure(const std::string& text) {
-  pugi::xml_document document;
-  if (!document.load_string(text.c_str()) || !document.child("svg")) return std::nullopt;
-  pugi::xml_node svg = document.child("svg");
-  Figure figure{"", svg.child("title").text().get(), {}, {}, {}};
-  figure.caption = svg.child("desc").text().get();
-  const auto clean = [](pugi::xml_node node) {
-    const std::string_view name = node.name();
-    if (name == "script" || name == "foreignObject" || name == "image" || name == "style" || name == "a") {
-      node.parent().remove_child(node);
-      return;
-    }
-    for (pugi::xml_attribute attribute = node.first_attribute(); attribute;) {
-      const pugi::xml_attribute next = attribute.next_attribute();
-      const std::string_view key = attribute.name(), value = attribute.value();
-      if (key.starts_with("on") || (key.ends_with("href") && !value.starts_with("#"))) node.remove_attribute(attribute);
-      attribute = next;
-    }
-  };
-  for_each_element(svg, clean);
-  clean(svg);
-  for (const char* own : {"role", "aria-label"}) svg.remove_attribute(own);  // readable_svg gives them
-  figure.drawn = text_of(document);
-  return figure;
-}
-
-std::string inline_svg(const std::string& text) {
-  pugi::xml_document document = parsed(text);
-  pugi::xml_node svg = document.child("svg");
-  for (pugi::xml_node child = document.first_child(); child;) {
-    const pugi::xml_node next = child.next_sibling();
-    if (child != svg) document.remove_child(child);
-    child = next;
-  }
-  // The background is the first rectangle or polygon of all, filled with white.
-  for (const char* shape : {"rect", "polygon"})
-    if (const pugi::xml_node found =
-            svg.find_node([&](const pugi::xml_node& node) { return node.name() == std::string_view(shape); }))
-      if (themed(found.attribute("fill").value()) == "var(--paper)") {
-        found.parent().remove_child(found);
-        break;
-      }
-  for_each_element(svg, [&](const pugi::xml_node& node) {
-    for (const char* name : {"stroke", "fill", "color"})
-      if (pugi::xml_attribute paint = node.attribute(name)) paint.set_value(themed(paint.value()).c_str());
-  });
-  return text_of(document);
+std::string svg(const Figure& figure, Medium medium, bool narrow) {
+  if (!figure.drawn.empty()) return medium == Medium::page ? themed_svg(figure.drawn) : figure.drawn;
+  return Drawing(figure, medium, narrow).text();
 }
 
 }  // namespace mixity

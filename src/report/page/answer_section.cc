@@ -2,7 +2,7 @@
 
 #include "base/rounding.h"
 #include "report/fit_table.h"
-#include "report/page/html.h"
+#include "report/page/document.h"
 
 namespace mixity {
 namespace {

@@ -4,13 +4,17 @@
 
 #include "report/figures/svg.h"
 #include "report/fit_table.h"
-#include "report/page/html.h"
 #include "report/page/style.h"
 
 namespace mixity {
 namespace {
 
-constexpr char kStyleMark[] = "mixity-style";
+constexpr std::string_view kRawBegin = "<![CDATA[", kRawEnd = "]]>";
+
+/// Text that is on the page as it is; it does not hold kRawEnd.
+void add_raw(pugi::xml_node node, const std::string& text) {
+  node.append_child(pugi::node_cdata).set_value(text.c_str());
+}
 
 }  // namespace
 
@@ -23,52 +27,74 @@ PageDocument::PageDocument(const std::string& title) {
   view.append_attribute("name").set_value("viewport");
   view.append_attribute("content").set_value("width=device-width, initial-scale=1");
   add(head, "title", title);
-  add(head, "style").append_child(pugi::node_cdata).set_value(kStyleMark);
+  add_raw(add(head, "style"), kPageStyle);
   body_ = add(html, "body");
 }
 
-/// HTML has no self-closing elements, but for meta it has no closing tag either; style is not escaped.
+/// HTML has no self-closing elements, but for meta it has no closing tag either.
 std::string PageDocument::text() const {
   std::ostringstream out;
   document_.save(out, "", pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags);
-  std::string page = out.str();
-  const auto replace_all = [&](const std::string& old, const std::string& by) {
-    for (std::size_t at = 0; (at = page.find(old, at)) != std::string::npos; at += by.size())
-      page.replace(at, old.size(), by);
-  };
-  replace_all("</meta>", "");
-  replace_all(std::string("<![CDATA[") + kStyleMark + "]]>", kPageStyle);
-  return "<!DOCTYPE html>\n" + page + "\n";
+  const std::string text = out.str();
+  std::string page = "<!DOCTYPE html>\n";
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = std::min(text.find(kRawBegin, at), text.size());
+    std::string part = text.substr(at, begin - at);
+    for (std::size_t meta = 0; (meta = part.find("</meta>", meta)) != std::string::npos;) part.erase(meta, 7);
+    page += part;
+    if (begin == text.size()) break;
+    const std::size_t end = text.find(kRawEnd, begin);
+    page.append(text, begin + kRawBegin.size(), end - begin - kRawBegin.size());
+    at = end + kRawEnd.size();
+  }
+  return page + '\n';
 }
 
-pugi::xml_node add_figure(pugi::xml_node parent, const Figure& figure, const std::string& svg,
-                          const std::string& narrow, const std::string& folder, bool beside) {
+pugi::xml_node add(pugi::xml_node parent, const char* element, const std::string& text, const char* css_class) {
+  pugi::xml_node node = parent.append_child(element);
+  if (css_class) node.append_attribute("class").set_value(css_class);
+  if (!text.empty()) node.text().set(text.c_str());
+  return node;
+}
+
+void add_text(pugi::xml_node node, const std::string& text) {
+  node.append_child(pugi::node_pcdata).set_value(text.c_str());
+}
+
+void add_link(pugi::xml_node node, const std::string& target, const std::string& text) {
+  add(node, "a", text).append_attribute("href").set_value(target.c_str());
+}
+
+void add_list(pugi::xml_node parent, const std::vector<std::string>& items) {
+  pugi::xml_node list = add(parent, "ul");
+  for (const std::string& item : items) add(list, "li", item);
+}
+
+pugi::xml_node add_folded(pugi::xml_node parent, const std::string& title) {
+  pugi::xml_node folded = add(parent, "details", {}, "part");
+  add(folded, "summary", title);
+  return folded;
+}
+
+pugi::xml_node add_figure(pugi::xml_node parent, const Figure& figure, const std::vector<std::string>& endings,
+                          const std::string& folder, bool beside) {
   pugi::xml_node node = add(parent, "figure", {}, figure.wide && !beside ? "wide" : nullptr);
-  const auto plot = [&](const std::string& text, const char* css_class) {
-    pugi::xml_document drawn;
-    drawn.load_string(inline_svg(text).c_str());
-    add(node, "div", {}, css_class).append_copy(drawn.document_element());
-  };
-  if (svg.empty()) add(node, "p", "Not drawn.", "soft");
-  const bool one = beside || narrow.empty();  // for screens of any width
-  if (!svg.empty()) plot(beside && !narrow.empty() ? narrow : svg, one ? "plot" : "plot broad");
-  if (!one) plot(narrow, "plot narrow");
+  const bool two = figure.wide && !beside;  // for screens and for phones
+  add_raw(add(node, "div", {}, two ? "plot broad" : "plot"), svg(figure, Medium::page, beside));
+  if (two) add_raw(add(node, "div", {}, "plot narrow"), svg(figure, Medium::page, true));
   pugi::xml_node caption = add(node, "figcaption");
   add(caption, "strong", with_powers(figure.title) + ". ");
   add_text(caption, with_powers(figure.caption) + " ");
   pugi::xml_node files = add(caption, "span", {}, "files");
-  const auto link = [&](const char* ending, const char* text) {
+  for (const std::string& ending : endings) {
+    const char* const text = ending == ".svg"   ? "SVG"
+                             : ending == ".pdf" ? "PDF"
+                             : ending == ".png" ? "PNG"
+                             : ending == ".dat" ? "data"
+                                                : "script";
     add_link(files, folder + figure.name + ending, text);
     add_text(files, " ");
-  };
-  if (!svg.empty()) link(".svg", "SVG");
-  if (!figure.drawn.empty()) return caption;
-  if (!svg.empty()) {
-    link(".pdf", "PDF");
-    link(".png", "PNG");
   }
-  link(".dat", "data");
-  link(".gp", "script");
   return caption;
 }
 

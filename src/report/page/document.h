@@ -1,8 +1,9 @@
-// What every page is made of: a document with the style in it, and a figure with its caption and files.
+// What every page is made of: elements, a document with the style in it, and a figure with its caption and files.
 #pragma once
 
 #include <pugixml.hpp>
 #include <string>
+#include <vector>
 
 #include "report/figures/figure.h"
 
@@ -20,9 +21,18 @@ class PageDocument {
   pugi::xml_node body_;
 };
 
-/// A figure as it was drawn, empty where it could not be, `narrow` for a phone where it is a wide one; its files lie
-/// in `folder` ("figures/" or ""). `beside`: text, where it is never wide. Returns the caption's node.
-pugi::xml_node add_figure(pugi::xml_node parent, const Figure& figure, const std::string& svg,
-                          const std::string& narrow, const std::string& folder, bool beside = false);
+pugi::xml_node add(pugi::xml_node parent, const char* element, const std::string& text = {},
+                   const char* css_class = nullptr);
+/// Appends text after what is already in the node.
+void add_text(pugi::xml_node node, const std::string& text);
+void add_link(pugi::xml_node node, const std::string& target, const std::string& text);
+void add_list(pugi::xml_node parent, const std::vector<std::string>& items);
+/// A section that a reader opens.
+pugi::xml_node add_folded(pugi::xml_node parent, const std::string& title);
+
+/// A figure with its caption and links to its files, which have these endings and lie in `folder` ("figures/" or "").
+/// A wide one has a second drawing for phones. `beside`: text, where it is never wide. Returns the caption's node.
+pugi::xml_node add_figure(pugi::xml_node parent, const Figure& figure, const std::vector<std::string>& endings,
+                          const std::string& folder, bool beside = false);
 
 }  // namespace mixity

@@ -2,7 +2,6 @@
 
 #include "report/figures/paper_notes.h"
 #include "report/page/document.h"
-#include "report/page/html.h"
 
 namespace mixity {
 
@@ -23,9 +22,9 @@ std::string paper_page(const std::vector<Figure>& figures, const DrawnFigures& d
       "soft");
   if (!drawn.missing.empty()) add(header, "p", drawn.missing, "banner");
   pugi::xml_node page = add(add(document.body(), "main"), "div", {}, "figures");
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    pugi::xml_node caption = add_figure(page, figures[i], drawn.svg.at(i), drawn.narrow.at(i), "");
-    const PaperNotes notes = paper_notes(figures[i].name);
+  for (const Figure& figure : figures) {
+    pugi::xml_node caption = add_figure(page, figure, drawn.endings.at(figure.name), "");
+    const PaperNotes notes = paper_notes(figure.name);
     if (!notes.equations.empty()) add(caption, "p", "It stands on", "head");
     if (!notes.equations.empty()) add_list(caption, notes.equations);
     if (!notes.print.empty()) add(caption, "p", "Notes on the paper's print", "head");

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/figures/gnuplot.h"
+#include "report/figures/drawn_figures.h"
 
 namespace mixity {
 

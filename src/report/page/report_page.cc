@@ -8,7 +8,6 @@
 #include "report/fit_table.h"
 #include "report/page/answer_section.h"
 #include "report/page/document.h"
-#include "report/page/html.h"
 #include "report/versions.h"
 
 namespace mixity {
@@ -16,11 +15,7 @@ namespace {
 
 class Page {
  public:
-  explicit Page(const ReportContent& content) : content_(content) {
-    for (const ReportEntry& entry : content.entries)
-      for (const FigureGroup& group : entry.figures.groups)
-        for (const Figure& figure : group.figures) place_.emplace(figure.name, place_.size());
-  }
+  explicit Page(const ReportContent& content) : content_(content) {}
 
   std::string text() {
     PageDocument document(title());
@@ -155,9 +150,7 @@ class Page {
   }
 
   void add_figure(pugi::xml_node parent, const Figure& figure, bool beside = false) const {
-    const std::size_t place = place_.at(figure.name);
-    mixity::add_figure(parent, figure, content_.drawn.svg.at(place), content_.drawn.narrow.at(place), "figures/",
-                       beside);
+    mixity::add_figure(parent, figure, content_.drawn.endings.at(figure.name), "figures/", beside);
   }
 
   static void add_excluded(pugi::xml_node section, const Analysis& result) {
@@ -196,7 +189,6 @@ class Page {
   }
 
   const ReportContent& content_;
-  std::map<std::string, std::size_t> place_;  // of a figure among all, by name
 };
 
 }  // namespace

@@ -122,13 +122,14 @@ TEST(ReportPage, ShowsEveryFigureOnceWithLinksToItsFiles) {
   for (const FigureGroup& group : content.entries[0].figures.groups)
     for (const Figure& figure : group.figures) {
       names.insert(figure.name);
-      content.drawn.svg.push_back("<svg viewBox=\"0 0 1 1\"><desc>" + figure.name + "</desc></svg>");
-      content.drawn.narrow.emplace_back();
+      content.drawn.endings[figure.name] = {".svg", ".pdf", ".png", ".dat", ".gp"};
     }
   const Parsed page(report_page(content));
   EXPECT_EQ(page.all("//figure").size(), names.size());
   for (const pugi::xpath_node& node : page.all("//figure")) {
-    const std::string name = node.node().select_node(".//desc").node().text().get();
+    EXPECT_TRUE(node.node().select_node(".//*[local-name()='svg']"));
+    const std::string link = node.node().select_node(".//a").node().attribute("href").value(),
+                      name = link.substr(8, link.size() - 12);  // figures/NAME.svg
     EXPECT_TRUE(names.erase(name)) << name;
     for (const char* ending : {".svg", ".pdf", ".png", ".dat", ".gp"})
       EXPECT_TRUE(node.node().select_node((".//a[@href='figures/" + name + ending + "']").c_str())) << name << ending;
@@ -136,17 +137,18 @@ TEST(ReportPage, ShowsEveryFigureOnceWithLinksToItsFiles) {
   EXPECT_NE(text_of(page.first("//main")).find("regime map: the data are (psi, Gc)"), std::string::npos);
 }
 
-TEST(ReportPage, WithoutDrawingsSaysSoAndLinksScriptsAndData) {
+TEST(ReportPage, SaysWhatIsMissingAndLinksWhatIsThere) {
   const ReportedData data = reported_data(shipped("as4_peek_mmb"), "w");
   ReportContent content = content_of(data);
   content.entries[0].figures = data_figures(data);
   content.drawn.missing = "gnuplot is not installed";
-  content.drawn.svg.resize(4);
-  content.drawn.narrow.resize(4);
+  for (const FigureGroup& group : content.entries[0].figures.groups)
+    for (const Figure& figure : group.figures) content.drawn.endings[figure.name] = {".svg", ".gp"};
   const Parsed page(report_page(content));
   EXPECT_EQ(text_of(page.first("//header/p[@class='banner']")), "gnuplot is not installed");
   EXPECT_TRUE(page.first("//a[@href='figures/w_toughness.gp']"));
-  EXPECT_FALSE(page.first("//a[@href='figures/w_toughness.svg']"));
+  EXPECT_TRUE(page.first("//a[@href='figures/w_toughness.svg']"));
+  EXPECT_FALSE(page.first("//a[@href='figures/w_toughness.pdf']"));
 }
 
 TEST(ReportPage, SaysHowToMakeItAgain) {

@@ -1,0 +1,26 @@
+// The files of figures: SVG, and on request what gnuplot makes of them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analysis/request.h"
+#include "base/output_file.h"
+#include "report/figures/figure.h"
+
+namespace mixity {
+
+struct DrawnFigures {
+  std::vector<OutputFile> files;                            // to be written
+  std::map<std::string, std::vector<std::string>> endings;  // of a figure's files, by its name: ".svg", ".pdf"
+  std::string missing;                                      // what could not be drawn, and why; empty if nothing
+};
+
+/// FOLDER/NAME.svg of each figure, and in the formats that are asked for NAME.pdf, NAME.png, and gnuplot's NAME.gp with
+/// NAME.dat. Nothing is written yet, and gnuplot is started for PDF and PNG only. Throws OutputError if there is no
+/// folder for temporary files.
+DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string& folder, const FigureFormats& formats,
+                          const Progress& progress = {});
+
+}  // namespace mixity

@@ -1,0 +1,118 @@
+#include "report/figures/svg_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/printable.h"
+
+namespace mixity {
+namespace {
+
+constexpr double kScript = 0.72;  // size of what is set lower or higher
+
+struct Piece {
+  std::string text;
+  int shift;  // 1 higher, -1 lower
+};
+
+std::vector<Piece> pieces_of(std::string_view label) {
+  std::vector<Piece> pieces;
+  int shift = 0;
+  bool in_braces = false;
+  while (!label.empty()) {
+    const char c = label[0];
+    const bool literal = c == '\\' && label.size() > 1;
+    if (!literal && !in_braces && shift == 0 && (c == '_' || c == '^') && label.size() > 1) {
+      shift = c == '^' ? 1 : -1;
+      in_braces = label[1] == '{';
+      label.remove_prefix(in_braces ? 2 : 1);
+      continue;
+    }
+    if (!literal && in_braces && c == '}') {
+      in_braces = false;
+      shift = 0;
+      label.remove_prefix(1);
+      continue;
+    }
+    if (literal) label.remove_prefix(1);
+    const std::size_t length = std::max<std::size_t>(character_length(label), 1);
+    if (pieces.empty() || pieces.back().shift != shift) pieces.push_back({{}, shift});
+    pieces.back().text += label.substr(0, length);
+    label.remove_prefix(length);
+    if (!in_braces) shift = 0;
+  }
+  return pieces;
+}
+
+/// Of the font's size.
+double character_width(char c) {
+  const auto in = [c](std::string_view set) { return set.find(c) != std::string_view::npos; };
+  if (in(" ',.IJijl-/:;\\f|")) return 0.36;
+  if (in("!()[]rt*\"")) return 0.43;
+  if (in("mwMW%@#+<=>~^&OQ")) return 0.9;
+  return c >= 'A' && c <= 'Z' ? 0.72 : 0.64;
+}
+
+}  // namespace
+
+SvgText& SvgText::operator<<(double value) {
+  long hundredths = std::lround(100 * value);
+  if (hundredths < 0) text += '-';
+  hundredths = std::abs(hundredths);
+  text += std::to_string(hundredths / 100);
+  if (hundredths % 100 == 0) return *this;
+  text += '.';
+  text += static_cast<char>('0' + hundredths / 10 % 10);
+  if (hundredths % 10 != 0) text += static_cast<char>('0' + hundredths % 10);
+  return *this;
+}
+
+std::string xml_escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+  return out;
+}
+
+std::string label_markup(std::string_view label, double font) {
+  std::string out;
+  int before = 0;
+  for (const auto& [text, shift] : pieces_of(label)) {
+    const auto below = [&](int at) { return static_cast<int>(at > 0 ? -0.4 * font : at < 0 ? 0.25 * font : 0); };
+    const int lower = below(shift) - below(before);
+    before = shift;
+    if (lower == 0 && shift == 0) {
+      out += xml_escaped(text);
+      continue;
+    }
+    out += "<tspan dy=\"" + std::to_string(lower) + '"';
+    if (shift != 0) out += " font-size=\"" + std::to_string(static_cast<int>(kScript * font + 0.5)) + '"';
+    out += '>' + xml_escaped(text) + "</tspan>";
+  }
+  return out;
+}
+
+double label_width(std::string_view label, double font) {
+  double width = 0;
+  for (const auto& [text, shift] : pieces_of(label))
+    for (const char c : text)
+      if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) width += (shift == 0 ? 1 : kScript) * character_width(c);
+  return width * font;
+}
+
+}  // namespace mixity
