@@ -10,6 +10,7 @@
 #include "analysis/settings.h"
 #include "base/number_text.h"
 #include "base/toml_file.h"
+#include "mechanics/laws/known_laws.h"
 
 namespace mixity {
 namespace {

@@ -11,7 +11,8 @@
 #include "base/trim.h"
 #include "fitting/options.h"
 #include "mechanics/contact_model.h"
-#include "mechanics/laws/law_traits.h"
+#include "mechanics/laws/known_laws.h"
+#include "mechanics/laws/law_check.h"
 
 namespace mixity {
 

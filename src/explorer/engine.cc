@@ -19,6 +19,7 @@
 #include "explorer/drawing.h"
 #include "explorer/experiment.h"
 #include "explorer/regime_map.h"
+#include "mechanics/laws/known_laws.h"
 #include "report/fit_json.h"
 #include "report/used_csv.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "mechanics/contact_model.h"
-#include "mechanics/laws/law.h"
+#include "mechanics/laws/known_laws.h"
 
 namespace mixity {
 

@@ -16,14 +16,14 @@ inline double area_of(double load) {
 
 }  // namespace
 
-MIXITY_LANES void areas_from_loads(std::span<double> loads) {
+MIXITY_SIMD void areas_from_loads(std::span<double> loads) {
   double* const load = loads.data();
   const std::size_t n = loads.size();
   for (std::size_t i = 0; i < n; ++i) load[i] = load[i] > 0 ? area_of(load[i]) : 0.0;
 }
 
-MIXITY_LANES std::size_t closed_form_areas(double root_lambda, double S0, double P, std::span<const double> T,
-                                           std::span<double> areas) {
+MIXITY_SIMD std::size_t closed_form_areas(double root_lambda, double S0, double P, std::span<const double> T,
+                                          std::span<double> areas) {
   const double centre = 3 * pi<double>();
   const double limit = S0 * (1 + std::numeric_limits<double>::epsilon());  // as LoadedContact::at
   const double* const in = T.data();
@@ -45,15 +45,15 @@ namespace {
 
 constexpr std::size_t kBlock = 64;
 
-/// One Euler step of each lane, as LoadedContact::solve takes it; `settled` where what is left is rounding.
-template <class Model>
-MIXITY_LOOP void euler_step(double parameter, double P, const LanePart& part, const double* __restrict T,
+/// One Euler step of each point, as LoadedContact::solve takes it; `settled` where only rounding is left.
+template <class Law>
+MIXITY_LOOP void euler_step(Law law, double parameter, double P, const BranchPart& part, const double* __restrict T,
                             double* __restrict y, double* __restrict settled, std::size_t n) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
   const double low = part.low, high = part.y_jkr, centre = 3 * pi<double>();
   const double square = 2 * centre * above_pull_off(P), beside = std::abs(P);
   for (std::size_t i = 0; i < n; ++i) {
-    const ShearTerm<double> tau2 = Model::shear_term({parameter}, y[i], T[i]);
+    const ShearTerm<double> tau2 = law.shear_term({parameter}, y[i], T[i]);
     const bool upper = y[i] > 4;  // which form of the residual does not cancel, as in circle_residual
     const double v = y[i] - centre, left = upper ? v * v : y[i] * (y[i] - 2 * centre);
     const double value = (left + (upper ? -square : 0.0) + tau2.value) - (upper ? 0.0 : 2 * centre * P);
@@ -69,8 +69,8 @@ MIXITY_LOOP void euler_step(double parameter, double P, const LanePart& part, co
   }
 }
 
-template <class Model>
-MIXITY_LOOP void settle(double parameter, double P, const LanePart& part, const double* __restrict T,
+template <class Law>
+MIXITY_LOOP void settle(Law law, double parameter, double P, const BranchPart& part, const double* __restrict T,
                         double* __restrict y, std::size_t n) {
   constexpr int kSteps = 6;
   for (std::size_t from = 0; from < n; from += kBlock) {
@@ -86,7 +86,7 @@ MIXITY_LOOP void settle(double parameter, double P, const LanePart& part, const 
     }
     bool left = true;
     for (int step = 0; step < kSteps && left; ++step) {
-      euler_step<Model>(parameter, P, part, shear, place, settled, count);
+      euler_step(law, parameter, P, part, shear, place, settled, count);
       left = false;
       for (std::size_t i = 0; i < count; ++i) left |= known[i] > settled[i];
     }
@@ -94,24 +94,25 @@ MIXITY_LOOP void settle(double parameter, double P, const LanePart& part, const 
   }
 }
 
-template <class Model>
-MIXITY_WIDE void settle_wide(double parameter, double P, const LanePart& part, const double* T, double* y,
+template <class Law>
+MIXITY_WIDE void settle_wide(Law law, double parameter, double P, const BranchPart& part, const double* T, double* y,
                              std::size_t n) {
-  settle<Model>(parameter, P, part, T, y, n);
+  settle(law, parameter, P, part, T, y, n);
 }
 
 }  // namespace
 
-template <class Model>
-void settle_lanes(double parameter, double P, const LanePart& part, std::span<const double> T, std::span<double> y) {
-  if (MIXITY_HAS_WIDE) return settle_wide<Model>(parameter, P, part, T.data(), y.data(), T.size());
-  settle<Model>(parameter, P, part, T.data(), y.data(), T.size());
+template <class Law>
+void settle_batch(Law law, double parameter, double P, const BranchPart& part, std::span<const double> T,
+                  std::span<double> y) {
+  if (MIXITY_HAS_WIDE) return settle_wide(law, parameter, P, part, T.data(), y.data(), T.size());
+  settle(law, parameter, P, part, T.data(), y.data(), T.size());
 }
 
 namespace {
-[[gnu::used]] const auto settle_instances = each_model([](auto model) {
-  if constexpr (HasLanes<decltype(model)>)
-    return &settle_lanes<decltype(model)>;
+[[gnu::used]] const auto settle_instances = each_law([]<class Law>() {
+  if constexpr (HasPackedForm<Law>)
+    return &settle_batch<Law>;
   else
     return nullptr;
 });

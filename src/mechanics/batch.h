@@ -6,12 +6,12 @@
 #include <span>
 
 #include "mechanics/equilibrium.h"
-#include "mechanics/lanes.h"
+#include "mechanics/packed_toughness.h"
 
 namespace mixity {
 
 namespace batch_detail {
-/// Model c: areas[i] = pi (3/4 (3 pi + sqrt(S0^2 - (root_lambda T[i])^2) + P))^(2/3), 0 where T[i] is negative, not a
+/// Law c: areas[i] = pi (3/4 (3 pi + sqrt(S0^2 - (root_lambda T[i])^2) + P))^(2/3), 0 where T[i] is negative, not a
 /// number or beyond the circle. One loop without branches; returns how many areas are not 0.
 std::size_t closed_form_areas(double root_lambda, double S0, double P, std::span<const double> T,
                               std::span<double> areas);
@@ -19,24 +19,27 @@ std::size_t closed_form_areas(double root_lambda, double S0, double P, std::span
 /// pi (3/4 load[i])^(2/3) in place, load = y + P: as area_from_radius, vectorised. 0 stays 0.
 void areas_from_loads(std::span<double> loads);
 
-/// The part of the stable branch on which lanes are settled: from JKR down to y = low, which T_last does not exceed,
+/// The part of the stable branch on which batches are solved: from JKR down to y = low, which T_last does not exceed,
 /// and a first guess of it, y = low + (y_jkr - low) sqrt(1 - shrink T^2), exact for model c.
-struct LanePart {
+struct BranchPart {
   double y_jkr, low, T_last, shrink;
 };
 
 /// A one-parameter law: y[i] = edge load at T[i], from a few Euler steps for all points at once; 0 where these do not
 /// suffice (close to a fold), T[i] lies beyond T_last, or is invalid.
-template <class Model>
-void settle_lanes(double parameter, double P, const LanePart& part, std::span<const double> T, std::span<double> y);
+template <class Law>
+void settle_batch(Law law, double parameter, double P, const BranchPart& part, std::span<const double> T,
+                  std::span<double> y);
 
-/// Above the centre of the circle if the loads reach no further, which one evaluation tells; else the branch to its
+/// Above the centre of the circle if the loads reach no further, which one evaluation shows; else the branch to its
 /// fold.
-template <class Model>
-LanePart lane_part(const LoadedContact<Model>& contact, const Parameters<Model>& p, double P, double T_most) {
-  const double centre = 3 * pi<double>(), S0 = circle_radius(P), jkr = contact.jkr_edge_load();
-  if (Model::tau_grows_with_edge_load(p) && circle_residual<Model, double>(p, P, centre, T_most).value <= 0) {
-    const double tau2 = Model::shear_term(p, centre, T_most).value;
+template <class Law>
+BranchPart branch_part(const LoadedContact<Law>& contact, double T_most) {
+  const Law& law = contact.law();
+  const Parameters<Law>& p = contact.parameters();
+  const double P = contact.load(), centre = 3 * pi<double>(), S0 = circle_radius(P), jkr = contact.jkr_edge_load();
+  if (law.tau_grows_with_edge_load(p) && circle_residual(law, p, P, centre, T_most).value <= 0) {
+    const double tau2 = law.shear_term(p, centre, T_most).value;
     return {jkr, centre, T_most, T_most > 0 && S0 > 0 ? tau2 / (S0 * S0 * T_most * T_most) : 0.0};
   }
   const StableBranch& branch = contact.first_branch();
@@ -47,24 +50,25 @@ LanePart lane_part(const LoadedContact<Model>& contact, const Parameters<Model>&
 
 /// Fills areas[i] with the area at T[i] (as LoadedContact::at, dimensionless, within 4e-15 of it) and returns how many
 /// were found. Where no equilibrium exists, or T[i] is invalid, areas[i] is 0: no contact has that area. Sizes must
-/// agree. Models a, b and c are vectorised; bk, and what lies close to a fold, is solved point by point. `contact` is
-/// that of p and P.
-template <class Model>
-std::size_t predict_areas(const LoadedContact<Model>& contact, const Parameters<Model>& p, double P,
-                          std::span<const double> T, std::span<double> areas) {
+/// agree. Models a, b and c are vectorised; bk, and what lies close to a fold, is solved point by point.
+template <class Law>
+std::size_t predict_areas(const LoadedContact<Law>& contact, std::span<const double> T, std::span<double> areas) {
   assert(T.size() == areas.size());
+  const Law& law = contact.law();
+  const Parameters<Law>& p = contact.parameters();
+  const double P = contact.load();
   const bool solvable = contact.obstacle().empty() && contact.in_contact();
-  if constexpr (requires { Model::shear_on_circle(p, P); }) {
-    if (solvable) return batch_detail::closed_form_areas(Model::shear_on_circle(p, 1.0), circle_radius(P), P, T, areas);
+  if constexpr (requires { law.shear_on_circle(p, P); }) {
+    if (solvable) return batch_detail::closed_form_areas(law.shear_on_circle(p, 1.0), circle_radius(P), P, T, areas);
   }
   std::fill(areas.begin(), areas.end(), 0.0);
-  if constexpr (HasLanes<Model>) {
+  if constexpr (HasPackedForm<Law>) {
     double T_most = 0;
     for (const double t : T)
       if (t <= kLargestLoad) T_most = std::max(T_most, t);
     if (solvable) {
-      const batch_detail::LanePart part = batch_detail::lane_part<Model>(contact, p, P, T_most);
-      batch_detail::settle_lanes<Model>(p[0], P, part, T, areas);
+      const batch_detail::BranchPart part = batch_detail::branch_part(contact, T_most);
+      batch_detail::settle_batch(law, p[0], P, part, T, areas);
     }
   }
   std::size_t found = 0;
@@ -84,9 +88,10 @@ std::size_t predict_areas(const LoadedContact<Model>& contact, const Parameters<
 }
 
 /// The same for a contact of its own.
-template <class Model>
-std::size_t predict_areas(const Parameters<Model>& p, double P, std::span<const double> T, std::span<double> areas) {
-  return predict_areas(LoadedContact<Model>(p, P), p, P, T, areas);
+template <class Law>
+std::size_t predict_areas(const Law& law, const Parameters<Law>& p, double P, std::span<const double> T,
+                          std::span<double> areas) {
+  return predict_areas(LoadedContact<Law>(law, p, P), T, areas);
 }
 
 }  // namespace mixity

@@ -12,11 +12,9 @@ template <class Law>
 std::shared_ptr<const Operations> make_operations(std::shared_ptr<const ExpressionLaw> law) {
   const ExpressionLaw* const typed = law.get();
   Operations made{{}, {}, std::move(law), nullptr, nullptr, nullptr, nullptr};
-  if (typed) {
-    const LawDefinition& definition = typed->definition();
-    made.info = {definition.key, definition.name.empty() ? definition.key : definition.name, typed->shown()};
-    for (const LawParameter& one : definition.parameters)
-      made.parameters.push_back({one.name, one.lower, one.upper, one.start});
+  if constexpr (std::is_same_v<Law, TypedLaw>) {
+    made.info = typed->info();
+    made.parameters = typed->parameters();
   } else {
     made.info = Law::info;
     made.parameters.assign(Law::parameters.begin(), Law::parameters.end());
@@ -26,13 +24,6 @@ std::shared_ptr<const Operations> make_operations(std::shared_ptr<const Expressi
   made.toughness = toughness_operations<Law>(typed);
   made.distances = distance_operations<Law>(typed);
   return std::make_shared<const Operations>(std::move(made));
-}
-
-std::shared_ptr<const Operations> of_law(std::shared_ptr<const ExpressionLaw> law) {
-  const std::size_t n = law->definition().parameters.size();
-  if (n == 1) return make_operations<TypedLaw<1>>(std::move(law));
-  if (n == 2) return make_operations<TypedLaw<2>>(std::move(law));
-  return make_operations<TypedLaw<3>>(std::move(law));
 }
 
 bool is_contact(const Operations& model, ParameterSpan p, double P) {
@@ -58,7 +49,8 @@ const std::vector<ContactModel>& ContactModel::published() {
 }
 
 ContactModel::ContactModel(std::shared_ptr<const Operations> operations) : operations_(std::move(operations)) {}
-ContactModel::ContactModel(std::shared_ptr<const ExpressionLaw> law) : operations_(of_law(std::move(law))) {}
+ContactModel::ContactModel(std::shared_ptr<const ExpressionLaw> law)
+    : operations_(make_operations<TypedLaw>(std::move(law))) {}
 
 const ModelInfo& ContactModel::info() const { return operations_->info; }
 std::span<const ParameterInfo> ContactModel::parameters() const { return operations_->parameters; }

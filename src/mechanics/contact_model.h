@@ -3,10 +3,7 @@
 // the order of parameters().
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/parameter_values.h"
 #include "mechanics/states.h"
 
 namespace mixity {
@@ -27,31 +25,6 @@ struct Values {
   const double* first = nullptr;
   std::ptrdiff_t step = 0;
   double operator[](std::size_t i) const { return first[static_cast<std::ptrdiff_t>(i) * step]; }
-};
-
-/// One value for each parameter of a model, without memory of its own on the heap.
-class ParameterValues {
- public:
-  static constexpr std::size_t kMost = 4;
-  ParameterValues() = default;
-  ParameterValues(std::initializer_list<double> values) : ParameterValues(std::span(values.begin(), values.size())) {}
-  explicit ParameterValues(std::span<const double> values) : size_(std::min(values.size(), kMost)) {
-    std::copy_n(values.begin(), size_, values_.begin());
-  }
-  static ParameterValues zeros(std::size_t n) { return ParameterValues(std::vector<double>(n)); }
-
-  std::size_t size() const { return size_; }
-  double& operator[](std::size_t i) { return values_[i]; }
-  double operator[](std::size_t i) const { return values_[i]; }
-  double* begin() { return values_.data(); }
-  double* end() { return values_.data() + size_; }
-  const double* begin() const { return values_.data(); }
-  const double* end() const { return values_.data() + size_; }
-  bool operator==(const ParameterValues&) const = default;
-
- private:
-  std::array<double, kMost> values_{};
-  std::size_t size_ = 0;
 };
 
 /// Points of a one-parameter model in the form that its vectorised loop takes.

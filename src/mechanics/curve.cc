@@ -1,15 +1,15 @@
 #include "mechanics/curve.h"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
-#include <cstdint>
 #include <tuple>
+
+#include "mechanics/roots.h"
 
 namespace mixity {
 
-template <class Model>
-bool asymptotic_edge_loads(const Parameters<Model>& p, double P, double& upper, double& lower) {
-  const double excess = shear_limit<Model>(p);
+template <class Law>
+bool asymptotic_edge_loads(const Law& law, const Parameters<Law>& p, double P, double& upper, double& lower) {
+  const double excess = shear_limit(law, p);
   if (std::isinf(excess)) return false;
   const double g = 1 + excess, centre = 3 * pi<double>();
   const double square = 2 * centre * (above_pull_off(P) + P * excess);  // centre^2 + 2 centre P g, which would cancel
@@ -19,16 +19,16 @@ bool asymptotic_edge_loads(const Parameters<Model>& p, double P, double& upper, 
   return true;
 }
 
-template <class Model>
-double search_tangential_load(const Parameters<Model>& p, double y, double tau) {
-  const double w = Model::small_shear(p);
+template <class Law>
+double search_tangential_load(const Law& law, const Parameters<Law>& p, double y, double tau) {
+  const double w = law.small_shear(p);
   const bool regular = w > 0 && std::isfinite(w);
   double T = tau / (regular ? std::sqrt(w) : 1.0);
   if (tau < 1e-140 * y) return regular ? T : 0.0;  // tau^2 would underflow
   // tau bends little as a function of T: Newton on it ends in a few steps, or in rounding.
   double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 12; ++i) {
-    const ShearTerm<double> term = Model::shear_term(p, y, T);
+    const ShearTerm<double> term = law.shear_term(p, y, T);
     const double root = std::sqrt(term.value), step = (tau - root) * T * root / (term.value - 0.5 * y * term.d1);
     T += step;
     if (!(T > 0 && T < kFar)) break;
@@ -38,39 +38,36 @@ double search_tangential_load(const Parameters<Model>& p, double y, double tau) 
   // Where it does not: a bracket of ln T.
   const double target = std::log(tau);
   const auto error = [&](double x) {
-    return std::max(0.5 * std::log(Model::shear_term(p, y, std::exp(x)).value) - target, -kFar);
+    return std::max(0.5 * std::log(law.shear_term(p, y, std::exp(x)).value) - target, -kFar);
   };
   const double low = std::log(std::numeric_limits<double>::denorm_min()), high = 345;  // e^345 = kFar
   if (error(low) > 0) return 0;  // bk with a small eta: T lies below all doubles
   if (!(error(high) >= 0)) return std::numeric_limits<double>::infinity();
-  std::uintmax_t evaluations = 200;
-  const auto ends =
-      boost::math::tools::toms748_solve(error, low, high, boost::math::tools::eps_tolerance<double>(40), evaluations);
-  T = std::exp(0.5 * (ends.first + ends.second));
+  T = std::exp(root_between(error, low, high, 40));
   // The last digits in T itself: ln T of a large T has lost some.
   for (int i = 0; i < 2; ++i) {
-    const ShearTerm<double> term = Model::shear_term(p, y, T);
+    const ShearTerm<double> term = law.shear_term(p, y, T);
     const double root = std::sqrt(term.value);
     T += T * ((tau - root) * root / (term.value - 0.5 * y * term.d1));  // in this order for a denormal T
   }
   return std::isfinite(T) && T > 0 ? T : std::numeric_limits<double>::infinity();
 }
 
-template <class Model>
-std::vector<CurvePiece> curve_pieces(const Parameters<Model>& p, double P) {
+template <class Law>
+std::vector<CurvePiece> curve_pieces(const Law& law, const Parameters<Law>& p, double P) {
   const double centre = 3 * pi<double>(), S0 = circle_radius(P), y_jkr = centre + S0;
   const double y_low = -2 * centre * P / y_jkr;
-  if (!(Model::shear_term(p, 1.0, 1.0).value > 0)) return {};
+  if (!(law.shear_term(p, 1.0, 1.0).value > 0)) return {};
   const double across = 2 * S0;
   const CurveEnd natural = P > 0 ? CurveEnd::hertz : CurveEnd::unstable_jkr;
   double upper = 0, lower = 0;
-  if (!asymptotic_edge_loads<Model>(p, P, upper, lower)) {
+  if (!asymptotic_edge_loads(law, p, P, upper, lower)) {
     if (P > 0) return {{y_jkr, 0, y_jkr, 0, -y_low / across, natural, false}};
     return {{y_jkr, y_low, across, 0, 0, natural, false}};
   }
   // Where an asymptote lies close to an end of the circle their difference follows from that of y^2 = 6 pi (y + P) and
   // y^2 g = 6 pi (y + P).
-  const double excess = shear_limit<Model>(p);
+  const double excess = shear_limit(law, p);
   const bool near_top = upper > 0.5 * y_jkr, near_low = lower < 2 * y_low;
   const double width = near_top ? excess * upper * upper / (S0 + upper - centre) : y_jkr - upper;
   const CurvePiece first{y_jkr, upper, width, 0, (upper - y_low) / across, CurveEnd::asymptote, false};
@@ -79,8 +76,8 @@ std::vector<CurvePiece> curve_pieces(const Parameters<Model>& p, double P) {
   return {first, {lower, y_low, rest, (y_jkr - lower) / across, 0, CurveEnd::unstable_jkr, true}};
 }
 
-template <class Model>
-CurvePiece turning_piece(const TurningCurve<Model>& curve, double P) {
+template <class Law>
+CurvePiece non_monotone_piece(const NonMonotoneCurve<Law>& curve, double P) {
   const double S0 = circle_radius(P), y_jkr = 3 * pi<double>() + S0;
   CurvePiece piece{y_jkr, 0, curve.length(), 0, 0, CurveEnd::unstable_jkr, false};
   if (curve.closed()) {
@@ -102,9 +99,9 @@ CurvePiece turning_piece(const TurningCurve<Model>& curve, double P) {
 
 /// From R = 0, dy : dT = -R_T : R_y with R_y = 2 (g y - 3 pi) - y dg/d ln t and R_T = y^2 dg/d ln t/T, and by Euler's
 /// theorem y R_y + T R_T = 2 y (g y - 3 pi), which fixes their size by that of dt/ds.
-template <class Model>
-CurvePoint EquilibriumCurve<Model>::turning_point(double s) const {
-  const auto place = turning_->at(s, turning_->length() - s);
+template <class Law>
+CurvePoint EquilibriumCurve<Law>::non_monotone_point(double s) const {
+  const auto place = by_angle_->at(s, by_angle_->length() - s);
   const double y = place.y, T = std::min(place.t * y, kFar), a = radius_from_edge_load(y, P_), sum = y + P_;
   CurvePoint q{};
   q.phi = s;
@@ -114,7 +111,7 @@ CurvePoint EquilibriumCurve<Model>::turning_point(double s) const {
   q.A = area_from_radius(a);
   q.psi = place.psi;
   if (!(a > 0) || y == 0) {  // as below: nothing is finite where the contact vanishes
-    q.f = Model::shear_term(p_, 0.0, 1.0).value > 0 ? 1 / Model::shear_term(p_, 0.0, 1.0).value : kLargest;
+    q.f = law_.shear_term(p_, 0.0, 1.0).value > 0 ? 1 / law_.shear_term(p_, 0.0, 1.0).value : kLargest;
     q.u = a > 0 ? 0.75 * T / a : 0;
     return q;
   }
@@ -133,17 +130,17 @@ CurvePoint EquilibriumCurve<Model>::turning_point(double s) const {
   return q;
 }
 
-template <class Model>
-CurvePoint EquilibriumCurve<Model>::point(double phi) const {
-  if constexpr (kMayTurn<Model>) {
-    if (turns()) return turning_point(phi);
+template <class Law>
+CurvePoint EquilibriumCurve<Law>::point(double phi) const {
+  if constexpr (kMayBeNonMonotone<Law>) {
+    if (non_monotone()) return non_monotone_point(phi);
   }
   const double half = std::sin(0.5 * phi), other = phi < pi<double>() ? std::cos(0.5 * phi) : 0.0;
   // y from the nearer end of the circle: y_jkr - y = 2 S0 sin^2(phi/2), y - y_low = 2 S0 cos^2(phi/2)
   const double y = std::max(phi < 2 ? y_jkr_ - 2 * S0_ * half * half : y_low_ + 2 * S0_ * other * other, 0.0);
   const double tau = 2 * S0_ * half * other;
   // Where phi cannot tell the place from the asymptote, kFar stands for the infinite T.
-  const double T = uncoupled() ? 0 : std::min(mixity::tangential_load<Model>(p_, y, tau), kFar);
+  const double T = uncoupled() ? 0 : std::min(mixity::tangential_load(law_, p_, y, tau), kFar);
   const double a = radius_from_edge_load(y, P_), sum = y + P_, square = y * y + T * T;
 
   CurvePoint q{};
@@ -170,7 +167,7 @@ CurvePoint EquilibriumCurve<Model>::point(double phi) const {
   if (T > 1e-140 * y) {
     // From tau^2(y, T) = tau^2: tau^2_T T' = 2 tau tau' - tau^2_y y', with tau' = y - 3 pi and T tau^2_T = 2 tau^2 -
     // y tau^2_y, so T'/T = tau (2 (y - 3 pi) + tau^2_y)/(2 tau^2 - y tau^2_y).
-    const ShearTerm<double> term = Model::shear_term(p_, y, T);
+    const ShearTerm<double> term = law_.shear_term(p_, y, T);
     const double rate = tau * (2 * offset + term.d1) / (2 * term.value - y * term.d1);
     const double growth = std::isfinite(rate) ? rate : std::copysign(kFar, offset + 0.5 * term.d1);
     q.dT = std::clamp(T * growth, -kLargest, kLargest);
@@ -179,7 +176,7 @@ CurvePoint EquilibriumCurve<Model>::point(double phi) const {
     q.df = q.f * (2 * (y * q.dy + T * T * growth) / square - q.dy / sum);
   } else {
     // What is left of that at T = 0: sqrt(small_shear) T' = tau'. bk with eta = 1, r = 2 has an infinite slope there.
-    const double w = Model::small_shear(p_);
+    const double w = law_.small_shear(p_);
     q.dT = w > 0 ? offset / std::sqrt(w) : std::copysign(kLargest, offset);
     q.du = std::clamp(0.75 * q.dT / a, -kLargest, kLargest);
     q.dpsi = std::clamp(q.dT / y, -kLargest, kLargest);
@@ -190,10 +187,9 @@ CurvePoint EquilibriumCurve<Model>::point(double phi) const {
 }
 
 namespace {
-[[gnu::used]] const auto curve_instances = each_model([](auto model) {
-  using Model = decltype(model);
-  return std::tuple(&asymptotic_edge_loads<Model>, &search_tangential_load<Model>, &curve_pieces<Model>,
-                    &EquilibriumCurve<Model>::point, &turning_piece<Model>);
+[[gnu::used]] const auto curve_instances = each_law([]<class Law>() {
+  return std::tuple(&asymptotic_edge_loads<Law>, &search_tangential_load<Law>, &curve_pieces<Law>,
+                    &EquilibriumCurve<Law>::point, &non_monotone_piece<Law>);
 });
 }  // namespace
 

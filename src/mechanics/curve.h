@@ -3,9 +3,9 @@
 //     y = 3 pi + S0 cos phi,   tau = S0 sin phi,       T from tau by the model's change of variable.
 //
 // phi = 0 is JKR. y falls monotonically along the curve, through every fold, to its end: Hertz (y = 0, P > 0), the
-// asymptote of a model whose g stays bounded (T -> infinity), or for P <= 0 the unstable JKR point phi = pi (T = 0),
-// where at P = 0 the contact vanishes. Of a law that turns (turning_curve.h) the curve is the same, but its parameter
-// is that of TurningCurve, and y need not fall along it.
+// asymptote of a law whose g stays bounded (T -> infinity), or for P <= 0 the unstable JKR point phi = pi (T = 0),
+// where at P = 0 the contact vanishes. Under a non-monotone law (non_monotone_curve.h) the parameter is that of
+// NonMonotoneCurve instead, and y need not fall along the curve.
 #pragma once
 
 #include <cmath>
@@ -15,9 +15,9 @@
 
 #include "mechanics/contact.h"
 #include "mechanics/model.h"
+#include "mechanics/non_monotone_curve.h"
 #include "mechanics/registry.h"
 #include "mechanics/states.h"
-#include "mechanics/turning_curve.h"
 
 namespace mixity {
 
@@ -26,8 +26,8 @@ enum class CurveEnd { hertz, asymptote, unstable_jkr };
 /// A connected piece of the curve, from its top (largest y) down to y_end. Only a model with an asymptote at P < 0 has
 /// two: the contact cannot pass from one to the other.
 struct CurvePiece {
-  double y_top, y_end,
-      width;  // width = y_top - y_end, also where that difference would cancel; of a law that turns, of s
+  double y_top, y_end;
+  double width;  // y_top - y_end, also where that difference would cancel; under a non-monotone law the range of s
   double sin2_top, cos2_end;  // sin^2(phi/2) at the top, cos^2(phi/2) at the end
   CurveEnd end;
   bool from_asymptote;  // T -> infinity at the top, too
@@ -36,68 +36,70 @@ struct CurvePiece {
 inline constexpr double kLargest = std::numeric_limits<double>::max();
 
 /// g - 1 = tau^2/y^2 at psi = pi/2.
-template <class Model>
-double shear_limit(const Parameters<Model>& p) {
-  if constexpr (requires { Model::shear_limit(p); })
-    return Model::shear_limit(p);
+template <class Law>
+double shear_limit(const Law& law, const Parameters<Law>& p) {
+  if constexpr (requires { law.shear_limit(p); })
+    return law.shear_limit(p);
   else
     return std::numeric_limits<double>::infinity();
 }
 
 /// Edge loads y_+ > y_- at which T -> infinity: g = g_inf, its limit at psi = pi/2, in y^2 g = 6 pi (y + P). Returns
 /// false if g is unbounded (every model but a with lambda < 1) or the load admits no such state.
-template <class Model>
-bool asymptotic_edge_loads(const Parameters<Model>& p, double P, double& upper, double& lower);
+template <class Law>
+bool asymptotic_edge_loads(const Law& law, const Parameters<Law>& p, double P, double& upper, double& lower);
 
-/// tangential_load of a model without a closed form, tau > 0: Newton's method, then a bracket.
-template <class Model>
-double search_tangential_load(const Parameters<Model>& p, double y, double tau);
+/// tangential_load of a law without a closed form, tau > 0: Newton's method, then a bracket.
+template <class Law>
+double search_tangential_load(const Law& law, const Parameters<Law>& p, double y, double tau);
 
 /// T of the state (y, tau): inverts tau^2 = shear_term(p, y, T). y >= 0, tau >= 0, not both 0. Infinite where the
 /// model reaches no such tau. Relative error a few roundings.
-template <class Model>
-double tangential_load(const Parameters<Model>& p, double y, double tau) {
+template <class Law>
+double tangential_load(const Law& law, const Parameters<Law>& p, double y, double tau) {
   if (tau == 0) return 0;
-  if constexpr (requires { Model::tangential_load(p, y, tau); })
-    return Model::tangential_load(p, y, tau);
+  if constexpr (requires { law.tangential_load(p, y, tau); })
+    return law.tangential_load(p, y, tau);
   else
-    return search_tangential_load<Model>(p, y, tau);
+    return search_tangential_load(law, p, y, tau);
 }
 
 /// The pieces of the curve in the order of falling y; none if shear does not act on the area.
-template <class Model>
-std::vector<CurvePiece> curve_pieces(const Parameters<Model>& p, double P);
+template <class Law>
+std::vector<CurvePiece> curve_pieces(const Law& law, const Parameters<Law>& p, double P);
 
-/// The one of a law that turns.
-template <class Model>
-CurvePiece turning_piece(const TurningCurve<Model>& curve, double P);
+/// The one of a non-monotone law.
+template <class Law>
+CurvePiece non_monotone_piece(const NonMonotoneCurve<Law>& curve, double P);
 
-template <class Model>
+template <class Law>
 class EquilibriumCurve {
  public:
   /// Valid parameters and load only (the same as LoadedContact accepts, and in contact).
-  EquilibriumCurve(const Parameters<Model>& parameters, double P) : p_(parameters), P_(P) {
-    if (mixity::turns<Model>(p_)) {
-      turning_.emplace(p_, P_);
-      pieces_ = {turning_piece<Model>(*turning_, P_)};
+  EquilibriumCurve(const Law& law, const Parameters<Law>& parameters, double P) : law_(law), p_(parameters), P_(P) {
+    if (is_non_monotone(law_, p_)) {
+      by_angle_.emplace(law_, p_, P_);
+      pieces_ = {non_monotone_piece(*by_angle_, P_)};
     } else {
-      pieces_ = curve_pieces<Model>(p_, P_);
+      pieces_ = curve_pieces(law_, p_, P_);
     }
   }
+  EquilibriumCurve(const Parameters<Law>& parameters, double P) : EquilibriumCurve(Law{}, parameters, P) {}
 
   double load() const { return P_; }
-  const Parameters<Model>& parameters() const { return p_; }
+  const Law& law() const { return law_; }
+  const Parameters<Law>& parameters() const { return p_; }
 
   /// True if shear does not act on the area at all (lambda = 0): the curve is the point phi = 0.
   bool uncoupled() const { return pieces_.empty(); }
   const std::vector<CurvePiece>& pieces() const { return pieces_; }
-  bool turns() const { return kMayTurn<Model> && turning_.has_value(); }
+  bool non_monotone() const { return kMayBeNonMonotone<Law> && by_angle_.has_value(); }
 
   /// The place with y = 3 pi + offset.
   CurvePosition position_at_offset(double offset) const {
     return {3 * pi<double>() + offset, 0.5 * (1 + offset / S0_), 0.5 * (1 - offset / S0_)};
   }
-  /// Its logistic coordinate on a piece; not of a law that turns.
+  /// Its logistic coordinate on a piece; not under a non-monotone law.
   double coordinate(const CurvePiece& piece, const CurvePosition& at) const {
     return std::log((at.sin2 - piece.sin2_top) / (at.cos2 - piece.cos2_end));
   }
@@ -105,8 +107,8 @@ class EquilibriumCurve {
   /// Place on a piece from the logistic coordinate v: (y - y_end)/(y_top - y) = exp(-v), so that uniform steps in v
   /// resolve both ends.
   CurvePosition position(const CurvePiece& piece, double v) const {
-    if (turns()) {
-      const auto place = turning_->at(piece.width / (1 + std::exp(-v)), piece.width / (1 + std::exp(v)));
+    if (non_monotone()) {
+      const auto place = by_angle_->at(piece.width / (1 + std::exp(-v)), piece.width / (1 + std::exp(v)));
       return {place.y, 0, 0, place.t};
     }
     const double above = piece.width / (1 + std::exp(v)), below = piece.width / (1 + std::exp(-v));
@@ -114,27 +116,27 @@ class EquilibriumCurve {
             piece.sin2_top + below / (2 * S0_)};
   }
 
-  /// Negative on the stretches of a law that turns where g < 1.
+  /// Negative where g < 1, as a non-monotone law may have it.
   double tau_squared(const CurvePosition& at) const {
-    if (turns()) return Model::shear_term(p_, at.y, at.t * at.y).value;
+    if (non_monotone()) return law_.shear_term(p_, at.y, at.t * at.y).value;
     return 4 * S0_ * S0_ * at.sin2 * at.cos2;
   }
   /// y - 3 pi = S0 cos phi.
   double offset(const CurvePosition& at) const {
-    return S0_ < at.y && !turns() ? S0_ * (at.cos2 - at.sin2) : at.y - 3 * pi<double>();
+    return S0_ < at.y && !non_monotone() ? S0_ * (at.cos2 - at.sin2) : at.y - 3 * pi<double>();
   }
   double tangential_load(const CurvePosition& at) const {
-    if (turns()) return at.t * at.y;
-    return mixity::tangential_load<Model>(p_, at.y, std::sqrt(tau_squared(at)));
+    if (non_monotone()) return at.t * at.y;
+    return mixity::tangential_load(law_, p_, at.y, std::sqrt(tau_squared(at)));
   }
 
   /// phi at the start and the end of a piece; the end of the curve for the last.
   double phi_begin(const CurvePiece& piece) const {
-    if (turns()) return 0;
+    if (non_monotone()) return 0;
     return 2 * std::atan2(std::sqrt(piece.sin2_top), std::sqrt(piece.cos2_end + piece.width / (2 * S0_)));
   }
   double phi_end(const CurvePiece& piece) const {
-    if (turns()) return piece.width;
+    if (non_monotone()) return piece.width;
     return 2 * std::atan2(std::sqrt(piece.sin2_top + piece.width / (2 * S0_)), std::sqrt(piece.cos2_end));
   }
 
@@ -142,13 +144,14 @@ class EquilibriumCurve {
   CurvePoint point(double phi) const;
 
  private:
-  CurvePoint turning_point(double s) const;
+  CurvePoint non_monotone_point(double s) const;
 
-  Parameters<Model> p_;
+  [[no_unique_address]] Law law_;
+  Parameters<Law> p_;
   double P_, S0_ = circle_radius(P_), y_jkr_ = 3 * pi<double>() + S0_;
   double y_low_ = -2 * (3 * pi<double>()) * P_ / y_jkr_;  // 3 pi - S0, the unstable JKR state for P < 0
   std::vector<CurvePiece> pieces_;
-  std::optional<TurningCurve<Model>> turning_;
+  std::optional<NonMonotoneCurve<Law>> by_angle_;
 };
 
 }  // namespace mixity

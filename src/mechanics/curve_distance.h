@@ -11,8 +11,8 @@ namespace mixity {
 /// alone. False if a point has no curve (its load lies below pull-off, the law is undefined for these parameters), a
 /// point is invalid, its nearest place is the contact that vanishes at P = 0, or a result is not finite; `out` then
 /// holds nothing of use. r to some roundings of T/sigma_T and A/sigma_A, derivatives to 1e-10 or so.
-template <class Model>
-bool curve_distances(const Parameters<Model>& p, const PlanePoints& points, Search search, bool derivatives,
-                     CurveDistances& out);
+template <class Law>
+bool curve_distances(const Law& law, const Parameters<Law>& p, const PlanePoints& points, Search search,
+                     bool derivatives, CurveDistances& out);
 
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "mechanics/nearest_lanes.h"
+#include "mechanics/nearest_newton.h"
 
 namespace mixity {
 
@@ -17,16 +17,16 @@ struct PlanePlace {
   double T, A;
 };
 
-template <class Model>
+template <class Law>
 class RayTable {
  public:
-  explicit RayTable(const nearest_detail::Law<Model>& law) : law_(law) {
-    if (law.turned) return;  // its outline is made for each load
-    const double start = kFirst * (law.bounded ? std::min(1.0, std::sqrt(law.excess)) : 1.0);
+  explicit RayTable(const nearest_detail::CurveFamily<Law>& family) : family_(family) {
+    if (family.non_monotone) return;  // its outline is made for each load
+    const double start = kFirst * (family.bounded ? std::min(1.0, std::sqrt(family.excess)) : 1.0);
     double t = 1;
     while (slope(t) > start && t > 1e-140) t /= 4;
     while (slope(4 * t) < start && t < 1e140) t *= 4;
-    const double most = law.bounded ? std::min(kSteepest, 0.9999 * std::sqrt(law.excess)) : kSteepest;
+    const double most = family.bounded ? std::min(kSteepest, 0.9999 * std::sqrt(family.excess)) : kSteepest;
     double ratio = 1.25;
     for (double q = slope(t); nodes_.size() < kMost; q = slope(t)) {
       nodes_.push_back({t, q});
@@ -36,7 +36,7 @@ class RayTable {
       t *= ratio;
       ratio = std::min(1 + 1.5 * (ratio - 1), 2.0);
     }
-    if (law.bounded)
+    if (family.bounded)
       for (; t < 1e12; t *= 4) nodes_.push_back({t, slope(t)});
     while (first_ + 2 < static_cast<int>(nodes_.size()) && nodes_[static_cast<std::size_t>(first_)].q < 200 * start)
       ++first_;
@@ -46,11 +46,11 @@ class RayTable {
   void set_load(double P, PlanePlace end) {
     P_ = P;
     end_ = end;
-    if constexpr (kMayTurn<Model>) {
-      if (law_.turned) return set_turning_load();
+    if constexpr (kMayBeNonMonotone<Law>) {
+      if (family_.non_monotone) return set_non_monotone_load();
     }
-    const double bounded = above_pull_off(P) + P * law_.excess;
-    asymptote_ = law_.bounded && bounded >= 0;
+    const double bounded = above_pull_off(P) + P * family_.excess;
+    asymptote_ = family_.bounded && bounded >= 0;
     along_rays_ = P >= 0 || asymptote_;
     last_ = along_rays_ ? static_cast<int>(nodes_.size()) - first_ + (asymptote_ ? 0 : 1) : kArcs;
     places_.clear();
@@ -62,13 +62,13 @@ class RayTable {
   PlanePlace at(double u) const {
     const int i = std::min(static_cast<int>(u), last_ - 1);
     const double share = u - i;
-    if constexpr (kMayTurn<Model>) {
-      if (law_.turned) return i == 0 ? places_[0] : on_curve(coordinate(i) + share * kStep);
+    if constexpr (kMayBeNonMonotone<Law>) {
+      if (family_.non_monotone) return i == 0 ? places_[0] : on_curve(coordinate(i) + share * kStep);
     }
     if (!along_rays_) {
       const double phi = pi<double>() * u / kArcs, y = centre() + circle_radius(P_) * std::cos(phi);
       const double tau = circle_radius(P_) * std::sin(phi);
-      return place(tangential_load<Model>(law_.p, y, tau), y);
+      return place(tangential_load(family_.law, family_.p, y, tau), y);
     }
     if (share == 0 && i == 0) return node(0);
     if (share == 1 && i + 1 == last_) return node(last_);
@@ -84,15 +84,15 @@ class RayTable {
   int last() const { return last_; }
 
  private:
-  // Of a law that turns: node 0 is JKR, which lies beside node 1, the others are uniform in the curve's coordinate.
+  // Of a non-monotone law: node 0 is JKR, which lies beside node 1, the others are uniform in the curve's coordinate.
   static constexpr double kFrom = -18, kTo = 38, kStep = 0.25;
   static double coordinate(int i) { return kFrom + kStep * (i - 1); }
   PlanePlace on_curve(double v) const {
     const CurvePosition at = curve_->position(curve_->pieces().front(), v);
     return place(curve_->tangential_load(at), at.y);
   }
-  void set_turning_load() {
-    curve_.emplace(law_.p, P_);
+  void set_non_monotone_load() {
+    curve_.emplace(family_.law, family_.p, P_);
     last_ = static_cast<int>((kTo - kFrom) / kStep) + 1;
     places_ = {{0, area_from_radius(jkr_radius(P_))}};
     for (int i = 1; i <= last_; ++i) places_.push_back(on_curve(coordinate(i)));
@@ -114,8 +114,8 @@ class RayTable {
     if (i == kArcs) return place(0, -2 * centre() * P_ / (centre() + S0));
     const double phi = pi<double>() * i / kArcs, y = centre() + S0 * std::cos(phi);
     const double tau = S0 * std::sin(phi);
-    if constexpr (requires { Model::tangential_load(law_.p, y, tau); })
-      return place(Model::tangential_load(law_.p, y, tau), y);
+    if constexpr (requires { family_.law.tangential_load(family_.p, y, tau); })
+      return place(family_.law.tangential_load(family_.p, y, tau), y);
     const double t = ray(tau / y);
     return on_ray({t, slope(t)}, 2 * i <= kArcs);
   }
@@ -125,7 +125,7 @@ class RayTable {
   static constexpr double kFirst = 1e-4, kSteepest = 300;  // of tau/y
   static constexpr std::size_t kMost = 400;
 
-  double slope(double t) const { return std::sqrt(std::max(Model::shear_term(law_.p, 1.0, t).value, 0.0)); }
+  double slope(double t) const { return std::sqrt(std::max(family_.law.shear_term(family_.p, 1.0, t).value, 0.0)); }
 
   /// T/y where tau/y = q, by interpolation of the logarithms.
   double ray(double q) const {
@@ -133,7 +133,7 @@ class RayTable {
     if (above == nodes_.begin()) ++above;
     if (above == nodes_.end()) --above;
     const Node &a = above[-1], &b = above[0];
-    if (q < a.q && law_.small > 0 && std::isfinite(law_.small)) return q / std::sqrt(law_.small);
+    if (q < a.q && family_.small > 0 && std::isfinite(family_.small)) return q / std::sqrt(family_.small);
     return a.t * std::pow(b.t / a.t, std::log(q / a.q) / std::log(b.q / a.q));
   }
 
@@ -146,7 +146,7 @@ class RayTable {
   }
 
   static constexpr int kArcs = 32;
-  nearest_detail::Law<Model> law_;
+  nearest_detail::CurveFamily<Law> family_;
   std::vector<Node> nodes_;
   int first_ = 0;  // of the nodes, where tau/y begins to count at loads that are not close to pull-off
   double P_ = 0;
@@ -154,7 +154,7 @@ class RayTable {
   bool asymptote_ = false, along_rays_ = true;
   int last_ = 0;
   std::vector<PlanePlace> places_;
-  std::optional<EquilibriumCurve<Model>> curve_;  // of a law that turns
+  std::optional<EquilibriumCurve<Law>> curve_;  // of a non-monotone law
 };
 
 /// A segment of an outline that is nearer to a point than its neighbours, and its place nearest to it.

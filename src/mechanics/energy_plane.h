@@ -19,23 +19,24 @@ namespace mixity {
 
 /// Signed distance of a measured point in units of its standard errors, positive where the law's energies are the
 /// larger, with its derivatives in the model's parameters and in ln G_Ic.
-template <class Model>
+template <class Law>
 struct EnergyDistance {
   double value;
-  Parameters<Model> parameters;
+  Parameters<Law> parameters;
   double log_toughness;
 };
 
-template <class Model>
+template <class Law>
 class EnergyLaw {
  public:
-  explicit EnergyLaw(const Parameters<Model>& p) : p_(p), slope_at_mode_I_(-Model::small_shear(p)) {}
+  EnergyLaw(const Law& law, const Parameters<Law>& p) : law_(law), p_(p), slope_at_mode_I_(-law.small_shear(p)) {}
+  explicit EnergyLaw(const Parameters<Law>& p) : EnergyLaw(Law{}, p) {}
 
   /// Of the point (G_I, G_II) with standard errors > 0, in any unit of energy per area, as G_Ic > 0. A reading of G_II
   /// below zero is compared with the tangent that continues the law beyond psi = 0. The model's parameters have
   /// derivatives if `slopes`.
-  EnergyDistance<Model> distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness,
-                                 bool slopes = true) const {
+  EnergyDistance<Law> distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness,
+                               bool slopes = true) const {
     const Target target{G_I / toughness, G_II / toughness, sigma_I / toughness, sigma_II / toughness};
     const Nearest nearest = find(target);
     // along the normal, where a rounding of the place does not show; the offset itself at an end of the law
@@ -45,7 +46,7 @@ class EnergyLaw {
     n_I /= size;
     n_II /= size;
     const double along = x * n_I + y * n_II;
-    EnergyDistance<Model> r{along, {}, 0};
+    EnergyDistance<Law> r{along, {}, 0};
     if (nearest.at_end && length > 0) {
       r.value = std::copysign(length, along);
       n_I = x / r.value;
@@ -55,10 +56,9 @@ class EnergyLaw {
     r.log_toughness = lever_I + lever_II;
     if (!slopes) return r;
     // at a fixed psi the law moves along its ray, by d ln f
-    const auto log_f = Model::log_toughness(p_, mixity_from_mode_ratio(std::max(nearest.B, kTiny)));
-    for (std::size_t k = 0; k < p_.size(); ++k)
-      r.parameters[k] = nearest.on_tangent ? n_I / target.sigma_I * log_f.gradient[k] / kTiny * nearest.G_II
-                                           : r.log_toughness * log_f.gradient[k];
+    r.parameters = law_.log_toughness(p_, mixity_from_mode_ratio(std::max(nearest.B, kTiny))).gradient;
+    for (double& slope : r.parameters)
+      slope = nearest.on_tangent ? n_I / target.sigma_I * slope / kTiny * nearest.G_II : r.log_toughness * slope;
     return r;
   }
 
@@ -78,7 +78,7 @@ class EnergyLaw {
 
   Nearest at(double B) const {
     const double c = std::sqrt(1 - B), s = std::sqrt(B);
-    const ShearTerm<double> tau2 = Model::shear_term(p_, c, s);
+    const ShearTerm<double> tau2 = law_.shear_term(p_, c, s);
     const double h = (1 - B) + tau2.value;
     const double slope = B > kTiny ? -1 + tau2.value / B - tau2.d1 / (2 * B * c) : -1 - slope_at_mode_I_;
     // tau^2 is homogeneous of degree 2, its derivatives in y of degrees 1 and 0
@@ -172,18 +172,20 @@ class EnergyLaw {
 
   mutable std::array<Nearest, kNodes + 1> nodes_;
   mutable int known_ = 0;
-  Parameters<Model> p_;
+  [[no_unique_address]] Law law_;
+  Parameters<Law> p_;
   double slope_at_mode_I_;  // dG_I/dG_II there
 };
 
 /// The law as a polygon, for distances that tell one basin from another.
-template <class Model>
+template <class Law>
 class EnergyPolygon {
  public:
-  explicit EnergyPolygon(const Parameters<Model>& p) {
+  explicit EnergyPolygon(const Parameters<Law>& p) : EnergyPolygon(Law{}, p) {}
+  EnergyPolygon(const Law& law, const Parameters<Law>& p) {
     for (int i = 0; i <= kSides; ++i) {
       const Mixity<double> mixity = mixity_from_angle(0.5 * pi<double>() * i / kSides);
-      const double f = std::exp(log_toughness_alone<Model>(p, mixity));
+      const double f = std::exp(log_toughness_alone(law, p, mixity));
       if (!std::isfinite(f)) break;
       corners_[count_++] = {f * mixity.cos * mixity.cos, f * mixity.sin * mixity.sin};
     }

@@ -8,23 +8,23 @@
 
 namespace mixity {
 
-template <class Model>
-std::string_view contact_obstacle(const Parameters<Model>& p, double P) {
-  if (!in_bounds<Model>(p)) return "a model parameter lies outside its range";
+template <class Law>
+std::string_view contact_obstacle(const Law& law, const Parameters<Law>& p, double P) {
+  if (!in_bounds(law, p)) return "a model parameter lies outside its range";
   if (!(std::abs(P) <= kLargestLoad)) return "the load is not a number below 1e150";
-  return Model::equilibrium_domain(p);
+  return law.equilibrium_domain(p);
 }
 
 /// Largest root of R in [low, high], where R(low) <= 0 <= R(high): steps to the upper root of the quadratic that
 /// R's value, slope and curvature define (Euler's method). It is cubically convergent, exact in one step for
-/// model c, and keeps its pace where Newton's crawls, at the double root of a fold. Bisection is the safeguard.
-template <class Model>
-Equilibrium LoadedContact<Model>::solve(double T, double low, double high, double start) const {
+/// law c, and keeps its pace where Newton's crawls, at the double root of a fold. Bisection is the safeguard.
+template <class Law>
+Equilibrium LoadedContact<Law>::solve(double T, double low, double high, double start) const {
   constexpr double eps = std::numeric_limits<double>::epsilon();
   double y = start;
   int iterations = 0;
   for (; iterations < 200 && high - low > eps * high; ++iterations) {
-    const ShearTerm<double> R = circle_residual<Model, double>(p_, P_, y, T);
+    const ShearTerm<double> R = circle_residual(law_, p_, P_, y, T);
     // What R is known to, in the form that circle_residual takes at this y.
     const double size =
         y > 4 ? S0_ * S0_ + 2 * std::abs(y - 3 * pi<double>()) * y : 6 * pi<double>() * (y + std::abs(P_));
@@ -53,12 +53,12 @@ Equilibrium LoadedContact<Model>::solve(double T, double low, double high, doubl
 }
 
 /// Along the curve, on which T rises: by its coordinate.
-template <class Model>
-Equilibrium LoadedContact<Model>::solve_turning(double T, const StableBranch& branch) const {
+template <class Law>
+Equilibrium LoadedContact<Law>::solve_non_monotone(double T, const StableBranch& branch) const {
   const CurvePiece& piece = curve_->pieces().front();
   const auto excess = [&](double v) { return std::log(curve_->tangential_load(curve_->position(piece, v)) / T); };
   if (branch.T_top == 0 && !(excess(branch.v_top) < 0)) {  // at less shear than the first coordinate has
-    const TurningCurve<Model> by_ray(p_, P_);
+    const NonMonotoneCurve<Law> by_ray(law_, p_, P_);
     double y = y_jkr_;
     for (int i = 0; i < 3; ++i) y = by_ray.upper_edge_load(T / y).value_or(y_jkr_);
     return {EquilibriumStatus::ok, y};
@@ -73,22 +73,22 @@ Equilibrium LoadedContact<Model>::solve_turning(double T, const StableBranch& br
   return {EquilibriumStatus::ok, curve_->position(piece, root_between(excess, branch.v_top, branch.v_bottom)).y};
 }
 
-template <class Model>
-Equilibrium LoadedContact<Model>::follow(double T) const {
+template <class Law>
+Equilibrium LoadedContact<Law>::follow(double T) const {
   if (simple_top_) {
     // tau^2 is at most small_shear T^2, which makes this start a lower bound, close to the root. R rises with y
     // above the centre, so R <= 0 there shows that the root above is the only one.
-    const double centre = 3 * pi<double>(), room = S0_ * S0_ - Model::small_shear(p_) * T * T;
+    const double centre = 3 * pi<double>(), room = S0_ * S0_ - law_.small_shear(p_) * T * T;
     const bool certain = room >= 0;
-    if (certain || circle_residual<Model, double>(p_, P_, centre, T).value <= 0)
+    if (certain || circle_residual(law_, p_, P_, centre, T).value <= 0)
       return solve(T, centre, y_jkr_, certain ? centre + std::sqrt(room) : 0.5 * (centre + y_jkr_));
   }
   first_branch();
   if (T > branches_.back().T_bottom && !all_branches_) find_branches(kAll);
   for (const StableBranch& branch : branches_) {
     if (T > branch.T_bottom) continue;
-    if constexpr (kMayTurn<Model>) {
-      if (turns_) return solve_turning(T, branch);
+    if constexpr (kMayBeNonMonotone<Law>) {
+      if (non_monotone_) return solve_non_monotone(T, branch);
     }
     if (T < branch.T_top) return solve(branch.T_top, branch.y_bottom, branch.y_top, branch.y_top);
     return solve(T, branch.y_bottom, branch.y_top, std::max(branch.y_bottom, 0.5 * branch.y_top));
@@ -96,30 +96,30 @@ Equilibrium LoadedContact<Model>::follow(double T) const {
   return {EquilibriumStatus::no_equilibrium};
 }
 
-template <class Model>
-const StableBranch& LoadedContact<Model>::first_branch() const {
+template <class Law>
+const StableBranch& LoadedContact<Law>::first_branch() const {
   if (branches_.empty()) find_branches(1);  // finds one
   return branches_.front();                 // cppcheck-suppress containerOutOfBounds
 }
 
-template <class Model>
-const std::vector<StableBranch>& LoadedContact<Model>::branches() const {
+template <class Law>
+const std::vector<StableBranch>& LoadedContact<Law>::branches() const {
   if (!all_branches_) find_branches(kAll);
   return branches_;
 }
 
-template <class Model>
-void LoadedContact<Model>::find_branches(std::size_t folds) const {
+template <class Law>
+void LoadedContact<Law>::find_branches(std::size_t folds) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   branches_.clear();
   all_branches_ = true;
-  const EquilibriumCurve<Model> curve(p_, P_);
-  if (turns_) curve_.emplace(curve);
+  const EquilibriumCurve<Law> curve(law_, p_, P_);
+  if (non_monotone_) curve_.emplace(curve);
   if (curve.uncoupled()) {
     branches_ = {{y_jkr_, 0, y_jkr_, kInfinity, false}};
     return;
   }
-  StableBranch branch{y_jkr_, 0, 0, 0, false, kFirstCoordinate, kLastCoordinate<Model>};
+  StableBranch branch{y_jkr_, 0, 0, 0, false, kFirstCoordinate, kLastCoordinate<Law>};
   bool open = true;
   const std::vector<FoldPlace> places = locate_folds(curve, {Control::Kind::load}, folds);
   for (const FoldPlace& fold : places) {
@@ -127,7 +127,7 @@ void LoadedContact<Model>::find_branches(std::size_t folds) const {
     if (fold.maximum)
       branches_.push_back({branch.y_top, branch.T_top, y, T, true, branch.v_top, fold.coordinate});
     else
-      branch = {y, T, 0, 0, false, fold.coordinate, kLastCoordinate<Model>};
+      branch = {y, T, 0, 0, false, fold.coordinate, kLastCoordinate<Law>};
     open = !fold.maximum;
   }
   all_branches_ = places.size() < folds;
@@ -137,15 +137,15 @@ void LoadedContact<Model>::find_branches(std::size_t folds) const {
   const CurvePiece& piece = curve.pieces().front();
   double end = kInfinity;
   if (piece.end == CurveEnd::hertz)
-    end = curve.turns() ? std::sqrt(6 * pi<double>() * P_ / Model::shear_term(p_, 0.0, 1.0).value)
-                        : tangential_load<Model>(p_, 0.0, std::sqrt(6 * pi<double>() * P_));
-  branches_.push_back({branch.y_top, branch.T_top, piece.y_end, end, false, branch.v_top, kLastCoordinate<Model>});
+    end = curve.non_monotone() ? std::sqrt(6 * pi<double>() * P_ / law_.shear_term(p_, 0.0, 1.0).value)
+                               : tangential_load(law_, p_, 0.0, std::sqrt(6 * pi<double>() * P_));
+  branches_.push_back({branch.y_top, branch.T_top, piece.y_end, end, false, branch.v_top, kLastCoordinate<Law>});
 }
 
 namespace {
-[[gnu::used]] const auto equilibrium_instances = each_model([](auto model) {
-  using Contact = LoadedContact<decltype(model)>;
-  return std::tuple(&contact_obstacle<decltype(model)>, &Contact::follow, &Contact::branches, &Contact::first_branch);
+[[gnu::used]] const auto equilibrium_instances = each_law([]<class Law>() {
+  using Contact = LoadedContact<Law>;
+  return std::tuple(&contact_obstacle<Law>, &Contact::follow, &Contact::branches, &Contact::first_branch);
 });
 }  // namespace
 

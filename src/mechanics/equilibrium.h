@@ -2,8 +2,8 @@
 //
 //     R(y; T) = (y - 3 pi)^2 + tau^2(y, T) - S0^2 = 0,        S0^2 = 9 pi^2 + 6 pi P,
 //
-// where the model enters through tau^2 = y^2 (g - 1) alone (model.h, shear_term). Equivalent to the printed
-// y^2 + T^2 = 8 pi a^3 f(psi) for every model, see mechanics/README.md.
+// where the law enters through tau^2 = y^2 (g - 1) alone (model.h, shear_term). Equivalent to the printed
+// y^2 + T^2 = 8 pi a^3 f(psi) for every law, see mechanics/README.md.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +21,9 @@ namespace mixity {
 
 /// R and its derivatives in y at fixed T. Near y = 3 pi it is taken about the centre of the circle, near
 /// y = 0 (Hertz, large T) expanded, so that neither form cancels where it is used.
-template <class Model, class S>
-ShearTerm<S> circle_residual(const Parameters<Model, S>& p, const S& P, const S& y, const S& T) {
-  const ShearTerm<S> tau2 = Model::shear_term(p, y, T);
+template <class Law, class S>
+ShearTerm<S> circle_residual(const Law& law, const Parameters<Law, S>& p, const S& P, const S& y, const S& T) {
+  const ShearTerm<S> tau2 = law.shear_term(p, y, T);
   const S three_pi = S(3) * pi<S>();
   const S v = y - three_pi;
   const S value = y > S(4) ? S((v * v - S(6) * pi<S>() * above_pull_off(P)) + tau2.value)
@@ -32,33 +32,38 @@ ShearTerm<S> circle_residual(const Parameters<Model, S>& p, const S& P, const S&
 }
 
 /// Whether each parameter lies in the range of the published law.
-template <class Model>
-bool in_bounds(const Parameters<Model>& p) {
+template <class Law>
+bool in_bounds(const Law& law, const Parameters<Law>& p) {
   for (std::size_t i = 0; i < p.size(); ++i)
-    if (!(p[i] >= Model::parameters[i].lower && p[i] <= Model::parameters[i].upper)) return false;
+    if (!(p[i] >= law.parameters[i].lower && p[i] <= law.parameters[i].upper)) return false;
   return true;
 }
 
 /// Empty if these define a contact; otherwise why not: parameters out of range or outside the domain of the law, load
 /// not finite.
-template <class Model>
-std::string_view contact_obstacle(const Parameters<Model>& p, double P);
+template <class Law>
+std::string_view contact_obstacle(const Law& law, const Parameters<Law>& p, double P);
 
-/// A model with its parameters at one normal load P (dimensionless). Cheap to make: the folds of the curve are
+/// A law with its parameters at one normal load P (dimensionless). Cheap to make: the folds of the curve are
 /// looked for only when a T lies beyond the part of the curve that is known to be free of them, and no further than
 /// that T needs.
-template <class Model>
+template <class Law>
 class LoadedContact {
  public:
-  LoadedContact(const Parameters<Model>& parameters, double P)
-      : p_(parameters), P_(P), obstacle_(contact_obstacle<Model>(parameters, P)) {
+  LoadedContact(const Law& law, const Parameters<Law>& parameters, double P)
+      : law_(law), p_(parameters), P_(P), obstacle_(contact_obstacle(law, parameters, P)) {
     if (!obstacle_.empty() || above_pull_off(P) < 0) return;
     in_contact_ = true;
     S0_ = circle_radius(P);
     y_jkr_ = 3 * pi<double>() + S0_;
-    turns_ = turns<Model>(p_);
-    simple_top_ = !turns_ && Model::tau_grows_with_edge_load(p_);
+    non_monotone_ = is_non_monotone(law_, p_);
+    simple_top_ = !non_monotone_ && law_.tau_grows_with_edge_load(p_);
   }
+  LoadedContact(const Parameters<Law>& parameters, double P) : LoadedContact(Law{}, parameters, P) {}
+
+  const Law& law() const { return law_; }
+  const Parameters<Law>& parameters() const { return p_; }
+  double load() const { return P_; }
 
   /// contact_obstacle: where there is one, at() returns `invalid`.
   std::string_view obstacle() const { return obstacle_; }
@@ -72,9 +77,9 @@ class LoadedContact {
   Equilibrium at(double T) const {
     if (!obstacle_.empty() || !(T >= 0 && T <= kLargestLoad)) return {EquilibriumStatus::invalid};
     if (!in_contact_) return {EquilibriumStatus::no_equilibrium};
-    if constexpr (requires { Model::shear_on_circle(p_, T); }) {
+    if constexpr (requires { law_.shear_on_circle(p_, T); }) {
       // Closed form: tau does not depend on y.
-      const double tau = Model::shear_on_circle(p_, T);
+      const double tau = law_.shear_on_circle(p_, T);
       // One rounding of tau may put the fold itself beyond the circle.
       if (tau > S0_ * (1 + std::numeric_limits<double>::epsilon())) return {EquilibriumStatus::no_equilibrium};
       return {EquilibriumStatus::ok, 3 * pi<double>() + std::sqrt(std::max(S0_ - tau, 0.0) * (S0_ + tau))};
@@ -99,19 +104,20 @@ class LoadedContact {
 
  private:
   Equilibrium solve(double T, double low, double high, double start) const;
-  Equilibrium solve_turning(double T, const StableBranch& branch) const;
+  Equilibrium solve_non_monotone(double T, const StableBranch& branch) const;
   void find_branches(std::size_t folds) const;  // up to the fold of that number
   static constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
-  Parameters<Model> p_;
+  [[no_unique_address]] Law law_;
+  Parameters<Law> p_;
   double P_, S0_ = 0, y_jkr_ = 0;
   bool in_contact_ = false;
   bool simple_top_ = false;  // R rises with y on [3 pi, y_jkr]
-  bool turns_ = false;
+  bool non_monotone_ = false;
   std::string_view obstacle_;
   mutable std::vector<StableBranch> branches_;  // filled on first use: up to the first fold, or all of them
   mutable bool all_branches_ = false;
-  mutable std::optional<EquilibriumCurve<Model>> curve_;  // of a law that turns, beside its branches
+  mutable std::optional<EquilibriumCurve<Law>> curve_;  // of a non-monotone law, beside its branches
 };
 
 }  // namespace mixity

@@ -12,18 +12,18 @@ namespace mixity {
 // Logistic coordinates between which folds are looked for: e^-42 = 6e-19 of the piece.
 inline constexpr double kFirstCoordinate = -20;
 
-/// Towards Hertz it is ln(T/y) or so. The slope of a law that was typed in t has lost its digits to rounding there, as
-/// t^2 eps, and a fold would be one of noise.
-template <class Model>
-inline constexpr double kLastCoordinate = kMayTurn<Model> ? 27 : 42;
+/// Near Hertz the coordinate is about ln(T/y). The slope of a law typed in t loses its digits to rounding there, as
+/// t^2 eps, so that any fold found would be noise.
+template <class Law>
+inline constexpr double kLastCoordinate = kMayBeNonMonotone<Law> ? 27 : 42;
 
 /// A pair of folds shallower than this cannot be told from none: the contact does not jump by more than rounding.
 inline constexpr double kShallow = 2e-15;
 
 /// State of the curve at a position, and what drives it.
-template <class Model>
+template <class Law>
 struct Driven {
-  const EquilibriumCurve<Model>& curve;
+  const EquilibriumCurve<Law>& curve;
   Control control;
 
   double radius(const CurvePosition& at) const { return radius_from_edge_load(at.y, curve.load()); }
@@ -47,7 +47,7 @@ struct Driven {
   double slope(const CurvePosition& at) const {
     // At the last digits before an asymptote T comes out infinite; tau^2 there is that of any large T.
     const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), kFar);
-    const double d1 = Model::shear_term(curve.parameters(), at.y, T).d1;
+    const double d1 = curve.law().shear_term(curve.parameters(), at.y, T).d1;
     const double twice = 2 * curve.offset(at), R_y = twice + d1, size = std::abs(twice) + std::abs(d1);
     const double load = (3 * share() + 4 * radius(at) * rest()) * (at.y + curve.load());
     const double all = size * load + share() * (2 * tau2 + std::abs(at.y * d1));
@@ -69,13 +69,13 @@ struct FoundFolds {
 };
 
 /// Searches under any control, along each piece of the curve; T of each place costs a search of its own.
-template <class Model>
-void folds_by_position(const EquilibriumCurve<Model>& curve, Control control, FoundFolds& found);
+template <class Law>
+void folds_by_position(const EquilibriumCurve<Law>& curve, Control control, FoundFolds& found);
 
 /// The same under load control along the phase angle, from which y and T follow in closed form. False, without any, if
 /// the first fold lies at less shear than doubles resolve.
-template <class Model>
-bool folds_by_angle(const EquilibriumCurve<Model>& curve, FoundFolds& found);
+template <class Law>
+bool folds_by_angle(const EquilibriumCurve<Law>& curve, FoundFolds& found);
 
 /// v = y - 3 pi and T of a fold under load control.
 struct LoadFold {
@@ -84,7 +84,7 @@ struct LoadFold {
 
 /// Newton's method on R = R_y = 0 in v and T, of which R's derivatives in T follow from its homogeneity. Null if it
 /// leaves y > 0 (the curve may reach Hertz without a fold) or does not settle.
-template <class Model>
-std::optional<LoadFold> newton_fold(const Parameters<Model>& p, double P, double v, double T);
+template <class Law>
+std::optional<LoadFold> newton_fold(const Law& law, const Parameters<Law>& p, double P, double v, double T);
 
 }  // namespace mixity

@@ -16,7 +16,7 @@ struct Stretch {
 };
 
 /// What lies between the folds and is stable. The top of the curve is; a second piece, from an asymptote, is not.
-template <class Model>
+template <class Law>
 std::vector<Stretch> stable_stretches(const std::vector<FoldPlace>& folds, std::size_t pieces) {
   std::vector<Stretch> stable;
   for (std::size_t i = 0; i < pieces; ++i) {
@@ -28,18 +28,18 @@ std::vector<Stretch> stable_stretches(const std::vector<FoldPlace>& folds, std::
       is_stable = !fold.maximum;
       from = fold.coordinate;
     }
-    if (is_stable) stable.push_back({i, from, kLastCoordinate<Model>});
+    if (is_stable) stable.push_back({i, from, kLastCoordinate<Law>});
   }
   return stable;
 }
 
 }  // namespace
 
-template <class Model>
-std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control control) {
-  const Driven<Model> driven{curve, control};
+template <class Law>
+std::vector<Fold> find_folds(const EquilibriumCurve<Law>& curve, Control control) {
+  const Driven<Law> driven{curve, control};
   const std::vector<FoldPlace> places = locate_folds(curve, control);
-  const std::vector<Stretch> stable = stable_stretches<Model>(places, curve.pieces().size());
+  const std::vector<Stretch> stable = stable_stretches<Law>(places, curve.pieces().size());
   std::vector<Fold> folds;
   for (const FoldPlace& place : places) {
     const double T = place.T, a = driven.radius(place.position);
@@ -78,7 +78,7 @@ std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control contr
 }
 
 namespace {
-[[gnu::used]] const auto fold_instances = each_model([](auto model) { return &find_folds<decltype(model)>; });
+[[gnu::used]] const auto fold_instances = each_law([]<class Law>() { return &find_folds<Law>; });
 }  // namespace
 
 }  // namespace mixity

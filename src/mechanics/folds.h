@@ -9,8 +9,8 @@
 namespace mixity {
 
 /// Only where the first folds are, in the order in which they are met along the curve from T = 0; see find_folds.
-template <class Model>
-std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Control control,
+template <class Law>
+std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Law>& curve, Control control,
                                     std::size_t at_most = std::numeric_limits<std::size_t>::max());
 
 /// All folds in the order in which they are met along the curve from T = 0. Found from a derivative: with
@@ -20,9 +20,9 @@ std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Model>& curve, Contro
 ///
 /// whose sign changes over the whole curve, down to 1e-18 of its ends, are refined to the last digits; a dip of it
 /// between two samples is followed to its bottom, so that close pairs are found. Under load control the samples are of
-/// psi, from which y and T follow in closed form. Model c under load and displacement uses its closed forms, a model
+/// psi, from which y and T follow in closed form. Law c under load and displacement uses its closed forms, a model
 /// that has one fold at most is not sampled. T has relative error below 1e-13; A and u below 1e-12.
-template <class Model>
-std::vector<Fold> find_folds(const EquilibriumCurve<Model>& curve, Control control);
+template <class Law>
+std::vector<Fold> find_folds(const EquilibriumCurve<Law>& curve, Control control);
 
 }  // namespace mixity

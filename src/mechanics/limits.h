@@ -10,15 +10,15 @@
 namespace mixity {
 
 /// alpha of A = A0 - alpha T^2 + O(T^4), dimensionless. On the circle a small T lowers y by tau^2/(2 S0), tau^2 = w T^2
-/// with w = Model::small_shear, so
+/// with w = law.small_shear, so
 ///
 ///     alpha = pi (3/4)^(2/3) w/(3 S0 (3 pi + P + S0)^(1/3)).
 ///
 /// w is lambda for models a and c, lambda - lambda^2/4 for b; for bk it is 1 if eta > 1 and 2 - r if eta = 1. For
 /// eta < 1 the area falls as T^(2 eta) and no alpha exists: null. Null also at or below pull-off, where S0 = 0.
-template <class Model>
-std::optional<double> shear_sensitivity(const Parameters<Model>& p, double P) {
-  const double w = Model::small_shear(p);
+template <class Law>
+std::optional<double> shear_sensitivity(const Law& law, const Parameters<Law>& p, double P) {
+  const double w = law.small_shear(p);
   if (!std::isfinite(w) || !(above_pull_off(P) > 0)) return std::nullopt;
   const double S0 = circle_radius(P);
   return pi<double>() * std::pow(0.75, 2.0 / 3) * w / (3 * S0 * std::cbrt(3 * pi<double>() + P + S0));
@@ -33,16 +33,16 @@ inline std::optional<double> jkr_load(double A0) {
 }
 
 /// alpha as a function of A0 instead of P.
-template <class Model>
-std::optional<double> shear_sensitivity_at_area(const Parameters<Model>& p, double A0) {
+template <class Law>
+std::optional<double> shear_sensitivity_at_area(const Law& law, const Parameters<Law>& p, double A0) {
   const auto P = jkr_load(A0);
-  return P ? shear_sensitivity<Model>(p, *P) : std::nullopt;
+  return P ? shear_sensitivity(law, p, *P) : std::nullopt;
 }
 
 /// Its limit for large A0: alpha -> pi^(7/4) w/(8 sqrt 2) A0^(-5/4). The next term is smaller by a factor 2.2/sqrt(P).
-template <class Model>
-double shear_sensitivity_large_area(const Parameters<Model>& p, double A0) {
-  return std::pow(pi<double>(), 1.75) * Model::small_shear(p) / (8 * std::sqrt(2.0)) * std::pow(A0, -1.25);
+template <class Law>
+double shear_sensitivity_large_area(const Law& law, const Parameters<Law>& p, double A0) {
+  return std::pow(pi<double>(), 1.75) * law.small_shear(p) / (8 * std::sqrt(2.0)) * std::pow(A0, -1.25);
 }
 
 /// Savkoor & Briggs (1977), ideally brittle: y^2 + T^2 = 6 pi (y + P), so 4/3 a^3 = P + 3 pi + sqrt(S0^2 - T^2). Null
@@ -52,6 +52,11 @@ inline std::optional<double> savkoor_briggs_radius(double P, double T) {
   const double S0 = circle_radius(P);
   if (!(T <= S0)) return std::nullopt;
   return radius_from_edge_load(3 * pi<double>() + std::sqrt((S0 - T) * (S0 + T)), P);
+}
+
+template <class Law>
+std::optional<double> shear_sensitivity_at_area(const Parameters<Law>& p, double A0) {
+  return shear_sensitivity_at_area(Law{}, p, A0);
 }
 
 }  // namespace mixity

@@ -9,14 +9,14 @@
 
 namespace mixity {
 
-template <class Model>
-std::optional<LoadFold> newton_fold(const Parameters<Model>& p, double P, double v, double T) {
+template <class Law>
+std::optional<LoadFold> newton_fold(const Law& law, const Parameters<Law>& p, double P, double v, double T) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
   const double S0 = circle_radius(P), y_least = 1e-3 * std::abs(P);
   for (int i = 0; i < 30; ++i) {
     const double y = 3 * pi<double>() + v;
     if (!(y > y_least && T > 0 && T < kFar)) return std::nullopt;
-    const ShearTerm<double> tau2 = Model::shear_term(p, y, T);
+    const ShearTerm<double> tau2 = law.shear_term(p, y, T);
     const double R = (v - S0) * (v + S0) + tau2.value, R_y = 2 * v + tau2.d1, R_yy = 2 + tau2.d2;
     const double R_T = (2 * tau2.value - y * tau2.d1) / T, R_yT = (tau2.d1 - y * tau2.d2) / T;
     const double determinant = R_y * R_yT - R_T * R_yy;
@@ -35,11 +35,11 @@ namespace load_folds_detail {
 /// the circle a quadratic in y, g y^2 = 6 pi (y + P), of which this is the larger root: a place costs one evaluation of
 /// the model. dT = 0 reads (y + 2 P)/(y + P) = d ln g/dx, so that there is no fold on the lower half, which only P < 0
 /// has: y + 2 P < 0 there, y + P > 0, and g grows with psi.
-template <class Model>
+template <class Law>
 class CurveByAngle {
  public:
-  explicit CurveByAngle(const EquilibriumCurve<Model>& curve)
-      : p_(curve.parameters()), P_(curve.load()), S0_(circle_radius(P_)) {}
+  explicit CurveByAngle(const EquilibriumCurve<Law>& curve)
+      : law_(curve.law()), p_(curve.parameters()), P_(curve.load()), S0_(circle_radius(P_)) {}
 
   struct Place {
     double y, offset;    // offset = y - 3 pi
@@ -50,7 +50,7 @@ class CurveByAngle {
 
   Place at(double x) const {
     const double centre = 3 * pi<double>();
-    const ShearTerm<double> excess = Model::shear_term(p_, 1.0, std::exp(x));  // g - 1 and d1 = 2 (g - 1) - dg/dx
+    const ShearTerm<double> excess = law_.shear_term(p_, 1.0, std::exp(x));  // g - 1 and d1 = 2 (g - 1) - dg/dx
     const double g = 1 + excess.value, square = S0_ * S0_ + 2 * centre * P_ * excess.value;
     const double root = std::sqrt(std::max(square, 0.0)), y = (centre + root) / g;
     const double offset = (root - centre * excess.value) / g, d1 = y * excess.d1;
@@ -67,15 +67,15 @@ class CurveByAngle {
 
   /// The fold at x. Newton's method takes it to its last digits where psi itself turns back close to it, near pull-off;
   /// where that does not settle, at the edge of a model's domain, those of x stand.
-  FoldPlace fold(const EquilibriumCurve<Model>& curve, double x, bool maximum) const {
+  FoldPlace fold(const EquilibriumCurve<Law>& curve, double x, bool maximum) const {
     const Place place = at(x);
     double y = place.y, offset = place.offset, tau2 = place.tau2, T = y * std::exp(x);
-    const auto last_digits = y > 4 ? newton_fold<Model>(p_, P_, offset, T) : std::nullopt;  // y - 3 pi rounds a small y
+    const auto last_digits = y > 4 ? newton_fold(law_, p_, P_, offset, T) : std::nullopt;  // y - 3 pi rounds a small y
     if (last_digits && std::abs(last_digits->v - offset) <= 1e-6 * S0_ && std::abs(last_digits->T - T) <= 1e-12 * T) {
       offset = last_digits->v;
       T = last_digits->T;
       y = 3 * pi<double>() + offset;
-      tau2 = Model::shear_term(p_, y, T).value;
+      tau2 = law_.shear_term(p_, y, T).value;
     }
     // each half angle from what does not cancel there
     const double cosine = std::clamp(offset / S0_, -1.0, 1.0), sine2 = tau2 / (S0_ * S0_);
@@ -87,7 +87,7 @@ class CurveByAngle {
   /// x below which there is no fold: where tau grows with y, above the centre of the circle; else where shear is some
   /// 1e-9 of all.
   double first() const {
-    const bool simple_top = Model::tau_grows_with_edge_load(p_);
+    const bool simple_top = law_.tau_grows_with_edge_load(p_);
     const auto before = [&](double x) {
       const Place place = at(x);
       return place.exists && (simple_top ? place.offset > 0 : place.tau2 <= 4e-9 * S0_ * S0_);
@@ -107,22 +107,24 @@ class CurveByAngle {
   static double step(double x, const Place& place) {
     if (!place.exists) return kLast - x;
     if (x < -1) return std::clamp(0.25 / std::max(place.growth, 0.02), 0.125, 12.0);
-    const double fine = kMayTurn<Model> && x < 3 ? 0.4 : 1;  // the bumps that somebody's law may have: 1.5 degrees
+    const double fine =
+        kMayBeNonMonotone<Law> && x < 3 ? 0.4 : 1;  // the bumps that somebody's law may have: 1.5 degrees
     return fine * (x < 6 ? 0.125 : x < 12 ? 0.25 : 0.5);
   }
 
-  static constexpr double kFirst = -700, kLast = kLastCoordinate<Model>;  // tan psi from the least of all doubles on
+  static constexpr double kFirst = -700, kLast = kLastCoordinate<Law>;  // tan psi from the least of all doubles on
 
  private:
-  Parameters<Model> p_;
+  [[no_unique_address]] Law law_;
+  Parameters<Law> p_;
   double P_, S0_;
 };
 
 }  // namespace load_folds_detail
 
-template <class Model>
-bool folds_by_angle(const EquilibriumCurve<Model>& curve, FoundFolds& found) {
-  using CurveByAngle = load_folds_detail::CurveByAngle<Model>;
+template <class Law>
+bool folds_by_angle(const EquilibriumCurve<Law>& curve, FoundFolds& found) {
+  using CurveByAngle = load_folds_detail::CurveByAngle<Law>;
   const CurveByAngle by_angle(curve);
   double x_last = std::numeric_limits<double>::quiet_NaN();
   typename CurveByAngle::Place last{};
@@ -140,7 +142,7 @@ bool folds_by_angle(const EquilibriumCurve<Model>& curve, FoundFolds& found) {
 
 namespace {
 [[gnu::used]] const auto load_instances =
-    each_model([](auto model) { return std::tuple(&newton_fold<decltype(model)>, &folds_by_angle<decltype(model)>); });
+    each_law([]<class Law>() { return std::tuple(&newton_fold<Law>, &folds_by_angle<Law>); });
 }  // namespace
 
 }  // namespace mixity

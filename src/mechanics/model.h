@@ -1,34 +1,45 @@
-// What a mode-mixity model is: a toughness ratio f(psi) = G_c/G_Ic with named, bounded parameters.
+// What a mode-mixity law must have: a toughness ratio f(psi) = G_c/G_Ic with named, bounded parameters.
 //
-// A model is a struct with static members only (see models/*.h):
-//   parameters                          names, bounds and a typical value
-//   info                                key on the command line, name, published formula
-//   log_toughness(p, mixity)            ln f and its derivatives in the parameters
-//   log_toughness_alone(p, mixity)      optional: ln f where its derivatives would cost more than it does
-//   lane_point(mixity), lane(p, point)  optional: ln f for loops over many points, see LaneValue; lane_log_toughness
-//                                       then makes log_toughness of it
-//   shear_term(p, y, T)                 tau^2 = y^2 (g - 1) of the equilibrium circle and its derivatives in y
-//   small_shear(p)                      lim tau^2/T^2 at T -> 0 (may be 0 or infinite)
-//   shear_limit(p)                      optional: lim tau^2/y^2 at T -> infinity where it may be finite
-//   shear_bend(p), shear_reach(p)       optional: how strongly tau^2 bends; without them a distance from a curve takes
-//                                       a search of the whole curve
-//   continuous(p)                       optional: the parameters next to these at which curves do not change abruptly
-//   log_toughness_slope(p, y, T)        optional: d ln f/d p in a form without branches
-//   tangential_load(p, y, tau)          optional: T of a state (y, tau) where that is a closed form
-//   fold_offset(p, P, displacement)     optional: y - 3 pi where the curve folds, if that is a closed form
-//   one_fold_at_most(p)                 optional: true if tau^2 + y^2 is convex in y at fixed T and tau grows with y
-//   shear_on_circle(p, T)               only if tau does not depend on y: makes the equilibrium a closed form
-//   tau_grows_with_edge_load(p)         true if d(tau^2)/dy >= 0 at fixed T for these parameters
-//   turns(p)                            optional: true where g does not grow with psi throughout (turning_curve.h)
-//   equilibrium_domain(p)               empty, or the reason why these parameters define no unique equilibrium
-// and it fills the slot of its number: template <> struct ModelSlot<4> { using type = MyModel; };
+// A law is an object: law.shear_term(p, y, T), with its parameters p beside it. A published law is an empty struct
+// whose members are static (models/*.h); a law that is defined at run time has state (laws/typed_law.h). Members marked
+// with * may be left out.
+//
+//   info                           key on the command line, name, published formula
+//   parameters                     name, range and a typical value of each
+//   equilibrium_domain(p)          empty, or why these parameters define no unique equilibrium
+//
+//   log_toughness(p, mixity)       ln f and its derivatives in the parameters
+//   log_toughness_alone(p, mixity)* ln f, where its derivatives would cost more than ln f itself
+//   log_toughness_slope(p, y, T)*  d ln f/dp in a form without branches
+//   packed_point(mixity)*, packed_form(p, point)*   ln f for vectorised loops, see PackedForm; only with one parameter
+//
+// The rest describes tau^2 = y^2 (g - 1) of the equilibrium circle (equilibrium.h), where g = (1 + tan^2 psi)/f:
+//
+//   shear_term(p, y, T)            tau^2 and its derivatives in y
+//   small_shear(p)                 lim tau^2/T^2 at T -> 0; may be 0 or infinite
+//   shear_limit(p)*                lim tau^2/y^2 at T -> infinity; without it the limit is infinite
+//   tau_grows_with_edge_load(p)    whether d(tau^2)/dy >= 0 at fixed T, for all y and T
+//   non_monotone(p)*               whether g fails to grow with psi somewhere (non_monotone_curve.h)
+//   shear_on_circle(p, T)*         tau, if it does not depend on y: equilibrium is then a closed form
+//   tangential_load(p, y, tau)*    T of a state (y, tau) in closed form; without it T is found by iteration
+//   fold_offset(p, P, displacement)*   y - 3 pi of the only fold in closed form
+//   one_fold_at_most(p)*           whether tau^2 + y^2 is convex in y at fixed T, and tau grows with y
+//   shear_bend(p)*, shear_reach(p)*    bounds of the second derivatives of tau^2; without them the nearest point of a
+//                                  curve is searched for along the whole curve
+//   continuous(p)*                 the parameters next to p at which curves do not change abruptly
+//
+// A published law takes a number in the registry: template <> struct ModelSlot<4> { using type = MyLaw; };
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 
 #include "mechanics/constants.h"
 
@@ -62,8 +73,8 @@ inline Mixity<double> mixity_from_angle(double psi) {
 /// From the mode ratio B = G_II/(G_I + G_II) = sin^2 psi in [0, 1].
 inline Mixity<double> mixity_from_mode_ratio(double B) { return {std::sqrt(1 - B), std::sqrt(B)}; }
 
-/// From the energies of the two modes, whose sum is positive: sin^2 psi = G_II/(G_I + G_II). One below zero counts as
-/// 0: measured about zero it may be, by noise.
+/// From the energies of the two modes, whose sum is positive: sin^2 psi = G_II/(G_I + G_II). A negative one, which
+/// noise can produce, counts as 0.
 inline Mixity<double> mixity_from_energies(double G_I, double G_II) {
   const double I = std::fmax(G_I, 0.0), II = std::fmax(G_II, 0.0), sum = I + II;
   return {std::sqrt(I / sum), std::sqrt(II / sum)};
@@ -89,17 +100,17 @@ struct ModelInfo {
   std::string_view formula;  // as published
 };
 
-/// One point as loops over many see it, and what a one-parameter law says of it: ln f = kLogSign log(argument) to an
-/// absolute error of some eps, with its derivatives in the parameter; excess = argument - 1, which does not cancel. No
-/// branches, so that compilers can take several points at once. The loop takes the logarithm of the argument, as log1p
-/// of the excess costs 22 % more of the loop for a and 44 % for c (mechanics_benchmark, LogToughnessLanes), 12 and 22 %
-/// of a sweep of a fit; for c kLogSign = -1, as 1/argument under the logarithm costs 16 % of the loop.
+/// A point as a vectorised loop takes it, and ln f there for one parameter: ln f = kLogSign log(argument), with an
+/// absolute error of a few eps, and its derivatives in the parameter; excess = argument - 1 without cancellation. Free
+/// of branches, so that a compiler can process several points at once. The loop takes the logarithm of `argument`
+/// because log1p(excess) makes it 22 % slower for law a and 44 % for c (mechanics_benchmark, LogToughnessPacked), and a
+/// sweep of a fit 12 and 22 %; kLogSign is -1 for c because dividing first makes the loop 16 % slower.
 template <class S>
-struct LanePoint {
+struct PackedPoint {
   S first, second;
 };
 template <class S>
-struct LaneValue {
+struct PackedForm {
   S argument, excess, slope, curvature;
 };
 
@@ -110,22 +121,59 @@ struct Differentiated {
   std::array<S, N> gradient;
 };
 
-/// ln f without its derivatives.
-template <class Law, std::size_t N>
-double log_toughness_alone(const std::array<double, N>& p, const Mixity<double>& mixity) {
-  if constexpr (requires { Law::log_toughness_alone(p, mixity); })
-    return Law::log_toughness_alone(p, mixity);
-  else
-    return Law::log_toughness(p, mixity).value;
+/// The type of a law's parameters: an array of as many numbers as it states, unless it says otherwise.
+template <class Law, class S>
+struct ParametersOf {
+  static constexpr std::size_t kMost = std::tuple_size_v<std::remove_cvref_t<decltype(Law::parameters)>>;
+  using type = std::array<S, kMost>;
+};
+template <class Law, class S>
+requires requires { typename Law::Parameters; }
+struct ParametersOf<Law, S> {
+  static constexpr std::size_t kMost = Law::kMostParameters;
+  using type = typename Law::Parameters;
+};
+
+template <class Law, class S = double>
+using Parameters = typename ParametersOf<Law, S>::type;
+
+/// How many parameters a law of this type has at most; a published law has exactly as many.
+template <class Law>
+inline constexpr std::size_t parameter_count = ParametersOf<Law, double>::kMost;
+
+/// The parameters with these values, of which there are as many as the law has.
+template <class Law>
+Parameters<Law> parameters_from(std::span<const double> values) {
+  if constexpr (requires { Parameters<Law>(values); }) {
+    return Parameters<Law>(values);
+  } else {
+    Parameters<Law> p;
+    std::copy_n(values.begin(), p.size(), p.begin());
+    return p;
+  }
 }
 
-/// ln f of a law that has lanes to full relative accuracy: near f = 1 its argument has lost that of the excess.
+/// ln f without its derivatives.
+template <class Law>
+double log_toughness_alone(const Law& law, const Parameters<Law>& p, const Mixity<double>& mixity) {
+  if constexpr (requires { law.log_toughness_alone(p, mixity); })
+    return law.log_toughness_alone(p, mixity);
+  else
+    return law.log_toughness(p, mixity).value;
+}
+
+template <class Law>
+double log_toughness_alone(const Parameters<Law>& p, const Mixity<double>& mixity) {
+  return log_toughness_alone(Law{}, p, mixity);
+}
+
+/// ln f to full relative accuracy, also near f = 1.
 template <class Law, class S>
-Differentiated<S, 1> lane_log_toughness(const std::array<S, 1>& p, const Mixity<S>& mixity) {
+Differentiated<S, 1> log_toughness_of_packed_form(const std::array<S, 1>& p, const Mixity<S>& mixity) {
   using std::log, std::log1p;
-  const LaneValue<S> lane = Law::lane(p[0], Law::lane_point(mixity));
-  const S value = lane.excess > S(-0.5) ? S(log1p(lane.excess)) : S(log(lane.argument));
-  return {S(Law::kLogSign) * value, {lane.slope}};
+  const PackedForm<S> form = Law::packed_form(p[0], Law::packed_point(mixity));
+  const S value = form.excess > S(-0.5) ? S(log1p(form.excess)) : S(log(form.argument));
+  return {S(Law::kLogSign) * value, {form.slope}};
 }
 
 /// tau^2 of the equilibrium circle at fixed T, with its first and second derivative in the edge load y.
@@ -139,15 +187,14 @@ struct ShearBend {
   double TT = std::numeric_limits<double>::infinity(), yT = TT, yy = TT;
 };
 
-/// The second derivatives are homogeneous of degree 0. Over a way w, the larger of `narrow` times dT/(T + T_part y) and
-/// narrow dy/(y + y_part T), the sums of moduli that curve_distance takes for them grow to (1 + 8 w)^2 of themselves at
-/// most, up to w = 1/4: as much as y and T to the fourth power of opposite sign. `narrow` is infinite where nothing is
-/// known.
+/// How far bounds at one state hold. The second derivatives of tau^2 are homogeneous of degree 0. Over a step w, the
+/// larger of narrow dT/(T + T_part y) and narrow dy/(y + y_part T), the sums of moduli that nearest_proof.h takes for
+/// them grow by a factor (1 + 8 w)^2 at most, up to w = 1/4. `narrow` is infinite where nothing is known.
 struct ShearReach {
   double narrow = std::numeric_limits<double>::infinity(), y_part = 0, T_part = 0;
 };
 
-/// A model header fills the slot of its number; the registry collects the filled ones in order.
+/// The header of a published law fills the slot of its number; the registry collects them in order.
 template <int Slot>
 struct ModelSlot {};
 

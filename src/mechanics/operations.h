@@ -76,18 +76,29 @@ struct Operations {
   std::unique_ptr<const DistanceOperations> distances;
 };
 
-/// The law of a part: entered on the thread that uses it.
+/// The law of a part, and its use for the time of a call.
 template <class Law>
-struct HeldLaw {
+class HeldLaw {
+ public:
   explicit HeldLaw(const ExpressionLaw*) {}
-  struct Entered {};
-  Entered enter() const { return {}; }
+  struct Use {
+    Law law;
+  };
+  Use use() const { return {}; }
 };
-template <std::size_t N>
-struct HeldLaw<TypedLaw<N>> {
-  const ExpressionLaw* law;
-  explicit HeldLaw(const ExpressionLaw* typed) : law(typed) {}
-  CurrentLaw<N> enter() const { return CurrentLaw<N>(*law); }
+template <>
+class HeldLaw<TypedLaw> {
+ public:
+  explicit HeldLaw(const ExpressionLaw* law) : law_(*law) {}
+  struct Use {
+    LawLease lease;
+    TypedLaw law;
+    explicit Use(const ExpressionLaw& of) : lease(of), law(lease) {}
+  };
+  Use use() const { return Use(law_); }
+
+ private:
+  const ExpressionLaw& law_;
 };
 
 template <class Law>
@@ -99,21 +110,14 @@ std::unique_ptr<const ToughnessOperations> toughness_operations(const Expression
 template <class Law>
 std::unique_ptr<const DistanceOperations> distance_operations(const ExpressionLaw* law);
 
-/// Of one set of parameters, as the law takes them.
-template <class Law>
-Parameters<Law> parameters_of(ParameterSpan values) {
-  static_assert(parameter_count<Law> <= ParameterValues::kMost);
-  Parameters<Law> p;
-  std::copy_n(values.begin(), p.size(), p.begin());
-  return p;
-}
-
-/// Of point i.
+/// The parameters of point i.
 template <class Law>
 Parameters<Law> parameters_at(std::span<const Values> values, std::size_t i) {
-  Parameters<Law> p;
-  for (std::size_t k = 0; k < p.size(); ++k) p[k] = values[k][i];
-  return p;
+  static_assert(parameter_count<Law> <= ParameterValues::kMost);
+  std::array<double, parameter_count<Law>> p{};
+  const std::size_t n = std::is_same_v<Law, TypedLaw> ? values.size() : p.size();
+  for (std::size_t k = 0; k < n; ++k) p[k] = values[k][i];
+  return parameters_from<Law>({p.data(), n});
 }
 
 }  // namespace mixity

@@ -14,23 +14,23 @@ class CurvesOf final : public CurveOperations {
   explicit CurvesOf(const ExpressionLaw* law) : held_(law) {}
 
   double first_stable_end(ParameterSpan p, double P) const override {
-    [[maybe_unused]] const auto entered = held_.enter();
-    return LoadedContact<Law>(parameters_of<Law>(p), P).branches().front().T_bottom;
+    const auto use = held_.use();
+    return LoadedContact(use.law, parameters_from<Law>(p), P).branches().front().T_bottom;
   }
 
   std::vector<Fold> folds(ParameterSpan p, double P, Control control) const override {
-    [[maybe_unused]] const auto entered = held_.enter();
-    return find_folds(EquilibriumCurve<Law>(parameters_of<Law>(p), P), control);
+    const auto use = held_.use();
+    return find_folds(EquilibriumCurve(use.law, parameters_from<Law>(p), P), control);
   }
 
   RegimeReport regime(ParameterSpan p, double P, std::optional<double> tau0) const override {
-    [[maybe_unused]] const auto entered = held_.enter();
-    return classify<Law>(parameters_of<Law>(p), P, tau0);
+    const auto use = held_.use();
+    return classify(use.law, parameters_from<Law>(p), P, tau0);
   }
 
   SampledCurve curve(ParameterSpan p, double P, const CurveSampling& sampling) const override {
-    [[maybe_unused]] const auto entered = held_.enter();
-    const EquilibriumCurve<Law> curve(parameters_of<Law>(p), P);
+    const auto use = held_.use();
+    const EquilibriumCurve curve(use.law, parameters_from<Law>(p), P);
     if (curve.uncoupled()) return {{curve.point(0)}, true};
     auto ranges = drawable_ranges(curve, sampling.T_most ? *sampling.T_most : kFarthestDrawn * shear_scale(curve));
     if (sampling.first_range_only) ranges.resize(1);
@@ -47,21 +47,22 @@ class CurvesOf final : public CurveOperations {
 
   std::vector<ConstantShearPoint> at_constant_shear(ParameterSpan p, double T,
                                                     std::span<const double> y) const override {
-    [[maybe_unused]] const auto entered = held_.enter();
+    const auto use = held_.use();
     std::vector<ConstantShearPoint> points;
     points.reserve(y.size());
-    for (const double edge_load : y) points.push_back(constant_shear_point<Law>(parameters_of<Law>(p), T, edge_load));
+    for (const double edge_load : y)
+      points.push_back(constant_shear_point(use.law, parameters_from<Law>(p), T, edge_load));
     return points;
   }
 
   double critical_load(ParameterSpan p) const override {
-    [[maybe_unused]] const auto entered = held_.enter();
-    return mixity::critical_load<Law>(parameters_of<Law>(p));
+    const auto use = held_.use();
+    return mixity::critical_load(use.law, parameters_from<Law>(p));
   }
 
   std::optional<double> shear_sensitivity(ParameterSpan p, double A0) const override {
-    [[maybe_unused]] const auto entered = held_.enter();
-    return shear_sensitivity_at_area<Law>(parameters_of<Law>(p), A0);
+    const auto use = held_.use();
+    return shear_sensitivity_at_area(use.law, parameters_from<Law>(p), A0);
   }
 
  private:
@@ -76,7 +77,7 @@ std::unique_ptr<const CurveOperations> curve_operations(const ExpressionLaw* law
 }
 
 namespace {
-[[gnu::used]] const auto curve_instances = each_model([](auto law) { return &curve_operations<decltype(law)>; });
+[[gnu::used]] const auto curve_instances = each_law([]<class Law>() { return &curve_operations<Law>; });
 }  // namespace
 
 }  // namespace mixity

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "mechanics/equilibrium.h"
-#include "mechanics/lanes.h"
 #include "mechanics/operations.h"
+#include "mechanics/packed_toughness.h"
 
 namespace mixity {
 namespace {
@@ -13,39 +13,39 @@ class ToughnessOf final : public ToughnessOperations {
   explicit ToughnessOf(const ExpressionLaw* law) : held_(law) {}
 
   void toughness_ratios(std::span<const Values> parameters, Values psi, std::span<double> f) const override {
-    [[maybe_unused]] const auto entered = held_.enter();
+    const auto use = held_.use();
     for (std::size_t i = 0; i < f.size(); ++i) {
       const auto p = parameters_at<Law>(parameters, i);
-      if (!(psi[i] >= 0 && psi[i] <= kLargestPhaseAngle) || !in_bounds<Law>(p)) continue;
-      f[i] = std::exp(log_toughness_alone<Law>(p, mixity_from_angle(psi[i])));
+      if (!(psi[i] >= 0 && psi[i] <= kLargestPhaseAngle) || !in_bounds(use.law, p)) continue;
+      f[i] = std::exp(log_toughness_alone(use.law, p, mixity_from_angle(psi[i])));
     }
   }
 
   void log_toughness(ParameterSpan parameters, std::span<const Mixity<double>> at, std::span<double> value,
                      std::span<double> gradient) const override {
-    [[maybe_unused]] const auto entered = held_.enter();
-    const auto p = parameters_of<Law>(parameters);
+    const auto use = held_.use();
+    const auto p = parameters_from<Law>(parameters);
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (gradient.empty()) {
-        value[i] = log_toughness_alone<Law>(p, at[i]);
+        value[i] = log_toughness_alone(use.law, p, at[i]);
         continue;
       }
-      const auto log_f = Law::log_toughness(p, at[i]);
+      const auto log_f = use.law.log_toughness(p, at[i]);
       value[i] = log_f.value;
       std::copy(log_f.gradient.begin(), log_f.gradient.end(),
                 gradient.begin() + static_cast<std::ptrdiff_t>(i * p.size()));
     }
   }
 
-  bool has_packed_form() const override { return HasLanes<Law>; }
+  bool has_packed_form() const override { return HasPackedForm<Law>; }
 
   PackedMixities packed(std::span<const Mixity<double>> at) const override {
     PackedMixities points;
-    if constexpr (HasLanes<Law>) {
+    if constexpr (HasPackedForm<Law>) {
       points.first.reserve(at.size());
       points.second.reserve(at.size());
       for (const Mixity<double>& mixity : at) {
-        const LanePoint<double> point = Law::lane_point(mixity);
+        const PackedPoint<double> point = held_.use().law.packed_point(mixity);
         points.first.push_back(point.first);
         points.second.push_back(point.second);
       }
@@ -57,7 +57,8 @@ class ToughnessOf final : public ToughnessOperations {
                             [[maybe_unused]] const double* second, [[maybe_unused]] std::size_t n,
                             [[maybe_unused]] double* value, [[maybe_unused]] double* slope,
                             [[maybe_unused]] double* curvature) const override {
-    if constexpr (HasLanes<Law>) log_toughness_lanes<Law>(parameter, first, second, n, value, slope, curvature);
+    if constexpr (HasPackedForm<Law>)
+      mixity::packed_log_toughness(held_.use().law, parameter, first, second, n, value, slope, curvature);
   }
 
  private:
@@ -72,8 +73,7 @@ std::unique_ptr<const ToughnessOperations> toughness_operations(const Expression
 }
 
 namespace {
-[[gnu::used]] const auto toughness_instances =
-    each_model([](auto law) { return &toughness_operations<decltype(law)>; });
+[[gnu::used]] const auto toughness_instances = each_law([]<class Law>() { return &toughness_operations<Law>; });
 }  // namespace
 
 }  // namespace mixity

@@ -8,14 +8,14 @@
 
 namespace mixity {
 
-template <class Model>
-RegimeReport classify(const Parameters<Model>& p, double P, std::optional<double> tau0) {
-  const LoadedContact<Model> contact(p, P);
+template <class Law>
+RegimeReport classify(const Law& law, const Parameters<Law>& p, double P, std::optional<double> tau0) {
+  const LoadedContact<Law> contact(law, p, P);
   const StableBranch branch = contact.first_branch();  // what `excess` asks may find the others, too
   RegimeReport report{Regime::hertz, Regime::hertz, branch.T_bottom, {}, {}};
   if (branch.ends_in_fold) {
     report.fracture = Regime::jump;
-    report.jumps_to = find_folds(EquilibriumCurve<Model>(p, P), {Control::Kind::load}).front().jumps_to;
+    report.jumps_to = find_folds(EquilibriumCurve<Law>(law, p, P), {Control::Kind::load}).front().jumps_to;
   } else if (std::isinf(branch.T_bottom)) {
     report.fracture = Regime::asymptote;
   }
@@ -31,14 +31,14 @@ RegimeReport classify(const Parameters<Model>& p, double P, std::optional<double
   return report;
 }
 
-template <class Model>
-double critical_load(const Parameters<Model>& p) {
-  constexpr double kLast = 42, kInfinity = std::numeric_limits<double>::infinity();      // tan psi up to 1e18
-  const auto excess = [&](double x) { return Model::shear_term(p, 1.0, std::exp(x)); };  // g - 1 and d
+template <class Law>
+double critical_load(const Law& law, const Parameters<Law>& p) {
+  constexpr double kLast = 42, kInfinity = std::numeric_limits<double>::infinity();   // tan psi up to 1e18
+  const auto excess = [&](double x) { return law.shear_term(p, 1.0, std::exp(x)); };  // g - 1 and d
   const auto load = [&](double x) {
     const ShearTerm<double> at = excess(x);
     const double rest = 2 + at.d1, growth = 2 * at.value - at.d1;
-    // where g falls (a law that turns) T rises; a g next to 0 has no digits of its own
+    // where g falls (a non-monotone law) T rises; a g next to 0 has no digits of its own
     if (!(growth > 0) || at.value < -1 + 1e-8) return -1.5 * pi<double>();
     return rest > 0 ? 6 * pi<double>() * (at.value - 1 - at.d1) / (rest * rest) : kInfinity;
   };
@@ -51,9 +51,7 @@ double critical_load(const Parameters<Model>& p) {
     most = std::max({most, here, next});
     if (most == kInfinity) return most;
     if (here >= before && here >= next) {
-      const auto top =
-          boost::math::tools::brent_find_minima([&](double at) { return -load(at); }, x_before, x_next, 40);
-      most = std::max(most, -top.second);
+      most = std::max(most, -minimum_between([&](double at) { return -load(at); }, x_before, x_next, 40).value);
     }
     x_before = x;
     before = here;
@@ -93,7 +91,7 @@ std::optional<std::span<const RegimeBoundary>> regime_boundaries(std::string_vie
 
 namespace {
 [[gnu::used]] const auto regime_instances =
-    each_model([](auto model) { return std::tuple(&classify<decltype(model)>, &critical_load<decltype(model)>); });
+    each_law([]<class Law>() { return std::tuple(&classify<Law>, &critical_load<Law>); });
 }  // namespace
 
 }  // namespace mixity

@@ -12,8 +12,8 @@ namespace mixity {
 
 /// For a contact that exists and a valid set of parameters. tau0 > 0 dimensionless, or null. A branch that jumps to a
 /// lower stable one is regime 3 (jumps_to lower_branch): its first critical point decides.
-template <class Model>
-RegimeReport classify(const Parameters<Model>& p, double P, std::optional<double> tau0 = {});
+template <class Law>
+RegimeReport classify(const Law& law, const Parameters<Law>& p, double P, std::optional<double> tau0 = {});
 
 // ---- Boundaries. These go beyond the paper. ----
 
@@ -28,10 +28,10 @@ RegimeReport classify(const Parameters<Model>& p, double P, std::optional<double
 ///
 /// It is -3 pi/2 at psi = 0 and continuous: every load below its largest value folds somewhere, none above. Where
 /// 2 + d <= 0 on the way y has fallen to 0 in a fold at every load. To some 1e-11 of itself and of 3 pi/2.
-template <class Model>
-double critical_load(const Parameters<Model>& p);
+template <class Law>
+double critical_load(const Law& law, const Parameters<Law>& p);
 
-/// Model b jumps below and is smooth above this load; k = 1 - lambda/2.
+/// Law b jumps below and is smooth above this load; k = 1 - lambda/2.
 ///
 /// Near Hertz, psi = pi/2 - epsilon with epsilon = y/T, so cos(k psi) = s + k c epsilon, s = sin(pi lambda/4),
 /// c = cos(pi lambda/4), and y^2 g = (y^2 + T^2) cos^2(k psi) = T^2 s^2 + 2 k s c T y + O(y^2) must equal 6 pi (y + P).
@@ -69,7 +69,7 @@ inline CuspPoint model_a_cusp(double X) {
 /// contact drops off at the fold. Below, T -> infinity at the asymptote, which exists if 9 pi^2 + 6 pi P/m >= 0.
 inline double model_a_closing_lambda(double P) { return 1 + 2 * P / (3 * pi<double>()); }
 
-/// Model a jumps exactly at lambda above this: the cusp line down to P = -15 pi/64, below that the closing line.
+/// Law a jumps exactly at lambda above this: the cusp line down to P = -15 pi/64, below that the closing line.
 /// -3 pi/2 < P <= 1e8.
 CuspPoint model_a_jump_boundary(double P);
 

@@ -6,7 +6,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "mechanics/laws/typed_law.h"
+#include "mechanics/laws/known_laws.h"
+#include "mechanics/laws/visited_law.h"
 #include "mechanics/models/benzeggagh_kenane.h"     // bk
 #include "mechanics/models/johnson.h"               // a
 #include "mechanics/models/papangelo_ciavarella.h"  // c
@@ -39,10 +40,10 @@ void for_each_model(Visit&& visit) {
 
 namespace registry_detail {
 template <std::size_t N, class Visit>
-bool visit_typed(const ExpressionLaw& law, Visit& visit) {
-  if (law.definition().parameters.size() != N) return false;
+bool visit_typed(const std::shared_ptr<const ExpressionLaw>& law, Visit& visit) {
+  if (law->parameters().size() != N) return false;
   const CurrentLaw<N> current(law);
-  visit(TypedLaw<N>{});
+  visit(VisitedLaw<N>{});
   return true;
 }
 }  // namespace registry_detail
@@ -56,25 +57,41 @@ bool with_model(std::string_view key, Visit&& visit) {
           Models{}))
     return true;
   const std::shared_ptr<const ExpressionLaw> law = find_law(key);
-  return law && (registry_detail::visit_typed<1>(*law, visit) || registry_detail::visit_typed<2>(*law, visit) ||
-                 registry_detail::visit_typed<3>(*law, visit));
+  return law && (registry_detail::visit_typed<1>(law, visit) || registry_detail::visit_typed<2>(law, visit) ||
+                 registry_detail::visit_typed<3>(law, visit));
 }
 
-/// entry(model) for each model in turn, as a tuple. A source file that defines templates ends with
+/// Calls visit(law) with the law of this key and returns true; returns false if there is none. `law` is an object of a
+/// published law's type or a TypedLaw, valid until the visit returns, on its thread.
+template <class Visit>
+bool with_law(std::string_view key, Visit&& visit) {
+  if (std::apply([&](auto... law) { return ((law.info.key == key ? (visit(law), true) : false) || ...); }, Models{}))
+    return true;
+  const std::shared_ptr<const ExpressionLaw> law = find_law(key);
+  if (!law) return false;
+  const LawLease lease(law);
+  visit(TypedLaw(lease));
+  return true;
+}
+
+namespace registry_detail {
+template <class... Law>
+std::tuple<Law..., TypedLaw, VisitedLaw<1>, VisitedLaw<2>, VisitedLaw<3>> with_typed(std::tuple<Law...>);
+
+template <class Entry, class... Law>
+constexpr auto each_of(Entry entry, std::type_identity<std::tuple<Law...>>) {
+  return std::make_tuple(entry.template operator()<Law>()...);
+}
+}  // namespace registry_detail
+
+/// entry<Law>() for each type of law, as a tuple. A source file that defines templates ends with
 ///
-///     [[gnu::used]] const auto instances = each_model([](auto model) { return &do_it<decltype(model)>; });
+///     [[gnu::used]] const auto instances = each_law([]<class Law> { return &do_it<Law>; });
 ///
-/// where taking their addresses makes the instances, one for each model of the registry, that other files link with.
+/// where taking the addresses makes the instances that other files link with.
 template <class Entry>
-constexpr auto each_model(Entry entry) {
-  return std::apply([&](auto... model) { return std::make_tuple(entry(model)...); },
-                    std::tuple_cat(Models{}, std::tuple<TypedLaw<1>, TypedLaw<2>, TypedLaw<3>>{}));
+constexpr auto each_law(Entry entry) {
+  return registry_detail::each_of(entry, std::type_identity<decltype(registry_detail::with_typed(Models{}))>{});
 }
-
-template <class Model>
-constexpr std::size_t parameter_count = std::tuple_size_v<std::remove_cvref_t<decltype(Model::parameters)>>;
-
-template <class Model, class S = double>
-using Parameters = std::array<S, parameter_count<Model>>;
 
 }  // namespace mixity

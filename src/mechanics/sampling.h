@@ -19,8 +19,8 @@ struct PhiRange {
   double from, to;
 };
 
-template <class Model>
-std::vector<PhiRange> drawable_ranges(const EquilibriumCurve<Model>& curve, double T_most) {
+template <class Law>
+std::vector<PhiRange> drawable_ranges(const EquilibriumCurve<Law>& curve, double T_most) {
   if (curve.uncoupled()) return {{0, 0}};
   std::vector<PhiRange> ranges;
   for (const CurvePiece& piece : curve.pieces()) {
@@ -47,15 +47,15 @@ std::vector<PhiRange> drawable_ranges(const EquilibriumCurve<Model>& curve, doub
 }
 
 /// A natural scale of T: where the circle's top would be for small shear.
-template <class Model>
-double shear_scale(const EquilibriumCurve<Model>& curve) {
-  const double w = Model::small_shear(curve.parameters());
+template <class Law>
+double shear_scale(const EquilibriumCurve<Law>& curve) {
+  const double w = curve.law().small_shear(curve.parameters());
   return circle_radius(curve.load()) / (w > 0 && std::isfinite(w) ? std::sqrt(w) : 1.0);
 }
 
 /// n >= 2 points uniform in phi on each range.
-template <class Model>
-std::vector<CurvePoint> sample_uniform(const EquilibriumCurve<Model>& curve, const std::vector<PhiRange>& ranges,
+template <class Law>
+std::vector<CurvePoint> sample_uniform(const EquilibriumCurve<Law>& curve, const std::vector<PhiRange>& ranges,
                                        std::size_t n) {
   std::vector<CurvePoint> points;
   for (const PhiRange& range : ranges)
@@ -70,8 +70,8 @@ std::vector<CurvePoint> sample_uniform(const EquilibriumCurve<Model>& curve, con
 /// each as a fraction of its range. From each point the longest step that holds is taken, which needs the fewest
 /// points of all polylines with vertices on the curve. The distance is measured at 15 places of each step, and
 /// the peak of the parabola through three of them finds its maximum to 1 %.
-template <class Model>
-std::vector<CurvePoint> sample_adaptive(const EquilibriumCurve<Model>& curve, const std::vector<PhiRange>& ranges,
+template <class Law>
+std::vector<CurvePoint> sample_adaptive(const EquilibriumCurve<Law>& curve, const std::vector<PhiRange>& ranges,
                                         double chord) {
   double T_range = 0, A_range = 0;
   for (const CurvePoint& p : sample_uniform(curve, ranges, 65)) {
@@ -125,8 +125,8 @@ std::vector<CurvePoint> sample_adaptive(const EquilibriumCurve<Model>& curve, co
 
 /// The same with a hundredth of the work and some three times as many points, for who waits for them: even steps are
 /// halved until their middles stay within the chord.
-template <class Model>
-std::vector<CurvePoint> sample_halved(const EquilibriumCurve<Model>& curve, const std::vector<PhiRange>& ranges,
+template <class Law>
+std::vector<CurvePoint> sample_halved(const EquilibriumCurve<Law>& curve, const std::vector<PhiRange>& ranges,
                                       double chord) {
   constexpr std::size_t kFirst = 17;
   constexpr int kMostHalvings = 12;

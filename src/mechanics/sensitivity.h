@@ -12,27 +12,33 @@
 
 namespace mixity {
 
-template <class Model>
+template <class Law>
 struct EquilibriumGradient {
   double held;     // y^2 + tau^2 = (y^2 + T^2)/f, what the interface holds against 6 pi (y + P)
   double A, T, P;  // dF/dA at fixed T and P, and so on
-  Parameters<Model> parameters;
+  Parameters<Law> parameters;
 };
 
 /// At any state y >= 0, T >= 0 (not both 0), y + P > 0, in equilibrium or not. Infinite where ln f is (model a at y =
 /// 0).
-template <class Model>
-EquilibriumGradient<Model> equilibrium_gradient(const Parameters<Model>& p, double P, double T, double y) {
-  const ShearTerm<double> tau2 = Model::shear_term(p, y, T);
+template <class Law>
+EquilibriumGradient<Law> equilibrium_gradient(const Law& law, const Parameters<Law>& p, double P, double T, double y) {
+  const ShearTerm<double> tau2 = law.shear_term(p, y, T);
   const double a = radius_from_edge_load(y, P), held = y * y + tau2.value;
-  EquilibriumGradient<Model> gradient{};
+  EquilibriumGradient<Law> gradient{};
   gradient.held = held;
   gradient.A = (2 * (y - 3 * pi<double>()) + tau2.d1) * 2 * a / pi<double>();  // dy/dA = 2 a/pi
   gradient.T = T > 0 ? (2 * tau2.value - y * tau2.d1) / T : 0.0;               // tau^2 is homogeneous of degree 2
   gradient.P = -(2 * y + tau2.d1);                                             // y + P stays: dy/dP = -1
-  const auto log_f = Model::log_toughness(p, mixity_from_loads(y, T));
-  for (std::size_t k = 0; k < p.size(); ++k) gradient.parameters[k] = -held * log_f.gradient[k];
+  const auto log_f = law.log_toughness(p, mixity_from_loads(y, T));
+  gradient.parameters = log_f.gradient;
+  for (double& slope : gradient.parameters) slope *= -held;
   return gradient;
+}
+
+template <class Law>
+EquilibriumGradient<Law> equilibrium_gradient(const Parameters<Law>& p, double P, double T, double y) {
+  return equilibrium_gradient(Law{}, p, P, T, y);
 }
 
 }  // namespace mixity

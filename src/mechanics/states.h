@@ -36,7 +36,7 @@ struct Equilibrium {
 struct StableBranch {
   double y_top, T_top, y_bottom, T_bottom;
   bool ends_in_fold;               // otherwise y_bottom is Hertz (0) or an asymptote
-  double v_top = 0, v_bottom = 0;  // of a law that turns: its coordinates on the curve, along which A may rise, too
+  double v_top = 0, v_bottom = 0;  // under a non-monotone law: coordinates on the curve, along which A may rise, too
 };
 
 struct ContactState {
@@ -76,7 +76,7 @@ struct ConstantShearPoint {
 /// follows from another without losing digits somewhere (near pull-off, near the ends).
 struct CurvePosition {
   double y, cos2, sin2;
-  double t = 0;  // T/y, of a law that turns: cos2 and sin2 are those of no circle then
+  double t = 0;  // T/y, under a non-monotone law, which leaves cos2 and sin2 unused
 };
 
 /// A point of the curve with its derivatives in phi. All finite: where one is infinite, the largest double stands for

@@ -13,7 +13,7 @@ __attribute__((simd("notinbranch"))) double atan(double) noexcept;
 }
 #endif
 
-// Four lanes where the processor has them, two elsewhere, chosen at run time. MIXITY_WIDE marks the four-lane copy.
+// Four doubles at once where the processor can, two elsewhere, chosen at run time. MIXITY_WIDE marks the copy for four.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define MIXITY_WIDE __attribute__((target("avx2")))
 #define MIXITY_HAS_WIDE __builtin_cpu_supports("avx2")
@@ -24,8 +24,8 @@ __attribute__((simd("notinbranch"))) double atan(double) noexcept;
 // The same for one function, chosen when the program starts: before a sanitizer is ready.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
-#define MIXITY_LANES __attribute__((target_clones("avx2", "default")))
+#define MIXITY_SIMD __attribute__((target_clones("avx2", "default")))
 #else
-#define MIXITY_LANES
+#define MIXITY_SIMD
 #endif
 #define MIXITY_LOOP inline __attribute__((always_inline))

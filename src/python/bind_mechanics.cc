@@ -7,6 +7,7 @@
 #include "base/input_error.h"
 #include "fitting/options.h"
 #include "mechanics/contact_model.h"
+#include "mechanics/laws/known_laws.h"
 #include "mechanics/measurement.h"
 #include "python/bindings.h"
 

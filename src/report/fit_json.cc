@@ -3,6 +3,7 @@
 #include "analysis/laws.h"
 #include "analysis/settings.h"
 #include "fitting/consistency.h"
+#include "mechanics/laws/known_laws.h"
 #include "report/fit_fields.h"
 
 namespace mixity {

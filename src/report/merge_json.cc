@@ -1,3 +1,4 @@
+#include "base/files.h"
 #include "report/merge_json.h"
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 #include "analysis/request.h"
 #include "base/input_error.h"
 #include "dataset/temporary_folder.h"
+#include "mechanics/laws/known_laws.h"
 
 namespace mixity {
 namespace {

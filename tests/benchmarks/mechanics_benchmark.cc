@@ -9,6 +9,7 @@
 #include "mechanics/batch.h"
 #include "mechanics/contact_model.h"
 #include "mechanics/curve_distance.h"
+#include "mechanics/laws/known_laws.h"
 #include "mechanics/sampling.h"
 
 namespace mixity {
@@ -27,7 +28,7 @@ Parameters<Model> typical() {
 /// Loads spread at random over the stable branch, seeded, rising as in an experiment.
 template <class Model>
 std::vector<double> loads() {
-  const double end = std::min(LoadedContact<Model>(typical<Model>(), kLoad).branches().front().T_bottom, 100.0);
+  const double end = std::min(LoadedContact(Model{}, typical<Model>(), kLoad).branches().front().T_bottom, 100.0);
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(0, 0.99 * end);
   std::vector<double> T(kPoints);
@@ -51,7 +52,7 @@ BENCHMARK(SquareRootAndCubeRoot);
 
 template <class Model>
 void Predict(benchmark::State& state) {
-  const LoadedContact<Model> contact(typical<Model>(), kLoad);
+  const LoadedContact contact(Model{}, typical<Model>(), kLoad);
   const std::vector<double> T = loads<Model>();
   for (auto _ : state)
     for (const double t : T) benchmark::DoNotOptimize(area_from_radius(radius_from_edge_load(contact.at(t).y, kLoad)));
@@ -66,7 +67,7 @@ template <class Model>
 void PredictBatch(benchmark::State& state) {
   const std::vector<double> T = loads<Model>();
   std::vector<double> areas(T.size());
-  for (auto _ : state) benchmark::DoNotOptimize(predict_areas<Model>(typical<Model>(), kLoad, T, areas));
+  for (auto _ : state) benchmark::DoNotOptimize(predict_areas(Model{}, typical<Model>(), kLoad, T, areas));
   per_point(state);
 }
 BENCHMARK_TEMPLATE(PredictBatch, PapangeloCiavarella);
@@ -107,7 +108,7 @@ void BrentOnPrintedEquation(benchmark::State& state) {
     return 1 / (1 + (lambda - 1) * std::pow(std::sin(psi), 2));
   };
   const double top = jkr_radius(kLoad) * (1 + 1e-9);
-  const double bottom = radius_from_edge_load(LoadedContact<Model>(p, kLoad).branches().front().y_bottom, kLoad);
+  const double bottom = radius_from_edge_load(LoadedContact(Model{}, p, kLoad).branches().front().y_bottom, kLoad);
   const std::vector<double> T = loads<Model>();
   for (auto _ : state)
     for (const double t : T) {
@@ -126,7 +127,7 @@ BENCHMARK_TEMPLATE(BrentOnPrintedEquation, PapangeloCiavarella);
 BENCHMARK_TEMPLATE(BrentOnPrintedEquation, Johnson);
 BENCHMARK_TEMPLATE(BrentOnPrintedEquation, WatersGuduru);
 
-/// ln f with its slope at angles up to 1.5, point by point and in lanes: what a step of a fit to (psi, f) data costs.
+/// ln f with its slope at angles up to 1.5, point by point and packed: what a step of a fit to (psi, f) data costs.
 struct LawPoints {
   static constexpr std::size_t kCount = 512;
   std::vector<Mixity<double>> mixities;
@@ -149,28 +150,28 @@ BENCHMARK_TEMPLATE(LogToughness, WatersGuduru);
 BENCHMARK_TEMPLATE(LogToughness, BenzeggaghKenane);
 
 template <class Model>
-void LogToughnessLanes(benchmark::State& state) {
+void LogToughnessPacked(benchmark::State& state) {
   const LawPoints points;
   std::vector<double> first, second, value(LawPoints::kCount), slope(value), curvature(value);
   for (const auto& mixity : points.mixities) {
-    const auto point = Model::lane_point(mixity);
+    const auto point = Model::packed_point(mixity);
     first.push_back(point.first);
     second.push_back(point.second);
   }
   for (auto _ : state) {
-    log_toughness_lanes<Model>(typical<Model>()[0], first.data(), second.data(), first.size(), value.data(),
-                               slope.data(), curvature.data());
+    packed_log_toughness(Model{}, typical<Model>()[0], first.data(), second.data(), first.size(), value.data(),
+                         slope.data(), curvature.data());
     benchmark::ClobberMemory();
   }
   per_point(state, LawPoints::kCount);
 }
-BENCHMARK_TEMPLATE(LogToughnessLanes, PapangeloCiavarella);
-BENCHMARK_TEMPLATE(LogToughnessLanes, Johnson);
-BENCHMARK_TEMPLATE(LogToughnessLanes, WatersGuduru);
+BENCHMARK_TEMPLATE(LogToughnessPacked, PapangeloCiavarella);
+BENCHMARK_TEMPLATE(LogToughnessPacked, Johnson);
+BENCHMARK_TEMPLATE(LogToughnessPacked, WatersGuduru);
 
 template <class Model>
 void CurvePoints(benchmark::State& state) {
-  const EquilibriumCurve<Model> curve(typical<Model>(), kLoad);
+  const EquilibriumCurve curve(Model{}, typical<Model>(), kLoad);
   const auto ranges = drawable_ranges(curve, 100.0);
   for (auto _ : state) benchmark::DoNotOptimize(sample_uniform(curve, ranges, kPoints));
   per_point(state);
@@ -181,7 +182,7 @@ BENCHMARK_TEMPLATE(CurvePoints, WatersGuduru);
 
 template <class Model>
 void Folds(benchmark::State& state) {
-  const EquilibriumCurve<Model> curve(typical<Model>(), kLoad);
+  const EquilibriumCurve curve(Model{}, typical<Model>(), kLoad);
   for (auto _ : state) benchmark::DoNotOptimize(find_folds(curve, {Control::Kind::stiffness, 1.0}));
 }
 BENCHMARK_TEMPLATE(Folds, PapangeloCiavarella);
@@ -200,7 +201,7 @@ struct MeasuredPoints {
     constexpr double kLoads[] = {30.4, 15.0, 11.5, 6.2, 3.7, 2.0, -0.23, -1.79};
     for (std::size_t i = 0; i < kPoints; ++i) {
       const double load = kLoads[i % 8] * (1 + 0.01 * normal(random));
-      const LoadedContact<Model> contact(typical<Model>(), load);
+      const LoadedContact contact(Model{}, typical<Model>(), load);
       const double end = std::min(contact.first_branch().T_bottom, 100.0), t = uniform(random) * end;
       P.push_back(load);
       sigma_T.push_back(0.01 * end);
@@ -219,7 +220,7 @@ void Distances(benchmark::State& state) {
   std::vector<double> r(kPoints), dP(kPoints), dT(kPoints), dA(kPoints), parameters(kPoints * parameter_count<Model>);
   CurveDistances out{r, dP, dT, dA, parameters};
   for (auto _ : state)
-    benchmark::DoNotOptimize(curve_distances<Model>(typical<Model>(), measured.points(), search, true, out));
+    benchmark::DoNotOptimize(curve_distances(Model{}, typical<Model>(), measured.points(), search, true, out));
   per_point(state);
 }
 BENCHMARK_TEMPLATE(Distances, PapangeloCiavarella, Search::local);
@@ -234,7 +235,7 @@ BENCHMARK_TEMPLATE(Distances, BenzeggaghKenane, Search::global);
 /// What LoadedContact pays once for each load that comes near a fold.
 template <class Model>
 void LoadFolds(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(LoadedContact<Model>(typical<Model>(), kLoad).branches().size());
+  for (auto _ : state) benchmark::DoNotOptimize(LoadedContact(Model{}, typical<Model>(), kLoad).branches().size());
 }
 BENCHMARK_TEMPLATE(LoadFolds, PapangeloCiavarella);
 BENCHMARK_TEMPLATE(LoadFolds, Johnson);

@@ -19,7 +19,7 @@
 #include "dataset/table/csv_file.h"
 #include "dataset/table/plot_import.h"
 #include "dataset/temporary_folder.h"
-#include "mechanics/laws/law_traits.h"
+#include "mechanics/laws/law_check.h"
 #include "promise.h"
 
 namespace mixity::fuzz {

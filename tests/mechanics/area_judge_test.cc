@@ -10,13 +10,13 @@ namespace {
 template <class Model>
 std::string verdict(const Parameters<Model>& p, double P, double T) {
   double error = 0;
-  return wrong_with_area(LoadedContact<Model>(p, P), Judge<Model>{p, P, T}, error);
+  return wrong_with_area(LoadedContact(Model{}, p, P), Judge<Model>{p, P, T}, error);
 }
 
 /// The same if the edge load were found at `factor` times where it is.
 template <class Model>
 std::string verdict_on(const Parameters<Model>& p, double P, double T, double factor) {
-  const LoadedContact<Model> contact(p, P);
+  const LoadedContact contact(Model{}, p, P);
   Equilibrium found = contact.at(T);
   found.y *= factor;
   double error = 0;
@@ -26,7 +26,8 @@ std::string verdict_on(const Parameters<Model>& p, double P, double T, double fa
 template <class Model>
 std::string verdict_if_denied(const Parameters<Model>& p, double P, double T) {
   double error = 0;
-  return wrong_with_area(LoadedContact<Model>(p, P), Judge<Model>{p, P, T}, {EquilibriumStatus::no_equilibrium}, error);
+  return wrong_with_area(LoadedContact(Model{}, p, P), Judge<Model>{p, P, T}, {EquilibriumStatus::no_equilibrium},
+                         error);
 }
 
 using Bk = BenzeggaghKenane;
@@ -41,7 +42,7 @@ TEST(AreaJudge, FindsAnErrorOfAFewRoundings) {
 }
 
 TEST(AreaJudge, FindsAnErrorAtAFoldBeyondTheRootOfARounding) {
-  const LoadedContact<Bk> contact({0.5, 0.01}, -4.7);
+  const LoadedContact contact(Bk{}, {0.5, 0.01}, -4.7);
   const double T = contact.last_load();
   EXPECT_EQ(verdict<Bk>({0.5, 0.01}, -4.7, T), "");
   EXPECT_NE(verdict_on<Bk>({0.5, 0.01}, -4.7, T, 1 + 1e-6), "");
@@ -57,7 +58,7 @@ TEST(AreaJudge, FindsAnErrorAtAFoldBeyondTheRootOfARounding) {
 }
 
 TEST(AreaJudge, FindsTheLowerOfTwoRoots) {
-  const LoadedContact<PapangeloCiavarella> contact({0.5}, -2);
+  const LoadedContact contact(PapangeloCiavarella{}, {0.5}, -2);
   const double y = contact.at(1).y, low = 6 * pi<double>() - y;  // mirrored at the centre of the circle
   EXPECT_EQ(verdict_on<PapangeloCiavarella>({0.5}, -2, 1, low / y), "a root lies above");
 }
@@ -67,7 +68,7 @@ TEST(AreaJudge, FindsThatAnEquilibriumWasDenied) {
   // bk's fold at a load that is no normal double
   const Parameters<Bk> p{0.09725924626008292, 0.022515796723066264};
   EXPECT_NE(verdict_if_denied<Bk>(p, -4.7123889, 1e-260), "");
-  const LoadedContact<WatersGuduru> contact({0.5}, 1);
+  const LoadedContact contact(WatersGuduru{}, {0.5}, 1);
   EXPECT_NE(verdict_if_denied<WatersGuduru>({0.5}, 1, contact.last_load() * (1 - 1e-12)), "");
 }
 
@@ -98,7 +99,7 @@ TEST(AreaRegressions, BelowAllAsymptotesOfModelA) {
 TEST(AreaRegressions, AtFoldsOfASmallExponent) {
   EXPECT_EQ(verdict<Bk>({0.0010000000026792583, 0.010000004091040767}, -4.429171534373107, 8.188144755529783e-61), "");
   EXPECT_EQ(verdict<Bk>({0.0010000131037076233, 0.01}, -4.712373193633454, 8.849169438698366e-285), "");
-  const LoadedContact<Bk> contact({0.09725924626008292, 0.022515796723066264}, -4.712388980384678);
+  const LoadedContact contact(Bk{}, {0.09725924626008292, 0.022515796723066264}, -4.712388980384678);
   const double fold = contact.last_load();
   EXPECT_GT(fold, 0);
   EXPECT_LT(fold, 1e-322);

@@ -40,7 +40,7 @@ void for_random_states(std::uint64_t seed, Judge judge) {
     const auto p = random_parameters<Model>(random);
     const double y = std::pow(10, -4 + 7 * uniform(random));
     const double T = i % 20 == 0 ? 0 : std::pow(10, -4 + 8 * uniform(random));
-    judge(p, T, y, constant_shear_point<Model>(p, T, y));
+    judge(p, T, y, constant_shear_point(Model{}, p, T, y));
   }
 }
 
@@ -78,12 +78,12 @@ TYPED_TEST(ConstantShear, AgreesWithTheLoadedContact) {
   for (int i = 0; i < 300; ++i) {
     const auto p = random_parameters<TypeParam>(random);
     const double P = i % 2 ? -4.6 + 9 * uniform(random) : std::pow(10, 4 * uniform(random));
-    const LoadedContact<TypeParam> contact(p, P);
+    const LoadedContact contact(TypeParam{}, p, P);
     if (!contact.obstacle().empty()) continue;
     const double end = contact.branches().front().T_bottom;
     const double T = 0.9 * uniform(random) * std::min(end, 1e5), y = contact.at(T).y;
     if (!(y > 0)) continue;
-    const ConstantShearPoint q = constant_shear_point<TypeParam>(p, T, y);
+    const ConstantShearPoint q = constant_shear_point(TypeParam{}, p, T, y);
     // y is right to a few roundings of y + |P|; P follows with slope dP/dy.
     EXPECT_NEAR(q.P, P, 8 * kEps * (y + std::abs(P)) * (2 + std::abs(q.dP_dy)))
         << TypeParam::info.key << ' ' << p[0] << ' ' << P << ' ' << T;
@@ -95,7 +95,7 @@ TYPED_TEST(ConstantShear, WithoutShearIsJkr) {
   Parameters<TypeParam> ones;
   ones.fill(1);
   for (const double y : {1e-9, 0.1, 1.0, 30.0, 1e4}) {
-    const auto q = constant_shear_point<TypeParam>(ones, 0, y);
+    const auto q = constant_shear_point(TypeParam{}, ones, 0, y);
     EXPECT_NEAR(q.P, y * y / (6 * pi<double>()) - y, 4 * kEps * (y + y * y));
     EXPECT_EQ(q.dP_dy > 0, y > 3 * pi<double>());  // pull-off at y = 3 pi
   }
@@ -105,7 +105,7 @@ TYPED_TEST(ConstantShear, WithoutShearIsJkr) {
 TEST(ConstantShear, ModelCPullsOffAtTheClosedFormLoad) {
   for (const double lambda : {0.0023, 0.15, 1.0})
     for (const double T : {0.0, 1.0, 10.0, 40.0}) {
-      const auto q = constant_shear_point<PapangeloCiavarella>({lambda}, T, 3 * pi<double>());
+      const auto q = constant_shear_point(PapangeloCiavarella{}, {lambda}, T, 3 * pi<double>());
       EXPECT_NEAR(q.dP_dy, 0, 4 * kEps);
       EXPECT_NEAR(q.P, lambda * T * T / (6 * pi<double>()) - 1.5 * pi<double>(), 1e-13);  // sums of up to 100
     }
@@ -121,7 +121,7 @@ TYPED_TEST(ConstantShear, IsFiniteAtAnyExtreme) {
   for (const auto& p : list)
     for (const double T : {0.0, 1e-300, 1e-160, 1e-8, 1.0, 1e4, 1e150})
       for (const double y : {1e-300, 1e-160, 1e-8, 1.0, 1e4, 1e150}) {
-        const ConstantShearPoint q = constant_shear_point<TypeParam>(p, T, y);
+        const ConstantShearPoint q = constant_shear_point(TypeParam{}, p, T, y);
         EXPECT_TRUE(std::isfinite(q.P) && std::isfinite(q.a) && std::isfinite(q.dP_dy))
             << TypeParam::info.key << ' ' << p[0] << " T " << T << " y " << y << ": P " << q.P << ", a " << q.a
             << ", dP/dy " << q.dP_dy;

@@ -40,7 +40,7 @@ TEST(AnyModel, HasTheAreasOfItsTypeInAnyOrderOfLoads) {
     for (const double& value : values) parameters.push_back({&value, 0});
     areas(Model::info.key, parameters, {P.data(), 1}, {T.data(), 1}, A, status);
     for (std::size_t i = 0; i < P.size(); ++i) {
-      const Equilibrium wanted = LoadedContact<Model>(p, P[i]).at(std::abs(T[i]));
+      const Equilibrium wanted = LoadedContact(Model{}, p, P[i]).at(std::abs(T[i]));
       ASSERT_EQ(status[i], wanted.status) << Model::info.key << i;
       ASSERT_EQ(std::isnan(A[i]), wanted.status != EquilibriumStatus::ok);
       if (std::isnan(A[i])) continue;

@@ -38,7 +38,7 @@ struct Answer {
       parameters.resize(points.size() * kParameters);
     }
     CurveDistances out{r, dP, dT, dA, parameters};
-    ok = curve_distances<Model>(p, {P, T, A, sigma_T, sigma_A}, search, derivatives, out);
+    ok = curve_distances(Model{}, p, {P, T, A, sigma_T, sigma_A}, search, derivatives, out);
   }
 };
 
@@ -60,7 +60,7 @@ template <class Model>
 std::vector<Point> points_about(const Parameters<Model>& p, double P, std::mt19937_64& random, int n) {
   std::uniform_real_distribution<double> uniform;
   std::normal_distribution<double> normal;
-  const EquilibriumCurve<Model> curve(p, P);
+  const EquilibriumCurve curve(Model{}, p, P);
   const double T_scale = std::min(shear_scale(curve), 1e7 * circle_radius(P)),
                A_scale = area_from_radius(jkr_radius(P));
   const std::vector<PhiRange> ranges = drawable_ranges(curve, 3 * T_scale);
@@ -87,7 +87,7 @@ std::vector<Point> points_about(const Parameters<Model>& p, double P, std::mt199
 /// The curve that starts from JKR is all of it, unless T runs to infinity at a load below 0.
 template <class Model>
 bool one_piece(const Parameters<Model>& p, double P) {
-  return EquilibriumCurve<Model>(p, P).pieces().front().end != CurveEnd::asymptote;
+  return EquilibriumCurve(Model{}, p, P).pieces().front().end != CurveEnd::asymptote;
 }
 
 template <class Model>
@@ -233,7 +233,7 @@ TEST(CurveDistanceWhereShearDoesNotAct, IsThatFromJkr) {
 }
 
 TEST(CurveDistanceSign, IsThatOfTheAreaOfTheModelLessTheMeasured) {
-  const LoadedContact<WatersGuduru> contact({0.3}, 2);
+  const LoadedContact contact(WatersGuduru{}, {0.3}, 2);
   const double T = 10, A = area_from_radius(radius_from_edge_load(contact.at(T).y, 2.0));
   const Answer<WatersGuduru> run({0.3}, {{2, T, 0.99 * A, 0.1, 0.1}, {2, T, 1.01 * A, 0.1, 0.1}});
   ASSERT_TRUE(run.ok);
@@ -274,8 +274,8 @@ TEST(CurveDistanceAtACorner, APointAboveTheCornerOfASmallExponentIsAsFarAsTheCor
     std::array<double, 1> r{}, dP{}, dT{}, dA{};
     std::array<double, 2> parameters{};
     CurveDistances out{r, dP, dT, dA, parameters};
-    ASSERT_TRUE(curve_distances<BenzeggaghKenane>(
-        {0.968, 0.01}, {{&P, 1}, {&T, 1}, {&A, 1}, {&sigma_T, 1}, {&sigma_A, 1}}, Search::global, true, out));
+    ASSERT_TRUE(curve_distances(BenzeggaghKenane{}, {0.968, 0.01},
+                                {{&P, 1}, {&T, 1}, {&A, 1}, {&sigma_T, 1}, {&sigma_A, 1}}, Search::global, true, out));
     EXPECT_NEAR(r[0], -std::hypot(T / sigma_T, 1.3), 1e-12) << T;  // roundings of the corner's area over its error
   }
 }

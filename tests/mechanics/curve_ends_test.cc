@@ -25,17 +25,17 @@ TEST(CurveEnds, DerivativesAtZeroShearAreTheLimits) {
       EXPECT_NEAR(at_zero.dpsi, next.psi / 1e-4, 1e-6 * at_zero.dpsi) << P;
       EXPECT_EQ(at_zero.dA, 0);
     };
-    check(EquilibriumCurve<Johnson>({0.15}, P));
-    check(EquilibriumCurve<WatersGuduru>({0.15}, P));
-    check(EquilibriumCurve<PapangeloCiavarella>({0.15}, P));
-    check(EquilibriumCurve<BenzeggaghKenane>({1.774, 2.284}, P));
+    check(EquilibriumCurve(Johnson{}, {0.15}, P));
+    check(EquilibriumCurve(WatersGuduru{}, {0.15}, P));
+    check(EquilibriumCurve(PapangeloCiavarella{}, {0.15}, P));
+    check(EquilibriumCurve(BenzeggaghKenane{}, {1.774, 2.284}, P));
   }
 }
 
 TEST(CurveEnds, ModelBReachesHertzAtAFiniteLoad) {
   for (const double lambda : {1e-6, 0.0023, 0.15, 0.3, 1.0, 1.7, 2.0})
     for (const double P : {1e-6, 0.5, 5.5, 30.4, 1e4}) {
-      const EquilibriumCurve<WatersGuduru> curve({lambda}, P);
+      const EquilibriumCurve curve(WatersGuduru{}, {lambda}, P);
       ASSERT_EQ(curve.pieces().size(), 1u);
       EXPECT_EQ(curve.pieces()[0].end, CurveEnd::hertz);
       const CurvePoint q = curve.point(curve.phi_end(curve.pieces()[0]));
@@ -49,9 +49,9 @@ TEST(CurveEnds, ModelBReachesHertzAtAFiniteLoad) {
 
 TEST(CurveEnds, AtPullingLoadsTheCurveEndsInUnstableJkr) {
   for (const double P : {-4.712, -4.7, -2.0, -0.23, -1e-6}) {
-    const EquilibriumCurve<PapangeloCiavarella> c({0.15}, P);
-    const EquilibriumCurve<WatersGuduru> b({0.15}, P);
-    const EquilibriumCurve<Johnson> a({0.99999999}, P);
+    const EquilibriumCurve c(PapangeloCiavarella{}, {0.15}, P);
+    const EquilibriumCurve b(WatersGuduru{}, {0.15}, P);
+    const EquilibriumCurve a(Johnson{}, {0.99999999}, P);
     const auto check = [&](const auto& curve) {
       const CurvePiece& piece = curve.pieces().back();
       const CurvePoint q = curve.point(curve.phi_end(piece));
@@ -71,7 +71,7 @@ TEST(CurveEnds, ModelAEndsInItsAsymptote) {
   for (const double lambda : {1e-6, 0.15, 0.5, 0.8})
     for (const double P : {-0.2, 0.0, 3.0, 1e4}) {
       const double m = 1 - lambda;
-      const EquilibriumCurve<Johnson> curve({lambda}, P);
+      const EquilibriumCurve curve(Johnson{}, {lambda}, P);
       EXPECT_EQ(curve.pieces()[0].end, CurveEnd::asymptote);
       const double y = m * (3 * kPi + std::sqrt(9 * kPi * kPi + 6 * kPi * P / m));
       EXPECT_NEAR(curve.pieces()[0].y_end, y, 1e-14 * y) << lambda << ' ' << P;  // rounding of both sides
@@ -90,7 +90,7 @@ TEST(CurveEnds, TheAngleOfTheAsymptoteKeepsItsDigits) {
       const Number square = 9 * q * q + 6 * q * P / m, S0 = sqrt(Number(9 * q * q + 6 * q * P));
       if (square < 0) continue;
       const Number phi = acos(Number((m * (3 * q + sqrt(square)) - 3 * q) / S0));
-      const EquilibriumCurve<Johnson> curve({lambda}, P);
+      const EquilibriumCurve curve(Johnson{}, {lambda}, P);
       // 9 pi^2 + 6 pi P/m keeps as many digits fewer as it is smaller than its terms
       const double lost = static_cast<double>(Number(9 * q * q / square));
       EXPECT_NEAR(curve.phi_end(curve.pieces()[0]), static_cast<double>(phi),
@@ -104,18 +104,18 @@ TEST(CurveEnds, ModelAHasTwoPiecesBelowTheClosingLine) {
   for (const double P : {-4.7, -3.0, -1.79, -0.23, -1e-6}) {
     const double closing = 1 + 2 * P / (3 * kPi);
     for (const double part : {0.01, 0.5, 0.999999}) {
-      const EquilibriumCurve<Johnson> curve({closing * part}, P);
+      const EquilibriumCurve curve(Johnson{}, {closing * part}, P);
       ASSERT_EQ(curve.pieces().size(), 2u) << P << ' ' << part;
       EXPECT_FALSE(curve.pieces()[0].from_asymptote);
       EXPECT_TRUE(curve.pieces()[1].from_asymptote);
       EXPECT_EQ(curve.pieces()[1].end, CurveEnd::unstable_jkr);
       EXPECT_LT(curve.pieces()[1].y_top, curve.pieces()[0].y_end);
     }
-    const EquilibriumCurve<Johnson> closed({closing + (1 - closing) * 1e-3}, P);
+    const EquilibriumCurve closed(Johnson{}, {closing + (1 - closing) * 1e-3}, P);
     EXPECT_EQ(closed.pieces().size(), 1u) << P;
     EXPECT_EQ(closed.pieces()[0].end, CurveEnd::unstable_jkr);
   }
-  EXPECT_EQ(EquilibriumCurve<Johnson>({0.5}, 0).pieces().size(), 1u);
+  EXPECT_EQ(EquilibriumCurve(Johnson{}, {0.5}, 0).pieces().size(), 1u);
 }
 
 }  // namespace

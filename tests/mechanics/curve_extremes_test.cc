@@ -33,7 +33,7 @@ template <class Model>
 void expect_finite(const std::vector<Parameters<Model>>& list, const std::vector<double>& parts) {
   for (const auto& p : list)
     for (const double P : kLoads) {
-      const EquilibriumCurve<Model> curve(p, P);
+      const EquilibriumCurve curve(Model{}, p, P);
       for (const CurvePiece& piece : curve.pieces())
         for (const double part : parts) {
           const double begin = curve.phi_begin(piece), end = curve.phi_end(piece);

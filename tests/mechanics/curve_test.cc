@@ -46,7 +46,7 @@ void for_random_points(std::uint64_t seed, Judge judge) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
   for (int i = 0; i < 300; ++i) {
-    const EquilibriumCurve<Model> curve(random_parameters<Model>(random), random_load(random));
+    const EquilibriumCurve curve(Model{}, random_parameters<Model>(random), random_load(random));
     for (const CurvePiece& piece : curve.pieces())
       for (int j = 0; j < 6; ++j) {
         const double small = std::pow(10, -6 * uniform(random));
@@ -155,7 +155,7 @@ TYPED_TEST(WholeCurve, TangentialLoadInvertsTheShearTerm) {
     // d ln tau/d ln T: one rounding of tau is so many of T. Towards the asymptote of model a it tends to 0.
     const double slope = 1 - 0.5 * y * term.d1 / term.value;
     if (slope < 1e-6) continue;
-    EXPECT_NEAR(tangential_load<TypeParam>(p, y, std::sqrt(term.value)), T, 8 * kEps * T * (1 + 1 / slope))
+    EXPECT_NEAR(tangential_load(TypeParam{}, p, y, std::sqrt(term.value)), T, 8 * kEps * T * (1 + 1 / slope))
         << describe<TypeParam>(p, y, T);
   }
 }
@@ -163,7 +163,7 @@ TYPED_TEST(WholeCurve, TangentialLoadInvertsTheShearTerm) {
 TYPED_TEST(WholeCurve, WithoutShearOnTheAreaIsOnePoint) {
   if constexpr (parameter_count<TypeParam> == 1) {
     for (const double P : {-4.71238898038469, -1.0, 0.0, 30.4, 1e8}) {
-      const EquilibriumCurve<TypeParam> curve({0.0}, P);
+      const EquilibriumCurve curve(TypeParam{}, {0.0}, P);
       EXPECT_TRUE(curve.uncoupled());
       const CurvePoint q = curve.point(0);
       EXPECT_EQ(q.T, 0);

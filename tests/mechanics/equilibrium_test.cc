@@ -23,7 +23,7 @@ double worst_area_error(const std::vector<Parameters<Model>>& list, std::initial
   double worst = 0;
   for (const auto& p : list)
     for (const double P : kLoads) {
-      const LoadedContact<Model> contact(p, P);
+      const LoadedContact contact(Model{}, p, P);
       const double fold = contact.branches().front().T_bottom;
       for (const double fraction : fractions) {
         const double T = fraction * (std::isinf(fold) ? 100.0 : fold);
@@ -64,7 +64,7 @@ TEST(Equilibrium, ModelCBecomesUnstableAtTheClosedFormLoad) {
   for (const double P : {-4.0, 0.0, 3.0, 30.4})
     for (const double lambda : {1e-6, 0.0023, 0.15, 1.0}) {
       const double T_f = std::sqrt(3 * kPi * (3 * kPi + 2 * P) / lambda);
-      const LoadedContact<PapangeloCiavarella> contact({lambda}, P);
+      const LoadedContact contact(PapangeloCiavarella{}, {lambda}, P);
       EXPECT_NEAR(contact.last_load(), T_f, 1e-14 * T_f);
       EXPECT_EQ(contact.at(T_f * (1 - 1e-13)).status, EquilibriumStatus::ok);
       EXPECT_EQ(contact.at(T_f * (1 + 1e-13)).status, EquilibriumStatus::no_equilibrium);
@@ -78,7 +78,7 @@ TEST(Equilibrium, ModelAShrinksToItsNonHertzianAsymptote) {
   for (const double lambda : {1e-6, 0.15, 0.5, 0.8})
     for (const double P : {-0.2, 0.0, 3.0, 1e4}) {
       const double m = 1 - lambda;
-      const LoadedContact<Johnson> contact({lambda}, P);
+      const LoadedContact contact(Johnson{}, {lambda}, P);
       EXPECT_TRUE(std::isinf(contact.last_load()));
       const double asymptote = m * (3 * kPi + std::sqrt(9 * kPi * kPi + 6 * kPi * P / m));
       EXPECT_NEAR(contact.at(1e150).y, asymptote, 1e-14 * asymptote);  // rounding of both sides
@@ -88,14 +88,14 @@ TEST(Equilibrium, ModelAShrinksToItsNonHertzianAsymptote) {
 /// At P = 0 the fold equation is m x^2 + (2m - l) x + 1 = 0, whose discriminant l (9 l - 8) changes sign at 8/9.
 TEST(Equilibrium, ModelAJumpsAtZeroLoadExactlyAboveEightNinths) {
   for (const double lambda : {0.1, 0.8, 8.0 / 9 - 1e-4, 8.0 / 9 - 1e-9})
-    EXPECT_EQ((LoadedContact<Johnson>({lambda}, 0).branches().size()), 1u) << lambda;
+    EXPECT_EQ((LoadedContact(Johnson{}, {lambda}, 0).branches().size()), 1u) << lambda;
   for (const double lambda : {8.0 / 9 + 1e-9, 8.0 / 9 + 1e-4, 0.9, 0.99, 1 - 1e-9})
-    EXPECT_EQ((LoadedContact<Johnson>({lambda}, 0).branches().size()), 2u) << lambda;
+    EXPECT_EQ((LoadedContact(Johnson{}, {lambda}, 0).branches().size()), 2u) << lambda;
 }
 
 TEST(Equilibrium, ModelAFindsItsLowerBranchAfterTheJump) {
   const double lambda = 0.99, m = 0.01;
-  const LoadedContact<Johnson> contact({lambda}, 0);
+  const LoadedContact contact(Johnson{}, {lambda}, 0);
   const StableBranch& upper = contact.branches()[0];
   const double x = ((lambda - 2 * m) - std::sqrt(lambda * (9 * lambda - 8))) / (2 * m);  // tan^2 psi at the fold
   const double y = 6 * kPi * (1 + m * x) / (1 + x);
@@ -114,11 +114,11 @@ TEST(Equilibrium, ModelAFindsItsLowerBranchAfterTheJump) {
 TEST(Equilibrium, ModelBJumpsBelowItsCriticalLoadAndIsSmoothAbove) {
   for (const auto& [lambda, P_c] : {std::pair{0.15, 5.58469}, std::pair{0.3, 6.89827}}) {
     const auto ends_in_fold = [&, l = lambda](double P) {
-      return LoadedContact<WatersGuduru>({l}, P).branches().front().ends_in_fold;
+      return LoadedContact(WatersGuduru{}, {l}, P).branches().front().ends_in_fold;
     };
     EXPECT_TRUE(ends_in_fold(P_c - 1e-5));
     EXPECT_FALSE(ends_in_fold(P_c + 1e-5));  // printed to 1e-5
-    const LoadedContact<WatersGuduru> smooth({lambda}, 2 * P_c);
+    const LoadedContact smooth(WatersGuduru{}, {lambda}, 2 * P_c);
     const double T_H = std::sqrt(6 * kPi * 2 * P_c) / std::sin(kPi * lambda / 4);
     EXPECT_NEAR(smooth.last_load(), T_H, 1e-14 * T_H);
     EXPECT_LT(smooth.at(T_H * (1 - 1e-9)).y, 1e-6);
@@ -134,10 +134,10 @@ TEST(Equilibrium, SmallShearLowersTheAreaByAlphaTSquared) {
     return kPi * std::pow(0.75, 2.0 / 3) * l / (3 * S0 * std::cbrt(3 * kPi + P + S0));
   };
   // A is 22 and its rounding 4e-15, the loss 1e-8: six digits remain; the next order in T is 1e-7 of the loss.
-  EXPECT_NEAR(loss(LoadedContact<PapangeloCiavarella>({lambda}, P)) / (T * T), alpha(lambda), 1e-5 * alpha(lambda));
-  EXPECT_NEAR(loss(LoadedContact<Johnson>({lambda}, P)) / (T * T), alpha(lambda), 1e-5 * alpha(lambda));
+  EXPECT_NEAR(loss(LoadedContact(PapangeloCiavarella{}, {lambda}, P)) / (T * T), alpha(lambda), 1e-5 * alpha(lambda));
+  EXPECT_NEAR(loss(LoadedContact(Johnson{}, {lambda}, P)) / (T * T), alpha(lambda), 1e-5 * alpha(lambda));
   const double l_b = lambda - lambda * lambda / 4;
-  EXPECT_NEAR(loss(LoadedContact<WatersGuduru>({lambda}, P)) / (T * T), alpha(l_b), 1e-5 * alpha(l_b));
+  EXPECT_NEAR(loss(LoadedContact(WatersGuduru{}, {lambda}, P)) / (T * T), alpha(l_b), 1e-5 * alpha(l_b));
 }
 
 TEST(Equilibrium, SaysWhatCannotBeAnswered) {
@@ -148,7 +148,7 @@ TEST(Equilibrium, SaysWhatCannotBeAnswered) {
   EXPECT_EQ((Contact({0.5}, 0).at(-1).status), EquilibriumStatus::invalid);
   EXPECT_EQ((Contact({0.5}, 0).at(std::nan("")).status), EquilibriumStatus::invalid);
   EXPECT_EQ((Contact({0.5}, -4.72).at(0).status), EquilibriumStatus::no_equilibrium);
-  EXPECT_EQ((LoadedContact<BenzeggaghKenane>({9, 2}, 0).at(0).status), EquilibriumStatus::invalid);
+  EXPECT_EQ((LoadedContact(BenzeggaghKenane{}, {9, 2}, 0).at(0).status), EquilibriumStatus::invalid);
 }
 
 }  // namespace

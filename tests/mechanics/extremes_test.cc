@@ -70,7 +70,7 @@ Tally run_grid() {
   std::size_t counter = 0;
   for (const Parameters<Model>& p : cases<Model>())
     for (const double P : kLoads) {
-      const LoadedContact<Model> contact(p, P);
+      const LoadedContact contact(Model{}, p, P);
       EXPECT_TRUE(contact.obstacle().empty()) << contact.obstacle();
       const double fold = contact.branches().front().T_bottom;
       const double w = Model::small_shear(p);
@@ -106,7 +106,7 @@ template <class Model>
 void expect_upper_branch() {
   for (const Parameters<Model>& p : cases<Model>())
     for (const double P : kLoads) {
-      const LoadedContact<Model> contact(p, P);
+      const LoadedContact contact(Model{}, p, P);
       const double fold = std::min(contact.branches().front().T_bottom, 1e20);
       for (const double fraction : {0.3, 0.9, 0.999}) {
         const Judge<Model> judge{p, P, fraction * fold};
@@ -131,7 +131,7 @@ TEST(Extremes, BatchAndSinglePredictionsAgree) {
     using Model = decltype(model);
     for (const Parameters<Model>& p : cases<Model>())
       for (const double P : kLoads) {
-        const LoadedContact<Model> contact(p, P);
+        const LoadedContact contact(Model{}, p, P);
         const double end = std::min(contact.branches().front().T_bottom, 1e100);
         std::vector<double> T{-1, std::nan(""), HUGE_VAL, 0, 1e-300, end * 1.001, 2e150};
         for (int i = 0; i <= 40; ++i) T.push_back(end * i / 40);
@@ -141,7 +141,7 @@ TEST(Extremes, BatchAndSinglePredictionsAgree) {
         for (int i = 0; i < 40; ++i) T.push_back(end * 0.999 * (i * 17 % 41) / 41);
         std::vector<double> areas(T.size(), -1);
         std::size_t ok = 0;
-        const std::size_t found = predict_areas<Model>(p, P, T, areas);
+        const std::size_t found = predict_areas(Model{}, p, P, T, areas);
         for (std::size_t i = 0; i < T.size(); ++i) {
           const Equilibrium single = contact.at(T[i]);
           const bool exists = single.status == EquilibriumStatus::ok;

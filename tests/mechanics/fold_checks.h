@@ -15,12 +15,12 @@ namespace mixity {
 inline constexpr Control kLoad{Control::Kind::load}, kDisplacement{Control::Kind::displacement};
 inline Control spring(double k) { return {Control::Kind::stiffness, k}; }
 
-template <class Model>
-std::string describe(const Parameters<Model>& p, double P, const Control& control) {
+template <class Law>
+std::string describe(const Law& law, const Parameters<Law>& p, double P, const Control& control) {
   std::ostringstream out;
   out.precision(17);
-  out << Model::info.key << ' ' << p[0] << ' ' << (p.size() > 1 ? p[1] : 0) << " P=" << P << ' '
-      << to_string(control.kind) << ' ' << control.stiffness;
+  out << law.info.key << ' ' << p[0] << ' ' << (p.size() > 1 ? p[1] : 0) << " P=" << P << ' ' << to_string(control.kind)
+      << ' ' << control.stiffness;
   return out.str();
 }
 
@@ -31,11 +31,14 @@ inline void expect_near(double value, const truth::Digits50& expected, double re
 
 /// How v = T, u or u + T/k changes along the printed curve at a state (y, T) on it, in 50 digits: d ln v/d ln y, from
 /// central differences of the printed equation.
-template <class Model>
-truth::Digits50 printed_slope(const Parameters<Model>& p, double P, const Control& control, const truth::Digits50& y,
-                              const truth::Digits50& T) {
+template <class Law>
+truth::Digits50 printed_slope(const Law& law, const Parameters<Law>& p, double P, const Control& control,
+                              const truth::Digits50& y, const truth::Digits50& T) {
   using truth::Digits50;
-  const auto F = [&](const Digits50& y_, const Digits50& T_) { return truth::residual_of<Model>(p, P, y_, T_); };
+  const double last = p.size() > 1 ? p[p.size() - 1] : 0.0;
+  const auto F = [&](const Digits50& y_, const Digits50& T_) {
+    return truth::printed_residual<Digits50>(law.info.key, p[0], last, P, y_, T_);
+  };
   const Digits50 h = y * Digits50(1e-15), k = T * Digits50(1e-15);
   const Digits50 T_y = -((F(y + h, T) - F(y - h, T)) / h) / ((F(y, T + k) - F(y, T - k)) / k);
   if (control.kind == Control::Kind::load) return T_y * y / T;

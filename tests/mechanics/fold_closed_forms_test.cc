@@ -40,9 +40,9 @@ TEST(ModelCFolds, AreTheClosedForms) {
     const double lambda = std::pow(10, -8 * uniform(random));
     const double P = i % 2 ? -4.7 + 9.7 * uniform(random) : std::pow(10, -1 + 5 * uniform(random));
     const ClosedForm closed(lambda, P);
-    const EquilibriumCurve<PapangeloCiavarella> curve({lambda}, P);
+    const EquilibriumCurve curve(PapangeloCiavarella{}, {lambda}, P);
     const auto check = [&](const Control& control, const Digits50& T, const Digits50& a) {
-      const std::string where = describe<PapangeloCiavarella>({lambda}, P, control);
+      const std::string where = describe(PapangeloCiavarella{}, {lambda}, P, control);
       const auto folds = find_folds(curve, control);
       ASSERT_EQ(folds.size(), 1u) << where;
       expect_near(folds[0].A, truth::kPi * a * a, 1e-14, "A " + where);
@@ -75,11 +75,11 @@ TEST(ModelCFolds, TheDisplacementFoldLiesOnTheMinusBranchNotOnThePrintedOne) {
       const ClosedForm closed(lambda, P);
       const auto slope = [&](const Digits50& a) {
         const Digits50 y = Digits50(4) / 3 * a * a * a - P;
-        return printed_slope<PapangeloCiavarella>({lambda}, P, kDisplacement, y, closed.T_disp);
+        return printed_slope(PapangeloCiavarella{}, {lambda}, P, kDisplacement, y, closed.T_disp);
       };
       EXPECT_LT(abs(slope(closed.a_disp)), 1e-25) << lambda << ' ' << P;  // the error of the differences
       EXPECT_GT(abs(slope(closed.a_plus)), 0.01) << lambda << ' ' << P;
-      const Fold fold = find_folds(EquilibriumCurve<PapangeloCiavarella>({lambda}, P), kDisplacement)[0];
+      const Fold fold = find_folds(EquilibriumCurve(PapangeloCiavarella{}, {lambda}, P), kDisplacement)[0];
       const double u_plus = static_cast<double>(Digits50(3) / 4 * closed.T_disp / closed.a_plus);
       EXPECT_GT(fold.u, 1.01 * u_plus) << lambda << ' ' << P;  // the largest u lies above what is printed
     }

@@ -61,7 +61,7 @@ void expect_folds(const std::vector<Parameters<Model>>& list, std::size_t at_lea
   for (const auto& p : list)
     for (const double P : kLoads)
       for (const auto kind : {Control::Kind::load, Control::Kind::displacement, Control::Kind::stiffness})
-        for (const Fold& fold : find_folds(EquilibriumCurve<Model>(p, P), {kind, kStiffness})) {
+        for (const Fold& fold : find_folds(EquilibriumCurve(Model{}, p, P), {kind, kStiffness})) {
           const auto where = [&] {
             return ::testing::Message() << Model::info.key << " p0=" << p[0] << " P=" << P << " control "
                                         << to_string(kind) << " T=" << fold.T;
@@ -106,7 +106,7 @@ void expect_finite(const Parameters<Model>& p, std::size_t at_most) {
     for (const Control& control :
          {Control{Control::Kind::load}, Control{Control::Kind::displacement}, Control{Control::Kind::stiffness, 1e-300},
           Control{Control::Kind::stiffness, 2}, Control{Control::Kind::stiffness, 1e300}}) {
-      const auto folds = find_folds(EquilibriumCurve<Model>(p, P), control);
+      const auto folds = find_folds(EquilibriumCurve(Model{}, p, P), control);
       EXPECT_LE(folds.size(), at_most) << Model::info.key << " p0=" << p[0] << " P=" << P << ' '
                                        << to_string(control.kind);
       for (const Fold& fold : folds)

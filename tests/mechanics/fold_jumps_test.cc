@@ -19,8 +19,8 @@ using truth::Digits50;
 /// positive above the stable root. Counts what it saw.
 template <class Model>
 void judge_jumps(const Parameters<Model>& p, double P, const Control& control, int (&seen)[4]) {
-  for (const Fold& fold : find_folds(EquilibriumCurve<Model>(p, P), control)) {
-    const std::string where = describe<Model>(p, P, control);
+  for (const Fold& fold : find_folds(EquilibriumCurve(Model{}, p, P), control)) {
+    const std::string where = describe(Model{}, p, P, control);
     ++seen[static_cast<int>(fold.jumps_to)];
     const Digits50 T_f = fold.T, y_f = fold.place.position.y, k = control.stiffness;
     const auto a_at = [&](const Digits50& y) { return cbrt(Digits50(Digits50(3) / 4 * (y + P))); };

@@ -82,7 +82,7 @@ const Row kRows[] = {
 TEST(Folds, AreThoseOfTheTable) {
   for (const Row& row : kRows)
     with_parameters(row.model, row.p0, row.p1, [&](auto model, const auto& p) {
-      const std::string where = describe<decltype(model)>(p, row.P, row.control);
+      const std::string where = describe(model, p, row.P, row.control);
       const auto folds = find_folds(EquilibriumCurve<decltype(model)>(p, row.P), row.control);
       ASSERT_GT(folds.size(), row.index) << where;
       const Fold& fold = folds[row.index];
@@ -138,9 +138,9 @@ TEST(Folds, AreAsManyAsBruteForceFinds) {
   for (const double P : kTableLoads)
     for (const Control& control : {kLoad, kDisplacement, spring(0.1), spring(1), spring(10)}) {
       for (const double lambda : {0.0001, 0.0023, 0.15, 0.5, 0.95, 1.0})
-        EXPECT_EQ(find_folds(EquilibriumCurve<PapangeloCiavarella>({lambda}, P), control).size(), 1u);
+        EXPECT_EQ(find_folds(EquilibriumCurve(PapangeloCiavarella{}, {lambda}, P), control).size(), 1u);
       for (const auto& p : {std::array{1.774, 2.284}, {1.5, 1.0}, {3.0, 2.5}, {0.7, 1.5}})
-        EXPECT_EQ(find_folds(EquilibriumCurve<BenzeggaghKenane>(p, P), control).size(), 1u);
+        EXPECT_EQ(find_folds(EquilibriumCurve(BenzeggaghKenane{}, p, P), control).size(), 1u);
     }
 }
 

@@ -21,10 +21,10 @@ using truth::Digits50;
 /// All over the models: the states found lie on the printed curve, and what drives them is stationary there.
 template <class Model>
 void expect_stationary(const Parameters<Model>& p, double P, const Control& control, int& checked) {
-  const EquilibriumCurve<Model> curve(p, P);
+  const EquilibriumCurve curve(Model{}, p, P);
   double A = 1e300;
   for (const Fold& fold : find_folds(curve, control)) {
-    const std::string where = describe<Model>(p, P, control);
+    const std::string where = describe(Model{}, p, P, control);
     const double y = fold.place.position.y;
     EXPECT_LT(fold.A, A) << where << ": not in the order of the curve";
     A = fold.A;
@@ -35,7 +35,7 @@ void expect_stationary(const Parameters<Model>& p, double P, const Control& cont
     if (!(y - shift > 0)) continue;
     const auto slope = [&](double at) {
       const double tau = std::sqrt(6 * pi<double>() * (at + P) - at * at);
-      return printed_slope<Model>(p, P, control, at, tangential_load<Model>(p, at, tau));
+      return printed_slope(Model{}, p, P, control, at, tangential_load(Model{}, p, at, tau));
     };
     EXPECT_LT(slope(y + shift) * slope(y - shift), 0) << where;
     ++checked;
@@ -63,10 +63,10 @@ TEST(Folds, AreStationaryOnThePrintedCurve) {
 /// are found.
 template <class Model>
 void expect_one_fold_at_most(const Parameters<Model>& p, double P, double y, double T) {
-  const std::string where = describe<Model>(p, P, kLoad);
+  const std::string where = describe(Model{}, p, P, kLoad);
   ASSERT_TRUE(Model::one_fold_at_most(p)) << where;
   EXPECT_GE(Model::shear_term(p, y, T).d2, -2 * (1 + 1e-14)) << where << " y=" << y << " T=" << T;  // a rounding
-  const EquilibriumCurve<Model> curve(p, P);
+  const EquilibriumCurve curve(Model{}, p, P);
   const CurvePiece& piece = curve.pieces().front();
   int turns = 0;
   double before = 0;
@@ -106,9 +106,9 @@ TEST(Folds, AreTheSameByNewtonAndByTheSlope) {
     const double lambda = i % 3 ? std::pow(10, -12 * uniform(random)) : 2 * uniform(random);
     const double P = i % 2 ? -1.5 * pi<double>() * (1 - std::pow(10, -14 * uniform(random)))
                            : std::pow(10, -8 + 16 * uniform(random));
-    const EquilibriumCurve<WatersGuduru> curve({lambda}, P);
+    const EquilibriumCurve curve(WatersGuduru{}, {lambda}, P);
     const double T_start = circle_radius(P) / std::sqrt(WatersGuduru::small_shear({lambda}));
-    const auto fold = newton_fold<WatersGuduru>({lambda}, P, 0, T_start);
+    const auto fold = newton_fold(WatersGuduru{}, {lambda}, P, 0, T_start);
     if (!fold || curve.uncoupled()) continue;
     ++compared;
     const CurvePiece& piece = curve.pieces().front();
@@ -137,10 +137,10 @@ TEST(Folds, ThroughASpringTendToLoadAndDisplacementControl) {
     EXPECT_NEAR((load[0].A - at_2k) / (load[0].A - at_k), 2, 0.01);  // next order: 1e-4 of the first
   };
   for (const double P : {-4.0, -1.0, 0.0, 1.0, 5.0}) {
-    check(EquilibriumCurve<PapangeloCiavarella>({0.15}, P));
-    check(EquilibriumCurve<WatersGuduru>({0.15}, P));
-    check(EquilibriumCurve<Johnson>({0.98}, P));
-    check(EquilibriumCurve<BenzeggaghKenane>({1.774, 2.284}, P));
+    check(EquilibriumCurve(PapangeloCiavarella{}, {0.15}, P));
+    check(EquilibriumCurve(WatersGuduru{}, {0.15}, P));
+    check(EquilibriumCurve(Johnson{}, {0.98}, P));
+    check(EquilibriumCurve(BenzeggaghKenane{}, {1.774, 2.284}, P));
   }
 }
 

@@ -15,14 +15,14 @@ using truth::Digits50;
 
 template <class Model>
 void expect_same_by_both(const Parameters<Model>& p, double P, int& folds) {
-  const EquilibriumCurve<Model> curve(p, P);
+  const EquilibriumCurve curve(Model{}, p, P);
   if (curve.uncoupled()) return;
   constexpr std::size_t kAll = 100;
   FoundFolds angle{kAll}, position{kAll};
   if (!folds_by_angle(curve, angle) || angle.places.empty()) return;  // below the resolution of doubles, or none
   folds_by_position(curve, kLoad, position);
   const std::vector<FoldPlace>&by_angle = angle.places, &by_position = position.places;
-  const std::string where = describe<Model>(p, P, kLoad);
+  const std::string where = describe(Model{}, p, P, kLoad);
   ASSERT_EQ(by_angle.size(), by_position.size()) << where;
   for (std::size_t i = 0; i < by_angle.size(); ++i) {
     const FoldPlace &one = by_angle[i], &other = by_position[i];
@@ -59,14 +59,14 @@ TEST(LoadFolds, AreTheSameAlongTheAngleAndAlongTheCurve) {
 TEST(LoadFolds, AClosePairIsNotPassedOver) {
   const Parameters<BenzeggaghKenane> p{1.8114483385797515, 7.707117906519362};
   constexpr double P = 1.484908531177096;
-  const EquilibriumCurve<BenzeggaghKenane> curve(p, P);
+  const EquilibriumCurve curve(BenzeggaghKenane{}, p, P);
   const std::vector<FoldPlace> places = locate_folds(curve, kLoad);
   ASSERT_EQ(places.size(), 3u);
   for (const FoldPlace& place : places) {
     const double y = place.position.y, h = 1e-6 * y;
     const auto slope = [&](double at) {
-      const double T = tangential_load<BenzeggaghKenane>(p, at, std::sqrt(6 * pi<double>() * (at + P) - at * at));
-      return printed_slope<BenzeggaghKenane>(p, P, kLoad, at, T);
+      const double T = tangential_load(BenzeggaghKenane{}, p, at, std::sqrt(6 * pi<double>() * (at + P) - at * at));
+      return printed_slope(BenzeggaghKenane{}, p, P, kLoad, at, T);
     };
     EXPECT_LT(slope(y + h) * slope(y - h), 0) << y;
     EXPECT_EQ(slope(y + h) < 0, place.maximum) << y;
@@ -92,7 +92,7 @@ TEST(LoadFolds, KeepTheirLoadAtTheEdgeOfTheDomainOfModelBk) {
     const Parameters<BenzeggaghKenane> p{1 + (r_most - 1) * (1 - std::pow(10, -8 * uniform(random))), eta};
     const double P =
         i % 3 ? -4.7 + 20 * uniform(random) : -1.5 * pi<double>() * (1 - std::pow(10, -4 * uniform(random)));
-    const EquilibriumCurve<BenzeggaghKenane> curve(p, P);
+    const EquilibriumCurve curve(BenzeggaghKenane{}, p, P);
     for (const FoldPlace& place : locate_folds(curve, kLoad)) {
       Digits50 x = log(Digits50(place.T) / Digits50(place.position.y));
       for (int step = 0; step < 6; ++step) {  // Newton on dT/dx = 0
@@ -100,7 +100,7 @@ TEST(LoadFolds, KeepTheirLoadAtTheEdgeOfTheDomainOfModelBk) {
         x -= h * (high - low) / (2 * (high - 2 * here + low));
       }
       // as folds.h promises, though there a rounding of tau^2 may count 1e5 times
-      const std::string where = describe<BenzeggaghKenane>(p, P, kLoad);
+      const std::string where = describe(BenzeggaghKenane{}, p, P, kLoad);
       expect_near(place.T, load_at(p, P, x), 1e-13, where);
       ++checked;
     }
@@ -121,7 +121,7 @@ TEST(TangentialLoad, IsFoundAtTheEdgeOfTheDomainOfModelBk) {
     if (!BenzeggaghKenane::equilibrium_domain(p).empty() || !(term.value > 0)) continue;
     // tau^2 is a difference of terms of T^2 and known to some roundings of those; d ln tau/d ln T may be small, too
     const double magnified = T * T / std::min(term.value, term.value - 0.5 * y * term.d1);
-    EXPECT_NEAR(tangential_load<BenzeggaghKenane>(p, y, std::sqrt(term.value)), T, 2e-15 * magnified * T)
+    EXPECT_NEAR(tangential_load(BenzeggaghKenane{}, p, y, std::sqrt(term.value)), T, 2e-15 * magnified * T)
         << p[0] << ' ' << eta << ' ' << y;
   }
 }

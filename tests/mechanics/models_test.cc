@@ -94,7 +94,7 @@ TYPED_TEST(EveryModel, ShearTermAgreesWithToughness) {
 TYPED_TEST(EveryModel, EquilibriumFulfilsThePrintedEquation) {
   for (const auto& p : samples<TypeParam>())
     for (const double P : {-4.7, -1.0, 0.0, 1.0, 30.4, 1e4}) {
-      const LoadedContact<TypeParam> contact(p, P);
+      const LoadedContact contact(TypeParam{}, p, P);
       if (!contact.obstacle().empty()) continue;
       const double end = std::min(contact.branches().front().T_bottom, 1e6);
       for (const double part : {1e-8, 0.01, 0.5, 0.9, 0.99}) {
@@ -114,7 +114,7 @@ TYPED_TEST(EveryModel, EquilibriumFulfilsThePrintedEquation) {
 TYPED_TEST(EveryModel, AreaFallsAsShearGrows) {
   for (const auto& p : samples<TypeParam>())
     for (const double P : {-3.0, 0.0, 5.0}) {
-      const LoadedContact<TypeParam> contact(p, P);
+      const LoadedContact contact(TypeParam{}, p, P);
       if (!contact.obstacle().empty()) continue;
       const double end = std::min(contact.branches().front().T_bottom, 1e3);
       double last = contact.at(0).y;

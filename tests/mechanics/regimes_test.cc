@@ -19,7 +19,7 @@ using truth::Digits50;
 
 template <class Model>
 Regime fracture(double lambda, double P) {
-  return classify<Model>({lambda}, P).fracture;
+  return classify(Model{}, {lambda}, P).fracture;
 }
 
 // ---- Model b ----
@@ -38,7 +38,7 @@ TEST(Regimes, ModelBTurnsFromJumpToSmoothExactlyAtTheCriticalLoad) {
 TEST(Regimes, SmoothModelBEndsAtTheHertzLoad) {
   for (const double lambda : {0.15, 1.0})
     for (const double P : {40.0, 100.0, 1e4}) {  // above P_c = 37.7 of lambda = 1
-      const RegimeReport report = classify<WatersGuduru>({lambda}, P);
+      const RegimeReport report = classify(WatersGuduru{}, {lambda}, P);
       const double T_H = std::sqrt(6 * pi<double>() * P) / std::sin(pi<double>() * lambda / 4);
       EXPECT_NEAR(report.T_end, T_H, 1e-14 * T_H);  // a few roundings
       EXPECT_FALSE(report.jumps_to);
@@ -62,11 +62,11 @@ TEST(Regimes, ModelADropsOffAboveTheClosingLineOnly) {
   for (const double P : {-0.6, -0.3, -0.1}) {  // between the cusp and the closing line the jump is to a lower branch
     const double cusp = model_a_jump_boundary(P).lambda, closing = model_a_closing_lambda(P);
     ASSERT_LT(cusp, closing);
-    EXPECT_EQ(classify<Johnson>({0.5 * (cusp + closing)}, P).jumps_to, Jump::lower_branch) << P;
-    EXPECT_EQ(classify<Johnson>({0.5 * (1 + closing)}, P).jumps_to, Jump::off_contact) << P;
+    EXPECT_EQ(classify(Johnson{}, {0.5 * (cusp + closing)}, P).jumps_to, Jump::lower_branch) << P;
+    EXPECT_EQ(classify(Johnson{}, {0.5 * (1 + closing)}, P).jumps_to, Jump::off_contact) << P;
   }
-  EXPECT_EQ(classify<Johnson>({0.99}, 1).jumps_to, Jump::lower_branch);
-  EXPECT_EQ(classify<Johnson>({1.0}, 1).jumps_to, Jump::hertz);
+  EXPECT_EQ(classify(Johnson{}, {0.99}, 1).jumps_to, Jump::lower_branch);
+  EXPECT_EQ(classify(Johnson{}, {1.0}, 1).jumps_to, Jump::hertz);
 }
 
 // ---- Model c, uncoupled ----
@@ -74,7 +74,7 @@ TEST(Regimes, ModelADropsOffAboveTheClosingLineOnly) {
 TEST(Regimes, ModelCAlwaysJumps) {
   for (const double lambda : {1e-12, 0.0023, 0.15, 0.5, 1.0})
     for (const double P : {-4.7, -1.0, 0.0, 1e-12, 1.0, 30.4, 1e4, 1e8}) {
-      const RegimeReport report = classify<PapangeloCiavarella>({lambda}, P);
+      const RegimeReport report = classify(PapangeloCiavarella{}, {lambda}, P);
       EXPECT_EQ(report.fracture, Regime::jump);
       EXPECT_EQ(report.jumps_to, P > 0 ? Jump::hertz : Jump::off_contact);
       const double T_f = std::sqrt(3 * pi<double>() * (3 * pi<double>() + 2 * P) / lambda);
@@ -87,7 +87,7 @@ TEST(Regimes, WithoutCouplingNothingEverHappens) {
     EXPECT_EQ(fracture<Johnson>(0, P), Regime::asymptote);
     EXPECT_EQ(fracture<WatersGuduru>(0, P), Regime::asymptote);
     EXPECT_EQ(fracture<PapangeloCiavarella>(0, P), Regime::asymptote);
-    EXPECT_EQ(classify<PapangeloCiavarella>({0.0}, P, 1.0).regime, Regime::strength);
+    EXPECT_EQ(classify(PapangeloCiavarella{}, {0.0}, P, 1.0).regime, Regime::strength);
   }
 }
 
@@ -96,8 +96,8 @@ TEST(Regimes, WithoutCouplingNothingEverHappens) {
 /// T = tau0 A on the printed curve, and regime 4 exactly when that comes before the fracture is complete.
 template <class Model>
 void judge_strength(const Parameters<Model>& p, double P, double tau0, int (&seen)[2]) {
-  const RegimeReport report = classify<Model>(p, P, tau0);
-  const LoadedContact<Model> contact(p, P);
+  const RegimeReport report = classify(Model{}, p, P, tau0);
+  const LoadedContact contact(Model{}, p, P);
   const auto where = [&] {
     return ::testing::Message() << Model::info.key << ' ' << p[0] << " P " << P << " tau0 " << tau0;
   };
@@ -146,7 +146,7 @@ TEST(Strength, ComesFirstForModelCExactlyBelowTheClosedForm) {
     for (const double lambda : {0.0023, 0.15, 1.0}) {
       const double q = pi<double>(), T_f = std::sqrt(3 * q * (3 * q + 2 * P) / lambda);
       const double A_f = q * std::pow(0.75 * (3 * q + P), 2.0 / 3), critical = T_f / A_f;
-      const auto regime = [&](double tau0) { return classify<PapangeloCiavarella>({lambda}, P, tau0).regime; };
+      const auto regime = [&](double tau0) { return classify(PapangeloCiavarella{}, {lambda}, P, tau0).regime; };
       EXPECT_EQ(regime(critical * (1 - 1e-6)), Regime::strength);  // A is known to 1e-8 at the fold
       EXPECT_EQ(regime(critical * (1 + 1e-6)), Regime::jump);
     }
@@ -156,7 +156,7 @@ template <class Model>
 void expect_numbers(const Parameters<Model>& p) {
   for (const double P : {-4.71238898038469, -4.7, -1.0, -1e-300, 0.0, 1e-300, 1.0, 30.4, 1e8})
     for (const double tau0 : {1e-150, 1e-6, 1.0, 1e6, 1e150}) {
-      const RegimeReport report = classify<Model>(p, P, tau0);
+      const RegimeReport report = classify(Model{}, p, P, tau0);
       const auto where = [&] {
         return ::testing::Message() << Model::info.key << ' ' << p[0] << " P " << P << " tau0 " << tau0;
       };

@@ -71,12 +71,12 @@ template <class Check>
 void for_curves(Check check) {
   for (const double P : {-4.7, -1.0, -1e-3, 1e-3, 1.0, 5.5, 30.4, 1e3}) {
     for (const double lambda : {1e-6, 0.0023, 0.15, 0.9, 1.0}) {
-      check(EquilibriumCurve<PapangeloCiavarella>({lambda}, P));
-      check(EquilibriumCurve<WatersGuduru>({lambda}, P));
-      check(EquilibriumCurve<WatersGuduru>({2 * lambda}, P));
+      check(EquilibriumCurve(PapangeloCiavarella{}, {lambda}, P));
+      check(EquilibriumCurve(WatersGuduru{}, {lambda}, P));
+      check(EquilibriumCurve(WatersGuduru{}, {2 * lambda}, P));
     }
-    for (const double lambda : {1e-3, 0.15, 0.5, 0.9, 0.999, 1.0}) check(EquilibriumCurve<Johnson>({lambda}, P));
-    check(EquilibriumCurve<BenzeggaghKenane>({1.774, 2.284}, P));
+    for (const double lambda : {1e-3, 0.15, 0.5, 0.9, 0.999, 1.0}) check(EquilibriumCurve(Johnson{}, {lambda}, P));
+    check(EquilibriumCurve(BenzeggaghKenane{}, {1.774, 2.284}, P));
   }
 }
 
@@ -112,7 +112,7 @@ TEST(AdaptiveSampling, NeedsFewerPointsThanUniformSampling) {
 
 /// A smooth curve of total bend B needs about sqrt(L B/(8 chord)) segments: a hundredfold finer chord, tenfold points.
 TEST(AdaptiveSampling, PointsGrowAsTheInverseRootOfTheChord) {
-  const EquilibriumCurve<PapangeloCiavarella> curve({0.15}, 3);
+  const EquilibriumCurve curve(PapangeloCiavarella{}, {0.15}, 3);
   const auto count = [&](double chord) {
     return static_cast<double>(sample_adaptive(curve, ranges_of(curve), chord).size());
   };
@@ -198,7 +198,7 @@ TEST(DrawableRanges, ReachTheEndOrTheLargestLoad) {
 }
 
 TEST(DrawableRanges, OfAnUncoupledContactAreOnePoint) {
-  const EquilibriumCurve<PapangeloCiavarella> curve({0.0}, 1);
+  const EquilibriumCurve curve(PapangeloCiavarella{}, {0.0}, 1);
   const auto ranges = ranges_of(curve);
   ASSERT_EQ(ranges.size(), 1u);
   EXPECT_EQ(ranges[0].from, ranges[0].to);
@@ -218,9 +218,9 @@ TEST(AdaptiveSampling, EndsAtAnyExtreme) {
   };
   for (const double P : {-4.71238898038469, -4.7123889803799, -1e-12, -1e-300, 0.0, 1e-300, 1e-12, 1e8})
     for (const double q : {0.0, 1e-300, 1e-16, 1e-12, 1e-8, 8.0 / 9, 1 - 1e-12, 1 - 1e-15, 1.0}) {
-      check(EquilibriumCurve<Johnson>({q}, P));
-      check(EquilibriumCurve<WatersGuduru>({2 * q}, P));
-      check(EquilibriumCurve<PapangeloCiavarella>({q}, P));
+      check(EquilibriumCurve(Johnson{}, {q}, P));
+      check(EquilibriumCurve(WatersGuduru{}, {2 * q}, P));
+      check(EquilibriumCurve(PapangeloCiavarella{}, {q}, P));
     }
 }
 

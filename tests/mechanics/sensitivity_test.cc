@@ -54,7 +54,7 @@ TYPED_TEST(Sensitivity, GradientIsThatOfThePrintedEquation) {
     for (const double P : {-2.0, 0.0, 3.0, 300.0})
       for (const double y : {2.5, 9.0, 18.0, 150.0})
         for (const double T : {0.01, 3.0, 20.0, 400.0}) {
-          const EquilibriumGradient<Model> found = equilibrium_gradient<Model>(p, P, T, y);
+          const EquilibriumGradient<Model> found = equilibrium_gradient(Model{}, p, P, T, y);
           const Digits50 a = cbrt(Digits50(Digits50(3) / 4 * (Digits50(y) + P))), A = truth::kPi * a * a;
           const Digits50 p0 = p[0], p1 = p[N - 1];
           const ShearTerm<double> tau2 = Model::shear_term(p, y, T);
@@ -80,7 +80,7 @@ TYPED_TEST(Sensitivity, GradientIsThatOfThePrintedEquation) {
 }
 
 TYPED_TEST(Sensitivity, WithoutShearNeitherTNorTheModelMatters) {
-  const EquilibriumGradient<TypeParam> found = equilibrium_gradient<TypeParam>(cases<TypeParam>()[0], 3, 0, 18);
+  const EquilibriumGradient<TypeParam> found = equilibrium_gradient(TypeParam{}, cases<TypeParam>()[0], 3, 0, 18);
   EXPECT_EQ(found.T, 0);
   for (const double slope : found.parameters) EXPECT_EQ(slope, 0);
   EXPECT_EQ(found.held, 18.0 * 18.0);
@@ -89,7 +89,7 @@ TYPED_TEST(Sensitivity, WithoutShearNeitherTNorTheModelMatters) {
 /// Area of the loaded contact; finite differences of it need no derivative at all.
 template <class Model>
 double area(const Parameters<Model>& p, double P, double T) {
-  const Equilibrium found = LoadedContact<Model>(p, P).at(T);
+  const Equilibrium found = LoadedContact(Model{}, p, P).at(T);
   EXPECT_EQ(found.status, EquilibriumStatus::ok);
   return area_from_radius(radius_from_edge_load(found.y, P));
 }
@@ -97,7 +97,7 @@ double area(const Parameters<Model>& p, double P, double T) {
 /// Shear T as a fraction of the first fold, or of a natural scale where there is none.
 template <class Model>
 double shear_of(const Parameters<Model>& p, double P, double fraction) {
-  const double fold = LoadedContact<Model>(p, P).branches().front().T_bottom;
+  const double fold = LoadedContact(Model{}, p, P).branches().front().T_bottom;
   return fraction * std::min(fold, 2 * circle_radius(P) / std::sqrt(std::min(Model::small_shear(p), 1.0)));
 }
 
@@ -114,9 +114,9 @@ TYPED_TEST(Sensitivity, AreasChangeWithShearAndParametersAsTheGradientSays) {
       for (const double fraction : {0.2, 0.6, 0.9}) {
         if (p[0] == Model::parameters[0].upper) continue;  // no room for a difference
         const double T = shear_of<Model>(p, P, fraction);
-        const Equilibrium found = LoadedContact<Model>(p, P).at(T);
+        const Equilibrium found = LoadedContact(Model{}, p, P).at(T);
         ASSERT_EQ(found.status, EquilibriumStatus::ok);
-        const EquilibriumGradient<Model> F = equilibrium_gradient<Model>(p, P, T, found.y);
+        const EquilibriumGradient<Model> F = equilibrium_gradient(Model{}, p, P, T, found.y);
         const double A = area<Model>(p, P, T), eps = 4e-15 * A;  // rounding of each area
         // h = 1e-3 leaves h^4 = 1e-12 of a fifth derivative that grows as (1 - T/T_fold)^-4.5, 1e5 at 0.9.
         const double h = 1e-3;

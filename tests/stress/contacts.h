@@ -73,7 +73,7 @@ void one_contact(Random& random, Tally& tally) {
   std::string where = std::string(Model::info.key);
   for (const double value : p) where += " " + shortest(value);
   where += " P=" + shortest(P);
-  const LoadedContact<Model> contact(p, P);
+  const LoadedContact contact(Model{}, p, P);
   if (!contact.obstacle().empty()) {  // only a law that may have several equilibria is allowed to decline
     ++tally.cases;
     if (Model::equilibrium_domain(p).empty()) tally.fail(where + ": " + std::string(contact.obstacle()));
@@ -99,7 +99,7 @@ void one_contact(Random& random, Tally& tally) {
     if (error > tally.worst_error && found.y > 0 && Judge<Model>{p, P, T}.condition(found.y) < 3)
       tally.see_error(error, here);
   }
-  predict_areas<Model>(p, P, loads, areas);
+  predict_areas(Model{}, p, P, loads, areas);
   for (std::size_t i = 0; i < loads.size(); ++i) {
     const Equilibrium& found = alone[i];
     const double A = found.status == EquilibriumStatus::ok ? contact_state(P, loads[i], found.y).A : 0;

@@ -91,7 +91,7 @@ double curve_cost(const Dataset& data, const Parameters<Model>& p, double log_fa
     const double P = point.P * force;
     auto found = of_load.find(P);
     if (found == of_load.end()) {
-      const LoadedContact<Model> contact(p, P);
+      const LoadedContact contact(Model{}, p, P);
       if (!contact.obstacle().empty() || !contact.in_contact()) return HUGE_VAL;
       found = of_load.emplace(P, ManyPlaces<Model>(p, P, T_most)).first;
     }

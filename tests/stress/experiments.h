@@ -40,7 +40,7 @@ Experiment random_experiment(Random& random) {
   std::string loads;
   for (int run = 0; run < runs; ++run) {
     const double P = uniform(random, -4, 30);
-    const LoadedContact<Model> contact(p, P);
+    const LoadedContact contact(Model{}, p, P);
     const double last = std::min(contact.last_load(), 20 * circle_radius(P));
     data.curves.push_back(shortest(P));
     data.curve_loads.push_back(P);

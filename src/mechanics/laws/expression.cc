@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
+#include <mutex>
 
 #define exprtk_disable_break_continue
 #define exprtk_disable_comments
@@ -210,13 +211,25 @@ std::optional<ExpressionError> problem_of(std::string_view text, const std::vect
   return std::nullopt;
 }
 
-Parser& parser() {
-  thread_local Parser one{[] {
+/// One for all threads: it costs more to make than an expression, and keeps what it compiled last, whose counts of
+/// users are not atomic.
+class SharedParser {
+ public:
+  std::mutex one_at_a_time;
+  Parser parser{settings()};
+
+ private:
+  static Settings settings() {
     Settings settings(Settings::e_joiner + Settings::e_numeric_check + Settings::e_bracket_check +
                       Settings::e_sequence_check + Settings::e_strength_reduction + Settings::e_disable_vardef);
     settings.disable_all_control_structures().disable_all_assignment_ops().disable_all_logic_ops();
     return settings;
-  }()};
+  }
+};
+
+/// Never destroyed, as an expression that a static variable holds may be destroyed after it.
+SharedParser& shared_parser() {
+  static SharedParser& one = *new SharedParser;
   return one;
 }
 
@@ -235,19 +248,29 @@ bool is_variable_name(std::string_view name) {
 
 struct Expression::Compiled {
   std::vector<Taylor> variables;
-  exprtk::expression<Taylor> expression;
+  std::optional<exprtk::expression<Taylor>> expression;
+
+  Compiled() = default;
+  Compiled(const Compiled&) = delete;
+  Compiled& operator=(const Compiled&) = delete;
+  ~Compiled() {
+    const std::lock_guard lock(shared_parser().one_at_a_time);
+    expression.reset();
+  }
 };
 
 Expression::Expression(std::string_view text, const std::vector<std::string>& variables)
     : compiled_(std::make_unique<Compiled>()), error_(problem_of(text, variables)) {
   if (error_) return;
   compiled_->variables.resize(variables.size());
+  SharedParser& shared = shared_parser();
+  const std::lock_guard lock(shared.one_at_a_time);
   exprtk::symbol_table<Taylor> symbols;
   for (std::size_t i = 0; i < variables.size(); ++i) symbols.add_variable(variables[i], compiled_->variables[i]);
   symbols.add_constant("pi", Taylor(3.141592653589793));
-  compiled_->expression.register_symbol_table(symbols);
-  Parser& parse = parser();
-  if (parse.compile(std::string(text), compiled_->expression)) return;
+  compiled_->expression.emplace().register_symbol_table(symbols);
+  Parser& parse = shared.parser;
+  if (parse.compile(std::string(text), *compiled_->expression)) return;
   const auto first = parse.get_error(0);
   const std::size_t at = std::min<std::size_t>(first.token.position, text.size());
   const std::size_t shown = std::min(text.find_first_not_of(' ', at), text.size());
@@ -265,7 +288,7 @@ Expression::~Expression() = default;
 
 Taylor Expression::operator()(std::span<const Taylor> variables) const {
   std::copy(variables.begin(), variables.end(), compiled_->variables.begin());
-  return compiled_->expression.value();
+  return compiled_->expression->value();
 }
 
 }  // namespace mixity

@@ -15,17 +15,17 @@ struct Johnson {
   /// Infinite at psi = pi/2 for lambda < 1: not to be called there.
   template <class S>
   static Differentiated<S, 1> log_toughness(const std::array<S, 1>& p, const Mixity<S>& mixity) {
-    return lane_log_toughness<Johnson>(p, mixity);
+    return log_toughness_of_packed_form<Johnson>(p, mixity);
   }
 
   static constexpr int kLogSign = 1;
   template <class S>
-  static LanePoint<S> lane_point(const Mixity<S>& mixity) {
+  static PackedPoint<S> packed_point(const Mixity<S>& mixity) {
     const S tan = mixity.sin / mixity.cos;
     return {tan * tan, S(0)};
   }
   template <class S>
-  static LaneValue<S> lane(const S& lambda, const LanePoint<S>& point) {
+  static PackedForm<S> packed_form(const S& lambda, const PackedPoint<S>& point) {
     const S excess = (S(1) - lambda) * point.first, argument = S(1) + excess, slope = -point.first / argument;
     return {argument, excess, slope, -slope * slope};
   }

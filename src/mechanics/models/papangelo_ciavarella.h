@@ -13,17 +13,17 @@ struct PapangeloCiavarella {
   /// Infinite only at psi = pi/2 with lambda = 0.
   template <class S>
   static Differentiated<S, 1> log_toughness(const std::array<S, 1>& p, const Mixity<S>& mixity) {
-    return lane_log_toughness<PapangeloCiavarella>(p, mixity);
+    return log_toughness_of_packed_form<PapangeloCiavarella>(p, mixity);
   }
 
   /// In B = sin^2 psi and 1 - B, of 1/f: a sum of positive terms.
   static constexpr int kLogSign = -1;
   template <class S>
-  static LanePoint<S> lane_point(const Mixity<S>& mixity) {
+  static PackedPoint<S> packed_point(const Mixity<S>& mixity) {
     return {mixity.sin * mixity.sin, mixity.cos * mixity.cos};
   }
   template <class S>
-  static LaneValue<S> lane(const S& lambda, const LanePoint<S>& point) {
+  static PackedForm<S> packed_form(const S& lambda, const PackedPoint<S>& point) {
     const S argument = point.second + lambda * point.first, slope = -point.first / argument;
     return {argument, (lambda - S(1)) * point.first, slope, slope * slope};
   }

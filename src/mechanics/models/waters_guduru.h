@@ -24,14 +24,14 @@ struct WatersGuduru {
 
   /// The law as printed, whose tangent magnifies the rounding of psi by 1/(pi/2 - psi). The cheapest form that does
   /// not, the cotangent of (pi/2 - psi) + h beyond k psi = pi/4, costs 53 % more of the loop (mechanics_benchmark,
-  /// LogToughnessLanes) and 36 % of a sweep of a fit.
+  /// LogToughnessPacked) and 36 % of a sweep of a fit.
   static constexpr int kLogSign = 1;
   template <class S>
-  static LanePoint<S> lane_point(const Mixity<S>& mixity) {
+  static PackedPoint<S> packed_point(const Mixity<S>& mixity) {
     return {phase_angle(mixity), S(0)};
   }
   template <class S>
-  static LaneValue<S> lane(const S& lambda, const LanePoint<S>& point) {
+  static PackedForm<S> packed_form(const S& lambda, const PackedPoint<S>& point) {
     using std::tan;
     const S& psi = point.first;
     const S tangent = tan((S(1) - S(0.5) * lambda) * psi), excess = tangent * tangent, argument = S(1) + excess;

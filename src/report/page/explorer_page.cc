@@ -1,3 +1,4 @@
+#include "base/files.h"
 #include "report/page/explorer_page.h"
 
 #include <boost/archive/iterators/base64_from_binary.hpp>

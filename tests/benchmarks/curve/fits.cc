@@ -54,7 +54,7 @@ double seconds_of_sweep(const Dataset& data, const Parameters<Model>& p) {
       const auto of = [&](int k) { return std::span<const double>(values[k]).subspan(from, count); };
       const auto to = [&](std::size_t k) { return std::span<double>(out).subspan(k * kBlock, count); };
       CurveDistances distances{to(0), to(1), to(2), to(3), std::span(slopes).first(parameter_count<Model> * count)};
-      if (!curve_distances<Model>(p, {of(0), of(1), of(2), of(3), of(4)}, Search::local, true, distances))
+      if (!curve_distances(Model{}, p, {of(0), of(1), of(2), of(3), of(4)}, Search::local, true, distances))
         throw std::runtime_error("a distance is not finite");
     }
   };

@@ -24,7 +24,7 @@ inline std::vector<Measured> measurements(std::size_t n, std::size_t runs) {
   points.reserve(n);
   for (std::size_t run = 0; run < runs; ++run) {
     const double P = 0.5 + 10.0 * static_cast<double>(run) / static_cast<double>(runs);
-    const LoadedContact<WatersGuduru> contact({0.3}, P);
+    const LoadedContact contact(WatersGuduru{}, {0.3}, P);
     const double last = 0.95 * contact.branches().front().T_bottom;
     const std::size_t here = (run + 1) * n / runs - run * n / runs;
     for (std::size_t i = 0; i < here; ++i) {

@@ -46,7 +46,7 @@ Dataset at_the_fold(double lambda, double noise) {
   data.path = data.name = "synthetic";
   data.has_loads = true;
   for (const double P : kMergelLoads) {
-    const EquilibriumCurve<PapangeloCiavarella> curve({lambda}, P);
+    const EquilibriumCurve curve(PapangeloCiavarella{}, {lambda}, P);
     data.curves.push_back(std::to_string(data.curves.size() + 1));
     data.curve_loads.push_back(P);
     for (std::size_t i = 0; i < kPoints; ++i) {

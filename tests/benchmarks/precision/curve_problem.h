@@ -36,7 +36,7 @@ class CurveProblem {
     const std::span<double> space(by_data), none;
     CurveDistances out{{residuals, n}, none, none, none, none};
     if (slopes) out = {{residuals, n}, space.first(n), space.subspan(n, n), space.subspan(2 * n, n), {slopes, n}};
-    if (!curve_distances<Model>({x}, {P_, T_, A_, sigma_T_, sigma_A_}, Search::global, slopes != nullptr, out))
+    if (!curve_distances(Model{}, {x}, {P_, T_, A_, sigma_T_, sigma_A_}, Search::global, slopes != nullptr, out))
       return false;
     for (std::size_t i = 0; i < n; ++i) {
       residuals[i] *= unit_;

@@ -124,7 +124,7 @@ class Drawing {
   Polyline uniform_in_T(std::size_t n) const {
     std::vector<double> T(n - 1), A(n - 1);
     for (std::size_t i = 0; i + 1 < n; ++i) T[i] = shear(i, n);
-    predict_areas<Model>(p_, P_, T, A);
+    predict_areas(Model{}, p_, P_, T, A);
     Polyline line;
     line.reserve(n);
     for (std::size_t i = 0; i + 1 < n; ++i) line.push_back({T[i], A[i]});
@@ -158,7 +158,7 @@ class Drawing {
 template <class Model>
 void draw(double lambda, double P, std::vector<Row>& rows) {
   const double scale = circle_radius(P) / std::sqrt(Model::small_shear({lambda}));
-  const StableBranch branch = LoadedContact<Model>({lambda}, P).first_branch();
+  const StableBranch branch = LoadedContact(Model{}, {lambda}, P).first_branch();
   Drawing<Model>({lambda}, P, std::isfinite(branch.T_bottom) ? branch.T_bottom : 10 * scale, false).add_rows(rows);
   if (branch.ends_in_fold) Drawing<Model>({lambda}, P, 2 * branch.T_bottom, true).add_rows(rows);
 }

@@ -37,7 +37,7 @@ class LogToughness {
 
   explicit LogToughness(const std::vector<ToughnessPoint>& points) {
     for (const ToughnessPoint& point : points) {
-      points_.push_back(Model::lane_point(point.mixity));
+      points_.push_back(Model::packed_point(point.mixity));
       targets_.push_back(std::log(point.ratio));
     }
   }
@@ -58,7 +58,7 @@ class LogToughness {
   bool evaluate(double x, double* residuals, double* slopes) const {
     ++sweeps;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const auto at = Model::lane(x, points_[i]);
+      const auto at = Model::packed_form(x, points_[i]);
       if (!(at.argument > 0)) return false;
       residuals[i] = static_cast<double>(Model::kLogSign) * std::log(at.argument) - targets_[i];
       if (slopes) slopes[i] = at.slope;
@@ -67,7 +67,7 @@ class LogToughness {
   }
 
  private:
-  std::vector<decltype(Model::lane_point(Mixity<double>{}))> points_;
+  std::vector<decltype(Model::packed_point(Mixity<double>{}))> points_;
   std::vector<double> targets_;
 };
 

@@ -40,7 +40,7 @@ struct Case {
   truth::Digits50 area{};
 
   Case(const std::string& fraction, double lambda, double load, double shear) : p{lambda}, P(load), T(shear) {
-    const LoadedContact<Model> contact(p, P);
+    const LoadedContact contact(Model{}, p, P);
     y_bottom = contact.first_branch().y_bottom;
     y_jkr = contact.jkr_edge_load();
     char text[80];
@@ -69,21 +69,21 @@ void add_ours(const Case<Model>& c, std::vector<Row>& rows) {
   const Parameters<Model> p = c.p;
   const double P = c.P, T = c.T;
   // Steps of the search; a closed form: one. What a new contact looks for its folds by shows in the time alone.
-  const int steps = std::max(LoadedContact<Model>(p, P).at(T).iterations, 1);
+  const int steps = std::max(LoadedContact(Model{}, p, P).at(T).iterations, 1);
 
   const auto contact = std::make_shared<LoadedContact<Model>>(p, P);
   const double A = area_at(*contact, P, T);
   rows.push_back(c.row("mixity", 0, A, steps, std::isfinite(A)));
   rows.back().run = [contact, P, T] { sink = area_at(*contact, P, T); };
   rows.push_back(c.row("mixity anew", 0, A, steps, std::isfinite(A)));
-  rows.back().run = [p, P, T] { sink = area_at(LoadedContact<Model>(p, P), P, T); };
+  rows.back().run = [p, P, T] { sink = area_at(LoadedContact(Model{}, p, P), P, T); };
 
   const auto loads = std::make_shared<std::vector<double>>(kArray, T);
   const auto out = std::make_shared<std::vector<double>>(kArray);
-  const bool all = predict_areas<Model>(p, P, *loads, *out) == kArray;
+  const bool all = predict_areas(Model{}, p, P, *loads, *out) == kArray;
   rows.push_back(c.row(kArrayMethod, 0, out->front(), 0, all));
   rows.back().run = [p, P, loads, out] {
-    predict_areas<Model>(p, P, *loads, *out);
+    predict_areas(Model{}, p, P, *loads, *out);
     sink = out->back();
   };
 }
@@ -112,9 +112,9 @@ void add_textbook(const Case<Model>& c, std::vector<Row>& rows) {
 
 template <class Model>
 void add_tables(const Case<Model>& c, std::vector<Row>& rows) {
-  const EquilibriumCurve<Model> curve(c.p, c.P);
+  const EquilibriumCurve curve(Model{}, c.p, c.P);
   // to the end of the branch; towards an asymptote to twice the load
-  const LoadedContact<Model> contact(c.p, c.P);
+  const LoadedContact contact(Model{}, c.p, c.P);
   const double y_last = std::isfinite(contact.first_branch().T_bottom) ? c.y_bottom : contact.at(2 * c.T).y;
   // Timed at loads at random: a processor learns the way of a binary search to one place, which users do not repeat.
   const auto loads = std::make_shared<std::vector<double>>(4096);
@@ -150,7 +150,7 @@ void add_case(const Case<Model>& c, std::vector<Row>& all) {
 /// Far from the end of the stable branch, and close to it: a fold, Hertz, or (model a) an asymptote.
 template <class Model>
 void add_cases(double lambda, double P, std::vector<Row>& all) {
-  const LoadedContact<Model> contact(Parameters<Model>{lambda}, P);
+  const LoadedContact contact(Model{}, Parameters<Model>{lambda}, P);
   const StableBranch& branch = contact.first_branch();
   if (std::isfinite(branch.T_bottom)) {
     const std::string end = branch.ends_in_fold ? " T_fold" : " T_Hertz";

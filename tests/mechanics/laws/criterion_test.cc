@@ -8,8 +8,8 @@
 #include <string>
 #include <thread>
 
-#include "mechanics/laws/law.h"
-#include "mechanics/laws/law_traits.h"
+#include "mechanics/laws/known_laws.h"
+#include "mechanics/laws/law_workspace.h"
 #include "mechanics/registry.h"
 
 namespace mixity {
@@ -94,9 +94,9 @@ TEST(Criteria, HaveTheirDerivativesFromAnyStart) {
   ASSERT_TRUE(law);
   const std::vector<Taylor> p{2, 1.3, 0.8};
   const auto at = [&](double psi, std::optional<Taylor> about) {
-    ExpressionLaw::State state = along_angle(std::sin(psi), std::cos(psi));
+    LawState state = along_angle(std::sin(psi), std::cos(psi));
     state.about = about;
-    return law->toughness(state, p);
+    return LawLease(law).workspace().toughness(state, p);
   };
   for (const double psi : {0.2, 0.7, 1.3}) {
     const Taylor alone = at(psi, {});
@@ -119,16 +119,11 @@ TEST(Criteria, DoNotRememberWhatWasAsked) {
   ASSERT_TRUE(define_law(
       {"no_memory", "(K_I^2)^m + (K_II^2/r)^n = 1", {{"r", 0.1, 10, 2}, {"m", 0.5, 3, 1}, {"n", 0.5, 3, 1}}}, error));
   const auto ask = [](double r, double psi, bool shear) {
-    double found = 0;
-    with_model("no_memory", [&](auto model) {
-      using Model = decltype(model);
-      if constexpr (parameter_count<Model> == 3) {
-        const std::array<double, 3> p{r, 1.4, 0.8};
-        found = shear ? Model::shear_term(p, std::cos(psi), std::sin(psi)).value
-                      : Model::log_toughness(p, mixity_from_angle(psi)).value;
-      }
-    });
-    return found;
+    const LawLease lease(find_law("no_memory"));
+    const TypedLaw law(lease);
+    const ParameterValues p{r, 1.4, 0.8};
+    return shear ? law.shear_term(p, std::cos(psi), std::sin(psi)).value
+                 : law.log_toughness(p, mixity_from_angle(psi)).value;
   };
   for (const bool shear : {false, true})
     for (const double psi : {0.1, 0.6, 1.2}) {

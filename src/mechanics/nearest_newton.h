@@ -1,5 +1,5 @@
-// The nearest place of an equilibrium curve by Newton's method, many points at once: the loops of curve_distance.cc.
-// A lane is one point; loops have a constant length, so that a point gets the same bits whatever its neighbours.
+// The nearest point of an equilibrium curve by Newton's method, for many measured points at once: the vectorised loops
+// of curve_distance.cc. Loops have a constant length, so that the result for a point does not depend on its neighbours.
 #pragma once
 
 #include <algorithm>
@@ -15,41 +15,43 @@
 
 namespace mixity::nearest_detail {
 
-constexpr std::size_t kLanes = 16;
+constexpr std::size_t kBlock = 16;
 constexpr double kPerPi = 0.3183098861837907;
-using Lane = std::array<double, kLanes>;
+using Packed = std::array<double, kBlock>;
 
 struct Block {
-  Lane P, T_point, A_point, sigma_T, sigma_A;  // measured
-  Lane per_T, per_A;                           // 1/sigma_T, 1/sigma_A
-  Lane T, A;                                   // the place on the curve
-  Lane T_end, A_end;                           // where the curve ends: Hertz, or an asymptote (T_end infinite)
-  Lane settled, at_end;                        // 1 or 0
+  Packed P, T_point, A_point, sigma_T, sigma_A;  // measured
+  Packed per_T, per_A;                           // 1/sigma_T, 1/sigma_A
+  Packed T, A;                                   // the place on the curve
+  Packed T_end, A_end;                           // where the curve ends: Hertz, or an asymptote (T_end infinite)
+  Packed settled, at_end;                        // 1 or 0
 };
 
-/// What a model's curves have in common whatever the load.
-template <class Model>
-struct Law {
-  Parameters<Model> p;
-  bool turned;   // the law turns
-  bool level;    // shear does not act on the area: A = A_JKR for every T
-  double small;  // tau^2/T^2 at T -> 0
-  double hertz;  // tau^2/T^2 at y = 0
-  bool bounded;  // T -> infinity at an edge load > 0, where tau^2/y^2 has reached `excess`
+/// What the curves of a law with its parameters have in common at every load.
+template <class Law>
+struct CurveFamily {
+  [[no_unique_address]] Law law;
+  Parameters<Law> p;
+  bool non_monotone;
+  bool uncoupled;  // shear does not act on the area: A = A_JKR for every T
+  double small;    // tau^2/T^2 at T -> 0
+  double hertz;    // tau^2/T^2 at y = 0
+  bool bounded;    // T -> infinity at an edge load > 0, where tau^2/y^2 has reached `excess`
   double excess;
   ShearBend bend;
   ShearReach reach;
 
-  explicit Law(const Parameters<Model>& parameters)
-      : p(parameters),
-        turned(turns<Model>(p)),
-        level(!turned && !(Model::shear_term(p, 1.0, 1.0).value > 0)),
-        small(Model::small_shear(p)),
-        hertz(Model::shear_term(p, 0.0, 1.0).value),
-        bounded(std::isfinite(shear_limit<Model>(p))),
-        excess(bounded ? shear_limit<Model>(p) : 0.0) {
-    if constexpr (requires { Model::shear_bend(p); }) bend = Model::shear_bend(p);
-    if constexpr (requires { Model::shear_reach(p); }) reach = Model::shear_reach(p);
+  CurveFamily(const Law& of, const Parameters<Law>& parameters)
+      : law(of),
+        p(parameters),
+        non_monotone(is_non_monotone(law, p)),
+        uncoupled(!non_monotone && !(law.shear_term(p, 1.0, 1.0).value > 0)),
+        small(law.small_shear(p)),
+        hertz(law.shear_term(p, 0.0, 1.0).value),
+        bounded(std::isfinite(shear_limit(law, p))),
+        excess(bounded ? shear_limit(law, p) : 0.0) {
+    if constexpr (requires { law.shear_bend(p); }) bend = law.shear_bend(p);
+    if constexpr (requires { law.shear_reach(p); }) reach = law.shear_reach(p);
   }
 };
 
@@ -63,14 +65,14 @@ struct Local {
   double F_T, value, d1, d2, inverse_T;  // in T, and tau^2
 };
 
-template <class Model>
-MIXITY_LOOP Local local_form(const Law<Model> law, const Block& b, std::size_t i) {
+template <class Law>
+MIXITY_LOOP Local local_form(const CurveFamily<Law> family, const Block& b, std::size_t i) {
   const double centre = 3 * pi<double>(), P = b.P[i], T = b.T[i], A = b.A[i];
   Local q;
   q.a = std::sqrt(A * kPerPi);
   const double y = (4 / (3 * pi<double>())) * A * q.a - P;
   q.y = y > 1e-100 ? y : 1e-100;
-  const ShearTerm<double> tau2 = Model::shear_term(law.p, q.y, T);
+  const ShearTerm<double> tau2 = family.law.shear_term(family.p, q.y, T);
   const bool flat = !(T > 1e-130 * q.y);  // T^2 counts for nothing
   q.value = flat ? 0.0 : tau2.value;
   q.d1 = flat ? 0.0 : tau2.d1;
@@ -86,7 +88,7 @@ MIXITY_LOOP Local local_form(const Law<Model> law, const Block& b, std::size_t i
   q.F_T = (2 * q.value - q.y * q.d1) * q.inverse_T;  // tau^2 is homogeneous of degree 2
   const double F_yT = (q.d1 - q.y * q.d2) * q.inverse_T;
   const double F_TT_sheared = (2 * (q.value - q.y * q.d1) + q.y * q.y * q.d2) * q.inverse_T * q.inverse_T;
-  const double small = 2 * law.small, F_TT = flat ? small : F_TT_sheared;
+  const double small = 2 * family.small, F_TT = flat ? small : F_TT_sheared;
   const double sT = b.sigma_T[i], sA = b.sigma_A[i];
   q.TT = F_TT * sT * sT;
   q.TA = F_yT * q.y_A * sT * sA;
@@ -114,13 +116,13 @@ struct CurveBounds {
   double y, T, A;
 };
 
-template <class Model>
-MIXITY_LOOP CurveBounds curve_bounds(const Law<Model> law, double P) {
+template <class Law>
+MIXITY_LOOP CurveBounds curve_bounds(const CurveFamily<Law> family, double P) {
   const double centre = 3 * pi<double>(), infinite = std::numeric_limits<double>::infinity();
-  const double square = 2 * centre * (above_pull_off(P) + P * law.excess);
-  const bool asymptote = law.bounded & (square >= 0), hertz = !asymptote & (P > 0);
-  const double upper = (centre + std::sqrt(square >= 0 ? square : 0.0)) / (1 + law.excess);
-  const double y = asymptote ? upper : 0.0, A = area_of_load(y + P), ratio = 2 * centre * P / law.hertz;
+  const double square = 2 * centre * (above_pull_off(P) + P * family.excess);
+  const bool asymptote = family.bounded & (square >= 0), hertz = !asymptote & (P > 0);
+  const double upper = (centre + std::sqrt(square >= 0 ? square : 0.0)) / (1 + family.excess);
+  const double y = asymptote ? upper : 0.0, A = area_of_load(y + P), ratio = 2 * centre * P / family.hertz;
   const double T = std::sqrt(ratio > 0 ? ratio : 0.0);
   return {y, hertz ? T : infinite, asymptote | hertz ? A : 0.0};
 }
@@ -134,24 +136,24 @@ enum class Begin {
 /// Where the curve ends, and the nearest of four places on the circle at or beside the point: at its T, at its A, in
 /// its direction from the centre (which is exact on the curve and regular at the fold), and the end. T from tau as if
 /// in proportion, which is exact for c.
-template <Begin kBegin, class Model>
-MIXITY_LOOP void start(const Law<Model> law, Block& b) {
+template <Begin kBegin, class Law>
+MIXITY_LOOP void start(const CurveFamily<Law> family, Block& b) {
   const double centre = 3 * pi<double>();
   const double infinite = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < kLanes; ++i) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
     const double P = b.P[i], square = 2 * centre * above_pull_off(P), S0 = std::sqrt(square);
-    const CurveBounds end = curve_bounds(law, P);
+    const CurveBounds end = curve_bounds(family, P);
     const double y_end = end.y;
     const bool hertz = end.T < infinite;
     b.T_end[i] = end.T;
     b.A_end[i] = end.A;
-    b.settled[i] = law.level ? 1.0 : 0.0;
+    b.settled[i] = family.uncoupled ? 1.0 : 0.0;
     b.at_end[i] = 0;
     if constexpr (kBegin == Begin::nearby) continue;
     const double T = b.T_point[i], A = b.A_point[i], sT = b.sigma_T[i], sA = b.sigma_A[i];
     const double y_measured = (4 / (3 * pi<double>())) * A * std::sqrt(A * kPerPi) - P;
     const double least = y_end + 1e-3 * (centre + S0 - y_end), y = y_measured > least ? y_measured : least;
-    const double v = y - centre, tau2 = Model::shear_term(law.p, y, T).value;
+    const double v = y - centre, tau2 = family.law.shear_term(family.p, y, T).value;
     const bool sheared = tau2 > 0;
     const double tau = std::sqrt(sheared ? tau2 : 0.0), per_tau = sheared ? T / tau : 0.0;
     double T_best = T, A_best = A, best = infinite;
@@ -165,7 +167,7 @@ MIXITY_LOOP void start(const Law<Model> law, Block& b) {
     const double room = square - tau2, width = square - v * v;
     const double radius = std::sqrt(v * v + tau2), scale = S0 / radius, y_radial = centre + v * scale;
     consider(!(room < 0), T, area_of_load(centre + std::sqrt(room > 0 ? room : 0.0) + P));
-    consider(!law.level & (radius > 0) & (y_radial > y_end), T * scale, area_of_load(y_radial + P));
+    consider(!family.uncoupled & (radius > 0) & (y_radial > y_end), T * scale, area_of_load(y_radial + P));
     consider((width >= 0) & sheared & (y_measured > least), per_tau * std::sqrt(width > 0 ? width : 0.0), A);
     consider(hertz, b.T_end[i], b.A_end[i]);
     b.T[i] = T_best;
@@ -173,14 +175,14 @@ MIXITY_LOOP void start(const Law<Model> law, Block& b) {
   }
 }
 
-/// One step of each lane that is not settled: Newton on F = 0 and on the slope of the distance along the curve, that is
+/// One step of each slot that is not settled: Newton on F = 0 and on the slope of the distance along the curve, that is
 /// on the Lagrangian of the least distance. Its curvature is kept positive, for minima are sought.
-template <class Model>
-MIXITY_LOOP void step(const Law<Model> law, Block& b) {
+template <class Law>
+MIXITY_LOOP void step(const CurveFamily<Law> family, Block& b) {
   constexpr double kLeastCurvature = 0.1, kDone = 1e-8;
-  Lane T, A, settled, at_end;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const Local q = local_form<Model>(law, b, i);
+  Packed T, A, settled, at_end;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const Local q = local_form(family, b, i);
     const double t_T = q.n_A, t_A = -q.n_T, normal = -q.F * q.per_size, multiplier = -q.along * q.per_size;
     const double h_T = q.TT * t_T + q.TA * t_A, h_A = q.TA * t_T + q.AA * t_A;
     const double curvature = 1 + multiplier * (t_T * h_T + t_A * h_A), cross = multiplier * (q.n_T * h_T + q.n_A * h_A);
@@ -205,8 +207,8 @@ MIXITY_LOOP void step(const Law<Model> law, Block& b) {
     settled[i] = (small & !beyond) | stays ? 1.0 : 0.0;
     at_end[i] = stays ? 1.0 : 0.0;
   }
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const bool moves = !(b.settled[i] > 0);  // a settled lane keeps its bits while its neighbours move
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const bool moves = !(b.settled[i] > 0);  // a settled slot keeps its bits while its neighbours move
     b.T[i] = moves ? T[i] : b.T[i];
     b.A[i] = moves ? A[i] : b.A[i];
     b.at_end[i] = moves ? at_end[i] : b.at_end[i];
@@ -214,13 +216,13 @@ MIXITY_LOOP void step(const Law<Model> law, Block& b) {
   }
 }
 
-template <class Model>
-MIXITY_LOOP void settle(const Law<Model> law, Block& b, int steps) {
+template <class Law>
+MIXITY_LOOP void settle(const CurveFamily<Law> family, Block& b, int steps) {
   for (int k = 0; k < steps; ++k) {
     double left = 0;
-    for (std::size_t i = 0; i < kLanes; ++i) left += 1 - b.settled[i];
+    for (std::size_t i = 0; i < kBlock; ++i) left += 1 - b.settled[i];
     if (left == 0) break;
-    step<Model>(law, b);
+    step(family, b);
   }
 }
 

@@ -1,5 +1,5 @@
 // The vectorised ln f against the reference form of the same law.
-#include "mechanics/lanes.h"
+#include "mechanics/packed_toughness.h"
 
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
@@ -19,12 +19,12 @@ void expect_same_law() {
   const std::size_t n = mixities.size();  // not a multiple of the vector length
   std::vector<double> first, second, value(n), slope(n), curvature(n);
   for (const auto& mixity : mixities) {
-    const LanePoint<double> point = Model::lane_point(mixity);
+    const PackedPoint<double> point = Model::packed_point(mixity);
     first.push_back(point.first);
     second.push_back(point.second);
   }
   for (const double lambda : {0.0, 1e-6, 0.0023, 0.15, 0.9, 1.0}) {
-    log_toughness_lanes<Model>(lambda, first.data(), second.data(), n, value.data(), slope.data(), curvature.data());
+    packed_log_toughness(Model{}, lambda, first.data(), second.data(), n, value.data(), slope.data(), curvature.data());
     for (std::size_t i = 0; i < n; ++i) {
       const auto exact = Model::log_toughness({lambda}, mixities[i]);
       const Mixity<Jet> mixity{Jet(mixities[i].cos), Jet(mixities[i].sin)};
@@ -39,16 +39,16 @@ void expect_same_law() {
   }
 }
 
-TEST(Lanes, GiveTheSameLogToughnessAndDerivativesAsTheModel) {
-  int with_lanes = 0;
+TEST(PackedToughness, HasTheSameValuesAndDerivativesAsTheLaw) {
+  int with_packed_form = 0;
   for_each_model([&](auto model) {
     using Model = decltype(model);
-    if constexpr (HasLanes<Model>) {
+    if constexpr (HasPackedForm<Model>) {
       expect_same_law<Model>();
-      ++with_lanes;
+      ++with_packed_form;
     }
   });
-  EXPECT_EQ(with_lanes, 3);  // a, b, c
+  EXPECT_EQ(with_packed_form, 3);  // a, b, c
 }
 
 }  // namespace

@@ -18,10 +18,10 @@
 
 namespace mixity {
 
-template <class Model>
-class TurningCurve {
+template <class Law>
+class NonMonotoneCurve {
  public:
-  TurningCurve(const Parameters<Model>& p, double P) : p_(p), P_(P) {
+  NonMonotoneCurve(const Law& law, const Parameters<Law>& p, double P) : law_(law), p_(p), P_(P) {
     if (P < 0) close();
     if (!closed() && ratio(std::exp(kLast)) < kLeastRatio) cut();
   }
@@ -56,7 +56,7 @@ class TurningCurve {
       q.dpsi = 1;
       q.t = s < rest || grows_over_all_bounds() ? std::tan(s) : 1 / std::tan(std::max(rest, kLeastRest));
     }
-    const ShearTerm<double> excess = Model::shear_term(p_, 1.0, q.t);  // g - 1, and d1 = 2 (g - 1) - dg/d ln t
+    const ShearTerm<double> excess = law_.shear_term(p_, 1.0, q.t);  // g - 1, and d1 = 2 (g - 1) - dg/d ln t
     q.growth = 2 * excess.value - excess.d1;
     q.root = std::copysign(std::sqrt(std::max(square(excess.value), 0.0)), q.dpsi);
     const double per_t = 1 + q.t * q.t;
@@ -66,7 +66,7 @@ class TurningCurve {
       const double cos_s = q.dpsi / sin_c_ / std::sqrt(per_t), squared = cos_s * cos_s, t_c = sin_c_ / cos_c_;
       const double way = 0.5 * (std::log1p(t_c * t_c * squared) - std::log1p(-squared));
       if (way < kBeside) {
-        const ShearTerm<double> between = Model::shear_term(p_, 1.0, std::sqrt(q.t * t_c));
+        const ShearTerm<double> between = law_.shear_term(p_, 1.0, std::sqrt(q.t * t_c));
         const double slope = -6 * pi<double>() * P_ * (2 * between.value - between.d1);
         const double per_square = squared > 0 ? way / squared : 0.5 / (cos_c_ * cos_c_);
         const double scale = std::sqrt(slope * per_square);
@@ -81,7 +81,7 @@ class TurningCurve {
 
   /// y of the larger root at T/y = t; null beyond psi_c.
   std::optional<double> upper_edge_load(double t) const {
-    const double excess = Model::shear_term(p_, 1.0, t).value, squared = square(excess);
+    const double excess = law_.shear_term(p_, 1.0, t).value, squared = square(excess);
     if (!(squared >= 0) || (closed() && t > sin_c_ / cos_c_)) return std::nullopt;
     return (3 * pi<double>() + std::sqrt(squared)) / ratio(t, excess);
   }
@@ -93,9 +93,9 @@ class TurningCurve {
   /// g; `excess` = g - 1 has lost the digits of a small g.
   double ratio(double t, double excess) const {
     if (excess > -0.5) return 1 + excess;
-    return (1 + t * t) * std::exp(-Model::log_toughness(p_, mixity_from_loads(1.0, t)).value);
+    return (1 + t * t) * std::exp(-law_.log_toughness(p_, mixity_from_loads(1.0, t)).value);
   }
-  double ratio(double t) const { return ratio(t, Model::shear_term(p_, 1.0, t).value); }
+  double ratio(double t) const { return ratio(t, law_.shear_term(p_, 1.0, t).value); }
 
   /// Looks for the first place with g = 1e-8.
   void cut() {
@@ -113,7 +113,7 @@ class TurningCurve {
 
   /// Looks for psi_c.
   void close() {
-    const auto open = [&](double x) { return square(Model::shear_term(p_, 1.0, std::exp(x)).value) > 0; };
+    const auto open = [&](double x) { return square(law_.shear_term(p_, 1.0, std::exp(x)).value) > 0; };
     double low = kFirst, high = kFirst;
     while (high < kLast && open(high)) low = high, high += kStep;
     if (high >= kLast) return;
@@ -126,23 +126,24 @@ class TurningCurve {
     sin_c_ = t * cos_c_;
   }
 
-  Parameters<Model> p_;
+  [[no_unique_address]] Law law_;
+  Parameters<Law> p_;
   double P_, sin_c_ = 0, cos_c_ = 1, psi_end_ = 0.5 * pi<double>();
 };
 
-/// True where g does not grow with psi throughout (model.h, turns).
-template <class Model>
-bool turns(const Parameters<Model>& p) {
-  if constexpr (requires { Model::turns(p); })
-    return Model::turns(p);
+/// Whether g may fail to grow with psi under a law of this type.
+template <class Law>
+inline constexpr bool kMayBeNonMonotone = requires(const Law& law, const Parameters<Law>& p) {
+  law.non_monotone(p);
+};
+
+/// Whether it does with these parameters (model.h).
+template <class Law>
+bool is_non_monotone(const Law& law, const Parameters<Law>& p) {
+  if constexpr (kMayBeNonMonotone<Law>)
+    return law.non_monotone(p);
   else
     return false;
 }
-
-/// Whether some law of this type turns.
-template <class Model>
-inline constexpr bool kMayTurn = requires(const Parameters<Model>& p) {
-  Model::turns(p);
-};
 
 }  // namespace mixity
