@@ -5,7 +5,7 @@
 
 #include "analysis/judgement.h"
 #include "analysis/readable.h"
-#include "base/rounding.h"
+#include "base/number_text.h"
 #include "fitting/predicted_curves.h"
 
 namespace mixity {
@@ -141,7 +141,7 @@ Answer answer_of(const Analysis& result) {
                       unit_text(one.unit);
   }
   if (fit.status != FitStatus::ok)
-    answer.doubt = in_words(fit.status) + (fit.message.empty() ? "" : ": " + fit.message);
+    answer.doubt = in_words(fit.status) + (fit.message.empty() ? "" : ": " + fit.message.text(result.request.words));
   if (fit.budget && fit.budget->scatter && !fit.budget->parts.empty()) {
     answer.budget.emplace_back("scatter", *fit.budget->scatter);
     for (const BudgetPart& part : fit.budget->parts) answer.budget.emplace_back(part.constant, part.share);

@@ -7,8 +7,8 @@
 
 #include "base/input_error.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "base/toml_file.h"
-#include "base/trim.h"
 #include "fitting/options.h"
 #include "mechanics/contact_model.h"
 #include "mechanics/laws/known_laws.h"

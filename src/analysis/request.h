@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "dataset/exclusion.h"
 #include "dataset/pooled.h"
 #include "fitting/options.h"
@@ -34,14 +35,15 @@ struct FitRequest {
   FitOptions options;
   std::vector<std::string> free_parameters;  // model parameters named as free; so are all that are not held
   Exclusion exclusion;
-  Overrides constants;                 // override those beside the data; each name once
-  bool compare = true;                 // compare the models: information criteria, error on loads left out
-  bool per_curve = false;              // also fit each loading run by itself
+  Overrides constants;     // override those beside the data; each name once
+  bool compare = true;     // compare the models: information criteria, error on loads left out
+  bool per_curve = false;  // also fit each loading run by itself
   FigureFormats formats;
-  std::vector<std::string> law_notes;  // warnings about the laws of the definition
+  std::vector<std::string> law_notes;                       // warnings about the laws of the definition
   std::map<std::string, std::vector<Published>> published;  // by model key
   std::string source;                                       // of the published numbers
   std::set<std::string, std::less<>> stated;                // names of the options that were set (settings.h)
+  Wording words = in_neutral_words;                         // of the messages in what is written of the results
 };
 
 /// Every file that the request reads, existing or not. Results must not overwrite them.

@@ -1,12 +1,11 @@
 #include "analysis/run.h"
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 #include <numeric>
 
 #include "analysis/judgement.h"
-#include "base/side_by_side.h"
+#include "base/threads.h"
 #include "fitting/consistency.h"
 
 namespace mixity {
@@ -71,14 +70,8 @@ Analysis run(const FitRequest& request, Dataset data, const Progress& progress) 
     body(options);
     if (options.progress) options.progress(1);
   };
-  const auto for_each_of_the_models = [&](const auto& body) {
-    std::atomic<std::size_t> next = 0;
-    side_by_side(std::min(models, processors()), [&] {
-      for (std::size_t i; (i = next++) < models;) body(i);
-    });
-  };
   result.fits.resize(models);
-  for_each_of_the_models([&](std::size_t i) {
+  parallel_for(models, [&](std::size_t i) {
     part(i, [&](const FitOptions& options) { result.fits[i] = fit_and_test(result.data, request.models[i], options); });
   });
   for (FitResult& fit : result.fits)
@@ -89,7 +82,7 @@ Analysis run(const FitRequest& request, Dataset data, const Progress& progress) 
   });
   // The search for the cause of a failed test costs more than the fit. It is shorter where another model has won.
   const bool decided = winner(result) != nullptr;
-  for_each_of_the_models([&](std::size_t i) {
+  parallel_for(models, [&](std::size_t i) {
     find_cause(result.data, result.fits[i], request.options, decided);
     part(i, [](const FitOptions&) {});  // lets the callback stop the analysis
   });
@@ -98,7 +91,7 @@ Analysis run(const FitRequest& request, Dataset data, const Progress& progress) 
   reject_for_better_model(result);
   if (request.per_curve) {
     result.per_curve.resize(models);
-    for_each_of_the_models([&](std::size_t i) {
+    parallel_for(models, [&](std::size_t i) {
       part(models + 1 + i, [&](const FitOptions& options) {
         result.per_curve[i] = fit_per_curve(result.data, request.models[i], options);
       });

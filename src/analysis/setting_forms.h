@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/number_text.h"
-#include "base/trim.h"
+#include "base/text.h"
 #include "base/units.h"
 
 namespace mixity {
@@ -122,15 +122,12 @@ struct ErrorSize {
 Complaint for_each_item(std::string_view text, const auto& use) {
   std::vector<std::string> items;
   if (text.empty()) return "is empty";
-  for (bool more = true; more;) {
-    const std::size_t comma = text.find(',');
-    const std::string item(trim(text.substr(0, comma)));
+  for (const std::string_view part : split(text)) {
+    const std::string item(part);
     if (item.empty()) return "has an empty entry, number " + std::to_string(items.size() + 1);
     if (std::find(items.begin(), items.end(), item) != items.end()) return "names " + in_quotes(item) + " twice";
     if (Complaint problem = use(item); !problem.empty()) return problem;
     items.push_back(item);
-    more = comma != std::string_view::npos;
-    if (more) text.remove_prefix(comma + 1);
   }
   return {};
 }

@@ -1,14 +1,187 @@
 #include "base/files.h"
 
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <deque>
+#include <filesystem>
+#include <map>
 #include <memory>
 
 #include "base/input_error.h"
+#include "base/text.h"
 
 namespace mixity {
+namespace {
+
+constexpr const char* kTemporary = ".mixity-tmp";  // then the process
+
+/// Removes what runs that were killed left of this file: PATH.mixity-tmpPID of processes that are no more.
+void remove_leftovers(const std::filesystem::path& path) {
+  const std::string beginning = path.filename().string() + kTemporary;
+  std::error_code error;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(beginning)) continue;
+    pid_t process = 0;
+    const char *begin = name.data() + beginning.size(), *stop = name.data() + name.size();
+    const auto [read, failure] = std::from_chars(begin, stop, process);
+    if (failure == std::errc() && read == stop && process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
+      ::unlink(entry->path().c_str());
+  }
+}
+
+/// A pipe or device, which is written to as it is.
+bool is_direct(std::filesystem::file_type kind) {
+  return kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::fifo;
+}
+
+/// Writes all of it and closes the file. 0, or the reason as errno has it.
+int write_and_close(int file, const std::string& content, bool to_disk) {
+  int reason = 0;
+  for (std::size_t done = 0; reason == 0 && done < content.size();) {
+    const ssize_t written = ::write(file, content.data() + done, content.size() - done);
+    if (written >= 0)
+      done += static_cast<std::size_t>(written);
+    else if (errno != EINTR)
+      reason = errno;
+  }
+  if (reason == 0 && to_disk && ::fsync(file) != 0) reason = errno;
+  if (::close(file) != 0 && reason == 0) reason = errno;
+  return reason;
+}
+
+[[noreturn]] void cannot_be_written(const std::string& path, int reason) {
+  throw OutputError(path + ": cannot be written: " + std::strerror(reason));
+}
+
+/// Where a path leads, also if nothing is there yet.
+std::filesystem::path end_of_links(const std::string& path) {
+  constexpr int kMost = 40;  // as the system's
+  std::filesystem::path end = path;
+  std::error_code none;
+  for (int i = 0; i < kMost; ++i) {
+    if (!std::filesystem::is_symlink(end, none)) return end;
+    end = end.parent_path() / std::filesystem::read_symlink(end, none);
+  }
+  cannot_be_written(path, ELOOP);
+}
+
+/// A file that is written, but not yet at its place. Never put there, it leaves nothing behind.
+class StagedFile {
+ public:
+  explicit StagedFile(const OutputFile& file) : file_(file) {
+    const std::string& path = file.path;
+    std::error_code unknown;
+    const auto kind = std::filesystem::status(path, unknown).type();
+    direct_ = is_direct(kind);
+    if (direct_) return;
+    if (kind == std::filesystem::file_type::directory || path.ends_with('/')) check(EISDIR);
+    if (kind == std::filesystem::file_type::regular && ::access(path.c_str(), W_OK) != 0) check(errno);
+    target_ = end_of_links(path).string();
+    const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
+    std::error_code error;
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
+    if (error) throw OutputError(folder.string() + ": cannot be created: " + error.message());
+
+    remove_leftovers(target_);
+    temporary_ = target_ + kTemporary + std::to_string(::getpid());
+    ::unlink(temporary_.c_str());
+    const int opened = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+    if (opened < 0) {
+      const int reason = errno;
+      temporary_.clear();
+      check(reason);
+    }
+    struct stat old {};
+    if (::stat(target_.c_str(), &old) == 0) ::fchmod(opened, old.st_mode & 0777);  // who might read it may still
+    if (const int reason = write_and_close(opened, file.content, true); reason != 0) {
+      discard();
+      check(reason);
+    }
+  }
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+  ~StagedFile() { discard(); }
+
+  /// If it is a pipe or device; may take as long as its reader does.
+  void write_if_direct() const {
+    if (!direct_) return;
+    const int opened = ::open(file_.path.c_str(), O_WRONLY | O_CLOEXEC);
+    check(opened < 0 ? errno : write_and_close(opened, file_.content, false));
+  }
+  void put_in_place() {
+    if (direct_) return;
+    check(::rename(temporary_.c_str(), target_.c_str()) != 0 ? errno : 0);
+    temporary_.clear();
+  }
+
+ private:
+  void check(int reason) const {
+    if (reason != 0) cannot_be_written(file_.path, reason);
+  }
+  void discard() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    temporary_.clear();
+  }
+
+  const OutputFile& file_;
+  std::string target_, temporary_;
+  bool direct_ = false;  // a pipe or device
+};
+
+/// While it lives, what asks the process to end has to wait: all files of a run take their place, or none.
+class Uninterrupted {
+ public:
+  Uninterrupted() {
+    sigset_t asked;
+    sigemptyset(&asked);
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT}) sigaddset(&asked, signal);
+    pthread_sigmask(SIG_BLOCK, &asked, &before_);
+  }
+  ~Uninterrupted() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// Throws OutputError if two of the files would be one, as links can make them.
+void tell_apart(const std::vector<OutputFile>& files) {
+  std::map<std::filesystem::path, const OutputFile*> known;
+  for (const OutputFile& file : files) {
+    std::error_code unknown;
+    if (is_direct(std::filesystem::status(file.path, unknown).type())) continue;
+    const std::filesystem::path whole = std::filesystem::absolute(end_of_links(file.path), unknown);
+    const std::filesystem::path place = std::filesystem::weakly_canonical(whole, unknown);
+    if (unknown || place.empty()) continue;  // writing it will tell
+    const auto [same, first] = known.emplace(place, &file);
+    if (!first) throw OutputError(file.path + ": leads to the same file as " + same->second->path);
+  }
+}
+
+/// Throws OutputError if one of the files that are to be written is, by whatever name, one of those that were read.
+void spare_inputs(const std::vector<std::string>& inputs, const std::vector<OutputFile>& outputs) {
+  for (const OutputFile& output : outputs)
+    for (const std::string& input : inputs) {
+      std::error_code not_there;
+      if (std::filesystem::equivalent(input, output.path, not_there))
+        throw OutputError(output.path + ": is an input and is not written over");
+    }
+}
+
+}  // namespace
 
 std::string read_file(const std::string& path) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
@@ -22,5 +195,42 @@ std::string read_file(const std::string& path) {
   if (std::ferror(file.get())) throw InputError(path, std::string("cannot be read: ") + std::strerror(errno));
   return text;
 }
+
+std::string plain_file_name(std::string_view name) {
+  std::string result;
+  while (!name.empty()) {
+    const std::size_t length = character_length(name);
+    const bool letter = length > 1 || std::isalnum(static_cast<unsigned char>(name[0])),
+               sign = !result.empty() && std::string_view(" ._-+=,()").find(name[0]) != std::string_view::npos;
+    result += length > 0 && (letter || sign) ? name.substr(0, length) : "_";
+    name.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
+}
+
+void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {
+  spare_inputs(inputs, files);
+  tell_apart(files);
+  std::deque<StagedFile> staged;
+  for (const OutputFile& file : files) staged.emplace_back(file);
+  for (const StagedFile& file : staged) file.write_if_direct();
+  const Uninterrupted renaming;
+  for (StagedFile& file : staged) file.put_in_place();
+}
+
+std::vector<std::string> keep_former(std::vector<OutputFile>& files) {
+  std::vector<std::string> kept;
+  for (std::size_t i = 0, n = files.size(); i < n; ++i) {
+    std::error_code unread;
+    if (!files[i].path.ends_with(".toml") || !std::filesystem::is_regular_file(files[i].path, unread)) continue;
+    std::string former = read_file(files[i].path);
+    if (former == files[i].content) continue;
+    kept.push_back(files[i].path + ".old");
+    files.push_back({kept.back(), std::move(former)});
+  }
+  return kept;
+}
+
+void write_file(const std::string& path, const std::string& content) { write_files({{path, content}}); }
 
 }  // namespace mixity

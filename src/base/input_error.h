@@ -5,7 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/printable.h"
+#include "base/message.h"
+#include "base/text.h"
 
 namespace mixity {
 
@@ -14,23 +15,32 @@ struct FilePlace {
   std::size_t line = 1, column = 1;
 };
 
-/// what() reads "file:line:column: message" with 1-based line and column (characters); 0 leaves them out.
-/// One printable line, whatever it quotes.
+/// The message reads "file:line:column: what is wrong" with 1-based line and column (characters); 0 leaves them out.
+/// One printable line, whatever it quotes. what() has it in neutral words.
 class InputError : public std::runtime_error {
  public:
-  InputError(const std::string& file, std::size_t line, std::size_t column, const std::string& message)
-      : std::runtime_error(printable(place(file, line, column) + message)) {}
-  InputError(const std::string& file, FilePlace at, const std::string& message)
+  InputError(const std::string& file, std::size_t line, std::size_t column, const Message& message)
+      : InputError(place(file, line, column) + message) {}
+  InputError(const std::string& file, FilePlace at, const Message& message)
       : InputError(file, at.line, at.column, message) {}
-  InputError(const std::string& file, const std::string& message) : InputError(file, 0, 0, message) {}
+  InputError(const std::string& file, const Message& message) : InputError(file, 0, 0, message) {}
+  /// About an option as it was given.
+  InputError(const Remedy& given, const Message& message) : InputError(given + message) {}
+
+  std::string text(Wording words) const { return printable(message_.text(words)); }
+  const Message& message() const { return message_; }
 
  private:
-  static std::string place(const std::string& file, std::size_t line, std::size_t column) {
+  explicit InputError(const Message& message) : std::runtime_error(printable(message.text())), message_(message) {}
+
+  static Message place(const std::string& file, std::size_t line, std::size_t column) {
     std::string text = file;
     if (line > 0) text += ":" + std::to_string(line);
     if (line > 0 && column > 0) text += ":" + std::to_string(column);
     return text + ": ";
   }
+
+  Message message_;
 };
 
 }  // namespace mixity

@@ -1,29 +1,36 @@
-// Numbers as text that reads back to the same double.
+// Numbers as text: exact, or rounded for a reader.
 #pragma once
 
-#include <charconv>
 #include <string>
-#include <string_view>
 
 namespace mixity {
 
 /// Shortest decimal text that reads back to exactly this (finite) double.
-inline std::string shortest(double value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
-}
+std::string shortest(double value);
 
-/// Rounded to so many significant digits, for a reader's eye: 1700 rather than 1.7e+03, up to ten million.
-inline std::string rounded(double value, int digits) {
-  char text[48];
-  const char* end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
-  const std::string_view general(text, static_cast<std::size_t>(end - text));
-  if (general.find("e+") == std::string_view::npos) return std::string(general);
-  double shown = 0;
-  std::from_chars(text, end, shown);
-  if (!(shown < 1e7 && shown > -1e7)) return std::string(general);
-  end = std::to_chars(text, text + sizeof text, shown, std::chars_format::fixed, 0).ptr;
-  return std::string(text, static_cast<std::size_t>(end - text));
-}
+/// Rounded to so many significant digits: 1.7e+03.
+std::string significant(double value, int digits);
+
+/// The same without exponents up to ten million: 1700.
+std::string rounded(double value, int digits);
+
+/// With so many significant digits that a change of `resolution` changes the last but one.
+std::string resolved(double value, double resolution);
+
+/// A value and its standard error as the Particle Data Group rounds them: the error to two digits if its first three
+/// are 100..354, else to one (950..999 becomes 1000), the value to the same place.
+struct RoundedToError {
+  std::string value, error;
+};
+RoundedToError rounded_to_error(double value, double error);
+
+/// A coefficient of determination with as many nines as it has, and two digits more: 0.9999 and 0.99994 differ.
+std::string r2_text(double r2);
+
+/// "T [mN]", or "T" for a dimensionless quantity.
+std::string bracketed(const std::string& quantity, const std::string& unit);
+
+/// " mN", or nothing for a dimensionless quantity.
+std::string unit_text(const std::string& unit);
 
 }  // namespace mixity

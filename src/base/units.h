@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/trim.h"
+#include "base/text.h"
 
 namespace mixity {
 

@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/fit_flags.h"
+#include "cli/flag_words.h"
 #include "cli/flags.h"
 #include "dataset/pooled.h"
 #include "fitting/unsheared.h"
@@ -40,9 +41,9 @@ int run_check(const Arguments& arguments) {
     try {
       const Dataset data = load(overrides);
       usable &= !data.points.empty();
-      text += check_text(data, unsheared_if_errors_allow(data));
+      text += check_text(data, unsheared_if_errors_allow(data), in_flags);
     } catch (const MissingConstants& error) {
-      std::cout << text << reading_text(load(with_some(error.names, overrides))) << std::flush;
+      std::cout << text << reading_text(load(with_some(error.message().options(), overrides))) << std::flush;
       throw;
     }
   };

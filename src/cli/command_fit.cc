@@ -7,7 +7,7 @@
 #include "analysis/fit_definition.h"
 #include "analysis/judgement.h"
 #include "analysis/run.h"
-#include "base/output_file.h"
+#include "base/files.h"
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/fit_flags.h"

@@ -1,7 +1,7 @@
 // mixity import: a WebPlotDigitizer export becomes a data CSV.
 #include <iostream>
 
-#include "base/output_file.h"
+#include "base/files.h"
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 #include "cli/flags.h"

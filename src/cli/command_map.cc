@@ -1,7 +1,7 @@
 // mixity map: what becomes of a sheared contact, over normal load and lambda.
 #include <iostream>
 
-#include "base/rounding.h"
+#include "base/number_text.h"
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 
@@ -107,8 +107,7 @@ int run_map(const Arguments& arguments) {
   const Range loads = load_range(units);
   const ParameterInfo& info = infos[axis];
   const bool usual = info.name == "lambda" || is_set("lambda_range");
-  const Range values =
-      usual ? range_from("lambda_range", info.lower, info.upper) : Range{info.lower, info.upper};
+  const Range values = usual ? range_from("lambda_range", info.lower, info.upper) : Range{info.lower, info.upper};
   const auto boundaries = model.regime_boundaries();
   if (FLAGS_boundaries && !boundaries)
     throw UsageError("flag '--boundaries': those of model " + key + " have no closed form");

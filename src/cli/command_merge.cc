@@ -1,7 +1,7 @@
 // mixity merge: what `mixity fit --shard=i/n --format=json` made of the parts of a list becomes one document.
 #include <iostream>
 
-#include "base/output_file.h"
+#include "base/files.h"
 #include "cli/commands.h"
 #include "cli/flags.h"
 #include "report/merge_json.h"

@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <iostream>
 
+#include "base/files.h"
 #include "base/input_error.h"
-#include "base/output_file.h"
 #include "cli/commands.h"
+#include "cli/flag_words.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
 #include "dataset/logs/clocks.h"
@@ -86,7 +87,7 @@ int run_runs(const Arguments& arguments) {
   forces.time = forces.P = forces.T = forces.A = {};
   log.forces = std::move(forces);
   if (log.runs.runs.empty()) {
-    std::cout << runs_text(log);
+    std::cout << runs_text(log, in_flags);
     throw InputError(arguments[0], "holds no loading run: no contact under one load in which T rises");
   }
   if (!FLAGS_out.empty()) {
@@ -100,7 +101,7 @@ int run_runs(const Arguments& arguments) {
     files.push_back({folder + "peaks.csv", peaks_csv(log)});
     files.push_back({folder + "peaks.toml", runs_toml(log)});
     files.push_back({folder + "phases.csv", phases_csv(log)});
-    files.push_back({folder + "cuts.toml", cuts_toml(log)});
+    files.push_back({folder + "cuts.toml", cuts_toml(log, in_flags)});
     files.push_back({folder + "fit.toml", runs_definition(figures)});
     std::vector<std::string> inputs(arguments.begin(), arguments.end());
     for (const std::string& path : arguments) inputs.push_back(metadata_path(path));
@@ -109,7 +110,7 @@ int run_runs(const Arguments& arguments) {
     write_files(files, inputs);
     if (!drawn.missing.empty()) std::cerr << "mixity: " << drawn.missing << '\n';
   }
-  std::cout << runs_text(log);
+  std::cout << runs_text(log, in_flags);
   if (!FLAGS_out.empty())
     std::cout << "Written to " << FLAGS_out << "; next: mixity report " << FLAGS_out << "/fit.toml --out=DIR\n";
   return kFine;

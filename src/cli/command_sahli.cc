@@ -4,6 +4,7 @@
 #include "base/input_error.h"
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
+#include "cli/flag_words.h"
 #include "fitting/fit.h"
 #include "fitting/sahli.h"
 #include "report/sahli_text.h"
@@ -48,7 +49,7 @@ int run_sahli(const Arguments& arguments) {
   std::string described;
   const std::vector<double> parameters = prediction_parameters(data, model, described);
   const SahliResult result = fit_sahli(data, upto, parameters.empty() ? "" : model, parameters);
-  std::cout << (FLAGS_format == "csv" ? sahli_csv(data, result) : sahli_text(data, result, described));
+  std::cout << (FLAGS_format == "csv" ? sahli_csv(data, result) : sahli_text(data, result, described, in_flags));
   return result.runs.empty() ? kFitNotOk : kFine;
 }
 

@@ -2,8 +2,8 @@
 #include <iostream>
 #include <sstream>
 
+#include "base/files.h"
 #include "base/number_text.h"
-#include "base/output_file.h"
 #include "base/toml_file.h"
 #include "cli/commands.h"
 #include "cli/flags.h"

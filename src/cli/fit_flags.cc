@@ -7,8 +7,9 @@
 #include "analysis/fit_definition.h"
 #include "analysis/result.h"
 #include "analysis/settings.h"
-#include "base/output_file.h"
-#include "base/printable.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "cli/flag_words.h"
 #include "cli/flags.h"
 #include "cli/law_flags.h"
 
@@ -37,6 +38,7 @@ FitRequest request_for(const std::string& path) {
     request = read_fit_definition(path);
   else
     request.data_path = path;
+  request.words = in_flags;
   for (const std::string& note : request.law_notes) std::cerr << "mixity: " << note << '\n';
   const auto refuse = [](const std::string& option, const std::string& problem) {
     throw UsageError("flag '--" + option + "' " + problem);

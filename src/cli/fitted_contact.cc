@@ -7,9 +7,9 @@
 #include "analysis/run.h"
 #include "base/input_error.h"
 #include "base/number_text.h"
-#include "base/rounding.h"
 #include "cli/contact_flags.h"
 #include "cli/fit_flags.h"
+#include "cli/flag_words.h"
 #include "cli/flags.h"
 #include "mechanics/states.h"
 
@@ -105,7 +105,7 @@ void FittedContact::print_areas(const std::function<std::vector<Load>(const Load
 int FittedContact::exit_code() const {
   if (fit().status == FitStatus::ok) return kFine;
   std::cerr << "mixity: " << data().shown_path() << ": model " << fit().model << " is " << to_string(fit().status)
-            << (fit().message.empty() ? "" : ": " + fit().message) << '\n';
+            << (fit().message.empty() ? "" : ": " + fit().message.text(in_flags)) << '\n';
   return kFitNotOk;
 }
 

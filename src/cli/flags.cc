@@ -6,7 +6,7 @@
 #include "analysis/laws.h"
 #include "analysis/settings.h"
 #include "base/number_text.h"
-#include "base/trim.h"
+#include "base/text.h"
 #include "base/units.h"
 
 DEFINE_string(format, "text", "output format");
@@ -183,16 +183,12 @@ double number_from(const std::string& flag, double low, double high) {
 
 std::vector<std::string> list_from(const std::string& flag) {
   const std::string value = value_of(flag);
-  std::string_view text = value;
   std::vector<std::string> items;
-  for (bool more = !text.empty(); more;) {
-    const std::size_t comma = text.find(',');
-    const std::string_view item = trim(text.substr(0, comma));
+  if (value.empty()) return items;
+  for (const std::string_view item : split(value)) {
     if (item.empty())
       throw UsageError("flag '--" + flag + "': entry " + std::to_string(items.size() + 1) + " is empty");
     items.emplace_back(item);
-    more = comma != std::string_view::npos;
-    if (more) text.remove_prefix(comma + 1);
   }
   return items;
 }

@@ -7,10 +7,11 @@
 #include <iostream>
 #include <new>
 
+#include "base/files.h"
 #include "base/input_error.h"
-#include "base/output_file.h"
-#include "base/printable.h"
+#include "base/text.h"
 #include "cli/commands.h"
+#include "cli/flag_words.h"
 #include "cli/flags.h"
 #include "cli/law_flags.h"
 
@@ -57,7 +58,7 @@ int main(int argc, char** argv) {
   } catch (const UsageError& error) {
     code = fail(error.what(), kBadUsage);
   } catch (const InputError& error) {
-    code = fail(error.what(), kBadInput);
+    code = fail(error.text(in_flags), kBadInput);
   } catch (const OutputError& error) {
     code = fail(error.what(), kCannotWrite);
   } catch (const std::bad_alloc&) {

@@ -1,7 +1,7 @@
 #include "dataset/arrays.h"
 
 #include "base/number_text.h"
-#include "base/trim.h"
+#include "base/text.h"
 #include "dataset/collector.h"
 #include "dataset/table/csv.h"
 
@@ -61,7 +61,7 @@ Dataset make_dataset(const std::string& name, const std::vector<ArrayColumn>& co
                                  columns[0].heading + "' has " + std::to_string(size));
     headings.push_back(split_heading(column.heading, {1, headings.size() + 1}));
   }
-  const PointReader reader(name, headings, data);
+  const PointReader reader("", headings, data);
   data.taken = reader.taken();
   for (const ColumnKind& kind : kColumnKinds) {
     const Column* const column = kind.id == ColumnId::curve ? nullptr : reader.columns().find(kind.id);
@@ -72,7 +72,7 @@ Dataset make_dataset(const std::string& name, const std::vector<ArrayColumn>& co
   Collector collector(reader, data);
   ArrayRows rows(columns, reader.columns());
   for (std::size_t i = 0; i < size; ++i) collector.row(rows.row(i));
-  collector.finish(name);
+  collector.finish("");
   return data;
 }
 

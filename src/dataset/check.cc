@@ -235,7 +235,7 @@ std::vector<CurveSummary> summarise_curves(const Dataset& data) {
   return curves;
 }
 
-std::vector<std::string> find_oddities(const Dataset& data) {
+std::vector<std::string> find_oddities(const Dataset& data, Wording words) {
   Lines odd;
   check_usable(data, odd);
   if (data.has_loads) {
@@ -249,10 +249,10 @@ std::vector<std::string> find_oddities(const Dataset& data) {
   }
   check_errors(data, odd);
   check_duplicates(data, odd);
-  odd.insert(odd.end(), data.notes.begin(), data.notes.end());
+  for (const Message& note : data.notes) odd.push_back(note.text(words));
   for (const std::string& column : data.ignored_columns)
     if (std::none_of(data.notes.begin(), data.notes.end(),
-                     [&](const std::string& note) { return note.starts_with("column '" + column + "'"); }))
+                     [&](const Message& note) { return note.text().starts_with("column '" + column + "'"); }))
       odd.push_back("column '" + column + "' is not used");
   if (data.metadata.provenance == Provenance::unstated) odd.push_back("the provenance of the data is not stated");
   return odd;

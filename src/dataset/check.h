@@ -23,6 +23,6 @@ struct CurveSummary {
 std::vector<CurveSummary> summarise_curves(const Dataset& data);
 
 /// One sentence per oddity, with line numbers where they apply; empty if nothing is odd.
-std::vector<std::string> find_oddities(const Dataset& data);
+std::vector<std::string> find_oddities(const Dataset& data, Wording words = in_neutral_words);
 
 }  // namespace mixity

@@ -5,7 +5,7 @@
 
 #include "base/input_error.h"
 #include "base/number_text.h"
-#include "base/printable.h"
+#include "base/text.h"
 #include "dataset/energies.h"
 #include "dataset/load_sign.h"
 #include "dataset/nominal_loads.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/input_error.h"
-#include "base/printable.h"
+#include "base/text.h"
 #include "dataset/metadata.h"
 #include "mechanics/contact.h"
 #include "mechanics/measurement.h"
@@ -97,7 +97,7 @@ struct Dataset {
   std::string reading;             // the format of the file if not plain: "UTF-16LE, tabs, decimal commas"
   std::vector<std::string> taken;  // "P from 'Normalkraft (mN)'"
   bool like_a_log = false;         // a column of times, and many rows that are no points
-  std::vector<std::string> notes;  // on what was skipped or changed: sentences that every fit shows
+  std::vector<Message> notes;      // on what was skipped or changed: sentences that every fit shows
   DisplayUnits display;
 
   /// Toughness and phase angle of point i; null if its area does not exceed that of Hertz (kNoPhaseAngle).

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/rounding.h"
+#include "base/number_text.h"
 #include "base/units.h"
 
 namespace mixity {

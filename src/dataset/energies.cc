@@ -26,8 +26,8 @@ void take_largest_as_unit(const std::string& metadata_path, Dataset& data) {
   double largest = 0;
   for (const PointEnergies& energies : data.energies) largest = std::max(largest, energies.G_I);
   if (!in_range(largest) || !in_range(largest * data.display.energy_scale))
-    throw InputError(data.path, "needs toughness to be made dimensionless, as no G_I lies above 0: state it in " +
-                                    metadata_path + " or by a flag (--toughness=...)");
+    throw InputError(data.path, "needs toughness to be made dimensionless, as no G_I lies above 0" +
+                                    Remedy::state({"toughness"}, metadata_path));
   data.display.energy_scale *= largest;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < data.points.size(); ++i) {
@@ -49,9 +49,9 @@ void take_largest_as_unit(const std::string& metadata_path, Dataset& data) {
   if (!data.errors.empty()) data.errors.resize(kept);
   std::sort(data.excluded.begin(), data.excluded.end(),
             [](const Excluded& one, const Excluded& other) { return one.line < other.line; });
-  data.notes.push_back(
-      "toughness is not stated and has to be fitted (--free=toughness); where it is not, the largest G_I, " +
-      rounded(data.display.energy_scale, 4) + " " + data.display.energy + ", stands for it");
+  data.notes.push_back("toughness is not stated and has to be fitted (" + Remedy::set("free", "toughness") +
+                       "); where it is not, the largest G_I, " + rounded(data.display.energy_scale, 4) + " " +
+                       data.display.energy + ", stands for it");
 }
 
 }  // namespace

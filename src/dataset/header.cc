@@ -51,25 +51,20 @@ double load_in_name(const Dataset& data) {
   return fail("the file's name states no load");
 }
 
-/// The values. Throws MissingConstants, with the names of all that are not stated.
+/// The values. Throws MissingConstants, which recommends to state all that are not stated.
 std::vector<double> demand(const std::vector<std::pair<std::string, std::optional<double>>>& constants,
                            const std::string& path, const std::string& metadata_path) {
   std::vector<double> values;
   std::vector<std::string> missing;
-  std::string names, flags;
+  std::string names;
   for (const auto& [name, value] : constants) {
     values.push_back(value.value_or(0));
     if (value) continue;
     names += (names.empty() ? "" : ", ") + name;
-    flags += (flags.empty() ? "--" : ", --") + name + "=...";
     missing.push_back(name);
   }
   if (missing.empty()) return values;
-  const bool several = missing.size() > 1;
-  throw MissingConstants(path,
-                         "needs " + names + " to be made dimensionless: state " + (several ? "them" : "it") + " in " +
-                             metadata_path + " or by " + (several ? "flags" : "a flag") + " (" + flags + ")",
-                         missing);
+  throw MissingConstants(path, "needs " + names + " to be made dimensionless" + Remedy::state(missing, metadata_path));
 }
 
 /// The column that has the unit of toughness; null without one.

@@ -5,8 +5,7 @@
 
 #include "base/input_error.h"
 #include "base/number_text.h"
-#include "base/printable.h"
-#include "base/trim.h"
+#include "base/text.h"
 #include "dataset/table/column_kinds.h"
 #include "mechanics/contact.h"
 
@@ -225,7 +224,7 @@ void apply_overrides(const Overrides& overrides, Metadata& metadata) {
   bool modulus = false, youngs_modulus = false;
   for (const auto& [name, text] : overrides) {
     const std::string problem = set_field(metadata, name, text);
-    if (!problem.empty()) throw InputError("--" + name, problem);
+    if (!problem.empty()) throw InputError(Remedy::given(name), problem);
     modulus |= name == "modulus";
     youngs_modulus |= name == "youngs_modulus";
   }
@@ -240,7 +239,7 @@ void require_whole_modulus(const Metadata& metadata, const std::string& path, co
   const std::string_view given = metadata.youngs_modulus ? "youngs_modulus" : "poisson_ratio",
                          missing = metadata.youngs_modulus ? "poisson_ratio" : "youngs_modulus";
   for (const auto& [name, text] : overrides)
-    if (name == given) throw InputError("--" + name, "needs " + std::string(missing) + ", too");
+    if (name == given) throw InputError(Remedy::given(name), "needs " + std::string(missing) + ", too");
   if (!metadata.modulus) throw InputError(path, "states " + std::string(given) + " without " + std::string(missing));
 }
 

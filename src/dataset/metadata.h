@@ -57,13 +57,10 @@ struct Metadata {
   double modulus_error() const;
 };
 
-/// A file that could be read if the constants were stated that make its points dimensionless.
+/// A file that could be read if the constants were stated that make its points dimensionless: the options of the
+/// message.
 class MissingConstants : public InputError {
- public:
-  MissingConstants(const std::string& file, const std::string& message, std::vector<std::string> missing)
-      : InputError(file, message), names(std::move(missing)) {}
-
-  std::vector<std::string> names;
+  using InputError::InputError;
 };
 
 /// Something that may be stated of an experiment, or of how to read its file: a key of the TOML, a flag, a keyword.
@@ -106,11 +103,11 @@ Overrides constants_as_stated(const Metadata& metadata);
 /// Copies the fields that are about how to read a file.
 void copy_reading(const Metadata& from, Metadata& to);
 
-/// Applies overrides; one of modulus and youngs_modulus replaces the other. Throws InputError naming the flag.
+/// Applies overrides; one of modulus and youngs_modulus replaces the other. Throws InputError naming the override.
 void apply_overrides(const Overrides& overrides, Metadata& metadata);
 
-/// Throws InputError if the statements of the modulus contradict each other or are incomplete: naming the flag, if one
-/// of the overrides is half of a pair, else the file at `path`.
+/// Throws InputError if the statements of the modulus contradict each other or are incomplete: naming the override, if
+/// one of the overrides is half of a pair, else the file at `path`.
 void require_whole_modulus(const Metadata& metadata, const std::string& path, const Overrides& overrides = {});
 
 /// How the columns of its table are to be read.

@@ -3,7 +3,7 @@
 
 #include "base/input_error.h"
 #include "base/number_text.h"
-#include "base/printable.h"
+#include "base/text.h"
 #include "base/toml_file.h"
 #include "dataset/metadata.h"
 

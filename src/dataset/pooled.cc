@@ -101,7 +101,7 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
   for (Excluded& excluded : part.excluded) excluded.line += first_line;
   add_all(whole.excluded, part.excluded);
   whole.rows += part.rows;
-  for (const std::string& note : part.notes) whole.notes.push_back(name + ": " + note);
+  for (const Message& note : part.notes) whole.notes.push_back(name + ": " + note);
   if (part.reading != whole.reading)
     whole.notes.push_back(name + ": read as " + (part.reading.empty() ? "plain CSV" : part.reading));
   if (part.taken != whole.taken) {

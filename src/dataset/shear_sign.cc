@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/printable.h"
+#include "base/text.h"
 
 namespace mixity {
 namespace {
@@ -71,9 +71,9 @@ void ask_for_zero(Dataset& data) {
   for (std::size_t i = 0; i < rising.size(); ++i)
     if (rising[i] >= kInARow && ++count <= 3) names += (names.empty() ? "" : ", ") + printable(data.curves[i], 40);
   if (count == 0) return;
-  data.notes.push_back(
-      "T rises through zero from below in run " + names + (count > 3 ? " and others" : "") +
-      ": is its zero right? An error of it can be stated (shear_offset) or fitted (--free=shear_offset)");
+  data.notes.push_back("T rises through zero from below in run " + names + (count > 3 ? " and others" : "") +
+                       ": is its zero right? An error of it can be stated (shear_offset) or fitted (" +
+                       Remedy::set("free", "shear_offset") + ")");
 }
 
 }  // namespace

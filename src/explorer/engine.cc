@@ -1,4 +1,5 @@
-// The engine as a page's script calls it: texts in, JSON out. What throws elsewhere is {"error": SENTENCE} here.
+// The engine as a page's script calls it: texts in, JSON out. What throws elsewhere is here {"error": SENTENCE,
+// "options": [those that it recommends]}.
 #include <emscripten/bind.h>
 
 #include <cstdint>
@@ -18,6 +19,7 @@
 #include "analysis/settings.h"
 #include "explorer/drawing.h"
 #include "explorer/experiment.h"
+#include "explorer/field_words.h"
 #include "explorer/regime_map.h"
 #include "mechanics/laws/known_laws.h"
 #include "report/fit_json.h"
@@ -30,6 +32,8 @@ std::string guarded(const std::function<Json()>& work) {
   const auto text = [](const Json& told) { return told.dump(-1, ' ', false, Json::error_handler_t::replace); };
   try {
     return text(work());
+  } catch (const InputError& error) {
+    return text({{"error", error.text(in_fields)}, {"options", error.message().options()}});
   } catch (const std::exception& error) {
     return text({{"error", error.what()}});
   }
@@ -55,6 +59,7 @@ FitRequest request_of(const std::string& name, const std::string& constants, con
   const Json chosen = Json::parse(options), stated = Json::parse(constants);
   FitRequest request;
   request.data_path = name;
+  request.words = in_fields;
   for (const auto& [key, text] : chosen.items())
     if (const std::string problem = set_option(request, key, text.get<std::string>()); !problem.empty())
       throw InputError(key, problem);

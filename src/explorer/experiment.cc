@@ -6,6 +6,7 @@
 #include "analysis/judgement.h"
 #include "base/number_text.h"
 #include "base/units.h"
+#include "explorer/field_words.h"
 #include "fitting/predicted_curves.h"
 #include "fitting/prediction.h"
 
@@ -84,10 +85,12 @@ std::string as_typed(double value, double error, const std::string& unit) {
 }  // namespace
 
 Json as_read(const Dataset& data) {
+  std::vector<std::string> notes;
+  for (const Message& note : data.notes) notes.push_back(note.text(in_fields));
   Json told{{"reading", data.reading},
             {"taken", data.taken},
             {"ignored", data.ignored_columns},
-            {"notes", data.notes},
+            {"notes", notes},
             {"log", data.like_a_log},
             {"points", data.points.size()},
             {"rows", data.rows},

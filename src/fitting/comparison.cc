@@ -1,11 +1,10 @@
 #include "fitting/comparison.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 
-#include "base/side_by_side.h"
+#include "base/threads.h"
 #include "fitting/common_constants.h"
 #include "fitting/predicted_area.h"
 #include "fitting/prepare.h"
@@ -77,26 +76,22 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
   std::erase_if(runs, [](const auto& run) { return run.empty(); });
   std::vector<std::optional<LeftOut::Run>> left_out(runs.size());
   std::vector<double> squares(runs.size());
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t r; (r = next++) < runs.size();) {
-      if (options.progress) options.progress(static_cast<double>(r) / static_cast<double>(runs.size()));
-      const std::size_t curve = data.points[runs[r].front()].curve;
-      std::vector<std::size_t> others;
-      for (std::size_t i = 0; i < data.points.size(); ++i)
-        if (data.points[i].curve != curve) others.push_back(i);
-      const FitResult without = refit_model(data, whole, options, others);
-      if (!has_all_values(without) || without.status == FitStatus::not_converged) continue;
-      LeftOut::Run run{data.curves[curve], data.curve_loads[curve], 0, runs[r].size(), 0};
-      const auto sum =
-          squared_area_errors(data, runs[r], model, fitted_candidate(data, model, without, options), run.beyond_fold);
-      if (!sum) continue;
-      squares[r] = *sum;
-      run.rmse_area = std::sqrt(*sum / static_cast<double>(run.points));
-      left_out[r] = std::move(run);
-    }
-  };
-  side_by_side(std::min(processors(), runs.size()), work);
+  parallel_for(runs.size(), [&](std::size_t r) {
+    if (options.progress) options.progress(static_cast<double>(r) / static_cast<double>(runs.size()));
+    const std::size_t curve = data.points[runs[r].front()].curve;
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+      if (data.points[i].curve != curve) others.push_back(i);
+    const FitResult without = refit_model(data, whole, options, others);
+    if (!has_all_values(without) || without.status == FitStatus::not_converged) return;
+    LeftOut::Run run{data.curves[curve], data.curve_loads[curve], 0, runs[r].size(), 0};
+    const auto sum =
+        squared_area_errors(data, runs[r], model, fitted_candidate(data, model, without, options), run.beyond_fold);
+    if (!sum) return;
+    squares[r] = *sum;
+    run.rmse_area = std::sqrt(*sum / static_cast<double>(run.points));
+    left_out[r] = std::move(run);
+  });
   LeftOut result{0, 0, {}};
   std::size_t predicted = 0;
   for (std::size_t r = 0; r < runs.size(); ++r) {

@@ -211,7 +211,7 @@ bool is_far(const ResidualTests& tests) {
   return tests.over_scatter.value_or(0) > kFarOff && tests.over_neighbours.value_or(0) > kFarFromNeighbours;
 }
 
-std::string failed_test(const FitResult& fit) {
+Message failed_test(const FitResult& fit) {
   constexpr double kFarFromStated = 4;  // standard errors of a prior
   if (fit.budget)
     for (const BudgetPart& part : fit.budget->parts)
@@ -220,7 +220,8 @@ std::string failed_test(const FitResult& fit) {
                (part.pull < 0 ? "below" : "above") + " what was stated: check it";
   if (slides(fit)) return "points lie beyond the last equilibrium: cut the runs at the onset of sliding";
   if (const ExactConstant* wrong = wrong_constant(fit))
-    return wrong->constant + " looks wrong: check it, state its standard error, or --free=" + wrong->constant;
+    return wrong->constant + " looks wrong: check it, state its standard error, or " +
+           Remedy::set("free", wrong->constant);
   if (!fit.consistency) return {};
   const Consistency& tests = *fit.consistency;
   if (tests.chi2_p && *tests.chi2_p < kChance)
@@ -235,8 +236,8 @@ std::string failed_test(const FitResult& fit) {
   if (tests.residuals.runs_p < kChance || tests.residuals.correlation_p < kChance)
     return "residuals of neighbouring points resemble each other (correlation " +
            rounded(tests.residuals.correlation, 2) +
-           "): the model or a constant is wrong, or the points are not independent (--bootstrap with "
-           "--resample=curves)";
+           "): the model or a constant is wrong, or the points are not independent (" + Remedy::set("bootstrap") +
+           " with " + Remedy::set("resample", "curves") + ")";
   if (tests.residuals.trend_p < kChance)
     return "residuals follow a trend along the runs: the model or a constant is wrong";
   return {};

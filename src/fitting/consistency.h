@@ -30,7 +30,7 @@ bool slides(const FitResult& fit);
 bool is_far(const ResidualTests& tests);
 
 /// Which test of the fit's constants and residuals fails, as a sentence with a remedy; empty if none does.
-std::string failed_test(const FitResult& fit);
+Message failed_test(const FitResult& fit);
 
 /// A fit of the same model to some points, for its values; from `near` where that is not null.
 using Refit = std::function<FitResult(const FitOptions& options, const std::vector<std::size_t>& points,
@@ -40,7 +40,7 @@ using Refit = std::function<FitResult(const FitOptions& options, const std::vect
 /// wrong, points past the onset of sliding, errors that are too small, a model that is wrong. Empty if none fails. Of a
 /// model that another one leaves far behind only a constant that explains everything is of interest.
 struct Diagnosis {
-  std::string reason;
+  Message reason;
   std::optional<double> explained{};  // the cost with the constant free that explains all
 };
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,

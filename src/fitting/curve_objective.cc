@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/side_by_side.h"
+#include "base/threads.h"
 
 namespace mixity {
 namespace {
@@ -79,7 +79,7 @@ bool CurveObjective::all_blocks(std::span<const double> x, Search search, std::s
                      places))
         defined = false;
   };
-  side_by_side(std::clamp<std::size_t>(n / kPointsOfAThread, 1, processors()), work);
+  run_on_threads(std::clamp<std::size_t>(n / kPointsOfAThread, 1, processors()), work);
   return defined;
 }
 

@@ -189,13 +189,13 @@ std::string alike(Constant constant) {
   return {};
 }
 
-std::string constant_text(const Freed& freed, const FitResult& fit) {
+Message constant_text(const Freed& freed, const FitResult& fit) {
   const FittedParameter& constant =
       *std::find_if(freed.fit.parameters.begin(), freed.fit.parameters.end(),
                     [&](const FittedParameter& one) { return one.name == kConstantNames[freed.constant]; });
   return constant.name + alike(freed.constant) + " looks wrong: at " + with_unit(*constant.value, constant.unit) +
          ", " + before_and_after(fit, freed.fit) + " and " + lambda_text(freed.fit) +
-         "; check it, state its standard error, or --free=" + constant.name;
+         "; check it, state its standard error, or " + Remedy::set("free", constant.name);
 }
 
 /// What may be the cause. A cause that explains all points explains some of them as well, but for one case in ten
@@ -227,7 +227,7 @@ Suspects suspects(const Dataset& data, const FitResult& fit, const FitOptions& o
 
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
                    bool left_behind) {
-  const std::string failed = failed_test(fit);
+  const Message failed = failed_test(fit);
   if (failed.empty() || !fit.budget || fit.loss_scale > 0) return {failed};
   constexpr std::size_t kEnough = 5000;  // to tell one cause from another
   const Points points = thinned(fit.used, kEnough);

@@ -31,7 +31,7 @@ double held_value(const HeldParameter& held, const ParameterInfo& info, const Da
 
 /// Throws InputError where the options ask for what the data set does not have.
 void require_what_is_asked(const Dataset& data, const FitOptions& options, Objective objective) {
-  const auto refuse = [&](const std::string& message) { throw InputError(data.path, message); };
+  const auto refuse = [&](const Message& message) { throw InputError(data.path, message); };
   const bool uncertain = fitted_constants(data, options).size() > options.free.size();
   const std::string columns = data.has_energies ? "G_I and G_II" : "psi and Gc";
   const bool curve = objective == Objective::curve, energies = curve && data.has_energies;
@@ -48,17 +48,17 @@ void require_what_is_asked(const Dataset& data, const FitOptions& options, Objec
       std::any_of(options.free.begin(), options.free.end(), [](Constant c) { return c >= kLoadOffset; }))
     refuse(kNoOffsets);
   if (data.has_energies && !curve && !options.free.empty())
-    refuse("with energies (G_I, G_II), the toughness can be free under --objective=curve");
+    refuse("with energies (G_I, G_II), the toughness can be free under " + Remedy::set("objective", "curve"));
   if (!data.toughness_known && !(energies && !options.free.empty()))
-    refuse("needs toughness (G_Ic): state it in " + metadata_path(data.path) +
-           " or by a flag (--toughness=...), or fit it with --objective=curve --free=toughness");
+    refuse("needs toughness (G_Ic)" + Remedy::state({"toughness"}, metadata_path(data.path)) + ", or fit it with " +
+           Remedy{Remedy::Kind::set, {{"objective", "curve"}, {"free", "toughness"}}});
   if ((uncertain || !options.free.empty()) && !curve && scale_of(options) == Scale::linear)
     refuse(
         "with constants of the experiment fitted, free or with a standard error, objective toughness is fitted in "
         "ln(Gc/GIc)");
   if (curve && (options.weighted || options.scale))
-    refuse(std::string(options.weighted ? "weighted" : "scale") +
-           " needs the objective toughness (--objective=toughness): curve, the default for loads and areas, " +
+    refuse(std::string(options.weighted ? "weighted" : "scale") + " needs the objective toughness (" +
+           Remedy::set("objective", "toughness") + "): curve, the default for loads and areas, " +
            (options.weighted ? "weighs the points anyway" : "compares no toughness"));
 }
 

@@ -145,7 +145,7 @@ struct FitResult {
   Objective objective = Objective::toughness;
   Scale scale = Scale::log;
   FitStatus status = FitStatus::not_converged;
-  std::string message;
+  Message message;
   std::vector<FittedParameter> parameters;
   std::vector<std::size_t> used;                         // indices into Dataset::points
   std::vector<Excluded> excluded;                        // usable points that this model cannot describe

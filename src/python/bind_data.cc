@@ -9,6 +9,7 @@
 #include "dataset/table/column_kinds.h"
 #include "dataset/table/column_names.h"
 #include "python/bindings.h"
+#include "python/keyword_words.h"
 
 namespace mixity {
 
@@ -16,7 +17,12 @@ void bind_data(nb::module_& m) {
   nb::class_<Dataset>(m, "Dataset")
       .def_ro("name", &Dataset::name)
       .def_ro("path", &Dataset::path)
-      .def_ro("notes", &Dataset::notes)
+      .def_prop_ro("notes",
+                   [](const Dataset& d) {
+                     std::vector<std::string> notes;
+                     for (const Message& note : d.notes) notes.push_back(note.text(in_keywords));
+                     return notes;
+                   })
       .def_ro("curves", &Dataset::curves)
       .def_ro("reading", &Dataset::reading)
       .def_ro("taken", &Dataset::taken)
@@ -96,12 +102,10 @@ void bind_data(nb::module_& m) {
   });
   m.def("forces", [](const std::string& name, const std::string& text) {
     std::vector<Quantity> all;
-    for (std::size_t at = 0; at <= text.size();) {
-      const std::size_t end = std::min(text.find(',', at), text.size());
-      const auto quantity = parse_quantity(trim(std::string_view(text).substr(at, end - at)));
+    for (const std::string_view one : split(text)) {
+      const auto quantity = parse_quantity(one);
       if (!quantity) throw InputError(name, "is '" + text + "'; it must be loads such as \"1,4 mN\"");
       all.push_back(*quantity);
-      at = end + 1;
     }
     std::vector<double> loads;
     for (Quantity& one : all) {

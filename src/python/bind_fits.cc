@@ -7,6 +7,7 @@
 #include "fitting/fit.h"
 #include "fitting/prediction.h"
 #include "python/bindings.h"
+#include "python/keyword_words.h"
 #include "report/fit_json.h"
 #include "report/fit_text.h"
 
@@ -16,6 +17,7 @@ namespace {
 Analysis fit(const Dataset& data, const Stated& options, const nb::object& progress) {
   FitRequest request;
   request.data_path = data.path;
+  request.words = in_keywords;
   for (const auto& [name, text] : options)
     if (const std::string problem = set_option(request, name, text); !problem.empty()) throw InputError(name, problem);
   if (const auto both = contradiction(request)) throw InputError(both->option, both->problem);

@@ -1,15 +1,25 @@
 // The engine as Python's module mixity._core: arrays in, results as JSON and arrays out. What is Pythonic about it
 // stands in mixity/*.py.
-#include "base/input_error.h"
+#include "dataset/table/columns.h"
 #include "python/bindings.h"
+#include "python/keyword_words.h"
 
 NB_MODULE(_core, m) {
   m.doc() = "The engine of mixity.";
-  nb::exception<mixity::InputError>(m, "InputError", PyExc_ValueError).doc() =
-      "What mixity does not take, with the sentence that says why and what helps. A ValueError.";
+  static PyObject *input_error, *missing_column;
+  nb::exception<mixity::InputError> of_input(m, "InputError", PyExc_ValueError);
+  of_input.doc() = "What mixity does not take, with the sentence that says why and what helps. A ValueError.";
+  nb::exception<mixity::MissingColumn> of_column(m, "MissingColumn", of_input.ptr());
+  of_column.doc() = "The InputError of a table without a column that is needed.";
+  input_error = of_input.ptr();
+  missing_column = of_column.ptr();
   nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
     try {
       std::rethrow_exception(thrown);
+    } catch (const mixity::MissingColumn& error) {
+      PyErr_SetString(missing_column, error.text(mixity::in_keywords).c_str());
+    } catch (const mixity::InputError& error) {
+      PyErr_SetString(input_error, error.text(mixity::in_keywords).c_str());
     } catch (const mixity::Interrupted&) {
       if (!PyErr_Occurred()) PyErr_SetNone(PyExc_KeyboardInterrupt);
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/rounding.h"
+#include "base/number_text.h"
 #include "base/units.h"
 #include "fitting/consistency.h"
 
@@ -90,9 +90,9 @@ std::string prior_text(const FittedParameter& parameter, const std::optional<Bud
   return text;
 }
 
-std::vector<std::string> budget_and_consistency(const FitResult& fit, const Dataset& data) {
+std::vector<std::string> budget_and_consistency(const FitResult& fit, const Analysis& result) {
   std::vector<std::string> lines;
-  if (fit.status == FitStatus::suspect) lines.push_back("SUSPECT: " + fit.message);
+  if (fit.status == FitStatus::suspect) lines.push_back("SUSPECT: " + fit.message.text(result.request.words));
   if (!fit.outdone_by.empty()) return lines;  // what its errors are made of is of no interest
   if (std::string text = posterior_line(fit); !text.empty()) lines.push_back(std::move(text));
   for (const FittedParameter& parameter : fit.parameters) {
@@ -101,7 +101,7 @@ std::vector<std::string> budget_and_consistency(const FitResult& fit, const Data
     lines.push_back(parameter.name + " = " + shown.value + " +/- " + shown.error + unit_text(parameter.unit) + ", " +
                     prior_text(parameter, fit.budget));
   }
-  for (const auto& more : {budget_lines(fit), consistency_lines(fit, data)})
+  for (const auto& more : {budget_lines(fit), consistency_lines(fit, result.data)})
     lines.insert(lines.end(), more.begin(), more.end());
   return lines;
 }

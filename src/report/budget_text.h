@@ -23,7 +23,7 @@ std::string posterior_line(const FitResult& fit);
 std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& data);
 
 /// Both, with what makes the fit suspect first.
-std::vector<std::string> budget_and_consistency(const FitResult& fit, const Dataset& data);
+std::vector<std::string> budget_and_consistency(const FitResult& fit, const Analysis& result);
 
 /// The areas without shear against JKR, in one sentence.
 std::string unsheared_sentence(const UnshearedTest& test);

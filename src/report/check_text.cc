@@ -59,7 +59,7 @@ void write_excluded(std::ostringstream& out, const Dataset& data) {
 
 }  // namespace
 
-std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared) {
+std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared, Wording words) {
   std::ostringstream out;
   write_reading(out, data);
   out << "    provenance: " << to_string(data.metadata.provenance) << '\n';
@@ -69,7 +69,7 @@ std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& 
     out << "    " << std::left << std::setw(16) << name << value << '\n';
   write_curves(out, data, true);
   write_excluded(out, data);
-  auto oddities = find_oddities(data);
+  auto oddities = find_oddities(data, words);
   if (unsheared && !data.points.empty()) {
     out << "[[Areas without shear]]\n    " << unsheared_sentence(*unsheared) << '\n';
     if (unsheared->p_value < kChance)

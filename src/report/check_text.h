@@ -10,7 +10,8 @@
 namespace mixity {
 
 /// `unsheared`: null where nothing is to be said of areas without shear.
-std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared = {});
+std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared = {},
+                       Wording words = in_neutral_words);
 
 /// How a file was read, of one whose constants are not known: columns, rows, runs.
 std::string reading_text(const Dataset& data);

@@ -1,6 +1,6 @@
 #include "report/constants_text.h"
 
-#include "base/rounding.h"
+#include "base/number_text.h"
 #include "base/units.h"
 
 namespace mixity {

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "base/rounding.h"
+#include "base/number_text.h"
 #include "dataset/table/csv.h"
 
 namespace mixity {

@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
+
 namespace mixity {
 
 struct FitResult;
@@ -27,6 +29,9 @@ struct Within {
   const Analysis* result = nullptr;
   const FitResult* fit = nullptr;
 };
+
+/// A message in the words of the request that it belongs to.
+std::string worded(const Message& message, const Within& within);
 
 /// An object with these names. Its schema leaves the names open.
 template <class Value>
@@ -84,6 +89,8 @@ Json json_of(const Value& value, const Within& within = {}) {
     return to_string(value);
   } else if constexpr (is_text<Value> || std::is_arithmetic_v<Value>) {
     return value;
+  } else if constexpr (std::is_same_v<Value, Message>) {
+    return worded(value, within);
   } else {
     return fields<Value>().json(value, within);
   }
@@ -111,7 +118,7 @@ Json schema_of() {
     for (int i = 0; std::find(names.begin(), names.end(), to_string(Value(i))) == names.end(); ++i)
       names.push_back(to_string(Value(i)));
     return {{"enum", names}};
-  } else if constexpr (is_text<Value>) {
+  } else if constexpr (is_text<Value> || std::is_same_v<Value, Message>) {
     return {{"type", "string"}};
   } else if constexpr (std::is_same_v<Value, bool>) {
     return {{"type", "boolean"}};

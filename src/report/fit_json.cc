@@ -193,6 +193,10 @@ void describe(Fields<FitDocument>& field) {
       "datasets", "one for each data set", [](auto& document) -> auto& { return *document.results; });
 }
 
+std::string worded(const Message& message, const Within& within) {
+  return message.text(within.result ? within.result->request.words : in_neutral_words);
+}
+
 std::string json_text(const Json& document) {
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -8,7 +8,8 @@
 
 #include "analysis/judgement.h"
 #include "analysis/readable.h"
-#include "base/rounding.h"
+#include "base/number_text.h"
+#include "base/text.h"
 
 namespace mixity {
 
@@ -55,15 +56,16 @@ std::string paper_text(const FitResult& fit) {
   return text + ", R^2 = " + shown_r2(fit.paper->r2) + ", " + std::to_string(fit.paper->points) + " points\n";
 }
 
-std::string errors_text(const FitResult& fit, const Dataset& data) {
+std::string errors_text(const FitResult& fit, const Dataset& data, Wording words) {
   std::ostringstream out;
   if (!fit.errors && !fit.known_errors && !data.errors.empty())
-    out << "    errors: every point has the same weight; the file's standard errors count with --weighted"
-        << (data.has_loads ? " or --objective=curve\n" : "\n");
+    out << "    errors: every point has the same weight; the file's standard errors count with "
+        << words(Remedy::set("weighted", "true"))
+        << (data.has_loads ? " or " + words(Remedy::set("objective", "curve")) + "\n" : "\n");
   if (fit.errors) {
     out << "    errors: ";
-    const auto source = [&](ErrorSource of) {
-      return of == ErrorSource::exact     ? "0 (none given; if T has errors, state --sigma_T)"
+    const auto source = [&](ErrorSource of) -> std::string {
+      return of == ErrorSource::exact ? "0 (none given; if T has errors, state " + words(Remedy::set("sigma_T")) + ")"
              : of == ErrorSource::columns ? "from the file"
                                           : "as stated";
     };

@@ -21,7 +21,7 @@ std::string origin_of_scatter(const StandardErrors& errors);
 /// What stands for standard errors of 0: a clause for T and one for A, or none.
 std::vector<std::string> raised_errors(const StandardErrors& errors);
 /// Where the standard errors come from, correlations, the loss: a line each, or nothing.
-std::string errors_text(const FitResult& fit, const Dataset& data);
+std::string errors_text(const FitResult& fit, const Dataset& data, Wording words);
 std::string comparison_text(const Analysis& result);
 std::string per_curve_text(const Analysis& result);
 

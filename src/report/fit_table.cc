@@ -4,7 +4,7 @@
 
 #include "analysis/judgement.h"
 #include "analysis/readable.h"
-#include "base/rounding.h"
+#include "base/number_text.h"
 #include "report/fit_statistics_text.h"
 
 namespace mixity {
@@ -189,8 +189,9 @@ std::vector<std::string> findings(const Analysis& result) {
   }
   for (const FitResult& fit : result.fits)
     if (fit.status != FitStatus::ok && fit.outdone_by.empty())
-      sentences.push_back("Model " + fit.model + ", " + in_words(fit.status) + ": " + fit.message + ".");
-  for (const std::string& note : result.data.notes) sentences.push_back("Note: " + note + ".");
+      sentences.push_back("Model " + fit.model + ", " + in_words(fit.status) + ": " +
+                          fit.message.text(result.request.words) + ".");
+  for (const Message& note : result.data.notes) sentences.push_back("Note: " + note.text(result.request.words) + ".");
   return sentences;
 }
 

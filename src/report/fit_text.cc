@@ -6,7 +6,7 @@
 
 #include "analysis/judgement.h"
 #include "analysis/readable.h"
-#include "base/rounding.h"
+#include "base/number_text.h"
 #include "report/budget_text.h"
 #include "report/constants_text.h"
 #include "report/excluded_text.h"
@@ -15,7 +15,7 @@
 namespace mixity {
 namespace {
 
-constexpr std::string_view kAllOfThem = "all of them with --format=json";
+std::string all_of_them(Wording words) { return "all of them with " + words(Remedy::set("format", "json")); }
 
 std::string capitals(std::string_view text) {
   std::string result(text);
@@ -23,7 +23,7 @@ std::string capitals(std::string_view text) {
   return result;
 }
 
-void write_data(std::ostringstream& out, const Dataset& data) {
+void write_data(std::ostringstream& out, const Dataset& data, Wording words) {
   out << "[[Data]]\n    " << data.name << "  (" << data.shown_path()
       << ")\n    # provenance   = " << to_string(data.metadata.provenance) << "\n    # data rows    = " << data.rows
       << ", used " << data.points.size() << ", excluded " << data.excluded.size();
@@ -35,8 +35,8 @@ void write_data(std::ostringstream& out, const Dataset& data) {
     constants += (constants.empty() ? "" : ", ") + name + " " + value;
   if (!constants.empty()) out << "    # constants    = " << constants << '\n';
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
-  for (const std::string& note : data.notes) out << "    NOTE: " << note << '\n';
-  write_excluded(out, data, kAllOfThem);
+  for (const Message& note : data.notes) out << "    NOTE: " << note.text(words) << '\n';
+  write_excluded(out, data, all_of_them(words));
 }
 
 void write_parameter(std::ostringstream& out, const FittedParameter& parameter, const std::optional<Budget>& budget) {
@@ -73,7 +73,7 @@ std::string fitted_space(const FitResult& fit) {
 void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& request, const Dataset& data) {
   out << "[[Model " << fit.model << "]] " << fit.model_name << ": " << fit.formula << '\n';
   out << "    status: " << (fit.status == FitStatus::ok ? "ok" : "*** " + capitals(to_string(fit.status)) + " ***");
-  if (!fit.message.empty()) out << ": " << fit.message;
+  if (!fit.message.empty()) out << ": " << fit.message.text(request.words);
   out << '\n';
   for (const FittedParameter& parameter : fit.parameters) write_parameter(out, readable(parameter), fit.budget);
   const bool alone = fit.outdone_by.empty();  // else what its errors are made of is of no interest
@@ -87,7 +87,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& 
     out << "    R^2 = " << shown_r2(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
         << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size() << " points\n";
   if (alone) lines(consistency_lines(fit, data));
-  out << errors_text(fit, data) << resampling_text(fit, data);
+  out << errors_text(fit, data, request.words) << resampling_text(fit, data);
   if (fit.area) {
     out << "    ";
     if (fit.area->predicted > 0)
@@ -103,7 +103,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& 
           << " beyond the last equilibrium";
     out << '\n';
   }
-  write_first(out, data, fit.excluded, "without ", kAllOfThem);
+  write_first(out, data, fit.excluded, "without ", all_of_them(request.words));
   for (const Agreement& agreement : compare(fit, request))
     out << "    published " << agreement.published.name << " = " << shortest(agreement.published.value) << " +- "
         << shortest(agreement.published.tolerance) << ": " << (agreement.agrees ? "agrees" : "*** DOES NOT AGREE ***")
@@ -114,7 +114,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& 
 
 std::string to_text(const Analysis& result) {
   std::ostringstream out;
-  write_data(out, result.data);
+  write_data(out, result.data, result.request.words);
   if (result.unsheared) out << "    " << unsheared_sentence(*result.unsheared) << '\n';
   for (const FitResult& fit : result.fits) write_fit(out, fit, result.request, result.data);
   out << per_curve_text(result) << comparison_text(result);

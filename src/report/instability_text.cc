@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/rounding.h"
+#include "base/number_text.h"
+#include "base/text.h"
 
 namespace mixity {
 namespace {

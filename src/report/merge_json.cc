@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/files.h"
 #include "base/input_error.h"
 #include "dataset/table/csv.h"
 #include "report/fit_json.h"
@@ -27,16 +28,18 @@ ShardFile read_shard(const std::string& path) {
   const Json text = document.value("shard", Json());
   if (!text.is_string() || std::sscanf(text.get<std::string>().c_str(), "%u/%u", &shard.part, &shard.of) != 2 ||
       shard.part < 1 || shard.part > shard.of)
-    throw InputError(path, "does not say which shard it is: it was not made by `mixity fit --shard=i/n`");
+    throw InputError(path, "does not say which shard it is: it was not made by `mixity fit " +
+                               Remedy::fill_in("shard", "i/n") + "`");
   return shard;
 }
 
-std::string flag_text(const Json& flags, const std::string& name) {
-  return flags.contains(name) ? "with --" + name + "=" + flags[name].get<std::string>() : "without --" + name;
+Message flag_text(const Json& flags, const std::string& name) {
+  return flags.contains(name) ? "with " + Remedy::fill_in(name, flags[name].get<std::string>())
+                              : "without " + Remedy::set(name);
 }
 
 /// What of one campaign is another in the other, as what follows the name of its file; empty: nothing.
-std::string difference(const Json& one, const Json& other, const std::string& other_path) {
+Message difference(const Json& one, const Json& other, const std::string& other_path) {
   const Json &files = one["files"], &others = other["files"];
   if (files.size() != others.size())
     return "is of a list of " + std::to_string(files.size()) + " files, " + other_path + " of one of " +
@@ -48,8 +51,8 @@ std::string difference(const Json& one, const Json& other, const std::string& ot
   Json names = one["flags"];
   names.update(other["flags"]);
   for (const auto& [name, text] : names.items())
-    if (flag_text(one["flags"], name) != flag_text(other["flags"], name))
-      return "was made " + flag_text(one["flags"], name) + ", " + other_path + ' ' + flag_text(other["flags"], name);
+    if (!(flag_text(one["flags"], name) == flag_text(other["flags"], name)))
+      return "was made " + flag_text(one["flags"], name) + ", " + other_path + " " + flag_text(other["flags"], name);
   return "";
 }
 
@@ -67,7 +70,7 @@ void require_one_campaign(const std::vector<ShardFile>& parts) {
     const Json campaign = part.document.value("campaign", Json());
     if (!is_campaign(campaign))
       throw InputError(part.path, "does not say which files and flags its campaign has: make it once more");
-    if (const std::string other = difference(campaign, parts[0].document["campaign"], parts[0].path); !other.empty())
+    if (const Message other = difference(campaign, parts[0].document["campaign"], parts[0].path); !other.empty())
       throw InputError(part.path, other);
     const std::size_t share = (campaign["files"].size() + part.of - part.part) / part.of,
                       has = part.document["datasets"].size();

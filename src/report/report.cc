@@ -1,7 +1,6 @@
 #include "report/report.h"
 
 #include "base/files.h"
-#include "base/output_file.h"
 #include "report/fit_csv.h"
 #include "report/page/explorer_page.h"
 #include "report/page/report_page.h"

@@ -4,8 +4,8 @@
 #include <map>
 #include <sstream>
 
-#include "base/printable.h"
-#include "base/rounding.h"
+#include "base/number_text.h"
+#include "base/text.h"
 #include "base/toml_file.h"
 #include "report/csv_table.h"
 
@@ -107,11 +107,11 @@ std::string phases_csv(const ReducedLog& log) {
   return column.text();
 }
 
-std::string cuts_toml(const ReducedLog& log) {
+std::string cuts_toml(const ReducedLog& log, Wording words) {
   std::ostringstream out;
   const double interval = log.runs.frames.interval;
-  out << "# The cuts of " << printable(log.forces.path, std::string::npos)
-      << ". Change a time and run again with --cuts=THIS FILE; leave_out = true drops a run.\n";
+  out << "# The cuts of " << printable(log.forces.path, std::string::npos) << ". Change a time and run again with "
+      << words(Remedy::fill_in("cuts", "THIS FILE")) << "; leave_out = true drops a run.\n";
   if (log.areas_path != log.forces.path)
     out << "# Times are those of the clock of " << printable(log.areas_path, std::string::npos) << ".\n";
   for (const LoadingRun& run : log.runs.runs) {
@@ -130,7 +130,7 @@ std::string cuts_toml(const ReducedLog& log) {
   return out.str();
 }
 
-std::string runs_text(const ReducedLog& log) {
+std::string runs_text(const ReducedLog& log, Wording words) {
   std::ostringstream out;
   const LoadingRuns& found = log.runs;
   const Frames& frames = found.frames;
@@ -156,10 +156,11 @@ std::string runs_text(const ReducedLog& log) {
     out << "    too little is read out of contact to tell the zero of P: it is taken as it stands\n";
   if (found.drift_removed)
     out << "    the zero of T drifts by " << force(found.drift_T, 2)
-        << " a second from run to run; taken off within runs, too (--drift=false leaves it)\n";
+        << " a second from run to run; taken off within runs, too (" << words(Remedy::set("drift", "false"))
+        << " leaves it)\n";
   if (found.drifts)
-    out << "    the zero of T drifts by " << force(found.drift_T, 2)
-        << " a second from run to run; --drift takes that off within runs, too\n";
+    out << "    the zero of T drifts by " << force(found.drift_T, 2) << " a second from run to run; "
+        << words(Remedy::set("drift", "true")) << " takes that off within runs, too\n";
   if (log.load_turned) out << "    P is negative in compression there and was turned round (P -> -P)\n";
   out << "[[Loading runs]]";
   if (log.areas_path != log.forces.path)

@@ -26,9 +26,9 @@ std::string runs_toml(const ReducedLog& log);
 std::string peaks_csv(const ReducedLog& log);
 /// phase, from, to, frames, run or why they are not kept.
 std::string phases_csv(const ReducedLog& log);
-/// The cuts as they were made, with their 95 % intervals, in the form that --cuts reads.
-std::string cuts_toml(const ReducedLog& log);
+/// The cuts as they were made, with their 95 % intervals, in the form that the option cuts reads.
+std::string cuts_toml(const ReducedLog& log, Wording words = in_neutral_words);
 /// For a terminal: how the log was read, each run with its cuts, what was left out.
-std::string runs_text(const ReducedLog& log);
+std::string runs_text(const ReducedLog& log, Wording words = in_neutral_words);
 
 }  // namespace mixity

@@ -3,7 +3,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "base/rounding.h"
+#include "base/number_text.h"
 #include "report/csv_table.h"
 #include "report/excluded_text.h"
 
@@ -29,12 +29,12 @@ void write_power_law(std::ostringstream& out, std::string_view what, const std::
 
 }  // namespace
 
-std::string sahli_text(const Dataset& data, const SahliResult& result, const std::string& predicted_by) {
+std::string sahli_text(const Dataset& data, const SahliResult& result, const std::string& predicted_by, Wording words) {
   const DisplayUnits& units = data.display;
   std::ostringstream out;
   out << "[[Data]]\n    " << data.name << "  (" << data.shown_path() << ")\n";
   if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
-  for (const std::string& note : data.notes) out << "    NOTE: " << note << '\n';
+  for (const Message& note : data.notes) out << "    NOTE: " << note.text(words) << '\n';
   write_excluded(out, data, "mixity check lists them");
   out << "[[A = A0 - alpha T^2]]  " << bracketed("P", units.force) << ", " << bracketed("A0", units.area) << ", "
       << bracketed("alpha", alpha_unit(units)) << '\n'

@@ -8,7 +8,8 @@
 namespace mixity {
 
 /// `predicted_by` names the model and parameters of the prediction, empty if there is none.
-std::string sahli_text(const Dataset& data, const SahliResult& result, const std::string& predicted_by);
+std::string sahli_text(const Dataset& data, const SahliResult& result, const std::string& predicted_by,
+                       Wording words = in_neutral_words);
 
 /// Header: provenance,curve,P,points,A0,A0_stderr,alpha,alpha_stderr,alpha_predicted, with units.
 std::string sahli_csv(const Dataset& data, const SahliResult& result);

@@ -1,7 +1,7 @@
 #include "report/summary_markdown.h"
 
 #include "analysis/answer.h"
-#include "base/printable.h"
+#include "base/text.h"
 #include "report/budget_text.h"
 #include "report/fit_table.h"
 #include "report/versions.h"
@@ -67,7 +67,7 @@ std::string data_set(const ReportEntry& entry) {
   std::string budgets;
   if (result.unsheared) budgets += "- " + escaped(with_powers(unsheared_sentence(*result.unsheared))) + "\n";
   for (const FitResult& fit : result.fits)
-    for (const std::string& line : budget_and_consistency(fit, data))
+    for (const std::string& line : budget_and_consistency(fit, result))
       budgets += "- Model " + fit.model + ": " + escaped(with_powers(line)) + "\n";
   if (!budgets.empty()) text += "\nError budget and consistency:\n\n" + budgets;
   text += "\nAssumed:\n\n";

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <random>
 
-#include "base/side_by_side.h"
+#include "base/threads.h"
 #include "solver/kernel.h"
 #include "solver/linear_algebra.h"
 
@@ -84,7 +84,7 @@ void for_each_refit(const Problem& problem, const std::vector<double>& fitted, s
       if (progress) progress(static_cast<double>(done) / static_cast<double>(n));
     }
   };
-  side_by_side(std::min(threads > 0 ? threads : processors(), (n + kShare - 1) / kShare), work);
+  run_on_threads(std::min(threads > 0 ? threads : processors(), (n + kShare - 1) / kShare), work);
 }
 
 std::vector<std::vector<std::size_t>> members(const std::vector<std::size_t>& runs) {

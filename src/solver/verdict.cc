@@ -1,10 +1,10 @@
 #include "solver/verdict.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <tuple>
 
+#include "base/number_text.h"
 #include "solver/covariance.h"
 
 namespace mixity {
@@ -12,13 +12,8 @@ namespace {
 
 constexpr double kChiSquare95 = 3.841458820694124;  // of one degree of freedom
 
-std::string digits(double value, int count) {
-  char text[48];
-  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, count).ptr};
-}
-
 std::string value_text(const FreeParameter& parameter, double x) {
-  return digits(parameter.shown(x), 4) + (parameter.unit.empty() ? "" : " " + parameter.unit);
+  return significant(parameter.shown(x), 4) + (parameter.unit.empty() ? "" : " " + parameter.unit);
 }
 
 std::string values_text(const Problem& problem, const std::vector<double>& x) {
@@ -100,8 +95,8 @@ Finding stopped_on_a_slope(const Judgement& judgement) {
       const std::string where = "beyond " + values_text(judgement.problem, best.x) + " the model is not defined here";
       return {{best.x.size() == 1 ? FitStatus::at_bound : FitStatus::not_converged, where}};
     }
-  return {{FitStatus::not_converged,
-           "the solver stopped where the gradient is not zero (relative size " + digits(best.stationarity, 2) + ")"}};
+  return {{FitStatus::not_converged, "the solver stopped where the gradient is not zero (relative size " +
+                                         significant(best.stationarity, 2) + ")"}};
 }
 
 Finding above_a_start(const Judgement& judgement) {

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "base/side_by_side.h"
+#include "base/threads.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "studies/simulate.h"
@@ -55,15 +55,13 @@ Expectation expect(const Plan& plan, const std::vector<std::string>& rivals) {
 std::vector<LoadCandidate> next_loads(const Plan& plan, double least, double most, std::size_t candidates,
                                       const std::vector<std::string>& rivals, const Progress& progress) {
   std::vector<LoadCandidate> found(std::max<std::size_t>(candidates, 2));
-  std::atomic<std::size_t> next = 0, done = 0;
-  side_by_side(processors(), [&] {
-    for (std::size_t i; (i = next++) < found.size();) {
-      found[i].load = least + (most - least) * static_cast<double>(i) / static_cast<double>(found.size() - 1);
-      Plan with = plan;
-      with.loads.push_back(found[i].load);
-      found[i].expected = expect(with, rivals);
-      if (progress) progress(static_cast<double>(++done) / static_cast<double>(found.size()));
-    }
+  std::atomic<std::size_t> done = 0;
+  parallel_for(found.size(), [&](std::size_t i) {
+    found[i].load = least + (most - least) * static_cast<double>(i) / static_cast<double>(found.size() - 1);
+    Plan with = plan;
+    with.loads.push_back(found[i].load);
+    found[i].expected = expect(with, rivals);
+    if (progress) progress(static_cast<double>(++done) / static_cast<double>(found.size()));
   });
   return found;
 }
@@ -112,32 +110,30 @@ Outcome try_plan(const Plan& plan, std::uint64_t seed, std::size_t experiments, 
     bool ok = false, covered = false, decided = false;
   };
   std::vector<One> all(experiments);
-  std::atomic<std::size_t> next = 0, done = 0;
+  std::size_t done = 0;
   std::mutex telling;
-  side_by_side(processors(), [&] {
-    for (std::size_t i; (i = next++) < experiments;) {
-      const Dataset data = simulate(plan, seed, i);
-      FitOptions options;
-      options.checks = !others.empty();
-      std::vector<FitResult> fits{fit_model(data, plan.model, options)};
-      const FittedParameter& parameter = first_of_model(fits[0]);
-      One& one = all[i];
-      one.value = parameter.value;
-      one.standard_error = parameter.stderr_;
-      one.ok = fits[0].status == FitStatus::ok;
-      if (parameter.interval) {
-        const auto& [low, high] = std::pair(parameter.interval->low, parameter.interval->high);
-        const double truth = plan.parameters[0];
-        one.covered = (!low || *low <= truth) && (!high || truth <= *high);
-      }
-      if (!others.empty()) {
-        for (const std::string& model : others) fits.push_back(fit_model(data, model, options));
-        one.decided = probabilities(fits)[0].value_or(0) > 0.95;
-      }
-      if (progress) {
-        const std::lock_guard lock(telling);
-        progress(static_cast<double>(++done) / static_cast<double>(experiments));
-      }
+  parallel_for(experiments, [&](std::size_t i) {
+    const Dataset data = simulate(plan, seed, i);
+    FitOptions options;
+    options.checks = !others.empty();
+    std::vector<FitResult> fits{fit_model(data, plan.model, options)};
+    const FittedParameter& parameter = first_of_model(fits[0]);
+    One& one = all[i];
+    one.value = parameter.value;
+    one.standard_error = parameter.stderr_;
+    one.ok = fits[0].status == FitStatus::ok;
+    if (parameter.interval) {
+      const auto& [low, high] = std::pair(parameter.interval->low, parameter.interval->high);
+      const double truth = plan.parameters[0];
+      one.covered = (!low || *low <= truth) && (!high || truth <= *high);
+    }
+    if (!others.empty()) {
+      for (const std::string& model : others) fits.push_back(fit_model(data, model, options));
+      one.decided = probabilities(fits)[0].value_or(0) > 0.95;
+    }
+    if (progress) {
+      const std::lock_guard lock(telling);
+      progress(static_cast<double>(++done) / static_cast<double>(experiments));
     }
   });
   Outcome outcome;

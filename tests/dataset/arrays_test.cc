@@ -75,7 +75,7 @@ TEST(Arrays, AreTheDataSetOfAFileToTheLastBit) {
     }
     EXPECT_EQ(made.errors.size(), file.errors.size());
     EXPECT_EQ(made.curves, file.curves) << path;
-    EXPECT_EQ(made.notes, file.notes) << path;
+    EXPECT_EQ(texts_of(made.notes), texts_of(file.notes)) << path;
     EXPECT_EQ(made.excluded.size(), file.excluded.size());
   }
   EXPECT_EQ(sets, 4u);

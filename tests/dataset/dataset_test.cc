@@ -72,7 +72,7 @@ TEST(Dataset, RowsBehindAHashAreCountedInANote) {
   const std::string rows = "P,T,A\n1,0,19.6\n#N/A,1,19.5\n# measured on Monday, in the morning, by hand\n#1,2,19.4\n";
   const Dataset data = load_text(rows);
   EXPECT_EQ(data.rows, 1u);
-  EXPECT_EQ(data.notes,
+  EXPECT_EQ(texts_of(data.notes),
             std::vector<std::string>{"passed over as comments: 2 rows that begin with '#', the first in line 3"});
   EXPECT_TRUE(load_text("# 1,2,3\nP,T,A\n1,0,19.6\n# a remark\n").notes.empty());
 }
@@ -209,15 +209,15 @@ TEST(Dataset, AnEndingBeginsWithALetter) {
 TEST(Dataset, NotesWhatWasStatedAndIsPassedOver) {
   const std::string constants = "radius = \"9.42 mm\"\nmodulus = \"2 MPa\"\ntoughness = \"27 mJ/m^2\"";
   EXPECT_EQ(
-      load_text("P,T,A\n1,1,19", constants).notes,
+      texts_of(load_text("P,T,A\n1,1,19", constants).notes),
       std::vector<std::string>{
           "the columns have no unit and are taken as dimensionless: radius, modulus, toughness (stated) not used"});
-  EXPECT_EQ(load_text("psi,Gc\n0.1,1", constants).notes,
+  EXPECT_EQ(texts_of(load_text("psi,Gc\n0.1,1", constants).notes),
             std::vector<std::string>{"Gc has no unit and is taken for Gc/GIc: toughness (stated) not used"});
   for (const char* fine : {"P [mN],T [mN],A [mm^2]\n1,1,19", "psi,Gc_over_GIc\n0.1,1", "psi,Gc [J/m^2]\n0.1,1"})
     EXPECT_TRUE(load_text(fine, constants).notes.empty()) << fine;
   const Dataset misspelt = load_text("P,T,A,Include,sigma A,a.u.,t\n1,1,19,0,1,2,3");
-  EXPECT_EQ(misspelt.notes,
+  EXPECT_EQ(texts_of(misspelt.notes),
             (std::vector<std::string>{"column 'Include' is not used; it is read if it is called 'include'",
                                       "column 'sigma A' is not used; it is read if it is called 'sigma_A'"}));
 }
@@ -232,7 +232,7 @@ TEST(Dataset, ALogIsToldByTimesAndFramesWithoutContact) {
   const Dataset log = load_text(frames);
   EXPECT_TRUE(log.like_a_log);
   ASSERT_FALSE(log.notes.empty());
-  EXPECT_EQ(log.notes[0],
+  EXPECT_EQ(texts_of(log.notes)[0],
             "the file has a column of times, and 5 of 40 rows are no points: if it is a log, mixity runs makes loading "
             "runs of it");
   EXPECT_FALSE(load_text(points).like_a_log);

@@ -68,7 +68,7 @@ TEST(Energies, BelowZeroAreNoiseAboutIt) {
   EXPECT_EQ(data.energies[0].G_II, -0.01);
   EXPECT_EQ(data.energies[1].G_I, -0.02);
   EXPECT_EQ(excluded_lines(data), "5 G_I + G_II <= 0\n6 G_I + G_II <= 0\n7 G_I + G_II <= 0\n");
-  EXPECT_EQ(data.notes, std::vector<std::string>{"2 of 3 points have G_I or G_II < 0, noise about zero: used as pure "
+  EXPECT_EQ(texts_of(data.notes), std::vector<std::string>{"2 of 3 points have G_I or G_II < 0, noise about zero: used as pure "
                                                  "mode II or I of toughness G_I + G_II"});
 }
 
@@ -85,7 +85,7 @@ TEST(Energies, WithoutAUnitAreThoseOverTheToughness) {
   EXPECT_EQ(data.toughness(0)->ratio, 2);
   EXPECT_EQ(data.display.energy, "");
   EXPECT_EQ(data.display.energy_scale, 1);
-  EXPECT_EQ(data.notes, std::vector<std::string>{"G_I and G_II have no unit and are taken for G_I/GIc and G_II/GIc: "
+  EXPECT_EQ(texts_of(data.notes), std::vector<std::string>{"G_I and G_II have no unit and are taken for G_I/GIc and G_II/GIc: "
                                                  "toughness (stated) not used"});
 }
 
@@ -107,10 +107,10 @@ TEST(Energies, TakeTheLargestOfModeOneForAToughnessThatIsNotStated) {
   near(open.display.energy_scale, 0.5);
   ASSERT_EQ(open.notes.size(), 3);
   EXPECT_EQ(
-      open.notes[0],
+      texts_of(open.notes)[0],
       "toughness is not stated and has to be fitted (--free=toughness); where it is not, the largest G_I, 0.5 N/mm, "
       "stands for it");
-  EXPECT_EQ(open.notes[2],
+  EXPECT_EQ(texts_of(open.notes)[2],
             "1 error of G_I or G_II stated as 0: in objective curve 0.01% of the largest energy stands for each");
 }
 

@@ -30,7 +30,7 @@ TEST(LoadSign, OfCompressionReadAsNegativeIsTurnedWithANote) {
   EXPECT_EQ(good.curve_loads, negative.curve_loads);
   ASSERT_EQ(good.points.size(), negative.points.size());
   for (std::size_t i = 0; i < good.points.size(); ++i) EXPECT_EQ(good.points[i].P, negative.points[i].P);
-  EXPECT_EQ(negative.notes, std::vector<std::string>{kLoadsTurned});
+  EXPECT_EQ(texts_of(negative.notes), std::vector<std::string>{kLoadsTurned});
   EXPECT_TRUE(good.notes.empty());
   // areas off by a power of ten say nothing of JKR, but still grow
   EXPECT_EQ(load_text(kHeader + contacts(loads, -1, 100)).curves, good.curves);

@@ -141,7 +141,7 @@ TEST(Metadata, TwoStatementsOfTheModulusAreRefused) {
       apply_overrides(overrides, metadata);
       require_whole_modulus(metadata, "a.toml", overrides);
     } catch (const InputError& error) {
-      return error.what();
+      return error.text(cli::in_flags);
     }
     return {};
   };

@@ -111,7 +111,7 @@ TEST(NominalLoads, AreRunsWhosePointsKeepTheLoadThatWasRead) {
     EXPECT_NEAR(data.points[i].P, loads[i], 1e-6);  // what std::to_string prints
     EXPECT_EQ(data.points[i].curve, i / 10);
   }
-  EXPECT_EQ(data.notes.at(0).substr(0, 30), "readings of P scatter by up to");
+  EXPECT_EQ(texts_of(data.notes).at(0).substr(0, 30), "readings of P scatter by up to");
 }
 
 TEST(RunLoads, AreTheMeanOfWhatWasReadInWhateverOrder) {

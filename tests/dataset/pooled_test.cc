@@ -63,7 +63,7 @@ TEST(Pooled, ARunOnAnotherSphereIsTheSameContactAtOtherScale) {
   EXPECT_TRUE(data.several_spheres);
   ASSERT_EQ(data.notes.size(), 1u);
   EXPECT_EQ(
-      data.notes[0],
+      texts_of(data.notes)[0],
       "b: on a sphere of 1 mm; shown as on one of 8 mm, where the same contact has 8 times the load and shear and "
       "16 times the area");
   // the share of the radius that is uncertain is that of every sphere, the first as well

@@ -23,8 +23,8 @@ TEST(ShearSign, NoiseAboutZeroIsUsedAsItIsAndCounted) {
   const Dataset data = load_text("P,T,A\n1,-0.1,19\n1,0.2,19\n1,5,18\n2,-0.3,20\n2,4,19\n");
   EXPECT_EQ(shears(data), (std::vector<double>{-0.1, 0.2, 5, -0.3, 4}));
   EXPECT_TRUE(data.excluded.empty());
-  EXPECT_EQ(data.notes, Notes{"2 of 5 points have T < 0, used as they are: equilibrium depends on T^2"});
-  EXPECT_EQ(load_text("P,T,A\n1,-0.1,19\n1,2,19\n").notes,
+  EXPECT_EQ(texts_of(data.notes), Notes{"2 of 5 points have T < 0, used as they are: equilibrium depends on T^2"});
+  EXPECT_EQ(texts_of(load_text("P,T,A\n1,-0.1,19\n1,2,19\n").notes),
             Notes{"1 of 2 points has T < 0, used as it is: equilibrium depends on T^2"});
   EXPECT_TRUE(load_text("P,T,A\n1,0,19\n1,-0,19\n1,2,19\n").notes.empty());
 }
@@ -42,7 +42,7 @@ TEST(ShearSign, ARunOfTheOtherDirectionIsTurnedRound) {
       load_text("curve,P,T,A\nx,1,0,19\nx,1,3,19\ny,1,0,19\ny,1,0.4,19\ny,1,-4,18\ny,1,-2,18\nz,1,-1,19\nz,1,5,18\n");
   EXPECT_EQ(shears(data), (std::vector<double>{0, 3, 0, -0.4, 4, 2, -1, 5}));
   EXPECT_FALSE(std::signbit(data.points[2].T));
-  EXPECT_EQ(data.notes, (Notes{"a run is sheared the other way and turned round (T -> -T): y",
+  EXPECT_EQ(texts_of(data.notes), (Notes{"a run is sheared the other way and turned round (T -> -T): y",
                                "2 of 8 points have T < 0, used as they are: equilibrium depends on T^2"}));
 }
 
@@ -54,7 +54,7 @@ TEST(ShearSign, ARunIsTurnedUpToATenthAboveZeroAndFromThreePoints) {
       text += "1," + shear.substr(begin, end - begin) + ",19\n";
       begin = end + 1;
     }
-    return load_text(text).notes[0].starts_with("a run is sheared the other way");
+    return texts_of(load_text(text).notes)[0].starts_with("a run is sheared the other way");
   };
   EXPECT_TRUE(turned("1 -5 -10"));
   EXPECT_FALSE(turned("1.001 -5 -10"));
@@ -69,7 +69,7 @@ TEST(ShearSign, NamesOfTurnedRunsAreBoundedInNumberAndLength) {
   for (int run = 0; run < 7; ++run)
     for (int i = 1; i < 4; ++i)
       text += std::string(run == 1 ? 500 : 1, static_cast<char>('a' + run)) + ",1,-" + std::to_string(i) + ",19\n";
-  EXPECT_EQ(load_text(text).notes, Notes{"7 runs are sheared the other way and turned round (T -> -T): a, " +
+  EXPECT_EQ(texts_of(load_text(text).notes), Notes{"7 runs are sheared the other way and turned round (T -> -T): a, " +
                                          std::string(40, 'b') + "..., c, d and 3 more"});
 }
 

@@ -10,8 +10,10 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "base/input_error.h"
+#include "cli/flag_words.h"
 
 namespace mixity {
 
@@ -49,15 +51,23 @@ class TemporaryFolder {
   std::string path_;
 };
 
-/// what() of the InputError that `call` throws; empty if it throws none. Any other exception is passed on.
+/// What the program says of the InputError that `call` throws; empty if it throws none. Any other exception is passed
+/// on.
 template <class Call>
 std::string input_error(Call&& call) {
   try {
     call();
   } catch (const InputError& error) {
-    return error.what();
+    return error.text(cli::in_flags);
   }
   return {};
+}
+
+/// Messages as the program says them.
+inline std::vector<std::string> texts_of(const std::vector<Message>& messages) {
+  std::vector<std::string> texts;
+  for (const Message& message : messages) texts.push_back(message.text(cli::in_flags));
+  return texts;
 }
 
 /// The error, without the folder, that read(path) throws for a file of this name and text; empty if it throws none.

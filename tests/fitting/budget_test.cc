@@ -20,7 +20,7 @@ double lambda_of(const FitResult& fit) { return fit.parameters[0].value.value();
 TEST(Budget, PartsAreWhatAStandardErrorOfEachPriorDoes) {
   const Dataset data = measured({{"modulus", 4e4}, {"toughness", 1.5e-3}, {"load_offset", 3e-5}});
   const FitResult fit = fit_model(data, "c", stated_errors());
-  ASSERT_TRUE(fit.budget && fit.budget->scatter) << fit.message;
+  ASSERT_TRUE(fit.budget && fit.budget->scatter) << fit.message.text();
   ASSERT_EQ(fit.budget->parts.size(), 3u);
   const double variance = std::pow(*fit.parameters[0].stderr_, 2);
   double sum = *fit.budget->scatter;

@@ -111,7 +111,7 @@ TEST(LeaveOneLoadOut, IsRefittingWithoutEachRun) {
       for (std::size_t i = 0; i < data.points.size(); ++i)
         if (data.points[i].curve != run) others.push_back(i);
       const FitResult fit = fit_model(data, "c", options, &others);
-      ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+      ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
       const ParameterValues lambda{*fit.parameters[0].value};
       for (const Point& p : data.points) {
         if (p.curve != run) continue;
@@ -134,7 +134,7 @@ TEST(LeaveOneLoadOut, SaysNothingWhereTheLawDefinesNoArea) {
   const Dataset data = synthetic_runs("c", {0.0023}, {1, 5, 20}, 20, 0.95);
   const FitOptions options{.objective = Objective::toughness};
   const FitResult fit = fit_model(data, "bk", options);
-  ASSERT_TRUE(has_all_values(fit)) << fit.message;
+  ASSERT_TRUE(has_all_values(fit)) << fit.message.text();
   EXPECT_EQ(fit.status, FitStatus::suspect);  // it is another model's data
   EXPECT_FALSE(fit.area->obstacle.empty());
   EXPECT_EQ(fit.area->unpredicted, data.points.size());

@@ -32,7 +32,7 @@ Count count(const FitOptions& options, double size_A, double size_T) {
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     const FitResult fit = fit_model(noisy(seed, size_A, size_T), "c", options);
     // errors that are understated make a fit suspect, and one in a thousand is so by chance
-    EXPECT_TRUE(fit.status == FitStatus::ok || fit.status == FitStatus::suspect) << seed << fit.message;
+    EXPECT_TRUE(fit.status == FitStatus::ok || fit.status == FitStatus::suspect) << seed << fit.message.text();
     const FittedParameter& lambda = fit.parameters[0];
     if (!lambda.interval || !lambda.stderr_) continue;
     found.interval += lambda.interval->low.value() <= 0.15 && 0.15 <= lambda.interval->high.value();

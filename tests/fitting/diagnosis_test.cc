@@ -43,14 +43,14 @@ TEST(Diagnosis, NamesAWrongModulus) {
   for (const double factor : {0.95, 1.05}) {
     const FitResult fit = fitted(with_constants(factor, 1));
     EXPECT_EQ(fit.status, FitStatus::suspect);
-    EXPECT_TRUE(fit.message.starts_with("modulus (or area_scale, which acts like it) looks wrong")) << fit.message;
+    EXPECT_TRUE(fit.message.text().starts_with("modulus (or area_scale, which acts like it) looks wrong")) << fit.message.text();
   }
 }
 
 TEST(Diagnosis, NamesAWrongToughness) {
   const FitResult fit = fitted(with_constants(1, 0.9));
   EXPECT_EQ(fit.status, FitStatus::suspect);
-  EXPECT_TRUE(fit.message.starts_with("toughness looks wrong: at 30")) << fit.message;  // mJ/m^2, from 27
+  EXPECT_TRUE(fit.message.text().starts_with("toughness looks wrong: at 30")) << fit.message.text();  // mJ/m^2, from 27
 }
 
 TEST(Diagnosis, NamesALoadCellThatReadsTooMuch) {
@@ -59,7 +59,7 @@ TEST(Diagnosis, NamesALoadCellThatReadsTooMuch) {
   for (double& load : data.curve_loads) load += 1;
   const FitResult fit = fitted(data);
   EXPECT_EQ(fit.status, FitStatus::suspect);
-  EXPECT_TRUE(fit.message.starts_with("load_offset looks wrong")) << fit.message;
+  EXPECT_TRUE(fit.message.text().starts_with("load_offset looks wrong")) << fit.message.text();
 }
 
 TEST(Diagnosis, NamesPointsPastTheOnsetOfSliding) {
@@ -71,7 +71,7 @@ TEST(Diagnosis, NamesPointsPastTheOnsetOfSliding) {
     }
   const FitResult fit = fitted(data);
   EXPECT_EQ(fit.status, FitStatus::suspect);
-  EXPECT_TRUE(fit.message.starts_with("12 points lie past the onset of sliding, the first in line 25")) << fit.message;
+  EXPECT_TRUE(fit.message.text().starts_with("12 points lie past the onset of sliding, the first in line 25")) << fit.message.text();
 }
 
 TEST(Diagnosis, SaysThatErrorsAreUnderstated) {
@@ -79,7 +79,7 @@ TEST(Diagnosis, SaysThatErrorsAreUnderstated) {
   options.sigma_A = options.sigma_T = *parse_quantity("0.5%");
   const FitResult fit = fit_model(measured_runs(5), "c", options);
   EXPECT_EQ(fit.status, FitStatus::suspect);
-  EXPECT_TRUE(fit.message.starts_with("the scatter is larger than the stated errors")) << fit.message;
+  EXPECT_TRUE(fit.message.text().starts_with("the scatter is larger than the stated errors")) << fit.message.text();
 }
 
 /// What is stated with its error is fitted with it: the interval holds the truth, and nothing is suspect.
@@ -87,7 +87,7 @@ TEST(Diagnosis, BelievesAWrongConstantThatIsStatedWithItsError) {
   Dataset data = with_constants(1.05, 1);
   data.metadata.standard_errors = {{"modulus", 0.05 * *data.metadata.modulus}};
   const FitResult fit = fitted(data);
-  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   EXPECT_LT(*fit.parameters[0].interval->low, kTruth);
   EXPECT_GT(*fit.parameters[0].interval->high, kTruth);
 }
@@ -98,7 +98,7 @@ TEST(Diagnosis, SaysThatAConstantLiesFarFromWhatWasStated) {
   data.metadata.standard_errors = {{"modulus", 0.02 * *data.metadata.modulus}};
   const FitResult fit = fitted(data);
   EXPECT_EQ(fit.status, FitStatus::suspect);
-  EXPECT_NE(fit.message.find("modulus"), std::string::npos) << fit.message;
+  EXPECT_NE(fit.message.text().find("modulus"), std::string::npos) << fit.message.text();
 }
 
 TEST(Diagnosis, OfDataWithoutScatterIsSilent) {

@@ -33,7 +33,7 @@ Dataset pearson_and_york() {
 TEST(Energies, OfPearsonAndYorkRunThroughTheWholeFit) {
   const Dataset data = pearson_and_york();
   const FitResult fit = fit_model(data, "c", {.free = {kToughness}});
-  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   EXPECT_EQ(fit.objective, Objective::curve);
   EXPECT_TRUE(fit.known_errors);
   ASSERT_EQ(fit.parameters.size(), 2u);
@@ -75,7 +75,7 @@ TEST_P(EnergiesOf, SeveralSeriesGiveOneLawAndAToughnessOfEach) {
   const Dataset data = load_text("G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n" +
                                  exact(key(), p, 2, "dry") + exact(key(), p, 5, "wet"));
   const FitResult fit = fit_model(data, key(), {.free = {kToughness}});
-  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   ASSERT_EQ(fit.parameters.size(), p.size() + 2);
   // data of 16 digits, times the condition of the fit
   for (std::size_t k = 0; k < p.size(); ++k) EXPECT_NEAR(*fit.parameters[k].value, p[k], 1e-9);
@@ -89,7 +89,7 @@ TEST(Energies, WithAStatedToughnessFitLambdaAlone) {
   const std::string text =
       "G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n" + exact("c", {0.35}, 2, "");
   const FitResult fit = fit_model(load_text(text, "toughness = \"2 J/m^2\""), "c");
-  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   ASSERT_EQ(fit.parameters.size(), 1u);
   EXPECT_NEAR(*fit.parameters[0].value, 0.35, 1e-12);  // data of 16 digits
 }
@@ -132,7 +132,7 @@ TEST(Energies, WithoutAToughnessAskForIt) {
     fit_model(data, "c");
     ADD_FAILURE() << "was fitted";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("--free=toughness"), std::string::npos) << error.what();
+    EXPECT_NE(error.text(cli::in_flags).find("--free=toughness"), std::string::npos) << error.what();
   }
 }
 

@@ -33,7 +33,7 @@ TEST_P(ExactRuns, GiveLambdaBackUnderEveryObjective) {
   for (const double lambda : {1e-4, 0.0023, 0.15, 0.5, 0.9})
     for (const Objective objective : kObjectives) {
       const FitResult fit = fit_model(synthetic_runs(key(), {lambda}, {-1, 0.5, 5, 30}, 8), key(), with(objective));
-      EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << lambda << fit.message;
+      EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << lambda << fit.message.text();
       ASSERT_TRUE(fit.parameters[0].value);
       // Model a at 1e-4 loses 1e-4 of its area, along an asymptote where the curve's T is known to 1e-8 only.
       const bool sliver = key() == "a" && lambda == 1e-4 && objective == Objective::curve;
@@ -46,7 +46,7 @@ TEST(ExactRunsOfModel, GiveBothParametersOfTheTwoParameterLawBack) {
   const ParameterValues p{1.774, 2.284};
   for (const Objective objective : kObjectives) {
     const FitResult fit = fit_model(synthetic_runs("bk", p, {5}, 8, 0.95), "bk", with(objective));
-    EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << fit.message;
+    EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << fit.message.text();
     // 4e-15 times the condition of two correlated parameters, some 1e3
     EXPECT_NEAR(*fit.parameters[0].value, p[0], 1e-10) << to_string(objective);
     EXPECT_NEAR(*fit.parameters[1].value, p[1], 1e-10) << to_string(objective);
@@ -67,7 +67,7 @@ TEST_P(ExactRuns, GiveToughnessAndModulusBackWhenTheyAreFree) {
     // constants stated 10 % too large and 20 % too small
     const Dataset data = misdescribed(synthetic_runs(key(), {lambda}, {-1, 0.5, 30}, 6), 1.1, 0.8);
     const FitResult fit = fit_model(data, key(), with(Objective::curve, {kToughness, kModulus}));
-    EXPECT_EQ(fit.status, FitStatus::ok) << lambda << fit.message;
+    EXPECT_EQ(fit.status, FitStatus::ok) << lambda << fit.message.text();
     ASSERT_EQ(fit.parameters.size(), 3u);
     ASSERT_TRUE(fit.parameters[0].value) << lambda;
     // as above, times the condition of three correlated parameters
@@ -84,7 +84,7 @@ TEST_P(ExactRuns, GiveToughnessBackWhereTheStatedOneWouldHavePulledOff) {
   const Dataset data = misdescribed(synthetic_runs(key(), {0.15}, {-3.5, -1, 0.5, 2.5}, 6), 0.5, 1);
   ASSERT_LT(above_pull_off(data.points[0].P), 0);
   const FitResult fit = fit_model(data, key(), with(Objective::curve, {kToughness}));
-  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   ASSERT_TRUE(fit.parameters[0].value);
   EXPECT_NEAR(*fit.parameters[0].value / 0.15, 1, 1e-9);  // as above
   EXPECT_NEAR(*fit.parameters[1].value * 0.5, 1, 1e-9);
@@ -96,7 +96,7 @@ TEST(PointsBelowPullOff, AreLeftOutOfAFitOfCurves) {
   const FitResult without = fit_model(data, "c", with(Objective::curve));
   data.points.push_back({14, 0, -5, 0.1, 3});
   const FitResult fit = fit_model(data, "c", with(Objective::curve));
-  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   EXPECT_NEAR(*fit.parameters[0].value, *without.parameters[0].value, 1e-10);  // as above
   ASSERT_EQ(fit.excluded.size(), 1u);
   EXPECT_EQ(fit.excluded[0].line, 14u);
@@ -108,7 +108,7 @@ TEST_P(ExactRuns, GiveOffsetsBackWhenTheyAreFree) {
   Dataset data = synthetic_runs(key(), {0.15}, {1, 5, 30}, 8);
   for (Point& p : data.points) p = {p.line, p.curve, p.P - 0.3, p.T, p.A + 0.4};
   const FitResult fit = fit_model(data, key(), with(Objective::curve, {kLoadOffset, kAreaOffset}));
-  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   EXPECT_NEAR(*fit.parameters[0].value, 0.15, 1e-10);  // as above
   EXPECT_NEAR(*fit.parameters[1].value, 0.3, 1e-9);
   EXPECT_NEAR(*fit.parameters[2].value, -0.4, 1e-9);
@@ -122,7 +122,7 @@ TEST(ExactRunsOfModel, OfOneLoadDoNotIdentifyEveryConstantAtOnce) {
   // P = 0, model c: A(T) = A0 g(lambda (T/G)^2), A0 ~ (G/E)^(2/3), so that lambda and toughness act as one with E free
   const FitResult fit = fit_model(data, "c", with(Objective::curve, {kToughness, kModulus}));
   EXPECT_EQ(fit.status, FitStatus::not_identifiable);
-  EXPECT_NE(fit.message.find("lambda and toughness and modulus independently"), std::string::npos) << fit.message;
+  EXPECT_NE(fit.message.text().find("lambda and toughness and modulus independently"), std::string::npos) << fit.message.text();
   for (const FittedParameter& parameter : fit.parameters) EXPECT_FALSE(parameter.value);
 }
 
@@ -150,8 +150,8 @@ TEST(ExactRunsOfModel, UnitsDoNotMatter) {
     options.intervals = true;
     options.sigma_A = *parse_quantity("0.003 mm^2");
     const FitResult a = fit_model(one, "c", options), b = fit_model(other, "c", options);
-    ASSERT_EQ(a.status, FitStatus::ok) << a.message;
-    ASSERT_EQ(b.status, FitStatus::ok) << b.message;
+    ASSERT_EQ(a.status, FitStatus::ok) << a.message.text();
+    ASSERT_EQ(b.status, FitStatus::ok) << b.message.text();
     for (std::size_t k = 0; k < 2; ++k) {
       // Data differ by roundings; the ends of intervals are found to 1e-10 of their distance.
       EXPECT_NEAR(*a.parameters[k].value / *b.parameters[k].value, 1, 1e-11) << to_string(objective);
@@ -169,7 +169,7 @@ TEST(ExactRunsOfModel, WeightsOfEqualSizeChangeNothing) {
       load_text("psi [deg],Gc_over_GIc,sigma_Gc\n0,1,0.1\n20,1.11,0.111\n40,1.4,0.14\n60,2.3,0.23\n75,3.3,0.33\n");
   const FitResult plain = fit_model(data, "c", {.intervals = false});
   const FitResult weighted = fit_model(data, "c", {.weighted = true, .intervals = false});
-  ASSERT_EQ(weighted.status, FitStatus::ok) << weighted.message;
+  ASSERT_EQ(weighted.status, FitStatus::ok) << weighted.message.text();
   // every ln f has the error 0.1; the sigma column's roundings
   EXPECT_NEAR(*plain.parameters[0].value, *weighted.parameters[0].value, 1e-12);
   EXPECT_NEAR(*plain.r2, *weighted.r2, 1e-12);
@@ -183,7 +183,7 @@ TEST(Freed, AConstantIsFoundWithTheModelHeld) {
     FitOptions options = with(objective, {kToughness});
     options.hold = {{"lambda", 0.15}};
     const FitResult fit = fit_model(data, "c", options);
-    EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << fit.message;
+    EXPECT_EQ(fit.status, FitStatus::ok) << to_string(objective) << fit.message.text();
     ASSERT_TRUE(fit.parameters[1].value) << to_string(objective);
     EXPECT_NEAR(*fit.parameters[1].value * 1.1, 1, 1e-10);  // as above
   }
@@ -239,7 +239,7 @@ TEST(ExactRunsOfModel, ThatEndAtTheFoldAreExactUnderCurve) {
   for (const double lambda : {0.2673491, 0.0695609, 0.9920213, 1.885382e-4}) {
     const Dataset data = synthetic_runs("c", {lambda}, {-2, 3.8811}, 3, 1.0);
     const FitResult fit = fit_model(data, "c", with(Objective::curve));
-    EXPECT_EQ(fit.status, FitStatus::ok) << lambda << ": " << fit.message;
+    EXPECT_EQ(fit.status, FitStatus::ok) << lambda << ": " << fit.message.text();
     ASSERT_TRUE(fit.parameters[0].value);
     EXPECT_NEAR(*fit.parameters[0].value / lambda, 1, 1e-10);  // as above: the fold's T is exact to some eps
   }

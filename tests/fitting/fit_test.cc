@@ -17,7 +17,7 @@ INSTANTIATE_TEST_SUITE_P(OfLambda, Recovery, ::testing::Values("a", "b", "c"));
 TEST_P(Recovery, ExactDataGiveLambdaBack) {
   for (const double lambda : {1e-6, 1e-4, 0.0023, 0.15, 0.5, 0.9}) {
     const FitResult fit = fit_model(synthetic(key(), {lambda}, angles_up_to(1.56, 40)), key());
-    EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+    EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
     // f holds lambda to eps/(lambda d ln f/d lambda): at psi <= 1.56 a sees lambda = 1e-6 to 1e-10, the others better
     EXPECT_NEAR(*fit.parameters[0].value / lambda, 1, 1e-12 / lambda) << lambda;
     EXPECT_GT(*fit.r2, 1 - 1e-14);
@@ -44,7 +44,7 @@ TEST(Fit, EndsAtTheZeroOfTheGradientHoweverLargeTheResiduals) {
       (gradient(middle) * gradient(high) > 0 ? high : low) = middle;
     }
     const FitResult fit = fit_model(data, "c");
-    ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
     // Rounding of sixty terms in the gradient moves its zero by about 1e-15 relative.
     EXPECT_NEAR(*fit.parameters[0].value / low, 1, 1e-12);
   }
@@ -69,7 +69,7 @@ TEST(Fit, TellsAMinimumAFewRoundingsFromABoundFromTheBound) {
   const double excess = 2.2e-7, tan = std::tan(angles.back());
   const Dataset data = synthetic("a", {1}, angles, [&](std::size_t i) { return i < 7 ? 1e-6 * scatter(i) : excess; });
   const FitResult fit = fit_model(data, "a");
-  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   // to three roundings of lambda; the others move it by less than one
   EXPECT_NEAR(1 - *fit.parameters[0].value, excess / (tan * tan), 3.4e-16);
 }
@@ -121,7 +121,7 @@ TEST(Fit, HoldsWhatItIsToldToHold) {
 
 TEST(Fit, FindsBothParametersOfTheTwoParameterLaw) {
   const FitResult fit = fit_model(synthetic("bk", {2.5, 1.6}, angles_up_to(1.55, 30)), "bk");
-  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   EXPECT_NEAR(*fit.parameters[0].value, 2.5, 1e-11);  // exact data; eps times a condition of about 1e3
   EXPECT_NEAR(*fit.parameters[1].value, 1.6, 1e-11);
 }

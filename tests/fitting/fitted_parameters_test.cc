@@ -28,7 +28,7 @@ TEST(Profile, EndsWhereTheCostHasRisenByTheAllowance) {
       FitOptions options{.objective = objective};
       if (known) options.sigma_A = options.sigma_T = *parse_quantity("1%");
       const FitResult fit = fit_model(data, "b", options);
-      ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+      ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
       ASSERT_TRUE(fit.parameters[0].interval);
       const ShownInterval& interval = *fit.parameters[0].interval;
       const auto problem =
@@ -52,7 +52,7 @@ TEST(Profile, OfATwoParameterLawMinimisesOverTheOther) {
   for (const Objective objective : {Objective::toughness, Objective::curve}) {
     const FitOptions options{.objective = objective};
     const FitResult fit = fit_model(data, "bk", options);
-    ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
     const auto problem = make_problem(data, options, prepare(data, model_named("bk"), options, objective, nullptr));
     const double r = *fit.parameters[0].value, eta = *fit.parameters[1].value;
     const double minimum = cost_at(*problem, {r, eta});
@@ -86,7 +86,7 @@ TEST(Profile, OfALogarithmIsShownAsTheNumberItself) {
   data.contact = Contact{0.01, 2e6, 0.03};
   const FitResult fit =
       fit_model(data, "c", {.objective = Objective::curve, .free = {kToughness}, .sigma_A = *parse_quantity("0.5%")});
-  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   const FittedParameter &found = fit.parameters[1], &factor = plain.parameters[1];
   EXPECT_EQ(found.name, "toughness");
   EXPECT_EQ(found.unit, "J/m^2");

@@ -24,7 +24,7 @@ TEST(FitOfCurves, ThatWantsMoreThanLambdaOneIsAtThatBound) {
   for (const double missing : {0.003, 0.01}) {
     const Dataset data = synthetic_runs("a", {1}, {-2, 0.5, 20}, 8, 0.95, [&] { return -missing; });
     const FitResult fit = fit_model(data, "a", {.objective = Objective::curve});
-    EXPECT_EQ(fit.status, FitStatus::at_bound) << fit.message;
+    EXPECT_EQ(fit.status, FitStatus::at_bound) << fit.message.text();
     EXPECT_EQ(*fit.parameters[0].value, 1);
     EXPECT_FALSE(fit.parameters[0].stderr_);
   }
@@ -49,7 +49,7 @@ TEST(FitOfCurves, OfTwoParametersIsNoWorseThanTheTruth) {
     const FitOptions options{
         .objective = Objective::curve, .sigma_T = relative, .sigma_A = relative, .intervals = false};
     const FitResult fit = fit_model(data, "bk", options);
-    ASSERT_TRUE(fit.has_values()) << round << ' ' << fit.message;
+    ASSERT_TRUE(fit.has_values()) << round << ' ' << fit.message.text();
     EXPECT_LE(fit.sum_of_squares, bk_cost(data, options, truth))
         << round << ' ' << truth[0] << ' ' << truth[1] << ' ' << size;
   }
@@ -80,7 +80,7 @@ Dataset measured_runs(const std::vector<double>& loads, const std::vector<Measur
 void expect_no_worse_than(const ParameterValues& truth, const Dataset& data) {
   const FitOptions options{.objective = Objective::curve};
   const FitResult fit = fit_model(data, "bk", options);
-  EXPECT_TRUE(fit.has_values()) << fit.message;
+  EXPECT_TRUE(fit.has_values()) << fit.message.text();
   EXPECT_LE(fit.sum_of_squares, bk_cost(data, options, truth));
 }
 
@@ -88,7 +88,7 @@ void expect_no_worse_than(const ParameterValues& truth, const Dataset& data) {
 TEST(FitOfCurves, FindsTheBasinBesideThatBeyondTheFold) {
   const Dataset data = measured_runs({19.168}, {{0, 244.424, 25.2821, 0.09}, {0, 232.902, 27.8726, 0.09}});
   const FitResult fit = fit_model(data, "c", {.objective = Objective::curve});
-  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message;
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   EXPECT_NEAR(*fit.parameters[0].value, 0.00748, 0.00001);  // the cost as seen by mixity predict
   EXPECT_LT(fit.sum_of_squares, 0.1);
 }
@@ -132,7 +132,7 @@ TEST(FitOfCurves, OfTwoParametersStartsFromWeightedToughness) {
       {2, 4.29124226, 11.7013682, 0.773180473}, {2, 5.11735736, 9.80599755, 0.729841514}};
   const Dataset data = measured_runs({27.533974, 29.524425, -3.0787826}, measured);
   const FitResult fit = fit_model(data, "bk", {.objective = Objective::curve});
-  EXPECT_TRUE(fit.has_values()) << fit.message;
+  EXPECT_TRUE(fit.has_values()) << fit.message.text();
   EXPECT_LT(fit.sum_of_squares, 17.61);  // two other minima, far away, have 19.97 and 20.27
 }
 

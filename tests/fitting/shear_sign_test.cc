@@ -21,7 +21,7 @@ Dataset with_signs(Dataset data) {
 }
 
 void expect_same(const FitResult& one, const FitResult& other) {
-  ASSERT_TRUE(one.parameters[0].value && other.parameters[0].value) << one.message << other.message;
+  ASSERT_TRUE(one.parameters[0].value && other.parameters[0].value) << one.message.text() << other.message.text();
   EXPECT_EQ(one.status, other.status);
   for (std::size_t k = 0; k < one.parameters.size(); ++k) {
     EXPECT_EQ(*one.parameters[k].value, *other.parameters[k].value);

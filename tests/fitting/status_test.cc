@@ -36,7 +36,7 @@ TEST(KnownErrors, OfAToughnessFileAreTakenAtTheirWord) {
     return load_text(text);
   };
   const FitResult fit = fit_model(file("0.05"), "c", {.weighted = true});
-  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   EXPECT_TRUE(fit.known_errors);
   // The curvature of chi^2 is 1/stderr^2: errors twice as large double it exactly, whatever the scatter.
   const FitResult twice = fit_model(file("0.1"), "c", {.weighted = true});
@@ -57,8 +57,8 @@ TEST(RepeatedRows, AreOnePoint) {
         const bool enough = different > (model == std::string_view("c") ? 1 : 2);
         EXPECT_EQ(fit.status != FitStatus::not_identifiable, enough) << to_string(objective) << model << different;
         if (!enough) {
-          EXPECT_NE(fit.message.find("repeated in " + std::to_string(different + 6) + " rows"), std::string::npos)
-              << fit.message;
+          EXPECT_NE(fit.message.text().find("repeated in " + std::to_string(different + 6) + " rows"), std::string::npos)
+              << fit.message.text();
         }
       }
   }
@@ -82,7 +82,7 @@ TEST(RoundedData, ConvergeWhateverTheirDigits) {
         const FitResult fit = fit_model(data, "c", options);
         const std::string where =
             std::string(to_string(objective)) + ' ' + std::to_string(lambda) + ' ' + std::to_string(digits);
-        EXPECT_EQ(fit.status, FitStatus::ok) << where << ' ' << fit.message;
+        EXPECT_EQ(fit.status, FitStatus::ok) << where << ' ' << fit.message.text();
         // the relative rounding, times the 1/(dlnA/dlnlambda) of runs to 0.9 of the fold
         EXPECT_NEAR(*fit.parameters[0].value / lambda, 1, 100 * std::pow(10.0, -digits)) << where;
       }
@@ -120,7 +120,7 @@ void expect_global_under_cauchy(const std::string& model, unsigned seed) {
                            .loss = Loss::cauchy,
                            .intervals = false};
   const FitResult fit = fit_model(data, model, options);
-  ASSERT_TRUE(fit.parameters[0].value) << fit.message;
+  ASSERT_TRUE(fit.parameters[0].value) << fit.message.text();
   const auto problem =
       make_problem(data, options, prepare(data, model_named(model), options, *options.objective, nullptr));
   const RobustProblem robust(*problem, Loss::cauchy, fit.loss_scale);
@@ -152,7 +152,7 @@ TEST(RobustLoss, FindsWhatOutliersHideFromLeastSquares) {
   };
   EXPECT_EQ(fit_with(Loss::none).status, FitStatus::not_identifiable);
   const FitResult robust = fit_with(Loss::cauchy);
-  ASSERT_EQ(robust.status, FitStatus::ok) << robust.message;
+  ASSERT_EQ(robust.status, FitStatus::ok) << robust.message.text();
   // three standard errors of the thirteen good points
   EXPECT_NEAR(*robust.parameters[0].value, 0.3, 3 * *robust.parameters[0].stderr_);
   EXPECT_LT(*robust.parameters[0].stderr_, 0.05);
@@ -168,8 +168,8 @@ TEST(Symmetry, OfModelBAtItsUpperBoundIsNoMinimum) {
         const FitResult fit = fit_model(data, "b", {.objective = objective});
         const std::string where =
             std::string(to_string(objective)) + ' ' + std::to_string(lambda) + ' ' + std::to_string(size);
-        ASSERT_TRUE(fit.parameters[0].value) << where << ' ' << fit.message;
-        EXPECT_EQ(fit.status, FitStatus::ok) << where << ' ' << fit.message;
+        ASSERT_TRUE(fit.parameters[0].value) << where << ' ' << fit.message.text();
+        EXPECT_EQ(fit.status, FitStatus::ok) << where << ' ' << fit.message.text();
         // ln f depends on (2 - lambda)^2, so that an error e of A is one of about e/(2 - lambda) in lambda
         EXPECT_NEAR(*fit.parameters[0].value, lambda, 100 * size + 1e-9) << where;
       }
@@ -189,7 +189,7 @@ void expect_least_distance_below_hertz(const std::string& model) {
       .objective = Objective::curve, .sigma_T = *parse_quantity("2%"), .sigma_A = *parse_quantity("2%")};
   const FitResult fit = fit_model(data, model, options);
   // the points below Hertz do not agree with the rest, and that is said
-  ASSERT_EQ(fit.status, FitStatus::suspect) << model << ' ' << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::suspect) << model << ' ' << fit.message.text();
   const auto problem =
       make_problem(data, options, prepare(data, model_named(model), options, *options.objective, nullptr));
   for (int i = 1; i < 400; ++i)
@@ -224,7 +224,7 @@ TEST(Weighted, LinearScaleWeighsTheDifferenceItself) {
                                    .sigma_T = *parse_quantity("1%"),
                                    .sigma_A = *parse_quantity("2%"),
                                    .intervals = false});
-  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   const double lambda = *fit.parameters[0].value;
   const auto difference = [](double l, double P, double T, double A) {
     const auto measured = toughness_of_area(P, T, A);
@@ -258,7 +258,7 @@ TEST(Status, OfAValueWhoseErrorExceedsItsRangeIsNotOk) {
   options.sigma_T = parse_quantity("0%");
   const FitResult fit = fit_model(data, "c", options);
   EXPECT_EQ(fit.status, FitStatus::suspect);
-  EXPECT_NE(fit.message.find("exceeds its whole range"), std::string::npos) << fit.message;
+  EXPECT_NE(fit.message.text().find("exceeds its whole range"), std::string::npos) << fit.message.text();
 }
 
 }  // namespace

@@ -136,7 +136,8 @@ void check_data(const Dataset& data) {
   for (const double scale : {data.display.force_scale, data.display.area_scale, data.display.energy_scale})
     promise(std::isfinite(scale) && scale > 0, "a scale is finite and positive");
   for (const std::string& line : find_oddities(data)) promise(!line.empty(), "an oddity is a sentence");
-  for (const std::string& note : data.notes) promise(is_one_printable_line(note), "a note is one printable line", note);
+  for (const Message& note : data.notes)
+    promise(is_one_printable_line(note.text()), "a note is one printable line", note.text());
 }
 
 void check_dataset(std::string_view text) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/input_error.h"
-#include "base/printable.h"
+#include "base/text.h"
 
 namespace mixity::fuzz {
 

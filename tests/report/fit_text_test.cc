@@ -29,6 +29,7 @@ TEST(FitText, ReconstructedWithManyExclusionsAndAHeldParameter) {
 
 TEST(FitText, ListsTheFirstOfThePointsThatAModelLeavesOut) {
   Analysis result = example(FitStatus::ok);
+  result.request.words = cli::in_flags;
   for (std::size_t line = 30; line < 50; ++line) result.fits[0].excluded.push_back({line, kNoPhaseAngle});
   const std::string text = to_text(result);
   EXPECT_NE(text.find("    without line 37: y <= 0"), std::string::npos) << text;

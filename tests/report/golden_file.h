@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/files.h"
-#include "base/output_file.h"
+#include "cli/flag_words.h"
 #include "report/fit_text.h"
 
 namespace mixity {
@@ -23,7 +23,9 @@ inline void expect_golden_text(const std::string& text, const std::string& name)
 }
 
 inline void expect_golden(const Analysis& result, const std::string& name) {
-  expect_golden_text(to_text(result), name);
+  Analysis said = result;
+  said.request.words = cli::in_flags;
+  expect_golden_text(to_text(said), name);
 }
 
 }  // namespace mixity

@@ -10,7 +10,6 @@
 
 #include "analysis/run.h"
 #include "base/files.h"
-#include "base/output_file.h"
 #include "dataset/temporary_folder.h"
 #include "report/example_results.h"
 #include "report/fit_json.h"

@@ -86,7 +86,7 @@ std::string wrong_with_experiment(const Experiment& experiment, const FitResult&
       if (cost < HUGE_VAL) most = std::max(most, cost);
     }
     // chi^2 of one parameter at 95 %, and a tenth for what either has not seen; a flat bottom is no value
-    return most > 1.1 * (least + 3.85) && fit.message.find("every value") != std::string::npos
+    return most > 1.1 * (least + 3.85) && fit.message.text().find("every value") != std::string::npos
                ? "costs from " + shortest(least) + " to " + shortest(most) + " are called all the same"
                : "";
   }

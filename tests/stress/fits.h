@@ -171,11 +171,11 @@ void judge_fit(Tally& tally, const std::string& where, const Fit& fit_it, const 
   try {
     const FitResult fit = tally.timed(where, fit_it);
     tally.answered += fit.status == FitStatus::ok;
-    if (fit.status == FitStatus::not_converged) tally.give_up(where + ": " + fit.message);
+    if (fit.status == FitStatus::not_converged) tally.give_up(where + ": " + fit.message.text());
     double error = 0;
     const std::string wrong = wrong_with(fit, error);
     if (!wrong.empty())
-      tally.fail(where + " (" + std::string(to_string(fit.status)) + ", " + fit.message + "): " + wrong);
+      tally.fail(where + " (" + std::string(to_string(fit.status)) + ", " + fit.message.text() + "): " + wrong);
     tally.see_error(error, where);
   } catch (const InputError& refused) {
     tally.fail(where + ": refused: " + refused.what());

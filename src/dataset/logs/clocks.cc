@@ -220,11 +220,10 @@ Frames on_one_clock(const Recording& forces, const Recording& areas, const Frame
     source = "from " + std::to_string(found->events) + " onsets of sliding";
   }
   if (!found)
-    throw InputError(
-        areas.path,
-        "no sudden change that it shares with " + forces.path +
-            " tells the lag between their clocks; state it: --lag=\"" +
-            (near ? rounded(*near, 3) + " s\" is where the area follows the load, to some tenths" : "0 s\""));
+    throw InputError(areas.path, "no sudden change that it shares with " + forces.path +
+                                     " tells the lag between their clocks; state it: " +
+                                     Remedy::set("lag", near ? rounded(*near, 3) + " s" : "0 s") +
+                                     (near ? " is where the area follows the load, to some tenths" : ""));
   Frames frames = make_frames(forces, areas, found->value);
   frames.lag_error = found->error;
   frames.lag_source = source;

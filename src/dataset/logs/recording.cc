@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/input_error.h"
-#include "base/printable.h"
+#include "base/text.h"
 #include "dataset/table/clock_time.h"
 #include "dataset/table/columns.h"
 #include "dataset/table/csv_file.h"
@@ -116,8 +116,11 @@ class LogReader {
       recording_.area_unit = "mm^2";
       recording_.area_factor = 1e-6;
     }
-    const auto fail = [&](const char* message) { throw InputError(recording_.path, table->header_line, 1, message); };
-    if (!has(ColumnId::time)) fail("column 'time' is missing; to say which it is: --columns=\"time=HEADING (s)\"");
+    const auto fail = [&](const Message& message) {
+      throw InputError(recording_.path, table->header_line, 1, message);
+    };
+    if (!has(ColumnId::time))
+      fail("column 'time' is missing; to say which it is: " + Remedy::set("columns", "time=HEADING (s)"));
     if (!has(T) && !has(A) && !has(a) && !has(a_par) && !has(major)) fail("neither T nor A is there");
     if (has(T) && !has(P) && !metadata_.load) fail("column 'P' is missing, and no load is stated");
     first_line_ = table->line;

@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "base/trim.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "dataset/table/number.h"
 

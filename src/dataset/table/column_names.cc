@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/input_error.h"
-#include "base/printable.h"
+#include "base/text.h"
 #include "dataset/table/vocabulary.h"
 
 namespace mixity {
@@ -22,8 +22,8 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
       if (found)
         throw InputError(path, headings[i].place,
                          "columns " + std::to_string(*found + 1) + " and " + std::to_string(i + 1) + " are both '" +
-                             wanted + "', which is to be " + name_of(id) + "; say which by its number: --columns=\"" +
-                             name_of(id) + "=" + std::to_string(i + 1) + "\"");
+                             wanted + "', which is to be " + name_of(id) + "; say which by its number: " +
+                             Remedy::set("columns", name_of(id) + "=" + std::to_string(i + 1)));
       found = i;
     }
   };
@@ -81,14 +81,14 @@ class Names {
       if (!id || at(i) || !is_read(*id) || is_mapped(*id) || (rules_.vocabulary && !unit_fits(headings_[i].unit, *id)))
         continue;
       if (const NamedColumn* before = find(*id))
-        throw InputError(path_, headings_[i].place,
-                         "column '" + headings_[i].name + "' stands twice" +
-                             (rules_.vocabulary ? ", in columns " + std::to_string(before->index + 1) + " and " +
-                                                      std::to_string(i + 1) + "; --columns=\"" + headings_[i].name +
-                                                      "=" + std::to_string(i + 1) +
-                                                      "\" says which; runs beside each other are to stand below each "
-                                                      "other"
-                                                : ""));
+        throw InputError(
+            path_, headings_[i].place,
+            "column '" + headings_[i].name + "' stands twice" +
+                (rules_.vocabulary
+                     ? ", in columns " + std::to_string(before->index + 1) + " and " + std::to_string(i + 1) + "; " +
+                           Remedy::set("columns", headings_[i].name + "=" + std::to_string(i + 1)) +
+                           " says which; runs beside each other are to stand below each other"
+                     : Message()));
       columns_.push_back({*id, i, headings_[i]});
     }
   }
@@ -104,9 +104,8 @@ class Names {
       else if (!is_mapped(column->id) && !column_named(headings_[before->index].name))
         throw InputError(path_, headings_[i].place,
                          "'" + before->heading.text + "' and '" + headings_[i].text + "' may both be " +
-                             name_of(column->id) +
-                             "; say which: " + mapping_flag(column->id, headings_, before->index) + " or " +
-                             mapping_flag(column->id, headings_, i));
+                             name_of(column->id) + "; say which: " + mapping(column->id, headings_, before->index) +
+                             " or " + mapping(column->id, headings_, i));
     }
     // "normal force_N" may be a symbol's index; beside headings that end with units it ends with one
     if (std::any_of(columns_.begin(), columns_.end(), [](const NamedColumn& column) { return column.heading.unit; }))
@@ -186,7 +185,7 @@ class Names {
         throw InputError(path_, heading.place,
                          "'" + printable(heading.text, 60) + "' may be " + name_of(*id) + ", but '" + *heading.unit +
                              "' is not " + describe(kind_of(*id).dimension) +
-                             "; if it is another way to write one: " + mapping_flag(*id, headings_, i));
+                             "; if it is another way to write one: " + mapping(*id, headings_, i));
     }
   }
 
@@ -198,7 +197,7 @@ class Names {
 
 }  // namespace
 
-std::string mapping_flag(ColumnId id, const std::vector<Heading>& headings, std::size_t index) {
+Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t index) {
   constexpr std::size_t kLong = 40;
   const Heading& heading = headings[index];
   const bool alone = std::count_if(headings.begin(), headings.end(), [&](const Heading& other) {
@@ -209,7 +208,7 @@ std::string mapping_flag(ColumnId id, const std::vector<Heading>& headings, std:
   const bool known = !heading.unit || unit_fits(heading.unit, id);
   std::string said = plain && known ? heading.text : plain ? heading.name : std::to_string(index + 1);
   if (!known) said += " (UNIT)";
-  return "--columns=\"" + name_of(id) + "=" + said + "\"";
+  return Remedy::set("columns", name_of(id) + "=" + said);
 }
 
 std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,

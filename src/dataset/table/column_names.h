@@ -24,6 +24,6 @@ std::vector<NamedColumn> number_columns(const std::string& path, const std::vect
 
 /// The mapping of a column to a quantity: --columns="P=Load (mN)". By its number if its heading would not be understood
 /// there; with UNIT to be filled in if that of the heading is not known or does not fit.
-std::string mapping_flag(ColumnId id, const std::vector<Heading>& headings, std::size_t index);
+Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t index);
 
 }  // namespace mixity

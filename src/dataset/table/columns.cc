@@ -6,7 +6,7 @@
 
 #include "base/input_error.h"
 #include "base/number_text.h"
-#include "base/printable.h"
+#include "base/text.h"
 #include "dataset/table/number.h"
 
 namespace mixity {
@@ -33,7 +33,7 @@ std::string letters_of(std::string_view name) {
 Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& path, bool alone,
              std::optional<double> pixel) {
   if (!heading.unit) return {};
-  const auto fail = [&](const std::string& message) { throw InputError(path, heading.place, message); };
+  const auto fail = [&](const Message& message) { throw InputError(path, heading.place, message); };
   const std::string_view text = heading.text;
   if (alone && text.find_first_of("])") < text.size() - 1)
     fail("'" + printable(text, 60) + "' is one column; separate columns by commas, semicolons or tabs");
@@ -57,7 +57,8 @@ Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& 
   }
   if (is_pixels(parsed->dimension, kind.dimension)) {
     if (!pixel)
-      fail("column '" + heading.name + "' is in pixels; state the side of one: --pixel=\"1.7 um\", or the key pixel");
+      fail("column '" + heading.name +
+           "' is in pixels; state the side of one: " + Remedy::set_or_key("pixel", "1.7 um"));
     const bool area = kind.dimension == dimension::area;
     return {area ? *pixel * *pixel : *pixel, kind.dimension, parsed->text};
   }
@@ -96,8 +97,8 @@ bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::s
   NumberStyle style;
   if (parse_number(text, row.decimal(), value, &style) && style.doubtful)
     throw InputError(path, row.place(i),
-                     said + " but for " + shortest(value) + ", if digits stand in groups of three: --decimal=\"" +
-                         row.decimal() + "\" says so");
+                     said + " but for " + shortest(value) + ", if digits stand in groups of three: " +
+                         Remedy::set("decimal", std::string(1, row.decimal())) + " says so");
   throw InputError(path, row.place(i), said + std::string(decimal_comma_hint(text)));
 }
 
@@ -110,7 +111,8 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
   if (rules.mapping.empty() && std::all_of(headings.begin(), headings.end(), is_number))
     throw InputError(path, headings.at(0).place,
                      "the first row holds numbers where the columns' names are wanted, such as P, T, A (a line that "
-                     "starts with '#' is a comment); say which is which: --columns=\"P=1 (mN),T=2 (mN),A=3 (mm^2)\"");
+                     "starts with '#' is a comment); say which is which: " +
+                         Remedy::set("columns", "P=1 (mN),T=2 (mN),A=3 (mm^2)"));
   std::vector<bool> used(headings.size());
   for (const NamedColumn& column : name_columns(path, headings, rules)) {
     if (column.id == ColumnId::time) continue;  // of logs
@@ -154,7 +156,8 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   const bool loads = has(P) || has(T) || sized;
   const bool toughness = has(psi) || has(mode_ratio) || has(Gc) || has(Gc_over_GIc);
   const bool energies = has(G_I) || has(G_II);
-  const auto fail = [&](const std::string& message, ColumnId missing = P, const char* tail = "") {
+  const auto fail = [&](const std::string& message, std::optional<ColumnId> missing = {}, const Message& tail = {}) {
+    const ColumnId wanted = missing.value_or(P);
     std::string others;
     std::vector<std::size_t> fitting;  // of what is not understood
     for (std::size_t i = 0; rules.vocabulary && i < headings.size(); ++i) {
@@ -162,19 +165,17 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
                                                   [&](const auto& column) { return column && column->index == i; }))
         continue;
       others += (others.empty() ? "'" : ", '") + printable(headings[i].text, 40) + "'";
-      if (headings[i].unit && unit_fits(headings[i].unit, missing)) fitting.push_back(i);
+      if (headings[i].unit && unit_fits(headings[i].unit, wanted)) fitting.push_back(i);
     }
     // of two unknown forces either may be the one
-    const bool one =
-        fitting.size() == 1 && (kind_of(missing).dimension != dimension::force || has(missing == T ? P : T));
-    const std::string name(to_string(missing));
-    throw InputError(path, headings.at(0).place.line, 1,
-                     message +
-                         (others.empty() ? ""
-                                         : "; not understood: " + others + ". To say which column is " + name + ": " +
-                                               (one ? mapping_flag(missing, headings, fitting[0])
-                                                    : "--columns=\"" + name + "=HEADING (UNIT)\"")) +
-                         tail);
+    const bool one = fitting.size() == 1 && (kind_of(wanted).dimension != dimension::force || has(wanted == T ? P : T));
+    const std::string name(to_string(wanted));
+    Message said = message;
+    if (!others.empty())
+      said += "; not understood: " + others + ". To say which column is " + name + ": " +
+              (one ? mapping(wanted, headings, fitting[0]) : Remedy::set("columns", name + "=HEADING (UNIT)"));
+    if (missing) throw MissingColumn(path, headings.at(0).place.line, 1, said + tail);
+    throw InputError(path, headings.at(0).place.line, 1, said);
   };
   const auto exactly_one = [&](ColumnId one, ColumnId other) {
     const std::string names = "'" + std::string(to_string(one)) + "' or '" + std::string(to_string(other)) + "'";
@@ -199,7 +200,8 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
     all_of({T});
     if (!rules.load_stated && !has(P))
       fail("column 'P' is missing", P,
-           rules.vocabulary ? "; one normal load of all points is stated by --load=\"5 mN\", or the key load" : "");
+           rules.vocabulary ? "; one normal load of all points is stated by " + Remedy::set_or_key("load", "5 mN")
+                            : Message());
     if (!holds_axes()) exactly_one(A, a);
     if (has(a_par) || has(a_perp)) all_of({a_par, a_perp});
     if (has(major) || has(minor)) all_of({major, minor});

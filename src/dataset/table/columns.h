@@ -8,10 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "base/input_error.h"
 #include "base/units.h"
 #include "dataset/table/column_names.h"
 
 namespace mixity {
+
+/// The header of a table has no column for a quantity that is needed.
+class MissingColumn : public InputError {
+  using InputError::InputError;
+};
 
 struct Column {
   ColumnId id;
@@ -22,7 +28,7 @@ struct Column {
 class Columns {
  public:
   /// Throws InputError as name_columns does, for a unit that is none or of the wrong kind, and for a set of columns of
-  /// which no point can be made.
+  /// which no point can be made: MissingColumn if one is missing.
   Columns(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules = {});
 
   const Column* find(ColumnId id) const {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/trim.h"
+#include "base/text.h"
 #include "dataset/table/number.h"
 
 namespace mixity {

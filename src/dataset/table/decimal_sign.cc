@@ -5,8 +5,7 @@
 
 #include "base/input_error.h"
 #include "base/number_text.h"
-#include "base/printable.h"
-#include "base/trim.h"
+#include "base/text.h"
 #include "dataset/table/clock_time.h"
 #include "dataset/table/number.h"
 
@@ -67,7 +66,7 @@ Reading read_numbers(const std::string& path, const std::vector<Line>& lines, st
                        "'" + printable(text, 40) + "' may be " + shortest(other) + " (decimal comma) or " +
                            shortest(one) +
                            (text.find('.') == std::string::npos ? " (comma between thousands)" : " (decimal point)") +
-                           "; say which: --decimal=\",\" or --decimal=\".\"");
+                           "; say which: " + Remedy::set("decimal", ",") + " or " + Remedy::set("decimal", "."));
     }
   return point;
 }

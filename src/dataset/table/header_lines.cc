@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "base/input_error.h"
-#include "base/printable.h"
-#include "base/trim.h"
+#include "base/text.h"
 
 namespace mixity {
 namespace {
@@ -196,14 +195,13 @@ void take_units(const std::string& path, const Line& line, const CsvFormat& form
     if (text.empty()) continue;
     const Heading& heading = headings[column.index];
     const auto unit = parse_unit(text), own = column.heading.unit ? parse_unit(*column.heading.unit) : std::nullopt;
-    const auto fail = [&](const std::string& message) {
+    const auto fail = [&](const Message& message) {
       throw InputError(
           path, places_of(line, format)[column.index],
           "the row of units has '" + printable(text, 40) + "' for column '" + heading.text + "', which " + message);
     };
     if (!unit && !own && given[column.index].unit)
-      fail("is no unit that is known; if it is another way to write one: " +
-           mapping_flag(column.id, given, column.index));
+      fail("is no unit that is known; if it is another way to write one: " + mapping(column.id, given, column.index));
     if (unit && own && (own->factor != unit->factor || own->dimension != unit->dimension))
       fail("itself says " + own->text);
   }

@@ -8,7 +8,7 @@
 #include <memory>
 #include <set>
 
-#include "base/trim.h"
+#include "base/text.h"
 
 namespace mixity {
 

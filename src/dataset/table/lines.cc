@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/trim.h"
+#include "base/text.h"
 #include "dataset/table/number.h"
 
 namespace mixity {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/trim.h"
+#include "base/text.h"
 #include "base/units.h"
 
 namespace mixity {

@@ -7,7 +7,7 @@
 #include "base/files.h"
 #include "base/input_error.h"
 #include "base/number_text.h"
-#include "base/printable.h"
+#include "base/text.h"
 #include "dataset/table/columns.h"
 #include "dataset/table/csv_file.h"
 
@@ -87,7 +87,8 @@ std::string import_plot(const std::string& path, const PlotImport& options) {
     const std::vector<Heading> headings = headings_of(header);
     for (const Heading& heading : headings)
       if (const std::string& axis = heading.name; !with_loads && (axis == "T" || axis == "A" || axis == "a"))
-        throw InputError(path, "needs the normal load of each data set beside the axis " + axis + " (--loads=...)");
+        throw InputError(path, "needs the normal load of each data set beside the axis " + axis + " (" +
+                                   Remedy::fill_in("loads") + ")");
     ColumnRules own_names;
     own_names.vocabulary = false;
     const Columns columns(name, headings, own_names);

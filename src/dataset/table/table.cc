@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/trim.h"
+#include "base/text.h"
 #include "dataset/table/decimal_sign.h"
 #include "dataset/table/header_lines.h"
 #include "dataset/table/number.h"

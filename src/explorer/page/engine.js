@@ -5,12 +5,8 @@ function unpacked(id) {
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
 }
 
-/// What the program says of flags, of fields.
-const ofFields = sentence => sentence.replace(/: state (it|them) in .* or by (a flag|flags) \(--.*?\)/, '').replace(/^--(\w+): /, '')
-  .replace(/--columns="([^"]*)"/, 'write $1 under “Take other columns”')
-  .replace(/(by )?--(?:load|pixel)=("[^"]*"), or the key (?:load|pixel)/, '$1$2 under “More of the file”');
-
-/// The engine's functions, each with a text of JSON answered as an object, or throwing the engine's sentence.
+/// The engine's functions, each with a text of JSON answered as an object, or throwing the engine's sentence with the
+/// options that it recommends.
 export async function loadEngine() {
   const script = document.createElement('script');
   script.textContent = await unpacked('engine').text();
@@ -18,7 +14,7 @@ export async function loadEngine() {
   const engine = await window.mixity({wasmBinary: await unpacked('compiled').arrayBuffer()});
   const asked = text => {
     const told = JSON.parse(text);
-    if (told.error) throw new Error(ofFields(told.error));
+    if (told.error) throw Object.assign(new Error(told.error), {options: told.options ?? []});
     return told;
   };
   return {

@@ -166,8 +166,8 @@ export class Experiment {
       this.told = this.engine.read(this.name, {radius: '1 mm', modulus: '1 MPa', toughness: '1 J/m^2', ...this.constants()});
     } catch (error) {
       this.trouble(error.message);
-      $('more').open = /More of the file/.test(error.message);
-      $('mapping').open = !$('more').open && /column|header|quantity/.test(error.message);
+      $('more').open = error.options?.some(option => option === 'load' || option === 'pixel');
+      $('mapping').open = !$('more').open;
       $('read-title').textContent = this.name;
       $('taken').innerHTML = '';
       return;

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from typing import TYPE_CHECKING, Any, Iterable, Mapping
 
 import numpy as np
@@ -18,27 +17,6 @@ if TYPE_CHECKING:
     FloatArray = NDArray[np.float64]
 
 _COLUMNS = [name for name in _core.column_names() if name not in ("curve", "include", "time")]
-
-# How a file's sentences call what is an argument here.
-_FLAG = (
-    r"(?P<state>state (?:it|them)) in (?P<where>.*?) or by (?:a flag|flags) \((?P<flags>--\w+=\.\.\.(?:, --\w+=\.\.\.)*)\)"
-    r"|--columns=\"(?P<column>\w+)=(?P<heading>[^\"]*)\"|--(?P<name>\w+)="
-)
-
-
-def _argument(said: re.Match[str]) -> str:
-    if said["state"]:
-        where = f" in {said['where']}, or here" if said["where"].endswith(".toml") else ""
-        return f"{said['state']}{where}: {said['flags'].replace('--', '')}"
-    return f'columns={{"{said["column"]}": "{said["heading"]}"}}' if said["column"] else f"{said['name']}="
-
-
-def _made(make: Any, arguments: tuple[Any, ...]) -> Any:
-    try:
-        return make(*arguments)
-    except _core.InputError as error:
-        # a constant is no flag here
-        raise _core.InputError(re.sub(_FLAG, _argument, str(error).removeprefix("--"))) from None
 
 
 def _column(name, values, units):
@@ -101,7 +79,7 @@ class Dataset:
         if runs is not None:
             columns.append(("curve", ["" if run is None or run != run else str(run) for run in runs]))
         stated = [(key, constant_text(key, value)) for key, value in given.items() if value is not None]
-        self._core = _made(_core.from_arrays, (name, columns, stated))
+        self._core = _core.from_arrays(name, columns, stated)
         self._source = ("arrays", (name, columns, stated))
         self._tell_notes()
 
@@ -189,7 +167,7 @@ def _again(kind, arguments):
     if kind == "simulated":
         plan, seed, index = arguments
         return plan.simulate(seed, index)
-    return Dataset._of(_made(_core.from_arrays if kind == "arrays" else _core.read, arguments), (kind, arguments))
+    return Dataset._of((_core.from_arrays if kind == "arrays" else _core.read)(*arguments), (kind, arguments))
 
 
 def _one_unit(name, heading, own, stated):
@@ -241,7 +219,7 @@ def from_frame(
             raise _core.InputError(f"{name}: has no column '{missing[0]}'; there are {', '.join(texts)}")
         found = {column: (heading, _core.unit_in_heading(str(heading))) for column, heading in columns.items()}
     else:
-        named = _made(_core.named_columns, (name, texts, load_stated))
+        named = _core.named_columns(name, texts, load_stated)
         found = {column: (headings[index], unit) for column, index, unit in named}
         if not any(column in found for column in _COLUMNS):
             raise _core.InputError(
@@ -264,9 +242,9 @@ def from_frame(
     given = {column: np.asarray(frame[heading]) for column, (heading, _) in taken.items()}
     try:
         return Dataset(**given, runs=runs, units=units, name=name, **constants)
-    except _core.InputError as error:
+    except _core.MissingColumn as error:
         others = [f"'{heading}'" for heading in texts if heading not in [str(one) for one, _ in found.values()]]
-        if not others or "is missing" not in str(error):
+        if not others:
             raise
         which = 'columns={"A": ..., ...}'
         raise _core.InputError(f"{error}; not understood: {', '.join(others)}. Say which is which: {which}") from None

@@ -8,7 +8,7 @@ from typing import Any, Callable, Sequence
 import numpy as np
 
 from . import _core
-from ._data import Dataset, _made
+from ._data import Dataset
 from ._fits import Fits
 from ._law import Law, model_keys
 from ._log import DEBUG, INFO, listening
@@ -97,7 +97,7 @@ def fit(
             progress = None
     begin = time.perf_counter()
     try:
-        fits = Fits(data, _made(_core.fit, (data._core, stated, progress or None)))
+        fits = Fits(data, _core.fit(data._core, stated, progress or None))
     finally:
         if bar is not None:
             bar.close()

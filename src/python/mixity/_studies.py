@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 from . import _core, plots
-from ._data import Dataset, _made
+from ._data import Dataset
 from ._fitting import _model_keys
 from ._law import Law, define, definitions, key_of, model_keys
 from ._units import constant_text, error_text, load_list, load_number, whole_number
@@ -65,7 +65,7 @@ class Plan:
         sigma_T, sigma_A = error_text("sigma_T", sigma_T), error_text("sigma_A", sigma_A)
         points = whole_number("points", points, 1)
         self._given = (model, parameters, stated, load_list("loads", loads), points, float(reach), sigma_T, sigma_A)
-        self._core = _made(_core.Plan, self._given)
+        self._core = _core.Plan(*self._given)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _plan_again, (self._given, definitions([self._given[0]]))

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/request.h"
-#include "base/output_file.h"
+#include "base/files.h"
 #include "report/figures/figure.h"
 
 namespace mixity {

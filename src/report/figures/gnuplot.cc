@@ -13,8 +13,7 @@
 #include <thread>
 
 #include "base/files.h"
-#include "base/output_file.h"
-#include "base/side_by_side.h"
+#include "base/threads.h"
 #include "report/figures/gnuplot_script.h"
 
 namespace mixity {

@@ -2,9 +2,8 @@
 #include <cmath>
 
 #include "analysis/readable.h"
+#include "base/files.h"
 #include "base/number_text.h"
-#include "base/output_file.h"
-#include "base/rounding.h"
 #include "dataset/display_units.h"
 #include "fitting/predicted_curves.h"
 #include "report/figures/data_figures.h"

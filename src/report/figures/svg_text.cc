@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/printable.h"
+#include "base/text.h"
 
 namespace mixity {
 namespace {

@@ -1,6 +1,6 @@
 #include "report/page/answer_section.h"
 
-#include "base/rounding.h"
+#include "base/number_text.h"
 #include "report/fit_table.h"
 #include "report/page/document.h"
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/files.h"
 #include "dataset/table/csv.h"
 #include "report/fit_json.h"
 #include "report/used_csv.h"

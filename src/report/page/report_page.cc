@@ -3,7 +3,7 @@
 #include <map>
 #include <pugixml.hpp>
 
-#include "base/printable.h"
+#include "base/text.h"
 #include "report/budget_text.h"
 #include "report/fit_table.h"
 #include "report/page/answer_section.h"
@@ -141,7 +141,7 @@ class Page {
   static void add_budgets(pugi::xml_node section, const Analysis& result) {
     if (result.unsheared) add(section, "p", with_powers(unsheared_sentence(*result.unsheared)) + ".");
     for (const FitResult& fit : result.fits) {
-      std::vector<std::string> lines = budget_and_consistency(fit, result.data);
+      std::vector<std::string> lines = budget_and_consistency(fit, result);
       if (lines.empty()) continue;
       for (std::string& line : lines) line = with_powers(line);
       add(section, "h4", "Model " + fit.model);

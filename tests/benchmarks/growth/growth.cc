@@ -9,7 +9,7 @@
 #include <functional>
 #include <thread>
 
-#include "base/side_by_side.h"
+#include "base/threads.h"
 #include "base/units.h"
 #include "dataset/check.h"
 #include "dataset/table/csv_file.h"

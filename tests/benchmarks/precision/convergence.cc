@@ -62,7 +62,7 @@ void run_ours(const UnitCase& at, const BestValue& of_curve, const BestValue& of
       if (!right || fit.status != FitStatus::ok)
         std::fprintf(stderr, "%s, %s in %s: %s, lambda %.10g, best %.10g +/- %.2g. %s\n", name, at.name.c_str(),
                      unit.name, std::string(to_string(fit.status)).c_str(), x, best.x, best.standard_error,
-                     fit.message.c_str());
+                     fit.message.text().c_str());
     };
     const FitOptions curve{.objective = Objective::curve,
                            .sigma_T = parse_quantity(at.sigma_T_text()),

@@ -102,7 +102,7 @@ TEST(ColumnNames, OfRunsBesideEachOtherAreSaidWhereOneIsRead) {
   const auto notes = [&](const std::string& header, const std::string& columns) {
     Overrides stated = kConstants;
     stated.emplace_back("columns", columns);
-    return load_text(header + "\n" + rows, "", stated).notes;
+    return texts_of(load_text(header + "\n" + rows, "", stated).notes);
   };
   EXPECT_EQ(notes("P1 [mN],T1 [mN],A1 [mm^2],P2 [mN],T2 [mN],A2 [mm^2]", "P=P1,T=T1,A=A1").at(0),
             "one run is read and those beside it are not: 'P2 [mN]', 'T2 [mN]', 'A2 [mm^2]' have the names of its "

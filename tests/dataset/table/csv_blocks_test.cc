@@ -5,7 +5,7 @@
 #include <optional>
 #include <random>
 
-#include "base/trim.h"
+#include "base/text.h"
 #include "dataset/table/csv_file.h"
 #include "dataset/temporary_folder.h"
 

@@ -380,7 +380,7 @@ TEST(Exports, ThatAreLogsSaySo) {
   const TemporaryFolder folder;
   const std::string path =
       folder.write("a.csv", "Zeit (s);P [mN];T [mN];A [mm^2]\n0;1;0;\n1;1;0;0,2\n2;1;0;\n3;1;1;\n4;1;1;0,19\n");
-  EXPECT_NE(load_dataset(path, kConstants).notes.at(0).find("mixity runs makes loading runs of it"), std::string::npos);
+  EXPECT_NE(texts_of(load_dataset(path, kConstants).notes).at(0).find("mixity runs makes loading runs of it"), std::string::npos);
 }
 
 TEST(Exports, WithStretchedContactsSaySo) {
@@ -388,7 +388,7 @@ TEST(Exports, WithStretchedContactsSaySo) {
   const Dataset data = load_dataset(
       folder.write("a.csv", "P [mN],T [mN],a_par [mm],a_perp [mm]\n4,0,0.3,0.3\n4,2,0.27,0.324\n"), kConstants);
   EXPECT_EQ(
-      data.notes.at(0),
+      texts_of(data.notes).at(0),
       "areas are those of ellipses, axes as 1.2 to 1 (eccentricity 0.553) at most, in line 3; the models are of a "
       "circle, and around such an edge the energy release rate varies by about 20%");
 }

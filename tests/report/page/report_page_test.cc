@@ -89,7 +89,7 @@ TEST(ReportPage, MarksEveryStatusThatIsNotOk) {
                                                                                                : 1u)
         << to_string(status);
     if (status == FitStatus::ok) continue;
-    EXPECT_NE(text_of(page.first("//section")).find(result.fits[0].message), std::string::npos) << to_string(status);
+    EXPECT_NE(text_of(page.first("//section")).find(result.fits[0].message.text()), std::string::npos) << to_string(status);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "base/output_file.h"
+#include "base/files.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "base/files.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
