@@ -34,15 +34,12 @@ void print_at_load(const ContactModel& model, const ParameterValues& p, const Ou
   for (const CurvePoint& q : points)
     if (!(q.T < kFar)) throw UsageError("the curve runs to tangential loads beyond 1e150, where no T can be told");
 
-  std::cout << "phi," << units.header("P", units.force) << ',' << units.header("T", units.force) << ','
-            << units.header("y", units.force) << ',' << units.header("a", units.length) << ','
-            << units.header("A", units.area()) << ',' << units.header("u", units.length) << ','
-            << units.header("psi", units.angle()) << ",f,stable\n";
-  for (const CurvePoint& q : points)
-    std::cout << shortest(q.phi) << ',' << shortest(load.shown) << ',' << shortest(q.T * units.force_scale) << ','
-              << shortest(q.y * units.force_scale) << ',' << shortest(q.a * units.length_scale) << ','
-              << shortest(q.A * units.area_scale) << ',' << shortest(q.u * units.displacement_scale) << ','
-              << shortest(q.psi) << ',' << shortest(q.f) << ',' << (q.dT >= 0 ? 1 : 0) << '\n';
+  std::cout << units.headings("phi,P,T,y,a,A,u,psi,f,stable") << '\n';
+  for (const CurvePoint& q : points) {
+    print_numbers({q.phi, load.shown, q.T * units.force_scale, q.y * units.force_scale, q.a * units.length_scale,
+                   q.A * units.area_scale, q.u * units.displacement_scale, q.psi, q.f});
+    std::cout << (q.dT >= 0 ? ",1\n" : ",0\n");
+  }
 }
 
 void print_at_shear(const ContactModel& model, const ParameterValues& p, const OutputUnits& units) {
@@ -53,18 +50,17 @@ void print_at_shear(const ContactModel& model, const ParameterValues& p, const O
   const std::size_t n = point_count();
   // From the unstable end to twice the edge load at which the load is that of Hertz a hundred times over
   const double largest = 40 * pi<double>() + shear.dimensionless;
-  std::cout << units.header("P", units.force) << ',' << units.header("T", units.force) << ','
-            << units.header("y", units.force) << ',' << units.header("a", units.length) << ','
-            << units.header("A", units.area()) << ",stable\n";
+  std::cout << units.headings("P,T,y,a,A,stable") << '\n';
   std::vector<double> edge_loads;
   for (std::size_t i = 1; i <= n; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(n);
     edge_loads.push_back(largest * part * part);
   }
-  for (const ConstantShearPoint& q : model.at_constant_shear(p, shear.dimensionless, edge_loads))
-    std::cout << shortest(q.P * units.force_scale) << ',' << shortest(shear.shown) << ','
-              << shortest(q.y * units.force_scale) << ',' << shortest(q.a * units.length_scale) << ','
-              << shortest(area_from_radius(q.a) * units.area_scale) << ',' << (q.dP_dy > 0 ? 1 : 0) << '\n';
+  for (const ConstantShearPoint& q : model.at_constant_shear(p, shear.dimensionless, edge_loads)) {
+    print_numbers({q.P * units.force_scale, shear.shown, q.y * units.force_scale, q.a * units.length_scale,
+                   area_from_radius(q.a) * units.area_scale});
+    std::cout << (q.dP_dy > 0 ? ",1\n" : ",0\n");
+  }
 }
 
 }  // namespace

@@ -12,25 +12,19 @@ namespace {
 void explain_program() {
   std::cout << "mixity fits mode-mixity models to soft adhesive contacts that lose area under shear.\n\n"
                "  mixity COMMAND [flags] [files]\n\nCommands\n";
-  for (const Command& command : commands()) {
+  for (const Command& command : commands())
     std::cout << "  " << command.name << std::string(13 - command.name.size(), ' ') << command.summary << '\n';
-  }
   std::cout << "\nModels\n";
-  for (const ContactModel& model : ContactModel::published()) {
-    const ModelInfo& info = model.info();
-    std::cout << "  " << info.key << std::string(13 - info.key.size(), ' ') << info.name << ": " << info.formula;
-    for (const ParameterInfo& parameter : model.parameters())
-      std::cout << ", " << parameter.name << " in " << rounded(parameter.lower, 4) << ".."
-                << rounded(parameter.upper, 4);
-    std::cout << '\n';
-  }
-  for (const ShippedLaw& law : shipped_laws()) {
-    std::cout << "  " << law.key << std::string(law.key.size() < 13 ? 13 - law.key.size() : 1, ' ') << law.name << ": "
-              << law.shown;
-    for (const LawParameter& one : law.parameters)
+  const auto explain_model = [](std::string_view key, std::string_view name, std::string_view formula,
+                                const auto& parameters) {
+    std::cout << "  " << key << std::string(key.size() < 13 ? 13 - key.size() : 1, ' ') << name << ": " << formula;
+    for (const auto& one : parameters)
       std::cout << ", " << one.name << " in " << rounded(one.lower, 4) << ".." << rounded(one.upper, 4);
     std::cout << '\n';
-  }
+  };
+  for (const ContactModel& model : ContactModel::published())
+    explain_model(model.info().key, model.info().name, model.info().formula, model.parameters());
+  for (const ShippedLaw& law : shipped_laws()) explain_model(law.key, law.name, law.shown, law.parameters);
   std::cout << "  your own     --law=\"mine: 1 + (1-l)*tan(psi)^2; l=0..1\", or [laws.mine] in a definition\n";
   std::cout << "\nmixity help COMMAND lists the flags of a command; mixity --version prints the version. mixity help "
                "man and\n"
@@ -45,17 +39,20 @@ gflags::CommandLineFlagInfo flag_info(std::string_view flag) {
   return info;
 }
 
+/// Its help with the formats of the command, and its default.
+std::string description(std::string_view flag, const Command& command) {
+  const auto info = flag_info(flag);
+  return info.description + (flag == "format" ? ": " + formats_text(command) : "") +
+         (info.default_value.empty() ? "" : " (default " + info.default_value + ")");
+}
+
 void explain(const Command& command) {
   std::cout << "mixity " << command.usage << "\n\n" << command.summary << '\n';
   if (command.flags.empty()) return;
   std::cout << "\nFlags\n";
-  for (const std::string_view flag : command.flags) {
-    const auto info = flag_info(flag);
-    std::cout << "  --" << flag << std::string(flag.size() < 15 ? 16 - flag.size() : 1, ' ') << info.description;
-    if (flag == "format") std::cout << ": " << formats_text(command);
-    if (!info.default_value.empty()) std::cout << " (default " << info.default_value << ')';
-    std::cout << '\n';
-  }
+  for (const std::string_view flag : command.flags)
+    std::cout << "  --" << flag << std::string(flag.size() < 15 ? 16 - flag.size() : 1, ' ')
+              << description(flag, command) << '\n';
 }
 
 /// Escapes hyphens, backslashes and leading dots for roff.
@@ -77,13 +74,8 @@ void print_manual_page() {
     std::cout << ".SS " << roff(command.name) << "\n.B mixity\n"
               << roff(command.usage) << "\n.PP\n"
               << roff(command.summary) << '\n';
-    for (const std::string_view flag : command.flags) {
-      const auto info = flag_info(flag);
-      std::cout << ".TP\n.B \\-\\-" << roff(flag) << '\n' << roff(info.description);
-      if (flag == "format") std::cout << ": " << roff(formats_text(command));
-      if (!info.default_value.empty()) std::cout << " (default " << roff(info.default_value) << ')';
-      std::cout << '\n';
-    }
+    for (const std::string_view flag : command.flags)
+      std::cout << ".TP\n.B \\-\\-" << roff(flag) << '\n' << roff(description(flag, command)) << '\n';
   }
   std::cout << ".SH EXIT STATUS\n0 fine, 1 a fit did not end ok, 2 bad usage, 3 bad input, 4 output cannot be written, "
                "5 a fault of mixity itself.\n";

@@ -55,8 +55,8 @@ std::string finite_or_empty(double value) { return std::isfinite(value) ? shorte
 /// Over loads and the parameter of number `axis`; the others are those of `p`.
 void print_grid(const ContactModel& model, const Range& loads, ParameterValues p, std::size_t axis, const Range& values,
                 std::optional<double> tau0, const OutputUnits& units) {
-  std::cout << units.header("P", units.force) << ',' << model.parameters()[axis].name << ",regime,fracture,"
-            << units.header("T_end", units.force) << ",jumps_to," << units.header("T_strength", units.force) << '\n';
+  std::cout << units.headings("P") << ',' << model.parameters()[axis].name << ','
+            << units.headings("regime,fracture,T_end,jumps_to,T_strength") << '\n';
   for (int i = 0; i < FLAGS_grid; ++i)
     for (int j = 0; j < FLAGS_grid; ++j) {
       const double P = loads.at(i);
@@ -78,7 +78,7 @@ void print_grid(const ContactModel& model, const Range& loads, ParameterValues p
 void print_boundaries(std::span<const RegimeBoundary> boundaries, const Range& loads, const Range& lambdas,
                       const OutputUnits& units) {
   const auto inside = [](const Range& range, double x) { return x >= range.low && x <= range.high; };
-  std::cout << "boundary," << units.header("P", units.force) << ",lambda\n";
+  std::cout << units.headings("boundary,P,lambda") << '\n';
   for (const RegimeBoundary& line : boundaries)
     for (int i = 0; i < FLAGS_grid; ++i) {
       const double P = line.of_load ? loads.at(i) : line.at(lambdas.at(i)) * units.force_scale,

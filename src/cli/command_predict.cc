@@ -22,21 +22,18 @@ void predict(const ContactModel& model) {
   for (const Load& shear : shears) T.push_back(shear.dimensionless);
   const std::vector<Equilibrium> found = model.equilibria(p, load.dimensionless, T).at;
 
-  std::cout << units.header("P", units.force) << ',' << units.header("T", units.force) << ','
-            << units.header("y", units.force) << ',' << units.header("a", units.length) << ','
-            << units.header("A", units.area()) << ',' << units.header("u", units.length) << ','
-            << units.header("psi", units.angle()) << ",f,status\n";
+  std::cout << units.headings("P,T,y,a,A,u,psi,f,status") << '\n';
   for (std::size_t i = 0; i < shears.size(); ++i) {
-    std::cout << shortest(load.shown) << ',' << shortest(shears[i].shown) << ',';
+    print_numbers({load.shown, shears[i].shown});
+    std::cout << ',';
     if (found[i].status == EquilibriumStatus::ok) {
       const ContactState state = contact_state(load.dimensionless, T[i], found[i].y);
-      std::cout << shortest(state.y * units.force_scale) << ',' << shortest(state.a * units.length_scale) << ','
-                << shortest(state.A * units.area_scale) << ',' << shortest(state.u * units.displacement_scale) << ','
-                << shortest(state.psi) << ',' << shortest(state.f) << ',';
+      print_numbers({state.y * units.force_scale, state.a * units.length_scale, state.A * units.area_scale,
+                     state.u * units.displacement_scale, state.psi, state.f});
     } else {
-      std::cout << ",,,,,,";
+      std::cout << ",,,,,";
     }
-    std::cout << to_string(found[i].status) << '\n';
+    std::cout << ',' << to_string(found[i].status) << '\n';
   }
 }
 

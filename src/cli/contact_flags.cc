@@ -36,6 +36,10 @@ double positive_quantity(const std::string& flag, const std::string& unit, std::
   return value;
 }
 
+void print_numbers(std::initializer_list<double> numbers) {
+  for (const double& one : numbers) std::cout << (&one == numbers.begin() ? "" : ",") << shortest(one);
+}
+
 OutputUnits output_units() {
   Metadata metadata;
   const Overrides overrides = metadata_overrides();
@@ -66,6 +70,24 @@ OutputUnits output_units() {
           contact.stiffness_unit() * length->factor / force->factor,
           *force,
           contact};
+}
+
+std::string OutputUnits::headings(std::string_view names) const {
+  std::string line;
+  for (bool more = true; more;) {
+    const std::string_view name = names.substr(0, names.find(','));
+    more = name.size() < names.size();
+    names.remove_prefix(name.size() + (more ? 1 : 0));
+    const bool is_force = name == "P" || name == "T" || name == "y" || name.starts_with("T_");
+    const bool is_length = name == "a" || name == "u";
+    const std::string unit = is_force                   ? force
+                             : is_length                ? length
+                             : name == "A"              ? area()
+                             : name == "psi" && contact ? "rad"
+                                                        : "";
+    line += std::string(name) + (unit.empty() ? "" : " [" + unit + "]") + (more ? "," : "");
+  }
+  return line;
 }
 
 std::vector<Load> loads_from(const std::string& flag, const OutputUnits& units) {

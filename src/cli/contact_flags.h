@@ -21,12 +21,12 @@ struct OutputUnits {
   std::optional<Contact> contact;  // null if dimensionless
 
   std::string area() const { return length.empty() ? "" : length + "^2"; }
-  std::string angle() const { return length.empty() ? "" : "rad"; }
-  /// "T [mN]", or "T" if dimensionless.
-  static std::string header(const std::string& name, const std::string& unit) {
-    return unit.empty() ? name : name + " [" + unit + "]";
-  }
+  /// "P [mN],A [mm^2],stable" for "P,A,stable": adds units to P, T, T_*, y, a, u, A and psi.
+  std::string headings(std::string_view names) const;
 };
+
+/// Prints numbers in full precision, separated by commas.
+void print_numbers(std::initializer_list<double> numbers);
 
 /// From --radius, --modulus (or --youngs_modulus and --poisson_ratio), --toughness and --units. Throws UsageError if
 /// only some of them are given.
