@@ -3,19 +3,9 @@
 
 #include <string>
 
-#include "dataset/logs/loading_runs.h"
-#include "dataset/metadata.h"
+#include "dataset/logs/reduced_log.h"
 
 namespace mixity {
-
-struct ReducedLog {
-  Recording forces;  // without values; names and units count
-  std::string areas_path, force_unit, area_unit;
-  double force_factor = 1, area_factor = 1;  // SI units in one of them
-  Metadata metadata;
-  LoadingRuns runs;
-  bool load_turned = false;  // the log has compression as negative
-};
 
 /// curve, time, P, T, A, sigma_T, sigma_A of the frames that are kept, in the units of the log.
 std::string runs_csv(const ReducedLog& log);

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "dataset/logs/reduced_log.h"
 #include "report/figures/figure.h"
-#include "report/runs_files.h"
 
 namespace mixity {
 
