@@ -10,6 +10,7 @@
 #include "python/keyword_words.h"
 #include "report/fit_json.h"
 #include "report/fit_text.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
@@ -80,22 +81,24 @@ void bind_fits(nb::module_& m) {
                }
              return nb::make_tuple(numpy_of(x), numpy_of(rise), level);
            })
-      .def("areas", [](const Analysis& result, std::size_t i, const Numbers& P, const Numbers& T) {
-        std::vector<AreaPrediction> found;
-        {
-          const nb::gil_scoped_release released;
-          found = predict_areas_of(result.data, result.fits.at(i), result.request.options, {P.data(), P.size()},
-                                   {T.data(), T.size()});
-        }
-        std::vector<double> A(P.size(), std::nan("")), error(P.size(), std::nan("")), status(P.size(), 2);
-        for (std::size_t k = 0; k < found.size(); ++k) {
-          status[k] = static_cast<double>(found[k].status);
-          if (found[k].status != EquilibriumStatus::ok) continue;
-          A[k] = found[k].A;
-          error[k] = found[k].standard_error.value_or(std::nan(""));
-        }
-        return nb::make_tuple(numpy_of(A), numpy_of(error), numpy_of(status));
-      });
+      .def("areas",  // with their bands; NaN where not known
+           [](const Analysis& result, std::size_t i, const Numbers& P, const Numbers& T, double confidence) {
+             const std::vector<AreaPrediction> found = [&] {
+               const nb::gil_scoped_release released;
+               return predict_areas_of(result.data, result.fits.at(i), result.request.options, {P.data(), P.size()},
+                                       {T.data(), T.size()});
+             }();
+             const double quantile = normal_quantile(0.5 + confidence / 2), unit = result.data.display.area_scale;
+             std::vector<double> A(P.size(), std::nan("")), low = A, high = A;
+             for (std::size_t k = 0; k < found.size(); ++k) {
+               if (found[k].status != EquilibriumStatus::ok) continue;
+               A[k] = found[k].A * unit;
+               const double half = quantile * (found[k].standard_error.value_or(std::nan("")) * unit);
+               low[k] = A[k] - half;
+               high[k] = A[k] + half;
+             }
+             return nb::make_tuple(numpy_of(A), numpy_of(low), numpy_of(high));
+           });
   results.def("folds",
               [](const Analysis& result, std::size_t i, double P, const std::string& control, double stiffness) {
                 const Control by = control_of(control, stiffness);

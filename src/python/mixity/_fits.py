@@ -140,16 +140,12 @@ class Fit:
             standard error. The band is that of the curve (delta method on the fit's covariance, constants of the
             experiment among them), without the scatter of a new measurement.
         """
-        core = self.data._core
         if not 0 < confidence < 1:
             raise _core.InputError(f"confidence is {confidence}; it must lie between 0 and 1")
         P, T = np.broadcast_arrays(self._load("P", P), self._load("T", T))
-        A, error, _ = self._fits._results.areas(
-            self._index, np.ascontiguousarray(P).reshape(-1), np.ascontiguousarray(T).reshape(-1)
-        )
-        A, error = A.reshape(P.shape) * core.area_scale, error.reshape(P.shape) * core.area_scale
-        half = _normal_quantile(0.5 + confidence / 2) * error
-        return A, A - half, A + half
+        flat = (np.ascontiguousarray(one).reshape(-1) for one in (P, T))
+        A, low, high = (one.reshape(P.shape) for one in self._fits._results.areas(self._index, *flat, confidence))
+        return A, low, high
 
     def _load(self, name: str, loads: Any) -> FloatArray:
         """Dimensionless, of loads in the data's unit or of pint quantities."""
@@ -281,9 +277,3 @@ class Fits:
 def _refit(data: Dataset, options: list[tuple[str, str]], laws: Sequence[Any] = ()) -> Fits:
     define(laws)
     return Fits(data, _core.fit(data._core, options, None))
-
-
-def _normal_quantile(p: float) -> float:
-    from statistics import NormalDist
-
-    return NormalDist().inv_cdf(p)
