@@ -65,10 +65,8 @@ void bind_fits(nb::module_& m) {
              options.profile_points = 60;
              options.checks = false;
              options.bootstrap.replicates = 0;
-             const FitResult fit = [&] {
-               const nb::gil_scoped_release released;
-               return fit_model(result.data, result.request.models.at(i), options);
-             }();
+             const FitResult fit =
+                 without_gil([&] { return fit_model(result.data, result.request.models.at(i), options); });
              std::vector<double> x, rise;
              double level = std::nan("");
              for (const FittedParameter& parameter : fit.parameters)
@@ -83,11 +81,10 @@ void bind_fits(nb::module_& m) {
            })
       .def("areas",  // with their bands; NaN where not known
            [](const Analysis& result, std::size_t i, const Numbers& P, const Numbers& T, double confidence) {
-             const std::vector<AreaPrediction> found = [&] {
-               const nb::gil_scoped_release released;
+             const std::vector<AreaPrediction> found = without_gil([&] {
                return predict_areas_of(result.data, result.fits.at(i), result.request.options, {P.data(), P.size()},
                                        {T.data(), T.size()});
-             }();
+             });
              const double quantile = normal_quantile(0.5 + confidence / 2), unit = result.data.display.area_scale;
              std::vector<double> A(P.size(), std::nan("")), low = A, high = A;
              for (std::size_t k = 0; k < found.size(); ++k) {
@@ -99,18 +96,16 @@ void bind_fits(nb::module_& m) {
              }
              return nb::make_tuple(numpy_of(A), numpy_of(low), numpy_of(high));
            });
-  results.def("folds",
-              [](const Analysis& result, std::size_t i, double P, const std::string& control, double stiffness) {
-                const Control by = control_of(control, stiffness);
-                const FoldsPrediction found = [&] {
-                  const nb::gil_scoped_release released;
-                  return predict_folds_of(result.data, result.fits.at(i), result.request.options, P, {by});
-                }();
-                if (!found.problem.empty()) throw InputError("folds", found.problem);
-                nb::list list;
-                for (const FoldPrediction& fold : found.folds) list.append(shown(fold));
-                return list;
-              });
+  results.def("folds", [](const Analysis& result, std::size_t i, double P, const std::string& control,
+                          double stiffness) {
+    const Control by = control_of(control, stiffness);
+    const FoldsPrediction found =
+        without_gil([&] { return predict_folds_of(result.data, result.fits.at(i), result.request.options, P, {by}); });
+    if (!found.problem.empty()) throw InputError("folds", found.problem);
+    nb::list list;
+    for (const FoldPrediction& fold : found.folds) list.append(shown(fold));
+    return list;
+  });
   m.def("fit", &fit, "data"_a, "options"_a, "progress"_a.none());
   m.def("options", [] {  // name, help, default
     std::vector<std::tuple<std::string, std::string, std::string>> all;

@@ -171,10 +171,8 @@ void bind_mechanics(nb::module_& m) {
   m.def("folds", [](const std::string& model, const std::vector<double>& parameters, double P,
                     const std::string& control, double stiffness) {
     const Control by = control_of(control, stiffness);
-    const std::vector<Fold> folds = [&] {
-      const nb::gil_scoped_release released;
-      return model_of(model, parameters, P).folds(parameters, P, by);
-    }();
+    const std::vector<Fold> folds =
+        without_gil([&] { return model_of(model, parameters, P).folds(parameters, P, by); });
     nb::list list;
     for (const Fold& fold : folds) list.append(shown(fold));
     return list;
@@ -183,10 +181,8 @@ void bind_mechanics(nb::module_& m) {
       "regime",
       [](const std::string& model, const std::vector<double>& parameters, double P, std::optional<double> tau0) {
         if (tau0 && !(*tau0 > 0)) require("the shear strength must be positive");
-        const RegimeReport found = [&] {
-          const nb::gil_scoped_release released;
-          return model_of(model, parameters, P).regime(parameters, P, tau0).value();
-        }();
+        const RegimeReport found =
+            without_gil([&] { return model_of(model, parameters, P).regime(parameters, P, tau0).value(); });
         nb::dict one;
         one["regime"] = static_cast<int>(found.regime);
         one["fracture"] = static_cast<int>(found.fracture);
@@ -197,10 +193,8 @@ void bind_mechanics(nb::module_& m) {
       },
       "model"_a, "parameters"_a, "P"_a, "tau0"_a.none());
   m.def("curve", [](const std::string& model, const std::vector<double>& parameters, double P, std::size_t points) {
-    const SampledCurve found = [&] {
-      const nb::gil_scoped_release released;
-      return model_of(model, parameters, P).curve(parameters, P, {.points = points});
-    }();
+    const SampledCurve found =
+        without_gil([&] { return model_of(model, parameters, P).curve(parameters, P, {.points = points}); });
     nb::dict columns;
     const auto column = [&](const char* name, double CurvePoint::*of) {
       std::vector<double> values;

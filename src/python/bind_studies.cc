@@ -53,20 +53,16 @@ void bind_studies(nb::module_& m) {
           "seed"_a, "index"_a.none())
       .def("expect",
            [](const Plan& plan, const std::vector<std::string>& rivals) {
-             const Expectation expected = [&] {
-               const nb::gil_scoped_release released;
-               return expect(plan, rivals);
-             }();
+             const Expectation expected = without_gil([&] { return expect(plan, rivals); });
              return shown(expected);
            })
       .def("next_loads",
            [](const Plan& plan, double least, double most, std::size_t candidates,
               const std::vector<std::string>& rivals) {
              Watch watch{nb::none()};
-             const auto found = [&] {
-               const nb::gil_scoped_release released;
+             const auto found = without_gil([&] {
                return next_loads(plan, least, most, candidates, rivals, [&](double share) { watch(share); });
-             }();
+             });
              nb::list list;
              for (const LoadCandidate& one : found) list.append(nb::make_tuple(one.load, shown(one.expected)));
              return list;
@@ -84,10 +80,8 @@ void bind_studies(nb::module_& m) {
           [](const Plan& plan, std::uint64_t seed, std::size_t count, const std::vector<std::string>& rivals,
              const nb::object& progress) {
             Watch watch(progress);
-            const Outcome outcome = [&] {
-              const nb::gil_scoped_release released;
-              return try_plan(plan, seed, count, rivals, [&](double share) { watch(share); });
-            }();
+            const Outcome outcome =
+                without_gil([&] { return try_plan(plan, seed, count, rivals, [&](double share) { watch(share); }); });
             nb::dict one;
             one["experiments"] = outcome.experiments;
             one["with_value"] = outcome.with_value;

@@ -40,6 +40,12 @@ inline nb::ndarray<nb::numpy, double> numpy_of(std::vector<double> values) {
   return nb::ndarray<nb::numpy, double>(owned->data(), {owned->size()}, owner);
 }
 
+/// Calls work() without the interpreter's lock.
+auto without_gil(const auto& work) {
+  const nb::gil_scoped_release released;
+  return work();
+}
+
 /// From the arguments of folds(); throws InputError.
 Control control_of(const std::string& kind, double stiffness);
 
