@@ -36,7 +36,8 @@ void describe(Fields<ExcludedLine>& field) {
 
 void describe(Fields<ShownInterval>& field) {
   field("method", "profile likelihood", R"({"const": "profile"})", &ShownInterval::method);
-  field("confidence", "0 to 1", &ShownInterval::confidence);
+  field("confidence", "of the interval", R"({"exclusiveMinimum": 0, "exclusiveMaximum": 1})",
+        &ShownInterval::confidence);
   field("low", "lower end; null if open", &ShownInterval::low);
   field("high", "upper end; null if open", &ShownInterval::high);
   const char* const kStatus = "found, at_bound (the parameter's bound lies within the interval) or open";
@@ -134,8 +135,8 @@ void describe(Fields<FitResult>& field) {
   field("message", "one sentence on the status; empty if it is ok", &FitResult::message);
   field("parameters", "parameters of the model and fitted constants, by name", R"({"minProperties": 1})",
         [](const FitResult& fit) {
-          Named<const FittedParameter*> named;
-          for (const FittedParameter& parameter : fit.parameters) named.emplace_back(parameter.name, &parameter);
+          Named<FittedParameter> named;
+          for (const FittedParameter& parameter : fit.parameters) named.emplace_back(parameter.name, parameter);
           return named;
         });
   field("used", "number of points that the model could use", [](auto& fit) { return fit.used.size(); });

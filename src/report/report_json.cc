@@ -120,7 +120,7 @@ void describe(Fields<ListedFigure>& field) {
   field("name", "name of its files", [](auto& listed) { return listed.figure->name; });
   field("title", "title", [](auto& listed) { return listed.figure->title; });
   field("caption", "caption", [](auto& listed) { return listed.figure->caption; });
-  field("files", "paths within the report", &ListedFigure::files);
+  field("files", "paths within the report", R"({"minItems": 2})", &ListedFigure::files);
 }
 
 void describe(Fields<MissingFigure>& field) {

@@ -8,21 +8,23 @@
 namespace mixity {
 namespace {
 
-/// On one line what fits there: a field of a schema is read as a row of a table.
-std::string laid_out(const Json& json, const std::string& indent = "") {
-  std::string line, block, separator;
-  const bool object = json.is_object();
-  if (!object && !json.is_array()) return json.dump();
-  for (const auto& [key, value] : json.items()) {
-    const std::string name = object ? Json(key).dump() + ": " : "";
-    line += (separator.empty() ? "" : ", ") + name + laid_out(value);
-    block += separator + "\n" + indent + "  " + name + laid_out(value, indent + "  ");
-    separator = ",";
-  }
-  const std::string open = object ? "{" : "[", close = object ? "}" : "]";
-  constexpr std::size_t kLine = 160;
-  const bool nested = object && (json.contains("properties") || json.contains("items"));
-  return indent.size() + line.size() < kLine && !nested ? open + line + close : open + block + "\n" + indent + close;
+std::string on_one_line(const Json& json) {
+  if (!json.is_structured()) return json.dump();
+  std::string line;
+  for (const auto& [key, value] : json.items())
+    line += (line.empty() ? "" : ", ") + (json.is_object() ? Json(key).dump() + ": " : "") + on_one_line(value);
+  return json.is_object() ? "{" + line + "}" : "[" + line + "]";
+}
+
+/// A field without parts is one line, so that a schema reads as a table.
+std::string laid_out(const Json& json, const std::string& indent = "", bool list_of_fields = false) {
+  const std::string line = on_one_line(json);
+  if (!list_of_fields && line.find("\"properties\": {") == line.npos) return line;
+  std::string block;
+  for (const auto& [key, value] : json.items())
+    block += (block.empty() ? "\n" : ",\n") + indent + "  " + Json(key).dump() + ": " +
+             laid_out(value, indent + "  ", key == "properties");
+  return "{" + block + "\n" + indent + "}";
 }
 
 void expect_schema(const std::string& title, const Json& fields, const std::string& name) {
