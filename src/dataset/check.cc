@@ -57,10 +57,11 @@ void check_errors(const Dataset& data, Lines& odd) {
     std::size_t without = 0, first = 0;
     for (std::size_t i = 0; i < data.points.size(); ++i)
       if (error_of(i) < 0 && ++without == 1) first = data.points[i].line;
-    if (without == data.points.size() && data.has_energies)
-      odd.push_back(std::string(column) + " is not stated where the error of the other energy is; a fit that needs " +
-                    "both refuses the file");
-    if (without > 0 && without < data.points.size())
+    if (without == data.points.size()) {
+      if (data.has_energies)
+        odd.push_back(std::string(column) +
+                      " is not stated where the error of the other energy is; a fit that needs both refuses the file");
+    } else if (without > 0)
       odd.push_back(std::string(column) + " is empty at " + std::to_string(without) + " of " +
                     std::to_string(data.points.size()) + " points, first in " + data.line_text(first) +
                     "; a fit that needs it refuses the file");
@@ -78,10 +79,9 @@ void check_errors(const Dataset& data, Lines& odd) {
 void check_order(const Dataset& data, Lines& odd) {
   constexpr double kNoise = 8;  // standard deviations: the range of a thousand readings of one value
   const auto runs = points_by_curve(data);
+  const std::vector<CurveSummary> curves = summarise_curves(data);
+  const double unit = data.display.force_scale;
   for (std::size_t curve = 0; curve < runs.size(); ++curve) {
-    std::vector<double> T;
-    for (const std::size_t i : runs[curve]) T.push_back(data.points[i].T);
-    if (T.empty()) continue;
     std::vector<double> rising;  // noise about zero neither rises nor falls
     std::vector<const Point*> points;
     for (const std::size_t i : runs[curve])
@@ -89,11 +89,10 @@ void check_order(const Dataset& data, Lines& odd) {
         rising.push_back(data.points[i].T);
         points.push_back(&data.points[i]);
       }
-    const auto [least, most] = std::minmax_element(T.begin(), T.end());
-    if (*most > 0 && -*least > 0.1 * *most)
-      odd.push_back("run " + data.curves[curve] + ": T changes its sign, from " +
-                    rounded(*least * data.display.force_scale, 4) + " to " +
-                    rounded(*most * data.display.force_scale, 4) + "; are runs of both directions mixed?");
+    const auto [least, most] = std::pair(curves[curve].T_min, curves[curve].T_max);
+    if (most > 0 && -least > 0.1 * most)
+      odd.push_back("run " + data.curves[curve] + ": T changes its sign, from " + rounded(least * unit, 4) + " to " +
+                    rounded(most * unit, 4) + "; are runs of both directions mixed?");
     const double noise = noise_of(rising);
     const std::vector<Drop> found = drops(rising, 0, rising.size(), kNoise * noise);
     if (!found.empty())
@@ -179,19 +178,19 @@ void check_loads(const Dataset& data, Lines& odd) {
                     ": the load lies below the JKR pull-off load, -3 pi/2 R G_Ic; if the file has compression as "
                     "negative, its P are to be multiplied by -1");
   }
-  std::vector<std::pair<double, double>> range;  // of each run's loads
+  std::vector<std::pair<double, double>> range;  // of the loads of each run
   for (const double load : data.curve_loads) range.emplace_back(load, load);
   for (const Point& point : data.points) {
     auto& [least, most] = range[point.curve];
     least = std::min(least, point.P);
     most = std::max(most, point.P);
   }
+  const double unit = data.display.force_scale;
   for (std::size_t curve = 0; curve < range.size(); ++curve) {
     const auto [least, most] = range[curve];
     if (most - least > 0.05 * std::max({std::abs(least), std::abs(most), 1.0}))
-      odd.push_back("run " + data.curves[curve] + ": the load varies from " +
-                    rounded(least * data.display.force_scale, 4) + " to " +
-                    rounded(most * data.display.force_scale, 4) + " within the run");
+      odd.push_back("run " + data.curves[curve] + ": the load varies from " + rounded(least * unit, 4) + " to " +
+                    rounded(most * unit, 4) + " within the run");
   }
   if (data.curves.size() == 1) odd.push_back("only one load: whether lambda depends on load cannot be seen");
 }

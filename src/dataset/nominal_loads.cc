@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "base/number_text.h"
@@ -140,8 +139,7 @@ bool comes_in_blocks(const std::vector<double>& readings) {
 
 /// Mean square of successive differences over the variance: 2 for noise, near 0 for a ramp.
 double von_neumann_ratio(const std::vector<double>& readings) {
-  const double n = static_cast<double>(readings.size());
-  const double mean = std::accumulate(readings.begin(), readings.end(), 0.0) / n;
+  const double mean = mean_of(readings, 0, readings.size());
   double steps = 0, squares = 0;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     squares += (readings[i] - mean) * (readings[i] - mean);
@@ -160,8 +158,7 @@ std::vector<std::size_t> group_by_nominal_load(const std::vector<double>& readin
   std::vector<double> distinct = sorted;
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   if (distinct.size() < 2) return {};
-  const double range = distinct.back() - distinct.front();
-  const double middle = std::abs(distinct.back() + distinct.front()) / 2;
+  const double range = distinct.back() - distinct.front(), middle = std::abs(distinct.back() + distinct.front()) / 2;
   const bool one_load = range <= kOneLoad * middle;
   // a few loads that recur were set
   if (!one_load &&
@@ -212,7 +209,7 @@ void join_noisy_loads(Dataset& data) {
   double scatter = 0;
   const DisplayUnits& units = data.display;
   for (std::vector<double>& group : loads) {
-    const double n = static_cast<double>(group.size()), mean = std::accumulate(group.begin(), group.end(), 0.0) / n;
+    const double n = static_cast<double>(group.size()), mean = mean_of(group, 0, group.size());
     double squares = 0;
     for (const double load : group) squares += (load - mean) * (load - mean);
     const double deviation = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
@@ -234,16 +231,20 @@ void join_noisy_loads(Dataset& data) {
 }
 
 void take_mean_loads(Dataset& data) {
-  const auto by_run = points_by_curve(data);
-  for (std::size_t run = 0; run < by_run.size(); ++run) {
-    double sum = 0;
-    bool varies = false;
-    for (const std::size_t i : by_run[run]) {
-      sum += data.points[i].P;
-      varies |= data.points[i].P != data.points[by_run[run].front()].P;
-    }
-    if (varies) data.curve_loads[run] = sum / static_cast<double>(by_run[run].size());
+  struct Loads {
+    double first = 0, sum = 0, count = 0;
+    bool vary = false;
+  };
+  std::vector<Loads> runs(data.curves.size());
+  for (const Point& point : data.points) {
+    Loads& loads = runs[point.curve];
+    if (loads.count == 0) loads.first = point.P;
+    loads.vary |= point.P != loads.first;
+    loads.sum += point.P;
+    ++loads.count;
   }
+  for (std::size_t run = 0; run < runs.size(); ++run)
+    if (runs[run].vary) data.curve_loads[run] = runs[run].sum / runs[run].count;
 }
 
 }  // namespace mixity

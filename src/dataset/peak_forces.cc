@@ -20,11 +20,39 @@ constexpr std::array<std::string_view, 3> kForceNegative{"P is not above 0: no a
 
 class Reader {
  public:
-  explicit Reader(PeakForces& forces, const std::string& metadata_path)
-      : forces_(forces), metadata_path_(metadata_path) {}
+  Reader(const CsvRow& header, const std::string& metadata_path, PeakForces& forces)
+      : forces_(forces), width_(header.size()) {
+    const std::string& path = forces.path;
+    for (std::size_t i = 0; i < header.size(); ++i) {
+      const Heading heading = split_heading(header[i], header.place(i));
+      for (const Force q : {kLoad, kPeak, kMinimum}) {
+        if (heading.name != kNames[q]) continue;
+        if (columns_[q]) throw InputError(path, header.place(i), "column '" + heading.name + "' stands twice");
+        columns_[q] = i;
+        units_[q] = unit_of(heading, kind_of(ColumnId::P), path, header.size() == 1);
+      }
+    }
+    if (!columns_[kLoad]) throw InputError(path, header.line(), 1, "column 'P' is missing");
+    if (!columns_[kPeak] && !columns_[kMinimum])
+      throw InputError(path, header.line(), 1, "column 'T_peak' or 'T_min' is missing");
+    const bool bare = units_[kLoad].dimension == dimension::none;
+    for (const Force q : {kPeak, kMinimum})
+      if (columns_[q] && bare != (units_[q].dimension == dimension::none))
+        throw InputError(path, header.place(*columns_[q]),
+                         "column '" + std::string(kNames[q]) + "' and P are either both dimensionless or neither is");
+    if (bare) return;
+    const auto needed = [&](const std::optional<double>& value, const std::string& key) {
+      if (!value) throw InputError(path, "needs " + key + " for the area of Hertz: state it in " + metadata_path);
+      return *value;
+    };
+    radius_ = needed(forces.metadata.radius, "radius");
+    modulus_ = needed(forces.metadata.plane_strain_modulus(), "modulus");
+    forces.force_unit = units_[kLoad].text;
+    forces.stress_unit = "kPa";
+    stress_ = 1e3;
+  }
 
   void row(const CsvRow& row) {
-    if (width_ == 0) return read_header(row);
     require_width(forces_.path, row, width_);
     std::array<std::optional<double>, 3> values;
     double value = 0;
@@ -40,60 +68,27 @@ class Reader {
       if (values[q] && *values[q] < 0) return exclude(kForceNegative[q]);
     PeakForce point{row.line(), *values[kLoad], {}, {}};
     const double area = hertz_area(*values[kLoad] * units_[kLoad].factor);
-    if (values[kPeak]) point.peak = *values[kPeak] * units_[kPeak].factor / area / stress_;
-    if (values[kMinimum]) point.minimum = *values[kMinimum] * units_[kMinimum].factor / area / stress_;
-    if (!std::isfinite(point.peak.value_or(0)) || !std::isfinite(point.minimum.value_or(0)))
-      return exclude("the mean stress is out of range");
+    for (const Force q : {kPeak, kMinimum}) {
+      if (!values[q]) continue;
+      const double stress = *values[q] * units_[q].factor / area / stress_;
+      if (!std::isfinite(stress)) return exclude("the mean stress is out of range");
+      (q == kPeak ? point.peak : point.minimum) = stress;
+    }
     forces_.rows.push_back(point);
   }
 
-  /// A line that starts with '#' and might be a row.
+  /// A comment that would be a row without its '#'.
   void comment(const CsvRow& row) {
-    if (has_header() && row.size() >= width_ && holds_a_number(row))
+    if (row.size() >= width_ && holds_a_number(row))
       forces_.excluded.push_back({row.line(), "passed over as a comment: it begins with '#'"});
   }
 
-  bool has_header() const { return width_ > 0; }
-
  private:
-  void read_header(const CsvRow& header) {
-    const std::string& path = forces_.path;
-    width_ = header.size();
-    for (std::size_t i = 0; i < header.size(); ++i) {
-      const Heading heading = split_heading(header[i], header.place(i));
-      for (const Force q : {kLoad, kPeak, kMinimum}) {
-        if (heading.name != kNames[q]) continue;
-        if (columns_[q]) throw InputError(path, header.place(i), "column '" + heading.name + "' stands twice");
-        columns_[q] = i;
-        units_[q] = unit_of(heading, kColumnKinds[static_cast<std::size_t>(ColumnId::P)], path, header.size() == 1);
-      }
-    }
-    if (!columns_[kLoad]) throw InputError(path, header.line(), 1, "column 'P' is missing");
-    if (!columns_[kPeak] && !columns_[kMinimum])
-      throw InputError(path, header.line(), 1, "column 'T_peak' or 'T_min' is missing");
-    const bool bare = units_[kLoad].dimension == dimension::none;
-    for (const Force q : {kPeak, kMinimum})
-      if (columns_[q] && bare != (units_[q].dimension == dimension::none))
-        throw InputError(path, header.place(*columns_[q]),
-                         "column '" + std::string(kNames[q]) + "' and P are either both dimensionless or neither is");
-    if (bare) return;
-    const auto modulus = forces_.metadata.plane_strain_modulus();
-    for (const auto& [value, key] : {std::pair(forces_.metadata.radius, "radius"), std::pair(modulus, "modulus")})
-      if (!value)
-        throw InputError(path, "needs " + std::string(key) + " for the area of Hertz: state it in " + metadata_path_);
-    radius_ = *forces_.metadata.radius;
-    modulus_ = *modulus;
-    forces_.force_unit = units_[kLoad].text;
-    forces_.stress_unit = "kPa";
-    stress_ = 1e3;
-  }
-
   /// a^3 = 3 P R/(4 E*); dimensionless with R = E* = 1.
   double hertz_area(double P) const { return area_from_radius(std::cbrt(0.75 * P * radius_ / modulus_)); }
 
   PeakForces& forces_;
-  std::string metadata_path_;
-  std::size_t width_ = 0;
+  std::size_t width_;
   std::array<std::optional<std::size_t>, 3> columns_;
   std::array<Unit, 3> units_;
   double radius_ = 1, modulus_ = 1, stress_ = 1;
@@ -107,10 +102,11 @@ PeakForces load_peak_forces(const std::string& path) {
   forces.name = data_name(path);
   forces.metadata = read_metadata(metadata_path(path));
   require_whole_modulus(forces.metadata, metadata_path(path));
-  Reader reader(forces, metadata_path(path));
   CsvFile file(path);
-  for (CsvRow row; file.next(row);) row.is_comment() ? reader.comment(row) : reader.row(row);
-  if (!reader.has_header()) throw InputError(path, 1, 1, "is empty: a header row is missing");
+  CsvRow row;
+  if (!file.next(row)) throw InputError(path, 1, 1, "is empty: a header row is missing");
+  Reader reader(row, metadata_path(path), forces);
+  while (file.next(row)) row.is_comment() ? reader.comment(row) : reader.row(row);
   if (forces.rows.empty() && forces.excluded.empty()) throw InputError(path, 2, 1, "has a header but no data rows");
   return forces;
 }

@@ -1,7 +1,6 @@
 #include "dataset/table/decimal_sign.h"
 
 #include <cmath>
-#include <optional>
 
 #include "base/input_error.h"
 #include "base/number_text.h"
@@ -10,15 +9,17 @@
 #include "dataset/table/number.h"
 
 namespace mixity {
-
 namespace {
 
-/// Null where the line has no such field or the field is no number.
-std::optional<double> number_in(const Line& line, std::size_t k, char decimal, NumberStyle* style = nullptr) {
-  double value = 0;
-  const bool found = k < line.fields.size() && parse_number(line.fields[k], decimal, value, style);
-  return found ? std::optional(value) : std::nullopt;
-}
+/// A number in a field, or at the beginning of it; NaN if there is none.
+struct FieldNumber {
+  double value = std::nan("");
+  NumberStyle style{};
+  bool is_whole;
+
+  FieldNumber(const Line& line, std::size_t k, char decimal)
+      : is_whole(k < line.fields.size() && parse_number(line.fields[k], decimal, value, &style)) {}
+};
 
 }  // namespace
 
@@ -31,15 +32,14 @@ Reading read_numbers(const std::vector<Line>& lines, std::size_t first_row, cons
     if (line.comment) continue;
     bool valid = true;
     for (const std::size_t k : columns) {
-      NumberStyle style;
-      const auto number = number_in(line, k, decimal, &style);
+      const FieldNumber number(line, k, decimal);
       const std::string_view field = k < line.fields.size() ? std::string_view(line.fields[k]) : std::string_view();
-      valid &= number || (k < line.fields.size() && (trim(field).empty() || parse_clock(field)));
-      reading.grouped |= style.grouped && !style.doubtful;
-      reading.in_threes += style.doubtful;
+      valid &= number.is_whole || (k < line.fields.size() && (trim(field).empty() || parse_clock(field)));
+      reading.grouped |= number.style.grouped && !number.style.doubtful;
+      reading.in_threes += number.style.doubtful;
       const bool has_sign = field.find_first_of(".,") != std::string::npos;
       reading.signs += has_sign;
-      reading.bare += !has_sign && number && !std::isnan(*number);
+      reading.bare += !has_sign && !std::isnan(number.value);
     }
     reading.valid_rows += valid;
   }
@@ -54,8 +54,7 @@ Reading read_numbers(const std::string& path, const std::vector<Line>& lines, st
   const auto all_in_threes = [](const Reading& groups) { return groups.in_threes == groups.signs && groups.bare > 0; };
   for (std::size_t i = first_row; i < lines.size(); ++i)
     for (const std::size_t k : columns) {
-      const double one = number_in(lines[i], k, '.').value_or(std::nan("")),
-                   other = number_in(lines[i], k, ',').value_or(std::nan(""));
+      const double one = FieldNumber(lines[i], k, '.').value, other = FieldNumber(lines[i], k, ',').value;
       if (lines[i].comment || one == other || (std::isnan(one) && std::isnan(other))) continue;
       // "1.234" without any comma has a decimal point; where semicolons separate columns, "1,234" has a decimal comma:
       // unless all have three digits there, and others none, as integers in groups would

@@ -6,19 +6,35 @@
 #include "dataset/table/number.h"
 
 namespace mixity {
+namespace {
+
+/// Whether a line of the text ends outside quotes.
+bool holds_a_row(std::string_view text, const CsvFormat& format) {
+  bool quoted = false;
+  for (std::size_t end = 0; !text.empty(); text.remove_prefix(end)) {
+    end = std::min(text.find(format.line_end), text.size() - 1) + 1;
+    if (quoted || text[0] != '#' || !format.comments)
+      quoted ^= std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '"') % 2 != 0;
+    if (!quoted) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 std::vector<Line> split_lines(std::string_view text, std::size_t first_line, const CsvFormat& format) {
   std::vector<Line> lines;
   const bool is_rest = !text.ends_with(format.line_end);
   CsvSplitter splitter({}, format, first_line);
+  std::string_view rest = text;
   try {
-    CsvRow row;
-    for (std::string_view rest = text; splitter.next(rest, is_rest, row);) {
+    for (CsvRow row; splitter.next(rest, is_rest, row);) {
       const auto offset = static_cast<std::size_t>(row.raw().data() - text.data());
       Line& line = lines.emplace_back(Line{row.line(), offset, {}, std::string(row.raw()), row.is_comment()});
       for (std::size_t i = 0; i < row.size(); ++i) line.fields.emplace_back(row[i]);
     }
   } catch (const InputError&) {
+    if (is_rest || holds_a_row(rest, format)) return {};
   }
   return lines;
 }

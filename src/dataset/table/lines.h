@@ -17,8 +17,8 @@ struct Line {
   bool comment;
 };
 
-/// The lines of a text, the first of which is on this line of the file, up to the first whose quotes do not match:
-/// whoever reads the file refuses that.
+/// The lines of a text, the first of which is on this line of the file. None if quotes do not match, as with a wrong
+/// separator, unless they are still open at the end of the text.
 std::vector<Line> split_lines(std::string_view text, std::size_t first_line, const CsvFormat& format);
 
 /// Where the fields of a line start.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dataset/table/csv_file.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
