@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "fitting/fit.h"
-#include "fitting/toughness.h"
+#include "fitting/toughness_objective.h"
 #include "solver/interval.h"
 #include "solver/resample.h"
 #include "solver/solve.h"
@@ -19,16 +19,14 @@ const Dataset& mergel() {
   return data;
 }
 
-template <class Model>
-ToughnessObjective<Model> objective() {
+ToughnessObjective objective(const char* key) {
   std::vector<ToughnessPoint> points;
   for (std::size_t i = 0; i < mergel().points.size(); ++i) points.push_back(*mergel().toughness(i));
-  return {std::move(points), Scale::log, FreeChoice<Model>({{0.15}, {}}, {})};
+  return {points, Scale::log, FreeChoice(ContactModel::find(key).value(), {{0.15}, {}}, {})};
 }
 
-template <class Model>
-void Sweep(benchmark::State& state) {
-  const auto problem = objective<Model>();
+void Sweep(benchmark::State& state, const char* key) {
+  const auto problem = objective(key);
   const auto cost = problem.cost();
   const double x = 0.0123;
   CostValue value;
@@ -37,21 +35,19 @@ void Sweep(benchmark::State& state) {
     benchmark::DoNotOptimize(value.value);
   }
 }
-BENCHMARK_TEMPLATE(Sweep, PapangeloCiavarella);
-BENCHMARK_TEMPLATE(Sweep, WatersGuduru);
-BENCHMARK_TEMPLATE(Sweep, Johnson);
+BENCHMARK_CAPTURE(Sweep, PapangeloCiavarella, "c")->Name("Sweep<PapangeloCiavarella>");
+BENCHMARK_CAPTURE(Sweep, WatersGuduru, "b")->Name("Sweep<WatersGuduru>");
+BENCHMARK_CAPTURE(Sweep, Johnson, "a")->Name("Sweep<Johnson>");
 
-template <class Model>
-void ShownFit(benchmark::State& state) {
+void ShownFit(benchmark::State& state, const char* key) {
   const FitOptions options{.objective = Objective::toughness};
-  for (auto _ : state) benchmark::DoNotOptimize(fit_model(mergel(), Model::info.key, options));
+  for (auto _ : state) benchmark::DoNotOptimize(fit_model(mergel(), key, options));
 }
-BENCHMARK_TEMPLATE(ShownFit, PapangeloCiavarella);
-BENCHMARK_TEMPLATE(ShownFit, WatersGuduru);
+BENCHMARK_CAPTURE(ShownFit, PapangeloCiavarella, "c")->Name("ShownFit<PapangeloCiavarella>");
+BENCHMARK_CAPTURE(ShownFit, WatersGuduru, "b")->Name("ShownFit<WatersGuduru>");
 
-template <class Model>
-void KernelFit(benchmark::State& state) {
-  const auto problem = objective<Model>();
+void KernelFit(benchmark::State& state, const char* key) {
+  const auto problem = objective(key);
   const SolverOptions options = kWithKernel;
   for (auto _ : state) {
     const Verdict verdict = solve(problem, {}, options);
@@ -60,12 +56,11 @@ void KernelFit(benchmark::State& state) {
         profile_interval(problem, verdict.best, 0, 0.95, allowance, verdict.standard_errors[0], options));
   }
 }
-BENCHMARK_TEMPLATE(KernelFit, PapangeloCiavarella);
-BENCHMARK_TEMPLATE(KernelFit, WatersGuduru);
+BENCHMARK_CAPTURE(KernelFit, PapangeloCiavarella, "c")->Name("KernelFit<PapangeloCiavarella>");
+BENCHMARK_CAPTURE(KernelFit, WatersGuduru, "b")->Name("KernelFit<WatersGuduru>");
 
-template <class Model>
-void Bootstrap(benchmark::State& state) {
-  const auto problem = objective<Model>();
+void Bootstrap(benchmark::State& state, const char* key) {
+  const auto problem = objective(key);
   const std::vector<double> fitted = solve(problem, {}, kWithKernel).best.x;
   std::vector<std::size_t> runs;
   for (const Point& point : mergel().points) runs.push_back(point.curve);
@@ -76,7 +71,11 @@ void Bootstrap(benchmark::State& state) {
   state.counters["time/replicate"] = benchmark::Counter(static_cast<double>(state.iterations() * kReplicates),
                                                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
-BENCHMARK_TEMPLATE(Bootstrap, PapangeloCiavarella)->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(Bootstrap, PapangeloCiavarella, "c")
+    ->Name("Bootstrap<PapangeloCiavarella>")
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace mixity

@@ -12,7 +12,6 @@
 
 #include "curve/noisy_runs.h"
 #include "fitting/fit.h"
-#include "mechanics/curve_distance.h"
 
 namespace mixity {
 namespace {
@@ -39,11 +38,10 @@ Seconds timed(const Action& action) {
 }
 
 /// Of distances from the fitted curves, with derivatives, on one processor.
-template <class Model>
-double seconds_of_sweep(const Dataset& data, const Parameters<Model>& p) {
+double seconds_of_sweep(const Dataset& data, const ContactModel& model, const ParameterValues& p) {
   constexpr std::size_t kBlock = 2048;
   const std::size_t n = data.points.size();
-  std::vector<double> values[5], out(4 * kBlock), slopes(parameter_count<Model> * kBlock);
+  std::vector<double> values[5], out(4 * kBlock), slopes(p.size() * kBlock);
   for (std::size_t i = 0; i < n; ++i) {
     const double row[] = {data.points[i].P, data.points[i].T, data.points[i].A, data.errors[i].T, data.errors[i].A};
     for (int k = 0; k < 5; ++k) values[k].push_back(row[k]);
@@ -53,8 +51,8 @@ double seconds_of_sweep(const Dataset& data, const Parameters<Model>& p) {
       const std::size_t count = std::min(kBlock, n - from);
       const auto of = [&](int k) { return std::span<const double>(values[k]).subspan(from, count); };
       const auto to = [&](std::size_t k) { return std::span<double>(out).subspan(k * kBlock, count); };
-      CurveDistances distances{to(0), to(1), to(2), to(3), std::span(slopes).first(parameter_count<Model> * count)};
-      if (!curve_distances(Model{}, p, {of(0), of(1), of(2), of(3), of(4)}, Search::local, true, distances))
+      CurveDistances distances{to(0), to(1), to(2), to(3), std::span(slopes).first(p.size() * count)};
+      if (!model.curve_distances(p, {of(0), of(1), of(2), of(3), of(4)}, Search::local, true, distances))
         throw std::runtime_error("a distance is not finite");
     }
   };
@@ -91,19 +89,21 @@ void state_errors(Dataset& data) {
                               {"shear_offset", 0.5 * data.contact->force_unit()}};
 }
 
-template <class Model>
-void serve(std::size_t points, const char* path, bool own_loads, bool constants, bool priors) {
+void serve(const ContactModel& model, std::size_t points, const char* path, bool own_loads, bool constants,
+           bool priors) {
   // not where the others start, which is at the typical values
-  Parameters<Model> truth;
-  for (std::size_t k = 0; k < truth.size(); ++k) truth[k] = 2 * Model::parameters[k].typical;
-  Dataset data = noisy_runs<Model>(truth, {.points = points, .own_loads = own_loads});
+  const std::string key(model.info().key);
+  const std::span<const ParameterInfo> infos = model.parameters();
+  ParameterValues truth = ParameterValues::zeros(infos.size());
+  for (std::size_t k = 0; k < truth.size(); ++k) truth[k] = 2 * infos[k].typical;
+  Dataset data = noisy_runs(key, truth, {.points = points, .own_loads = own_loads});
   if (priors) state_errors(data);
   write_points(data, path);
   FitOptions options{.objective = Objective::curve};
   if (constants) options.free = {kToughness, kModulus};
   FitOptions bare = options;
   bare.checks = false;
-  const FitResult fit = fit_model(data, Model::info.key, options);
+  const FitResult fit = fit_model(data, key, options);
   std::printf(R"({"status": "%s", "chi2": %.17g, "names": [)", std::string(to_string(fit.status)).c_str(),
               fit.sum_of_squares);
   const char* comma = "";
@@ -120,9 +120,9 @@ void serve(std::size_t points, const char* path, bool own_loads, bool constants,
     }
   };
   print_all("starts", [&](const FittedParameter& parameter) {
-    const auto info = std::find_if(Model::parameters.begin(), Model::parameters.end(),
-                                   [&](const ParameterInfo& one) { return one.name == parameter.name; });
-    return info == Model::parameters.end() ? 1.0 : info->typical;
+    const auto info =
+        std::find_if(infos.begin(), infos.end(), [&](const ParameterInfo& one) { return one.name == parameter.name; });
+    return info == infos.end() ? 1.0 : info->typical;
   });
   print_all("values", [](const FittedParameter& parameter) { return parameter.value.value_or(0); });
   print_all("errors", [](const FittedParameter& parameter) { return parameter.stderr_.value_or(0); });
@@ -133,12 +133,12 @@ void serve(std::size_t points, const char* path, bool own_loads, bool constants,
   const Evidence evidence = fit.evidence ? fit.evidence->evidence : Evidence{};
   std::printf(R"(], "posterior": [%.17g, %.17g, %.17g, %.17g)", evidence.mean, evidence.standard_deviation,
               evidence.low, evidence.high);
-  Parameters<Model> fitted;
+  ParameterValues fitted = truth;
   for (std::size_t k = 0; k < fitted.size(); ++k) fitted[k] = fit.parameters[k].value.value_or(truth[k]);
-  std::printf("], \"sweep\": %.6g}\n", seconds_of_sweep<Model>(data, fitted));
+  std::printf("], \"sweep\": %.6g}\n", seconds_of_sweep(data, model, fitted));
   std::fflush(stdout);
   for (std::string line; std::getline(std::cin, line);) {
-    const Seconds taken = timed([&] { fit_model(data, Model::info.key, line == "bare" ? bare : options); });
+    const Seconds taken = timed([&] { fit_model(data, key, line == "bare" ? bare : options); });
     std::printf("%.9g %.9g\n", taken.processors, taken.wall);
     std::fflush(stdout);
   }
@@ -156,9 +156,9 @@ int main(int count, char** arguments) try {
     known &= word == "own_loads" || word == "constants" || word == "priors";
   }
   const auto points = known ? static_cast<std::size_t>(std::atof(arguments[2])) : 0;
-  known = known && points >= 8 && with_model(arguments[1], [&](auto model) {
-            serve<decltype(model)>(points, arguments[3], own_loads, constants, priors);
-          });
+  const auto model = known ? ContactModel::find(arguments[1]) : std::nullopt;
+  known = model && points >= 8;
+  if (known) serve(*model, points, arguments[3], own_loads, constants, priors);
   if (!known) std::fprintf(stderr, "curve_fits MODEL POINTS FILE [own_loads] [constants] [priors], 8 points or more\n");
   return known ? 0 : 2;
 } catch (const std::exception& error) {

@@ -6,9 +6,7 @@
 #include <string>
 
 #include "dataset/dataset.h"
-#include "mechanics/equilibrium.h"
-#include "mechanics/registry.h"
-#include "mechanics/states.h"
+#include "fitting/synthetic_runs.h"
 
 namespace mixity {
 
@@ -25,17 +23,17 @@ struct RunsWanted {
 
 /// Points in turn over the eight loads, dimensionless, with their standard errors. The contact is at the load stated:
 /// no error of P spoils what is fitted.
-template <class Model>
-Dataset noisy_runs(const Parameters<Model>& p, const RunsWanted& wanted) {
+inline Dataset noisy_runs(const std::string& key, const ParameterValues& p, const RunsWanted& wanted) {
+  const ContactModel model = model_named(key);
   std::mt19937_64 random(wanted.seed);
   std::normal_distribution<double> normal;
   Dataset data;
   data.path = data.name = "synthetic";
   data.has_loads = true;
-  const double w = Model::small_shear(p);
+  const double w = small_shear(key, p);
   for (std::size_t run = 0; run < kMergelLoads.size(); ++run) {
     const double P_run = kMergelLoads[run];
-    const double jump = LoadedContact(Model{}, p, P_run).branches().front().T_bottom;
+    const double jump = model.first_stable_end(p, P_run);
     const double last = wanted.reach * std::min(jump, 3 * circle_radius(P_run) / std::sqrt(w));
     const std::size_t n = (run + 1) * wanted.points / kMergelLoads.size() - run * wanted.points / kMergelLoads.size();
     data.curves.push_back(std::to_string(run + 1));
@@ -43,7 +41,7 @@ Dataset noisy_runs(const Parameters<Model>& p, const RunsWanted& wanted) {
     for (std::size_t i = 0; i < n; ++i) {
       const double P = P_run * (wanted.own_loads ? 1 + 1e-3 * normal(random) : 1);
       const double T = last * static_cast<double>(i + 1) / static_cast<double>(n);
-      const double A = contact_state(P, T, LoadedContact(Model{}, p, P).at(T).y).A;
+      const double A = contact_state(P, T, model.equilibria(p, P, {&T, 1}).at[0].y).A;
       const PointErrors errors{wanted.noise * T, wanted.noise * A, 0};
       data.points.push_back(
           {data.points.size() + 2, run, P, T + errors.T * normal(random), A + errors.A * normal(random)});

@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "dataset/dataset.h"
-#include "mechanics/equilibrium.h"
-#include "mechanics/models/waters_guduru.h"
-#include "mechanics/states.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity::growth {
 
@@ -20,16 +18,18 @@ struct Measured {
 inline std::vector<Measured> measurements(std::size_t n, std::size_t runs) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> noise(0, 0.01);
+  const ContactModel model = ContactModel::find("b").value();
+  const ParameterValues lambda{0.3};
   std::vector<Measured> points;
   points.reserve(n);
   for (std::size_t run = 0; run < runs; ++run) {
     const double P = 0.5 + 10.0 * static_cast<double>(run) / static_cast<double>(runs);
-    const LoadedContact contact(WatersGuduru{}, {0.3}, P);
-    const double last = 0.95 * contact.branches().front().T_bottom;
+    const double last = 0.95 * model.first_stable_end(lambda, P);
     const std::size_t here = (run + 1) * n / runs - run * n / runs;
     for (std::size_t i = 0; i < here; ++i) {
       const double T = last * (static_cast<double>(i) + 1) / static_cast<double>(here);
-      points.push_back({P, T, contact_state(P, T, contact.at(T).y).A * std::exp(noise(random))});
+      points.push_back(
+          {P, T, contact_state(P, T, model.equilibria(lambda, P, {&T, 1}).at[0].y).A * std::exp(noise(random))});
     }
   }
   return points;

@@ -78,8 +78,8 @@ void run(const UnitCase& at, Tables& tables, ConvergenceServer& server) {
   constexpr ParameterInfo lambda = Model::parameters[0];
   const Dataset data = at.in({"m^2", 1});
   const double sigma_T = at.sigma_T / data.contact->force_unit(), sigma_A = at.sigma_A / data.contact->area_unit();
-  const BestValue of_curve =
-      best_value(curve_residuals<Model>(data, sigma_T, sigma_A), lambda.lower, lambda.upper, 4000, true);
+  const BestValue of_curve = best_value(curve_residuals(model_named(at.model), data, sigma_T, sigma_A), lambda.lower,
+                                        lambda.upper, 4000, true);
   // a point whose area does not exceed that of Hertz has no toughness, and the fit passes it over
   std::vector<ToughnessPoint> points;
   for (std::size_t i = 0; i < data.points.size(); ++i)
@@ -113,8 +113,9 @@ int main(int count, char** arguments) try {
   precision::ConvergenceServer server;
   const std::vector<UnitCase> cases = unit_cases(MIXITY_ROOT "/data/mergel2018.csv");
   for (const UnitCase& at : cases)
-    with_model(at.model, [&](auto model) {
-      if constexpr (parameter_count<decltype(model)> == 1) precision::run<decltype(model)>(at, tables, server);
+    for_each_model([&](auto model) {
+      if constexpr (parameter_count<decltype(model)> == 1)
+        if (decltype(model)::info.key == at.model) precision::run<decltype(model)>(at, tables, server);
     });
   if (serves && !server.serve(precision::kStarts)) return 1;
   tables.curve.print();

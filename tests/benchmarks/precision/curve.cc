@@ -17,7 +17,8 @@
 #include "benchmarks/precision/precision.h"
 #include "benchmarks/precision/turns.h"
 #include "fitting/fit.h"
-#include "fitting/prepare.h"
+#include "fitting/make_problem.h"
+#include "fitting/models.h"
 #include "solver/kernel.h"
 
 namespace mixity::precision {
@@ -30,7 +31,7 @@ enum class Place { runs, fold };
 
 template <class Model>
 Dataset runs(double lambda, double noise) {
-  Dataset data = noisy_runs<Model>({lambda}, {.points = 100, .noise = noise});
+  Dataset data = noisy_runs(std::string(Model::info.key), {lambda}, {.points = 100, .noise = noise});
   if (noise == 0) {
     data.errors.clear();  // what was measured is exact, and its standard errors are stated all the same
     for (const Point& point : data.points) data.errors.push_back({kError * point.T, kError * point.A, 0});
@@ -67,7 +68,7 @@ struct Case {
   std::string name;
   Dataset data;
   std::vector<PlanePoint> points;
-  std::unique_ptr<ModelProblem<Model>> objective;
+  std::unique_ptr<ModelProblem> objective;
   double start;  // half of what the points were made of, a good one: all descents are given it
   Exact truth;
 
@@ -84,8 +85,8 @@ struct Case {
       const Point& point = data.points[i];
       points.push_back({point.P, point.T, point.A, data.errors[i].T, data.errors[i].A});
     }
-    const auto prepared = prepare<Model>(data, options(), Objective::curve, nullptr);
-    objective = make_problem<Model>(data, options(), prepared);
+    const ContactModel model = model_named(std::string(Model::info.key));
+    objective = make_problem(data, options(), prepare(data, model, options(), Objective::curve, nullptr));
     truth = exact_curve_fit<Model>(points);
   }
 

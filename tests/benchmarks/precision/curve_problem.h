@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "dataset/dataset.h"
-#include "mechanics/curve_distance.h"
+#include "fitting/models.h"
+#include "mechanics/registry.h"
 
 namespace mixity::precision {
 
@@ -36,7 +37,8 @@ class CurveProblem {
     const std::span<double> space(by_data), none;
     CurveDistances out{{residuals, n}, none, none, none, none};
     if (slopes) out = {{residuals, n}, space.first(n), space.subspan(n, n), space.subspan(2 * n, n), {slopes, n}};
-    if (!curve_distances(Model{}, {x}, {P_, T_, A_, sigma_T_, sigma_A_}, Search::global, slopes != nullptr, out))
+    if (!model_.curve_distances(ParameterValues{x}, {P_, T_, A_, sigma_T_, sigma_A_}, Search::global, slopes != nullptr,
+                                out))
       return false;
     for (std::size_t i = 0; i < n; ++i) {
       residuals[i] *= unit_;
@@ -56,6 +58,7 @@ class CurveProblem {
   }
 
  private:
+  ContactModel model_ = model_named(std::string(Model::info.key));
   std::vector<double> P_, T_, A_, sigma_T_, sigma_A_;
   double unit_;
 };

@@ -29,7 +29,7 @@ struct Case {
   std::string name;
   std::vector<ToughnessPoint> points;
   Dataset data;
-  std::unique_ptr<ToughnessObjective<Model>> objective;
+  std::unique_ptr<ToughnessObjective> objective;
   std::unique_ptr<LogToughness<Model>> problem;
   Exact truth;
 
@@ -48,8 +48,9 @@ struct Case {
     std::snprintf(text, sizeof text, "%s, lambda %g, %s", std::string(Model::info.key).c_str(), lambda,
                   relative_noise > 0 ? "2 % noise" : "clean");
     name = text;
-    objective = std::make_unique<ToughnessObjective<Model>>(
-        points, Scale::log, FreeChoice<Model>({{Model::parameters[0].typical}, {}}, {}));
+    const ContactModel model = model_named(std::string(Model::info.key));
+    objective = std::make_unique<ToughnessObjective>(points, Scale::log,
+                                                     FreeChoice(model, {{Model::parameters[0].typical}, {}}, {}));
     problem = std::make_unique<LogToughness<Model>>(points);
     truth = exact_minimum<Model>(points);
   }

@@ -6,8 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "fitting/toughness.h"
+#include "fitting/toughness_objective.h"
 #include "many_digits.h"
+#include "mechanics/registry.h"
 
 namespace mixity::precision {
 
