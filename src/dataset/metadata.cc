@@ -101,7 +101,10 @@ std::string_view si_unit(const Dimension& d) {
                                            : "";
 }
 
-std::string_view to_string(Provenance provenance) { return kProvenances[static_cast<std::size_t>(provenance)]; }
+std::string_view to_string(Provenance provenance) {
+  const auto i = static_cast<std::size_t>(provenance);
+  return kProvenances[i < kProvenances.size() ? i : 0];
+}
 
 std::optional<double> Metadata::plane_strain_modulus() const {
   if (modulus) return modulus;

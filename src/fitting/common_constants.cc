@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "fitting/fitted_parameters.h"
-#include "fitting/make_problem.h"
 #include "fitting/predicted_area.h"
+#include "fitting/prepare.h"
 #include "fitting/toughness_weights.h"
 #include "solver/joint.h"
 #include "solver/prior.h"

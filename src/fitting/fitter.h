@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "fitting/make_problem.h"
+#include "fitting/prepare.h"
 #include "solver/prior.h"
 #include "solver/robust.h"
 #include "solver/solve.h"

@@ -1,11 +1,10 @@
-#include "fitting/make_problem.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "fitting/curve_objective.h"
 #include "fitting/energy_objective.h"
+#include "fitting/prepare.h"
 #include "fitting/toughness_objective.h"
 #include "solver/descent.h"
 

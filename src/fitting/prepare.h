@@ -1,4 +1,5 @@
-// From a data set and options to what one model fits: the points used, the parameters held, the constants fitted.
+// From a data set and options to what one model fits, the points used, the parameters held and the constants fitted,
+// and to its least-squares problem.
 #pragma once
 
 #include <memory>
@@ -7,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fitting/model_problem.h"
 #include "fitting/result.h"
 #include "fitting/stated_constants.h"
 #include "mechanics/contact_model.h"
@@ -38,5 +40,17 @@ inline constexpr std::string_view kBelowPullOff =
 /// have, or hold a parameter outside its range.
 PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOptions& options, Objective objective,
                     const std::vector<std::size_t>* points);
+
+/// The least-squares problem.
+/// `weights`: of objective toughness, 1/standard error; empty: 1.
+std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
+                                           std::vector<double> weights = {});
+
+/// Where the constants start: at the JKR curve through the points without shear (T up to 1 % of the largest).
+std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, const PreparedFit& prepared);
+
+/// A fit's values as the solver counts, for a problem of the same parameters or fewer of them: constants of the
+/// experiment that it does not have start where the problem says. Empty where a value is missing.
+std::vector<double> solver_values(const Problem& problem, const std::vector<FittedParameter>& fitted);
 
 }  // namespace mixity

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "fitting/make_problem.h"
+#include "fitting/prepare.h"
 #include "fitting/stated_constants.h"
 #include "solver/solve.h"
 #include "statistics/distributions.h"

@@ -6,8 +6,8 @@
 #include <Eigen/Dense>
 #include <numbers>
 
-#include "fitting/make_problem.h"
 #include "fitting/measured_runs.h"
+#include "fitting/prepare.h"
 #include "solver/prior.h"
 #include "solver/solve.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fitting/fit.h"
-#include "fitting/make_problem.h"
+#include "fitting/prepare.h"
 #include "fitting/synthetic_runs.h"
 #include "solver/interval.h"
 

@@ -6,7 +6,7 @@
 
 #include "base/number_text.h"
 #include "fitting/fit.h"
-#include "fitting/make_problem.h"
+#include "fitting/prepare.h"
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
@@ -35,7 +35,7 @@ TEST(FitOfCurves, OfTwoParametersIsNoWorseThanTheTruth) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(0, 1);
   for (unsigned round = 0; round < 20; ++round) {
-    ParameterValues truth{};
+    ParameterValues truth = ParameterValues::zeros(2);
     do
       for (double& value : truth) value = 0.5 * std::pow(10, uniform(random));
     while (!model_named("bk").obstacle(truth).empty());

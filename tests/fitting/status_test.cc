@@ -7,7 +7,7 @@
 
 #include "dataset/load_text.h"
 #include "fitting/fit.h"
-#include "fitting/make_problem.h"
+#include "fitting/prepare.h"
 #include "fitting/synthetic_runs.h"
 #include "solver/kernel.h"
 #include "solver/robust.h"
@@ -57,7 +57,8 @@ TEST(RepeatedRows, AreOnePoint) {
         const bool enough = different > (model == std::string_view("c") ? 1 : 2);
         EXPECT_EQ(fit.status != FitStatus::not_identifiable, enough) << to_string(objective) << model << different;
         if (!enough) {
-          EXPECT_NE(fit.message.text().find("repeated in " + std::to_string(different + 6) + " rows"), std::string::npos)
+          EXPECT_NE(fit.message.text().find("repeated in " + std::to_string(different + 6) + " rows"),
+                    std::string::npos)
               << fit.message.text();
         }
       }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/equilibrium.h"
+#include "mechanics/registry.h"
 #include "mechanics/states.h"
 
 namespace mixity {

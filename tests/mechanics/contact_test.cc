@@ -52,7 +52,7 @@ TEST(Measurement, InvertsAJkrPoint) {
   }
 }
 
-TEST(Measurement, OfManyPointsAtOnceIsThatOfEach) {
+TEST(Measurement, DoesNotDependOnTheSignOfTheShear) {
   std::vector<double> P, T, A;
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> decades(-20, 20);
@@ -61,14 +61,13 @@ TEST(Measurement, OfManyPointsAtOnceIsThatOfEach) {
     T.push_back(i % 5 == 0 ? 0 : (i % 7 == 0 ? -1 : 1) * std::pow(10, decades(random)));
     A.push_back(std::pow(10, decades(random)));
   }
-  std::vector<double> ratios(P.size());
-  toughness_ratios(P.data(), T.data(), A.data(), ratios.data(), ratios.size());
   std::size_t none = 0;
   for (std::size_t i = 0; i < P.size(); ++i) {
     const auto one = toughness_of_area(P[i], T[i], A[i]);
     none += !one;
-    ASSERT_EQ(ratios[i], one ? one->ratio : -1) << P[i] << ' ' << T[i] << ' ' << A[i];
-    if (const auto other = toughness_of_area(P[i], -T[i], A[i])) {
+    const auto other = toughness_of_area(P[i], -T[i], A[i]);
+    ASSERT_EQ(other.has_value(), one.has_value()) << P[i] << ' ' << T[i] << ' ' << A[i];
+    if (other) {
       ASSERT_EQ(other->ratio, one->ratio);
       ASSERT_EQ(other->mixity.cos, one->mixity.cos);
       ASSERT_EQ(other->mixity.sin, one->mixity.sin);

@@ -137,11 +137,11 @@ TEST(FitStatisticsText, IntervalsAreRoundedToTheirOwnWidth) {
 /// Errors that the scatter belies are said so; those that it bears out are not.
 TEST(FitStatisticsText, SaysWhenTheScatterIsLargerThanTheErrors) {
   FitResult fit = example().fits[0];
-  EXPECT_EQ(errors_text(fit, {}).find("too narrow"), std::string::npos);
+  EXPECT_EQ(errors_text(fit, {}, in_neutral_words).find("too narrow"), std::string::npos);
   fit.sum_of_squares = 77;  // 38 degrees of freedom, twice that is 76
-  EXPECT_NE(errors_text(fit, {}).find("too narrow"), std::string::npos);
+  EXPECT_NE(errors_text(fit, {}, in_neutral_words).find("too narrow"), std::string::npos);
   fit.loss_scale = 1;  // then it is no chi^2
-  EXPECT_EQ(errors_text(fit, {}).find("chi^2"), std::string::npos);
+  EXPECT_EQ(errors_text(fit, {}, in_neutral_words).find("chi^2"), std::string::npos);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@
 #include "benchmarks/precision/precision.h"
 #include "benchmarks/precision/turns.h"
 #include "fitting/fit.h"
-#include "fitting/make_problem.h"
 #include "fitting/models.h"
+#include "fitting/prepare.h"
 #include "solver/kernel.h"
 
 namespace mixity::precision {

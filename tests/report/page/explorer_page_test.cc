@@ -45,6 +45,7 @@ TEST(ExplorerPage, HoldsTheFileAndWhatStandsBesideItByteForByte) {
 TEST(ExplorerPage, HasTheRequestsOptionsAndConstantsAndCannotBeEndedByThem) {
   Analysis result = shipped("mergel2018");
   result.request.models = {"c"};
+  result.request.stated.clear();
   for (const auto& [name, text] : {std::pair("exclude", "7"), std::pair("bootstrap", "500")})
     EXPECT_EQ(set_option(result.request, name, text), "");
   result.request.constants = {{"note", "</script><script>"}};
