@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 from . import _core, plots
 from ._data import Dataset
-from ._fitting import _model_keys
 from ._law import Law, define, definitions, key_of, model_keys
 from ._units import constant_text, error_text, load_list, load_number, whole_number
 
@@ -59,12 +58,12 @@ class Plan:
         sigma_A: Any = "1%",
         **constants: Any,
     ) -> None:
-        model = key_of(model)
+        key = key_of(model)
         parameters = [float(one) for one in (lam if isinstance(lam, tuple) else (lam,))]
-        stated = [(key, constant_text(key, value)) for key, value in constants.items()]
+        stated = [(name, constant_text(name, value)) for name, value in constants.items()]
         sigma_T, sigma_A = error_text("sigma_T", sigma_T), error_text("sigma_A", sigma_A)
         points = whole_number("points", points, 1)
-        self._given = (model, parameters, stated, load_list("loads", loads), points, float(reach), sigma_T, sigma_A)
+        self._given = (key, parameters, stated, load_list("loads", loads), points, float(reach), sigma_T, sigma_A)
         self._core = _core.Plan(*self._given)
 
     def __reduce__(self) -> tuple[Any, ...]:
