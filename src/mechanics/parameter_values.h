@@ -28,6 +28,8 @@ class ParameterValues {
   std::size_t size() const { return size_; }
   double& operator[](std::size_t i) { return values_[i]; }
   double operator[](std::size_t i) const { return values_[i]; }
+  double* data() { return values_.data(); }
+  const double* data() const { return values_.data(); }
   double* begin() { return values_.data(); }
   double* end() { return values_.data() + size_; }
   const double* begin() const { return values_.data(); }

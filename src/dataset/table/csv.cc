@@ -125,7 +125,7 @@ std::size_t CsvSplitter::take(std::string_view text, bool is_rest, CsvRow& row) 
     } else {
       const char* const begin = at;
       while (at != end && !ends_field_[byte(*at)]) ++at;
-      row.fields_.push_back(trim({begin, at}));
+      row.fields_.push_back(trim({begin, static_cast<std::size_t>(at - begin)}));
     }
     if (at == end || *at != format_.delimiter) break;
   }
@@ -163,7 +163,7 @@ const char* CsvSplitter::quoted_field(const char* at, const char* end, CsvRow& r
     if (at + 1 == end || at[1] != '"') break;
     doubled = true;
   }
-  std::string_view field(begin, at);
+  std::string_view field(begin, static_cast<std::size_t>(at - begin));
   if (doubled) {
     std::string& text = row.unquoted_.emplace_back();
     for (const char* c = begin; c != at; c += *c == '"' ? 2 : 1) text += *c;
