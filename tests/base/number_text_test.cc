@@ -17,6 +17,31 @@ TEST(NumberText, RoundedAvoidsExponentsAReaderDoesNotNeed) {
   EXPECT_EQ(rounded(0, 3), "0");
 }
 
+TEST(NumberText, SignificantKeepsExponents) {
+  EXPECT_EQ(significant(1696.4, 2), "1.7e+03");
+  EXPECT_EQ(significant(0.25, 4), "0.25");
+}
+
+TEST(NumberText, ResolvedShowsAChangeInTheLastDigitButOne) {
+  EXPECT_EQ(resolved(0.0023061, 0.00002), "0.002306");
+  EXPECT_EQ(resolved(1234.5678, 10), "1235");
+  EXPECT_EQ(resolved(0, 1), "0");
+  EXPECT_EQ(resolved(0.123456, 0), "0.1235");
+}
+
+TEST(NumberText, R2ShowsAllItsNines) {
+  EXPECT_EQ(r2_text(0.9999), "0.9999");
+  EXPECT_EQ(r2_text(0.99994), "0.99994");
+  EXPECT_EQ(r2_text(0.5), "0.5");
+}
+
+TEST(NumberText, UnitsStandInBracketsOrBehindABlank) {
+  EXPECT_EQ(bracketed("T", "mN"), "T [mN]");
+  EXPECT_EQ(bracketed("T", ""), "T");
+  EXPECT_EQ(unit_text("mN"), " mN");
+  EXPECT_EQ(unit_text(""), "");
+}
+
 TEST(NumberText, ShortestReadsBackToTheSameDouble) {
   for (const double value : {0.1, 1.0 / 3, 5e-324, 1.7976931348623157e308, -0.0})
     EXPECT_EQ(std::strtod(shortest(value).c_str(), nullptr), value);

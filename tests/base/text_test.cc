@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace mixity {
 namespace {
@@ -31,6 +33,26 @@ TEST(Printable, LongTextIsCutBetweenCharacters) {
   EXPECT_EQ(printable("µµµ", 6), "µµµ");
   EXPECT_EQ(printable("µµµ", 5), "µµ...");
   EXPECT_EQ(printable("abcd", 3), "abc...");
+}
+
+TEST(Trim, TakesBlanksOfEveryKindFromBothEnds) {
+  EXPECT_EQ(trim(" \t a b\r\n"), "a b");
+  EXPECT_EQ(trim("ab"), "ab");
+  EXPECT_EQ(trim(" \n"), "");
+  EXPECT_EQ(trim(""), "");
+}
+
+TEST(Split, GivesOnePartMoreThanSeparators) {
+  using Parts = std::vector<std::string_view>;
+  EXPECT_EQ(split("a, b ,c"), (Parts{"a", "b", "c"}));
+  EXPECT_EQ(split("a,,"), (Parts{"a", "", ""}));
+  EXPECT_EQ(split(""), Parts{""});
+  EXPECT_EQ(split("1;2", ';'), (Parts{"1", "2"}));
+}
+
+TEST(Padded, LeavesABlankAfterALongText) {
+  EXPECT_EQ(padded("ab", 4), "ab  ");
+  EXPECT_EQ(padded("abcd", 4), "abcd ");
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "mechanics/laws/known_laws.h"
 
-#include <charconv>
 #include <mutex>
+
+#include "base/number_text.h"
 
 namespace mixity {
 namespace {
@@ -19,9 +20,8 @@ KnownLaws& known_laws() {
 std::string range_of(const LawParameter& one) {
   std::string text;
   for (const double number : {one.lower, one.upper, one.start}) {
-    char digits[32];
     text += text.empty() ? "" : text.find("..") == std::string::npos ? ".." : " start ";
-    text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+    text += shortest(number);
   }
   return text;
 }

@@ -1,11 +1,11 @@
 #include "mechanics/laws/law_check.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <span>
 
+#include "base/number_text.h"
 #include "mechanics/constants.h"
 #include "mechanics/laws/law_growth.h"
 #include "mechanics/laws/law_workspace.h"
@@ -16,9 +16,7 @@ namespace {
 constexpr double kLost = 1e-12, kMostLost = 1e-6;  // of f: what is warned of, and what is refused
 
 std::string shown(double value, int digits = 3) {
-  if (std::isnan(value)) return "not a number";
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
+  return std::isnan(value) ? "not a number" : significant(value, digits);
 }
 
 std::string degrees(double psi) { return shown(psi * 180 / pi<double>(), 4) + " deg"; }
