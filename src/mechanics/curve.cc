@@ -139,7 +139,7 @@ CurvePoint EquilibriumCurve<Law>::point(double phi) const {
   // y from the nearer end of the circle: y_jkr - y = 2 S0 sin^2(phi/2), y - y_low = 2 S0 cos^2(phi/2)
   const double y = std::max(phi < 2 ? y_jkr_ - 2 * S0_ * half * half : y_low_ + 2 * S0_ * other * other, 0.0);
   const double tau = 2 * S0_ * half * other;
-  // Where phi cannot tell the place from the asymptote, kFar stands for the infinite T.
+  // Where phi cannot resolve the distance from the asymptote, kFar replaces the infinite T.
   const double T = uncoupled() ? 0 : std::min(mixity::tangential_load(law_, p_, y, tau), kFar);
   const double a = radius_from_edge_load(y, P_), sum = y + P_, square = y * y + T * T;
 

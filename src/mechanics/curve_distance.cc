@@ -249,7 +249,7 @@ class Distances {
     }
     Block unmoved = block_;
     run_block<Begin::anywhere>(family_, kStepsOfSearch, derivatives_, block_, result_);
-    measure_by_two<true>(family_, unmoved, unmoved_);  // where it stands
+    measure_by_two<true>(family_, unmoved, unmoved_);  // without a step
     for (std::size_t slot = 0; slot < count; ++slot) {
       // From where it has been, or a search ended, Newton's method moves by roundings.
       const bool there = block_.at_end[slot] > 0 || (result_.stationary[slot] > 0 && result_.on_curve[slot] > 0);

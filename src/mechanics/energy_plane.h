@@ -115,7 +115,8 @@ class EnergyLaw {
   }
 
   /// Where the slope passes 0, from - at one node to + at the next: by Newton's steps, halves where these do not
-  /// shrink. What is left is the square of the last; the distance, level there, has the square of that.
+  /// shrink. The error left is the square of the last step; that of the distance, which is stationary there, the square
+  /// of that.
   Nearest between(const Target& target, const Nearest& one, const Nearest& other, double slope_of_one,
                   double slope_of_other) const {
     double low = one.B, high = other.B, before = high - low;
@@ -177,7 +178,7 @@ class EnergyLaw {
   double slope_at_mode_I_;  // dG_I/dG_II there
 };
 
-/// The law as a polygon, for distances that tell one basin from another.
+/// The law as a polygon, for distances that show which basin a minimum belongs to.
 template <class Law>
 class EnergyPolygon {
  public:

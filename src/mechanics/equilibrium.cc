@@ -65,7 +65,7 @@ Equilibrium LoadedContact<Law>::solve_non_monotone(double T, const StableBranch&
   }
   if (!(excess(branch.v_top) < 0)) return {EquilibriumStatus::ok, branch.y_top};
   if (!(excess(branch.v_bottom) > 0)) {
-    // beyond the largest T of the curve is nothing that it tells, at a fold the rounding of T
+    // beyond the largest T of the curve there is no equilibrium, except for the rounding of T at a fold
     const bool rounding = std::abs(excess(branch.v_bottom)) < 1e-12;
     return {branch.ends_in_fold || rounding ? EquilibriumStatus::ok : EquilibriumStatus::no_equilibrium,
             branch.y_bottom};

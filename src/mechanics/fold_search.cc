@@ -85,7 +85,7 @@ std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Law>& curve, Control 
   }
   if (!load || curve.non_monotone() || !folds_by_angle(curve, found)) folds_by_position(curve, control, found);
   if constexpr (kMayBeNonMonotone<Law>) {
-    // of a typed law whose T tends to a constant, pairs of one T are its rounding
+    // pairs of folds at one T are rounding, where T tends to a constant
     constexpr double kSame = 1e-12;
     std::vector<FoldPlace> apart;
     for (const FoldPlace& place : found.places) {

@@ -17,7 +17,7 @@ inline constexpr double kFirstCoordinate = -20;
 template <class Law>
 inline constexpr double kLastCoordinate = kMayBeNonMonotone<Law> ? 27 : 42;
 
-/// A pair of folds shallower than this cannot be told from none: the contact does not jump by more than rounding.
+/// A pair of folds shallower than this is rounding: the contact does not jump.
 inline constexpr double kShallow = 2e-15;
 
 /// State of the curve at a position, and what drives it.
@@ -42,8 +42,8 @@ struct Driven {
     return share() * std::min(0.75 * T / radius(at), kFar) + rest() * T;
   }
 
-  /// > 0 where the value grows as y falls (stable), 0 at a fold. Relative to the size of its terms, so that what is
-  /// within a few eps of 0 is 0 as far as doubles can tell.
+  /// > 0 where the value grows as y falls (stable), 0 at a fold. Relative to the size of its terms, so that a value
+  /// within a few eps of 0 is 0 to rounding.
   double slope(const CurvePosition& at) const {
     // At the last digits before an asymptote T comes out infinite; tau^2 there is that of any large T.
     const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), kFar);

@@ -65,8 +65,8 @@ class CurveByAngle {
             square >= 0};
   }
 
-  /// The fold at x. Newton's method takes it to its last digits where psi itself turns back close to it, near pull-off;
-  /// where that does not settle, at the edge of a model's domain, those of x stand.
+  /// The fold at x. Newton's method finds its last digits where psi itself has a maximum close to it, near pull-off;
+  /// where that does not converge, at the edge of a law's domain, those of x are kept.
   FoldPlace fold(const EquilibriumCurve<Law>& curve, double x, bool maximum) const {
     const Place place = at(x);
     double y = place.y, offset = place.offset, tau2 = place.tau2, T = y * std::exp(x);

@@ -1,6 +1,6 @@
-// The equilibrium curve by the phase angle, of a law whose g = (1 + tan^2 psi)/f does not grow with psi throughout: one
-// area then stands for several T, the circle is passed over more than once, or left (g < 1), and tau tells no T. By psi
-// the curve stays explicit: y is a root of
+// The equilibrium curve by the phase angle, under a law whose g = (1 + tan^2 psi)/f does not grow with psi throughout.
+// Several T may then have the same area, and the circle is of no use: the curve runs along it more than once, or leaves
+// it (g < 1), and T does not follow from tau. By psi the curve is still explicit: y is a root of
 //
 //     g y^2 = 6 pi (y + P),
 //

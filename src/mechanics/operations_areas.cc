@@ -58,7 +58,7 @@ class AreasOf final : public AreaOperations {
   void areas(std::span<const Values> parameters, Values P, Values T, std::span<double> A,
              std::span<EquilibriumStatus> status) const override {
     const auto use = held_.use();
-    std::vector<double> turned;
+    std::vector<double> positive;
     for (std::size_t begin = 0; begin < A.size();) {
       const Parameters<Law> p = parameters_at<Law>(parameters, begin);
       std::size_t end = begin + 1;
@@ -68,9 +68,9 @@ class AreasOf final : public AreaOperations {
       std::span<const double> shears(T.first + static_cast<std::ptrdiff_t>(begin) * T.step,
                                      T.step == 1 ? end - begin : 0);
       if (T.step != 1 || std::any_of(shears.begin(), shears.end(), [](double t) { return t < 0; })) {
-        turned.resize(end - begin);
-        for (std::size_t i = begin; i < end; ++i) turned[i - begin] = std::abs(T[i]);
-        shears = turned;
+        positive.resize(end - begin);
+        for (std::size_t i = begin; i < end; ++i) positive[i - begin] = std::abs(T[i]);
+        shears = positive;
       }
       const std::size_t ok = predict_areas(contact, shears, found);
       std::fill_n(status.begin() + static_cast<std::ptrdiff_t>(begin), end - begin, EquilibriumStatus::ok);

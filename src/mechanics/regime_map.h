@@ -25,7 +25,7 @@ struct RegimeRegion {
   std::vector<std::pair<double, double>> outline;
 };
 
-/// Of lines that stand at these rising places, two at least, each filled by its extents in order.
+/// From lines at these coordinates in ascending order, two at least, each filled by its extents in order.
 std::vector<RegimeRegion> connected_regions(const std::vector<double>& places,
                                             const std::vector<std::vector<RegimeExtent>>& lines);
 

@@ -65,7 +65,7 @@ inline CuspPoint model_a_cusp(double X) {
   return {1.5 * pi<double>() * (rho - 1) * (rho + 1) / g, lambda, m};
 }
 
-/// P < 0: at lambda above 1 + 2P/(3 pi) the curve of model a closes: it turns back to the unstable JKR state, and the
+/// P < 0: at lambda above 1 + 2P/(3 pi) the curve of model a closes: it returns to the unstable JKR state, and the
 /// contact drops off at the fold. Below, T -> infinity at the asymptote, which exists if 9 pi^2 + 6 pi P/m >= 0.
 inline double model_a_closing_lambda(double P) { return 1 + 2 * P / (3 * pi<double>()); }
 

@@ -155,7 +155,7 @@ std::optional<ExpressionError> problem_of(std::string_view text, const std::vect
                                                      " characters at most, this one " + std::to_string(text.size())};
   std::vector<std::size_t> open;
   bool anything = false;
-  bool behind_operand = false;  // ExprTk would read on from there, and forget what stands before
+  bool behind_operand = false;  // ExprTk would read on from there, and drop what came before
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == ' ') {

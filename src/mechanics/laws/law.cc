@@ -17,7 +17,7 @@ bool is_of_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// Where a name stands in a text, from a position on; npos if it does not.
+/// Where a text contains a name, from a position on; npos if nowhere.
 std::size_t find_name(std::string_view text, std::string_view name, std::size_t from = 0) {
   for (std::size_t at = text.find(name, from); at != std::string_view::npos; at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();

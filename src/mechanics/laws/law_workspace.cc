@@ -99,16 +99,16 @@ double LawWorkspace::sampled_log_value(const LawState& state, std::span<const Ta
     const auto room = [&](double distance) { return distance < step ? 0 : distance < 2 * step ? 1 : 2; };
     const int below = room(x - range.lower), above = room(range.upper - x);
     // from the bound inwards where that is near
-    const double turn = below <= above ? 1 : -1;
+    const double direction = below <= above ? 1 : -1;
     const int at = std::min(below, above);
     double sum = 0;
     for (int i = 0; i < 5; ++i) {
       if (kWeights[at][i] == 0) continue;
-      numbers[k] = x + turn * (i - at) * step;
+      numbers[k] = x + direction * (i - at) * step;
       sum += kWeights[at][i] * here();
     }
     numbers[k] = x;
-    gradient[k] = turn * sum / (12 * step);
+    gradient[k] = direction * sum / (12 * step);
   }
   return here();
 }

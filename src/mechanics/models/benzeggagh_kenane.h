@@ -13,7 +13,7 @@ struct BenzeggaghKenane {
   static constexpr std::array<ParameterInfo, 2> parameters{{{"r", 1e-3, 1e3, 2, 1}, {"eta", 1e-2, 1e2, 2}}};
 
   /// B = sin^2 psi, C = 1 - B and ln B. `tiny` where B underflows, which B^eta need not: 1e-300^0.01 = 0.001; then
-  /// scaled = 2^600 sin psi stands for B, since T/y may be less than any double, too.
+  /// scaled = 2^600 sin psi is used instead of B, since T/y may be less than any double, too.
   template <class S>
   struct ModeRatio {
     S B, C, log_B, scaled;
@@ -82,7 +82,8 @@ struct BenzeggaghKenane {
 
   /// tau^2 = (y^2 + T^2)/f - y^2 = T^2 (1 - (f - 1) y^2/T^2)/f, with (f - 1) y^2/T^2 = k (1 - B), k = (r - 1)
   /// B^(eta-1). Up to k = 1 its difference from 1 is (1 - k) + k B, for the sake of eta = 1, r = 2 where it is B, and
-  /// 1 - k is a sum of two that do not cancel; beyond, where 1 - k is negative and would cancel with k B, as it stands.
+  /// 1 - k is a sum of two that do not cancel; beyond, where 1 - k is negative and would cancel with k B, it is left as
+  /// written.
   template <class S>
   static ShearTerm<S> shear_term(const std::array<S, 2>& p, const S& y, const S& T) {
     using std::expm1;
@@ -108,7 +109,7 @@ struct BenzeggaghKenane {
     if (p[1] > 1 || p[0] == 1) return 1;
     return p[1] == 1 ? 2 - p[0] : p[0] < 1 ? kInfinity : -kInfinity;
   }
-  /// B^eta near psi = pi/2 is exp(-eta cos^2 psi), and f turns from its slope to r where eta cos^2 psi = r.
+  /// B^eta near psi = pi/2 is exp(-eta cos^2 psi), and f changes from its slope to r where eta cos^2 psi = r.
   static ShearReach shear_reach(const std::array<double, 2>& p) {
     const double eta = p[1], narrow = std::sqrt(std::fmin(p[0], 1) / std::fmax(eta, 1));
     return {eta > 2 ? std::sqrt(eta) : 1, narrow, eta >= 2 ? narrow : 0};
