@@ -15,9 +15,4 @@ ConstantShearPoint constant_shear_point(const Law& law, const Parameters<Law>& p
   return {y, sum - y, std::cbrt(0.75 * sum), (2 * y + tau2.d1) / six_pi - 1};
 }
 
-template <class Law>
-ConstantShearPoint constant_shear_point(const Parameters<Law>& p, double T, double y) {
-  return constant_shear_point(Law{}, p, T, y);
-}
-
 }  // namespace mixity

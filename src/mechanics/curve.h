@@ -84,7 +84,6 @@ class EquilibriumCurve {
       pieces_ = curve_pieces(law_, p_, P_);
     }
   }
-  EquilibriumCurve(const Parameters<Law>& parameters, double P) : EquilibriumCurve(Law{}, parameters, P) {}
 
   double load() const { return P_; }
   const Law& law() const { return law_; }

@@ -30,7 +30,6 @@ template <class Law>
 class EnergyLaw {
  public:
   EnergyLaw(const Law& law, const Parameters<Law>& p) : law_(law), p_(p), slope_at_mode_I_(-law.small_shear(p)) {}
-  explicit EnergyLaw(const Parameters<Law>& p) : EnergyLaw(Law{}, p) {}
 
   /// Of the point (G_I, G_II) with standard errors > 0, in any unit of energy per area, as G_Ic > 0. A reading of G_II
   /// below zero is compared with the tangent that continues the law beyond psi = 0. The model's parameters have
@@ -182,7 +181,6 @@ class EnergyLaw {
 template <class Law>
 class EnergyPolygon {
  public:
-  explicit EnergyPolygon(const Parameters<Law>& p) : EnergyPolygon(Law{}, p) {}
   EnergyPolygon(const Law& law, const Parameters<Law>& p) {
     for (int i = 0; i <= kSides; ++i) {
       const Mixity<double> mixity = mixity_from_angle(0.5 * pi<double>() * i / kSides);

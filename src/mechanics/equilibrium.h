@@ -59,7 +59,6 @@ class LoadedContact {
     non_monotone_ = is_non_monotone(law_, p_);
     simple_top_ = !non_monotone_ && law_.tau_grows_with_edge_load(p_);
   }
-  LoadedContact(const Parameters<Law>& parameters, double P) : LoadedContact(Law{}, parameters, P) {}
 
   const Law& law() const { return law_; }
   const Parameters<Law>& parameters() const { return p_; }

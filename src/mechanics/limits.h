@@ -54,9 +54,4 @@ inline std::optional<double> savkoor_briggs_radius(double P, double T) {
   return radius_from_edge_load(3 * pi<double>() + std::sqrt((S0 - T) * (S0 + T)), P);
 }
 
-template <class Law>
-std::optional<double> shear_sensitivity_at_area(const Parameters<Law>& p, double A0) {
-  return shear_sensitivity_at_area(Law{}, p, A0);
-}
-
 }  // namespace mixity

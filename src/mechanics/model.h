@@ -162,11 +162,6 @@ double log_toughness_alone(const Law& law, const Parameters<Law>& p, const Mixit
     return law.log_toughness(p, mixity).value;
 }
 
-template <class Law>
-double log_toughness_alone(const Parameters<Law>& p, const Mixity<double>& mixity) {
-  return log_toughness_alone(Law{}, p, mixity);
-}
-
 /// ln f to full relative accuracy, also near f = 1.
 template <class Law, class S>
 Differentiated<S, 1> log_toughness_of_packed_form(const std::array<S, 1>& p, const Mixity<S>& mixity) {

@@ -1,5 +1,5 @@
-// Every mode-mixity model the program knows: the published ones, each with its header, and the laws that are typed
-// (laws/law.h). To add one, write its header and include it here, or its line in data/laws.toml.
+// Every mode-mixity law that the program knows: the published ones, each with its header, and those that are defined at
+// run time (laws/law.h). To add one, write its header and include it here, or add it to data/laws.toml.
 #pragma once
 
 #include <tuple>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "mechanics/laws/known_laws.h"
-#include "mechanics/laws/visited_law.h"
+#include "mechanics/laws/typed_law.h"
 #include "mechanics/models/benzeggagh_kenane.h"     // bk
 #include "mechanics/models/johnson.h"               // a
 #include "mechanics/models/papangelo_ciavarella.h"  // c
@@ -29,36 +29,13 @@ auto collect(std::integer_sequence<int, Slots...>) {
 }
 }  // namespace registry_detail
 
-/// std::tuple of the published models' types, in the order of their slots (64 at most).
+/// std::tuple of the published laws' types, in the order of their slots (64 at most).
 using Models = decltype(registry_detail::collect(std::make_integer_sequence<int, 64>{}));
 
-/// Calls visit(model) for each published model in turn.
+/// Calls visit(law) for each published law in turn.
 template <class Visit>
 void for_each_model(Visit&& visit) {
-  std::apply([&](auto... model) { (visit(model), ...); }, Models{});
-}
-
-namespace registry_detail {
-template <std::size_t N, class Visit>
-bool visit_typed(const std::shared_ptr<const ExpressionLaw>& law, Visit& visit) {
-  if (law->parameters().size() != N) return false;
-  const CurrentLaw<N> current(law);
-  visit(VisitedLaw<N>{});
-  return true;
-}
-}  // namespace registry_detail
-
-/// Calls visit(model) for the model with this key and returns true; returns false if there is none. What a visit of a
-/// typed law makes, and its types, are not to be used after it or on another thread.
-template <class Visit>
-bool with_model(std::string_view key, Visit&& visit) {
-  if (std::apply(
-          [&](auto... model) { return ((decltype(model)::info.key == key ? (visit(model), true) : false) || ...); },
-          Models{}))
-    return true;
-  const std::shared_ptr<const ExpressionLaw> law = find_law(key);
-  return law && (registry_detail::visit_typed<1>(law, visit) || registry_detail::visit_typed<2>(law, visit) ||
-                 registry_detail::visit_typed<3>(law, visit));
+  std::apply([&](auto... law) { (visit(law), ...); }, Models{});
 }
 
 /// Calls visit(law) with the law of this key and returns true; returns false if there is none. `law` is an object of a
@@ -76,7 +53,7 @@ bool with_law(std::string_view key, Visit&& visit) {
 
 namespace registry_detail {
 template <class... Law>
-std::tuple<Law..., TypedLaw, VisitedLaw<1>, VisitedLaw<2>, VisitedLaw<3>> with_typed(std::tuple<Law...>);
+std::tuple<Law..., TypedLaw> with_typed(std::tuple<Law...>);
 
 template <class Entry, class... Law>
 constexpr auto each_of(Entry entry, std::type_identity<std::tuple<Law...>>) {

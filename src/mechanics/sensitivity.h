@@ -36,9 +36,4 @@ EquilibriumGradient<Law> equilibrium_gradient(const Law& law, const Parameters<L
   return gradient;
 }
 
-template <class Law>
-EquilibriumGradient<Law> equilibrium_gradient(const Parameters<Law>& p, double P, double T, double y) {
-  return equilibrium_gradient(Law{}, p, P, T, y);
-}
-
 }  // namespace mixity

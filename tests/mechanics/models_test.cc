@@ -131,7 +131,7 @@ TEST(Registry, HoldsTheFourModelsInOrder) {
   std::string keys;
   for_each_model([&](auto model) { keys += std::string(decltype(model)::info.key) + ' '; });
   EXPECT_EQ(keys, "a b c bk ");
-  EXPECT_FALSE(with_model("d", [](auto) {}));
+  EXPECT_FALSE(with_law("d", [](auto) {}));
 }
 
 }  // namespace
