@@ -141,13 +141,13 @@ TEST(Equilibrium, SmallShearLowersTheAreaByAlphaTSquared) {
 }
 
 TEST(Equilibrium, SaysWhatCannotBeAnswered) {
-  using Contact = LoadedContact<PapangeloCiavarella>;
-  EXPECT_EQ((Contact({1.1}, 0).at(1).status), EquilibriumStatus::invalid);
-  EXPECT_EQ((Contact({std::nan("")}, 0).at(1).status), EquilibriumStatus::invalid);
-  EXPECT_EQ((Contact({0.5}, std::nan("")).at(1).status), EquilibriumStatus::invalid);
-  EXPECT_EQ((Contact({0.5}, 0).at(-1).status), EquilibriumStatus::invalid);
-  EXPECT_EQ((Contact({0.5}, 0).at(std::nan("")).status), EquilibriumStatus::invalid);
-  EXPECT_EQ((Contact({0.5}, -4.72).at(0).status), EquilibriumStatus::no_equilibrium);
+  const auto contact = [](double lambda, double P) { return LoadedContact(PapangeloCiavarella{}, {lambda}, P); };
+  EXPECT_EQ(contact(1.1, 0).at(1).status, EquilibriumStatus::invalid);
+  EXPECT_EQ(contact(std::nan(""), 0).at(1).status, EquilibriumStatus::invalid);
+  EXPECT_EQ(contact(0.5, std::nan("")).at(1).status, EquilibriumStatus::invalid);
+  EXPECT_EQ(contact(0.5, 0).at(-1).status, EquilibriumStatus::invalid);
+  EXPECT_EQ(contact(0.5, 0).at(std::nan("")).status, EquilibriumStatus::invalid);
+  EXPECT_EQ(contact(0.5, -4.72).at(0).status, EquilibriumStatus::no_equilibrium);
   EXPECT_EQ((LoadedContact(BenzeggaghKenane{}, {9, 2}, 0).at(0).status), EquilibriumStatus::invalid);
 }
 

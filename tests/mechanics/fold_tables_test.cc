@@ -83,7 +83,7 @@ TEST(Folds, AreThoseOfTheTable) {
   for (const Row& row : kRows)
     with_parameters(row.model, row.p0, row.p1, [&](auto model, const auto& p) {
       const std::string where = describe(model, p, row.P, row.control);
-      const auto folds = find_folds(EquilibriumCurve<decltype(model)>(p, row.P), row.control);
+      const auto folds = find_folds(EquilibriumCurve(model, p, row.P), row.control);
       ASSERT_GT(folds.size(), row.index) << where;
       const Fold& fold = folds[row.index];
       EXPECT_EQ(fold.place.maximum, row.index == 0) << where;
@@ -128,7 +128,7 @@ TEST(Folds, AreAsManyAsBruteForceFinds) {
     with_parameters(row.model, row.p0, 0, [&](auto model, const auto& p) {
       std::string found;
       for (const double P : kTableLoads) {
-        const EquilibriumCurve<decltype(model)> curve(p, P);
+        const EquilibriumCurve curve(model, p, P);
         found += found.empty() ? "" : " ";
         for (const Control& control : {kLoad, kDisplacement, spring(0.1), spring(1), spring(10)})
           found += std::to_string(find_folds(curve, control).size());

@@ -35,7 +35,7 @@ template <class Model>
 class ManyPlaces {
  public:
   ManyPlaces(const Parameters<Model>& p, double P, double T_most)
-      : curve_(p, P), level_(area_from_radius(jkr_radius(P))) {
+      : curve_(Model{}, p, P), level_(area_from_radius(jkr_radius(P))) {
     if (curve_.uncoupled()) return;
     PhiRange range = drawable_ranges(curve_, T_most).front();
     range.to = phi_of_shear(curve_, range, T_most);

@@ -14,7 +14,7 @@ std::map<std::string, StatedCut> read_cuts(const std::string& path) {
       StatedCut cut;
       cut.file = path;
       for (const auto& [item, value] : *entry.as_table()) {
-        const auto time = [&]() -> double {
+        const auto time = [&, &item = item, &value = value]() -> double {
           const auto quantity = value.is_string() ? parse_quantity(value.as_string()->get()) : std::nullopt;
           if (!quantity || quantity->unit.dimension != dimension::time)
             fail_at(path, value, std::string(item.str()) + " must be a time such as \"4.31 s\"");

@@ -61,7 +61,7 @@ ReducedLog reduce_log(const std::vector<std::string>& paths, const Overrides& co
       find_loading_runs(on_one_clock(forces, areas, {options.lag}), log.force_unit, log.force_factor, run_options);
   for (const auto& [name, cut] : run_options.cuts)
     if (!cut.leave_out && std::none_of(log.runs.runs.begin(), log.runs.runs.end(),
-                                       [&](const LoadingRun& run) { return run.name == name; }))
+                                       [&, &name = name](const LoadingRun& run) { return run.name == name; }))
       throw InputError(options.cuts_path, "states cuts of a run '" + name + "', which the log does not have");
   forces.time = forces.P = forces.T = forces.A = {};
   log.forces = std::move(forces);

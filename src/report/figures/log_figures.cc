@@ -40,7 +40,7 @@ Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t nu
   const double room = 0.06 * (*most - *least), low = *least - room, high = *most + room;
   figure.y.low = low;
   figure.y.high = high;
-  const auto shade = [&](double from, double to, const std::string& label, const std::string& tint) {
+  const auto shade = [&, begin = begin, end = end](double from, double to, const std::string& label, const std::string& tint) {
     from = std::max(from, frames.time[begin]);
     to = std::min(to, frames.time[end - 1]);
     if (to > from)
