@@ -1,9 +1,11 @@
 #include "analysis/reported_data.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "analysis/judgement.h"
 #include "analysis/run.h"
+#include "base/side_by_side.h"
 #include "fitting/predicted_area.h"
 
 namespace mixity {
@@ -18,13 +20,18 @@ Analysis run_for_report(FitRequest request, const Progress& progress) {
   request.options.profile_points = kProfilePoints;
   constexpr double kAll = 0.9;  // of the time goes into the fits of all runs together
   Analysis result = run(request, stretch(progress, 0, kAll));
-  const double share = (1 - kAll) / static_cast<double>(request.models.size());
-  if (result.per_curve.empty() && result.data.has_loads && result.data.curves.size() > 1)
-    for (const std::string& model : request.models) {
-      const double before = kAll + share * static_cast<double>(result.per_curve.size());
-      request.options.progress = stretch(progress, before, before + share);
-      result.per_curve.push_back(fit_per_curve(result.data, model, request.options));
-    }
+  if (result.per_curve.empty() && result.data.has_loads && result.data.curves.size() > 1) {
+    const std::vector<std::string>& models = request.models;
+    result.per_curve.resize(models.size());
+    std::atomic<std::size_t> next = 0, done = 0;
+    side_by_side(std::min(processors(), models.size()), [&] {
+      for (std::size_t i = next++; i < models.size(); i = next++) {
+        result.per_curve[i] = fit_per_curve(result.data, models[i], request.options);
+        const double share = static_cast<double>(++done) / static_cast<double>(models.size());
+        if (progress) progress(kAll + (1 - kAll) * share);
+      }
+    });
+  }
   // the best model first, in every table and figure
   std::vector<FitResult> fits;
   std::vector<PerCurve> per_curve;
@@ -40,7 +47,7 @@ Analysis run_for_report(FitRequest request, const Progress& progress) {
 }
 
 ReportedData reported_data(const Analysis& result, const std::string& stem) {
-  ReportedData data{result, stem, {}, {}, {}};
+  ReportedData data{result, stem, figured_models(result)};
   if (result.data.has_loads) {
     const auto known = std::find_if(result.fits.begin(), result.fits.end(), has_all_values);
     std::vector<double> values;

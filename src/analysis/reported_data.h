@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "analysis/model_curves.h"
 #include "analysis/predicted_peaks.h"
 #include "analysis/result.h"
 #include "dataset/peak_forces.h"
@@ -18,10 +19,11 @@ Analysis run_for_report(FitRequest request, const Progress& progress = {});
 struct ReportedData {
   const Analysis& result;                         // outlives this
   std::string stem;                               // of its file names, unique within the report
-  std::optional<SahliResult> sahli;               // null without loads
-  std::string sahli_model;                        // the model whose alpha is drawn there; empty: none
-  std::optional<PeakForces> peaks;                // null without a file of peaks
-  std::vector<PredictedPeaks> predicted_peaks{};  // if there are measured peaks
+  FiguredModels figured{};                        // curves of the fits that have values
+  std::optional<SahliResult> sahli{};             // null without loads
+  std::string sahli_model{};                      // the model whose alpha is drawn there; empty: none
+  std::optional<PeakForces> peaks{};              // null without a file of peaks
+  std::vector<PredictedPeaks> predicted_peaks{};                                                // if there are measured peaks
 };
 
 /// Throws InputError if the file of peak forces cannot be used.

@@ -91,7 +91,7 @@ Json drawn_models(const Json& request) {
       all.push_back({{"model", key}, {"problem", problem}, {"toughness", toughness}});
       continue;
     }
-    const DrawnCurve drawn = drawn_curve(data, {}, fit, P, T_most, Points::soonest);
+    const DrawnCurve drawn = drawn_curve(data, {}, fit, P, T_most);
     Json folds = Json::array();
     for (const DrawnFold& fold : drawn.folds)
       folds.push_back({{"control", to_string(fold.control)},

@@ -2,6 +2,7 @@
 // "options": [those that it recommends]}.
 #include <emscripten/bind.h>
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -20,8 +21,8 @@
 #include "explorer/drawing.h"
 #include "explorer/experiment.h"
 #include "explorer/field_words.h"
-#include "explorer/regime_map.h"
 #include "mechanics/laws/known_laws.h"
+#include "mechanics/regime_map.h"
 #include "report/fit_json.h"
 #include "report/used_csv.h"
 
@@ -123,17 +124,32 @@ std::string draw(const std::string& request) {
   return guarded([&] { return drawn_models(Json::parse(request)); });
 }
 
-/// A part of the work on a map (regime_map.h), the same request until it is done: {"regions": [...]}; {} as long as
-/// there is more to do. Another request takes the place of one that is not done.
+RegimeMap map_for(const Json& request) {
+  return {model_of(request.at("model")),
+          request.at("parameters").get<std::vector<double>>(),
+          {request.at("axis"), request.at("low"), request.at("high"), request.at("logarithmic"), request.at("P_low"),
+           request.at("P_high")}};
+}
+
+/// Of {"model", "parameters": [value], "axis": number of the parameter, "low", "high": its ends, "logarithmic",
+/// "P_low", "P_high"}, loads dimensionless: works on a map for so long, by a line at least, so that a page can do other
+/// things in between. The same request again until it is done: {"regions": [{"regime", "outline": [[P, parameter]]}]};
+/// {} as long as there is more to do. Another request replaces one that is not done.
 std::string map_of(const std::string& request, double milliseconds) {
   return guarded([&] {
     static std::string asked;
     static std::optional<RegimeMap> map;
-    if (!map || request != asked) map.emplace(Json::parse(request));
+    if (!map || request != asked) map.emplace(map_for(Json::parse(request)));
     asked = request;
     Json told = Json::object();
-    if (!map->go_on(milliseconds)) return told;
-    told["regions"] = map->regions();
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    while (map->add_line())
+      if (std::chrono::duration<double, std::milli>(Clock::now() - begin).count() >= milliseconds) return told;
+    told["regions"] = Json::array();
+    for (const RegimeRegion& region : map->regions())
+      told["regions"].push_back({{"regime", region.regime ? regime_text(*region.regime) : "no unique equilibrium"},
+                                 {"outline", region.outline}});
     map.reset();
     return told;
   });

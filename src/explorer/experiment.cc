@@ -60,7 +60,7 @@ Json model_of(const Analysis& result, const FitResult& fit, bool best) {
     double largest = 0;
     for (const std::size_t i : by_run[run]) largest = std::max(largest, data.points[i].shear());
     const DrawnCurve curve =
-        drawn_curve(result.data, result.request.options, fit, data.curve_loads[run], 1.4 * largest, Points::soonest);
+        drawn_curve(result.data, result.request.options, fit, data.curve_loads[run], 1.4 * largest);
     Json stable = Json::array(), unstable = Json::array(), folds = Json::array();
     for (const DrawnPoint& q : curve.points) (q.stable && unstable.empty() ? stable : unstable).push_back({q.T, q.A});
     for (const DrawnFold& fold : curve.folds)

@@ -29,17 +29,14 @@ class Shown {
 
 }  // namespace
 
-DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load, double T_most,
-                       Points points) {
+DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load,
+                       double T_most) {
   const ContactModel model = model_of(fit);
   const Candidate candidate = fitted_candidate(data, model, fit, options);
   const Shown shown(data, candidate.constants);
   const double P = shown.scale().load(load), most = shown.scale().shear(T_most);
   const CurveSampling sampling{
-      .rule = points == Points::fewest ? CurveSampling::Rule::fewest : CurveSampling::Rule::soonest,
-      .chord = kChord,
-      .T_most = most,
-      .first_range_only = true};
+      .rule = CurveSampling::Rule::soonest, .chord = kChord, .T_most = most, .first_range_only = true};
   const SampledCurve curve = model.curve(candidate.parameters, P, sampling);
   DrawnCurve drawn;
   if (curve.uncoupled) {

@@ -34,13 +34,10 @@ struct DrawnCurve {
   std::vector<DrawnFold> folds;
 };
 
-/// Which points of a curve: as few as can be, for a file, or those that are found soonest, while somebody waits.
-enum class Points { fewest, soonest };
-
 /// A fit's curve at a normal load as measured (dimensionless), as far as T_most (measured, dimensionless), within 2e-4
 /// of the curve's size. The fit must have values.
-DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load, double T_most,
-                       Points points = Points::fewest);
+DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load,
+                       double T_most);
 
 /// States of the stable branch at a run's load from T = 0 to the instability, or to a fifth beyond the largest measured
 /// T of the run, dense towards the fold. T and A as they would be measured, dimensionless; empty where there is no

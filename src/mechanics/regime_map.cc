@@ -1,45 +1,39 @@
 #include "mechanics/regime_map.h"
 
 #include <algorithm>
+#include <cmath>
 #include <list>
+#include <stdexcept>
 
 namespace mixity {
 namespace {
 
-constexpr std::size_t kRows = 64;
-constexpr int kHalvings = 12;  // of a row: boundaries come out smooth
-
-std::vector<RegimeExtent> extents(const std::function<Regime(double)>& classify_at) {
-  std::vector<RegimeExtent> column{{classify_at(0), 0, 0}};
-  for (std::size_t j = 1; j <= kRows; ++j) {
-    const double part = static_cast<double>(j) / kRows;
-    const Regime here = classify_at(part);
-    if (here == column.back().regime) continue;
-    double low = static_cast<double>(j - 1) / kRows, high = part;
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = 0.5 * (low + high);
-      (classify_at(middle) == column.back().regime ? low : high) = middle;
-    }
-    column.back().to = high;
-    column.push_back({here, high, 0});
-  }
-  column.back().to = 1;
-  return column;
-}
+constexpr int kLines = 96;  // at least
+constexpr std::size_t kMostLines = 400;
+constexpr double kFinest = 1.0 / 2048;  // of an axis: less than a pixel
+constexpr double kLeap = 0.03;          // of the loads, by which a boundary may move from line to line
 
 /// A region while it grows: its lower and upper boundary, from line to line.
 struct Growing {
   std::optional<Regime> regime;
-  std::vector<std::pair<double, double>> lower{}, upper{};  // (place of the line, place on it)
+  std::vector<std::pair<double, double>> lower{}, upper{};  // (place on the line, place of it)
   RegimeExtent last{};
   bool open = true;
 
   void add(double place, const RegimeExtent& extent) {
-    lower.emplace_back(place, extent.from);
-    upper.emplace_back(place, extent.to);
+    lower.emplace_back(extent.from, place);
+    upper.emplace_back(extent.to, place);
     last = extent;
   }
 };
+
+/// Adds an extent to a line, or to the last one if it is of the same regime.
+void append(std::vector<RegimeExtent>& line, const RegimeExtent& extent) {
+  if (!line.empty() && line.back().regime == extent.regime)
+    line.back().to = extent.to;
+  else
+    line.push_back(extent);
+}
 
 bool overlap(const RegimeExtent& one, const RegimeExtent& other) { return one.from < other.to && other.from < one.to; }
 
@@ -89,11 +83,125 @@ std::vector<RegimeRegion> connected_regions(const std::vector<double>& places,
   return regions;
 }
 
-std::vector<RegimeRegion> regime_regions(const std::vector<double>& loads,
-                                         const std::function<Regime(double part, double load)>& at) {
-  std::vector<std::vector<RegimeExtent>> columns;
-  for (const double load : loads) columns.push_back(extents([&](double part) { return at(part, load); }));
-  return connected_regions(loads, columns);
+RegimeMap::RegimeMap(const ContactModel& model, std::span<const double> parameters, const RegimeMapFrame& frame,
+                     std::optional<double> tau0)
+    : model_(model), parameters_(parameters.begin(), parameters.end()), frame_(frame), tau0_(tau0) {
+  if (frame.parameter >= parameters.size() || model.parameters().size() != parameters.size() ||
+      !(frame.low < frame.high) || !(frame.P_low < frame.P_high) || (frame.logarithmic && !(frame.low > 0)))
+    throw std::invalid_argument("no map: a model, its parameters and two rising ends of each axis are wanted");
+}
+
+double RegimeMap::value_at(double part) const {
+  const auto& [parameter, low, high, logarithmic, P_low, P_high] = frame_;
+  if (part >= 1) return high;
+  return logarithmic ? low * std::pow(high / low, part) : low + (high - low) * part;
+}
+
+/// Beyond the critical load it changes at P = 0 alone, since Hertz is an area of pressed contacts.
+RegimeMap::Line RegimeMap::line(double part) const {
+  std::vector<double> p = parameters_;
+  p[frame_.parameter] = value_at(part);
+  const auto critical = model_.critical_load(p);
+  if (!critical) return {{std::nullopt, frame_.P_low, frame_.P_high}};
+  const double end = std::clamp(*critical, frame_.P_low, frame_.P_high), pressed = std::clamp(0.0, end, frame_.P_high);
+  const double least = 1e-9 * (frame_.P_high - frame_.P_low);
+  Line found;
+  const auto add = [&](double from, double to, bool jumps) {
+    if (to - from <= least) return;
+    std::optional<Regime> regime = Regime::jump;
+    if (!jumps) {
+      const auto report = model_.regime(p, 0.5 * (from + to));
+      regime = report ? std::optional(report->regime) : std::nullopt;
+    }
+    append(found, {regime, from, to});
+  };
+  add(frame_.P_low, end, true);
+  add(end, pressed, false);
+  add(pressed, frame_.P_high, false);
+  return tau0_ ? with_strength(p, found) : found;
+}
+
+/// T - tau0 A rises along the stable branch, since A falls: the branch reaches the strength if its end does.
+bool RegimeMap::slides_first(std::span<const double> p, double P) const {
+  const double end = model_.first_stable_end(p, P);
+  if (std::isinf(end)) return true;
+  const Equilibrium state = model_.equilibria(p, P, std::span(&end, 1)).at.front();
+  return state.status == EquilibriumStatus::ok && end >= *tau0_ * area_from_radius(radius_from_edge_load(state.y, P));
+}
+
+RegimeMap::Line RegimeMap::with_strength(std::span<const double> p, const Line& fracture) const {
+  constexpr double kStep = 1.0 / 12;  // of the loads
+  const double whole = frame_.P_high - frame_.P_low;
+  Line found;
+  for (const RegimeExtent& extent : fracture) {
+    const double length = extent.to - extent.from;
+    const int steps = static_cast<int>(std::ceil(length / (kStep * whole)));
+    const auto slides = [&](double P) { return extent.regime && slides_first(p, P); };
+    const auto add = [&](double from, double to, bool slide) {
+      append(found, {slide ? std::optional(Regime::strength) : extent.regime, from, to});
+    };
+    double begin = extent.from, before = extent.from + 1e-6 * length;
+    bool slid = slides(before);
+    for (int i = 1; i <= steps && extent.regime != Regime::asymptote; ++i) {
+      const double next = extent.from + length * std::min(static_cast<double>(i) / steps, 1 - 1e-6);
+      const bool slide = slides(next);
+      if (slide != slid) {
+        double low = before, high = next;
+        while (high - low > kFinest * whole) {
+          const double middle = 0.5 * (low + high);
+          (slides(middle) == slid ? low : high) = middle;
+        }
+        add(begin, high, slid);
+        begin = high;
+      }
+      before = next;
+      slid = slide;
+    }
+    add(begin, extent.to, slid);
+  }
+  return found;
+}
+
+bool RegimeMap::differ(const Line& one, const Line& other) const {
+  return !std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                     [&](const RegimeExtent& a, const RegimeExtent& b) {
+                       return a.regime == b.regime && std::abs(a.to - b.to) <= kLeap * (frame_.P_high - frame_.P_low);
+                     });
+}
+
+/// Where a line is wanted next.
+std::optional<double> RegimeMap::missing() const {
+  if (lines_.size() <= kLines) return static_cast<double>(lines_.size()) / kLines;
+  if (lines_.size() >= kMostLines) return std::nullopt;
+  for (auto here = lines_.begin(), behind = std::next(here); behind != lines_.end(); here = behind++)
+    if (behind->first - here->first > kFinest && differ(here->second, behind->second))
+      return 0.5 * (here->first + behind->first);
+  return std::nullopt;
+}
+
+bool RegimeMap::add_line() {
+  const auto part = missing();
+  if (part) lines_[*part] = line(*part);
+  return part.has_value();
+}
+
+std::vector<RegimeRegion> RegimeMap::regions() const {
+  std::vector<double> places;
+  std::vector<Line> lines;
+  for (const auto& [part, line] : lines_) {
+    places.push_back(part);
+    lines.push_back(line);
+  }
+  std::vector<RegimeRegion> regions = connected_regions(places, lines);
+  // what holds at one value alone, as at an end where nothing couples, has no area
+  std::erase_if(regions, [](const RegimeRegion& region) {
+    const auto ends = std::minmax_element(region.outline.begin(), region.outline.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+    return ends.second->second - ends.first->second <= 2 * kFinest;
+  });
+  for (RegimeRegion& region : regions)
+    for (auto& [load, part] : region.outline) part = value_at(part);
+  return regions;
 }
 
 }  // namespace mixity

@@ -1,12 +1,14 @@
-// The map of what becomes of a contact, as regions with outlines.
+// What becomes of a contact over normal load and one parameter of a model, as regions with outlines.
 #pragma once
 
-#include <functional>
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "mechanics/states.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity {
 
@@ -19,7 +21,7 @@ struct RegimeExtent {
   double from, to;
 };
 
-/// A connected region of one regime: its outline, closed, as (place of the line, place on it).
+/// A connected region of one regime: its outline, closed, as (place on the lines, place of the line).
 struct RegimeRegion {
   std::optional<Regime> regime;
   std::vector<std::pair<double, double>> outline;
@@ -29,8 +31,43 @@ struct RegimeRegion {
 std::vector<RegimeRegion> connected_regions(const std::vector<double>& places,
                                             const std::vector<std::vector<RegimeExtent>>& lines);
 
-/// Lines at the loads, along the parts 0..1 of an axis of lambda. `at` is asked for the regime at a part and a load.
-std::vector<RegimeRegion> regime_regions(const std::vector<double>& loads,
-                                         const std::function<Regime(double part, double load)>& at);
+/// What a map spans.
+struct RegimeMapFrame {
+  std::size_t parameter = 0;  // its number
+  double low = 0, high = 1;   // its ends; above 0 if logarithmic
+  bool logarithmic = false;
+  double P_low = 0, P_high = 1;  // above pull-off
+};
+
+/// Found line by line at fixed values of the parameter, more closely where something changes. Along a line the contact
+/// jumps at loads below the critical one (ContactModel::critical_load).
+class RegimeMap {
+ public:
+  /// tau0 > 0, or null: without a limit to the strength. Throws std::invalid_argument for another number of parameters
+  /// and for ends that do not rise.
+  RegimeMap(const ContactModel& model, std::span<const double> parameters, const RegimeMapFrame& frame,
+            std::optional<double> tau0 = {});
+
+  /// Adds one line. False if none is missing.
+  bool add_line();
+
+  /// Of the lines that there are, two or more. Outlines are (load, value of the parameter).
+  std::vector<RegimeRegion> regions() const;
+
+ private:
+  using Line = std::vector<RegimeExtent>;
+  Line line(double part) const;
+  Line with_strength(std::span<const double> p, const Line& fracture) const;
+  bool slides_first(std::span<const double> p, double P) const;
+  bool differ(const Line& one, const Line& other) const;
+  std::optional<double> missing() const;
+  double value_at(double part) const;
+
+  ContactModel model_;
+  std::vector<double> parameters_;
+  RegimeMapFrame frame_;
+  std::optional<double> tau0_;
+  std::map<double, Line> lines_{};  // by the part of the parameter's axis
+};
 
 }  // namespace mixity

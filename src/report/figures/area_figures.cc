@@ -16,50 +16,42 @@ class AreaFigures {
       : reported_(reported),
         data_(reported.result.data),
         units_(data_),
-        runs_(shown_runs(data_)),
+        runs_(reported.figured.runs),
         points_(points_by_curve(data_)),
-        fits_(fits_with_values(reported.result.fits)),
-        T_data_(largest_shear(data_)) {
-    for (const FitResult* fit : fits_) {
-      curves_.emplace_back();
-      for (const std::size_t run : runs_)
-        curves_.back().push_back(drawn_curve(reported.result.data, reported.result.request.options, *fit,
-                                             data_.curve_loads[run], kWidest * T_data_));
-    }
-  }
+        models_(reported.figured.models) {}
 
   std::vector<Figure> draw() const {
     std::vector<Figure> figures;
-    if (fits_.size() > 1) figures.push_back(all_models());
-    for (std::size_t m = 0; m < fits_.size(); ++m) figures.push_back(one_model(m));
+    if (models_.size() > 1) figures.push_back(all_models());
+    for (const ModelCurves& model : models_) figures.push_back(one_model(model));
     return figures;
   }
 
  private:
-  static constexpr double kMargin = 1.05, kWidest = 2.1;  // of the largest T: the axis beyond it, and how far at most
+  static constexpr double kMargin = 1.05;  // of the largest T: the axis beyond it
 
   /// Where the contacts of a model jump under load control, with the run's place among those shown.
-  std::vector<std::pair<std::size_t, double>> jumps(std::size_t m) const {
+  std::vector<std::pair<std::size_t, double>> jumps(const ModelCurves& model) const {
     std::vector<std::pair<std::size_t, double>> list;
     for (std::size_t k = 0; k < runs_.size(); ++k)
-      for (const DrawnFold& fold : curves_[m][k].folds)
+      for (const DrawnFold& fold : model.areas[k].folds)
         if (fold.control == Control::Kind::load) list.emplace_back(k, fold.T);
     return list;
   }
 
   /// The axis holds the data and the jumps of a model that leave the data half of the width.
-  double widest() const { return kWidest * T_data_ * units_.force; }
-  double axis(std::size_t m) const {
-    double end = kMargin * T_data_ * units_.force;
-    for (const auto& [k, T] : jumps(m))
+  double widest() const { return kWidestArea * reported_.figured.T_data * units_.force; }
+  double axis(const ModelCurves& model) const {
+    double end = kMargin * reported_.figured.T_data * units_.force;
+    for (const auto& [k, T] : jumps(model))
       if (kMargin * T <= widest()) end = std::max(end, kMargin * T);
     return end;
   }
 
   /// Where the jumps are that the axis does not hold.
-  std::string jumps_beyond(std::size_t m) const {
+  std::string jumps_beyond(const ModelCurves& model) const {
     std::string text;
-    for (const auto& [k, T] : jumps(m))
+    for (const auto& [k, T] : jumps(model))
       if (kMargin * T > widest())
         text += (text.empty() ? " Beyond the frame the contact jumps, under load control, at T = " : ", ") +
                 with_unit(T, 4, units_.force_unit) +
@@ -67,8 +59,8 @@ class AreaFigures {
     return text.empty() ? text : text + ".";
   }
 
-  Figure empty(const std::string& name, const std::string& title, std::size_t m) const {
-    Figure figure{reported_.stem + name, title, {units_.T(), 0.0, axis(m)}, {units_.A(), 0.0, {}}, {}};
+  Figure empty(const std::string& name, const std::string& title, const ModelCurves& model) const {
+    Figure figure{reported_.stem + name, title, {units_.T(), 0.0, axis(model)}, {units_.A(), 0.0, {}}, {}};
     figure.key_title = units_.P();
     figure.wide = true;
     figure.key_place = KeyPlace::beside;
@@ -92,14 +84,14 @@ class AreaFigures {
   }
 
   Figure all_models() const {
-    Figure figure = empty("_area_models", "Contact area against tangential load, all models", 0);
+    Figure figure = empty("_area_models", "Contact area against tangential load, all models", models_.front());
     for (std::size_t k = 0; k < runs_.size(); ++k) figure.series.push_back(measured(k));
-    for (std::size_t m = 0; m < fits_.size(); ++m) {
-      const Look look = model_line(fits_[m]->model);
-      figure.key.emplace_back("model " + fits_[m]->model, look);
+    for (const ModelCurves& model : models_) {
+      const Look look = model_line(model.fit->model);
+      figure.key.emplace_back("model " + model.fit->model, look);
       for (std::size_t k = 0; k < runs_.size(); ++k) {
         Series line{"", look, color(k), {}};
-        for (const DrawnPoint& q : curves_[m][k].points) {
+        for (const DrawnPoint& q : model.areas[k].points) {
           if (!q.stable) break;
           line.points.emplace_back(q.T, q.A);
         }
@@ -127,40 +119,29 @@ class AreaFigures {
     return runs + shown_note(shown, all);
   }
 
-  /// The curves at both ends of the interval as one polygon for each load. False without both ends.
-  bool add_bands(Figure& figure, const FitResult& fit) const {
-    const auto low = at_interval_end(fit, false), high = at_interval_end(fit, true);
-    if (!low || !high) return false;
-    for (std::size_t k = 0; k < runs_.size(); ++k) {
+  Figure one_model(const ModelCurves& model) const {
+    const std::string& key = model.fit->model;
+    Figure figure = empty("_area_" + key, "Contact area against tangential load, model " + key, model);
+    const bool bands = !model.area_band.empty();
+    for (std::size_t k = 0; k < model.area_band.size(); ++k) {  // one polygon each
+      const auto& [low, high] = model.area_band[k];
       Series band{"", Look::band, color(k), {}};
-      const double load = data_.curve_loads[runs_[k]];
-      for (const DrawnPoint& q :
-           drawn_curve(reported_.result.data, reported_.result.request.options, *low, load, kWidest * T_data_).points)
-        band.points.emplace_back(q.T, q.A);
-      const DrawnCurve other =
-          drawn_curve(reported_.result.data, reported_.result.request.options, *high, load, kWidest * T_data_);
-      for (auto q = other.points.rbegin(); q != other.points.rend(); ++q) band.points.emplace_back(q->T, q->A);
+      for (const DrawnPoint& q : low.points) band.points.emplace_back(q.T, q.A);
+      for (auto q = high.points.rbegin(); q != high.points.rend(); ++q) band.points.emplace_back(q->T, q->A);
       figure.series.push_back(std::move(band));
     }
-    return true;
-  }
-
-  Figure one_model(std::size_t m) const {
-    const FitResult& fit = *fits_[m];
-    Figure figure = empty("_area_" + fit.model, "Contact area against tangential load, model " + fit.model, m);
-    const bool bands = add_bands(figure, fit);
     Series load{"", Look::triangles, "#000000", {}}, displacement{"", Look::diamonds, "#000000", {}};
     for (std::size_t k = 0; k < runs_.size(); ++k) {
       figure.series.push_back(measured(k));
       Series stable{"", Look::solid, color(k), {}}, unstable{"", Look::dashed, color(k), {}};
-      for (const DrawnPoint& q : curves_[m][k].points) {
+      for (const DrawnPoint& q : model.areas[k].points) {
         if (!q.stable && unstable.points.empty() && !stable.points.empty())
           unstable.points.push_back(stable.points.back());
         (q.stable ? stable : unstable).points.emplace_back(q.T, q.A);
       }
       figure.series.push_back(std::move(stable));
       figure.series.push_back(std::move(unstable));
-      for (const DrawnFold& fold : curves_[m][k].folds) add_fold(fold, k, load, displacement);
+      for (const DrawnFold& fold : model.areas[k].folds) add_fold(fold, k, load, displacement);
     }
     figure.key = {{"stable", Look::solid}, {"unstable", Look::dashed}};
     if (!load.points.empty()) figure.key.emplace_back("jump, load controlled", Look::triangles);
@@ -168,11 +149,11 @@ class AreaFigures {
     figure.series.push_back(std::move(load));
     figure.series.push_back(std::move(displacement));
     const bool strength = add_strength(figure);
-    figure.caption = "Equilibrium curves of model " + fit.model + " at its fitted parameters" +
+    figure.caption = "Equilibrium curves of model " + key + " at its fitted parameters" +
                      (bands ? ", bands for the ends of the interval" : "") +
                      "; open triangles and diamonds mark where the contact jumps under load and displacement control" +
                      (strength ? "; below the dotted line T > τ0 A, and the interface slides" : "") + "." +
-                     jumps_beyond(m) + unshown();
+                     jumps_beyond(model) + unshown();
     return figure;
   }
 
@@ -201,11 +182,9 @@ class AreaFigures {
   const ReportedData& reported_;
   const Dataset& data_;
   DrawnUnits units_;
-  std::vector<std::size_t> runs_;
+  const std::vector<std::size_t>& runs_;
   std::vector<std::vector<std::size_t>> points_;  // by run
-  std::vector<const FitResult*> fits_;
-  double T_data_;                                // dimensionless
-  std::vector<std::vector<DrawnCurve>> curves_;  // [fit][run]
+  const std::vector<ModelCurves>& models_;
 };
 
 }  // namespace

@@ -11,25 +11,9 @@
 namespace mixity {
 namespace {
 
-constexpr std::size_t kMostRuns = 8, kMostPoints = 2000;
-
-/// n of the items, spread evenly, the first and the last among them.
-std::vector<std::size_t> spread(const std::vector<std::size_t>& items, std::size_t n) {
-  if (items.size() <= n) return items;
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < n; ++i) chosen.push_back(items[i * (items.size() - 1) / (n - 1)]);
-  return chosen;
-}
+constexpr std::size_t kMostLogs = 8, kMostPoints = 2000;
 
 }  // namespace
-
-std::vector<std::size_t> shown_runs(const Dataset& data) {
-  std::vector<std::size_t> runs(data.curve_loads.size());
-  std::iota(runs.begin(), runs.end(), std::size_t{0});
-  std::stable_sort(runs.begin(), runs.end(),
-                   [&](std::size_t i, std::size_t j) { return data.curve_loads[i] > data.curve_loads[j]; });
-  return spread(runs, kMostRuns);
-}
 
 std::vector<std::size_t> shown_points(const std::vector<std::size_t>& points, std::size_t series) {
   return spread(points, std::max<std::size_t>(kMostPoints / series, 2));
@@ -44,7 +28,7 @@ std::vector<Figure> kept_log_figures(const ReportedData& reported, std::vector<M
   const auto& paths = reported.result.request.log_figures;
   std::vector<std::size_t> all(paths.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  for (const std::size_t i : spread(all, kMostRuns)) {
+  for (const std::size_t i : spread(all, kMostLogs)) {
     const std::filesystem::path path = paths[i];
     const auto leave_out = [&](const char* why) { left_out.push_back({"the log's " + path.filename().string(), why}); };
     std::error_code unread;

@@ -24,9 +24,6 @@ struct DataFigures {
 
 DataFigures data_figures(const ReportedData& data);
 
-/// Runs that a figure shows, by falling load: all, or eight spread over them.
-std::vector<std::size_t> shown_runs(const Dataset& data);
-
 /// Points that a figure shows of one of `series` series: all, or a share spread evenly, so that a figure has 2000
 /// points at most.
 std::vector<std::size_t> shown_points(const std::vector<std::size_t>& points, std::size_t series = 1);

@@ -1,6 +1,7 @@
 #include "report/figures/svg_text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -57,36 +58,35 @@ double character_width(char c) {
 }  // namespace
 
 SvgText& SvgText::operator<<(double value) {
-  long hundredths = std::lround(100 * value);
-  if (hundredths < 0) text += '-';
-  hundredths = std::abs(hundredths);
-  text += std::to_string(hundredths / 100);
-  if (hundredths % 100 == 0) return *this;
+  char digits[32];
+  const char* end = std::to_chars(digits, digits + sizeof digits, std::llround(100 * std::abs(value))).ptr;
+  const auto n = static_cast<std::size_t>(end - digits);
+  if (value < 0 && digits[0] != '0') text += '-';
+  if (n <= 2) {
+    text += n == 1 && digits[0] == '0' ? "0" : n == 1 ? "0.0" : "0.";
+    if (digits[0] != '0') text.append(digits, digits[n - 1] == '0' ? n - 1 : n);
+    return *this;
+  }
+  text.append(digits, n - 2);
+  if (digits[n - 1] == '0' && digits[n - 2] == '0') return *this;
   text += '.';
-  text += static_cast<char>('0' + hundredths / 10 % 10);
-  if (hundredths % 10 != 0) text += static_cast<char>('0' + hundredths % 10);
+  text.append(end - 2, digits[n - 1] == '0' ? 1 : 2);
   return *this;
 }
 
 std::string xml_escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  return out;
+  out.reserve(text.size());
+  std::size_t kept = 0;  // what is before is in `out`
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool control = static_cast<unsigned char>(c) < ' ';
+    if (!control && c != '&' && c != '<' && c != '>' && c != '"') continue;
+    out += text.substr(kept, i - kept);
+    out += control ? " " : c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : "&quot;";
+    kept = i + 1;
+  }
+  return out += text.substr(kept);
 }
 
 std::string label_markup(std::string_view label, double font) {

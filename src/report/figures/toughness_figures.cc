@@ -8,33 +8,14 @@
 #include "report/figures/data_figures.h"
 
 namespace mixity {
-namespace {
-
-/// Both ends of the interval as one polygon.
-std::optional<Series> band(const Dataset& data, const FitResult& fit, double last_psi, double most) {
-  const auto low = at_interval_end(fit, false), high = at_interval_end(fit, true);
-  if (!low || !high) return std::nullopt;
-  Series series{"", Look::band, model_color(fit.model), drawn_toughness(data, *low, last_psi, most)};
-  const auto back = drawn_toughness(data, *high, last_psi, most);
-  series.points.insert(series.points.end(), back.rbegin(), back.rend());
-  return series;
-}
-
-}  // namespace
-
 std::vector<Figure> toughness_figures(const ReportedData& reported) {
   const Analysis& result = reported.result;
   const Dataset& data = result.data;
+  const ToughnessRange& range = reported.figured.toughness;
   Series points{"data", Look::circles, color(7), {}};
   std::vector<std::size_t> all;
-  double last_psi = 0, largest = 1, smallest = 1;
   for (std::size_t i = 0; i < data.points.size(); ++i)
-    if (const auto toughness = data.toughness(i)) {
-      all.push_back(i);
-      last_psi = std::max(last_psi, toughness->psi());
-      largest = std::max(largest, toughness->ratio);
-      smallest = std::min(smallest, toughness->ratio);
-    }
+    if (data.toughness(i)) all.push_back(i);
   if (all.empty()) return {};
   bool errors = false;
   for (const std::size_t i : all) errors |= data.errors_of(i).ratio > 0;
@@ -42,28 +23,28 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
     const double psi = data.toughness(i)->psi(), ratio = data.toughness(i)->ratio, error = data.errors_of(i).ratio;
     points.points.emplace_back(psi, ratio);
     points.hover.push_back(point_hover(data, i));
-    if (errors) points.bars.push_back({psi, psi, std::max(ratio - error, 0.5 * smallest), ratio + error});
+    if (errors) points.bars.push_back({psi, psi, std::max(ratio - error, 0.5 * range.least), ratio + error});
   }
-  const bool logarithmic = largest > 20;
-  last_psi = std::min(1.05 * last_psi, 0.5 * pi<double>());
-  const double most = logarithmic ? 3 * largest : 1.15 * largest;
   Figure figure{reported.stem + "_toughness",
                 "Toughness ratio against phase angle",
-                {"ψ [rad]", 0.0, last_psi},
-                {"f = G_c/G_{Ic}", logarithmic ? 0.8 * smallest : std::max(0.0, 0.9 * smallest), most, logarithmic},
+                {"ψ [rad]", 0.0, range.last_psi},
+                {"f = G_c/G_{Ic}", range.logarithmic ? 0.8 * range.least : std::max(0.0, 0.9 * range.least), range.most,
+                 range.logarithmic},
                 {}};
   bool bands = false;
-  for (const FitResult* drawn : fits_with_values(result.fits)) {
-    const FitResult& fit = *drawn;
-    if (auto ends = band(data, fit, last_psi, most)) {
-      figure.series.insert(figure.series.begin(), std::move(*ends));
+  for (const ModelCurves& model : reported.figured.models) {
+    const std::string& key = model.fit->model;
+    if (model.toughness_band) {  // one polygon
+      Series band{"", Look::band, model_color(key), model.toughness_band->first};
+      const auto& back = model.toughness_band->second;
+      band.points.insert(band.points.end(), back.rbegin(), back.rend());
+      figure.series.insert(figure.series.begin(), std::move(band));
       bands = true;
     }
-    const FittedParameter* leading = leading_parameter(fit);
+    const FittedParameter* leading = leading_parameter(*model.fit);
     figure.series.push_back(
-        {"model " + fit.model +
-             (leading ? ", " + parameter_symbol(leading->name) + " = " + rounded(*leading->value, 4) : ""),
-         model_line(fit.model), model_color(fit.model), drawn_toughness(data, fit, last_psi, most)});
+        {"model " + key + (leading ? ", " + parameter_symbol(leading->name) + " = " + rounded(*leading->value, 4) : ""),
+         model_line(key), model_color(key), model.toughness});
   }
   figure.series.push_back(std::move(points));
   figure.key_place = KeyPlace::top_left;

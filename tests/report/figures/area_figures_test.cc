@@ -39,11 +39,15 @@ double fitted_lambda(const std::string& model) {
   throw std::runtime_error(model);
 }
 
+const ReportedData& reported() {
+  static const ReportedData data = reported_data(shipped("mergel2018"), "m");
+  return data;
+}
+
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> drawn = [] {
-    const ReportedData reported = reported_data(shipped("mergel2018"), "m");
-    std::vector<Figure> all = area_figures(reported);
-    for (Figure& figure : behaviour_figures(reported)) all.push_back(std::move(figure));
+    std::vector<Figure> all = area_figures(reported());
+    for (Figure& figure : behaviour_figures(reported())) all.push_back(std::move(figure));
     return all;
   }();
   return drawn;
@@ -75,7 +79,7 @@ TEST(AreaFigures, CurvesOfEveryModelAreInEquilibriumAtTheirLoad) {
     std::size_t checked = 0;
     double P = 0;
     for (const Series& series : figure.series) {
-      if (series.look == Look::circles) P = data.curve_loads[shown_runs(data)[checked++]];  // its curves follow
+      if (series.look == Look::circles) P = data.curve_loads[reported().figured.runs[checked++]];  // its curves follow
       if (series.look != Look::solid && series.look != Look::dashed) continue;
       for (const auto& [T, A] : series.points) {
         const double a3 = std::pow(A / kArea / kPi, 1.5);
@@ -99,7 +103,7 @@ TEST(AreaFigures, JumpsOfModelCAreAtThePublishedClosedForms) {
     if (series.look == Look::diamonds) displacement = &series;
   }
   ASSERT_TRUE(load && displacement);
-  const std::vector<std::size_t> runs = shown_runs(data);
+  const std::vector<std::size_t> runs = reported().figured.runs;
   ASSERT_EQ(load->points.size(), runs.size());
   ASSERT_EQ(displacement->points.size(), runs.size());
   for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -156,7 +160,7 @@ TEST(AreaFigures, OfAllModelsEndWhereTheContactJumps) {
   const Figure& figure = figure_named(figures(), "m_area_models");
   const Series& top = *std::find_if(figure.series.begin(), figure.series.end(),
                                     [](const Series& series) { return series.look == Look::solid; });
-  const double P = shipped("mergel2018").data.curve_loads[shown_runs(shipped("mergel2018").data)[0]];
+  const double P = shipped("mergel2018").data.curve_loads[reported().figured.runs[0]];
   const double T_fold = std::sqrt(3 * kPi * (3 * kPi + 2 * P) / fitted_lambda("c")) * kForce;
   EXPECT_LE(top.points.back().first, T_fold * (1 + 1e-12));
   EXPECT_GT(top.points.back().first, 0.99 * T_fold);  // the last point before the turn

@@ -87,9 +87,9 @@ TEST(DataFigures, EveryFigureSaysInWordsWhatItShows) {
 }
 
 TEST(DataFigures, OfManyRunsAndPointsShowAShareThatHoldsBothEnds) {
-  Dataset data;
-  for (int i = 0; i < 30; ++i) data.curve_loads.push_back(i);
-  const std::vector<std::size_t> runs = shown_runs(data);
+  Analysis result;
+  for (int i = 0; i < 30; ++i) result.data.curve_loads.push_back(i);
+  const std::vector<std::size_t> runs = figured_models(result).runs;
   EXPECT_EQ(runs.size(), 8u);
   EXPECT_EQ(runs.front(), 29u);
   EXPECT_EQ(runs.back(), 0u);

@@ -1,0 +1,113 @@
+#include "analysis/model_curves.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include "base/side_by_side.h"
+#include "fitting/predicted_area.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kMostRuns = 8;
+
+std::vector<std::size_t> shown_runs(const Dataset& data) {
+  std::vector<std::size_t> runs(data.curve_loads.size());
+  std::iota(runs.begin(), runs.end(), std::size_t{0});
+  std::stable_sort(runs.begin(), runs.end(),
+                   [&](std::size_t i, std::size_t j) { return data.curve_loads[i] > data.curve_loads[j]; });
+  return spread(runs, kMostRuns);
+}
+
+ToughnessRange toughness_range(const Dataset& data) {
+  ToughnessRange range;
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+    if (const auto toughness = data.toughness(i)) {
+      range.last_psi = std::max(range.last_psi, toughness->psi());
+      range.largest = std::max(range.largest, toughness->ratio);
+      range.least = std::min(range.least, toughness->ratio);
+    }
+  range.last_psi = std::min(1.05 * range.last_psi, 0.5 * pi<double>());
+  range.logarithmic = range.largest > 20;
+  range.most = (range.logarithmic ? 3 : 1.15) * range.largest;
+  return range;
+}
+
+ModelMap map_of(const Dataset& data, const ContactModel& model, const FittedParameter& lambda) {
+  ModelMap map;
+  const ParameterInfo& info = model.parameters()[0];
+  const auto [least, most] = std::minmax_element(data.curve_loads.begin(), data.curve_loads.end());
+  const double margin = 0.1 * (*most - *least) + 0.5;
+  map.frame.P_low = std::max(*least - margin, -1.5 * pi<double>() * 0.999);
+  map.frame.P_high = *most + margin;
+  map.frame.high = info.upper;
+  map.frame.logarithmic = *lambda.value > 0 && *lambda.value < 0.05 * info.upper;
+  map.frame.low = map.frame.logarithmic ? std::max(0.1 * *lambda.value, 1e-6) : info.lower;
+  const std::optional<double> tau0 = stated_strength(data);
+  const ParameterValues fitted{*lambda.value};
+  RegimeMap regimes(model, fitted, map.frame, tau0);
+  while (regimes.add_line()) continue;
+  map.regions = regimes.regions();
+  for (const double P : data.curve_loads) {
+    const auto report = model.regime(fitted, P, tau0);
+    map.runs.push_back(report ? std::optional(report->regime) : std::nullopt);
+  }
+  return map;
+}
+
+ModelCurves curves_of(const Analysis& result, const FiguredModels& figured, const FitResult& fit) {
+  const Dataset& data = result.data;
+  const FitOptions& options = result.request.options;
+  const auto toughness = [&](const FitResult& one) {
+    return drawn_toughness(data, one, figured.toughness.last_psi, figured.toughness.most);
+  };
+  ModelCurves curves{&fit, {}, {}, {}, toughness(fit)};
+  const auto low = at_interval_end(fit, false), high = at_interval_end(fit, true);
+  if (low && high) curves.toughness_band = {toughness(*low), toughness(*high)};
+  if (!data.has_loads || data.curve_loads.empty()) return curves;
+  for (const std::size_t run : figured.runs) {
+    const auto curve = [&](const FitResult& one) {
+      return drawn_curve(data, options, one, data.curve_loads[run], kWidestArea * figured.T_data);
+    };
+    curves.areas.push_back(curve(fit));
+    if (low && high) curves.area_band.emplace_back(curve(*low), curve(*high));
+  }
+  for (const double T : figured.shears)
+    if (T > 0) curves.radii.push_back(drawn_radii(data, options, fit, T, figured.P_most));
+  const ContactModel model = model_of(fit);
+  if (model.parameters().size() == 1) curves.map = map_of(data, model, fit.parameters.front());
+  return curves;
+}
+
+}  // namespace
+
+std::vector<std::size_t> spread(const std::vector<std::size_t>& items, std::size_t n) {
+  if (items.size() <= n) return items;
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < n; ++i) chosen.push_back(items[i * (items.size() - 1) / (n - 1)]);
+  return chosen;
+}
+
+FiguredModels figured_models(const Analysis& result) {
+  const Dataset& data = result.data;
+  FiguredModels figured;
+  figured.runs = shown_runs(data);
+  figured.toughness = toughness_range(data);
+  if (data.has_loads && !data.curve_loads.empty()) {
+    figured.T_data = largest_shear(data);
+    for (const double part : {0.25, 0.5, 0.75, 1.0}) figured.shears.push_back(part * figured.T_data);
+    const auto [least, most] = std::minmax_element(data.curve_loads.begin(), data.curve_loads.end());
+    figured.P_most = *most + 0.1 * (*most - *least) + 1;
+  }
+  const std::vector<const FitResult*> fits = fits_with_values(result.fits);
+  figured.models.resize(fits.size());
+  std::atomic<std::size_t> next = 0;
+  side_by_side(std::min(processors(), fits.size()), [&] {
+    for (std::size_t i = next++; i < fits.size(); i = next++) figured.models[i] = curves_of(result, figured, *fits[i]);
+  });
+  return figured;
+}
+
+}  // namespace mixity
