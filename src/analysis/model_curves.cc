@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/side_by_side.h"
+#include "base/threads.h"
 #include "fitting/predicted_area.h"
 
 namespace mixity {
@@ -104,7 +104,7 @@ FiguredModels figured_models(const Analysis& result) {
   const std::vector<const FitResult*> fits = fits_with_values(result.fits);
   figured.models.resize(fits.size());
   std::atomic<std::size_t> next = 0;
-  side_by_side(std::min(processors(), fits.size()), [&] {
+  run_on_threads(std::min(processors(), fits.size()), [&] {
     for (std::size_t i = next++; i < fits.size(); i = next++) figured.models[i] = curves_of(result, figured, *fits[i]);
   });
   return figured;

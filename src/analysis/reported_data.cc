@@ -5,7 +5,7 @@
 
 #include "analysis/judgement.h"
 #include "analysis/run.h"
-#include "base/side_by_side.h"
+#include "base/threads.h"
 #include "fitting/predicted_area.h"
 
 namespace mixity {
@@ -24,7 +24,7 @@ Analysis run_for_report(FitRequest request, const Progress& progress) {
     const std::vector<std::string>& models = request.models;
     result.per_curve.resize(models.size());
     std::atomic<std::size_t> next = 0, done = 0;
-    side_by_side(std::min(processors(), models.size()), [&] {
+    run_on_threads(std::min(processors(), models.size()), [&] {
       for (std::size_t i = next++; i < models.size(); i = next++) {
         result.per_curve[i] = fit_per_curve(result.data, models[i], request.options);
         const double share = static_cast<double>(++done) / static_cast<double>(models.size());
