@@ -58,7 +58,7 @@ double character_width(char c) {
 }  // namespace
 
 SvgText& SvgText::operator<<(double value) {
-  char digits[32];
+  char digits[32]{};
   const char* end = std::to_chars(digits, digits + sizeof digits, std::llround(100 * std::abs(value))).ptr;
   const auto n = static_cast<std::size_t>(end - digits);
   if (value < 0 && digits[0] != '0') text += '-';
