@@ -147,7 +147,7 @@ std::string map_of(const std::string& request, double milliseconds) {
     while (map->add_line())
       if (std::chrono::duration<double, std::milli>(Clock::now() - begin).count() >= milliseconds) return told;
     told["regions"] = Json::array();
-    for (const RegimeRegion& region : map->regions())
+    for (const RegimeRegion& region : map->regions(false))
       told["regions"].push_back({{"regime", region.regime ? regime_text(*region.regime) : "no unique equilibrium"},
                                  {"outline", region.outline}});
     map.reset();

@@ -185,7 +185,7 @@ bool RegimeMap::add_line() {
   return part.has_value();
 }
 
-std::vector<RegimeRegion> RegimeMap::regions() const {
+std::vector<RegimeRegion> RegimeMap::regions(bool slivers) const {
   std::vector<double> places;
   std::vector<Line> lines;
   for (const auto& [part, line] : lines_) {
@@ -193,12 +193,11 @@ std::vector<RegimeRegion> RegimeMap::regions() const {
     lines.push_back(line);
   }
   std::vector<RegimeRegion> regions = connected_regions(places, lines);
-  // what holds at one value alone, as at an end where nothing couples, has no area
-  std::erase_if(regions, [](const RegimeRegion& region) {
-    const auto ends = std::minmax_element(region.outline.begin(), region.outline.end(),
-                                          [](const auto& a, const auto& b) { return a.second < b.second; });
-    return ends.second->second - ends.first->second <= 2 * kFinest;
-  });
+  if (!slivers)
+    std::erase_if(regions, [](const RegimeRegion& region) {
+      const auto [first, last] = std::ranges::minmax_element(region.outline, {}, &std::pair<double, double>::second);
+      return last->second - first->second <= 2 * kFinest;
+    });
   for (RegimeRegion& region : regions)
     for (auto& [load, part] : region.outline) part = value_at(part);
   return regions;

@@ -51,8 +51,9 @@ class RegimeMap {
   /// Adds one line. False if none is missing.
   bool add_line();
 
-  /// Of the lines that there are, two or more. Outlines are (load, value of the parameter).
-  std::vector<RegimeRegion> regions() const;
+  /// Of the lines that there are, two or more. Outlines are (load, value of the parameter). `slivers`: with regions that
+  /// exist at one value of the parameter alone, as at lambda = 0, where the modes are not coupled.
+  std::vector<RegimeRegion> regions(bool slivers = true) const;
 
  private:
   using Line = std::vector<RegimeExtent>;
