@@ -60,6 +60,7 @@ ReportedData reported_data(const Analysis& result, const std::string& stem) {
   }
   if (!result.request.peaks_path.empty()) data.peaks = load_peak_forces(result.request.peaks_path);
   if (data.peaks) data.predicted_peaks = predict_peaks(result, *data.peaks);
+  data.answer = answer_of(result);
   return data;
 }
 

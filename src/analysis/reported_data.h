@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "analysis/answer.h"
 #include "analysis/model_curves.h"
 #include "analysis/predicted_peaks.h"
 #include "analysis/result.h"
@@ -23,7 +24,8 @@ struct ReportedData {
   std::optional<SahliResult> sahli{};             // null without loads
   std::string sahli_model{};                      // the model whose alpha is drawn there; empty: none
   std::optional<PeakForces> peaks{};              // null without a file of peaks
-  std::vector<PredictedPeaks> predicted_peaks{};                                                // if there are measured peaks
+  std::vector<PredictedPeaks> predicted_peaks{};  // if there are measured peaks
+  Answer answer{};
 };
 
 /// Throws InputError if the file of peak forces cannot be used.

@@ -7,7 +7,7 @@
 #include "cli/flags.h"
 #include "dataset/pooled.h"
 #include "fitting/unsheared.h"
-#include "report/check_text.h"
+#include "report/data_text.h"
 
 namespace mixity::cli {
 

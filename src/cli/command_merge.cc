@@ -4,7 +4,7 @@
 #include "base/files.h"
 #include "cli/commands.h"
 #include "cli/flags.h"
-#include "report/merge_json.h"
+#include "report/fit_json.h"
 
 namespace mixity::cli {
 

@@ -23,8 +23,8 @@
 #include "explorer/field_words.h"
 #include "mechanics/laws/known_laws.h"
 #include "mechanics/regime_map.h"
+#include "report/fit_csv.h"
 #include "report/fit_json.h"
-#include "report/used_csv.h"
 
 namespace mixity::explorer {
 namespace {

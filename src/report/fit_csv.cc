@@ -1,16 +1,60 @@
 #include "report/fit_csv.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <span>
+#include <tuple>
 
 #include "fitting/predicted_curves.h"
 #include "report/csv_table.h"
+#include "report/fit_fields.h"
 
 namespace mixity {
 namespace {
 
-constexpr std::size_t kCurvePoints = 101;
+/// Columns of fits.csv: HEADING=PATH of a field in row_of, or HEADING alone where the path is the same.
+constexpr std::string_view kColumns =
+    "dataset provenance model objective scale status parameter value=own/value stderr=own/stderr lower=own/lower "
+    "upper=own/upper at_bound=own/at_bound r2 rmse max_abs_residual area_r2=area/r2 area_rmse=area/rmse area_unit "
+    "area_unpredicted=area/unpredicted notice unit=own/unit low=own/interval/low high=own/interval/high "
+    "low_status=own/interval/low_status high_status=own/interval/high_status paper_value paper_status=paper/status "
+    "paper_r2=paper/r2 prior_mean=own/prior/mean prior_standard_error=own/prior/standard_error variance_share pull "
+    "log_evidence=posterior/log_evidence posterior_mean=posterior/mean "
+    "posterior_standard_deviation=posterior/standard_deviation credible_low=posterior/low "
+    "credible_high=posterior/high";
+
+/// The fields of the fit (`row`), those of the parameter as "own", and those of the data set and the error budget.
+Json row_of(const Dataset& data, const FitResult& fit, const FittedParameter& parameter, Json row) {
+  std::optional<double> share, pull;
+  if (fit.budget && fit.budget->parameter == parameter.name) share = fit.budget->scatter;
+  for (const BudgetPart& part : fit.budget ? fit.budget->parts : std::vector<BudgetPart>{})
+    if (part.constant == parameter.name) std::tie(share, pull) = std::tuple(part.share, part.pull);
+  row.update({{"dataset", data.name},
+              {"provenance", to_string(data.metadata.provenance)},
+              {"notice", json_of(notice_on(data))},
+              {"area_unit", data.display.area},
+              {"parameter", parameter.name},
+              {"own", row["parameters"][parameter.name]},
+              {"posterior", fit.evidence && fit.evidence->parameter == parameter.name ? row["evidence"] : Json()},
+              {"paper_value", json_of(fit.paper ? fit.paper->value_of(parameter.name) : std::nullopt)},
+              {"variance_share", json_of(share)},
+              {"pull", json_of(pull)}});
+  return row;
+}
+
+/// The value at a path such as "own/interval/low"; null where a part of the path is null.
+const Json& at_path(const Json& row, std::string_view path) {
+  const std::size_t end = std::min(path.find('/'), path.size());
+  const Json& part = row.at(std::string(path.substr(0, end)));
+  return part.is_null() || end == path.size() ? part : at_path(part, path.substr(end + 1));
+}
+
+std::string cell(const Json& value) {
+  if (value.is_null()) return {};
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
+  return value.is_number_float() ? shortest(value.get<double>()) : value.dump();
+}
 
 struct ResidualRow {
   const Dataset* data;
@@ -28,14 +72,11 @@ struct CurveRow {
   double psi, f;
 };
 
-/// Columns of a table of one data set have its units in their headings and are those that it has. Tables of several,
-/// where `alone` is null, have its name and its units in columns of their own.
+/// A table of one data set has the columns that the data set has, with units in the headings. A table of several, where
+/// `alone` is null, has all columns, and others for the data set's name and units.
 template <class Row>
 struct Table {
-  const Dataset* alone;
-  CsvTable<Row> column{};
-
-  void begin() {
+  explicit Table(const Dataset* the_only_one) : alone(the_only_one) {
     if (!alone) column("dataset", [](auto& row) { return row.data->name; });
     column("provenance", [](auto& row) { return row.data->metadata.provenance; });
     column("model", [](auto& row) { return row.fit->model; });
@@ -44,15 +85,18 @@ struct Table {
   void of_loads(const std::string& name, std::string DisplayUnits::*unit, Get get) {
     if (!alone || alone->has_loads) column.quantity(name, alone ? alone->display.*unit : "", get);
   }
-  void end() {
+  /// The last columns.
+  void units() {
     if (alone) return;
     column("force_unit", [](auto& row) { return row.data->display.force; });
     column("area_unit", [](auto& row) { return row.data->display.area; });
   }
+
+  const Dataset* alone;
+  CsvTable<Row> column{};
 };
 
-Table<ResidualRow> residual_columns(const Dataset* alone) {
-  Table<ResidualRow> table{alone};
+std::string residuals(const Dataset* alone, std::span<const Analysis> results) {
   const auto toughness = [](auto get) {
     return [=](const ResidualRow& row) {
       const auto found = row.data->toughness(row.fit->used[row.index]);
@@ -64,7 +108,7 @@ Table<ResidualRow> residual_columns(const Dataset* alone) {
       return row.data->has_loads ? std::optional(row.point().*member * row.data->display.*scale) : std::nullopt;
     };
   };
-  table.begin();
+  Table<ResidualRow> table(alone);
   table.column("line", [](auto& row) { return row.data->line_in_file(row.point().line); });
   table.column("curve", [](auto& row) { return row.data->curves[row.point().curve]; });
   table.column("psi [rad]", toughness([](auto& found) { return found.psi(); }));
@@ -77,13 +121,29 @@ Table<ResidualRow> residual_columns(const Dataset* alone) {
     const auto predicted = row.fit->area ? row.fit->area->areas[row.index] : std::nullopt;
     return predicted ? std::optional(*predicted * row.data->display.area_scale) : std::nullopt;
   });
-  table.end();
-  return table;
+  table.units();
+  for (const Analysis& result : results)
+    for (const FitResult& fit : result.fits)
+      for (std::size_t i = 0; i < fit.residuals.size(); ++i) table.column.add({&result.data, &fit, i});
+  return table.column.text();
 }
 
-Table<CurveRow> curve_columns(const Dataset* alone) {
-  Table<CurveRow> table{alone};
-  table.begin();
+void add_curves(CsvTable<CurveRow>& table, const Analysis& result, const FitResult& fit) {
+  constexpr std::size_t kPoints = 101;
+  const Dataset& data = result.data;
+  const DisplayUnits& units = data.display;
+  if (!data.has_loads)
+    for (const auto& [psi, f] :
+         drawn_toughness(data, fit, 0.5 * pi<double>(), std::numeric_limits<double>::max(), kPoints - 1))
+      table.add({&data, &fit, 0, {}, {}, {}, psi, f});
+  for (std::size_t curve = 0; data.has_loads && curve < data.curves.size(); ++curve)
+    for (const StableState& state : stable_states(data, result.request.options, fit, curve, kPoints))
+      table.add({&data, &fit, curve, data.curve_loads[curve] * units.force_scale, state.T * units.force_scale,
+                 state.A * units.area_scale, state.psi, state.f});
+}
+
+std::string predicted_curves(const Dataset* alone, std::span<const Analysis> results) {
+  Table<CurveRow> table(alone);
   if (!alone || alone->has_loads)
     table.column("curve", [](auto& row) { return row.P ? row.data->curves[row.curve] : std::string(); });
   table.of_loads("P", &DisplayUnits::force, &CurveRow::P);
@@ -91,61 +151,58 @@ Table<CurveRow> curve_columns(const Dataset* alone) {
   table.of_loads("A", &DisplayUnits::area, &CurveRow::A);
   table.column("psi [rad]", &CurveRow::psi);
   table.column("f", &CurveRow::f);
-  table.end();
-  return table;
-}
-
-void add_residuals(CsvTable<ResidualRow>& table, const Analysis& result) {
-  for (const FitResult& fit : result.fits)
-    for (std::size_t i = 0; i < fit.residuals.size(); ++i) table.add({&result.data, &fit, i});
-}
-
-/// Stable A(T) from T = 0 to the instability, or to a fifth beyond the largest measured T, dense towards the fold.
-void add_area_curve(CsvTable<CurveRow>& table, const Analysis& result, const FitResult& fit, std::size_t curve) {
-  const Dataset& data = result.data;
-  const DisplayUnits& units = data.display;
-  for (const StableState& state : stable_states(data, result.request.options, fit, curve, kCurvePoints))
-    table.add({&data, &fit, curve, data.curve_loads[curve] * units.force_scale, state.T * units.force_scale,
-               state.A * units.area_scale, state.psi, state.f});
-}
-
-void add_curves(CsvTable<CurveRow>& table, const Analysis& result) {
-  for (const FitResult& fit : result.fits) {
-    if (!has_all_values(fit)) continue;
-    if (!result.data.has_loads) {
-      for (const auto& [psi, f] :
-           drawn_toughness(result.data, fit, 0.5 * pi<double>(), std::numeric_limits<double>::max(), kCurvePoints - 1))
-        table.add({&result.data, &fit, 0, {}, {}, {}, psi, f});
-      continue;
-    }
-    for (std::size_t curve = 0; curve < result.data.curves.size(); ++curve) add_area_curve(table, result, fit, curve);
-  }
+  table.units();
+  for (const Analysis& result : results)
+    for (const FitResult& fit : result.fits)
+      if (has_all_values(fit)) add_curves(table.column, result, fit);
+  return table.column.text();
 }
 
 }  // namespace
 
-std::string residuals_csv(const Analysis& result) {
-  auto table = residual_columns(&result.data);
-  add_residuals(table.column, result);
-  return table.column.text();
+std::string fits_csv(const std::vector<Analysis>& results) {
+  CsvTable<Json> column;
+  for (const std::string_view one : split(kColumns, ' ')) {
+    const std::string_view path = one.substr(one.find('=') + 1);  // all of it where there is no =
+    column(std::string(one.substr(0, one.find('='))), [path](const Json& row) { return cell(at_path(row, path)); });
+  }
+  for (const Analysis& result : results)
+    for (const FitResult& fit : result.fits) {
+      const Json shown = json_of(fit, {&result});
+      for (const FittedParameter& parameter : fit.parameters) column.add(row_of(result.data, fit, parameter, shown));
+    }
+  return column.text();
 }
 
-std::string curves_csv(const Analysis& result) {
-  auto table = curve_columns(&result.data);
-  add_curves(table.column, result);
-  return table.column.text();
-}
+std::string residuals_csv(const Analysis& result) { return residuals(&result.data, {&result, 1}); }
+std::string curves_csv(const Analysis& result) { return predicted_curves(&result.data, {&result, 1}); }
+std::string residuals_table(const std::vector<Analysis>& results) { return residuals(nullptr, results); }
+std::string curves_table(const std::vector<Analysis>& results) { return predicted_curves(nullptr, results); }
 
-std::string residuals_table(const std::vector<Analysis>& results) {
-  auto table = residual_columns(nullptr);
-  for (const Analysis& result : results) add_residuals(table.column, result);
-  return table.column.text();
-}
-
-std::string curves_table(const std::vector<Analysis>& results) {
-  auto table = curve_columns(nullptr);
-  for (const Analysis& result : results) add_curves(table.column, result);
-  return table.column.text();
+std::string used_csv(const Dataset& data) {
+  const DisplayUnits& units = data.display;
+  CsvTable<std::size_t> column;
+  const auto measured = [&](const char* name, const std::string& unit, double Point::*value, double scale) {
+    column.quantity(name, unit, [&data, value, scale](std::size_t i) { return data.points[i].*value * scale; });
+  };
+  const auto stated = [&](const char* name, const std::string& unit, double PointErrors::*value, double scale) {
+    const auto is_stated = [&](const PointErrors& errors) { return errors.*value != kNotStated; };
+    if (!data.errors.empty() && std::all_of(data.errors.begin(), data.errors.end(), is_stated))
+      column.quantity(name, unit, [&data, value, scale](std::size_t i) { return data.errors[i].*value * scale; });
+  };
+  if (data.has_loads) {
+    column("curve", [&](std::size_t i) { return "run " + std::to_string(data.points[i].curve + 1); });
+    measured("P", units.force, &Point::P, units.force_scale);
+    measured("T", units.force, &Point::T, units.force_scale);
+    measured("A", units.area, &Point::A, units.area_scale);
+    stated("sigma_T", units.force, &PointErrors::T, units.force_scale);
+    stated("sigma_A", units.area, &PointErrors::A, units.area_scale);
+  } else {
+    column("psi [rad]", [&](std::size_t i) { return data.converted[i].psi(); });
+    column("Gc_over_GIc", [&](std::size_t i) { return data.converted[i].ratio; });
+  }
+  for (std::size_t i = 0; i < data.points.size(); ++i) column.add(i);
+  return column.text();
 }
 
 }  // namespace mixity

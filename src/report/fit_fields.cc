@@ -1,10 +1,6 @@
 #include "report/fit_fields.h"
 
-#include <tuple>
-
 #include "analysis/judgement.h"
-#include "report/csv_table.h"
-#include "report/fit_statistics_fields.h"
 
 namespace mixity {
 namespace {
@@ -165,69 +161,6 @@ void describe(Fields<FitResult>& field) {
     for (Agreement& one : compare(fit, in.result->request)) named.emplace_back(one.published.name, std::move(one));
     return named;
   });
-}
-
-namespace {
-
-/// Columns of fits.csv: HEADING=PATH, or HEADING where the path is the same, of a field of what row_of gathers.
-constexpr std::string_view kColumns =
-    "dataset provenance model objective scale status parameter value=own/value stderr=own/stderr lower=own/lower "
-    "upper=own/upper at_bound=own/at_bound r2 rmse max_abs_residual area_r2=area/r2 area_rmse=area/rmse area_unit "
-    "area_unpredicted=area/unpredicted notice unit=own/unit low=own/interval/low high=own/interval/high "
-    "low_status=own/interval/low_status high_status=own/interval/high_status paper_value paper_status=paper/status "
-    "paper_r2=paper/r2 prior_mean=own/prior/mean prior_standard_error=own/prior/standard_error variance_share pull "
-    "log_evidence=posterior/log_evidence posterior_mean=posterior/mean "
-    "posterior_standard_deviation=posterior/standard_deviation credible_low=posterior/low "
-    "credible_high=posterior/high ";
-
-/// The fields of the fit, those of the parameter as "own", and what else is said of it.
-Json row_of(const Dataset& data, const FitResult& fit, const FittedParameter& parameter, Json row) {
-  std::optional<double> share, pull;
-  if (fit.budget && fit.budget->parameter == parameter.name) share = fit.budget->scatter;
-  for (const BudgetPart& part : fit.budget ? fit.budget->parts : std::vector<BudgetPart>{})
-    if (part.constant == parameter.name) std::tie(share, pull) = std::tuple(part.share, part.pull);
-  row.update({{"dataset", data.name},
-              {"provenance", to_string(data.metadata.provenance)},
-              {"notice", json_of(notice_on(data))},
-              {"area_unit", data.display.area},
-              {"parameter", parameter.name},
-              {"own", row["parameters"][parameter.name]},
-              {"posterior", fit.evidence && fit.evidence->parameter == parameter.name ? row["evidence"] : Json()},
-              {"paper_value", json_of(fit.paper ? fit.paper->value_of(parameter.name) : std::nullopt)},
-              {"variance_share", json_of(share)},
-              {"pull", json_of(pull)}});
-  return row;
-}
-
-/// What stands at "own/interval/low", for instance; null where a part of the path is null.
-const Json& at_path(const Json& row, std::string_view path) {
-  const std::size_t end = std::min(path.find('/'), path.size());
-  const Json& part = row.at(std::string(path.substr(0, end)));
-  return part.is_null() || end == path.size() ? part : at_path(part, path.substr(end + 1));
-}
-
-std::string cell(const Json& value) {
-  if (value.is_null()) return {};
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
-  return value.is_number_float() ? shortest(value.get<double>()) : value.dump();
-}
-
-}  // namespace
-
-std::string fits_csv(const std::vector<Analysis>& results) {
-  CsvTable<Json> column;
-  for (std::size_t at = 0, end; (end = kColumns.find(' ', at)) != kColumns.npos; at = end + 1) {
-    const std::string_view one = kColumns.substr(at, end - at);
-    const std::string_view path = one.substr(one.find('=') + 1);  // all of it where there is no =
-    column(std::string(one.substr(0, one.find('='))), [path](const Json& row) { return cell(at_path(row, path)); });
-  }
-  for (const Analysis& result : results)
-    for (const FitResult& fit : result.fits) {
-      const Json shown = json_of(fit, {&result});
-      for (const FittedParameter& parameter : fit.parameters) column.add(row_of(result.data, fit, parameter, shown));
-    }
-  return column.text();
 }
 
 }  // namespace mixity

@@ -1,4 +1,4 @@
-// The fields of a fit, which stand in JSON and in fits.csv.
+// The fields of a data set, its fits and their statistics, from which JSON, schemas and fits.csv are made.
 #pragma once
 
 #include <string>
@@ -9,22 +9,33 @@
 
 namespace mixity {
 
+void describe(Fields<Analysis>& field);
 void describe(Fields<FitResult>& field);
 void describe(Fields<ShownInterval>& field);
+void describe(Fields<Influence>& field);
+void describe(Fields<ShownEvidence>& field);
+void describe(Fields<Budget>& field);
+void describe(Fields<Consistency>& field);
 
-/// What every output shows beside reconstructed data; null for others.
+struct Correlation {
+  std::vector<std::string> parameters;  // two
+  double value;
+};
+void describe(Fields<Correlation>& field);
+/// Of each pair of free parameters.
+std::vector<Correlation> correlations(const FitResult& fit);
+
+/// The notice on reconstructed data, which every output shows; null for others.
 std::optional<std::string_view> notice_on(const Dataset& data);
 
-/// A point that is left out: of `data`, in which a line is counted through all files; null for another file.
+/// An excluded point with its line in its own file.
 struct ExcludedLine {
   std::size_t line;
   std::string_view reason;
-  IfAny<std::string> file;
+  IfAny<std::string> file;  // if the data set has several files
 };
-std::vector<ExcludedLine> lines_of(const std::vector<Excluded>& excluded, const Dataset* data);
 void describe(Fields<ExcludedLine>& field);
-
-/// A row for each data set, model and parameter.
-std::string fits_csv(const std::vector<Analysis>& results);
+/// `data`: the data set of the points; null for points of another file.
+std::vector<ExcludedLine> lines_of(const std::vector<Excluded>& excluded, const Dataset* data);
 
 }  // namespace mixity

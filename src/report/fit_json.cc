@@ -4,34 +4,11 @@
 #include "analysis/settings.h"
 #include "fitting/consistency.h"
 #include "mechanics/laws/known_laws.h"
+#include "report/data_text.h"
 #include "report/fit_fields.h"
 
 namespace mixity {
 namespace {
-
-struct StatedConstant {
-  const char* constant;
-  double value, standard_error;
-  const char* unit;
-};
-
-std::vector<StatedConstant> stated_constants(const Metadata& metadata) {
-  std::vector<StatedConstant> list;
-  const auto add = [&](const char* name, const std::optional<double>& value, const char* unit) {
-    if (value) list.push_back({name, *value, metadata.standard_error(name), unit});
-  };
-  add("radius", metadata.radius, "m");
-  if (const auto modulus = metadata.plane_strain_modulus())
-    list.push_back({"modulus", *modulus, metadata.modulus_error() * *modulus, "Pa"});
-  add("toughness", metadata.toughness, "J/m^2");
-  add("toughness_II", metadata.toughness_II, "J/m^2");
-  add("shear_strength", metadata.shear_strength, "Pa");
-  add("area_scale", metadata.area_scale, "");
-  add("load_offset", metadata.load_offset, "N");
-  add("shear_offset", metadata.shear_offset, "N");
-  add("area_offset", metadata.area_offset, "m^2");
-  return list;
-}
 
 /// A parameter of a run's own fit.
 struct RunParameter {
@@ -54,7 +31,7 @@ auto shown_load(const double& P, const Within& in) { return P * in.result->data.
 }  // namespace
 
 void describe(Fields<StatedConstant>& field) {
-  field("constant", "name of the constant", &StatedConstant::constant);
+  field("constant", "name of the constant", &StatedConstant::name);
   field("value", "in SI units", &StatedConstant::value);
   field("standard_error", "0 if the constant is taken as exact", &StatedConstant::standard_error);
   field("unit", "SI unit; empty if dimensionless", &StatedConstant::unit);

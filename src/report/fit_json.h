@@ -1,4 +1,4 @@
-// Fits as JSON, schema mixity-fit-1. docs/fits.schema.json says what each field means.
+// Fits as JSON, schema mixity-fit-1. docs/fits.schema.json describes each field.
 #pragma once
 
 #include <map>
@@ -14,24 +14,26 @@ namespace mixity {
 struct Shard {
   std::string part;                            // "2/10"; empty: the whole
   std::vector<std::string> files{};            // the whole list, as it was given
-  std::map<std::string, std::string> flags{};  // by name, those that were given and decide what is found
+  std::map<std::string, std::string> flags{};  // that were given and affect the results, by name
 };
 
 /// {schema, version, datasets: [...]}, indented, with a final newline.
 std::string to_json(const std::vector<Analysis>& results, const Shard& shard = {});
 
-/// The schema of what to_json writes.
+/// The schemas of to_json and of a report's results.json.
 Json fits_schema();
+Json report_schema();
 
-/// All that was found about one data set.
-void describe(Fields<Analysis>& field);
+/// One document of the files with the parts of a campaign, the data sets in the order of its list of files (part i of n
+/// has every n-th one from the i-th on). Throws InputError for a file with another schema, version, list of files or
+/// flags, and for parts that are missing or there twice.
+std::string merge_json(const std::vector<std::string>& paths);
 
-/// Names and paths may hold bytes that are not UTF-8; they are replaced.
+/// Indented, with a final newline. Bytes of names and paths that are not UTF-8 are replaced.
 std::string json_text(const Json& document);
 
-/// What a request states beside its data, as the fields of a page hold it: {"constants": {name: text}, "options":
-/// {name: text}, "models": [key], "laws": {key: text of the law as it is typed}}. Options without those that take long:
-/// a page fits at once.
+/// A request as the fields of a page: {"constants": {name: text}, "options": {name: text}, "models": [key], "laws":
+/// {key: text of the law as it is typed}}. Options without those that take long, as a page fits at once.
 Json request_fields(const FitRequest& request, const Overrides& constants);
 
 }  // namespace mixity

@@ -1,6 +1,4 @@
-#include "report/fit_statistics_fields.h"
-
-#include "analysis/result.h"
+#include "report/fit_fields.h"
 
 namespace mixity {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/fit_statistics_text.h"
+#include "report/fit_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,21 +9,27 @@
 #include "analysis/judgement.h"
 #include "analysis/readable.h"
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "base/text.h"
+#include "fitting/predicted_curves.h"
+#include "report/fit_fields.h"
 
 namespace mixity {
 
 std::string shown_r2(const std::optional<double>& r2) { return r2 ? r2_text(*r2) : "undefined (the data do not vary)"; }
 
+std::string ends_text(const ShownInterval& interval, double width, const char* open, const char* bound) {
+  const auto end = [&](const std::optional<double>& value, EndStatus status) {
+    return !value ? std::string(open) : resolved(*value, width) + (status == EndStatus::at_bound ? bound : "");
+  };
+  return end(interval.low, interval.low_status) + " .. " + end(interval.high, interval.high_status);
+}
+
 std::string interval_text(const FittedParameter& parameter) {
   if (!parameter.interval) return {};
   const ShownInterval& interval = *parameter.interval;
   const double width = interval.low && interval.high ? *interval.high - *interval.low : 0;
-  const auto end = [&](const std::optional<double>& value, EndStatus status) {
-    return !value ? std::string("?") : resolved(*value, width) + (status == EndStatus::at_bound ? " (bound)" : "");
-  };
-  return "   " + rounded(100 * interval.confidence, 4) + "% " + end(interval.low, interval.low_status) + " .. " +
-         end(interval.high, interval.high_status);
+  return "   " + rounded(100 * interval.confidence, 4) + "% " + ends_text(interval, width, "?", " (bound)");
 }
 
 std::string origin_of_scatter(const StandardErrors& errors) {
@@ -34,23 +40,19 @@ std::string origin_of_scatter(const StandardErrors& errors) {
 
 std::vector<std::string> raised_errors(const StandardErrors& errors) {
   std::vector<std::string> texts;
-  const auto tell = [&](std::size_t raised, const char* quantity) {
+  for (const auto& [raised, quantity] : {std::pair(errors.raised_T, "T"), std::pair(errors.raised_A, "A")})
     if (raised > 0)
       texts.push_back(rounded(100 * kLeastError, 2) + "% of the largest " + quantity + " stands for " +
-                      std::to_string(raised) + " error" + (raised == 1 ? "" : "s") + " of 0");
-  };
-  tell(errors.raised_T, "T");
-  tell(errors.raised_A, "A");
+                      counted(raised, "error") + " of 0");
   return texts;
 }
 
 std::string paper_text(const FitResult& fit) {
   if (!fit.paper) return {};
-  std::string text = "    the paper's fit (ln(Gc/GIc) against psi, unweighted):", separator = " ";
-  for (const FittedParameter& parameter : fit.paper->parameters) {
-    text += separator + parameter.name + (parameter.value ? " = " + rounded(*parameter.value, 5) : " not determined");
-    separator = ", ";
-  }
+  std::vector<std::string> parameters;
+  for (const FittedParameter& one : fit.paper->parameters)
+    parameters.push_back(one.name + (one.value ? " = " + rounded(*one.value, 5) : " not determined"));
+  std::string text = "    the paper's fit (ln(Gc/GIc) against psi, unweighted):" + joined(parameters, ", ", " ");
   if (fit.paper->status != FitStatus::ok) text += " (" + in_words(fit.paper->status) + ")";
   if (fit.paper->status == FitStatus::not_identifiable) return text + "\n";
   return text + ", R^2 = " + shown_r2(fit.paper->r2) + ", " + std::to_string(fit.paper->points) + " points\n";
@@ -88,15 +90,10 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
   }
   if (fit.loss_scale > 0)
     out << "    robust loss, bends at " << rounded(fit.loss_scale, 4) << " of the residuals' unit\n";
-  std::vector<std::string> names;
-  for (const FittedParameter& parameter : fit.parameters)
-    if (!parameter.held) names.push_back(parameter.name);
-  if (fit.correlations.size() == names.size() * names.size())
-    for (std::size_t i = 0; i < names.size(); ++i)
-      for (std::size_t j = i + 1; j < names.size(); ++j)
-        if (const double c = fit.correlations[i * names.size() + j]; std::abs(c) > 0.5)
-          out << "    correlation of " << names[i] << " and " << names[j] << ": " << rounded(c, 3)
-              << (std::abs(c) > 0.99 ? ": they act alike on these data; hold one of them\n" : "\n");
+  for (const auto& [names, c] : correlations(fit))
+    if (std::abs(c) > 0.5)
+      out << "    correlation of " << names[0] << " and " << names[1] << ": " << rounded(c, 3)
+          << (std::abs(c) > 0.99 ? ": they act alike on these data; hold one of them\n" : "\n");
   return out.str();
 }
 
@@ -107,13 +104,14 @@ std::string resampling_text(const FitResult& fit, const Dataset& data) {
         << (!fit.bootstrap->of_runs ? " resampled point sets" : " resampled sets of runs");
     if (fit.bootstrap->failed > 0) out << " (" << fit.bootstrap->failed << " without a minimum, left out)";
     out << (fit.bootstrap->parameters.empty() ? ": too few of them fit\n" : "\n");
-    for (const FittedParameter& fitted : fit.parameters)
-      if (const FittedParameter parameter = readable(fitted); parameter.bootstrap)
-        out << "        " << parameter.name << ": "
-            << resolved(parameter.bootstrap->low, parameter.bootstrap->high - parameter.bootstrap->low) << " .. "
-            << resolved(parameter.bootstrap->high, parameter.bootstrap->high - parameter.bootstrap->low)
-            << ", standard deviation " << rounded(parameter.bootstrap->standard_deviation, 2) << ", bias "
-            << rounded(parameter.bootstrap->bias, 2) << '\n';
+    for (const FittedParameter& fitted : fit.parameters) {
+      const FittedParameter parameter = readable(fitted);
+      if (!parameter.bootstrap) continue;
+      const Bootstrapped& found = *parameter.bootstrap;
+      out << "        " << parameter.name << ": " << resolved(found.low, found.high - found.low) << " .. "
+          << resolved(found.high, found.high - found.low) << ", standard deviation "
+          << rounded(found.standard_deviation, 2) << ", bias " << rounded(found.bias, 2) << '\n';
+    }
   }
   if (!fit.influence || fit.influence->points.empty()) return out.str();
   std::vector<std::size_t> order(fit.influence->points.size());
@@ -123,9 +121,8 @@ std::string resampling_text(const FitResult& fit, const Dataset& data) {
                     [&](std::size_t i, std::size_t j) {
                       return fit.influence->points[i].cooks_distance > fit.influence->points[j].cooks_distance;
                     });
-  std::string name;
-  for (const FittedParameter& parameter : fit.parameters)
-    if (!parameter.held && name.empty()) name = parameter.name;
+  const FittedParameter* const leading = leading_parameter(fit);
+  const std::string name = leading ? leading->name : "";
   const auto change = [&](const std::vector<double>& values) {
     return values.empty() ? std::string("no fit without it")
                           : name + (values[0] < 0 ? " " : " +") + rounded(values[0], 2);
@@ -136,12 +133,10 @@ std::string resampling_text(const FitResult& fit, const Dataset& data) {
     out << "        " << data.line_text(data.points[fit.used[order[i]]].line) << ": "
         << rounded(point.cooks_distance, 2) << ", " << change(point.change) << '\n';
   }
-  if (fit.influence->runs.size() > 1) {
-    out << "    change if a run is left out:";
-    for (std::size_t i = 0; i < fit.influence->runs.size(); ++i)
-      out << (i ? ", " : " ") << fit.run_names[i] << ' ' << change(fit.influence->runs[i]);
-    out << '\n';
-  }
+  std::vector<std::string> runs;
+  for (std::size_t i = 0; i < fit.influence->runs.size(); ++i)
+    runs.push_back(fit.run_names[i] + ' ' + change(fit.influence->runs[i]));
+  if (runs.size() > 1) out << joined(runs, ", ", "    change if a run is left out: ") << '\n';
   return out.str();
 }
 

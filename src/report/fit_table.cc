@@ -5,7 +5,8 @@
 #include "analysis/judgement.h"
 #include "analysis/readable.h"
 #include "base/number_text.h"
-#include "report/fit_statistics_text.h"
+#include "base/phrases.h"
+#include "report/fit_text.h"
 
 namespace mixity {
 namespace {
@@ -17,20 +18,12 @@ std::string parameter_text(const FittedParameter& fitted) {
   const auto& interval = parameter.interval;
   const double width = interval && interval->low && interval->high ? *interval->high - *interval->low
                                                                    : 4 * parameter.stderr_.value_or(0);
-  if (parameter.stderr_) {
-    const RoundedToError shown = rounded_to_error(*parameter.value, *parameter.stderr_);
-    text += shown.value + " ± " + shown.error;
-  } else {
-    text += resolved(*parameter.value, width);
-  }
-  if (interval) {
-    const auto end = [&](const std::optional<double>& value, EndStatus status) {
-      return !value ? std::string("open") : resolved(*value, width) + (status == EndStatus::at_bound ? " bound" : "");
-    };
-    text += " (" + end(interval->low, interval->low_status) + " .. " + end(interval->high, interval->high_status) + ")";
-  } else if (parameter.held) {
+  text += parameter.stderr_ ? with_error(*parameter.value, *parameter.stderr_, " ± ")
+                            : resolved(*parameter.value, width);
+  if (interval)
+    text += " (" + ends_text(*interval, width, "open", " bound") + ")";
+  else if (parameter.held)
     text += " (held)";
-  }
   return text + unit_text(parameter.unit);
 }
 
@@ -119,36 +112,17 @@ FitTable fit_table(const Analysis& result) {
 
 std::string table_text(const Analysis& result) {
   FitTable table = fit_table(result);
-  for (auto& row : table.rows) row[0].lines.resize(1);  // the key without the name
-  // characters, not bytes
-  const auto width_of = [](const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-  };
-  std::vector<std::size_t> widths;
-  for (const std::string& heading : table.short_headings) widths.push_back(width_of(heading));
-  for (const auto& row : table.rows)
+  std::vector<std::vector<std::string>> lines{table.short_headings};
+  for (auto& row : table.rows) {
+    row[0].lines.resize(1);  // the key without the name
+    const std::size_t first = lines.size();
     for (std::size_t k = 0; k < row.size(); ++k)
-      for (const std::string& line : row[k].lines) widths[k] = std::max(widths[k], width_of(line));
-  std::string text;
-  const auto add = [&](std::size_t k, const std::string& cell) {
-    text += cell + (k + 1 < widths.size() ? std::string(widths[k] - width_of(cell) + 2, ' ') : "");
-  };
-  const auto end_line = [&] {
-    text.erase(text.find_last_not_of(' ') + 1);
-    text += '\n';
-  };
-  for (std::size_t k = 0; k < widths.size(); ++k) add(k, table.short_headings[k]);
-  end_line();
-  for (const auto& row : table.rows) {
-    std::size_t lines = 1;
-    for (const FitTable::Cell& cell : row) lines = std::max(lines, cell.lines.size());
-    for (std::size_t line = 0; line < lines; ++line) {
-      for (std::size_t k = 0; k < row.size(); ++k)
-        add(k, line < row[k].lines.size() ? row[k].lines[line] : std::string());
-      end_line();
-    }
+      for (std::size_t i = 0; i < row[k].lines.size(); ++i) {
+        if (first + i == lines.size()) lines.emplace_back(row.size());
+        lines[first + i][k] = row[k].lines[i];
+      }
   }
-  return text;
+  return aligned(lines);
 }
 
 std::string with_powers(std::string text) {
@@ -159,32 +133,33 @@ std::string with_powers(std::string text) {
 
 std::vector<std::string> findings(const Analysis& result) {
   std::vector<std::string> sentences;
-  std::vector<const ComparedModel*> by_error, by_weight;
+  std::vector<ComparedModel> by_error, by_weight;
   for (const ComparedModel& entry : result.comparison) {
-    if (entry.left_out) by_error.push_back(&entry);
-    if (entry.weight) by_weight.push_back(&entry);
+    if (entry.left_out) by_error.push_back(entry);
+    if (entry.weight) by_weight.push_back(entry);
   }
-  std::stable_sort(by_error.begin(), by_error.end(), [](const ComparedModel* one, const ComparedModel* other) {
-    return one->left_out->rmse_area < other->left_out->rmse_area;
+  std::stable_sort(by_error.begin(), by_error.end(), [](const ComparedModel& one, const ComparedModel& other) {
+    return one.left_out->rmse_area < other.left_out->rmse_area;
   });
   std::stable_sort(by_weight.begin(), by_weight.end(),
-                   [](const ComparedModel* one, const ComparedModel* other) { return *one->weight > *other->weight; });
+                   [](const ComparedModel& one, const ComparedModel& other) { return *one.weight > *other.weight; });
   const std::string no_winner = no_best_model(result);
   if (!no_winner.empty()) sentences.push_back("Here " + no_winner + ".");
-  if (no_winner.empty() && by_error.size() > 1 && by_error[0]->left_out->rmse_area > 0) {
-    std::string text = "Model " + by_error[0]->model +
-                       " predicts the areas at loads left out of the fit best (RMS error " +
-                       rounded(by_error[0]->left_out->rmse_area, 3) + unit_text(result.data.display.area) + ")";
+  if (no_winner.empty() && by_error.size() > 1 && by_error[0].left_out->rmse_area > 0) {
+    const double least = by_error[0].left_out->rmse_area;
+    std::vector<std::string> others;
     for (std::size_t i = 1; i < by_error.size(); ++i)
-      text += std::string(i == 1 ? "; " : ", ") + by_error[i]->model + " errs " +
-              rounded(by_error[i]->left_out->rmse_area / by_error[0]->left_out->rmse_area, 2) + " times as much";
-    sentences.push_back(text + ".");
+      others.push_back(by_error[i].model + " errs " + rounded(by_error[i].left_out->rmse_area / least, 2) +
+                       " times as much");
+    sentences.push_back("Model " + by_error[0].model +
+                        " predicts the areas at loads left out of the fit best (RMS error " + rounded(least, 3) +
+                        unit_text(result.data.display.area) + ")" + joined(others, ", ", "; ") + ".");
   }
   if (no_winner.empty() && by_weight.size() > 1) {
-    const double weight = *by_weight[0]->weight;
-    sentences.push_back(weight > 0.95 ? "AICc prefers model " + by_weight[0]->model + " (weight " +
+    const double weight = *by_weight[0].weight;
+    sentences.push_back(weight > 0.95 ? "AICc prefers model " + by_weight[0].model + " (weight " +
                                             (weight > 0.9999 ? "> 0.9999" : rounded(weight, 3)) + ")."
-                                      : "AICc does not decide between the models (weight of " + by_weight[0]->model +
+                                      : "AICc does not decide between the models (weight of " + by_weight[0].model +
                                             " " + rounded(weight, 2) + ").");
   }
   for (const FitResult& fit : result.fits)
@@ -233,8 +208,7 @@ std::vector<std::string> assumptions(const Analysis& result) {
   if (with_paper != result.fits.end())
     list.emplace_back(
         "The paper's fit, every point with the same weight, stands beside it: Gc/GIc and psi are computed from the "
-        "same area, so that its "
-        "R² is close to 1 for almost any model.");
+        "same area, so that its R² is close to 1 for almost any model.");
   const auto with_errors = std::find_if(result.fits.begin(), result.fits.end(), [](const auto& f) { return f.errors; });
   if (with_errors != result.fits.end()) {
     const StandardErrors& errors = *with_errors->errors;
@@ -254,14 +228,12 @@ std::vector<std::pair<std::string, std::string>> fit_settings(const Analysis& re
   std::vector<std::pair<std::string, std::string>> settings{{"objective", std::string(to_string(objective))}};
   if (objective == Objective::toughness) settings.emplace_back("scale", to_string(scale_of(options)));
   settings.emplace_back("weighted", options.weighted || objective != Objective::toughness ? "yes" : "no");
-  std::string names;
-  for (const HeldParameter& held : options.hold)
-    names += (names.empty() ? "" : ", ") + held.name + (held.value ? " = " + shortest(*held.value) : "");
-  if (!names.empty()) settings.emplace_back("held", names);
-  names.clear();
-  for (const Constant constant : options.free)
-    names += (names.empty() ? "" : ", ") + std::string(kConstantNames[constant]);
-  if (!names.empty()) settings.emplace_back("freed constants", names);
+  std::vector<std::string> held, freed;
+  for (const HeldParameter& one : options.hold)
+    held.push_back(one.name + (one.value ? " = " + shortest(*one.value) : ""));
+  if (!held.empty()) settings.emplace_back("held", joined(held));
+  for (const Constant constant : options.free) freed.emplace_back(kConstantNames[constant]);
+  if (!freed.empty()) settings.emplace_back("freed constants", joined(freed));
   if (options.loss != Loss::none) settings.emplace_back("loss", to_string(options.loss));
   settings.emplace_back(
       "intervals", options.intervals ? "profile likelihood, " + rounded(100 * options.confidence, 4) + " %" : "none");

@@ -7,10 +7,8 @@
 #include "analysis/judgement.h"
 #include "analysis/readable.h"
 #include "base/number_text.h"
-#include "report/budget_text.h"
-#include "report/constants_text.h"
-#include "report/excluded_text.h"
-#include "report/fit_statistics_text.h"
+#include "base/phrases.h"
+#include "report/data_text.h"
 
 namespace mixity {
 namespace {
@@ -24,38 +22,31 @@ std::string capitals(std::string_view text) {
 }
 
 void write_data(std::ostringstream& out, const Dataset& data, Wording words) {
-  out << "[[Data]]\n    " << data.name << "  (" << data.shown_path()
-      << ")\n    # provenance   = " << to_string(data.metadata.provenance) << "\n    # data rows    = " << data.rows
-      << ", used " << data.points.size() << ", excluded " << data.excluded.size();
-  if (data.has_loads) out << ", in " << data.curves.size() << " loading run" << (data.curves.size() == 1 ? "" : "s");
+  out << data_heading(data) << "\n    # provenance   = " << to_string(data.metadata.provenance)
+      << "\n    # data rows    = " << data.rows << ", used " << data.points.size() << ", excluded "
+      << data.excluded.size();
+  if (data.has_loads) out << ", in " << counted(data.curves.size(), "loading run");
   out << '\n';
   if (!data.metadata.source.empty()) out << "    # source       = " << data.metadata.source << '\n';
-  std::string constants;
-  for (const auto& [name, value] : stated_constants_text(data))
-    constants += (constants.empty() ? "" : ", ") + name + " " + value;
-  if (!constants.empty()) out << "    # constants    = " << constants << '\n';
-  if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
-  for (const Message& note : data.notes) out << "    NOTE: " << note.text(words) << '\n';
-  write_excluded(out, data, all_of_them(words));
+  std::vector<std::string> constants;
+  for (const auto& [label, value] : shown_constants(data)) constants.push_back(label + " " + value);
+  if (!constants.empty()) out << "    # constants    = " << joined(constants) << '\n';
+  out << data_notes(data, words) << excluded_text(data, all_of_them(words));
 }
 
 void write_parameter(std::ostringstream& out, const FittedParameter& parameter, const std::optional<Budget>& budget) {
   out << "    " << parameter.name << ":" << std::string(parameter.name.size() < 8 ? 8 - parameter.name.size() : 1, ' ');
   if (!parameter.value) {
     out << "not determined";
+  } else if (const double value = *parameter.value; parameter.stderr_) {
+    out << with_error(value, *parameter.stderr_);
+    if (*parameter.stderr_ < std::abs(value))
+      out << " (" << rounded(100 * *parameter.stderr_ / std::abs(value), 2) << "%)";
   } else {
-    if (parameter.stderr_) {
-      const RoundedToError shown = rounded_to_error(*parameter.value, *parameter.stderr_);
-      out << shown.value << " +/- " << shown.error;
-      if (*parameter.stderr_ < std::abs(*parameter.value))
-        out << " (" << rounded(100 * *parameter.stderr_ / std::abs(*parameter.value), 2) << "%)";
-    } else {
-      out << rounded(*parameter.value, 7);
-      if (parameter.held)
-        out << " (held)";
-      else
-        out << " (no standard error" << (parameter.at_bound ? ": at its bound" : "") << ')';
-    }
+    out << rounded(value, 7)
+        << (parameter.held       ? " (held)"
+            : parameter.at_bound ? " (no standard error: at its bound)"
+                                 : " (no standard error)");
   }
   if (!parameter.unit.empty() && parameter.value) out << ' ' << parameter.unit;
   out << interval_text(parameter);
@@ -76,34 +67,34 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& 
   if (!fit.message.empty()) out << ": " << fit.message.text(request.words);
   out << '\n';
   for (const FittedParameter& parameter : fit.parameters) write_parameter(out, readable(parameter), fit.budget);
-  const bool alone = fit.outdone_by.empty();  // else what its errors are made of is of no interest
-  const auto lines = [&](const std::vector<std::string>& list) {
-    for (const std::string& line : list) out << "    " << line << '\n';
+  const bool kept = fit.outdone_by.empty();  // the error budget of a rejected model is of no interest
+  const auto write_lines = [&](const std::vector<std::string>& list) {
+    for (const std::string& line : list)
+      if (kept && !line.empty()) out << "    " << line << '\n';
   };
-  if (const std::string line = posterior_line(fit); alone && !line.empty()) lines({line});
-  if (alone) lines(budget_lines(fit));
+  write_lines({posterior_line(fit)});
+  write_lines(budget_lines(fit));
   out << paper_text(fit);
   if (fit.rmse)
     out << "    R^2 = " << shown_r2(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
         << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size() << " points\n";
-  if (alone) lines(consistency_lines(fit, data));
+  write_lines(consistency_lines(fit, data));
   out << errors_text(fit, data, request.words) << resampling_text(fit, data);
   if (fit.area) {
     out << "    ";
     if (fit.area->predicted > 0)
       out << "R^2 = " << shown_r2(fit.area->r2) << " in predicted A(T), RMS " << rounded(fit.area->rmse, 3)
-          << (data.display.area.empty() ? "" : " ") << data.display.area << ", largest residual "
+          << unit_text(data.display.area) << ", largest residual "
           << rounded(fit.area->max_abs_residual, 3);
     else
       out << "no predicted A(T)";
     if (!fit.area->obstacle.empty())
       out << ": " << fit.area->obstacle;
     else if (fit.area->unpredicted > 0)
-      out << "; " << fit.area->unpredicted << " point" << (fit.area->unpredicted == 1 ? "" : "s")
-          << " beyond the last equilibrium";
+      out << "; " << counted(fit.area->unpredicted, "point") << " beyond the last equilibrium";
     out << '\n';
   }
-  write_first(out, data, fit.excluded, "without ", all_of_them(request.words));
+  out << first_excluded(data, fit.excluded, "without ", all_of_them(request.words));
   for (const Agreement& agreement : compare(fit, request))
     out << "    published " << agreement.published.name << " = " << shortest(agreement.published.value) << " +- "
         << shortest(agreement.published.tolerance) << ": " << (agreement.agrees ? "agrees" : "*** DOES NOT AGREE ***")

@@ -1,12 +1,50 @@
-// Fits as text for a terminal, in the manner of lmfit's fit_report.
+// Fits as text: for a terminal in the manner of lmfit's fit_report, and as lines that page and summary have, too.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "analysis/result.h"
 
 namespace mixity {
 
 std::string to_text(const Analysis& result);
+
+// ---- Parts of a fit (fit_statistics_text.cc); empty where the fit has none. ----
+
+/// "0.00228 .. 0.00233", rounded to `width`. `open` stands for an end that is missing, `bound` follows one at a bound.
+std::string ends_text(const ShownInterval& interval, double width, const char* open, const char* bound);
+/// "   95% 0.00228 .. 0.00233", rounded to the interval's own width.
+std::string interval_text(const FittedParameter& parameter);
+/// "0.9999", or why there is none.
+std::string shown_r2(const std::optional<double>& r2);
+/// A line on the paper's fit of the same data.
+std::string paper_text(const FitResult& fit);
+/// Bootstrap intervals and what moves the fit most: a few lines.
+std::string resampling_text(const FitResult& fit, const Dataset& data);
+/// The source of relative errors that are not stated: "estimated from ...".
+std::string origin_of_scatter(const StandardErrors& errors);
+/// The standard errors in place of those of 0: a clause for T and one for A.
+std::vector<std::string> raised_errors(const StandardErrors& errors);
+/// The source of the standard errors, correlations and the loss: a line each.
+std::string errors_text(const FitResult& fit, const Dataset& data, Wording words);
+std::string comparison_text(const Analysis& result);
+std::string per_curve_text(const Analysis& result);
+
+// ---- Error budget and consistency (budget_text.cc): lines without a line end; empty where nothing was tested. ----
+
+/// The parts of the parameter's variance, how far uncertain constants moved, and the effect of constants that were
+/// taken as exact.
+std::vector<std::string> budget_lines(const FitResult& fit);
+/// Of a constant with a prior: "stated 2.13 +/- 0.10, moved by -0.05 of that error".
+std::string prior_text(const FittedParameter& parameter, const std::optional<Budget>& budget);
+/// Posterior, credible interval and evidence.
+std::string posterior_line(const FitResult& fit);
+/// The tests of the residuals, the constants that the data ask to be free, and the points beyond the last equilibrium.
+std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& data);
+/// All of these, after the reason why the fit is suspect.
+std::vector<std::string> budget_and_consistency(const FitResult& fit, const Analysis& result);
+/// The areas without shear against JKR, in one sentence.
+std::string unsheared_sentence(const UnshearedTest& test);
 
 }  // namespace mixity

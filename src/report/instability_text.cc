@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "base/text.h"
 
 namespace mixity {
@@ -15,24 +16,12 @@ using Row = std::vector<std::string>;
 std::string number_text(const Derived& number, double scale) {
   if (!number.value) return "-";
   if (!number.standard_error || *number.standard_error == 0) return rounded(*number.value * scale, 8);
-  const RoundedToError shown = rounded_to_error(*number.value * scale, *number.standard_error * scale);
-  return shown.value + " +/- " + shown.error;
+  return with_error(*number.value * scale, *number.standard_error * scale);
 }
 
-/// The same columns for all loads.
-std::string table_text(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths;
-  for (const Row& row : rows) {
-    widths.resize(row.size());
-    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size() + 2);
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    text += "    ";
-    for (std::size_t k = 0; k < row.size(); ++k) text += k + 1 < row.size() ? padded(row[k], widths[k]) : row[k];
-    text += '\n';
-  }
-  return text;
+bool slides_first(const InstabilityReport& report, const InstabilityReport::AtLoad& at) {
+  return std::any_of(at.predicted.folds.begin(), at.predicted.folds.end(),
+                     [&](const FoldPrediction& fold) { return report.slides_before(fold); });
 }
 
 std::string control_text(const Control& control, const InstabilityUnits& units) {
@@ -80,8 +69,7 @@ std::string to_text(const InstabilityReport& report) {
     if (predicted.folds.empty())
       without += "    " + load + " = " + rounded(one.load, 6) + ": " +
                  (predicted.problem.empty() ? "none" : predicted.problem) + '\n';
-    if (std::any_of(predicted.folds.begin(), predicted.folds.end(),
-                    [&](const FoldPrediction& fold) { return report.slides_before(fold); }))
+    if (slides_first(report, one))
       without += "    " + load + " = " + rounded(one.load, 6) +
                  ": the interface slides first, as T = tau0 A is met before with the stated shear strength\n";
     for (const FoldPrediction& fold : predicted.folds)
@@ -91,7 +79,7 @@ std::string to_text(const InstabilityReport& report) {
                       std::string(to_string(fold.jumps_to)),
                       rounded((*fold.A.value - fold.area_after) * units.area_scale, 8)});
   }
-  return text + (rows.size() > 1 ? table_text(rows) : "") + without;
+  return text + (rows.size() > 1 ? aligned(rows, "    ") : "") + without;
 }
 
 std::string to_json(const InstabilityReport& report) {
@@ -115,9 +103,7 @@ std::string to_json(const InstabilityReport& report) {
     Json entry = {{"load", one.load}, {"folds", folds_json(one.predicted, units, fitted)}};
     if (!one.predicted.problem.empty()) entry["problem"] = one.predicted.problem;
     loads.push_back(entry);
-    if (std::any_of(one.predicted.folds.begin(), one.predicted.folds.end(),
-                    [&](const FoldPrediction& fold) { return report.slides_before(fold); }))
-      sliding.push_back(one.load);
+    if (slides_first(report, one)) sliding.push_back(one.load);
   }
   if (report.shear_strength) document["slides_first"] = sliding;
   if (fitted)

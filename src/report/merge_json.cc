@@ -1,6 +1,3 @@
-#include "base/files.h"
-#include "report/merge_json.h"
-
 #include <algorithm>
 #include <cstdio>
 

@@ -1,10 +1,10 @@
-// A report: one page, the figures by themselves, and tables, in a folder.
+// A report: a page, its figures and its tables in a folder.
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "analysis/answer.h"
 #include "analysis/reported_data.h"
 #include "report/figures/data_figures.h"
 #include "report/figures/drawn_figures.h"
@@ -14,14 +14,13 @@ namespace mixity {
 struct ReportSettings {
   std::string command;  // that makes this report again
   Progress progress{};
-  std::string explorer{};  // path of the explorer's page, to be written beside with the data; empty: none
+  std::string explorer{};  // path of the explorer's page, of which the report gets a copy with its data; empty: none
 };
 
 /// One data set with its figures.
 struct ReportEntry {
   const ReportedData* data;
   DataFigures figures;
-  Answer answer{};
 };
 
 struct ReportContent {
@@ -29,6 +28,22 @@ struct ReportContent {
   std::vector<ReportEntry> entries;
   DrawnFigures drawn{};  // all figures
 };
+
+// ---- The documents of a report ----
+
+/// report.html: HTML5 that needs no other file, well-formed as XML below its first line. The same input gives the same
+/// bytes.
+std::string report_page(const ReportContent& content);
+/// explorer.html. `shell`: the explorer as tools/explorer makes it. Each data set is embedded as its file and its TOML,
+/// byte for byte; one of several files as its points. Empty if the shell has no place for them.
+std::string explorer_page(std::string shell, const ReportContent& content);
+/// results.json, schema mixity-report-1. docs/results.schema.json describes each field.
+std::string report_json(const ReportContent& content);
+/// summary.md: the tables, for a lab book.
+std::string summary_markdown(const ReportContent& content);
+
+/// Name and version of this program and of the libraries on which numbers depend.
+std::vector<std::pair<std::string, std::string>> versions();
 
 struct WrittenReport {
   std::string page;     // path of the HTML file

@@ -1,9 +1,7 @@
-#include "report/report_json.h"
-
 #include "report/fit_fields.h"
 #include "report/fit_json.h"
 #include "report/fit_table.h"
-#include "report/versions.h"
+#include "report/report.h"
 
 namespace mixity {
 namespace {
@@ -131,8 +129,10 @@ void describe(Fields<MissingFigure>& field) {
 void describe(Fields<ListedEntry>& field) {
   const auto result = [](const ListedEntry& listed) -> const Analysis& { return listed.entry->data->result; };
   field.all_of(result);
-  field("answer", "the result in short; null if no fit has a value",
-        [](auto& listed) { return listed.entry->answer.fit ? std::optional(listed.entry->answer) : std::nullopt; });
+  field("answer", "the result in short; null if no fit has a value", [](const ListedEntry& listed) {
+    const Answer& answer = listed.entry->data->answer;
+    return answer.fit ? std::optional(answer) : std::nullopt;
+  });
   field("settings", "how the fits were made, by name", [=](auto& listed) { return fit_settings(result(listed)); });
   field("findings", "what the fits show, in sentences", [=](auto& listed) { return findings(result(listed)); });
   field("assumptions", "what was assumed, in sentences", [=](auto& listed) { return assumptions(result(listed)); });

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "base/text.h"
 #include "base/toml_file.h"
 #include "report/csv_table.h"
@@ -55,13 +56,13 @@ std::string runs_csv(const ReducedLog& log) {
 std::string runs_toml(const ReducedLog& log) {
   std::ostringstream out;
   for (const auto& [name, text] : constants_as_stated(log.metadata)) out << name << " = " << toml_text(text) << '\n';
-  // what the zeros that were taken off are known to
-  if (!log.metadata.load_offset && log.runs.zero_P_error > 0)
-    out << "load_offset = \"0 +/- " << rounded(log.runs.zero_P_error / log.force_factor, 2) << ' ' << log.force_unit
-        << "\"\n";
-  if (!log.metadata.shear_offset && log.runs.zero_T_error > 0)
-    out << "shear_offset = \"0 +/- " << rounded(log.runs.zero_T_error / log.force_factor, 2) << ' ' << log.force_unit
-        << "\"\n";
+  // offsets of 0 with the standard errors of the zeros that were subtracted
+  const auto write_offset = [&](const char* name, bool stated, double error) {
+    if (!stated && error > 0)
+      out << name << " = \"0 +/- " << rounded(error / log.force_factor, 2) << ' ' << log.force_unit << "\"\n";
+  };
+  write_offset("load_offset", log.metadata.load_offset.has_value(), log.runs.zero_P_error);
+  write_offset("shear_offset", log.metadata.shear_offset.has_value(), log.runs.zero_T_error);
   if (log.metadata.provenance != Provenance::unstated)
     out << "provenance = \"" << to_string(log.metadata.provenance) << "\"\n";
   const std::string made = "runs of " + log.forces.path + ", made by mixity runs";
@@ -75,7 +76,9 @@ std::string peaks_csv(const ReducedLog& log) {
     const LoadingRun& run;
     std::size_t k;  // of its cycles
     const Cycle& cycle() const { return run.cycles[k]; }
-    std::optional<double> if_minimum(double value) const { return cycle().T_min ? std::optional(value) : std::nullopt; }
+  };
+  const auto if_minimum = [&](const Row& row, double value) {
+    return row.cycle().T_min ? std::optional(value / log.force_factor) : std::nullopt;
   };
   const std::string& force = log.force_unit;
   CsvTable<Row> column;
@@ -84,11 +87,9 @@ std::string peaks_csv(const ReducedLog& log) {
   column("cycle", [](auto& row) { return row.k + 1; });
   column("time [s]", [](auto& row) { return reading(row.cycle().time); });
   column.quantity("T_peak", force, kDigits, [&](auto& row) { return row.cycle().T_peak / log.force_factor; });
-  column.quantity("T_min", force, kDigits,
-                  [&](auto& row) { return row.if_minimum(row.cycle().T_min.value_or(0) / log.force_factor); });
+  column.quantity("T_min", force, kDigits, [&](auto& row) { return if_minimum(row, row.cycle().T_min.value_or(0)); });
   column.quantity("sigma_T_peak", force, 3, [&](auto& row) { return row.cycle().error_peak / log.force_factor; });
-  column.quantity("sigma_T_min", force, 3,
-                  [&](auto& row) { return row.if_minimum(row.cycle().error_min / log.force_factor); });
+  column.quantity("sigma_T_min", force, 3, [&](auto& row) { return if_minimum(row, row.cycle().error_min); });
   for (const LoadingRun& run : log.runs.runs)
     for (std::size_t k = 0; k < run.cycles.size(); ++k) column.add({run, k});
   return column.text();
@@ -114,18 +115,18 @@ std::string cuts_toml(const ReducedLog& log, Wording words) {
       << words(Remedy::fill_in("cuts", "THIS FILE")) << "; leave_out = true drops a run.\n";
   if (log.areas_path != log.forces.path)
     out << "# Times are those of the clock of " << printable(log.areas_path, std::string::npos) << ".\n";
-  for (const LoadingRun& run : log.runs.runs) {
-    out << "\n[[cuts]]\nrun = " << toml_text(run.name) << "\nshear = \"" << time_text(run.shear.time, interval)
-        << " s\"";
-    if (!run.shear.stated) out << "  # " << cut_text(run.shear, interval);
+  const auto write_cut = [&](const char* name, const CutTime& cut) {
+    out << name << " = \"" << time_text(cut.time, interval) << " s\"";
+    if (!cut.stated) out << "  # " << cut_text(cut, interval);
     out << '\n';
-    if (run.onset) {
-      out << "onset = \"" << time_text(run.onset->time, interval) << " s\"";
-      if (!run.onset->stated) out << "  # " << cut_text(*run.onset, interval);
-      out << '\n';
-    } else {
+  };
+  for (const LoadingRun& run : log.runs.runs) {
+    out << "\n[[cuts]]\nrun = " << toml_text(run.name) << '\n';
+    write_cut("shear", run.shear);
+    if (run.onset)
+      write_cut("onset", *run.onset);
+    else
       out << "# onset: none was seen; the run goes on to its largest T\n";
-    }
   }
   return out.str();
 }
@@ -140,9 +141,7 @@ std::string runs_text(const ReducedLog& log, Wording words) {
   out << "[[Log]]\n    " << printable(log.forces.path, std::string::npos);
   if (log.areas_path != log.forces.path) out << " and " << printable(log.areas_path, std::string::npos);
   out << "\n    read as: " << log.forces.reading << '\n';
-  std::string taken;
-  for (const std::string& one : log.forces.taken) taken += (taken.empty() ? "" : ", ") + one;
-  if (!taken.empty()) out << "    columns: " << taken << '\n';
+  if (!log.forces.taken.empty()) out << joined(log.forces.taken, ", ", "    columns: ") << '\n';
   out << "    " << frames.time.size() << " frames, " << rounded(1 / frames.interval, 3) << " a second, "
       << rounded(frames.samples, 3) << " samples of the force in each; lag of the clocks " << rounded(frames.lag, 4)
       << " s (" << frames.lag_source << ")\n";
@@ -154,13 +153,13 @@ std::string runs_text(const ReducedLog& log, Wording words) {
         << " out of contact; taken off\n";
   else
     out << "    too little is read out of contact to tell the zero of P: it is taken as it stands\n";
-  if (found.drift_removed)
-    out << "    the zero of T drifts by " << force(found.drift_T, 2)
-        << " a second from run to run; taken off within runs, too (" << words(Remedy::set("drift", "false"))
-        << " leaves it)\n";
-  if (found.drifts)
+  if (found.drift_removed || found.drifts) {
+    const std::string other = words(Remedy::set("drift", found.drift_removed ? "false" : "true"));
     out << "    the zero of T drifts by " << force(found.drift_T, 2) << " a second from run to run; "
-        << words(Remedy::set("drift", "true")) << " takes that off within runs, too\n";
+        << (found.drift_removed ? "taken off within runs, too (" + other + " leaves it)"
+                                : other + " takes that off within runs, too")
+        << '\n';
+  }
   if (log.load_turned) out << "    P is negative in compression there and was turned round (P -> -P)\n";
   out << "[[Loading runs]]";
   if (log.areas_path != log.forces.path)
@@ -177,8 +176,8 @@ std::string runs_text(const ReducedLog& log, Wording words) {
                       : std::string("no onset of sliding seen, kept to the largest T"))
         << '\n';
     if (!run.cycles.empty())
-      out << "        " << run.cycles.size() << (run.cycles.size() == 1 ? " fall" : " falls")
-          << " of T, the first from " << force(run.cycles.front().T_peak, 4)
+      out << "        " << counted(run.cycles.size(), "fall") << " of T, the first from "
+          << force(run.cycles.front().T_peak, 4)
           << (run.cycles.front().T_min ? " to " + force(*run.cycles.front().T_min, 4) : std::string()) << '\n';
   }
   std::map<std::string_view, std::size_t> left;

@@ -5,7 +5,7 @@
 
 #include "base/number_text.h"
 #include "report/csv_table.h"
-#include "report/excluded_text.h"
+#include "report/data_text.h"
 
 namespace mixity {
 namespace {
@@ -16,15 +16,13 @@ std::string alpha_unit(const DisplayUnits& units) {
   return units.area.empty() ? "" : units.area + "/" + units.force + "^2";
 }
 
-std::string with_error(double value, const std::optional<double>& error, double scale) {
-  return rounded(value * scale, 5) + (error ? " +/- " + rounded(*error * scale, 2) : "");
+std::string with_error_if_any(double value, const std::optional<double>& error, double scale, int digits) {
+  return rounded(value * scale, digits) + (error ? " +/- " + rounded(*error * scale, 2) : "");
 }
 
-void write_power_law(std::ostringstream& out, std::string_view what, const std::optional<PowerLaw>& law) {
-  if (!law) return;
-  out << "    " << std::left << std::setw(11) << what << "alpha ~ A0^(" << rounded(law->exponent, 4);
-  if (law->exponent_stderr) out << " +/- " << rounded(*law->exponent_stderr, 2);
-  out << ")\n";
+std::string power_law_text(const char* title, const std::optional<PowerLaw>& law) {
+  if (!law) return {};
+  return title + with_error_if_any(law->exponent, law->exponent_stderr, 1, 4) + ")\n";
 }
 
 }  // namespace
@@ -32,24 +30,21 @@ void write_power_law(std::ostringstream& out, std::string_view what, const std::
 std::string sahli_text(const Dataset& data, const SahliResult& result, const std::string& predicted_by, Wording words) {
   const DisplayUnits& units = data.display;
   std::ostringstream out;
-  out << "[[Data]]\n    " << data.name << "  (" << data.shown_path() << ")\n";
-  if (data.metadata.provenance == Provenance::reconstructed) out << "    NOTE: " << kReconstructedNotice << '\n';
-  for (const Message& note : data.notes) out << "    NOTE: " << note.text(words) << '\n';
-  write_excluded(out, data, "mixity check lists them");
+  out << data_heading(data) << '\n' << data_notes(data, words) << excluded_text(data, "mixity check lists them");
   out << "[[A = A0 - alpha T^2]]  " << bracketed("P", units.force) << ", " << bracketed("A0", units.area) << ", "
       << bracketed("alpha", alpha_unit(units)) << '\n'
       << "    run             P         points  A0                      alpha                     predicted\n";
   for (const SahliRun& run : result.runs)
     out << "    " << std::left << std::setw(15) << run.curve << ' ' << std::setw(9)
         << rounded(run.P * units.force_scale, 5) << ' ' << std::setw(7) << run.points << ' ' << std::setw(23)
-        << with_error(run.A0, run.A0_stderr, units.area_scale) << ' ' << std::setw(25)
-        << with_error(run.alpha, run.alpha_stderr, alpha_scale(units)) << ' '
+        << with_error_if_any(run.A0, run.A0_stderr, units.area_scale, 5) << ' ' << std::setw(25)
+        << with_error_if_any(run.alpha, run.alpha_stderr, alpha_scale(units), 5) << ' '
         << (run.alpha_predicted ? rounded(*run.alpha_predicted * alpha_scale(units), 5) : "-") << '\n';
   for (const std::string& name : result.skipped) out << "    " << name << ": all T used are equal, no parabola\n";
-  out << "[[Power law]]\n";
-  write_power_law(out, "measured", result.power_law);
-  write_power_law(out, "predicted", result.predicted_power_law);
-  out << "    large A0   alpha ~ A0^(-5/4) in every model\n";
+  out << "[[Power law]]\n"
+      << power_law_text("    measured   alpha ~ A0^(", result.power_law)
+      << power_law_text("    predicted  alpha ~ A0^(", result.predicted_power_law)
+      << "    large A0   alpha ~ A0^(-5/4) in every model\n";
   if (!predicted_by.empty()) out << "    predicted by " << predicted_by << '\n';
   return out.str();
 }

@@ -1,7 +1,6 @@
-#include "report/versions.h"
-
 #include <boost/version.hpp>
 
+#include "report/report.h"
 #include "solver/descent.h"
 
 namespace mixity {

@@ -68,4 +68,10 @@ inline const Analysis& shipped(const std::string& name) {
       .first->second;
 }
 
+inline ReportedData without_figures(const Analysis& result, const std::string& stem) {
+  ReportedData data{result, stem};
+  data.answer = answer_of(result);
+  return data;
+}
+
 }  // namespace mixity

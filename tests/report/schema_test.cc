@@ -3,7 +3,6 @@
 
 #include "report/fit_json.h"
 #include "report/golden_file.h"
-#include "report/report_json.h"
 
 namespace mixity {
 namespace {

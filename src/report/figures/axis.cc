@@ -1,4 +1,4 @@
-#include "report/figures/axis.h"
+#include "report/figures/layout.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <functional>
 
 #include "base/number_text.h"
 #include "dataset/display_units.h"
@@ -9,69 +7,67 @@
 namespace mixity {
 namespace {
 
-using Project = std::function<std::pair<double, double>(const DrawnPoint&)>;
+Figure beside_key(const ReportedData& reported, const std::string& name, const std::string& title, Axis x, Axis y,
+                  const std::string& key_title) {
+  Figure figure{.name = reported.stem + name,
+                .title = title,
+                .x = std::move(x),
+                .y = std::move(y),
+                .key_place = KeyPlace::beside,
+                .key_title = key_title,
+                .wide = true};
+  if (reported.figured.models.size() > 1)
+    for (const ModelCurves& curves : reported.figured.models)
+      figure.key.emplace_back("model " + curves.fit->model, model_line(curves.fit->model));
+  return figure;
+}
 
 /// Whole equilibrium curves, a colour for each load and the model's line.
-Figure curves(const ReportedData& reported, const std::string& name, const std::string& title, Axis x, Axis y,
-              const Project& project) {
+Figure equilibrium_curves(const ReportedData& reported, const std::string& name, const std::string& title, Axis x,
+                          Axis y, double DrawnPoint::*x_value, double DrawnPoint::*y_value) {
   const Dataset& data = reported.result.data;
   const DrawnUnits units(data);
   const FiguredModels& figured = reported.figured;
   const double T_most = 1.3 * figured.T_data * units.force;
-  Figure figure{reported.stem + name, title, std::move(x), std::move(y), {}};
-  figure.key_title = units.P();
-  figure.key_place = KeyPlace::beside;
-  figure.wide = true;
+  Figure figure = beside_key(reported, name, title, std::move(x), std::move(y), units.P());
   double x_most = 0, y_most = 0;
-  for (const ModelCurves& curves : figured.models) {
-    const std::string& model = curves.fit->model;
-    const bool first = &curves == figured.models.data();
-    if (figured.models.size() > 1) figure.key.emplace_back("model " + model, model_line(model));
+  for (const ModelCurves& curves : figured.models)
     for (std::size_t k = 0; k < figured.runs.size(); ++k) {
-      const double load = data.curve_loads[figured.runs[k]];
-      Series series{first ? rounded(load * units.force, 4) : "", model_line(model), color(k), {}};
+      const std::string load = rounded(data.curve_loads[figured.runs[k]] * units.force, 4);
+      Series series{&curves == figured.models.data() ? load : "", model_line(curves.fit->model), color(k)};
       for (const DrawnPoint& q : curves.areas[k].points) {
-        series.points.push_back(project(q));
+        series.points.emplace_back(q.*x_value, q.*y_value);
         if (!q.stable || q.T > T_most) continue;
-        x_most = std::max(x_most, series.points.back().first);
-        y_most = std::max(y_most, series.points.back().second);
+        x_most = std::max(x_most, q.*x_value);
+        y_most = std::max(y_most, q.*y_value);
       }
       figure.series.push_back(std::move(series));
     }
-  }
-  // As far as stable branches go: towards Hertz at small a, u = 3/4 T/a runs away.
+  // As far as stable branches go: towards Hertz at small a, u = 3/4 T/a grows without limit.
   figure.x.high = 1.05 * x_most;
   figure.y.high = 1.1 * y_most;
   figure.caption = "Equilibrium curves at the data's loads and the fitted parameters; u = 3/4 T/a, not measured.";
   return figure;
 }
 
-/// a(P) at a few tangential loads, all models; the part that is unstable under load dotted.
-Figure radii(const ReportedData& reported) {
+/// a(P) of all models at a few tangential loads; the part that is unstable under load is dotted.
+Figure radii_figure(const ReportedData& reported) {
   const Dataset& data = reported.result.data;
   const DrawnUnits units(data);
-  Figure figure{reported.stem + "_a_P",
-                "Contact radius against normal load at constant tangential load",
-                {units.P(), {}, {}},
-                {units.a(), 0.0, {}},
-                {}};
-  figure.key_title = units.T();
-  figure.key_place = KeyPlace::beside;
-  figure.wide = true;
   const FiguredModels& figured = reported.figured;
-  for (const ModelCurves& curves : figured.models) {
-    const std::string& model = curves.fit->model;
-    const bool first = &curves == figured.models.data();
-    if (figured.models.size() > 1) figure.key.emplace_back("model " + model, model_line(model));
+  const double least = *std::min_element(data.curve_loads.begin(), data.curve_loads.end());
+  Figure figure =
+      beside_key(reported, "_a_P", "Contact radius against normal load at constant tangential load",
+                 {units.P(), std::min(least * units.force, 0.0), figured.P_most * units.force}, {units.a(), 0.0, {}},
+                 units.T());
+  for (const ModelCurves& curves : figured.models)
     for (std::size_t k = 0; k < curves.radii.size(); ++k) {
-      figure.series.push_back({first ? rounded(figured.shears[k] * units.force, 4) : "", model_line(model), color(k),
+      const std::string shear = rounded(figured.shears[k] * units.force, 4);
+      figure.series.push_back({&curves == figured.models.data() ? shear : "", model_line(curves.fit->model), color(k),
                                curves.radii[k].stable});
       figure.series.push_back({"", Look::dotted, color(k), curves.radii[k].unstable});
     }
-  }
   figure.key.emplace_back("unstable", Look::dotted);
-  figure.x.high = figured.P_most * units.force;
-  figure.x.low = std::min(*std::min_element(data.curve_loads.begin(), data.curve_loads.end()) * units.force, 0.0);
   figure.caption = "The contact at a quarter, half, three quarters and all of the largest tangential load measured.";
   return figure;
 }
@@ -84,11 +80,11 @@ std::vector<Figure> behaviour_figures(const ReportedData& reported) {
   if (!(reported.figured.T_data > 0)) return {};
   const DrawnUnits units(data);
   const Axis T{units.T(), 0.0, {}}, u{units.u(), 0.0, {}}, A{units.A(), 0.0, {}};
-  return {curves(reported, "_u_T", "Tangential displacement against tangential load", T, u,
-                 [](const DrawnPoint& q) { return std::pair(q.T, q.u); }),
-          curves(reported, "_A_u", "Contact area against tangential displacement", u, A,
-                 [](const DrawnPoint& q) { return std::pair(q.u, q.A); }),
-          radii(reported)};
+  return {equilibrium_curves(reported, "_u_T", "Tangential displacement against tangential load", T, u, &DrawnPoint::T,
+                             &DrawnPoint::u),
+          equilibrium_curves(reported, "_A_u", "Contact area against tangential displacement", u, A, &DrawnPoint::u,
+                             &DrawnPoint::A),
+          radii_figure(reported)};
 }
 
 }  // namespace mixity

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <numeric>
 
 #include "base/files.h"
-#include "fitting/predicted_area.h"
-#include "report/figures/kept_svg.h"
+#include "report/figures/svg.h"
 
 namespace mixity {
 namespace {
@@ -14,6 +14,12 @@ namespace {
 constexpr std::size_t kMostLogs = 8, kMostPoints = 2000;
 
 }  // namespace
+
+std::vector<std::size_t> first_indices(std::size_t n) {
+  std::vector<std::size_t> indices(n);
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return indices;
+}
 
 std::vector<std::size_t> shown_points(const std::vector<std::size_t>& points, std::size_t series) {
   return spread(points, std::max<std::size_t>(kMostPoints / series, 2));
@@ -26,9 +32,7 @@ std::string shown_note(std::size_t shown, std::size_t all) {
 std::vector<Figure> kept_log_figures(const ReportedData& reported, std::vector<MissingFigure>& left_out) {
   std::vector<Figure> figures;
   const auto& paths = reported.result.request.log_figures;
-  std::vector<std::size_t> all(paths.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  for (const std::size_t i : spread(all, kMostLogs)) {
+  for (const std::size_t i : spread(first_indices(paths.size()), kMostLogs)) {
     const std::filesystem::path path = paths[i];
     const auto leave_out = [&](const char* why) { left_out.push_back({"the log's " + path.filename().string(), why}); };
     std::error_code unread;
@@ -52,49 +56,44 @@ DataFigures data_figures(const ReportedData& reported) {
   const std::string no_value = "no fit has a value";
   const std::string no_loads =
       "the data are " + std::string(data.has_energies ? "(G_I, G_II)" : "(psi, Gc)") + ": they have no loads and areas";
-  const auto group = [&](const std::string& title) { figures.groups.push_back({title, {}}); };
-  // Adds what was drawn, or why nothing was.
-  const auto add = [&](std::vector<Figure> drawn, const std::string& what, const std::string& why) {
-    auto& list = figures.groups.back().figures;
+  const auto group = [&](const char* title) { figures.groups.push_back({title, {}}); };
+  const auto keep = [&](std::vector<Figure> drawn) {
+    std::move(drawn.begin(), drawn.end(), std::back_inserter(figures.groups.back().figures));
+  };
+  const auto keep_or_say_why = [&](std::vector<Figure> drawn, const char* what, const std::string& why) {
     if (drawn.empty()) figures.left_out.push_back({what, why});
-    for (Figure& figure : drawn) list.push_back(std::move(figure));
+    keep(std::move(drawn));
   };
   const auto load_reason = [&](const std::string& otherwise) {
     return !data.has_loads ? no_loads : !any_value ? no_value : otherwise;
   };
 
   group("Do the models describe the data?");
-  if (any_value)
-    add(area_figures(reported), "contact area against tangential load", load_reason(""));
-  else
-    figures.left_out.push_back({"contact area against tangential load", load_reason(no_value)});
-  add(toughness_figures(reported), "toughness ratio against phase angle", "no point has a phase angle");
+  keep_or_say_why(area_figures(reported), "contact area against tangential load", load_reason(no_value));
+  keep_or_say_why(toughness_figures(reported), "toughness ratio against phase angle", "no point has a phase angle");
   group("How well is the parameter known?");
-  add(profile_figures(reported), "profile of the cost",
-      any_value ? "no interval was asked for, or the fit leaves no degrees of freedom" : no_value);
-  add(run_figures(reported), "parameter against normal load",
-      load_reason("there is one run only, or no run determines the parameter"));
-  add(left_out_figures(reported), "error on loads left out",
-      load_reason("it needs several models, two runs or more, and fits that succeed without each of them"));
+  keep_or_say_why(profile_figures(reported), "profile of the cost",
+                  any_value ? "no interval was asked for, or the fit leaves no degrees of freedom" : no_value);
+  keep_or_say_why(run_figures(reported), "parameter against normal load",
+                  load_reason("there is one run only, or no run determines the parameter"));
+  keep_or_say_why(left_out_figures(reported), "error on loads left out",
+                  load_reason("it needs several models, two runs or more, and fits that succeed without each of them"));
   group("What the models leave over");
-  add(residual_figures(reported), "residuals", no_value);
+  keep_or_say_why(residual_figures(reported), "residuals", no_value);
   group("What the models predict");
-  add(behaviour_figures(reported), "displacement and radius curves", load_reason("no tangential load is above 0"));
-  add(regime_figures(reported, figures.left_out), "regime map",
-      load_reason("no fitted model has lambda as its only parameter and more than one regime"));
+  keep_or_say_why(behaviour_figures(reported), "displacement and radius curves",
+                  load_reason("no tangential load is above 0"));
+  keep_or_say_why(regime_figures(reported, figures.left_out), "regime map",
+                  load_reason("no fitted model has lambda as its only parameter and more than one regime"));
   group("From the log");
-  for (Figure& figure : kept_log_figures(reported, figures.left_out))
-    figures.groups.back().figures.push_back(std::move(figure));
+  keep(kept_log_figures(reported, figures.left_out));
   group("Other laws");
-  add(sahli_figures(reported), "alpha against A0",
-      data.has_loads ? "fewer than two runs have a falling parabola" : no_loads);
-  if (reported.peaks)
-    add(peak_figures(*reported.peaks, reported.stem, reported.predicted_peaks), "mean shear stress at peak and minimum",
-        "no row has P > 0");
-  else
-    figures.left_out.push_back(
-        {"mean shear stress at peak and minimum", "the fit definition names no file of peak forces (peaks = ...)"});
-  std::erase_if(figures.groups, [](const FigureGroup& g) { return g.figures.empty(); });
+  keep_or_say_why(sahli_figures(reported), "alpha against A0",
+                  data.has_loads ? "fewer than two runs have a falling parabola" : no_loads);
+  keep_or_say_why(peak_figures(reported), "mean shear stress at peak and minimum",
+                  reported.peaks ? "no row has P > 0"
+                                 : "the fit definition names no file of peak forces (peaks = ...)");
+  std::erase_if(figures.groups, [](const FigureGroup& one) { return one.figures.empty(); });
   return figures;
 }
 

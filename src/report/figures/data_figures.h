@@ -1,5 +1,4 @@
-// The figures of one data set and its fits: only those that the case has something to show in, and why the others are
-// left out.
+// The figures of one data set and its fits that apply to it, and why the others are left out.
 #pragma once
 
 #include <string>
@@ -24,6 +23,9 @@ struct DataFigures {
 
 DataFigures data_figures(const ReportedData& data);
 
+/// 0 to n - 1.
+std::vector<std::size_t> first_indices(std::size_t n);
+
 /// Points that a figure shows of one of `series` series: all, or a share spread evenly, so that a figure has 2000
 /// points at most.
 std::vector<std::size_t> shown_points(const std::vector<std::size_t>& points, std::size_t series = 1);
@@ -31,7 +33,7 @@ std::vector<std::size_t> shown_points(const std::vector<std::size_t>& points, st
 /// " 2000 of 50000 points are shown." where not all are; else empty.
 std::string shown_note(std::size_t shown, std::size_t all);
 
-// ---- One figure or kind of figure each; empty where it shows nothing. Names begin with the stem. ----
+// ---- One figure or kind of figure each; empty where it would show nothing. Names begin with the stem. ----
 
 /// f(psi): data, models and the bands of their intervals (the paper's Fig. 3, 7, 9).
 std::vector<Figure> toughness_figures(const ReportedData& data);
@@ -53,9 +55,7 @@ std::vector<Figure> regime_figures(const ReportedData& data, std::vector<Missing
 std::vector<Figure> sahli_figures(const ReportedData& data);
 /// T(t) of the log's runs with maxima and minima (Fig. 2), as `mixity runs` drew them: eight at most.
 std::vector<Figure> kept_log_figures(const ReportedData& data, std::vector<MissingFigure>& left_out);
-/// T/A_Hertz against P at peak and minimum (Fig. 11), with the jump that each model predicts. `stem`: what the name
-/// begins with.
-std::vector<Figure> peak_figures(const PeakForces& peaks, const std::string& stem,
-                                 const std::vector<PredictedPeaks>& predicted = {});
+/// T/A_Hertz against P at peak and minimum (Fig. 11), with the jump that each model predicts.
+std::vector<Figure> peak_figures(const ReportedData& data);
 
 }  // namespace mixity

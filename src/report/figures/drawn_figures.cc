@@ -1,7 +1,6 @@
 #include "report/figures/drawn_figures.h"
 
 #include "report/figures/gnuplot.h"
-#include "report/figures/gnuplot_script.h"
 #include "report/figures/svg.h"
 
 namespace mixity {

@@ -4,6 +4,11 @@
 
 namespace mixity {
 
+Series band(const std::string& label, const std::string& color, Points low, const Points& high) {
+  low.insert(low.end(), high.rbegin(), high.rend());
+  return {label, Look::band, color, std::move(low)};
+}
+
 std::string color(std::size_t i) {
   static constexpr std::array kColors{"#000000", "#d55e00", "#0072b2", "#009e73",
                                       "#cc79a7", "#e69f00", "#56b4e9", "#7f7f7f"};

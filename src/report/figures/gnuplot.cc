@@ -14,7 +14,6 @@
 
 #include "base/files.h"
 #include "base/threads.h"
-#include "report/figures/gnuplot_script.h"
 
 namespace mixity {
 namespace {

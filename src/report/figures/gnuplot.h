@@ -1,4 +1,4 @@
-// Draws figures by the program gnuplot.
+// Figures as gnuplot's data and scripts, and as what the program gnuplot draws.
 #pragma once
 
 #include <string>
@@ -9,8 +9,16 @@
 
 namespace mixity {
 
+/// Blocks of "x y [x_low x_high y_low y_high] ["hover"]", one for each series, under its name; gnuplot counts them by
+/// `index`.
+std::string figure_data(const Figure& figure);
+
+/// Draws NAME.svg, NAME.pdf and NAME.png (300 dots an inch), or those of these endings, from NAME.dat, all in the
+/// folder in which gnuplot is started.
+std::string figure_script(const Figure& figure, const std::vector<std::string>& endings = {".svg", ".pdf", ".png"});
+
 struct GnuplotFigures {
-  std::vector<std::vector<std::string>> files;  // [figure][ending]: contents; none of a figure that is not drawn
+  std::vector<std::vector<std::string>> files;  // [figure][ending]: contents; empty for a figure that is not drawn
   std::string missing;                          // why some are not drawn; empty if all are
 };
 

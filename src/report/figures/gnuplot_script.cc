@@ -1,9 +1,9 @@
-#include "report/figures/gnuplot_script.h"
+#include "report/figures/gnuplot.h"
 
 #include <sstream>
 
 #include "base/number_text.h"
-#include "report/figures/axis.h"
+#include "report/figures/layout.h"
 
 namespace mixity {
 namespace {

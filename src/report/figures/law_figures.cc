@@ -13,8 +13,8 @@ std::vector<Figure> sahli_figures(const ReportedData& reported) {
   const Dataset& data = reported.result.data;
   const DrawnUnits units(data);
   const double alpha_scale = units.area / (units.force * units.force);
-  Series measured{"each run", Look::circles, color(0), {}},
-      model{"model " + reported.sahli_model, model_line(reported.sahli_model), color(2), {}};
+  Series measured{"each run", Look::circles, color(0)},
+      model{"model " + reported.sahli_model, model_line(reported.sahli_model), color(2)};
   double log_A = 0, log_alpha = 0;
   for (const SahliRun& run : reported.sahli->runs) {
     if (!(run.alpha > 0 && run.A0 > 0)) continue;
@@ -39,32 +39,28 @@ std::vector<Figure> sahli_figures(const ReportedData& reported) {
     return Series{label, look, color(7), {{first, at(first)}, {last, at(last)}}};
   };
   const std::string unit = units.area_unit.empty() ? "" : " [" + units.area_unit + "/" + units.force_unit + "^2]";
-  Figure figure{reported.stem + "_alpha_A0",
-                "Reduction parameter alpha of A = A0 - alpha T^2 against initial area A0",
-                {units.area_unit.empty() ? "A_0 ξ^2/R^2" : "A_0 [" + units.area_unit + "]", first, last, true},
-                {"α" + unit, {}, {}, true},
-                {line(-1.25, "exponent -5/4", Look::dashed), line(-1.5, "exponent -3/2", Look::dotted)}};
-  figure.series.push_back(std::move(measured));
-  figure.series.push_back(std::move(model));
-  figure.caption =
-      "Parabolas fitted to the first half of each run. The grey lines pass through the mean of the points; "
-      "fracture mechanics predicts -5/4 for large areas, Sahli et al. (2018) found -3/2.";
-  if (reported.sahli->power_law) {
-    figure.caption += " Here the exponent is " + rounded(reported.sahli->power_law->exponent, 3);
-    if (reported.sahli->power_law->exponent_stderr)
-      figure.caption += " +/- " + rounded(*reported.sahli->power_law->exponent_stderr, 2);
-    figure.caption += ".";
-  }
-  return {figure};
+  std::string exponent;
+  if (const auto& law = reported.sahli->power_law)
+    exponent = " Here the exponent is " + rounded(law->exponent, 3) +
+               (law->exponent_stderr ? " +/- " + rounded(*law->exponent_stderr, 2) : "") + ".";
+  return {{.name = reported.stem + "_alpha_A0",
+           .title = "Reduction parameter alpha of A = A0 - alpha T^2 against initial area A0",
+           .x = {units.area_unit.empty() ? "A_0 ξ^2/R^2" : "A_0 [" + units.area_unit + "]", first, last, true},
+           .y = {"α" + unit, {}, {}, true},
+           .series = {line(-1.25, "exponent -5/4", Look::dashed), line(-1.5, "exponent -3/2", Look::dotted), measured,
+                      model},
+           .caption = "Parabolas fitted to the first half of each run. The grey lines pass through the mean of the "
+                      "points; fracture mechanics predicts -5/4 for large areas, Sahli et al. (2018) found -3/2." +
+                      exponent}};
 }
 
-std::vector<Figure> peak_figures(const PeakForces& forces, const std::string& stem,
-                                 const std::vector<PredictedPeaks>& predicted) {
-  // the first cycle of each load, which a fold can foretell, apart from what follows
-  Series peak{"first maximum", Look::triangles, color(1), {}},
-      minimum{"following minimum", Look::circles, color(2), {}},
-      later_peak{"maxima of later cycles", Look::triangles, color(7), {}},
-      later_minimum{"their minima", Look::circles, color(7), {}};
+std::vector<Figure> peak_figures(const ReportedData& reported) {
+  if (!reported.peaks) return {};
+  const PeakForces& forces = *reported.peaks;
+  // the first cycle of each load, which a fold can predict, apart from later cycles
+  Series peak{"first maximum", Look::triangles, color(1)}, minimum{"following minimum", Look::circles, color(2)},
+      later_peak{"maxima of later cycles", Look::triangles, color(7)},
+      later_minimum{"their minima", Look::circles, color(7)};
   const auto add = [&](Series& first, Series& later, std::optional<double> PeakForce::*stress) {
     const auto firsts = first_of_loads(forces, stress);
     for (const PeakForce& row : forces.rows) {
@@ -79,34 +75,27 @@ std::vector<Figure> peak_figures(const PeakForces& forces, const std::string& st
   add(minimum, later_minimum, &PeakForce::minimum);
   if (peak.points.empty() && minimum.points.empty()) return {};
   const bool bare = forces.force_unit.empty();
-  Figure figure{stem + "_peaks",
-                "Mean shear stress over the area of Hertz against normal load",
-                {bare ? "P/(R G_{Ic})" : "P [" + forces.force_unit + "]", 0.0, {}},
-                {bare ? "T/A_{Hertz} ξ/E^*" : "T/A_{Hertz}  [" + forces.stress_unit + "]", 0.0, {}},
-                {}};
-  const auto spread = [](const Series& series) {
-    double low = 1e300, high = 0;
-    for (const auto& [x, y] : series.points) {
-      low = std::min(low, y);
-      high = std::max(high, y);
-    }
-    return rounded(high / low, 3);
-  };
-  figure.caption = "A stress that does not depend on the load is a strength.";
-  for (const Series* series : {&peak, &minimum})
-    if (series->points.size() > 1)
-      figure.caption += " At the " + series->label + " of each load it varies by a factor of " + spread(*series) + ".";
-  for (const PredictedPeaks& model : predicted) {
-    Series band{"", Look::band, model_color(model.model), {}},
-        line{"jump of model " + model.model, model_line(model.model), model_color(model.model), {}};
+  Figure figure{.name = reported.stem + "_peaks",
+                .title = "Mean shear stress over the area of Hertz against normal load",
+                .x = {bare ? "P/(R G_{Ic})" : "P [" + forces.force_unit + "]", 0.0, {}},
+                .y = {bare ? "T/A_{Hertz} ξ/E^*" : "T/A_{Hertz}  [" + forces.stress_unit + "]", 0.0, {}},
+                .caption = "A stress that does not depend on the load is a strength."};
+  for (const Series* series : {&peak, &minimum}) {
+    if (series->points.size() < 2) continue;
+    const auto [low, high] = std::minmax_element(series->points.begin(), series->points.end(),
+                                                 [](const auto& a, const auto& b) { return a.second < b.second; });
+    figure.caption += " At the " + series->label + " of each load it varies by a factor of " +
+                      rounded(high->second / low->second, 3) + ".";
+  }
+  for (const PredictedPeaks& model : reported.predicted_peaks) {
+    Points jump, lower, upper;
     for (const PredictedPeak& load : model.loads) {
-      line.points.emplace_back(load.P, load.stress);
-      band.points.emplace_back(load.P, load.low);
+      jump.emplace_back(load.P, load.stress);
+      lower.emplace_back(load.P, load.low);
+      upper.emplace_back(load.P, load.high);
     }
-    for (auto load = model.loads.rbegin(); load != model.loads.rend(); ++load)
-      band.points.emplace_back(load->P, load->high);
-    figure.series.push_back(std::move(band));
-    figure.series.push_back(std::move(line));
+    figure.series.push_back(band("", model_color(model.model), lower, upper));
+    figure.series.push_back({"jump of model " + model.model, model_line(model.model), model_color(model.model), jump});
     if (model.ratio)
       figure.caption += " First maxima are " + rounded(*model.ratio, 3) + " +/- " + rounded(*model.ratio_error, 2) +
                         " of the jump that model " + model.model + " predicts.";

@@ -1,14 +1,37 @@
-// Where the parts of a figure lie in its drawing, in units of 1/96 inch from the top left.
+// The ranges and ticks of a figure's axes, and where its parts lie in the drawing, in units of 1/96 inch from the top
+// left.
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "report/figures/axis.h"
 #include "report/figures/figure.h"
 
 namespace mixity {
+
+struct AxisRange {
+  double low, high;  // low < high; both above 0 on a logarithmic axis
+};
+
+/// The stated ends; one that is not stated lies a little beyond the points and their bars. Null without any.
+std::optional<AxisRange> axis_range(const Figure& figure, bool x);
+
+/// 1, 2, 2.5 or 5 times a power of ten: the smallest that makes at most `most` steps of a width.
+double tick_step(double width, int most);
+
+/// Labelled positions of a logarithmic axis of at most two decades: 1, 2, 5 or, where those are few, every digit.
+/// Empty where these are few, too, and beyond two decades, where powers of ten are labelled.
+std::vector<double> digit_ticks(const AxisRange& range);
+
+struct Tick {
+  double value;
+  std::string label;  // empty: a small one
+};
+
+/// All ticks by rising value, with at most some `most` steps between labels.
+std::vector<Tick> axis_ticks(const AxisRange& range, bool logarithmic, int most);
 
 inline constexpr double kFont = 13, kTick = 4;
 inline constexpr double kSample = 20, kSampleGap = 8;  // of the key: lines and symbols before the labels

@@ -5,6 +5,7 @@
 
 #include "analysis/readable.h"
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "base/toml_file.h"
 #include "base/units.h"
 
@@ -15,53 +16,47 @@ namespace {
 constexpr double kBeside = 0.25;
 constexpr std::size_t kMostShown = 1500;
 
-struct ShownFrames {
-  std::size_t begin, end;
-};
-
-ShownFrames shown_frames(const LoadingRuns& found, const LoadingRun& run) {
+/// The first frame and the one behind the last.
+std::pair<std::size_t, std::size_t> shown_frames(const LoadingRuns& found, const LoadingRun& run) {
   const auto margin = static_cast<std::size_t>(kBeside * static_cast<double>(run.end - run.begin)) + 5;
-  const std::size_t begin = std::max(run.contact, run.begin > margin ? run.begin - margin : 0),
-                    end = std::min(std::min(run.last, run.end + 3 * margin), found.frames.time.size());
-  return {begin, end};
+  return {std::max(run.contact, run.begin > margin ? run.begin - margin : 0),
+          std::min({run.last, run.end + 3 * margin, found.frames.time.size()})};
 }
 
 Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t number, const std::vector<double>& values,
                  const std::string& quantity, const std::string& unit) {
   const auto [begin, end] = shown_frames(found, run);
   const Frames& frames = found.frames;
-  Figure figure;
-  figure.name = "run_" + std::to_string(number) + "_" + quantity;
-  figure.title = plain(run.name);
-  figure.x = {"t [s]", frames.time[begin], frames.time[end - 1]};
-  figure.y = {quantity + " [" + (parse_unit(unit) ? unit : plain(unit)) + "]"};
   const auto [least, most] = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(begin),
                                                  values.begin() + static_cast<std::ptrdiff_t>(end));
   const double room = 0.06 * (*most - *least), low = *least - room, high = *most + room;
-  figure.y.low = low;
-  figure.y.high = high;
-  const auto shade = [&, begin = begin, end = end](double from, double to, const std::string& label, const std::string& tint) {
-    from = std::max(from, frames.time[begin]);
-    to = std::min(to, frames.time[end - 1]);
+  const double first = frames.time[begin], last = frames.time[end - 1];
+  Figure figure{.name = "run_" + std::to_string(number) + "_" + quantity,
+                .title = plain(run.name),
+                .x = {"t [s]", first, last},
+                .y = {quantity + " [" + (parse_unit(unit) ? unit : plain(unit)) + "]", low, high},
+                .caption = "Points are frames. Kept are " + std::to_string(run.end - run.begin) + " of them."};
+  const auto shade = [&](double from, double to, const std::string& label, const std::string& tint) {
+    from = std::max(from, first);
+    to = std::min(to, last);
     if (to > from)
       figure.series.push_back(
           {label, Look::band, tint, {{from, low}, {to, low}, {to, high}, {from, high}, {from, low}}});
   };
   const double kept_from = frames.time[run.begin], kept_to = run.onset ? run.onset->time : frames.time[run.end - 1];
-  shade(frames.time[begin], kept_from, "hold, not kept", color(7));
+  shade(first, kept_from, "hold, not kept", color(7));
   shade(kept_from, kept_to, "kept", color(2));
-  shade(kept_to, frames.time[end - 1], run.onset ? "sliding, not kept" : "not kept", color(5));
-  Series course{"", Look::circles, color(0), {}};
+  shade(kept_to, last, run.onset ? "sliding, not kept" : "not kept", color(5));
+  Series course{"", Look::circles, color(0)};
   const std::size_t step = std::max<std::size_t>(1, (end - begin) / kMostShown);
   for (std::size_t i = begin; i < end; i += step) course.points.emplace_back(frames.time[i], values[i]);
   figure.series.push_back(std::move(course));
   const auto mark = [&](const CutTime& cut, const std::string& label) {
-    if (!cut.stated && cut.high > cut.low) shade(cut.low, cut.high, "", "#000000");
-    figure.series.push_back({label, Look::dashed, "#000000", {{cut.time, low}, {cut.time, high}}});
+    if (!cut.stated && cut.high > cut.low) shade(cut.low, cut.high, "", color(0));
+    figure.series.push_back({label, Look::dashed, color(0), {{cut.time, low}, {cut.time, high}}});
   };
   mark(run.shear, "cuts, 95% shaded");
   if (run.onset) mark(*run.onset, "");
-  figure.caption = "Points are frames. Kept are " + std::to_string(run.end - run.begin) + " of them.";
   return figure;
 }
 
@@ -72,12 +67,11 @@ std::vector<Figure> log_figures(const ReducedLog& log) {
   const Frames& frames = log.runs.frames;
   std::vector<double> A;
   for (const double one : frames.A) A.push_back(one / log.area_factor);
-  std::size_t number = 0;
   for (const LoadingRun& run : log.runs.runs) {
+    const std::size_t number = figures.size() / 2 + 1;
     std::vector<double> T;
     for (const double one : frames.T) T.push_back((run.direction * one - run.baseline) / log.force_factor);
-    ++number;
-    Series peaks{"maximum of T", Look::squares, color(1), {}}, minima{"minimum behind it", Look::circles, color(2), {}};
+    Series peaks{"maximum of T", Look::squares, color(1)}, minima{"minimum behind it", Look::circles, color(2)};
     for (const Cycle& cycle : run.cycles) {
       peaks.points.emplace_back(cycle.time, cycle.T_peak / log.force_factor);
       if (cycle.T_min) minima.points.emplace_back(cycle.time_min, *cycle.T_min / log.force_factor);
@@ -93,11 +87,11 @@ std::vector<Figure> log_figures(const ReducedLog& log) {
 }
 
 std::string runs_definition(const std::vector<Figure>& figures) {
-  std::string list;
+  std::vector<std::string> list;
   for (const Figure& figure : figures)
-    if (figure.name.ends_with("_T"))
-      list += (list.empty() ? "log_figures = [" : ", ") + toml_text("figures/" + figure.name + ".svg");
-  return "data = \"runs.csv\"\npeaks = \"peaks.csv\"\n" + (list.empty() ? list : list + "]\n");
+    if (figure.name.ends_with("_T")) list.push_back(toml_text("figures/" + figure.name + ".svg"));
+  return "data = \"runs.csv\"\npeaks = \"peaks.csv\"\n" +
+         (list.empty() ? "" : joined(list, ", ", "log_figures = [") + "]\n");
 }
 
 }  // namespace mixity

@@ -1,4 +1,4 @@
-// What the parts of the paper's figures share; paper_figures.h is for others.
+// Internal to the paper's figures; others use paper_figures.h.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace mixity {
 
-// What the paper writes with a tilde, spelt out.
+/// The paper's dimensionless quantities, written out.
 inline const std::string kPaperT = "T/(R G_{Ic})", kPaperA = "A ξ^2/R^2";
 inline constexpr double kMergelLambda = 0.0023;
-inline constexpr std::size_t kPaperPoints = 400;  // a curve: no corner shows
+inline constexpr std::size_t kPaperPoints = 400;  // of a curve, which then has no visible corner
 
 /// Of the measured points, for the key: "data, reconstructed".
 std::string data_label(const Dataset& data);

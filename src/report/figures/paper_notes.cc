@@ -1,4 +1,4 @@
-#include "report/figures/paper_notes.h"
+#include "report/figures/paper_figures.h"
 
 namespace mixity {
 namespace {

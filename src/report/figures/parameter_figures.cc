@@ -12,56 +12,48 @@ namespace mixity {
 namespace {
 
 Figure profile_figure(const std::string& stem, const FitResult& fit, const FittedParameter& parameter) {
-  const DrawnProfile& profile = *parameter.profile;
+  const auto& [points, level] = *parameter.profile;
+  const double first = points.front().first, last = points.back().first;
+  double highest = level;
+  for (const auto& [x, rise] : points) highest = std::max(highest, rise);
+  const std::string suffix = parameter.name == "lambda" ? "" : "_" + plain_file_name(parameter.name);
   Figure figure{
-      stem + "_profile_" + fit.model + (parameter.name == "lambda" ? "" : "_" + plain_file_name(parameter.name)),
-      "Profile of the cost along " + parameter.name + ", model " + fit.model,
-      {bracketed(parameter_symbol(parameter.name), parameter.unit), profile.points.front().first,
-       profile.points.back().first},
-      {"rise of the cost/variance", 0.0, {}},
-      {}};
-  figure.series.push_back({"profile", model_line(fit.model), model_color(fit.model), profile.points});
-  double highest = profile.level;
-  for (const auto& [x, rise] : profile.points) highest = std::max(highest, rise);
-  figure.y.high = 1.05 * std::min(highest, 6 * profile.level);
+      .name = stem + "_profile_" + fit.model + suffix,
+      .title = "Profile of the cost along " + parameter.name + ", model " + fit.model,
+      .x = {bracketed(parameter_symbol(parameter.name), parameter.unit), first, last},
+      .y = {"rise of the cost/variance", 0.0, 1.05 * std::min(highest, 6 * level)},
+      .series = {{"profile", model_line(fit.model), model_color(fit.model), points}},
+      .caption = "How fast the fit worsens away from the best " + parameter.name +
+                 "; circles are the ends of the interval. Where the profile leaves the parabola, the standard error "
+                 "says less than the interval."};
   if (parameter.stderr_ && *parameter.stderr_ > 0) {
-    Series parabola{"parabola of the standard error", Look::dotted, color(7), {}};
-    for (const auto& [x, rise] : profile.points)
+    Series parabola{"parabola of the standard error", Look::dotted, color(7)};
+    for (const auto& [x, rise] : points)
       parabola.points.emplace_back(x, std::pow((x - *parameter.value) / *parameter.stderr_, 2));
     figure.series.push_back(std::move(parabola));
   }
-  const double first = profile.points.front().first, last = profile.points.back().first;
-  if (parameter.interval) {
-    const std::string percent = rounded(100 * parameter.interval->confidence, 4) + " %";
-    figure.series.push_back({percent, Look::dashed, color(5), {{first, profile.level}, {last, profile.level}}});
-    Series ends{"", Look::circles, color(1), {}};
-    for (const auto& end : {parameter.interval->low, parameter.interval->high})
-      if (end) ends.points.emplace_back(*end, profile.level);
-    figure.series.push_back(std::move(ends));
-  }
-  figure.caption = "How fast the fit worsens away from the best " + parameter.name +
-                   "; circles are the ends of the interval. Where the profile leaves the parabola, the standard error "
-                   "says less than the interval.";
+  if (!parameter.interval) return figure;
+  const std::string percent = rounded(100 * parameter.interval->confidence, 4) + " %";
+  figure.series.push_back({percent, Look::dashed, color(5), {{first, level}, {last, level}}});
+  Series ends{"", Look::circles, color(1)};
+  for (const auto& end : {parameter.interval->low, parameter.interval->high})
+    if (end) ends.points.emplace_back(*end, level);
+  figure.series.push_back(std::move(ends));
   return figure;
 }
 
-Figure run_figure(const ReportedData& reported, const PerCurve& per_curve, const FitResult& fit) {
-  const Dataset& data = reported.result.data;
-  const DrawnUnits units(data);
-  const FittedParameter& pooled = *leading_parameter(fit);
-  Figure figure{reported.stem + "_runs_" + fit.model,
-                "Each run by itself: " + pooled.name + " against normal load, model " + fit.model,
-                {units.P(), {}, {}},
-                {bracketed(parameter_symbol(pooled.name), pooled.unit), {}, {}},
-                {}};
-  Series runs{"each run", model_symbol(fit.model), model_color(fit.model), {}};
+/// Null if no run determines the parameter.
+std::optional<Figure> run_figure(const ReportedData& reported, const PerCurve& per_curve, const FitResult& fit,
+                                 const FittedParameter& pooled) {
+  const DrawnUnits units(reported.result.data);
+  Series runs{"each run", model_symbol(fit.model), model_color(fit.model)};
   double first = 1e300, last = -1e300;
   for (const CurveFit& one : per_curve.curves) {
     const FittedParameter* own = leading_parameter(one.fit);
     if (!own || !own->value) continue;
     const double P = one.P * units.force, value = *own->value;
-    const double low = own->interval && own->interval->low ? *own->interval->low : value;
-    const double high = own->interval && own->interval->high ? *own->interval->high : value;
+    const double low = own->interval ? own->interval->low.value_or(value) : value;
+    const double high = own->interval ? own->interval->high.value_or(value) : value;
     runs.points.emplace_back(P, value);
     runs.bars.push_back({P, P, low, high});
     runs.hover.push_back("run " + one.curve + ": " + own->name + " = " + rounded(value, 4) + " (" + rounded(low, 3) +
@@ -70,26 +62,26 @@ Figure run_figure(const ReportedData& reported, const PerCurve& per_curve, const
     first = std::min(first, P);
     last = std::max(last, P);
   }
-  if (runs.points.empty()) return figure;
+  if (runs.points.empty()) return std::nullopt;
   const double margin = last > first ? 0.05 * (last - first) : 1;
-  figure.x.low = first -= margin;
-  figure.x.high = last += margin;
-  if (pooled.interval && pooled.interval->low && pooled.interval->high)
-    figure.series.push_back({"",
-                             Look::band,
-                             color(5),
-                             {{first, *pooled.interval->low},
-                              {last, *pooled.interval->low},
-                              {last, *pooled.interval->high},
-                              {first, *pooled.interval->high}}});
+  first -= margin;
+  last += margin;
+  Figure figure{
+      .name = reported.stem + "_runs_" + fit.model,
+      .title = "Each run by itself: " + pooled.name + " against normal load, model " + fit.model,
+      .x = {units.P(), first, last},
+      .y = {bracketed(parameter_symbol(pooled.name), pooled.unit)},
+      .caption = "Bars are the intervals of single runs, the line and its band the value for all runs together."};
+  if (pooled.interval && pooled.interval->low && pooled.interval->high) {
+    const double low = *pooled.interval->low, high = *pooled.interval->high;
+    figure.series.push_back(band("", color(5), {{first, low}, {last, low}}, {{first, high}, {last, high}}));
+  }
   figure.series.push_back({"all runs", Look::solid, color(5), {{first, *pooled.value}, {last, *pooled.value}}});
   figure.series.push_back(std::move(runs));
-  figure.caption = "Bars are the intervals of single runs, the line and its band the value for all runs together.";
   if (per_curve.test)
-    figure.caption +=
-        per_curve.test->p_value < 0.05
-            ? " The runs do not share one value (p = " + rounded(per_curve.test->p_value, 2) + ")."
-            : " The runs are consistent with one value (p = " + rounded(per_curve.test->p_value, 2) + ").";
+    figure.caption += std::string(per_curve.test->p_value < 0.05 ? " The runs do not share one value"
+                                                                 : " The runs are consistent with one value") +
+                      " (p = " + rounded(per_curve.test->p_value, 2) + ").";
   return figure;
 }
 
@@ -111,8 +103,7 @@ std::vector<Figure> run_figures(const ReportedData& reported) {
     for (const FitResult& fit : reported.result.fits) {
       const FittedParameter* pooled = leading_parameter(fit);
       if (fit.model != per_curve.model || !pooled || !pooled->value) continue;
-      Figure figure = run_figure(reported, per_curve, fit);
-      if (!figure.series.empty()) figures.push_back(std::move(figure));
+      if (auto figure = run_figure(reported, per_curve, fit, *pooled)) figures.push_back(std::move(*figure));
     }
   return figures;
 }
@@ -120,14 +111,14 @@ std::vector<Figure> run_figures(const ReportedData& reported) {
 std::vector<Figure> left_out_figures(const ReportedData& reported) {
   const Dataset& data = reported.result.data;
   const DrawnUnits units(data);
-  Figure figure{reported.stem + "_left_out",
-                "Error in the area at loads left out of the fit",
-                {units.P(), {}, {}},
-                {"RMS error in " + units.A(), {}, {}, true},
-                {}};
+  Figure figure{.name = reported.stem + "_left_out",
+                .title = "Error in the area at loads left out of the fit",
+                .x = {units.P()},
+                .y = {"RMS error in " + units.A(), {}, {}, true},
+                .caption = "Each load is predicted by a fit of the others: the model that is lowest predicts best."};
   for (const ComparedModel& model : reported.result.comparison) {
     if (!model.left_out) continue;
-    Series series{"model " + model.model, model_symbol(model.model), model_color(model.model), {}};
+    Series series{"model " + model.model, model_symbol(model.model), model_color(model.model)};
     for (const LeftOut::Run& run : model.left_out->runs) {
       if (!(run.rmse_area > 0)) continue;
       series.points.emplace_back(run.P * units.force, run.rmse_area);
@@ -137,9 +128,7 @@ std::vector<Figure> left_out_figures(const ReportedData& reported) {
     }
     figure.series.push_back(std::move(series));
   }
-  if (figure.series.empty()) return {};
-  figure.caption = "Each load is predicted by a fit of the others: the model that is lowest predicts best.";
-  return {figure};
+  return figure.series.empty() ? std::vector<Figure>() : std::vector<Figure>{std::move(figure)};
 }
 
 }  // namespace mixity

@@ -11,7 +11,7 @@ namespace {
 Series data_loads(const Dataset& data, const ModelCurves& curves) {
   const DrawnUnits units(data);
   const FittedParameter& lambda = curves.fit->parameters.front();
-  Series loads{"these data", model_symbol(curves.fit->model), color(0), {}};
+  Series loads{"these data", model_symbol(curves.fit->model), color(0)};
   const auto& interval = lambda.interval;
   for (std::size_t run = 0; run < data.curves.size(); ++run) {
     const double P = data.curve_loads[run] * units.force;
@@ -31,24 +31,24 @@ Figure regime_figure(const ReportedData& reported, const ModelCurves& curves) {
   const DrawnUnits units(data);
   const std::string& model = curves.fit->model;
   const RegimeMapFrame& frame = curves.map->frame;
-  Figure figure{reported.stem + "_regimes_" + model,
-                "What becomes of the contact over load and lambda, model " + model,
-                {units.P(), frame.P_low * units.force, frame.P_high * units.force},
-                {"λ", frame.low, frame.high, frame.logarithmic},
-                {}};
+  Figure figure{.name = reported.stem + "_regimes_" + model,
+                .title = "What becomes of the contact over load and lambda, model " + model,
+                .x = {units.P(), frame.P_low * units.force, frame.P_high * units.force},
+                .y = {"λ", frame.low, frame.high, frame.logarithmic},
+                .caption = "Regimes of model " + model +
+                           (stated_strength(data) ? " with the stated shear strength" : "") +
+                           "; symbols are the data's loads at the fitted lambda."};
   static constexpr std::array<std::size_t, 4> kTint{6, 3, 1, 7};
   std::array<bool, 5> named{};
   for (const RegimeRegion& region : curves.map->regions) {
     if (!region.regime) continue;
     const auto number = static_cast<std::size_t>(*region.regime);
-    Series series{named[number] ? "" : regime_text(*region.regime), Look::band, color(kTint[number - 1]), {}};
+    Series series{named[number] ? "" : regime_text(*region.regime), Look::band, color(kTint[number - 1])};
     named[number] = true;
     for (const auto& [P, lambda] : region.outline) series.points.emplace_back(P * units.force, lambda);
     figure.series.push_back(std::move(series));
   }
   figure.series.push_back(data_loads(data, curves));
-  figure.caption = "Regimes of model " + model + (stated_strength(data) ? " with the stated shear strength" : "") +
-                   "; symbols are the data's loads at the fitted lambda.";
   return figure;
 }
 

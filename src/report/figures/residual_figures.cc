@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 #include "base/number_text.h"
 #include "dataset/display_units.h"
@@ -30,22 +29,21 @@ std::string residuals_note(const ReportedData& reported) {
   return shown_note(shown, all);
 }
 
-/// Residuals of every fit over what `abscissa` says of point i.
+/// Residuals of every fit over the value of `abscissa` at point i.
 Figure residuals_against(const ReportedData& reported, const std::string& name, const std::string& title,
                          const std::string& label, const std::function<double(std::size_t)>& abscissa) {
   const Dataset& data = reported.result.data;
-  Figure figure{reported.stem + "_residuals_" + name,
-                title,
-                {label, {}, {}},
-                {residual_label(reported.result.fits.front()), {}, {}},
-                {}};
+  Figure figure{.name = reported.stem + "_residuals_" + name,
+                .title = title,
+                .x = {label},
+                .y = {residual_label(reported.result.fits.front())},
+                .caption = "Model minus data in the fitted space. A model that holds leaves no trend." +
+                           residuals_note(reported)};
   double first = 0, last = 0;
   for (const FitResult& fit : last_first(reported.result)) {
     if (fit.residuals.empty()) continue;
-    Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model), {}};
-    std::vector<std::size_t> all(fit.residuals.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    for (const std::size_t i : shown_points(all, reported.result.fits.size())) {
+    Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model)};
+    for (const std::size_t i : shown_points(first_indices(fit.residuals.size()), reported.result.fits.size())) {
       const double x = abscissa(fit.used[i]);
       series.points.emplace_back(x, fit.residuals[i]);
       series.hover.push_back("model " + fit.model + ", residual " + rounded(fit.residuals[i], 3) + ", " +
@@ -55,30 +53,26 @@ Figure residuals_against(const ReportedData& reported, const std::string& name, 
     }
     figure.series.push_back(std::move(series));
   }
-  figure.series.insert(figure.series.begin(), {"", Look::dotted, "#000000", {{first, 0}, {last, 0}}});
-  figure.caption =
-      "Model minus data in the fitted space. A model that holds leaves no trend." + residuals_note(reported);
+  figure.series.insert(figure.series.begin(), {"", Look::dotted, color(0), {{first, 0}, {last, 0}}});
   return figure;
 }
 
 /// Sorted residuals in units of their RMS against the quantiles (i - 1/2)/n of a normal distribution.
 Figure quantiles(const ReportedData& reported) {
-  Figure figure{reported.stem + "_residuals_qq",
-                "Quantiles of the residuals against those of a normal distribution",
-                {"normal quantile", {}, {}},
-                {"residual/RMS", {}, {}},
-                {}};
+  Figure figure{.name = reported.stem + "_residuals_qq",
+                .title = "Quantiles of the residuals against those of a normal distribution",
+                .x = {"normal quantile"},
+                .y = {"residual/RMS"},
+                .caption = "On the dotted line the scatter is normal, which standard errors and intervals presume." +
+                           residuals_note(reported)};
   double most = 0;
   for (const FitResult& fit : last_first(reported.result)) {
     if (fit.residuals.empty() || !fit.rmse || !(*fit.rmse > 0)) continue;
-    std::vector<std::size_t> order(fit.residuals.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<std::size_t> order = first_indices(fit.residuals.size());
     std::sort(order.begin(), order.end(),
               [&](std::size_t i, std::size_t j) { return fit.residuals[i] < fit.residuals[j]; });
-    Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model), {}};
-    std::vector<std::size_t> ranks(order.size());
-    std::iota(ranks.begin(), ranks.end(), std::size_t{0});
-    for (const std::size_t rank : shown_points(ranks, reported.result.fits.size())) {
+    Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model)};
+    for (const std::size_t rank : shown_points(first_indices(order.size()), reported.result.fits.size())) {
       const double q = normal_quantile((static_cast<double>(rank) + 0.5) / static_cast<double>(order.size()));
       series.points.emplace_back(q, fit.residuals[order[rank]] / *fit.rmse);
       series.hover.push_back("model " + fit.model + ", " + point_hover(reported.result.data, fit.used[order[rank]]));
@@ -87,9 +81,7 @@ Figure quantiles(const ReportedData& reported) {
     figure.series.push_back(std::move(series));
   }
   if (figure.series.empty()) return figure;
-  figure.series.insert(figure.series.begin(), {"", Look::dotted, "#000000", {{-most, -most}, {most, most}}});
-  figure.caption = "On the dotted line the scatter is normal, which standard errors and intervals presume." +
-                   residuals_note(reported);
+  figure.series.insert(figure.series.begin(), {"", Look::dotted, color(0), {{-most, -most}, {most, most}}});
   return figure;
 }
 

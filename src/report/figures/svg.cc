@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "report/figures/kept_svg.h"
 #include "report/figures/layout.h"
 #include "report/figures/polyline.h"
 #include "report/figures/svg_text.h"

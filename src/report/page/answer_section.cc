@@ -30,11 +30,8 @@ void add_budget(pugi::xml_node parent, const Answer& answer) {
 void add_jumps(pugi::xml_node parent, const Answer& answer, const Dataset& data) {
   const auto rows = jump_table(answer, data);
   if (rows.empty()) return;
-  pugi::xml_node table = add(parent, "table", {}, "jumps");
-  add(table, "caption", "Where the contact jumps under a tangential load, ± one standard error");
-  pugi::xml_node head = add(add(table, "thead"), "tr"), body = add(table, "tbody");
-  for (const std::string& heading : rows.front())
-    add(head, "th", with_powers(heading)).append_attribute("scope").set_value("col");
+  pugi::xml_node body = add_table(parent, "jumps", rows.front(),
+                                  "Where the contact jumps under a tangential load, ± one standard error");
   for (std::size_t i = 1; i < rows.size(); ++i) {
     pugi::xml_node line = add(body, "tr");
     for (const std::string& cell : rows[i]) add(line, "td", cell);

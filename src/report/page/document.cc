@@ -1,5 +1,6 @@
 #include "report/page/document.h"
 
+#include <map>
 #include <sstream>
 
 #include "report/figures/svg.h"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::string_view kRawBegin = "<![CDATA[", kRawEnd = "]]>";
 
-/// Text that is on the page as it is; it does not hold kRawEnd.
+/// Adds markup that PageDocument::text does not escape. It must not contain kRawEnd.
 void add_raw(pugi::xml_node node, const std::string& text) {
   node.append_child(pugi::node_cdata).set_value(text.c_str());
 }
@@ -31,7 +32,7 @@ PageDocument::PageDocument(const std::string& title) {
   body_ = add(html, "body");
 }
 
-/// HTML has no self-closing elements, but for meta it has no closing tag either.
+/// HTML has no self-closing elements, and meta has no closing tag.
 std::string PageDocument::text() const {
   std::ostringstream out;
   document_.save(out, "", pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags);
@@ -70,6 +71,24 @@ void add_list(pugi::xml_node parent, const std::vector<std::string>& items) {
   for (const std::string& item : items) add(list, "li", item);
 }
 
+void add_definitions(pugi::xml_node parent, const std::vector<std::pair<std::string, std::string>>& items) {
+  pugi::xml_node list = add(parent, "dl");
+  for (const auto& [name, value] : items) {
+    add(list, "dt", name);
+    add(list, "dd", value);
+  }
+}
+
+pugi::xml_node add_table(pugi::xml_node parent, const char* css_class, const std::vector<std::string>& headings,
+                         const std::string& caption) {
+  pugi::xml_node table = add(parent, "table", {}, css_class);
+  if (!caption.empty()) add(table, "caption", caption);
+  pugi::xml_node head = add(add(table, "thead"), "tr");
+  for (const std::string& heading : headings)
+    add(head, "th", with_powers(heading)).append_attribute("scope").set_value("col");
+  return add(table, "tbody");
+}
+
 pugi::xml_node add_folded(pugi::xml_node parent, const std::string& title) {
   pugi::xml_node folded = add(parent, "details", {}, "part");
   add(folded, "summary", title);
@@ -86,13 +105,10 @@ pugi::xml_node add_figure(pugi::xml_node parent, const Figure& figure, const std
   add(caption, "strong", with_powers(figure.title) + ". ");
   add_text(caption, with_powers(figure.caption) + " ");
   pugi::xml_node files = add(caption, "span", {}, "files");
+  static const std::map<std::string, const char*> kNames{
+      {".svg", "SVG"}, {".pdf", "PDF"}, {".png", "PNG"}, {".dat", "data"}, {".gp", "script"}};
   for (const std::string& ending : endings) {
-    const char* const text = ending == ".svg"   ? "SVG"
-                             : ending == ".pdf" ? "PDF"
-                             : ending == ".png" ? "PNG"
-                             : ending == ".dat" ? "data"
-                                                : "script";
-    add_link(files, folder + figure.name + ending, text);
+    add_link(files, folder + figure.name + ending, kNames.at(ending));
     add_text(files, " ");
   }
   return caption;

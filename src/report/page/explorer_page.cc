@@ -1,6 +1,3 @@
-#include "base/files.h"
-#include "report/page/explorer_page.h"
-
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <filesystem>
@@ -8,8 +5,9 @@
 
 #include "base/files.h"
 #include "dataset/table/csv.h"
+#include "report/fit_csv.h"
 #include "report/fit_json.h"
-#include "report/used_csv.h"
+#include "report/report.h"
 
 namespace mixity {
 namespace {

@@ -1,6 +1,6 @@
 #include "report/page/paper_page.h"
 
-#include "report/figures/paper_notes.h"
+#include "report/figures/paper_figures.h"
 #include "report/page/document.h"
 
 namespace mixity {

@@ -1,14 +1,14 @@
-#include "report/page/report_page.h"
-
 #include <map>
 #include <pugixml.hpp>
 
+#include "base/phrases.h"
 #include "base/text.h"
-#include "report/budget_text.h"
+#include "report/data_text.h"
 #include "report/fit_table.h"
+#include "report/fit_text.h"
 #include "report/page/answer_section.h"
 #include "report/page/document.h"
-#include "report/versions.h"
+#include "report/report.h"
 
 namespace mixity {
 namespace {
@@ -42,10 +42,9 @@ class Page {
 
  private:
   std::string title() const {
-    std::string names;
-    for (const ReportEntry& entry : content_.entries)
-      names += (names.empty() ? "" : ", ") + entry.data->result.data.name;
-    return names;
+    std::vector<std::string> names;
+    for (const ReportEntry& entry : content_.entries) names.push_back(entry.data->result.data.name);
+    return joined(names);
   }
 
   void add_data_set(pugi::xml_node main, const ReportEntry& entry) {
@@ -55,9 +54,8 @@ class Page {
     pugi::xml_node heading = add(section, "h2", data.name, &entry == &content_.entries.front() ? "first" : nullptr);
     heading.append_attribute("id").set_value(entry.data->stem.c_str());
     add_provenance(section, data);
-    const Answer& answer = entry.answer;
-    const Figure* const leading = leading_figure(entry, answer);
-    add_answer(section, answer, data, [&](pugi::xml_node parent) {
+    const Figure* const leading = leading_figure(entry);
+    add_answer(section, entry.data->answer, data, [&](pugi::xml_node parent) {
       if (leading) add_figure(parent, *leading, true);
     });
     add_fits(add_folded(section, result.fits.size() > 1 ? "All models" : "The fit"), result);
@@ -74,11 +72,7 @@ class Page {
     pugi::xml_node made = add_folded(section, "Data, assumptions and settings");
     add_source(made, data);
     add_list(made, assumptions(result));
-    pugi::xml_node settings = add(made, "dl");
-    for (const auto& [name, value] : fit_settings(result)) {
-      add(settings, "dt", name);
-      add(settings, "dd", value);
-    }
+    add_definitions(made, fit_settings(result));
     if (entry.figures.left_out.empty()) return;
     std::vector<std::string> reasons;
     for (const MissingFigure& figure : entry.figures.left_out) reasons.push_back(figure.what + ": " + figure.why);
@@ -86,10 +80,11 @@ class Page {
   }
 
   /// A(T) of the best model; without loads the toughness.
-  static const Figure* leading_figure(const ReportEntry& entry, const Answer& answer) {
-    if (!answer.fit) return nullptr;
+  static const Figure* leading_figure(const ReportEntry& entry) {
+    const FitResult* const fit = entry.data->answer.fit;
+    if (!fit) return nullptr;
     const std::string& stem = entry.data->stem;
-    for (const std::string& name : {stem + "_area_" + answer.fit->model, stem + "_toughness"})
+    for (const std::string& name : {stem + "_area_" + fit->model, stem + "_toughness"})
       for (const FigureGroup& group : entry.figures.groups)
         for (const Figure& figure : group.figures)
           if (figure.name == name) return &figure;
@@ -107,11 +102,8 @@ class Page {
   }
 
   static void add_source(pugi::xml_node section, const Dataset& data) {
-    std::string counts = std::to_string(data.rows) + " data rows, " + std::to_string(data.points.size()) + " used, " +
-                         std::to_string(data.excluded.size()) + " excluded";
-    if (data.has_loads)
-      counts +=
-          ", in " + std::to_string(data.curves.size()) + (data.curves.size() == 1 ? " loading run" : " loading runs");
+    const std::string counts =
+        row_counts(data) + (data.has_loads ? ", in " + counted(data.curves.size(), "loading run") : std::string());
     pugi::xml_node where = add(section, "p", counts + ". File: ", "soft");
     add(where, "code", data.shown_path());
     if (!data.metadata.source.empty()) add(section, "p", "Source: " + data.metadata.source, "soft");
@@ -121,10 +113,7 @@ class Page {
   static void add_fits(pugi::xml_node section, const Analysis& result) {
     for (const std::string& sentence : findings(result)) add(section, "p", with_powers(sentence));
     const FitTable fits = fit_table(result);
-    pugi::xml_node table = add(section, "table", {}, "fits");
-    pugi::xml_node head = add(add(table, "thead"), "tr");
-    for (const std::string& name : fits.headings) add(head, "th", name).append_attribute("scope").set_value("col");
-    pugi::xml_node body = add(table, "tbody");
+    pugi::xml_node body = add_table(section, "fits", fits.headings);
     for (const auto& row : fits.rows) {
       pugi::xml_node line = add(body, "tr");
       for (std::size_t column = 0; column < row.size(); ++column) {
@@ -160,13 +149,11 @@ class Page {
     std::map<std::pair<std::size_t, std::string_view>, std::vector<std::string>> models;  // of line and reason
     for (const FitResult& fit : result.fits)
       for (const Excluded& point : fit.excluded) models[{point.line, point.reason}].push_back(fit.model);
-    for (const auto& [point, without] : models) {
-      std::string names = without.front();
-      for (std::size_t i = 1; i < without.size(); ++i) names += ", " + without[i];
+    for (const auto& [point, without] : models)
       lines.push_back(result.data.line_text(point.first) +
-                      (without.size() == 1 ? ", model " + names + " only: " : ", models " + names + ": ") +
+                      (without.size() == 1 ? ", model " + without.front() + " only: "
+                                           : ", models " + joined(without) + ": ") +
                       std::string(point.second));
-    }
     if (lines.empty())
       add(section, "p", "None.");
     else
@@ -176,11 +163,7 @@ class Page {
   void add_reproduction(pugi::xml_node footer) const {
     add(footer, "h2", "To make this report again");
     add(add(footer, "p"), "code", printable(content_.settings.command, std::string::npos));
-    pugi::xml_node list = add(footer, "dl");
-    for (const auto& [name, version] : versions()) {
-      add(list, "dt", name);
-      add(list, "dd", version);
-    }
+    add_definitions(footer, versions());
     pugi::xml_node tables = add(footer, "p", "Beside this page: ", "files");
     for (const char* file : {"results.json", "fits.csv", "residuals.csv", "curves.csv", "summary.md"}) {
       add_link(tables, file, file);

@@ -1,4 +1,4 @@
-#include "report/figures/gnuplot_script.h"
+#include "report/figures/gnuplot.h"
 
 #include <gtest/gtest.h>
 

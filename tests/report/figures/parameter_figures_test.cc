@@ -140,23 +140,30 @@ TEST(RegimeFigures, ShowTheRegimeThatTheClassificationGives) {
   EXPECT_NEAR(covered / whole, 1, 0.01);  // the corner where a region begins between two columns
 }
 
+std::vector<Figure> figures_of(const PeakForces& peaks) {
+  const Analysis no_fits;
+  ReportedData reported{no_fits, "w"};
+  reported.peaks = peaks;
+  return peak_figures(reported);
+}
+
 TEST(PeakFigures, StressesAreForcesOverTheAreaOfHertz) {
   PeakForces peaks;
   peaks.force_unit = "mN";
   peaks.stress_unit = "kPa";
   peaks.rows = {{2, 1.0, 30.0, 10.0}, {3, 4.0, 20.0, 10.1}, {4, 5.0, {}, 9.9}};
-  const Figure figure = peak_figures(peaks, "w").at(0);
+  const Figure figure = figures_of(peaks).at(0);
   EXPECT_EQ(series_named(figure, "first maximum").points,
             (std::vector<std::pair<double, double>>{{1.0, 30.0}, {4.0, 20.0}}));
   EXPECT_EQ(series_named(figure, "following minimum").points.size(), 3u);
   EXPECT_NE(figure.caption.find("At the first maximum of each load it varies by a factor of 1.5."), std::string::npos);
-  EXPECT_TRUE(peak_figures({}, "w").empty());
+  EXPECT_TRUE(figures_of({}).empty());
 }
 
 TEST(PeakFigures, CompareTheFirstCycleOfEachLoadAndShowLaterOnesApart) {
   PeakForces peaks;
   peaks.rows = {{2, 1.0, 30.0, 10.0}, {3, 1.0, 12.0, 9.0}, {4, 4.0, 20.0, 10.1}, {5, 4.0, 11.0, 9.0}};
-  const Figure figure = peak_figures(peaks, "w").at(0);
+  const Figure figure = figures_of(peaks).at(0);
   EXPECT_EQ(series_named(figure, "first maximum").points,
             (std::vector<std::pair<double, double>>{{1.0, 30.0}, {4.0, 20.0}}));
   EXPECT_EQ(series_named(figure, "maxima of later cycles").points,

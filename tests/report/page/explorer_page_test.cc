@@ -1,5 +1,5 @@
 // What of a report's data the explorer is given.
-#include "report/page/explorer_page.h"
+#include "report/report.h"
 
 #include <gtest/gtest.h>
 

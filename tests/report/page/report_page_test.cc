@@ -1,5 +1,5 @@
 // What stands on the page, read back from its HTML.
-#include "report/page/report_page.h"
+#include "report/report.h"
 
 #include <gtest/gtest.h>
 
@@ -38,11 +38,11 @@ std::string text_of(const pugi::xml_node& node) {
 }
 
 ReportContent content_of(const ReportedData& data) {
-  return {{"mixity report x.toml", {}}, {{&data, {}, answer_of(data.result)}}, {}};
+  return {{"mixity report x.toml", {}}, {{&data, {}}}, {}};
 }
 
 TEST(ReportPage, SaysFirstWhereTheDataComeFrom) {
-  const ReportedData data{shipped("mergel2018"), "mergel2018", {}, {}, {}};
+  const ReportedData data = without_figures(shipped("mergel2018"), "mergel2018");
   const Parsed page(report_page(content_of(data)));
   const pugi::xml_node banner = page.first("//section/h2/following-sibling::*[1]");
   EXPECT_STREQ(banner.attribute("class").value(), "banner");
@@ -53,7 +53,7 @@ TEST(ReportPage, SaysFirstWhereTheDataComeFrom) {
 
 TEST(ReportPage, LeadsWithTheResultOfTheBestModelAndItsJumps) {
   const Analysis result = shipped("mergel2018");
-  const ReportedData data{result, "mergel2018", {}, {}, {}};
+  const ReportedData data = without_figures(result, "mergel2018");
   const Parsed page(report_page(content_of(data)));
   EXPECT_EQ(text_of(page.first("//p[@class='result']")), "λ = 0.002306 ± 0.000011");
   const auto rows = page.all("//table[@class='jumps']/tbody/tr");
@@ -63,7 +63,7 @@ TEST(ReportPage, LeadsWithTheResultOfTheBestModelAndItsJumps) {
 }
 
 TEST(ReportPage, HoldsTheFitTable) {
-  const ReportedData data{shipped("mergel2018"), "mergel2018", {}, {}, {}};
+  const ReportedData data = without_figures(shipped("mergel2018"), "mergel2018");
   const Parsed page(report_page(content_of(data)));
   const FitTable table = fit_table(shipped("mergel2018"));
   const auto cells = page.all("//table[@class='fits']/tbody/tr/*");
@@ -81,7 +81,7 @@ TEST(ReportPage, MarksEveryStatusThatIsNotOk) {
   for (const FitStatus status : {FitStatus::ok, FitStatus::at_bound, FitStatus::not_identifiable, FitStatus::multimodal,
                                  FitStatus::not_converged}) {
     const Analysis result = example(status);
-    const ReportedData data{result, "example", {}, {}, {}};
+    const ReportedData data = without_figures(result, "example");
     const Parsed page(report_page(content_of(data)));
     EXPECT_EQ(page.all("//td[@class='alert']").size(), status == FitStatus::ok                 ? 0u
                                                        : status == FitStatus::not_identifiable ? 2u  // not published's
@@ -97,7 +97,7 @@ TEST(ReportPage, ListsEveryExcludedPointWithItsReason) {
   Analysis result = example(FitStatus::ok);
   for (std::size_t line = 10; line < 40; ++line) result.data.excluded.push_back({line, "T < 0"});
   result.fits[0].excluded = {{30, "infinite toughness"}};
-  const ReportedData data{result, "example", {}, {}, {}};
+  const ReportedData data = without_figures(result, "example");
   const Parsed page(report_page(content_of(data)));
   const pugi::xml_node points = page.first("//details[summary='Points left out']");
   EXPECT_EQ(points.select_nodes(".//li").size(), 33u);
@@ -108,7 +108,7 @@ TEST(ReportPage, ForeignTextIsNotMarkup) {
   Analysis result = example(FitStatus::ok);
   result.data.name = "<script>alert(1)</script> & \"x\"";
   result.data.metadata.source = "a < b && c > d";
-  const ReportedData data{result, "example", {}, {}, {}};
+  const ReportedData data = without_figures(result, "example");
   const std::string html = report_page(content_of(data));
   EXPECT_EQ(html.find("<script"), std::string::npos);
   EXPECT_EQ(text_of(Parsed(html).first("//h2")), result.data.name);
@@ -152,7 +152,7 @@ TEST(ReportPage, SaysWhatIsMissingAndLinksWhatIsThere) {
 }
 
 TEST(ReportPage, SaysHowToMakeItAgain) {
-  const ReportedData data{shipped("mergel2018"), "mergel2018", {}, {}, {}};
+  const ReportedData data = without_figures(shipped("mergel2018"), "mergel2018");
   const Parsed page(report_page(content_of(data)));
   const std::string footer = text_of(page.first("//footer"));
   for (const char* part : {"mixity report x.toml", "Ceres", "2.1.0"})

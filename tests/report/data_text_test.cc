@@ -1,4 +1,4 @@
-#include "report/check_text.h"
+#include "report/data_text.h"
 
 #include <gtest/gtest.h>
 
