@@ -6,35 +6,15 @@
 namespace mixity {
 namespace {
 
+/// A figure or a data set with the report that it belongs to.
 struct ListedFigure {
   const Figure* figure;
-  std::vector<std::string> files;
+  const ReportContent* report;
 };
-
 struct ListedEntry {
   const ReportEntry* entry;
-  std::vector<ListedFigure> figures;
+  const ReportContent* report;
 };
-
-struct ReportDocument {
-  const ReportContent* content;
-  std::vector<ListedEntry> entries;
-};
-
-ReportDocument document_of(const ReportContent& content) {
-  ReportDocument document{&content, {}};
-  for (const ReportEntry& entry : content.entries) {
-    std::vector<ListedFigure> figures;
-    for (const FigureGroup& group : entry.figures.groups)
-      for (const Figure& figure : group.figures) {
-        figures.push_back({&figure, {}});
-        for (const std::string& ending : content.drawn.endings.at(figure.name))
-          figures.back().files.push_back("figures/" + figure.name + ending);
-      }
-    document.entries.push_back({&entry, std::move(figures)});
-  }
-  return document;
-}
 
 /// Peaks that were measured, and those that the fits predict.
 struct BothPeaks {
@@ -118,7 +98,12 @@ void describe(Fields<ListedFigure>& field) {
   field("name", "name of its files", [](auto& listed) { return listed.figure->name; });
   field("title", "title", [](auto& listed) { return listed.figure->title; });
   field("caption", "caption", [](auto& listed) { return listed.figure->caption; });
-  field("files", "paths within the report", R"({"minItems": 2})", &ListedFigure::files);
+  field("files", "paths within the report", R"({"minItems": 2})", [](const ListedFigure& listed) {
+    std::vector<std::string> files;
+    for (const std::string& ending : listed.report->drawn.endings.at(listed.figure->name))
+      files.push_back("figures/" + listed.figure->name + ending);
+    return files;
+  });
 }
 
 void describe(Fields<MissingFigure>& field) {
@@ -142,24 +127,33 @@ void describe(Fields<ListedEntry>& field) {
     const ReportedData& data = *listed.entry->data;
     return data.peaks ? std::optional(BothPeaks{&*data.peaks, &data.predicted_peaks}) : std::nullopt;
   });
-  field("figures", "figures of the report", &ListedEntry::figures);
+  field("figures", "figures of the report", [](const ListedEntry& listed) {
+    std::vector<ListedFigure> figures;
+    for (const FigureGroup& group : listed.entry->figures.groups)
+      for (const Figure& figure : group.figures) figures.push_back({&figure, listed.report});
+    return figures;
+  });
   field("figures_left_out", "figures that do not apply", [](auto& listed) { return listed.entry->figures.left_out; });
 }
 
-void describe(Fields<ReportDocument>& field) {
+void describe(Fields<ReportContent>& field) {
   field("schema", "of this document", R"({"const": "mixity-report-1"})", [](auto&) { return "mixity-report-1"; });
   field("version", "of mixity", [](auto&) { return MIXITY_VERSION; });
-  field("command", "that makes this report again", [](auto& document) { return document.content->settings.command; });
+  field("command", "that makes this report again", [](auto& report) { return report.settings.command; });
   field("made_with", "versions of the program and its libraries, by name", [](auto&) { return versions(); });
-  field("missing", "why nothing was drawn; null if all figures were", [](const ReportDocument& document) {
-    const std::string& missing = document.content->drawn.missing;
+  field("missing", "why nothing was drawn; null if all figures were", [](auto& report) {
+    const std::string& missing = report.drawn.missing;
     return missing.empty() ? std::nullopt : std::optional(missing);
   });
-  field("datasets", "one for each data set", R"({"minItems": 1})", &ReportDocument::entries);
+  field("datasets", "one for each data set", R"({"minItems": 1})", [](const ReportContent& report) {
+    std::vector<ListedEntry> entries;
+    for (const ReportEntry& entry : report.entries) entries.push_back({&entry, &report});
+    return entries;
+  });
 }
 
-std::string report_json(const ReportContent& content) { return json_text(json_of(document_of(content))); }
+std::string report_json(const ReportContent& content) { return json_text(json_of(content)); }
 
-Json report_schema() { return schema_of<ReportDocument>(); }
+Json report_schema() { return schema_of<ReportContent>(); }
 
 }  // namespace mixity

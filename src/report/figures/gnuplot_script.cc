@@ -1,8 +1,10 @@
 #include "report/figures/gnuplot.h"
 
+#include <array>
 #include <sstream>
 
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "report/figures/layout.h"
 
 namespace mixity {
@@ -36,26 +38,12 @@ int point_type(Look look) {
 std::string paint(const std::string& color) { return " lc rgb " + script_string(color); }
 
 std::string style(Look look, const std::string& color, bool bars) {
-  const auto line = [&](const char* width, const char* dashes) {
-    return std::string("with lines lw ") + width + " dt " + dashes + paint(color);
-  };
-  switch (look) {
-    case Look::solid:
-      return line("1.6", "1");
-    case Look::dashed:
-      return line("1.6", "(14,6)");
-    case Look::dash_dot:
-      return line("1.6", "(14,5,2,5)");
-    case Look::dash_dots:
-      return line("1.6", "(14,4,2,4,2,4)");
-    case Look::dotted:
-      return line("1.1", "(2,4)");
-    case Look::band:
-      return "with filledcurves closed fs transparent solid 0.25 noborder" + paint(color);
-    default:
-      return std::string(bars ? "with xyerrorbars" : "with points") + " pt " + std::to_string(point_type(look)) +
-             " ps 0.6" + paint(color);
-  }
+  static constexpr std::array kLines{"1.6 dt 1", "1.6 dt (14,6)", "1.6 dt (14,5,2,5)", "1.6 dt (14,4,2,4,2,4)",
+                                     "1.1 dt (2,4)"};
+  if (look <= Look::dotted) return std::string("with lines lw ") + kLines[static_cast<std::size_t>(look)] + paint(color);
+  if (look == Look::band) return "with filledcurves closed fs transparent solid 0.25 noborder" + paint(color);
+  return std::string(bars ? "with xyerrorbars" : "with points") + " pt " + std::to_string(point_type(look)) +
+         " ps 0.6" + paint(color);
 }
 
 /// Within two decades gnuplot itself labels too little.
@@ -71,29 +59,18 @@ std::string axis_commands(const Figure& figure, bool x) {
     return text + "set " + name + "tics " + shortest(tick_step(range->high - range->low, x && figure.wide ? 10 : 6)) +
            '\n';
   if (range->high > 100 * range->low) return text + "set format " + name + " \"10^{%T}\"\n";
-  std::string list;
-  for (const double tick : digit_ticks(*range))
-    list += (list.empty() ? "" : ", ") + script_string(rounded(tick, 3)) + ' ' + shortest(tick);
-  return list.empty() ? text : text + "set " + name + "tics (" + list + ")\n";
+  std::vector<std::string> ticks;
+  for (const double tick : digit_ticks(*range)) ticks.push_back(script_string(rounded(tick, 3)) + ' ' + shortest(tick));
+  return ticks.empty() ? text : text + "set " + name + "tics (" + joined(ticks) + ")\n";
 }
 
 const char* position(KeyPlace key) {
-  switch (key) {
-    case KeyPlace::beside:
-      return "outside right top";
-    case KeyPlace::top_left:
-      return "inside left top";
-    case KeyPlace::above:
-      break;
-  }
-  return "above";
+  return key == KeyPlace::beside ? "outside right top" : key == KeyPlace::top_left ? "inside left top" : "above";
 }
 
-/// Everything between `plot` and the end of the command. Points with something to say are drawn as labels; those with
-/// bars twice, since labels have none.
-std::string plotted(const Figure& figure) {
-  std::string plot;
-  const auto add = [&](const std::string& part) { plot += (plot.empty() ? "plot " : ", \\\n     ") + part; };
+/// The plot command. Points with a hover text are drawn as labels; those with bars twice, since labels have no bars.
+std::string plot_command(const Figure& figure) {
+  std::vector<std::string> parts;
   std::size_t index = 0;
   for (const Series& series : figure.series) {
     if (series.points.empty()) continue;
@@ -101,15 +78,15 @@ std::string plotted(const Figure& figure) {
     const std::string source = script_string(figure.name + ".dat") + " index " + std::to_string(index++) + " using ";
     const std::string look = style(series.look, series.color, bars);
     const std::string title = series.label.empty() ? " notitle" : " title " + script_string(series.label);
-    if (bars || !hover) add(source + (bars ? "1:2:3:4:5:6 " : "1:2 ") + look + title);
+    if (bars || !hover) parts.push_back(source + (bars ? "1:2:3:4:5:6 " : "1:2 ") + look + title);
     if (!hover) continue;
-    add(source + "1:2:" + (bars ? "7" : "3") + " with labels hypertext noenhanced point pt " +
-        std::to_string(point_type(series.look)) + " ps 0.6" + paint(series.color) + " notitle");
-    if (!bars && !series.label.empty()) add("keyentry " + look + title);
+    parts.push_back(source + "1:2:" + (bars ? "7" : "3") + " with labels hypertext noenhanced point pt " +
+                    std::to_string(point_type(series.look)) + " ps 0.6" + paint(series.color) + " notitle");
+    if (!bars && !series.label.empty()) parts.push_back("keyentry " + look + title);
   }
   for (const auto& [label, look] : figure.key)
-    add("keyentry " + style(look, "#000000", false) + " title " + script_string(label));
-  return plot;
+    parts.push_back("keyentry " + style(look, "#000000", false) + " title " + script_string(label));
+  return joined(parts, ", \\\n     ", "plot ");
 }
 
 }  // namespace
@@ -137,7 +114,7 @@ std::string figure_data(const Figure& figure) {
 
 std::string figure_script(const Figure& figure, const std::vector<std::string>& endings) {
   std::ostringstream out;
-  const std::string plot = plotted(figure);
+  const std::string plot = plot_command(figure);
   out << "# " << figure.title << "\n# To draw it: gnuplot " << figure.name
       << ".gp\nreset\nset encoding utf8\nset border 3\nset tics out nomirror scale 0.6\nset errorbars 0.4\n"
       << axis_commands(figure, true) << axis_commands(figure, false) << "set key " << position(figure.key_place)

@@ -1,6 +1,7 @@
 #include "report/figures/svg.h"
 
 #include <algorithm>
+#include <array>
 
 #include "report/figures/layout.h"
 #include "report/figures/polyline.h"
@@ -14,19 +15,10 @@ constexpr std::size_t kManyPoints = 500;  // of one series: drawn as dots
 
 bool is_symbol(Look look) { return look >= Look::circles && look != Look::band; }
 
+/// The dashes of a line; null for a solid one.
 const char* dashes(Look look) {
-  switch (look) {
-    case Look::dashed:
-      return "9 4";
-    case Look::dash_dot:
-      return "10 3.5 1.5 3.5";
-    case Look::dash_dots:
-      return "10 3 1.5 3 1.5 3";
-    case Look::dotted:
-      return "1.5 3";
-    default:
-      return nullptr;
-  }
+  static constexpr std::array<const char*, 5> kDashes{nullptr, "9 4", "10 3.5 1.5 3.5", "10 3 1.5 3 1.5 3", "1.5 3"};
+  return kDashes[static_cast<std::size_t>(look)];
 }
 
 /// The path of a symbol.
