@@ -1,4 +1,4 @@
-// CSV by description: a column is a heading and what each row has there, so that header and rows cannot disagree.
+// CSV by description: a column is a heading and a function of the row, so that header and rows cannot disagree.
 #pragma once
 
 #include <functional>

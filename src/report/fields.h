@@ -1,5 +1,5 @@
-// Outputs by description: the fields of a type are listed once, each with its name, how it is read and what it means.
-// The list gives both the JSON of a value and the JSON Schema of all values.
+// Outputs by description: each type lists its fields once, with their names, meanings and values. The list gives both
+// the JSON of a value and the JSON Schema of all values.
 //
 //   void describe(Fields<BudgetPart>& field) {
 //     field("share", "part of the variance, 0 to 1", &BudgetPart::share);
@@ -24,20 +24,20 @@ struct Analysis;
 
 using Json = nlohmann::ordered_json;
 
-/// The fit and the data set that a value belongs to, which know its unit and its line; null outside of them.
+/// The fit and the data set to which a value belongs, as they determine units and line numbers; null if there is none.
 struct Within {
   const Analysis* result = nullptr;
   const FitResult* fit = nullptr;
 };
 
-/// A message in the words of the request that it belongs to.
+/// A message in the wording of its request.
 std::string worded(const Message& message, const Within& within);
 
-/// An object with these names. Its schema leaves the names open.
+/// An object with these names, which its schema does not list.
 template <class Value>
 using Named = std::vector<std::pair<std::string, Value>>;
 
-/// A field that is absent without a value. std::optional and null pointers are written as null.
+/// A field that is absent if it has no value. Empty std::optional and null pointers are written as null.
 template <class Value>
 struct IfAny {
   std::optional<Value> value;
@@ -114,7 +114,7 @@ Json schema_of() {
   } else if constexpr (is_a<Value, std::vector>) {
     return {{"type", "array"}, {"items", schema_of<typename Value::value_type>()}};
   } else if constexpr (std::is_enum_v<Value>) {
-    Json names = Json::array();  // to_string gives numbers beyond the last enumerator a name that it gave before
+    Json names = Json::array();  // beyond the last enumerator to_string repeats a name
     for (int i = 0; std::find(names.begin(), names.end(), to_string(Value(i))) == names.end(); ++i)
       names.push_back(to_string(Value(i)));
     return {{"enum", names}};
@@ -134,8 +134,8 @@ Json schema_of() {
 template <class T>
 class Fields {
  public:
-  /// `get`: a member of T, or a function of a const T&, or of that and a const Within&. `limits`: JSON of what the
-  /// schema says beyond the type.
+  /// `get`: a member of T, or a function of a const T& and, optionally, a const Within&. `limits`: JSON with further
+  /// keys of the schema.
   template <class Get>
   void operator()(const char* name, const char* meaning, const char* limits, Get get) {
     using Value = std::remove_cvref_t<decltype(got(get, std::declval<const T&>(), Within{}))>;
@@ -147,7 +147,7 @@ class Fields {
     (*this)(name, meaning, "{}", get);
   }
 
-  /// All fields of another type, which `get` finds for a T.
+  /// All fields of another type. `get` returns its value for a T.
   template <class Get>
   void all_of(Get get) {
     using Other = std::remove_cvref_t<std::invoke_result_t<Get, const T&>>;

@@ -163,7 +163,7 @@ std::string predicted_curves(const Dataset* alone, std::span<const Analysis> res
 std::string fits_csv(const std::vector<Analysis>& results) {
   CsvTable<Json> column;
   for (const std::string_view one : split(kColumns, ' ')) {
-    const std::string_view path = one.substr(one.find('=') + 1);  // all of it where there is no =
+    const std::string_view path = one.substr(one.find('=') + 1);  // the whole text if there is no =
     column(std::string(one.substr(0, one.find('='))), [path](const Json& row) { return cell(at_path(row, path)); });
   }
   for (const Analysis& result : results)

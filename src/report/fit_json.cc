@@ -25,7 +25,7 @@ struct FitDocument {
   const Shard* shard;
 };
 
-/// Of a load as the file has it.
+/// A load in the unit of the file.
 auto shown_load(const double& P, const Within& in) { return P * in.result->data.display.force_scale; }
 
 }  // namespace
@@ -73,8 +73,7 @@ void describe(Fields<ComparedModel>& field) {
   field("model", "key of the model", &ComparedModel::model);
   const char* const kInformation =
       "null for a model that could not use all the points that the others used, and under a robust loss in units of "
-      "the "
-      "scatter";
+      "the scatter";
   field("aicc", kInformation, &ComparedModel::aicc);
   field("bic", kInformation, &ComparedModel::bic);
   field("weight", "Akaike weight by AICc; null without AICc", &ComparedModel::weight);

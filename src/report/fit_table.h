@@ -1,5 +1,5 @@
-// The fits of a data set as rows of a table, rounded for a reader, and what is to be said about them in words: the same
-// in the page and in the Markdown summary.
+// The fits of a data set as a table, rounded for a reader, and sentences about them, for the page and the Markdown
+// summary.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace mixity {
 
-/// Columns that say nothing of any fit are left out.
+/// Without columns that are empty for all fits.
 struct FitTable {
   struct Cell {
     std::vector<std::string> lines;
-    bool alert = false;  // a status that is not ok, a published value that is not met
+    bool alert = false;  // a status other than ok, or a published value with which the fit does not agree
   };
   std::vector<std::string> headings, short_headings;
   std::vector<std::vector<Cell>> rows;  // [fit][column]
@@ -21,14 +21,13 @@ struct FitTable {
 
 FitTable fit_table(const Analysis& result);
 
-/// The table for a terminal: columns aligned, a line for each fit and further ones where a cell has
-/// several.
+/// The table for a terminal: aligned columns, a line for each fit and more where a cell has several lines.
 std::string table_text(const Analysis& result);
 
 /// Text with powers as ² and ³.
 std::string with_powers(std::string text);
 
-/// A sentence on which model predicts best, and one on every fit that did not end ok.
+/// Sentences on the model that predicts best, on every fit with a status other than ok, and the notes on the data.
 std::vector<std::string> findings(const Analysis& result);
 
 /// What was taken as known or true.

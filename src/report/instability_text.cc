@@ -1,16 +1,14 @@
 #include "report/instability_text.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
 #include "base/phrases.h"
-#include "base/text.h"
+#include "report/fields.h"
 
 namespace mixity {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Row = std::vector<std::string>;
 
 std::string number_text(const Derived& number, double scale) {
@@ -19,9 +17,12 @@ std::string number_text(const Derived& number, double scale) {
   return with_error(*number.value * scale, *number.standard_error * scale);
 }
 
+/// Whether T reaches tau0 A before one of the folds.
 bool slides_first(const InstabilityReport& report, const InstabilityReport::AtLoad& at) {
-  return std::any_of(at.predicted.folds.begin(), at.predicted.folds.end(),
-                     [&](const FoldPrediction& fold) { return report.slides_before(fold); });
+  return report.shear_strength &&
+         std::any_of(at.predicted.folds.begin(), at.predicted.folds.end(), [&](const FoldPrediction& fold) {
+           return *fold.T.value > *report.shear_strength * *fold.A.value;
+         });
 }
 
 std::string control_text(const Control& control, const InstabilityUnits& units) {
@@ -89,8 +90,7 @@ std::string to_json(const InstabilityReport& report) {
   if (fitted) document["source"] = report.source;
   for (const auto& [name, number] : report.parameters) {
     if (!fitted) document[name] = *number.value;
-    parameters[name] = {{"value", *number.value},
-                        {"stderr", number.standard_error ? Json(*number.standard_error) : Json()}};
+    parameters[name] = {{"value", *number.value}, {"stderr", json_of(number.standard_error)}};
   }
   if (fitted) document["parameters"] = parameters;
   if (!units.force.empty())

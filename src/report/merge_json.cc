@@ -3,13 +3,12 @@
 
 #include "base/files.h"
 #include "base/input_error.h"
-#include "dataset/table/csv.h"
 #include "report/fit_json.h"
 
 namespace mixity {
 namespace {
 
-/// A document of mixity fit, and which part of how many it says to be.
+/// A document of mixity fit, which is part `part` of `of`.
 struct ShardFile {
   std::string path;
   Json document;
@@ -35,7 +34,7 @@ Message flag_text(const Json& flags, const std::string& name) {
                               : "without " + Remedy::set(name);
 }
 
-/// What of one campaign is another in the other, as what follows the name of its file; empty: nothing.
+/// The first difference of a campaign from another one, as the end of a sentence that begins with its file; empty: none.
 Message difference(const Json& one, const Json& other, const std::string& other_path) {
   const Json &files = one["files"], &others = other["files"];
   if (files.size() != others.size())
@@ -61,7 +60,8 @@ bool is_campaign(const Json& campaign) {
          campaign.value("flags", Json()).is_object() && texts(campaign["flags"]);
 }
 
-/// Throws InputError unless the parts are of one list and were made with the same flags, each with its share.
+/// Throws InputError unless the parts have the same list of files and the same flags, and each has its share of the
+/// data sets.
 void require_one_campaign(const std::vector<ShardFile>& parts) {
   for (const ShardFile& part : parts) {
     const Json campaign = part.document.value("campaign", Json());
@@ -106,7 +106,7 @@ std::string merge_json(const std::vector<std::string>& paths) {
   whole.erase("shard");
   whole.erase("campaign");
   whole["datasets"] = Json::array();
-  // data sets were dealt out in turn
+  // part i has every n-th data set
   for (std::size_t row = 0; row < most; ++row)
     for (const ShardFile& part : parts)
       if (row < part.document["datasets"].size()) whole["datasets"].push_back(part.document["datasets"][row]);

@@ -7,7 +7,7 @@
 
 namespace mixity {
 
-/// `predicted_by` names the model and parameters of the prediction, empty if there is none.
+/// `predicted_by`: the model and the parameters of the prediction; empty if there is none.
 std::string sahli_text(const Dataset& data, const SahliResult& result, const std::string& predicted_by,
                        Wording words = in_neutral_words);
 

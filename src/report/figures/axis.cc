@@ -10,9 +10,9 @@
 namespace mixity {
 namespace {
 
-constexpr double kMargin = 0.04;  // of what the points span: no symbol is cut
+constexpr double kMargin = 0.04;  // share of the span of the points; no symbol is cut
 
-/// What the points of a figure and their bars span along one axis.
+/// The range of the points and bars of a figure along one axis.
 AxisRange span_of(const Figure& figure, bool x) {
   AxisRange span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   const auto include = [&](double value) {
@@ -29,7 +29,7 @@ AxisRange span_of(const Figure& figure, bool x) {
   return span;
 }
 
-/// 0.0025 or, of what is large or small, 2.5×10^{−7}. `decimals` of an axis that needs as many.
+/// 0.0025 or, for large and small values, 2.5×10^{−7}. `decimals`: as many as the axis needs; -1: as the value needs.
 std::string tick_label(double value, int decimals = -1) {
   char fixed[32];
   std::string text = rounded(value, 6);

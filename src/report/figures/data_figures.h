@@ -53,7 +53,7 @@ std::vector<Figure> behaviour_figures(const ReportedData& data);
 std::vector<Figure> regime_figures(const ReportedData& data, std::vector<MissingFigure>& left_out);
 /// alpha against A0 with the exponents -5/4 and -3/2.
 std::vector<Figure> sahli_figures(const ReportedData& data);
-/// T(t) of the log's runs with maxima and minima (Fig. 2), as `mixity runs` drew them: eight at most.
+/// T(t) of the log's runs with maxima and minima (Fig. 2), as `mixity runs` drew them; at most eight.
 std::vector<Figure> kept_log_figures(const ReportedData& data, std::vector<MissingFigure>& left_out);
 /// T/A_Hertz against P at peak and minimum (Fig. 11), with the jump that each model predicts.
 std::vector<Figure> peak_figures(const ReportedData& data);

@@ -1,4 +1,4 @@
-// The files of figures: SVG, and on request what gnuplot makes of them.
+// The files of figures: SVG, and on request PDF, PNG, scripts and data by gnuplot.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace mixity {
 struct DrawnFigures {
   std::vector<OutputFile> files;                            // to be written
   std::map<std::string, std::vector<std::string>> endings;  // of a figure's files, by its name: ".svg", ".pdf"
-  std::string missing;                                      // what could not be drawn, and why; empty if nothing
+  std::string missing;                                      // what could not be drawn, and why; empty if all was
 };
 
 /// FOLDER/NAME.svg of each figure, and in the formats that are asked for NAME.pdf, NAME.png, and gnuplot's NAME.gp with

@@ -37,7 +37,7 @@ std::optional<pid_t> start_gnuplot(const std::vector<std::string>& scripts, cons
   return failure == 0 ? std::optional(child) : std::nullopt;
 }
 
-/// `meanwhile`, if there is one, is called now and then.
+/// Calls `meanwhile`, unless it is null, every 20 ms.
 void wait_for(pid_t child, const std::function<void()>& meanwhile) {
   int status = 0;
   for (pid_t ended = 0; ended == 0 || (ended < 0 && errno == EINTR);) {

@@ -1,4 +1,4 @@
-// Figures as gnuplot's data and scripts, and as what the program gnuplot draws.
+// Figures as gnuplot's data and scripts, and drawn by the program gnuplot.
 #pragma once
 
 #include <string>
@@ -22,8 +22,8 @@ struct GnuplotFigures {
   std::string missing;                          // why some are not drawn; empty if all are
 };
 
-/// As files of these endings, ".pdf" and ".png", on as many processes as there are processors. Passes the part that is
-/// begun to `progress`. Throws OutputError if there is no folder for temporary files.
+/// As files of these endings, ".pdf" and ".png", on as many processes as there are processors. Passes the
+/// share that is begun to `progress`. Throws OutputError if there is no folder for temporary files.
 GnuplotFigures draw_by_gnuplot(const std::vector<const Figure*>& figures, const std::vector<std::string>& endings,
                                const Progress& progress = {});
 

@@ -15,12 +15,12 @@ std::string script_string(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
-    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c == '`' ? '\'' : c;  // gnuplot would run what is in backquotes
+    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c == '`' ? '\'' : c;  // gnuplot runs text in backquotes as a command
   }
   return out + '"';
 }
 
-/// A field of the data file: gnuplot ends it at a quote, and its SVG holds it between apostrophes.
+/// A field of the data file. gnuplot ends it at a quote, and its SVG writes it between apostrophes.
 std::string data_text(std::string_view text) {
   std::string out = "\"";
   for (const char c : text)
@@ -40,7 +40,8 @@ std::string paint(const std::string& color) { return " lc rgb " + script_string(
 std::string style(Look look, const std::string& color, bool bars) {
   static constexpr std::array kLines{"1.6 dt 1", "1.6 dt (14,6)", "1.6 dt (14,5,2,5)", "1.6 dt (14,4,2,4,2,4)",
                                      "1.1 dt (2,4)"};
-  if (look <= Look::dotted) return std::string("with lines lw ") + kLines[static_cast<std::size_t>(look)] + paint(color);
+  if (look <= Look::dotted)
+    return std::string("with lines lw ") + kLines[static_cast<std::size_t>(look)] + paint(color);
   if (look == Look::band) return "with filledcurves closed fs transparent solid 0.25 noborder" + paint(color);
   return std::string(bars ? "with xyerrorbars" : "with points") + " pt " + std::to_string(point_type(look)) +
          " ps 0.6" + paint(color);

@@ -15,28 +15,29 @@ struct AxisRange {
   double low, high;  // low < high; both above 0 on a logarithmic axis
 };
 
-/// The stated ends; one that is not stated lies a little beyond the points and their bars. Null without any.
+/// The ends of an axis of the figure. An end that the axis does not state is a little beyond the points and their bars.
+/// Null if there is no end.
 std::optional<AxisRange> axis_range(const Figure& figure, bool x);
 
 /// 1, 2, 2.5 or 5 times a power of ten: the smallest that makes at most `most` steps of a width.
 double tick_step(double width, int most);
 
-/// Labelled positions of a logarithmic axis of at most two decades: 1, 2, 5 or, where those are few, every digit.
-/// Empty where these are few, too, and beyond two decades, where powers of ten are labelled.
+/// Labelled positions of a logarithmic axis of at most two decades: 1, 2, 5 or, if those are fewer than three, every
+/// digit. Empty if these are fewer than three, too, and for more than two decades: then powers of ten are labelled.
 std::vector<double> digit_ticks(const AxisRange& range);
 
 struct Tick {
   double value;
-  std::string label;  // empty: a small one
+  std::string label;  // empty: a small tick
 };
 
-/// All ticks by rising value, with at most some `most` steps between labels.
+/// All ticks by rising value, with at most about `most` steps between labels.
 std::vector<Tick> axis_ticks(const AxisRange& range, bool logarithmic, int most);
 
 inline constexpr double kFont = 13, kTick = 4;
 inline constexpr double kSample = 20, kSampleGap = 8;  // of the key: lines and symbols before the labels
 
-/// From the values of an axis to its places.
+/// Maps the values of an axis to positions in the drawing.
 struct AxisScale {
   bool logarithmic = false;
   double origin = 0, factor = 0, from = 0;
@@ -61,7 +62,7 @@ struct Layout {
   double title_x = 0, title_y = 0;  // of the key
 };
 
-/// Of a wide figure at the width of a page or, `narrow`, of a phone. No texts touch, as wide as label_width says.
+/// Of a wide figure at the width of a page or, if `narrow`, of a phone. No texts touch, with the widths of label_width.
 Layout lay_out(const Figure& figure, bool narrow);
 
 }  // namespace mixity

@@ -1,7 +1,6 @@
 #include "report/figures/log_figures.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "analysis/readable.h"
 #include "base/number_text.h"
@@ -16,7 +15,7 @@ namespace {
 constexpr double kBeside = 0.25;
 constexpr std::size_t kMostShown = 1500;
 
-/// The first frame and the one behind the last.
+/// The first frame and the one after the last.
 std::pair<std::size_t, std::size_t> shown_frames(const LoadingRuns& found, const LoadingRun& run) {
   const auto margin = static_cast<std::size_t>(kBeside * static_cast<double>(run.end - run.begin)) + 5;
   return {std::max(run.contact, run.begin > margin ? run.begin - margin : 0),

@@ -1,6 +1,5 @@
 #include "report/figures/paper_curves.h"
 
-#include <cmath>
 #include <functional>
 
 #include "base/number_text.h"
@@ -47,8 +46,8 @@ void add_curves(Figure& figure, const PaperModel& model, const std::vector<doubl
   }
 }
 
-/// Where the contacts jump: triangles under load control, diamonds under displacement control, which lie beyond what is
-/// stable under load.
+/// Marks where the contacts jump: triangles under load control, diamonds under displacement control, which are on the
+/// branch that is unstable under load control.
 void add_jumps(Figure& figure, const PaperModel& model, const std::vector<double>& loads, const Projected& project) {
   for (const auto& [kind, look] :
        {std::pair(Control::Kind::load, Look::triangles), std::pair(Control::Kind::displacement, Look::diamonds)}) {

@@ -6,7 +6,7 @@
 namespace mixity {
 namespace {
 
-/// What lies where `inside` is 0 or more, which is linear in the point.
+/// The parts where `inside`, a linear function of the point, is 0 or more.
 template <class Inside>
 std::vector<Polyline> cut(const std::vector<Polyline>& lines, bool closed, const Inside& inside) {
   std::vector<Polyline> kept;

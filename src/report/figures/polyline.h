@@ -1,4 +1,4 @@
-// Lines and areas cut to a frame and freed of points that nobody would see.
+// Cuts lines and areas to a frame and removes points that make no visible difference.
 #pragma once
 
 #include <utility>
@@ -9,8 +9,7 @@ namespace mixity {
 using Point2 = std::pair<double, double>;
 using Polyline = std::vector<Point2>;
 
-/// What lies within the rectangle: of a line its parts; of a closed area one outline, empty if nothing does. Points
-/// that are not finite are left out.
+/// The parts of a line within the rectangle; of a closed area one outline or none. Skips points that are not finite.
 std::vector<Polyline> cut_to_frame(const Polyline& line, bool closed, Point2 low, Point2 high);
 
 /// Without the points that lie within `tolerance` of the line that remains (Douglas & Peucker 1973).

@@ -10,7 +10,7 @@
 namespace mixity {
 namespace {
 
-constexpr double kUnseen = 0.04;          // by which a line may differ from its points
+constexpr double kUnseen = 0.04;          // distance by which a line may differ from its points
 constexpr std::size_t kManyPoints = 500;  // of one series: drawn as dots
 
 bool is_symbol(Look look) { return look >= Look::circles && look != Look::band; }
@@ -66,7 +66,7 @@ class Drawing {
  private:
   std::string paint(const std::string& hex) const { return page_ ? themed(hex) : hex; }
 
-  /// `room`: for the text; what is longer is squeezed.
+  /// `room`: the width for the text; longer text is compressed.
   void add_label(const std::string& label, double x, double y, const char* anchor, double room, bool upright = false) {
     out_ << "<text text-anchor=\"" << anchor;
     if (upright)

@@ -10,7 +10,7 @@
 namespace mixity {
 namespace {
 
-constexpr double kScript = 0.72;  // size of what is set lower or higher
+constexpr double kScript = 0.72;  // size of subscripts and superscripts
 
 struct Piece {
   std::string text;
@@ -77,7 +77,7 @@ SvgText& SvgText::operator<<(double value) {
 std::string xml_escaped(std::string_view text) {
   std::string out;
   out.reserve(text.size());
-  std::size_t kept = 0;  // what is before is in `out`
+  std::size_t kept = 0;  // the text before is in `out`
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     const bool control = static_cast<unsigned char>(c) < ' ';

@@ -17,14 +17,14 @@ struct SvgText {
   }
 };
 
-/// As text between elements or as an attribute; control characters become blanks.
+/// For text between elements and for attributes; control characters become blanks.
 std::string xml_escaped(std::string_view text);
 
-/// The content of a text element: what follows _ or ^, a character or {several}, is set lower or higher, and the
-/// character behind a \ is taken as it is. `font`: its size.
+/// The content of a text element. A character or {several} after _ or ^ become a subscript or superscript; a character
+/// after \ stays as it is. `font`: its size.
 std::string label_markup(std::string_view label, double font);
 
-/// The width of a label as it is set: that of DejaVu Sans, one of the widest fonts that a page may get.
+/// The width of a label in DejaVu Sans, one of the widest fonts that a page may use.
 double label_width(std::string_view label, double font);
 
 }  // namespace mixity

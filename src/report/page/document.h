@@ -1,7 +1,6 @@
-// What every page is made of: elements, a document with the style in it, and a figure with its caption and files.
+// HTML as text: elements, lists, tables, figures, and a page with its style in it.
 #pragma once
 
-#include <pugixml.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,35 +9,30 @@
 
 namespace mixity {
 
-/// An HTML page of one file, with an empty body to fill.
-class PageDocument {
- public:
-  explicit PageDocument(const std::string& title);
-  pugi::xml_node body() { return body_; }
-  std::string text() const;
+using Attributes = std::vector<std::pair<const char*, std::string>>;
 
- private:
-  pugi::xml_document document_;
-  pugi::xml_node body_;
-};
-
-pugi::xml_node add(pugi::xml_node parent, const char* element, const std::string& text = {},
-                   const char* css_class = nullptr);
-/// Appends text after what is already in the node.
-void add_text(pugi::xml_node node, const std::string& text);
-void add_link(pugi::xml_node node, const std::string& target, const std::string& text);
-void add_list(pugi::xml_node parent, const std::vector<std::string>& items);
-/// Names and values.
-void add_definitions(pugi::xml_node parent, const std::vector<std::pair<std::string, std::string>>& items);
-/// A table with these headings of its columns, in the order of the rows' cells. Returns its empty body.
-pugi::xml_node add_table(pugi::xml_node parent, const char* css_class, const std::vector<std::string>& headings,
-                         const std::string& caption = {});
+/// <name attributes>content</name>. `content` is markup, the values of attributes are text.
+std::string element(const char* name, const std::string& content, const Attributes& attributes = {});
+/// The same with a text, which is escaped.
+std::string text_element(const char* name, const std::string& text, const char* css_class = nullptr);
+std::string link_to(const std::string& target, const std::string& text);
+/// Of texts.
+std::string list_of(const std::vector<std::string>& items);
+/// Of names and values.
+std::string definitions_of(const std::vector<std::pair<std::string, std::string>>& items);
+/// `rows`: markup, each with as many cells as there are headings.
+std::string table_of(const char* css_class, const std::vector<std::string>& headings, const std::string& rows,
+                  const std::string& caption = {});
 /// A section that a reader opens.
-pugi::xml_node add_folded(pugi::xml_node parent, const std::string& title);
+std::string folded_section(const std::string& title, const std::string& content);
 
 /// A figure with its caption and links to its files, which have these endings and lie in `folder` ("figures/" or "").
-/// A wide one has a second drawing for phones. `beside`: beside text, where it is never wide. Returns the caption.
-pugi::xml_node add_figure(pugi::xml_node parent, const Figure& figure, const std::vector<std::string>& endings,
-                          const std::string& folder, bool beside = false);
+/// A wide one has a second drawing for phones. `beside`: beside text, where it is never wide. `notes`: markup below
+/// the caption.
+std::string figure_element(const Figure& figure, const std::vector<std::string>& endings, const std::string& folder,
+                           bool beside = false, const std::string& notes = {});
+
+/// A page of one file. `body`: markup.
+std::string html_page(const std::string& title, const std::string& body);
 
 }  // namespace mixity

@@ -1,18 +1,14 @@
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "base/files.h"
-#include "dataset/table/csv.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"
 #include "report/report.h"
 
 namespace mixity {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string base64(const std::string& bytes) {
   using namespace boost::archive::iterators;
@@ -21,7 +17,7 @@ std::string base64(const std::string& bytes) {
   return text.append((3 - bytes.size() % 3) % 3, '=');
 }
 
-/// Of a file that need not be there.
+/// Empty if there is no such file.
 std::string content_if_any(const std::string& path) {
   std::error_code none;
   return std::filesystem::exists(path, none) ? read_file(path) : "";

@@ -7,30 +7,28 @@ namespace mixity {
 
 std::string paper_page(const std::vector<Figure>& figures, const DrawnFigures& drawn) {
   const std::string title = "The figures of Papangelo & Ciavarella (2019)";
-  PageDocument document(title);
-  pugi::xml_node header = add(document.body(), "header");
-  add(header, "h1", title);
-  add(header, "p",
-      "A. Papangelo, M. Ciavarella, On mixed-mode fracture mechanics models for contact area reduction under shear "
-      "load "
-      "in soft materials, J. Mech. Phys. Solids (2019); drawn by mixity " MIXITY_VERSION
-      " from the equations below each figure.",
-      "soft");
-  add(header, "p",
-      "All quantities are dimensionless, with ξ = (E* R/G_Ic)^(1/3): a = ξ a/R, A = π a², u = ξ² u/R, P = P/(R G_Ic), "
-      "T = T/(R G_Ic), τ0 = ξ τ0/E*. The equations stand for their numbers in the paper, which are not known here.",
-      "soft");
-  if (!drawn.missing.empty()) add(header, "p", drawn.missing, "banner");
-  pugi::xml_node page = add(add(document.body(), "main"), "div", {}, "figures");
+  std::string header =
+      text_element("h1", title) +
+      text_element("p",
+                   "A. Papangelo, M. Ciavarella, On mixed-mode fracture mechanics models for contact area reduction "
+                   "under shear load in soft materials, J. Mech. Phys. Solids (2019); drawn by mixity " MIXITY_VERSION
+                   " from the equations below each figure.",
+                   "soft") +
+      text_element("p",
+                   "All quantities are dimensionless, with ξ = (E* R/G_Ic)^(1/3): a = ξ a/R, A = π a², u = ξ² u/R, "
+                   "P = P/(R G_Ic), T = T/(R G_Ic), τ0 = ξ τ0/E*. The equations stand for their numbers in the paper, "
+                   "which are not known here.",
+                   "soft");
+  if (!drawn.missing.empty()) header += text_element("p", drawn.missing, "banner");
+  std::string content;
   for (const Figure& figure : figures) {
-    pugi::xml_node caption = add_figure(page, figure, drawn.endings.at(figure.name), "");
-    const PaperNotes notes = paper_notes(figure.name);
-    if (!notes.equations.empty()) add(caption, "p", "It stands on", "head");
-    if (!notes.equations.empty()) add_list(caption, notes.equations);
-    if (!notes.print.empty()) add(caption, "p", "Notes on the paper's print", "head");
-    if (!notes.print.empty()) add_list(caption, notes.print);
+    const auto [equations, print] = paper_notes(figure.name);
+    std::string notes;
+    if (!equations.empty()) notes += text_element("p", "It stands on", "head") + list_of(equations);
+    if (!print.empty()) notes += text_element("p", "Notes on the paper's print", "head") + list_of(print);
+    content += figure_element(figure, drawn.endings.at(figure.name), "", false, notes);
   }
-  return document.text();
+  return html_page(title, element("header", header) + element("main", element("div", content, {{"class", "figures"}})));
 }
 
 }  // namespace mixity

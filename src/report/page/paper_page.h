@@ -1,4 +1,4 @@
-// The paper's figures on one page: below each the equations that it stands on, and where the paper's print is wrong.
+// The paper's figures on one page. Below each figure are its equations and the errors of the paper's print.
 #pragma once
 
 #include <string>
