@@ -78,7 +78,7 @@ DataFigures data_figures(const ReportedData& reported) {
                   load_reason("there is one run only, or no run determines the parameter"));
   keep_or_say_why(left_out_figures(reported), "error on loads left out",
                   load_reason("it needs several models, two runs or more, and fits that succeed without each of them"));
-  group("What the models leave over");
+  group("Residuals");
   keep_or_say_why(residual_figures(reported), "residuals", no_value);
   group("What the models predict");
   keep_or_say_why(behaviour_figures(reported), "displacement and radius curves",

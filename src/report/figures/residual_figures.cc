@@ -37,7 +37,7 @@ Figure residuals_against(const ReportedData& reported, const std::string& name, 
                 .title = title,
                 .x = {label},
                 .y = {residual_label(reported.result.fits.front())},
-                .caption = "Model minus data in the fitted space. A model that holds leaves no trend." +
+                .caption = "Model minus data in the fitted space. A model that is right leaves no trend." +
                            residuals_note(reported)};
   double first = 0, last = 0;
   for (const FitResult& fit : last_first(reported.result)) {

@@ -16,16 +16,16 @@ std::string paper_page(const std::vector<Figure>& figures, const DrawnFigures& d
                    "soft") +
       text_element("p",
                    "All quantities are dimensionless, with ξ = (E* R/G_Ic)^(1/3): a = ξ a/R, A = π a², u = ξ² u/R, "
-                   "P = P/(R G_Ic), T = T/(R G_Ic), τ0 = ξ τ0/E*. The equations stand for their numbers in the paper, "
-                   "which are not known here.",
+                   "P = P/(R G_Ic), T = T/(R G_Ic), τ0 = ξ τ0/E*. The paper's numbers of the equations are not known "
+                   "here.",
                    "soft");
   if (!drawn.missing.empty()) header += text_element("p", drawn.missing, "banner");
   std::string content;
   for (const Figure& figure : figures) {
     const auto [equations, print] = paper_notes(figure.name);
     std::string notes;
-    if (!equations.empty()) notes += text_element("p", "It stands on", "head") + list_of(equations);
-    if (!print.empty()) notes += text_element("p", "Notes on the paper's print", "head") + list_of(print);
+    if (!equations.empty()) notes += text_element("p", "Equations", "head") + list_of(equations);
+    if (!print.empty()) notes += text_element("p", "Where the printed paper differs", "head") + list_of(print);
     content += figure_element(figure, drawn.endings.at(figure.name), "", false, notes);
   }
   return html_page(title, element("header", header) + element("main", element("div", content, {{"class", "figures"}})));

@@ -189,7 +189,7 @@ std::string report_page(const ReportContent& content) {
   if (names.size() > 1) header += element("nav", links);
   if (!content.settings.explorer.empty())
     header += element("p",
-                      link_to("explorer.html", "Ask these data in the browser") +
+                      link_to("explorer.html", "Explore these data in the browser") +
                           ": other constants, other loads, points left out, a file of your own.",
                       {{"class", "files"}});
   if (!content.drawn.missing.empty()) header += text_element("p", content.drawn.missing, "banner");
