@@ -7,8 +7,7 @@
 
 namespace mixity {
 
-/// Rows of columns, as those of a file. Numbers are not written as text, except where a field is read as a name or
-/// flag.
+/// Presents columns as the rows of a file. Numbers become text only in fields that are read as a name or a flag.
 class ArrayRows {
  public:
   ArrayRows(const std::vector<ArrayColumn>& columns, const Columns& read) : columns_(columns) {
@@ -21,7 +20,7 @@ class ArrayRows {
   }
 
   const CsvRow& row(std::size_t i) {
-    constexpr std::size_t kFirstLine = 2;
+    constexpr std::size_t kFirstLine = 2;  // below the header
     row_.line_ = i + kFirstLine;
     for (std::size_t k = 0; k < columns_.size(); ++k)
       if (columns_[k].texts.empty()) row_.numbers_[k] = columns_[k].numbers[i];
@@ -61,18 +60,14 @@ Dataset make_dataset(const std::string& name, const std::vector<ArrayColumn>& co
                                  columns[0].heading + "' has " + std::to_string(size));
     headings.push_back(split_heading(column.heading, {1, headings.size() + 1}));
   }
-  const PointReader reader("", headings, data);
-  data.taken = reader.taken();
-  for (const ColumnKind& kind : kColumnKinds) {
-    const Column* const column = kind.id == ColumnId::curve ? nullptr : reader.columns().find(kind.id);
-    if (column && !columns[column->index].texts.empty())
+  Collector collector("", headings, data);
+  for (const std::optional<Column>& column : collector.columns().by_id)
+    if (column && column->id != ColumnId::curve && !columns[column->index].texts.empty())
       throw InputError(name, "column '" + columns[column->index].heading + "' holds texts where numbers are wanted");
-  }
   data.points.reserve(size);
-  Collector collector(reader, data);
-  ArrayRows rows(columns, reader.columns());
+  ArrayRows rows(columns, collector.columns());
   for (std::size_t i = 0; i < size; ++i) collector.row(rows.row(i));
-  collector.finish("");
+  collector.finish();
   return data;
 }
 

@@ -13,22 +13,22 @@ namespace mixity {
 namespace {
 
 using Lines = std::vector<std::string>;
+using Curves = std::vector<CurveSummary>;
 
 std::string times(std::size_t n) { return n == 1 ? "once" : std::to_string(n) + " times"; }
 
-void check_units(const Dataset& data, Lines& odd) {
-  double log_sum = 0;
-  std::size_t n = 0;
-  for (const CurveSummary& curve : summarise_curves(data)) {
+void check_units(const Curves& curves, Lines& odd) {
+  double sum = 0, n = 0;
+  for (const CurveSummary& curve : curves) {
     if (!curve.area_over_jkr) continue;
-    const double ratio = *curve.area_over_jkr;
-    log_sum += std::log10(ratio);
+    const double power = std::log10(*curve.area_over_jkr);
+    sum += power;
     ++n;
-    if (std::abs(std::log10(ratio)) > 0.1 && std::abs(std::log10(ratio)) < 0.7)
-      odd.push_back("run " + curve.name + ": the area at the smallest T is " + rounded(ratio, 3) +
+    if (std::abs(power) > 0.1 && std::abs(power) < 0.7)
+      odd.push_back("run " + curve.name + ": the area at the smallest T is " + rounded(*curve.area_over_jkr, 3) +
                     " times that of JKR at this load");
   }
-  const double mean = n > 0 ? log_sum / static_cast<double>(n) : 0;
+  const double mean = n > 0 ? sum / n : 0;
   if (std::abs(mean) >= 0.7)
     odd.push_back(
         "units: the areas at the smallest T are about 10^" + rounded(std::round(mean), 3) +
@@ -51,17 +51,16 @@ void check_usable(const Dataset& data, Lines& odd) {
                   "probably off by a power of ten");
 }
 
-/// A fit that needs standard errors rejects a file that states them for some points only.
+/// A fit that needs standard errors rejects a file that states them only for some points.
 void check_errors(const Dataset& data, Lines& odd) {
   const auto look = [&](std::string_view column, auto error_of) {
     std::size_t without = 0, first = 0;
     for (std::size_t i = 0; i < data.points.size(); ++i)
       if (error_of(i) < 0 && ++without == 1) first = data.points[i].line;
-    if (without == data.points.size()) {
-      if (data.has_energies)
-        odd.push_back(std::string(column) +
-                      " is not stated where the error of the other energy is; a fit that needs both refuses the file");
-    } else if (without > 0)
+    if (without == data.points.size() && data.has_energies)
+      odd.push_back(std::string(column) +
+                    " is not stated where the error of the other energy is; a fit that needs both refuses the file");
+    else if (without > 0 && without < data.points.size())
       odd.push_back(std::string(column) + " is empty at " + std::to_string(without) + " of " +
                     std::to_string(data.points.size()) + " points, first in " + data.line_text(first) +
                     "; a fit that needs it refuses the file");
@@ -76,10 +75,9 @@ void check_errors(const Dataset& data, Lines& odd) {
   }
 }
 
-void check_order(const Dataset& data, Lines& odd) {
+void check_order(const Dataset& data, const Curves& curves, Lines& odd) {
   constexpr double kNoise = 8;  // standard deviations: the range of a thousand readings of one value
   const auto runs = points_by_curve(data);
-  const std::vector<CurveSummary> curves = summarise_curves(data);
   const double unit = data.display.force_scale;
   for (std::size_t curve = 0; curve < runs.size(); ++curve) {
     std::vector<double> rising;  // noise about zero neither rises nor falls
@@ -89,7 +87,7 @@ void check_order(const Dataset& data, Lines& odd) {
         rising.push_back(data.points[i].T);
         points.push_back(&data.points[i]);
       }
-    const auto [least, most] = std::pair(curves[curve].T_min, curves[curve].T_max);
+    const double least = curves[curve].T_min, most = curves[curve].T_max;
     if (most > 0 && -least > 0.1 * most)
       odd.push_back("run " + data.curves[curve] + ": T changes its sign, from " + rounded(least * unit, 4) + " to " +
                     rounded(most * unit, 4) + "; are runs of both directions mixed?");
@@ -102,19 +100,18 @@ void check_order(const Dataset& data, Lines& odd) {
   }
 }
 
-/// Checks the unit of T by the phase angles and the strength of the interface.
+/// Checks the unit of T by the phase angles and the shear strength of the interface.
 void check_shear_units(const Dataset& data, Lines& odd) {
-  const Point* last = nullptr;
-  for (const Point& point : data.points)
-    if (!last || point.shear() > last->shear()) last = &point;
-  if (!last || !(last->shear() > 0)) return;
+  double most = 0;
+  for (const Point& point : data.points) most = std::max(most, point.shear());
+  if (!(most > 0)) return;
   const auto probably = [&](const std::string& what) {
     odd.push_back("units: " + what + "; the unit of T is probably off by a power of ten");
   };
   double smallest = 2, largest = 0;  // rad
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     const auto toughness = data.toughness(i);
-    if (!toughness || data.points[i].shear() < 0.1 * last->shear()) continue;
+    if (!toughness || data.points[i].shear() < 0.1 * most) continue;
     smallest = std::min(smallest, toughness->psi());
     largest = std::max(largest, toughness->psi());
   }
@@ -149,7 +146,7 @@ void check_duplicates(const Dataset& data, Lines& odd) {
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](std::size_t i, std::size_t j) { return std::tuple(key(i), i) < std::tuple(key(j), j); });
-  std::vector<std::pair<std::size_t, std::size_t>> repeats;  // line, and the first of equal values
+  std::vector<std::pair<std::size_t, std::size_t>> repeats;  // a line, and the first line of equal values
   for (std::size_t k = 1, first = 0; k < order.size(); ++k)
     if (key(order[k]) == key(order[first]))
       repeats.emplace_back(data.points[order[k]].line, data.points[order[first]].line);
@@ -159,8 +156,7 @@ void check_duplicates(const Dataset& data, Lines& odd) {
   for (const auto& [line, first] : repeats) odd.push_back(data.line_text(line) + " repeats " + data.line_text(first));
 }
 
-void check_loads(const Dataset& data, Lines& odd) {
-  const auto curves = summarise_curves(data);
+void check_loads(const Dataset& data, const Curves& curves, Lines& odd) {
   const auto single = std::count_if(curves.begin(), curves.end(), [](const CurveSummary& c) { return c.points == 1; });
   const bool many_single = single > 3 && 2 * static_cast<std::size_t>(single) > curves.size();
   if (many_single)
@@ -178,20 +174,11 @@ void check_loads(const Dataset& data, Lines& odd) {
                     ": the load lies below the JKR pull-off load, -3 pi/2 R G_Ic; if the file has compression as "
                     "negative, its P are to be multiplied by -1");
   }
-  std::vector<std::pair<double, double>> range;  // of the loads of each run
-  for (const double load : data.curve_loads) range.emplace_back(load, load);
-  for (const Point& point : data.points) {
-    auto& [least, most] = range[point.curve];
-    least = std::min(least, point.P);
-    most = std::max(most, point.P);
-  }
   const double unit = data.display.force_scale;
-  for (std::size_t curve = 0; curve < range.size(); ++curve) {
-    const auto [least, most] = range[curve];
-    if (most - least > 0.05 * std::max({std::abs(least), std::abs(most), 1.0}))
-      odd.push_back("run " + data.curves[curve] + ": the load varies from " + rounded(least * unit, 4) + " to " +
-                    rounded(most * unit, 4) + " within the run");
-  }
+  for (const CurveSummary& curve : curves)
+    if (curve.P_max - curve.P_min > 0.05 * std::max({std::abs(curve.P_min), std::abs(curve.P_max), 1.0}))
+      odd.push_back("run " + curve.name + ": the load varies from " + rounded(curve.P_min * unit, 4) + " to " +
+                    rounded(curve.P_max * unit, 4) + " within the run");
   if (data.curves.size() == 1) odd.push_back("only one load: whether lambda depends on load cannot be seen");
 }
 
@@ -213,24 +200,27 @@ void check_toughness(const Dataset& data, Lines& odd) {
 std::vector<CurveSummary> summarise_curves(const Dataset& data) {
   if (!data.has_loads) return {};
   std::vector<CurveSummary> curves(data.curves.size());
-  std::vector<const Point*> first(data.curves.size());
+  std::vector<const Point*> unsheared(data.curves.size());  // the point with the smallest |T| of each run
   for (const Point& point : data.points) {
     CurveSummary& curve = curves[point.curve];
     if (curve.points++ == 0) {
-      curve = {data.curves[point.curve], 1, point.P, point.T, point.T, point.A, point.A, {}};
-      first[point.curve] = &point;
+      const auto [line, run, P, T, A] = point;
+      curve = {data.curves[run], 1, P, P, P, T, T, A, A, {}};
+      unsheared[run] = &point;
       continue;
     }
+    curve.P_min = std::min(curve.P_min, point.P);
+    curve.P_max = std::max(curve.P_max, point.P);
+    curve.T_min = std::min(curve.T_min, point.T);
     curve.T_max = std::max(curve.T_max, point.T);
     curve.A_min = std::min(curve.A_min, point.A);
     curve.A_max = std::max(curve.A_max, point.A);
-    curve.T_min = std::min(curve.T_min, point.T);
-    if (point.shear() < first[point.curve]->shear()) first[point.curve] = &point;
+    if (point.shear() < unsheared[point.curve]->shear()) unsheared[point.curve] = &point;
   }
   for (std::size_t i = 0; i < curves.size(); ++i)
-    if (first[i] && above_pull_off(curves[i].P) >= 0 &&
-        first[i]->shear() <= 0.1 * std::max(-curves[i].T_min, curves[i].T_max))
-      curves[i].area_over_jkr = first[i]->A / area_from_radius(jkr_radius(first[i]->P));
+    if (unsheared[i] && above_pull_off(curves[i].P) >= 0 &&
+        unsheared[i]->shear() <= 0.1 * std::max(-curves[i].T_min, curves[i].T_max))
+      curves[i].area_over_jkr = unsheared[i]->A / area_from_radius(jkr_radius(unsheared[i]->P));
   return curves;
 }
 
@@ -238,11 +228,12 @@ std::vector<std::string> find_oddities(const Dataset& data, Wording words) {
   Lines odd;
   check_usable(data, odd);
   if (data.has_loads) {
-    check_units(data, odd);
+    const Curves curves = summarise_curves(data);
+    check_units(curves, odd);
     if (std::none_of(odd.begin(), odd.end(), [](const std::string& one) { return one.starts_with("units"); }))
       check_shear_units(data, odd);
-    check_order(data, odd);
-    check_loads(data, odd);
+    check_order(data, curves, odd);
+    check_loads(data, curves, odd);
   } else {
     check_toughness(data, odd);
   }

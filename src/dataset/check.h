@@ -1,4 +1,4 @@
-// Oddities of a data set that could be read: the questions an experienced colleague would ask.
+// Oddities of a data set: the questions that an experienced colleague would ask.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,18 @@
 
 namespace mixity {
 
-/// One loading run at a glance. Dimensionless.
+/// A summary of one loading run. Dimensionless.
 struct CurveSummary {
   std::string name;
   std::size_t points = 0;
-  double P = 0, T_min = 0, T_max = 0, A_min = 0, A_max = 0;  // T as Point::T, which may be below zero
+  double P = 0;                                                             // of the first point
+  double P_min = 0, P_max = 0, T_min = 0, T_max = 0, A_min = 0, A_max = 0;  // T as Point::T, which may be negative
   /// Area of the point with the smallest |T| over the JKR area at its load; null if T is not small there
   /// (|T| over a tenth of the run's largest) or the load lies below pull-off.
   std::optional<double> area_over_jkr;
 };
 
-/// One per curve; empty for data without loads.
+/// One for each run; empty for data without loads.
 std::vector<CurveSummary> summarise_curves(const Dataset& data);
 
 /// One sentence per oddity, with line numbers where they apply; empty if nothing is odd.

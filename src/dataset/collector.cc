@@ -7,17 +7,33 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "dataset/energies.h"
-#include "dataset/load_sign.h"
-#include "dataset/nominal_loads.h"
-#include "dataset/repeated_shear.h"
-#include "dataset/shear_sign.h"
+#include "dataset/signs.h"
 #include "dataset/table/vocabulary.h"
+#include "dataset/unnamed_runs.h"
 
 namespace mixity {
 namespace {
 
 std::string name_by_load(double load, const DisplayUnits& units) {
-  return "P=" + rounded(load * units.force_scale, 6) + (units.force.empty() ? "" : " " + units.force);
+  return "P=" + rounded(load * units.force_scale, 6) + unit_text(units.force);
+}
+
+/// Sets the load of each run to the mean over its points, exactly if all are equal.
+void take_mean_loads(Dataset& data) {
+  struct Loads {
+    double first = 0, sum = 0, count = 0;
+    bool vary = false;
+  };
+  std::vector<Loads> runs(data.curves.size());
+  for (const Point& point : data.points) {
+    Loads& loads = runs[point.curve];
+    if (loads.count == 0) loads.first = point.P;
+    loads.vary |= point.P != loads.first;
+    loads.sum += point.P;
+    ++loads.count;
+  }
+  for (std::size_t run = 0; run < runs.size(); ++run)
+    if (runs[run].vary) data.curve_loads[run] = runs[run].sum / runs[run].count;
 }
 
 }  // namespace
@@ -28,9 +44,7 @@ std::size_t Runs::of(const std::optional<std::string_view>& name, const Point& p
       (name ? *name == keys_[last_].first : load == last_load_))
     return last_;
   last_load_ = load;
-  const Key key = name             ? Key{*name, true}
-                  : data.has_loads ? Key{name_by_load(load, data.display), false}
-                                   : Key{"", false};
+  const Key key = name ? Key{*name, true} : data.has_loads ? Key{name_by_load(load, data.display), false} : Key{};
   const auto [found, is_new] = index_.try_emplace(key, keys_.size());
   if (is_new) {
     keys_.push_back(key);
@@ -39,7 +53,7 @@ std::size_t Runs::of(const std::optional<std::string_view>& name, const Point& p
   return last_ = found->second;
 }
 
-void Runs::turn_loads(const Dataset& data) {
+void Runs::reverse_loads_in_names(const Dataset& data) {
   for (std::size_t i = 0; i < keys_.size(); ++i)
     if (!keys_[i].second) keys_[i].first = name_by_load(0 - loads_[i], data.display);
 }
@@ -47,10 +61,18 @@ void Runs::turn_loads(const Dataset& data) {
 std::vector<std::string> Runs::names() const {
   std::vector<std::string> names;
   for (const auto& [name, given] : keys_)
-    // Names go into figures, pages and tables: what would break these is shown as '?'.
+    // Names appear in figures, pages and tables: characters that would break these are shown as '?'.
     names.push_back(
         printable(name + (!given && index_.contains({name, true}) ? " (not named)" : ""), std::string::npos));
   return names;
+}
+
+Collector::Collector(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data)
+    : metadata_path_(metadata_path), data_(data), reader_(metadata_path, headings, data) {
+  using enum ColumnId;
+  has_errors_ = false;
+  for (const ColumnId id : {sigma_T, sigma_A, sigma_Gc, sigma_GI, sigma_GII}) has_errors_ |= columns().has(id);
+  data.taken = columns().taken;
 }
 
 void Collector::row(const CsvRow& row) {
@@ -64,10 +86,12 @@ void Collector::row(const CsvRow& row) {
     largest_axes_ = read.axes;
     line_of_largest_ = row.line();
   }
-  read.point.curve = runs_.of(reader_.run_name(row), read.point, data_);
+  const Column* const name = columns().find(ColumnId::curve);
+  const bool is_named = name && !row[name->index].empty();
+  read.point.curve = runs_.of(is_named ? std::optional(row[name->index]) : std::nullopt, read.point, data_);
   data_.points.push_back(read.point);
   if (!data_.has_loads) data_.converted.push_back(read.converted);
-  if (reader_.has_errors()) data_.errors.push_back(read.errors);
+  if (has_errors_) data_.errors.push_back(read.errors);
   if (data_.has_energies) data_.energies.push_back(read.energies);
 }
 
@@ -77,10 +101,10 @@ void Collector::leave_out(const CsvRow& row) {
 }
 
 void Collector::comment(const CsvRow& row) {
-  if (reader_.resembles_data(row) && comments_++ == 0) first_comment_ = row.line();
+  if (row.size() >= columns().count && holds_a_number(row) && comments_++ == 0) first_comment_ = row.line();
 }
 
-void Collector::finish(const std::string& metadata_path) {
+void Collector::finish() {
   const std::string passed_over = std::to_string(comments_) +
                                   (comments_ == 1 ? " row that begins" : " rows that begin") +
                                   " with '#', the first in line " + std::to_string(first_comment_);
@@ -88,26 +112,26 @@ void Collector::finish(const std::string& metadata_path) {
     throw InputError(data_.path, 2, 1,
                      "has a header but no data rows" + (comments_ > 0 ? ", only " + passed_over : ""));
   if (comments_ > 0) data_.notes.push_back("passed over as comments: " + passed_over);
-  if (data_.has_energies) finish_energies(metadata_path, data_);
-  const bool turned = reader_.columns().has(ColumnId::P) && compression_is_negative(data_);
-  if (turned) runs_.turn_loads(data_);
+  if (data_.has_energies) finish_energies(metadata_path_, data_);
+  const bool reads_loads = columns().has(ColumnId::P), is_negative = reads_loads && compression_is_negative(data_);
+  if (is_negative) runs_.reverse_loads_in_names(data_);
   data_.curves = runs_.names();
   if (!data_.has_loads) return;
   data_.curve_loads = runs_.loads();
-  if (turned) turn_loads(data_);
-  // a log has frames before contact and after it, which are no points
+  if (is_negative) reverse_loads(data_);
+  // the frames of a log before and after contact are not points
   data_.like_a_log = data_.excluded.size() > std::max<std::size_t>(data_.rows / 20, 2) && has_times();
   if (data_.like_a_log)
     data_.notes.push_back("the file has a column of times, and " + std::to_string(data_.excluded.size()) + " of " +
                           std::to_string(data_.rows) +
                           " rows are no points: if it is a log, mixity runs makes loading runs of it");
-  if (!reader_.names_runs() && reader_.columns().has(ColumnId::P)) {
+  if (reads_loads && !columns().has(ColumnId::curve)) {
     if (data_.curves.size() > 1) join_noisy_loads(data_);
     split_repeated_shear(data_);
   }
   take_mean_loads(data_);
   finish_shear(data_);
-  if (reader_.has_axes()) add_note_on_axes();
+  if (columns().holds_axes()) add_note_on_axes();
 }
 
 bool Collector::has_times() const {
@@ -116,7 +140,7 @@ bool Collector::has_times() const {
   });
 }
 
-/// In the singular part of the pressure of an elliptic punch K_I^2 at the end of a semi-axis is proportional to its
+/// In the singular part of the pressure of an elliptic punch, K_I^2 at the end of a semi-axis is proportional to its
 /// length (Johnson & Greenwood 2005): the ratio of the axes is that of the energy release rates around the edge.
 void Collector::add_note_on_axes() {
   constexpr double kNearlyRound = 1.1;

@@ -1,4 +1,4 @@
-// Makes a data set of rows, which a file or arrays hold.
+// Makes a data set of the rows of a file or of arrays.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,15 @@
 
 namespace mixity {
 
-/// The loading runs of rows, in the order in which they appear: by the name that the row states, else by equal load.
+/// The loading runs of rows, in order of appearance: by the name that the row states, otherwise by equal load.
 class Runs {
  public:
-  /// The index of the row's run, a new one if it is the first of its run.
+  /// The index of the row's run. The first row of a run adds it.
   std::size_t of(const std::optional<std::string_view>& name, const Point& point, const Dataset& data);
-  /// Names that state the load state the one of opposite sign from now on; loads() stay.
-  void turn_loads(const Dataset& data);
+  /// Reverses the loads in names that are made of them; loads() stay.
+  void reverse_loads_in_names(const Dataset& data);
   const std::vector<double>& loads() const { return loads_; }  // of the first point of each run
-  /// What readers see, no two the same.
+  /// The names as they are shown, all different.
   std::vector<std::string> names() const;
 
  private:
@@ -31,29 +31,34 @@ class Runs {
   std::map<Key, std::size_t> index_;
   std::vector<Key> keys_;
   std::vector<double> loads_;
-  std::size_t last_ = 0;  // rows of a run mostly follow each other
+  std::size_t last_ = 0;  // the run of the last row, which is mostly that of the next, too
   double last_load_ = 0;
 };
 
 class Collector {
  public:
-  Collector(const PointReader& reader, Dataset& data) : reader_(reader), data_(data) {}
+  /// Throws InputError for headings that cannot be used, and as take_header does.
+  Collector(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data);
   /// Makes a point of a row, or lists it as excluded. Throws InputError for a row that cannot be understood.
   void row(const CsvRow& row);
   /// Lists a row of a summary as excluded.
   void leave_out(const CsvRow& row);
   void comment(const CsvRow& row);
   /// Does what needs all points: runs, signs, notes. Throws InputError if there were no rows.
-  void finish(const std::string& metadata_path);
+  void finish();
+
+  const Columns& columns() const { return reader_.columns(); }
 
  private:
   bool has_times() const;
   void add_note_on_axes();
 
-  const PointReader& reader_;
+  std::string metadata_path_;
   Dataset& data_;
+  PointReader reader_;
+  bool has_errors_;  // the table has a column of standard errors
   Runs runs_;
-  std::size_t comments_ = 0, first_comment_ = 0;  // that would be rows; the line of the first
+  std::size_t comments_ = 0, first_comment_ = 0;  // that would be rows without their '#'; the line of the first
   double largest_axes_ = 1;                       // of elliptic contacts, the longer axis over the shorter
   std::size_t line_of_largest_ = 0;
 };

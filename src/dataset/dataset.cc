@@ -1,5 +1,6 @@
 #include "dataset/dataset.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/input_error.h"
@@ -10,8 +11,8 @@
 namespace mixity {
 namespace {
 
-/// Reads the table of a file into a data set. If none is found, the first row is taken for its headings, which gives
-/// the message that it deserves.
+/// Reads the table of a file into a data set. If no table is found, the first row is read as headings, which gives the
+/// message about what is wrong with it.
 void read_table(const std::string& metadata_path, Dataset& data) {
   constexpr std::size_t kSample = 1000;  // points
   const Metadata& metadata = data.metadata;
@@ -31,9 +32,7 @@ void read_table(const std::string& metadata_path, Dataset& data) {
     if (!file.next(row)) throw InputError(data.path, 1, 1, "is empty: a header row is missing");
     headings = headings_of(row);
   }
-  const PointReader reader(metadata_path, headings, data);
-  if (table) data.taken = reader.taken();
-  Collector collector(reader, data);
+  Collector collector(metadata_path, headings, data);
   while (file.next(row)) {
     if (row.is_comment())
       collector.comment(row);
@@ -41,10 +40,10 @@ void read_table(const std::string& metadata_path, Dataset& data) {
       collector.leave_out(row);
     else
       collector.row(row);
-    // Room for the points to come, if the file goes on as it began: a growing vector takes up to three times as much.
+    // Memory for all points, estimated from the first: a growing vector takes up to three times as much.
     if (data.points.size() == kSample) data.points.reserve(static_cast<std::size_t>(1.25 * kSample / file.progress()));
   }
-  collector.finish(metadata_path);
+  collector.finish();
 }
 
 }  // namespace
@@ -55,7 +54,7 @@ void refuse_value(const Dataset& data, const Point& point, std::string_view colu
   std::error_code none;
   std::optional<std::size_t> index;
   try {
-    if (std::filesystem::is_regular_file(path, none))  // a pipe is read once
+    if (std::filesystem::is_regular_file(path, none))  // a pipe cannot be read again
       read_csv(path, [&](const CsvRow& row) {
         const auto headings = headings_of(row);
         for (std::size_t i = 0; i < headings.size() && !index; ++i)
@@ -65,6 +64,13 @@ void refuse_value(const Dataset& data, const Point& point, std::string_view colu
   } catch (const InputError&) {
   }
   throw InputError(path, place, message);
+}
+
+std::string distinct_name(const std::string& wanted, const std::vector<std::string>& others) {
+  std::string name = wanted;
+  for (int same = 2; std::find(others.begin(), others.end(), name) != others.end(); ++same)
+    name = wanted + " (" + std::to_string(same) + ")";
+  return name;
 }
 
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {

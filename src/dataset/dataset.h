@@ -17,20 +17,20 @@
 namespace mixity {
 
 /// One usable point. P, T, A are dimensionless, and zero if the data set has no loads. T has the sign that was read,
-/// except in runs whose sign was changed; below zero it is noise about zero.
+/// except in runs that were reversed. A negative T is noise about zero.
 struct Point {
-  std::size_t line;   // in the CSV; of several, counted through (Dataset::line_text)
+  std::size_t line;   // in the CSV; counted through all files if there are several (Dataset::line_text)
   std::size_t curve;  // index into Dataset::curves
   double P, T, A;
 
-  /// The tangential load without sign, as equilibrium depends on T^2.
+  /// |T|, as equilibrium depends on T^2.
   double shear() const { return std::abs(T); }
 };
 
-/// A standard error that the file does not state; one that it states as 0 is exact.
+/// A standard error that the file does not state. If it states 0, the value is exact.
 inline constexpr double kNotStated = -1;
 
-/// In place of an error of 0, as a distance needs errors in both axes; relative to the largest value.
+/// Replaces a standard error of 0 where a distance needs errors in both axes; relative to the largest value.
 inline constexpr double kLeastError = 1e-4;
 
 /// Standard errors in the units of T, A and the toughness ratio; that of the ratio is 0 if the file states none.
@@ -38,32 +38,30 @@ struct PointErrors {
   double T = kNotStated, A = kNotStated, ratio = 0;
 };
 
-/// Energies of the two modes and their standard errors (or kNotStated), in units of G_Ic. One below zero is noise about
-/// zero; the sum is positive.
+/// Energies of the two modes and their standard errors (or kNotStated), in units of G_Ic. A negative energy is noise
+/// about zero; the sum is positive.
 struct PointEnergies {
   double G_I = 0, G_II = 0, sigma_GI = kNotStated, sigma_GII = kNotStated;
 };
 
-/// Why a point with loads has no toughness.
+/// Why a point has no toughness.
 inline constexpr std::string_view kNoPhaseAngle =
     "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists";
-
-/// The same for a point whose dimensionless numbers are too large or small.
 inline constexpr std::string_view kOutOfRangeRatio = "the toughness ratio is out of range";
-
-/// An offset is one force or one area in SI, which is not the same for runs that are scaled to another sphere.
-inline constexpr const char* kNoOffsets =
-    "its runs are on several spheres: offsets of load, shear and area can be neither stated nor fitted";
 
 /// A note on a load that is stated twice.
 inline constexpr const char* kLoadNotUsed = "the load that is stated is not used: the file has a column of loads";
+
+/// An offset is a fixed force or area, which differs between runs that are scaled to another sphere.
+inline constexpr const char* kNoOffsets =
+    "its runs are on several spheres: offsets of load, shear and area can be neither stated nor fitted";
 
 struct Excluded {
   std::size_t line;
   std::string_view reason;  // a fixed text: a file may have millions of excluded rows
 };
 
-/// How the file's own units relate to the dimensionless ones: value in file = dimensionless * scale.
+/// The units of the file: value in file = dimensionless * scale.
 struct DisplayUnits {
   std::string force, area, energy;  // as written in the header; empty if dimensionless
   double force_scale = 1, area_scale = 1, energy_scale = 1;
@@ -72,31 +70,31 @@ struct DisplayUnits {
 /// One of several files that make a data set.
 struct SourceFile {
   std::string path;
-  std::size_t first_line;  // line 1 of the file is the line behind this one
+  std::size_t first_line;  // added to the numbers of its lines
 };
 
 struct Dataset {
-  std::string path, name;         // as opened; the file's without folder and ending
-  std::vector<SourceFile> files;  // of which it was pooled, in order; empty: `path` alone
+  std::string path, name;         // as opened; without folder and ending
+  std::vector<SourceFile> files;  // that were pooled, in order; empty: only `path`
   Metadata metadata;
   bool has_loads = false;                 // (P, T, A) rather than (psi, Gc)
   bool has_energies = false;              // (G_I, G_II) rather than (psi, Gc)
-  bool several_spheres = false;           // runs on other spheres than that of `contact` were scaled to it
+  bool several_spheres = false;           // some runs were scaled to the sphere of `contact`
   bool toughness_known = true;            // false: energies with a unit but no G_Ic; the largest G_I is 1
   std::optional<Contact> contact;         // null if the data are dimensionless or (psi, f)
   std::size_t rows = 0;                   // data rows in the file: points + excluded
   std::vector<Point> points;              // usable, in file order
   std::vector<ToughnessPoint> converted;  // of each point, if the data set has no loads
   std::vector<PointErrors> errors;        // of each point, if the file states any
-  std::vector<PointEnergies> energies;    // of each point, if the file holds energies
+  std::vector<PointEnergies> energies;    // of each point, if the data are energies
   std::vector<Excluded> excluded;
-  std::vector<std::string> curves;  // names of the loading runs: the curve column, or one per load
-  std::vector<double> curve_loads;  // dimensionless load of each run, the mean of its readings; empty without loads
-  std::vector<bool> turned;         // of each run: the sign of T was changed; empty: of none
+  std::vector<std::string> curves;   // names of the loading runs: the curve column, or one per load
+  std::vector<double> curve_loads;   // dimensionless load of each run, the mean of its readings; empty without loads
+  std::vector<bool> shear_reversed;  // of each run: the sign of T was changed; empty: of none
   std::vector<std::string> ignored_columns;
   std::string reading;             // the format of the file if not plain: "UTF-16LE, tabs, decimal commas"
   std::vector<std::string> taken;  // "P from 'Normalkraft (mN)'"
-  bool like_a_log = false;         // a column of times, and many rows that are no points
+  bool like_a_log = false;         // a column of times, and many rows that are not points
   std::vector<Message> notes;      // on what was skipped or changed: sentences that every fit shows
   DisplayUnits display;
 
@@ -105,9 +103,9 @@ struct Dataset {
     if (!has_loads) return converted[i];
     return toughness_of_area(points[i].P, points[i].T, points[i].A);
   }
-  /// T of point i with the sign in the file, to which an offset of the load cell is to be added.
+  /// T of point i with the sign in the file, to which an offset of the load cell is added.
   double shear_as_read(std::size_t i) const {
-    return !turned.empty() && turned[points[i].curve] ? -points[i].T : points[i].T;
+    return !shear_reversed.empty() && shear_reversed[points[i].curve] ? -points[i].T : points[i].T;
   }
   std::string shown_path() const {
     const std::string more = files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "";
@@ -132,17 +130,20 @@ struct Dataset {
   }
 };
 
-/// Throws an InputError at the place of a point's value in that column, which is found by reading the file again; if
-/// that fails, with the line alone.
+/// Throws an InputError at the place of a point's value in this column. The file is read again to find it; if that
+/// fails, the message has only the line.
 [[noreturn]] void refuse_value(const Dataset& data, const Point& point, std::string_view column,
                                const std::string& message);
+
+/// The wanted name, with " (2)", " (3)" ... appended if it is one of the others.
+std::string distinct_name(const std::string& wanted, const std::vector<std::string>& others);
 
 /// Indices into Dataset::points, by run.
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
 
 /// Reads PATH.csv and PATH.toml beside it. Throws InputError, with file, line and column, for anything that cannot be
-/// understood, and MissingConstants for constants that this kind of data needs. Energies do not need G_Ic as long as
-/// one G_I is positive (toughness_known). Rows that are understood but cannot be used are listed in `excluded`.
+/// understood, and MissingConstants for constants that this kind of data needs. Energies do not need G_Ic if one G_I is
+/// positive (toughness_known). Rows that are understood but cannot be used are listed in `excluded`.
 Dataset load_dataset(const std::string& path, const Overrides& overrides = {});
 /// The same with this metadata in place of the TOML, which is not read.
 Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides);

@@ -1,4 +1,4 @@
-// The units in which a data set's figures are drawn: those of its file.
+// The units of a data set's figures: those of its file.
 #pragma once
 
 #include <string>
@@ -7,12 +7,13 @@
 
 namespace mixity {
 
-/// Drawn = dimensionless * scale. Radius in the root of the area's unit, displacement in um; all 1 if dimensionless.
+/// Value in a figure = dimensionless * scale. Radii are in the root of the unit of area, displacements in um. All
+/// scales are 1 and all units empty for dimensionless data.
 struct DrawnUnits {
   explicit DrawnUnits(const Dataset& data);
 
   double force, area, radius = 1, displacement = 1;
-  std::string force_unit, area_unit, radius_unit, displacement_unit;  // empty if dimensionless
+  std::string force_unit, area_unit, radius_unit, displacement_unit;
 
   // Axis labels: quantity and unit.
   std::string P() const { return with("P", force_unit, "/(R G_{Ic})"); }
@@ -30,7 +31,7 @@ struct DrawnUnits {
 /// "line 5, run 2: P = 2 mN, T = 5.1 mN, A = 0.298 mm^2, psi = 0.31 rad, Gc/GIc = 1.2".
 std::string point_hover(const Dataset& data, std::size_t i);
 
-/// "0.31 mN", or without a unit "0.31".
+/// "0.31 mN", or "0.31" without a unit.
 std::string with_unit(double value, int digits, const std::string& unit);
 
 }  // namespace mixity

@@ -4,6 +4,7 @@
 
 #include "base/input_error.h"
 #include "base/number_text.h"
+#include "dataset/exclusion.h"
 #include "mechanics/contact.h"
 #include "mechanics/model.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 bool usable(double error) { return error == kNotStated || error == 0 || in_range(error); }
 
-/// False if the numbers have left their range.
+/// False if a result is out of range.
 bool divide(double unit, PointEnergies& energies, ToughnessPoint& converted) {
   for (double* error : {&energies.sigma_GI, &energies.sigma_GII})
     if (*error != kNotStated) *error /= unit;
@@ -29,26 +30,12 @@ void take_largest_as_unit(const std::string& metadata_path, Dataset& data) {
     throw InputError(data.path, "needs toughness to be made dimensionless, as no G_I lies above 0" +
                                     Remedy::state({"toughness"}, metadata_path));
   data.display.energy_scale *= largest;
-  std::size_t kept = 0;
+  std::vector<std::string_view> reasons(data.points.size());
   for (std::size_t i = 0; i < data.points.size(); ++i) {
-    PointEnergies energies = data.energies[i];
-    ToughnessPoint converted = data.converted[i];
-    if (!divide(largest, energies, converted)) {
-      data.excluded.push_back({data.points[i].line, kOutOfRangeRatio});
-      continue;
-    }
-    data.points[kept] = data.points[i];
-    data.energies[kept] = energies;
-    data.converted[kept] = converted;
-    if (!data.errors.empty()) data.errors[kept].ratio = error_of_sum(energies);
-    ++kept;
+    if (!divide(largest, data.energies[i], data.converted[i])) reasons[i] = kOutOfRangeRatio;
+    if (!data.errors.empty()) data.errors[i].ratio = error_of_sum(data.energies[i]);
   }
-  data.points.resize(kept);
-  data.energies.resize(kept);
-  data.converted.resize(kept);
-  if (!data.errors.empty()) data.errors.resize(kept);
-  std::sort(data.excluded.begin(), data.excluded.end(),
-            [](const Excluded& one, const Excluded& other) { return one.line < other.line; });
+  exclude_points(reasons, data);
   data.notes.push_back("toughness is not stated and has to be fitted (" + Remedy::set("free", "toughness") +
                        "); where it is not, the largest G_I, " + rounded(data.display.energy_scale, 4) + " " +
                        data.display.energy + ", stands for it");

@@ -8,8 +8,6 @@
 namespace mixity {
 namespace {
 
-constexpr std::string_view kOnThisLine = "named in exclude", kOfThisRun = "its run is named in leave_out";
-
 std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 /// The runs of this name or load.
@@ -31,9 +29,9 @@ std::vector<std::size_t> runs_named(const Dataset& data, const std::string& name
   return runs;
 }
 
-/// Removes all elements but those to keep.
+/// Removes all elements but those to keep; a list may also be empty.
 template <class T>
-void keep(std::vector<T>& list, const std::vector<bool>& kept) {
+void keep(const std::vector<bool>& kept, std::vector<T>& list) {
   std::size_t to = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (!kept[i]) continue;
@@ -51,14 +49,9 @@ void remove_empty_runs(Dataset& data) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < used.size(); ++i) number[i] = used[i] ? next++ : 0;
   for (Point& point : data.points) point.curve = number[point.curve];
-  keep(data.curves, used);
-  if (!data.curve_loads.empty()) keep(data.curve_loads, used);
-  if (!data.turned.empty()) {
-    std::vector<bool> turned;
-    for (std::size_t i = 0; i < used.size(); ++i)
-      if (used[i]) turned.push_back(data.turned[i]);
-    data.turned = turned;
-  }
+  keep(used, data.curves);
+  keep(used, data.curve_loads);
+  keep(used, data.shear_reversed);
 }
 
 }  // namespace
@@ -83,7 +76,7 @@ std::optional<LineRange> parse_lines(std::string_view text) {
 
 void exclude(Dataset& data, const Exclusion& which) {
   if (which.lines.empty() && which.runs.empty()) return;
-  std::vector<std::string_view> reason(data.points.size());
+  std::vector<std::string_view> reasons(data.points.size());
   for (const LineRange& range : which.lines) {
     bool any = false;
     if (range.file.empty() && data.files.size() > 1)
@@ -94,7 +87,7 @@ void exclude(Dataset& data, const Exclusion& which) {
       if (in_file < range.first || in_file > range.last) continue;
       if (!range.file.empty() && range.file != file_name(data.file_of(line))) continue;
       any = true;
-      reason[i] = kOnThisLine;
+      reasons[i] = "named in exclude";
     }
     if (!any)
       throw InputError(data.path, "has no point to exclude in line " + std::to_string(range.first) +
@@ -110,21 +103,26 @@ void exclude(Dataset& data, const Exclusion& which) {
                                       printable(known, 200) + ")");
     }
     for (std::size_t i = 0; i < data.points.size(); ++i)
-      if (std::find(runs.begin(), runs.end(), data.points[i].curve) != runs.end()) reason[i] = kOfThisRun;
+      if (std::find(runs.begin(), runs.end(), data.points[i].curve) != runs.end())
+        reasons[i] = "its run is named in leave_out";
   }
-  std::vector<bool> kept(reason.size());
-  for (std::size_t i = 0; i < reason.size(); ++i) {
-    kept[i] = reason[i].empty();
-    if (!kept[i]) data.excluded.push_back({data.points[i].line, reason[i]});
+  exclude_points(reasons, data);
+  if (data.points.empty()) throw InputError(data.path, "has no point left after exclude and leave_out");
+  remove_empty_runs(data);
+}
+
+void exclude_points(const std::vector<std::string_view>& reasons, Dataset& data) {
+  std::vector<bool> kept(reasons.size());
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    kept[i] = reasons[i].empty();
+    if (!kept[i]) data.excluded.push_back({data.points[i].line, reasons[i]});
   }
   std::sort(data.excluded.begin(), data.excluded.end(),
             [](const Excluded& one, const Excluded& other) { return one.line < other.line; });
-  keep(data.points, kept);
-  if (data.points.empty()) throw InputError(data.path, "has no point left after exclude and leave_out");
-  if (!data.converted.empty()) keep(data.converted, kept);
-  if (!data.errors.empty()) keep(data.errors, kept);
-  if (!data.energies.empty()) keep(data.energies, kept);
-  remove_empty_runs(data);
+  keep(kept, data.points);
+  keep(kept, data.converted);
+  keep(kept, data.errors);
+  keep(kept, data.energies);
 }
 
 }  // namespace mixity

@@ -1,4 +1,4 @@
-// Excludes points of a data set that a user names.
+// Excludes points of a data set.
 #pragma once
 
 #include <optional>
@@ -15,17 +15,20 @@ struct LineRange {
   std::size_t first, last;
   std::string file{};  // its name without folder; empty: the only file of the data set
 };
-/// "17" or "40-58", or "run_3.csv:17". Null if the text is neither.
+/// "17", "40-58" or "run_3.csv:17". Null for other texts.
 std::optional<LineRange> parse_lines(std::string_view text);
 
 struct Exclusion {
   std::vector<LineRange> lines{};
-  /// Runs by their name as outputs show it, or by their load ("4.68 mN") to the 0.1 % that a reader rounds it to.
+  /// Runs by their name as outputs show it, or by their load ("4.68 mN") to 0.1 %, as readers may round it.
   std::vector<std::string> runs{};
 };
 
 /// Moves these points to Dataset::excluded, and removes runs without points. Throws InputError for lines without a
 /// point and for a run that the data set does not have, or if no point is left.
 void exclude(Dataset& data, const Exclusion& which);
+
+/// Moves each point that has a reason to Dataset::excluded.
+void exclude_points(const std::vector<std::string_view>& reasons, Dataset& data);
 
 }  // namespace mixity

@@ -1,19 +1,16 @@
-#include "dataset/header.h"
-
 #include <algorithm>
 #include <cctype>
-#include <cstring>
 #include <utility>
-#include <vector>
 
 #include "base/input_error.h"
+#include "dataset/point_reader.h"
 #include "dataset/table/number.h"
 #include "mechanics/contact.h"
 
 namespace mixity {
 namespace {
 
-/// The load at {P} of the pattern "run_{P}mN" in the name of the file, in SI. Throws InputError if the name does not
+/// The load in the name of the file, in SI, at {P} of the pattern "run_{P}mN". Throws InputError if the name does not
 /// match.
 double load_in_name(const Dataset& data) {
   const std::string& pattern = data.metadata.load_from;
@@ -23,7 +20,7 @@ double load_in_name(const Dataset& data) {
   const auto fail = [&](const std::string& message) -> double {
     throw InputError(data.path, message + " (load_from is \"" + pattern + "\")");
   };
-  // the unit is the longest one among the letters that follow, perhaps behind a blank or an underscore
+  // the longest unit among the letters behind {P}, perhaps after a blank or an underscore
   const std::size_t begin_of_unit = std::min(behind.find_first_not_of(" _"), behind.size());
   std::size_t letters = begin_of_unit;
   while (letters < behind.size() && std::isalpha(static_cast<unsigned char>(behind[letters]))) ++letters;
@@ -33,9 +30,7 @@ double load_in_name(const Dataset& data) {
   if (!unit || unit->dimension != dimension::force) fail("no unit of force follows the load in the file's name");
   for (std::size_t begin = name.find(before); begin != std::string::npos; begin = name.find(before, begin + 1)) {
     const std::size_t first = begin + before.size();
-    std::size_t end = first;
-    while (end < name.size() && (std::isdigit(static_cast<unsigned char>(name[end])) || std::strchr("+-.,", name[end])))
-      ++end;
+    const std::size_t end = std::min(name.find_first_not_of("0123456789+-.,", first), name.size());
     double value = 0;
     NumberStyle style;
     const std::string text = name.substr(first, end - first);
@@ -46,12 +41,11 @@ double load_in_name(const Dataset& data) {
         fail("'-' in the file's name may be a sign or part two words; write it into load_from where it parts them");
       return value * unit->factor;
     }
-    if (begin + 1 >= name.size()) break;
   }
   return fail("the file's name states no load");
 }
 
-/// The values. Throws MissingConstants, which recommends to state all that are not stated.
+/// The values of constants. Throws MissingConstants, which recommends to state all that are not stated.
 std::vector<double> demand(const std::vector<std::pair<std::string, std::optional<double>>>& constants,
                            const std::string& path, const std::string& metadata_path) {
   std::vector<double> values;
@@ -67,7 +61,7 @@ std::vector<double> demand(const std::vector<std::pair<std::string, std::optiona
   throw MissingConstants(path, "needs " + names + " to be made dimensionless" + Remedy::state(missing, metadata_path));
 }
 
-/// The column that has the unit of toughness; null without one.
+/// The column with the unit of toughness; null if there is none.
 const Column* toughness_column(const Columns& columns) {
   return columns.find(columns.holds_energies() ? ColumnId::G_I : ColumnId::Gc);
 }
@@ -93,13 +87,13 @@ void add_notes(const Columns& columns, Dataset& data) {
                             : data.has_energies ? "G_I and G_II have no unit and are taken for G_I/GIc and G_II/GIc"
                                                 : "Gc has no unit and is taken for Gc/GIc";
   if (!constants.empty()) data.notes.push_back(taken + ": " + constants + " (stated) not used");
-  for (const std::string& one : columns.taken())
+  for (const std::string& one : columns.taken)
     if (one.starts_with("sigma_")) data.notes.push_back("standard errors: " + one);
-  if (!columns.beside().empty())
+  if (!columns.beside.empty())
     data.notes.push_back(
-        "one run is read and those beside it are not: " + columns.beside() +
+        "one run is read and those beside it are not: " + columns.beside +
         " have the names of its columns but for a number; they are to stand below it, or in files of their own");
-  for (const auto& [name, quantity] : columns.misspelt())
+  for (const auto& [name, quantity] : columns.misspelt)
     data.notes.push_back("column '" + name + "' is not used; it is read if it is called '" + quantity + "'");
 }
 
@@ -113,7 +107,7 @@ void set_display(const Columns& columns, Dataset& data) {
   if (!area && !length) length = columns.find(columns.has(ColumnId::a_par) ? ColumnId::a_par : ColumnId::major);
   const Column& size = area ? *area : *length;
   const auto parsed = parse_unit(size.unit.text);
-  if (parsed && parsed->dimension.pixel != 0) {  // shown in a unit that means something
+  if (parsed && parsed->dimension.pixel != 0) {  // shown in a unit of area
     display.area = "mm^2";
     display.area_scale = data.contact->area_unit() / 1e-6;
   } else if (area) {
@@ -127,7 +121,7 @@ void set_display(const Columns& columns, Dataset& data) {
     throw InputError(data.path, "the units of its columns are out of range beside radius, modulus and toughness");
 }
 
-/// Of data without loads: the unit of toughness.
+/// For data without loads: sets the unit of toughness.
 void take_toughness_unit(const Columns& columns, const std::string& metadata_path, PointUnits& units, Dataset& data) {
   const Column* Gc = toughness_column(columns);
   if (!Gc || Gc->unit.dimension == dimension::none) return;
@@ -138,7 +132,7 @@ void take_toughness_unit(const Columns& columns, const std::string& metadata_pat
   data.display.energy_scale = units.ratio / Gc->unit.factor;
 }
 
-/// Of data with loads: the contact.
+/// For data with loads: sets the contact.
 void take_contact(const Columns& columns, bool load_stated, const std::string& metadata_path, PointUnits& units,
                   Dataset& data) {
   const Column* const kind = columns.find(columns.has(ColumnId::P) ? ColumnId::P : ColumnId::T);
@@ -165,7 +159,7 @@ std::optional<double> stated_load(const Dataset& data) {
 PointUnits take_header(const Columns& columns, bool load_stated, const std::string& metadata_path, Dataset& data) {
   data.has_loads = columns.holds_loads();
   data.has_energies = columns.holds_energies();
-  data.ignored_columns = columns.ignored();
+  data.ignored_columns = columns.ignored;
   PointUnits units;
   if (data.has_loads)
     take_contact(columns, load_stated, metadata_path, units, data);

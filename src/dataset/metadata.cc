@@ -6,7 +6,7 @@
 #include "base/input_error.h"
 #include "base/number_text.h"
 #include "base/text.h"
-#include "dataset/table/column_kinds.h"
+#include "dataset/table/column_names.h"
 #include "mechanics/contact.h"
 
 namespace mixity {
@@ -58,8 +58,8 @@ std::string one_line(std::string text) {
   return printable(trim(text), std::string::npos);
 }
 
-/// "P=Kanal 3 (mN), T=Kanal 4 (N)": a comma separates two columns if a quantity and "=" follow it. Returns what is
-/// wrong, or an empty string.
+/// Reads "P=Kanal 3 (mN), T=Kanal 4 (N)": a comma separates two columns if a quantity and "=" follow it. Returns what
+/// is wrong, or an empty string.
 std::string read_mapping(std::string_view text, std::map<std::string, std::string>& columns) {
   const auto quantity_at = [](std::string_view rest) {
     const std::size_t equals = rest.find('=');
@@ -85,6 +85,15 @@ const MetadataField* find_field(std::string_view name) {
   for (const MetadataField& field : kFields)
     if (field.name == name) return &field;
   return nullptr;
+}
+
+/// The numbers, then the texts.
+std::string known_names() {
+  std::string known;
+  for (const bool numbers : {true, false})
+    for (const MetadataField& field : kFields)
+      if ((field.number != nullptr) == numbers) known += (known.empty() ? "" : ", ") + std::string(field.name);
+  return known;
 }
 
 }  // namespace
@@ -126,55 +135,49 @@ double Metadata::modulus_error() const {
 }
 
 std::string set_field(Metadata& metadata, std::string_view name, std::string_view text) {
+  const std::string given = std::string(name) + " is " + quoted(text) + "; ";
   if (name == "source") return metadata.source = one_line(std::string(text)), "";
   if (name == "note") return metadata.note = one_line(std::string(text)), "";
   if (name == "provenance") {
     for (const auto one : {Provenance::measured, Provenance::digitised, Provenance::reconstructed})
       if (text == to_string(one)) return metadata.provenance = one, "";
-    return "provenance is " + quoted(text) + "; it must be measured, digitised or reconstructed";
+    return given + "it must be measured, digitised or reconstructed";
   }
   if (name == "columns") return read_mapping(text, metadata.columns);
   if (name == "headings") return metadata.headings = text, "";
   if (name == "load_from") {
     if (text.find("{P}") == std::string_view::npos)
-      return "load_from is " + quoted(text) +
-             "; it must hold {P}, where the load stands in the file's name: \"run_{P}mN\"";
+      return given + "it must hold {P}, where the load stands in the file's name: \"run_{P}mN\"";
     metadata.load.reset();
     return metadata.load_from = text, "";
   }
   if (name == "decimal") {
-    if (text != "," && text != ".") return "decimal is " + quoted(text) + "; it must be \",\" or \".\"";
+    if (text != "," && text != ".") return given + "it must be \",\" or \".\"";
     return metadata.decimal = text[0], "";
   }
-  if (const MetadataField* const field = find_field(name)) {
-    const auto uncertain = parse_uncertain(text);
-    if (!uncertain)
-      return std::string(name) + " is " + quoted(text) + "; it must be a number with a unit, such as " +
-             (states_error(text) ? "\"1 mm +/- 2%\" or \"1 +/- 0.02 mm\"" : quoted(field->example));
-    const Quantity& quantity = uncertain->quantity;
-    if (quantity.unit.dimension != field->dimension)
-      return std::string(name) + " is " + quoted(text) + "; it must be " + describe(field->dimension) + ", written " +
-             quoted(field->example);
-    const double value = quantity.si();
-    if (name == "poisson_ratio" ? !(value >= 0 && value <= 0.5)
-                                : !name.ends_with("_offset") && name != "load" && !(value > 0))
-      return std::string(name) + " is " + quoted(text) +
-             (name == "poisson_ratio" ? "; it must lie between 0 and 0.5" : "; it must be positive");
-    if (!field->of_experiment && uncertain->standard_error > 0)
-      return std::string(name) + " is " + quoted(text) + "; its error belongs in " +
-             (name == "pixel" ? "area_scale, which has twice that of a length: area_scale = \"1 +/- 2%\""
-                              : "load_offset: load_offset = \"0 +/- 0.5 mN\"");
-    if (name == "load") metadata.load_from.clear();  // the last statement holds
-    metadata.*field->number = value;
-    metadata.standard_errors.erase(std::string(name));
-    if (uncertain->standard_error > 0) metadata.standard_errors.emplace(name, uncertain->standard_error);
-    return "";
+  const MetadataField* const field = find_field(name);
+  if (!field) return "unknown key " + quoted(name) + " (known: " + known_names() + ")";
+  const auto uncertain = parse_uncertain(text);
+  if (!uncertain)
+    return given + "it must be a number with a unit, such as " +
+           (states_error(text) ? "\"1 mm +/- 2%\" or \"1 +/- 0.02 mm\"" : quoted(field->example));
+  if (uncertain->quantity.unit.dimension != field->dimension)
+    return given + "it must be " + describe(field->dimension) + ", written " + quoted(field->example);
+  const double value = uncertain->quantity.si();
+  if (name == "poisson_ratio") {
+    if (!(value >= 0 && value <= 0.5)) return given + "it must lie between 0 and 0.5";
+  } else if (!name.ends_with("_offset") && name != "load" && !(value > 0)) {
+    return given + "it must be positive";
   }
-  std::string known;
-  for (const bool numbers : {true, false})
-    for (const MetadataField& field : kFields)
-      if ((field.number != nullptr) == numbers) known += (known.empty() ? "" : ", ") + std::string(field.name);
-  return "unknown key " + quoted(name) + " (known: " + known + ")";
+  if (!field->of_experiment && uncertain->standard_error > 0)
+    return given + "its error belongs in " +
+           (name == "pixel" ? "area_scale, which has twice that of a length: area_scale = \"1 +/- 2%\""
+                            : "load_offset: load_offset = \"0 +/- 0.5 mN\"");
+  if (name == "load") metadata.load_from.clear();  // each replaces the other
+  metadata.*field->number = value;
+  metadata.standard_errors.erase(std::string(name));
+  if (uncertain->standard_error > 0) metadata.standard_errors.emplace(name, uncertain->standard_error);
+  return "";
 }
 
 std::string kind_of_field(std::string_view name) {
@@ -210,17 +213,6 @@ Overrides constants_as_stated(const Metadata& metadata) {
                                       (unit.empty() ? "" : " ") + std::string(unit));
   }
   return list;
-}
-
-void copy_reading(const Metadata& from, Metadata& to) {
-  to.pixel = from.pixel;
-  to.load = from.load;
-  for (const std::string_view name : {"pixel", "load"})
-    if (from.standard_error(name) > 0) to.standard_errors[std::string(name)] = from.standard_error(name);
-  to.columns = from.columns;
-  to.headings = from.headings;
-  to.load_from = from.load_from;
-  to.decimal = from.decimal;
 }
 
 void apply_overrides(const Overrides& overrides, Metadata& metadata) {

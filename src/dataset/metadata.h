@@ -12,14 +12,15 @@
 
 #include "base/input_error.h"
 #include "base/units.h"
-#include "dataset/table/column_rules.h"
 
 namespace mixity {
+
+struct ColumnRules;
 
 enum class Provenance { unstated, measured, digitised, reconstructed };
 std::string_view to_string(Provenance provenance);
 
-/// The sentence every output shows beside reconstructed data.
+/// Shown in every output of reconstructed data.
 inline constexpr std::string_view kReconstructedNotice =
     "reconstructed data: generated from a model, not measured. Recovering lambda from them tests the "
     "program, not the physics.";
@@ -27,7 +28,7 @@ inline constexpr std::string_view kReconstructedNotice =
 /// Names and texts as given on a command line, in order: {"radius", "9.42 mm"}.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
-/// Constants in SI; null if not stated. Offsets are added to readings, areas are multiplied by area_scale.
+/// Constants in SI; null if not stated. Offsets are added to readings; areas are multiplied by area_scale.
 struct Metadata {
   std::optional<double> radius;                                // m, > 0
   std::optional<double> modulus;                               // plane-strain E*, Pa, > 0
@@ -38,79 +39,75 @@ struct Metadata {
   std::optional<double> load_offset, shear_offset;             // N
   std::optional<double> area_offset;                           // m^2
   std::optional<double> area_scale;                            // > 0
-  std::optional<double> pixel;                                 // m, the side of one, > 0
+  std::optional<double> pixel;                                 // m, the side of a pixel, > 0
   std::optional<double> load;                                  // N, of all points, if no column states it
-  std::map<std::string, double, std::less<>> standard_errors;  // of those that have one, in their units, by name
+  std::map<std::string, double, std::less<>> standard_errors;  // by the name of a constant, in its unit
   Provenance provenance = Provenance::unstated;
   std::string source, note;
-  // How the file is to be read.
+  // How to read the file.
   std::map<std::string, std::string> columns;  // quantity -> heading
   std::string headings;                        // path of a TOML that adds to the vocabulary
   std::string load_from;                       // "run_{P}mN": where the file's name states the load
-  char decimal = 0;                            // '.' or ','; 0: as the file shows
+  char decimal = 0;                            // '.' or ','; 0: to be found from the numbers
 
   /// modulus, or E* from youngs_modulus and poisson_ratio; null if neither is stated.
   std::optional<double> plane_strain_modulus() const;
-  /// 0 where none is stated: exact.
+  /// 0, exact, if none is stated.
   double standard_error(std::string_view name) const;
   /// Relative, of plane_strain_modulus(): of modulus, or propagated from youngs_modulus and poisson_ratio.
   double modulus_error() const;
 };
 
-/// A file that could be read if the constants were stated that make its points dimensionless: the options of the
-/// message.
+/// Constants that make the points of a file dimensionless are not stated. They are the options of the message.
 class MissingConstants : public InputError {
   using InputError::InputError;
 };
 
-/// Something that may be stated of an experiment, or of how to read its file: a key of the TOML, a flag, a keyword.
+/// A constant of an experiment, or an instruction how to read its file: a key of the TOML, a flag, a keyword.
 struct MetadataField {
   std::string_view name, help;                        // help: a clause
-  bool of_experiment;                                 // else of how the file is read
-  std::optional<double> Metadata::*number = nullptr;  // null: a text
+  bool of_experiment;                                 // false: it is about how to read the file
+  std::optional<double> Metadata::*number = nullptr;  // null: the field is a text
   Dimension dimension{};                              // of the number
-  std::string_view example{};                         // of its text
+  std::string_view example{};                         // of the text of the number
 };
-/// In the order in which help lists them.
+/// In the order of the help.
 std::span<const MetadataField> metadata_fields();
 
 /// "Pa"; empty for a number without a unit.
 std::string_view si_unit(const Dimension& dimension);
 
-/// Sets one field from its text. Returns what is wrong with it, or an empty string.
+/// Sets one field from its text. Returns what is wrong with the text, or an empty string.
 std::string set_field(Metadata& metadata, std::string_view name, std::string_view text);
 
-/// What the value of a field is in a TOML: "a string with a number and a unit, such as ..."; empty if there is no such
-/// field.
+/// The kind of value that a field has in a TOML: "a string with a number and a unit, such as ..."; empty if there is no
+/// such field.
 std::string kind_of_field(std::string_view name);
 
-/// The file that states the metadata of a CSV: its path with the ending .toml. An ending begins with a letter: that of
-/// run_0.5 is none.
+/// The file with the metadata of a CSV: its path with the ending .toml. An ending begins with a letter: run_0.5 has
+/// none.
 std::string metadata_path(const std::string& csv_path);
 
-/// A CSV's name without folder and ending, fit to be shown.
+/// A CSV's name without folder and ending, as it is shown.
 std::string data_name(const std::string& csv_path);
 
-/// Reads the TOML at `path`; a file that does not exist leaves everything unstated. Throws InputError with line
-/// and column for a syntax error, an unknown key or a value without a unit.
+/// Reads the TOML at `path`; nothing is stated if it does not exist. Throws InputError with line and column for a
+/// syntax error, an unknown key or a value without a unit.
 Metadata read_metadata(const std::string& path);
 
 /// Adds the constants stated beside one file to those of other files of the same experiment. Returns the contradiction,
-/// or an empty string. If provenances differ, the less direct one holds.
+/// or an empty string. If provenances differ, the less direct one is kept.
 std::string add_constants(const Metadata& more, Metadata& constants);
 /// The constants as texts that set_field accepts: {"radius", "0.00942 m +/- 1e-05 m"}.
 Overrides constants_as_stated(const Metadata& metadata);
-/// Copies the fields that are about how to read a file.
-void copy_reading(const Metadata& from, Metadata& to);
-
 /// Applies overrides; one of modulus and youngs_modulus replaces the other. Throws InputError naming the override.
 void apply_overrides(const Overrides& overrides, Metadata& metadata);
 
-/// Throws InputError if the statements of the modulus contradict each other or are incomplete: naming the override, if
-/// one of the overrides is half of a pair, else the file at `path`.
+/// Throws InputError if the constants that give the modulus contradict each other or are incomplete. The message names
+/// the override if that is one half of a pair, otherwise the file at `path`.
 void require_whole_modulus(const Metadata& metadata, const std::string& path, const Overrides& overrides = {});
 
-/// How the columns of its table are to be read.
+/// How to read the columns of its table.
 ColumnRules rules_of(const Metadata& metadata);
 
 }  // namespace mixity

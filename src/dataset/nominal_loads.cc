@@ -1,45 +1,43 @@
-#include "dataset/nominal_loads.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "base/number_text.h"
+#include "dataset/unnamed_runs.h"
 #include "statistics/change_points.h"
 #include "statistics/readings.h"
 
 namespace mixity {
 namespace {
 
-constexpr std::size_t kOfEach = 5;  // readings of a group, at least
+constexpr std::size_t kFewest = 5;  // readings of a group
 
-/// Standard deviation of readings about their nominal loads, by the median of successive differences, few of which lead
-/// to another load. If half of them are 0, the smallest difference between readings that is not.
+/// Standard deviation of readings about their nominal loads, by the median of successive differences, as few of these
+/// lead to another load. If half of them are 0, the smallest other difference between readings.
 double scatter(const std::vector<double>& readings, const std::vector<double>& distinct) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < readings.size(); ++i) steps.push_back(std::abs(readings[i] - readings[i - 1]));
-  constexpr double kMedianOfSteps = 0.9539;  // of the difference of two normal numbers, in standard deviations of one
+  constexpr double kMedianOfSteps = 0.9539;  // of |x - y|, x and y normal, in standard deviations
   if (const double middle = median(std::move(steps)); middle > 0) return middle / kMedianOfSteps;
   double least = distinct.back() - distinct.front();
   for (std::size_t i = 1; i < distinct.size(); ++i) least = std::min(least, distinct[i] - distinct[i - 1]);
   return least;
 }
 
-using Limits = std::vector<double>;  // where each group but the first begins, rising
+using Limits = std::vector<double>;  // the least reading of each group but the first, rising
 
 std::size_t group_of(double reading, const Limits& limits) {
   return static_cast<std::size_t>(std::upper_bound(limits.begin(), limits.end(), reading) - limits.begin());
 }
 
-/// Groups of sorted readings, in whatever order they were taken: separated by gaps of more than three standard
-/// deviations within the groups, each of a few readings. Of a few normal readings one in a thousand is so far from the
-/// next.
+/// Separates sorted readings into groups at gaps of more than three standard deviations within the groups. Of a few
+/// normal readings, one in a thousand is so far from the next.
 Limits gaps(const std::vector<double>& sorted) {
   constexpr double kGap = 3;
   constexpr std::size_t kMostGroups = 200;
   const std::size_t n = sorted.size();
-  std::vector<double> y(n + 1), yy(n + 1);  // sums
+  std::vector<double> y(n + 1), yy(n + 1);  // sums of readings and of squares
   for (std::size_t i = 0; i < n; ++i) {
     const double one = sorted[i] - sorted[n / 2];
     y[i + 1] = y[i] + one;
@@ -52,10 +50,10 @@ Limits gaps(const std::vector<double>& sorted) {
   for (std::size_t i = 1; i < n; ++i)
     if (sorted[i] > sorted[i - 1]) widest.push_back(i);
   const auto gap = [&](std::size_t i) { return sorted[i] - sorted[i - 1]; };
-  const std::size_t most = std::min({widest.size(), n / kOfEach, kMostGroups});
+  const std::size_t most = std::min({widest.size(), n / kFewest, kMostGroups});
   std::partial_sort(widest.begin(), widest.begin() + static_cast<std::ptrdiff_t>(most), widest.end(),
                     [&](std::size_t one, std::size_t other) { return gap(one) > gap(other); });
-  double step = sorted.back() - sorted.front();  // of what is rounded
+  double step = sorted.back() - sorted.front();  // of rounded readings
   for (const std::size_t i : widest) step = std::min(step, gap(i));
   std::set<std::size_t> cuts{0, n};
   double within = squares(0, n);
@@ -65,7 +63,7 @@ Limits gaps(const std::vector<double>& sorted) {
     const auto behind = cuts.insert(widest[k]).first;
     const std::size_t at = *behind, from = *std::prev(behind), to = *std::next(behind);
     within += squares(from, at) + squares(at, to) - squares(from, to);
-    few += (at - from < kOfEach) + (to - at < kOfEach) - (to - from < kOfEach);
+    few += (at - from < kFewest) + (to - at < kFewest) - (to - from < kFewest);
     const double deviation = std::sqrt(std::max(0.0, within) / static_cast<double>(n + 1 - cuts.size()));
     if (few == 0 && gap(at) > kGap * std::max(deviation, step)) best = cuts;
   }
@@ -75,17 +73,17 @@ Limits gaps(const std::vector<double>& sorted) {
   return limits;
 }
 
-/// Where the mean of the readings changes suddenly, by nearly four standard deviations of a reading.
+/// The first reading, and those where the mean changes suddenly by nearly four standard deviations of a reading.
 std::vector<std::size_t> sudden_changes(const std::vector<double>& readings, double noise) {
   constexpr std::size_t kMost = 4000, kBeside = 3;
   constexpr double kStep = 3.75;
-  const std::size_t n = readings.size(), each = (n + kMost - 1) / kMost;  // of many readings, means
+  const std::size_t n = readings.size(), each = (n + kMost - 1) / kMost;  // readings in a mean
   std::vector<double> means;
   for (std::size_t i = 0; i < n; i += each) means.push_back(mean_of(readings, i, std::min(n, i + each)));
   std::vector<std::size_t> changes =
       mean_changes(means, noise * noise / static_cast<double>(each), 4 * std::log(static_cast<double>(n)));
   for (std::size_t& at : changes) at *= each;
-  for (std::size_t k = 1; k < changes.size() && each > 1; ++k) {  // to the reading, by least squares
+  for (std::size_t k = 1; k < changes.size() && each > 1; ++k) {  // refined to a reading, by least squares
     const std::size_t block = changes[k] / each, from = changes[k] - each, to = std::min(n, changes[k] + each);
     const double one = means[block - std::min<std::size_t>(block, 2)],
                  other = means[std::min(block + 1, means.size() - 1)];
@@ -102,17 +100,15 @@ std::vector<std::size_t> sudden_changes(const std::vector<double>& readings, dou
   changes.push_back(n);
   std::vector<std::size_t> sudden{0};
   for (std::size_t k = 1; k + 1 < changes.size(); ++k) {
-    const std::size_t at = changes[k], before = std::min(kBeside, at - sudden.back()),
-                      behind = std::min(kBeside, changes[k + 1] - at);
-    // an outlier or two make no group
-    if (before < kBeside || behind < kBeside) continue;
-    if (std::abs(mean_of(readings, at, at + behind) - mean_of(readings, at - before, at)) > kStep * noise)
+    const std::size_t at = changes[k];
+    if (at - sudden.back() < kBeside || changes[k + 1] - at < kBeside) continue;  // one or two outliers are not a group
+    if (std::abs(mean_of(readings, at, at + kBeside) - mean_of(readings, at - kBeside, at)) > kStep * noise)
       sudden.push_back(at);
   }
   return sudden;
 }
 
-/// Groups of the segments that begin at these readings; those of equal mean are one.
+/// The group of each reading: a group is a segment that begins at one of these readings, or all segments of equal mean.
 std::vector<std::size_t> join_equal(const std::vector<double>& readings, const std::vector<std::size_t>& begins,
                                     double noise) {
   constexpr double kSame = 4;
@@ -129,7 +125,7 @@ std::vector<std::size_t> join_equal(const std::vector<double>& readings, const s
   return groups;
 }
 
-/// Whether readings of a group are loads that were set: all of one value, then all of another.
+/// Whether the readings of a group are loads that were set: blocks of equal values, all different.
 bool comes_in_blocks(const std::vector<double>& readings) {
   std::size_t changes = 0;
   for (std::size_t i = 1; i < readings.size(); ++i) changes += readings[i] != readings[i - 1];
@@ -152,7 +148,7 @@ double von_neumann_ratio(const std::vector<double>& readings) {
 
 std::vector<std::size_t> group_by_nominal_load(const std::vector<double>& readings) {
   constexpr std::size_t kFewSet = 12;
-  constexpr double kOneLoad = 0.05, kDrift = 0.25;  // of their mean: readings of one load; how far it may drift
+  constexpr double kOneLoad = 0.05, kDrift = 0.25;  // range of the readings of one load, and its drift, over the mean
   std::vector<double> sorted = readings;
   std::sort(sorted.begin(), sorted.end());
   std::vector<double> distinct = sorted;
@@ -162,14 +158,14 @@ std::vector<std::size_t> group_by_nominal_load(const std::vector<double>& readin
   const bool one_load = range <= kOneLoad * middle;
   // a few loads that recur were set
   if (!one_load &&
-      (distinct.size() <= 4 || (distinct.size() <= kFewSet && readings.size() >= kOfEach * distinct.size())))
+      (distinct.size() <= 4 || (distinct.size() <= kFewSet && readings.size() >= kFewest * distinct.size())))
     return {};
   const Limits limits = gaps(sorted);
   std::size_t changes = 0;  // from one group to another
   for (std::size_t i = 1; i < readings.size(); ++i)
     changes += group_of(readings[i], limits) != group_of(readings[i - 1], limits);
   std::vector<std::size_t> numbered;
-  if (kOfEach * changes > readings.size()) {  // the rows are ordered by something else
+  if (kFewest * changes > readings.size()) {  // the rows are not in order of measurement
     std::map<std::size_t, std::size_t> number;
     for (const double reading : readings)
       numbered.push_back(number.try_emplace(group_of(reading, limits), number.size()).first->second);
@@ -186,8 +182,7 @@ std::vector<std::size_t> group_by_nominal_load(const std::vector<double>& readin
     scatters = true;
   }
   if (!scatters) return {};
-  if (!one_load && readings.size() < kOfEach * groups.size()) return {};
-  // about 2 for independent readings
+  if (!one_load && readings.size() < kFewest * groups.size()) return {};
   if (groups.size() == 1 && range > kDrift * middle && !(von_neumann_ratio(readings) > 1)) return {};
   return numbered;
 }
@@ -208,43 +203,24 @@ void join_noisy_loads(Dataset& data) {
   data.curve_loads.clear();
   double scatter = 0;
   const DisplayUnits& units = data.display;
-  for (std::vector<double>& group : loads) {
+  for (const std::vector<double>& group : loads) {
     const double n = static_cast<double>(group.size()), mean = mean_of(group, 0, group.size());
     double squares = 0;
     for (const double load : group) squares += (load - mean) * (load - mean);
     const double deviation = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
     scatter = std::max(scatter, deviation);
-    // as many digits as the mean is certain to
+    // only the digits of the mean that are certain
     const double error = std::max(deviation / std::sqrt(n), 1e-4 * std::abs(mean));
     const int digits = error > 0 && mean != 0 ? static_cast<int>(std::floor(std::log10(std::abs(mean) / error))) : 1;
-    std::string name = "P=" + rounded(mean * units.force_scale, std::clamp(digits, 1, 6)) +
-                       (units.force.empty() ? "" : " " + units.force);
-    for (int same = 2; std::find(data.curves.begin(), data.curves.end(), name) != data.curves.end(); ++same)
-      name = name.substr(0, name.find(" (")) + " (" + std::to_string(same) + ")";
-    data.curves.push_back(name);
+    const std::string name =
+        "P=" + rounded(mean * units.force_scale, std::clamp(digits, 1, 6)) + unit_text(units.force);
+    data.curves.push_back(distinct_name(name, data.curves));
     data.curve_loads.push_back(mean);
   }
   if (count == 1) return;
   data.notes.push_back("readings of P scatter by up to " + rounded(scatter * units.force_scale, 2) +
-                       (units.force.empty() ? "" : " " + units.force) + ": taken for " + std::to_string(count) +
+                       unit_text(units.force) + ": taken for " + std::to_string(count) +
                        " runs by their level, each point with the load that was read");
-}
-
-void take_mean_loads(Dataset& data) {
-  struct Loads {
-    double first = 0, sum = 0, count = 0;
-    bool vary = false;
-  };
-  std::vector<Loads> runs(data.curves.size());
-  for (const Point& point : data.points) {
-    Loads& loads = runs[point.curve];
-    if (loads.count == 0) loads.first = point.P;
-    loads.vary |= point.P != loads.first;
-    loads.sum += point.P;
-    ++loads.count;
-  }
-  for (std::size_t run = 0; run < runs.size(); ++run)
-    if (runs[run].vary) data.curve_loads[run] = runs[run].sum / runs[run].count;
 }
 
 }  // namespace mixity

@@ -67,7 +67,8 @@ class Reader {
     for (const Force q : {kPeak, kMinimum})
       if (values[q] && *values[q] < 0) return exclude(kForceNegative[q]);
     PeakForce point{row.line(), *values[kLoad], {}, {}};
-    const double area = hertz_area(*values[kLoad] * units_[kLoad].factor);
+    // Hertz: a^3 = 3 P R/(4 E*); dimensionless with R = E* = 1
+    const double area = area_from_radius(std::cbrt(0.75 * *values[kLoad] * units_[kLoad].factor * radius_ / modulus_));
     for (const Force q : {kPeak, kMinimum}) {
       if (!values[q]) continue;
       const double stress = *values[q] * units_[q].factor / area / stress_;
@@ -77,16 +78,13 @@ class Reader {
     forces_.rows.push_back(point);
   }
 
-  /// A comment that would be a row without its '#'.
+  /// Lists a comment that would be a row without its '#'.
   void comment(const CsvRow& row) {
     if (row.size() >= width_ && holds_a_number(row))
       forces_.excluded.push_back({row.line(), "passed over as a comment: it begins with '#'"});
   }
 
  private:
-  /// a^3 = 3 P R/(4 E*); dimensionless with R = E* = 1.
-  double hertz_area(double P) const { return area_from_radius(std::cbrt(0.75 * P * radius_ / modulus_)); }
-
   PeakForces& forces_;
   std::size_t width_;
   std::array<std::optional<std::size_t>, 3> columns_;

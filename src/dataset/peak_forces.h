@@ -1,5 +1,5 @@
-// Tangential loads at the first maximum (peak) and the following minimum of a shear test, against normal load, as in
-// Waters & Guduru (2010), Fig. 6, and as mean stresses T/A_Hertz in the paper's Fig. 11.
+// Tangential loads at the first maximum (peak) and the following minimum of a shear test against the normal load, as in
+// Waters & Guduru (2010), Fig. 6, and as mean stresses T/A_Hertz in Fig. 11 of the paper.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace mixity {
 
-/// One row. Stresses are over the area of Hertz at P, which exists for P > 0 only: such rows are excluded.
+/// One row. Stresses refer to the area of Hertz at P. This exists only for P > 0; other rows are excluded.
 struct PeakForce {
   std::size_t line;
   double P;                             // in the file's unit
@@ -26,8 +26,8 @@ struct PeakForces {
   std::vector<Excluded> excluded;
 };
 
-/// Reads PATH.csv with columns P and T_peak or T_min or both, and PATH.toml beside it; with units the radius and the
-/// modulus are needed. Throws InputError with file, line and column.
+/// Reads PATH.csv with columns P and T_peak or T_min or both, and PATH.toml beside it. Columns with units need the
+/// radius and the modulus. Throws InputError with file, line and column.
 PeakForces load_peak_forces(const std::string& path);
 
 }  // namespace mixity

@@ -14,7 +14,7 @@ namespace {
 
 enum Problem { kEmpty, kNotFinite, kNegative, kOutOfRange };
 
-/// Why the value of a column cannot be used; fixed texts, as a file may have millions of such values.
+/// Why the value of a column cannot be used: fixed texts, as a file may have millions of such values.
 std::string_view reason_of(ColumnId id, Problem problem) {
   static const auto kTexts = [] {
     std::array<std::array<std::string, 4>, kColumnCount> texts;
@@ -34,9 +34,9 @@ struct PointReader::Numbers {
   const std::string& path;
   const Columns& columns;
   const CsvRow& row;
-  std::string_view unusable{};  // why that cannot be; empty: all can
+  std::string_view unusable{};  // the reason; empty: none so far
 
-  /// In SI or as it is.
+  /// The number in a column, in SI.
   double operator()(ColumnId id) {
     double value = 0;
     if (!unusable.empty()) return value;
@@ -48,7 +48,8 @@ struct PointReader::Numbers {
     return value;
   }
 
-  /// In the units of the quantity that it is the error `of`; left as it is where the column or the field is missing.
+  /// Sets the standard error of a quantity whose value is `of`, in the same unit. Leaves it unchanged if the column or
+  /// the field is missing.
   void standard_error(ColumnId id, double of, double unit, double& error) {
     const Column* column = columns.find(id);
     if (!unusable.empty() || !column || row[column->index].empty()) return;
@@ -69,17 +70,8 @@ PointReader::PointReader(const std::string& metadata_path, const std::vector<Hea
   units_ = take_header(columns_, load_.has_value(), metadata_path, data);
 }
 
-std::optional<std::string_view> PointReader::run_name(const CsvRow& row) const {
-  const Column* column = columns_.find(ColumnId::curve);
-  return column && !row[column->index].empty() ? std::optional(row[column->index]) : std::nullopt;
-}
-
-bool PointReader::resembles_data(const CsvRow& comment) const {
-  return comment.size() >= columns_.count() && holds_a_number(comment);
-}
-
 std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
-  require_width(path_, row, columns_.count());
+  require_width(path_, row, columns_.count);
   if (const Column* include = columns_.find(ColumnId::include)) {
     const std::string_view text = row[include->index];
     if (text != "0" && text != "1")
@@ -96,13 +88,13 @@ std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
   return numbers.unusable.empty() ? reason : numbers.unusable;
 }
 
-// Each returns why the numbers make no point, unless one of them cannot be used.
+// Each returns why the numbers are not a point. If one of them cannot be used, Numbers::unusable has the reason.
 
 std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const {
   const bool by_radius = columns_.has(ColumnId::a);
   const double P = load_ ? *load_ : number(ColumnId::P), T = number(ColumnId::T);
   double size = 0;
-  if (has_axes()) {
+  if (columns_.holds_axes()) {
     const bool halves = columns_.has(ColumnId::a_par);
     const double one = number(halves ? ColumnId::a_par : ColumnId::major),
                  other = number(halves ? ColumnId::a_perp : ColumnId::minor);

@@ -4,15 +4,29 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "dataset/dataset.h"
-#include "dataset/header.h"
 #include "dataset/table/columns.h"
 #include "dataset/table/csv.h"
 
 namespace mixity {
 
-/// A point, with what some files hold beside it.
+/// The units of points in SI: of force, length and toughness ratio; 1 for dimensionless data.
+struct PointUnits {
+  double force = 1, length = 1, ratio = 1;
+};
+
+/// The load of all points, in SI, from the metadata or the name of the file; null if neither states it. Throws
+/// InputError for a name that does not match `load_from`.
+std::optional<double> stated_load(const Dataset& data);
+
+/// Sets what the header of a table and the constants determine of a data set: the kind of data, the contact, the
+/// display units, the ignored columns, and notes. Throws InputError if units are out of range, MissingConstants if
+/// constants are needed and not stated.
+PointUnits take_header(const Columns& columns, bool load_stated, const std::string& metadata_path, Dataset& data);
+
+/// A point, with the quantities that only some files contain.
 struct ReadPoint {
   Point point;
   ToughnessPoint converted;
@@ -23,29 +37,14 @@ struct ReadPoint {
 
 class PointReader {
  public:
-  /// Understands the headings, and fills in what they say of the data set (take_header). Throws InputError for headings
-  /// that cannot be used, MissingConstants for constants that are needed.
+  /// Reads the headings and calls take_header. Throws InputError for headings that cannot be used, and as that does.
   PointReader(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data);
 
   /// Reads a row into a point, whose run is not set. Returns why the row cannot be used, or an empty text. Throws
   /// InputError for a row that cannot be understood.
   std::string_view read(const CsvRow& row, ReadPoint& point) const;
 
-  /// Whether a comment would be a row of numbers without its '#'.
-  bool resembles_data(const CsvRow& comment) const;
-
   const Columns& columns() const { return columns_; }
-  /// Which headings were taken for which quantities, if they are not the program's own.
-  const std::vector<std::string>& taken() const { return columns_.taken(); }
-  bool names_runs() const { return columns_.has(ColumnId::curve); }
-  bool has_axes() const { return columns_.holds_axes(); }
-  /// Whether the file has a column of standard errors.
-  bool has_errors() const {
-    return columns_.has(ColumnId::sigma_T) || columns_.has(ColumnId::sigma_A) || columns_.has(ColumnId::sigma_Gc) ||
-           columns_.has(ColumnId::sigma_GI) || columns_.has(ColumnId::sigma_GII);
-  }
-  /// The name of the row's run; null if it states none.
-  std::optional<std::string_view> run_name(const CsvRow& row) const;
 
  private:
   struct Numbers;
@@ -53,7 +52,7 @@ class PointReader {
   std::string_view read_toughness(Numbers& number, ReadPoint& point) const;
   std::string_view read_energies(Numbers& number, ReadPoint& point) const;
 
-  std::optional<double> load_;  // of all points, in SI; null where a column states it
+  std::optional<double> load_;  // of all points, in SI; null if a column states it
   std::string path_;
   Columns columns_;
   PointUnits units_;

@@ -9,17 +9,17 @@
 #include <set>
 
 #include "base/number_text.h"
-#include "dataset/load_sign.h"
+#include "dataset/signs.h"
+#include "dataset/table/number.h"
 
 namespace mixity {
 namespace {
 
 /// "run_9" before "run_10".
 bool by_number(const std::string& one, const std::string& other) {
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   std::size_t i = 0, j = 0;
   while (i < one.size() && j < other.size()) {
-    if (digit(one[i]) && digit(other[j])) {
+    if (is_digit(one[i]) && is_digit(other[j])) {
       std::size_t first = 0, second = 0;
       const auto left = std::from_chars(one.data() + i, one.data() + one.size(), first).ptr;
       const auto right = std::from_chars(other.data() + j, other.data() + other.size(), second).ptr;
@@ -35,7 +35,7 @@ bool by_number(const std::string& one, const std::string& other) {
   return one.size() - i < other.size() - j;
 }
 
-/// The common beginning of their names, without numbers and signs at its end.
+/// The common beginning of their names, without numbers and signs at its end. If that is empty, the folder's name.
 std::string common_name(const std::vector<RunFile>& files) {
   std::string name = data_name(files.front().path);
   for (const RunFile& file : files) {
@@ -51,9 +51,13 @@ std::string common_name(const std::vector<RunFile>& files) {
   return folder.empty() ? "runs" : printable(folder, std::string::npos);
 }
 
+/// Appends a list of so many items to another one. Either may be empty, which means that its items have default values.
 template <class T>
-void add_all(std::vector<T>& all, const std::vector<T>& more) {
+void append(const std::vector<T>& more, std::size_t more_size, std::vector<T>& all, std::size_t size) {
+  if (all.empty() && more.empty()) return;
+  all.resize(size);
   all.insert(all.end(), more.begin(), more.end());
+  all.resize(size + more_size);
 }
 
 /// Notes the scale factors of a run on another sphere.
@@ -72,34 +76,22 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
   if (!part.has_loads) throw InputError(part.path, "holds no loads; only runs with P, T and A make one data set");
   if (whole.contact.has_value() != part.contact.has_value())
     throw InputError(part.path, "is dimensionless where others have units, or the other way round");
-  const std::size_t first_line = whole.files.back().first_line, first_run = whole.curves.size();
+  const std::size_t first_line = whole.files.back().first_line, first_run = whole.curves.size(),
+                    runs = part.curves.size(), points = part.points.size();
   const std::string name = file.name.empty() ? part.name : printable(file.name, std::string::npos);
   note_sphere(part, name, whole);
-  for (std::string& run : part.curves) {
-    const std::string wanted = run = part.curves.size() == 1 ? name : name + ": " + run;
-    for (int same = 2; std::find(whole.curves.begin(), whole.curves.end(), run) != whole.curves.end(); ++same)
-      run = wanted + " (" + std::to_string(same) + ")";
-    whole.curves.push_back(run);
-  }
-  add_all(whole.curve_loads, part.curve_loads);
-  if (!part.turned.empty() || !whole.turned.empty()) {
-    whole.turned.resize(first_run, false);
-    part.turned.resize(part.curves.size(), false);
-    add_all(whole.turned, part.turned);
-  }
-  // once any file states errors, all points have them: kNotStated where the file states none
-  if (!part.errors.empty() || !whole.errors.empty()) {
-    whole.errors.resize(whole.points.size());
-    part.errors.resize(part.points.size());
-    add_all(whole.errors, part.errors);
-  }
+  for (const std::string& run : part.curves)
+    whole.curves.push_back(distinct_name(runs == 1 ? name : name + ": " + run, whole.curves));
+  append(part.curve_loads, runs, whole.curve_loads, first_run);
+  append(part.shear_reversed, runs, whole.shear_reversed, first_run);
+  append(part.errors, points, whole.errors, whole.points.size());
   for (Point& point : part.points) {
     point.line += first_line;
     point.curve += first_run;
   }
-  add_all(whole.points, part.points);
+  append(part.points, points, whole.points, whole.points.size());
   for (Excluded& excluded : part.excluded) excluded.line += first_line;
-  add_all(whole.excluded, part.excluded);
+  append(part.excluded, part.excluded.size(), whole.excluded, whole.excluded.size());
   whole.rows += part.rows;
   for (const Message& note : part.notes) whole.notes.push_back(name + ": " + note);
   if (part.reading != whole.reading)
@@ -144,25 +136,23 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
   Metadata common = constants;
   apply_overrides(overrides, common);
   // the relative error of the radius is that of every sphere
-  const double uncertain = common.radius ? common.standard_error("radius") / *common.radius : 0;
+  const double radius_error = common.radius ? common.standard_error("radius") / *common.radius : 0;
   Dataset whole;
   std::size_t lines = 0;
   std::vector<Dataset> parts;
-  for (const RunFile& file : files) {
-    // how to read a file is stated beside it
-    Metadata metadata = constants;
-    copy_reading(stated[parts.size()], metadata);
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    add_constants(constants, stated[k]);
     Overrides own = overrides;
-    if (!file.load.empty()) own.emplace_back("load", file.load);
-    if (!file.sphere.empty()) own.emplace_back("radius", file.sphere);
-    parts.push_back(load_dataset(file.path, metadata, own));
+    if (!files[k].load.empty()) own.emplace_back("load", files[k].load);
+    if (!files[k].sphere.empty()) own.emplace_back("radius", files[k].sphere);
+    parts.push_back(load_dataset(files[k].path, stated[k], own));
   }
-  turn_as_others(parts);
+  reverse_loads_alike(parts);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const RunFile& file = files[k];
     Dataset& part = parts[k];
-    if (!file.sphere.empty() && uncertain > 0)
-      part.metadata.standard_errors["radius"] = uncertain * *part.metadata.radius;
+    if (!file.sphere.empty() && radius_error > 0)
+      part.metadata.standard_errors["radius"] = radius_error * *part.metadata.radius;
     if (whole.files.empty()) {
       whole.path = part.path;
       whole.has_loads = part.has_loads;

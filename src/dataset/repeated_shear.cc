@@ -1,8 +1,7 @@
-#include "dataset/repeated_shear.h"
-
 #include <algorithm>
 #include <cmath>
-#include <map>
+
+#include "dataset/unnamed_runs.h"
 
 namespace mixity {
 namespace {
@@ -16,18 +15,10 @@ struct ShearCourse {
 
   /// Whether this point is the first of another run.
   bool begins_again(double T) {
-    if (!begun) {
-      *this = {true, T, 0, 0};
-      return false;
-    }
     const double shear = std::abs(T - start);
-    if (most > 0 && last >= kHigh * most && shear <= kNearStart * most) {
-      *this = {true, T, 0, 0};
-      return true;
-    }
-    last = shear;
-    most = std::max(most, shear);
-    return false;
+    const bool again = begun && most > 0 && last >= kHigh * most && shear <= kNearStart * most;
+    *this = begun && !again ? ShearCourse{true, start, shear, std::max(most, shear)} : ShearCourse{true, T, 0, 0};
+    return again;
   }
 };
 
@@ -45,7 +36,7 @@ bool rises(const std::vector<double>& T, std::size_t begin, std::size_t end, dou
   return end - begin >= kFewest && reached >= kSome * most && 4 * drops < end - begin;
 }
 
-/// The indices at which runs begin among these readings of T; empty if there is only one.
+/// The indices at which runs begin among these readings of T.
 std::vector<std::size_t> beginnings(const std::vector<double>& T) {
   std::vector<std::size_t> begins{0};
   double most = 0;
@@ -54,13 +45,20 @@ std::vector<std::size_t> beginnings(const std::vector<double>& T) {
     most = std::max(most, std::abs(T[i] - T[0]));
     if (course.begins_again(T[i])) begins.push_back(i);
   }
-  for (std::size_t k = begins.size(); k-- > 0;) {
+  for (std::size_t k = begins.size(); k-- > 0 && begins.size() > 1;) {
     if (rises(T, begins[k], k + 1 < begins.size() ? begins[k + 1] : T.size(), most)) continue;
-    if (k == 0) return {};
+    if (k == 0) return {0};
     begins.erase(begins.begin() + static_cast<std::ptrdiff_t>(k));
   }
-  return begins.size() > 1 ? begins : std::vector<std::size_t>{};
+  return begins;
 }
+
+/// A run of the data set, or one of the parts that it is split into.
+struct Part {
+  std::size_t first_point;
+  std::string name;
+  double load;
+};
 
 }  // namespace
 
@@ -69,39 +67,38 @@ void split_repeated_shear(Dataset& data) {
   bool any = false;
   for (const Point& point : data.points) any |= courses[point.curve].begins_again(point.T);
   if (!any) return;
-  std::vector<std::string> names;
-  std::string parted;
-  const auto by_run = points_by_curve(data);
-  std::map<std::size_t, std::size_t> run_at;  // by the index of its first point
-  std::vector<std::size_t> run(data.points.size());
-  std::vector<double> loads;
-  for (std::size_t one = 0; one < by_run.size(); ++one) {
+  std::vector<Part> parts;
+  std::vector<std::size_t> part_of_point(data.points.size());
+  std::string split;
+  const auto runs = points_by_curve(data);
+  for (std::size_t run = 0; run < runs.size(); ++run) {
     std::vector<double> T;
-    for (const std::size_t i : by_run[one]) T.push_back(data.points[i].T);
+    for (const std::size_t i : runs[run]) T.push_back(data.points[i].T);
     const std::vector<std::size_t> begins = beginnings(T);
-    for (std::size_t k = 0, j = 0; j < T.size(); ++j) {
-      if (k + 1 < begins.size() && j == begins[k + 1]) ++k;
-      if (j == 0 || (!begins.empty() && j == begins[k])) {
-        run_at.emplace(by_run[one][j], names.size());
-        names.push_back(data.curves[one] + (k > 0 ? " (" + std::to_string(k + 1) + ")" : ""));
-        loads.push_back(data.curve_loads[one]);
-      }
-      run[by_run[one][j]] = names.size() - 1;
+    for (std::size_t k = 0; k < begins.size(); ++k) {
+      const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : T.size();
+      for (std::size_t j = begins[k]; j < end; ++j) part_of_point[runs[run][j]] = parts.size();
+      parts.push_back({runs[run][begins[k]], data.curves[run] + (k > 0 ? " (" + std::to_string(k + 1) + ")" : ""),
+                       data.curve_loads[run]});
     }
-    if (!begins.empty())
-      parted += (parted.empty() ? "" : ", ") + data.curves[one] + " (" + std::to_string(begins.size()) + ")";
+    if (begins.size() > 1)
+      split += (split.empty() ? "" : ", ") + data.curves[run] + " (" + std::to_string(begins.size()) + ")";
   }
-  if (parted.empty()) return;
-  std::vector<std::size_t> number(names.size());
+  if (split.empty()) return;
+  // numbered in order of appearance
   data.curves.clear();
   data.curve_loads.clear();
-  for (const auto& [first, one] : run_at) {
-    number[one] = data.curves.size();
-    data.curves.push_back(names[one]);
-    data.curve_loads.push_back(loads[one]);
+  std::vector<std::size_t> number(parts.size());
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const Part& part = parts[part_of_point[i]];
+    if (part.first_point == i) {
+      number[part_of_point[i]] = data.curves.size();
+      data.curves.push_back(part.name);
+      data.curve_loads.push_back(part.load);
+    }
+    data.points[i].curve = number[part_of_point[i]];
   }
-  for (std::size_t i = 0; i < run.size(); ++i) data.points[i].curve = number[run[i]];
-  data.notes.push_back("T goes back to where it began and rises anew: taken for several runs at one load: " + parted);
+  data.notes.push_back("T goes back to where it began and rises anew: taken for several runs at one load: " + split);
 }
 
 }  // namespace mixity

@@ -33,8 +33,8 @@ TEST(Exclusion, OfLinesKeepsTheRestTogether) {
   // the first run is gone
   EXPECT_EQ(data.curves, std::vector<std::string>{"second"});
   EXPECT_EQ(data.points[1].curve, 0U);
-  ASSERT_EQ(data.turned.size(), 1U);
-  EXPECT_TRUE(data.turned[0]);
+  ASSERT_EQ(data.shear_reversed.size(), 1U);
+  EXPECT_TRUE(data.shear_reversed[0]);
   EXPECT_GT(data.points[1].T, 0);
 }
 

@@ -1,12 +1,11 @@
 // Files that have compression as negative.
-#include "dataset/load_sign.h"
-
 #include <gtest/gtest.h>
 
 #include "base/number_text.h"
 #include "dataset/check.h"
 #include "dataset/load_text.h"
 #include "dataset/pooled.h"
+#include "dataset/signs.h"
 #include "mechanics/contact.h"
 
 namespace mixity {
@@ -30,7 +29,7 @@ TEST(LoadSign, OfCompressionReadAsNegativeIsTurnedWithANote) {
   EXPECT_EQ(good.curve_loads, negative.curve_loads);
   ASSERT_EQ(good.points.size(), negative.points.size());
   for (std::size_t i = 0; i < good.points.size(); ++i) EXPECT_EQ(good.points[i].P, negative.points[i].P);
-  EXPECT_EQ(texts_of(negative.notes), std::vector<std::string>{kLoadsTurned});
+  EXPECT_EQ(texts_of(negative.notes), std::vector<std::string>{kLoadsReversed});
   EXPECT_TRUE(good.notes.empty());
   // areas off by a power of ten say nothing of JKR, but still grow
   EXPECT_EQ(load_text(kHeader + contacts(loads, -1, 100)).curves, good.curves);

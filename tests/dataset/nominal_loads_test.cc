@@ -1,6 +1,4 @@
 // Readings of the load that scatter are those of one nominal load; loads that were set are not.
-#include "dataset/nominal_loads.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <random>
 
 #include "dataset/load_text.h"
+#include "dataset/unnamed_runs.h"
 
 namespace mixity {
 namespace {

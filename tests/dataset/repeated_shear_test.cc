@@ -1,9 +1,8 @@
 // Runs at one load that follow each other in a file without a column of names.
-#include "dataset/repeated_shear.h"
-
 #include <gtest/gtest.h>
 
 #include "dataset/load_text.h"
+#include "dataset/unnamed_runs.h"
 
 namespace mixity {
 namespace {

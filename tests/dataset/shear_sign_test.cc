@@ -1,12 +1,11 @@
 // Shear below zero: noise that is kept and counted, and runs that are turned round.
-#include "dataset/shear_sign.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "dataset/check.h"
 #include "dataset/load_text.h"
+#include "dataset/signs.h"
 
 namespace mixity {
 namespace {
@@ -43,7 +42,7 @@ TEST(ShearSign, ARunOfTheOtherDirectionIsTurnedRound) {
   EXPECT_EQ(shears(data), (std::vector<double>{0, 3, 0, -0.4, 4, 2, -1, 5}));
   EXPECT_FALSE(std::signbit(data.points[2].T));
   EXPECT_EQ(texts_of(data.notes), (Notes{"a run is sheared the other way and turned round (T -> -T): y",
-                               "2 of 8 points have T < 0, used as they are: equilibrium depends on T^2"}));
+                                         "2 of 8 points have T < 0, used as they are: equilibrium depends on T^2"}));
 }
 
 TEST(ShearSign, ARunIsTurnedUpToATenthAboveZeroAndFromThreePoints) {
@@ -70,7 +69,7 @@ TEST(ShearSign, NamesOfTurnedRunsAreBoundedInNumberAndLength) {
     for (int i = 1; i < 4; ++i)
       text += std::string(run == 1 ? 500 : 1, static_cast<char>('a' + run)) + ",1,-" + std::to_string(i) + ",19\n";
   EXPECT_EQ(texts_of(load_text(text).notes), Notes{"7 runs are sheared the other way and turned round (T -> -T): a, " +
-                                         std::string(40, 'b') + "..., c, d and 3 more"});
+                                                   std::string(40, 'b') + "..., c, d and 3 more"});
 }
 
 TEST(ShearSign, OfALeftOutPointDoesNotCount) {

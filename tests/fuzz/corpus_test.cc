@@ -1,4 +1,4 @@
-// Every input that the fuzzer found worth keeping, once more, with whatever compiler builds the tests.
+// Repeats every input of the fuzzer's corpus with the compiler of the tests.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 namespace mixity::fuzz {
 namespace {
 
-TEST(Fuzz, EveryReaderKeepsItsWordOnTheWholeCorpus) {
+TEST(Fuzz, EveryReaderKeepsItsPromisesOnTheWholeCorpus) {
   std::set<char> readers;
   for (const auto& entry : std::filesystem::directory_iterator(MIXITY_ROOT "/tests/fuzz/corpus")) {
     const std::string input = read_file(entry.path().string());
@@ -23,7 +23,7 @@ TEST(Fuzz, EveryReaderKeepsItsWordOnTheWholeCorpus) {
   EXPECT_EQ(readers, std::set<char>(kReaders.begin(), kReaders.end()));
 }
 
-/// The promises must be able to break: a check that accepts everything would find nothing.
+/// A check that accepts everything would find nothing.
 TEST(FuzzDeathTest, ABrokenPromiseEndsTheProgram) {
   const auto refuse = [] { throw InputError("other.csv", 1, 1, "wrong"); };
   EXPECT_DEATH(accepts({"a.csv:"}, refuse), "a message names the file");

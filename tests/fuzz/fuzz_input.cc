@@ -25,7 +25,7 @@
 namespace mixity::fuzz {
 namespace {
 
-/// A file that each input overwrites, in a folder that outlives them all.
+/// A file that each input overwrites, in a temporary folder of the process.
 class Scratch {
  public:
   explicit Scratch(std::string_view name) : path_(folder().path(name)) {
@@ -36,7 +36,7 @@ class Scratch {
   Scratch& operator=(const Scratch&) = delete;
   ~Scratch() { ::close(file_); }
 
-  const std::string& hold(std::string_view text) const {
+  const std::string& write(std::string_view text) const {
     promise(::ftruncate(file_, 0) == 0, "the scratch file is emptied");
     promise(::pwrite(file_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size()), "and written");
     return path_;
@@ -51,7 +51,7 @@ class Scratch {
   int file_;
 };
 
-/// The text up to this separator and what follows it; all and nothing if it does not occur.
+/// The text before the separator and the text behind it, which is empty if there is no separator.
 std::pair<std::string_view, std::string_view> cut(std::string_view text, std::string_view separator) {
   const std::size_t at = text.find(separator);
   if (at == std::string_view::npos) return {text, {}};
@@ -91,7 +91,7 @@ void check_metadata(const Metadata& metadata) {
   if (metadata.poisson_ratio) promise(*metadata.poisson_ratio >= 0 && *metadata.poisson_ratio <= 0.5, "poisson_ratio");
 }
 
-/// Rows that come out of small blocks are those of large ones.
+/// Rows do not depend on the size of blocks.
 void check_blocks(const std::string& path) {
   CsvFile whole(path), parts(path, 1);
   whole.start();
@@ -146,7 +146,7 @@ void check_data(const Dataset& data) {
 void check_dataset(std::string_view text) {
   static const Scratch table("a.csv"), metadata("a.toml");
   const auto [toml, csv] = cut(text, "\n---\n");
-  const std::string &path = table.hold(csv), &beside = metadata.hold(toml);
+  const std::string &path = table.write(csv), &beside = metadata.write(toml);
   accepts({path + ":", beside + ":"}, [&] { check_data(load_dataset(path)); });
   accepts({path + ":"}, [&] { check_blocks(path); });
 }
@@ -154,7 +154,7 @@ void check_dataset(std::string_view text) {
 void check_peaks(std::string_view text) {
   static const Scratch table("p.csv"), metadata("p.toml");
   const auto [toml, csv] = cut(text, "\n---\n");
-  const std::string &path = table.hold(csv), &beside = metadata.hold(toml);
+  const std::string &path = table.write(csv), &beside = metadata.write(toml);
   accepts({path + ":", beside + ":"}, [&] {
     const PeakForces forces = load_peak_forces(path);
     check_metadata(forces.metadata);
@@ -168,13 +168,13 @@ void check_peaks(std::string_view text) {
 
 void check_constants(std::string_view text) {
   static const Scratch file("m.toml");
-  const std::string& path = file.hold(text);
+  const std::string& path = file.write(text);
   accepts({path + ":"}, [&] { check_metadata(read_metadata(path)); });
 }
 
 void check_definition(std::string_view text) {
   static const Scratch file("f.toml");
-  const std::string& path = file.hold(text);
+  const std::string& path = file.write(text);
   accepts({path + ":"}, [&] {
     const FitRequest request = read_fit_definition(path);
     promise(!request.data_path.empty() && !request.models.empty(), "a definition names data and models");
@@ -215,7 +215,7 @@ void check_import(std::string_view text) {
     options.loads.push_back(*quantity);
     loads = rest;
   }
-  const std::string& path = file.hold(plot);
+  const std::string& path = file.write(plot);
   std::string made;
   if (!accepts({path + ":"}, [&] { made = import_plot(path, options); })) return;
   std::size_t width = 0;

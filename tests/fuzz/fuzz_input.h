@@ -1,4 +1,4 @@
-// One entry to everything that reads what a user wrote, for a fuzzer and for the test that repeats what it found.
+// One function that calls every reader of user input, for the fuzzer and for the test of its corpus.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,13 @@
 
 namespace mixity::fuzz {
 
-/// First byte of an input: which reader gets the rest. c rows of a CSV, d a data set (TOML, a line "---", CSV), p peak
-/// forces (likewise), m metadata, f a fit definition, u units and numbers, i an import (x, y and loads in three lines,
-/// then the export), l a law as a flag has it.
+/// The first byte of an input selects the reader of the rest: c rows of a CSV, d a data set (TOML, a line "---", CSV),
+/// p peak forces (likewise), m metadata, f a fit definition, u units and numbers, i an import (x, y and loads in three
+/// lines, then the export), l a law as a flag states it.
 inline constexpr std::string_view kReaders = "cdpmfuil";
 
-/// Aborts if the reader breaks its word: it throws nothing but InputError, whose message is one printable line that
-/// names the file, and what it accepts is finite and complete. Returns 0, as a fuzzer wants it.
+/// Aborts unless the reader throws only InputError, with one printable line that names the file, and accepts only input
+/// that is finite and complete. Returns 0, as libFuzzer requires.
 int fuzz_input(const std::uint8_t* bytes, std::size_t size);
 
 }  // namespace mixity::fuzz

@@ -1,4 +1,4 @@
-// libFuzzer's side: hands inputs over, and keeps to one reader where MIXITY_FUZZ_READER names it.
+// The functions that libFuzzer calls. MIXITY_FUZZ_READER restricts inputs to one reader.
 #include <cstdlib>
 
 #include "fuzz_input.h"
@@ -9,7 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return mixity::fuzz::fuzz_input(data, size);
 }
 
-/// The first byte says who reads the rest: left to chance, most inputs would go to nobody.
+/// Mutates an input, but keeps its first byte a valid reader: of random bytes, few are.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed) {
   using mixity::fuzz::kReaders;

@@ -31,7 +31,7 @@ inline bool is_one_printable_line(std::string_view text) {
   return true;
 }
 
-/// Calls `read`; true if it accepted the input. Its refusal must begin in one of these ways and go on.
+/// Calls `read`; true if it accepts the input. The message of a rejection must begin with one of these texts and go on.
 template <class Read>
 bool accepts(const std::vector<std::string>& beginnings, Read&& read) {
   try {

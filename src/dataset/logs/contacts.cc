@@ -8,6 +8,7 @@
 #include "statistics/readings.h"
 
 namespace mixity {
+
 std::vector<FrameRange> contacts(const Frames& frames, double noise) {
   constexpr std::size_t kLost = 3;
   std::vector<double> sorted = frames.A;
@@ -26,13 +27,13 @@ std::vector<FrameRange> contacts(const Frames& frames, double noise) {
 
 std::vector<FrameRange> load_steps(const Frames& frames, FrameRange contact, double noise, double range) {
   constexpr std::size_t kFewest = 10;
-  constexpr double kShortest = 0.2;  // s: a ramp of the load looks like stairs to a fast camera
+  constexpr double kShortest = 0.2;  // s: to a fast camera a ramp of the load looks like stairs
   const std::vector<double> inside = part_of(frames.P, contact.begin, contact.end);
   const double n = static_cast<double>(inside.size());
   auto changes = mean_changes(inside, noise * noise, 4 * std::log(std::max(n, 2.0)));
   changes.push_back(inside.size());
-  // a drift, or what the shear does to the load, is no new step
-  const auto moved = [&](double load) {
+  // a drift, or the effect of the shear on the load, is not a new step
+  const auto least_step = [&](double load) {
     return std::max({6 * noise, 0.06 * std::abs(load), std::min(0.02 * range, 0.15 * std::abs(load))});
   };
   std::vector<FrameRange> found;
@@ -41,7 +42,7 @@ std::vector<FrameRange> load_steps(const Frames& frames, FrameRange contact, dou
     if (one.end - one.begin < kFewest) continue;
     if (!found.empty()) {
       const double before = mean_of(frames.P, found.back().begin, found.back().end);
-      if (std::abs(mean_of(frames.P, one.begin, one.end) - before) <= moved(before)) {
+      if (std::abs(mean_of(frames.P, one.begin, one.end) - before) <= least_step(before)) {
         found.back().end = one.end;
         continue;
       }
@@ -51,13 +52,13 @@ std::vector<FrameRange> load_steps(const Frames& frames, FrameRange contact, dou
   std::erase_if(found, [&](const FrameRange& step) {
     const StraightLine P = line_through(frames.P, step.begin, step.end);
     return frames.time[step.end - 1] - frames.time[step.begin] < kShortest ||
-           std::abs(P.slope * static_cast<double>(step.end - step.begin - 1)) > moved(P.mean);
+           std::abs(P.slope * static_cast<double>(step.end - step.begin - 1)) > least_step(P.mean);
   });
   return found;
 }
 
 LoadZero load_zero(const Frames& frames, const std::vector<FrameRange>& touching) {
-  constexpr double kSamples = 30, kBeside = 0.2;  // least of them; of each gap, what may be drawn to contact
+  constexpr double kFewest = 30, kBeside = 0.2;  // samples; share of each gap in which P may be affected by contact
   std::vector<double> read;
   std::size_t begin = 0;
   for (std::size_t k = 0; k <= touching.size(); ++k) {
@@ -66,13 +67,14 @@ LoadZero load_zero(const Frames& frames, const std::vector<FrameRange>& touching
     for (std::size_t i = begin + (begin > 0 ? margin : 0); i + margin < end; ++i) read.push_back(frames.P[i]);
     if (k < touching.size()) begin = touching[k].end;
   }
-  if (touching.empty() || static_cast<double>(read.size()) * frames.samples < kSamples) return {};
-  // of a median; what the zero itself wanders by is in the scatter of its readings, not in their noise
+  if (touching.empty() || static_cast<double>(read.size()) * frames.samples < kFewest) return {};
+  // the scatter of the readings includes the wander of the zero, their noise does not
   std::vector<double> apart;
   const double zero = median(read);
   for (const double one : read) apart.push_back(std::abs(one - zero));
   const double scatter = std::max(kOfMedian * median(apart), frames.noise_P / std::sqrt(frames.samples));
-  return {zero, 1.2533 * scatter / std::sqrt(static_cast<double>(read.size()))};
+  constexpr double kOverMean = 1.2533;  // standard error of a median over that of a mean
+  return {zero, kOverMean * scatter / std::sqrt(static_cast<double>(read.size()))};
 }
 
 }  // namespace mixity

@@ -13,15 +13,15 @@ struct FrameRange {
   std::size_t begin, end;
 };
 
-/// Where the area exceeds its noise and a twentieth of the largest; a lost frame or two do not end a contact.
+/// Where the area exceeds its noise and a twentieth of the largest. A few lost frames do not end a contact.
 std::vector<FrameRange> contacts(const Frames& frames, double noise);
 
-/// Steps of constant load in a contact, by PELT: those of some duration without a steady rise or fall. A step that
-/// differs little from the one before, as by drift or shear, is a part of it. `noise`: standard deviation of P;
-/// `range`: of P in the log.
+/// Steps of constant load in a contact, found by PELT: long enough, and without a steady rise or fall. A step that
+/// differs little from the one before, as by drift or shear, is part of it. `noise`: standard deviation of P; `range`:
+/// of P in the log.
 std::vector<FrameRange> load_steps(const Frames& frames, FrameRange contact, double noise, double range);
 
-/// The zero of the load, as read out of contact, and its standard error; both 0 if too little is read there.
+/// The zero of the load, read out of contact, and its standard error; both 0 if there are too few readings.
 struct LoadZero {
   double value = 0, error = 0;
 };

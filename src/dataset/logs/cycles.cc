@@ -12,13 +12,13 @@
 namespace mixity {
 namespace {
 
-constexpr double kPeak = 0.1;  // of the largest T; sliding does not stay below it
+constexpr double kPeak = 0.1;  // of the largest T; T of a sliding contact is higher
 
-/// The lowest reading of a drop, which ends where readings rise by more than `least` again, or do not fall further for
-/// twice its duration: T of steady sliding is a minimum, too.
+/// The lowest reading of a drop. It ends where readings rise by more than `least` again, or do not fall further for
+/// twice its duration, as in steady sliding.
 std::size_t end_of_drop(const std::vector<double>& T, const Drop& drop, std::size_t end, double least) {
   constexpr std::size_t kFew = 12;
-  std::size_t low = drop.seen, lower = drop.seen;  // `lower`: where the last step down of `least` was seen
+  std::size_t low = drop.seen, lower = drop.seen;  // `lower`: where readings last fell by `least`
   for (std::size_t i = drop.seen; i < end && !(T[i] - T[low] > least); ++i) {
     if (T[i] < T[low]) low = i;
     if (T[i] < T[lower] - least) lower = i;
@@ -27,7 +27,7 @@ std::size_t end_of_drop(const std::vector<double>& T, const Drop& drop, std::siz
   return low;
 }
 
-/// All drops; the last may be the unloading.
+/// All drops; the last one may be the unloading.
 std::vector<Drop> all_drops(const std::vector<double>& T, std::size_t begin, std::size_t end, double least) {
   std::vector<Drop> found;
   for (auto drop = first_drop(T, begin, end, least, kLeastDrop); drop;
@@ -38,7 +38,7 @@ std::vector<Drop> all_drops(const std::vector<double>& T, std::size_t begin, std
   return found;
 }
 
-/// What maxima and minima are read from: the samples of the force, or frames.
+/// The readings of T from which maxima and minima are taken: samples of the force, or frames.
 class Source {
  public:
   Source(const Frames& frames, const Shear& shear, std::size_t begin, std::size_t end) : frames_(frames) {
@@ -51,13 +51,12 @@ class Source {
       return;
     }
     by_frame_ = false;
-    const auto first = sample(frames.time[begin] - frames.interval / 2),
-               last = sample(frames.time[end - 1] + frames.interval / 2);
-    from_ = first;
-    time_ = part_of(frames.force_time, first, last);
-    T_ = part_of(frames.force_T, first, last);
+    from_ = index_of(frames.time[begin] - frames.interval / 2, frames.force_time);
+    const std::size_t last = index_of(frames.time[end - 1] + frames.interval / 2, frames.force_time);
+    time_ = part_of(frames.force_time, from_, last);
+    T_ = part_of(frames.force_T, from_, last);
     for (double& one : T_) one = shear.direction * one - shear.start;
-    // noise with a memory is less in second differences of samples than in those of their means
+    // second differences of samples underestimate correlated noise more than those of their means
     noise_ = std::max(noise_of(T_), shear.noise * std::sqrt(frames.samples));
   }
 
@@ -67,7 +66,7 @@ class Source {
   bool by_frame() const { return by_frame_; }
   Course course() const { return {&T_, noise_}; }
   std::size_t size() const { return T_.size(); }
-  /// Between readings, as ends_of_drop counts.
+  /// The time at a position between readings.
   double time(double at) const {
     const auto i = std::min(static_cast<std::size_t>(at), T_.size() - 2);
     return time_[i] + (at - static_cast<double>(i)) * (time_[i + 1] - time_[i]);
@@ -75,12 +74,10 @@ class Source {
 
  private:
   std::size_t within(std::size_t frame, double frames) const {
-    return std::clamp(sample(frames_.time[frame] + frames * frames_.interval), from_, from_ + T_.size()) - from_;
+    const std::size_t sample = index_of(frames_.time[frame] + frames * frames_.interval, frames_.force_time);
+    return std::clamp(sample, from_, from_ + T_.size()) - from_;
   }
-  std::size_t sample(double time) const {
-    return static_cast<std::size_t>(std::lower_bound(frames_.force_time.begin(), frames_.force_time.end(), time) -
-                                    frames_.force_time.begin());
-  }
+
   const Frames& frames_;
   bool by_frame_ = true;
   std::size_t from_ = 0;
@@ -88,7 +85,7 @@ class Source {
   double noise_ = 0;
 };
 
-/// How many readings of a line of this length give its end: over a tenth of it T bends little.
+/// How many readings of a line give its end: over a tenth of its length T bends little.
 std::size_t readings_for(std::size_t length) {
   constexpr std::size_t kShare = 10, kFew = 24;
   return std::min(length, std::max(length / kShare, kFew));
@@ -101,18 +98,14 @@ std::vector<Cycle> slip_cycles(const Frames& frames, const Shear& shear, std::si
   const std::vector<Drop> drops = all_drops(T, begin, end, kDropOfNoise * shear.noise);
   std::vector<Cycle> cycles;
   if (drops.empty()) return cycles;
-  const auto all = [&](std::size_t from, auto holds) {
-    return std::all_of(T.begin() + static_cast<std::ptrdiff_t>(from), T.begin() + static_cast<std::ptrdiff_t>(end),
-                       holds);
-  };
-  const double least = kPeak * *std::max_element(T.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                 T.begin() + static_cast<std::ptrdiff_t>(end));
+  const double least = kPeak * *std::max_element(T.data() + begin, T.data() + end);
   const Source source(frames, shear, begin, end);
   std::size_t low = source.first_of(begin);  // where the last drop ended
   for (std::size_t k = 0; k < drops.size(); ++k) {
     const Drop& drop = drops[k];
     const bool ends = drop.low + 1 < end;
-    if (all(drop.low, [&](double one) { return one < least; }) || (!ends && k > 0)) break;  // unloading
+    const bool unloads = *std::max_element(T.data() + drop.low, T.data() + end) < least;
+    if (unloads || (!ends && k > 0)) break;
     const DropSpan span{source.first_of(drop.top) + (source.by_frame() ? 1 : 0), source.end_of(drop.seen),
                         source.end_of(drop.low)};
     const std::size_t next = k + 1 < drops.size() ? source.first_of(drops[k + 1].top) : source.size();

@@ -17,17 +17,17 @@ struct Cycle {
   double error_min = 0;
 };
 
-/// T of all frames, with the sign by which the shear raises it, from its start: T = direction * (T read) - start.
+/// T of all frames, positive in the direction of the shear, from its start: T = direction * (T read) - start.
 struct Shear {
   std::vector<double> T;
   double direction, start;
   double noise;  // standard deviation of T
 };
 
-/// Cycles in frames begin..end (end excluded). The largest reading is biased: noise raises it and the mean over a frame
-/// lowers it. So a maximum is the end of the straight line along which T rose, and the minimum is the beginning of the
-/// line that follows (ends_of_drop), both read from the samples of the force where a frame holds many, else from the
-/// frames. The final unloading is no cycle: T stays below a tenth of its largest from there on.
+/// Cycles in frames begin..end (end excluded). The largest reading is biased: noise raises it, and the mean over a
+/// frame lowers it. So a maximum is the end of the straight line along which T rises, and the minimum is the beginning
+/// of the line that follows (ends_of_drop). Both are read from the samples of the force if a frame has many, otherwise
+/// from the frames. The final unloading, after which T stays below a tenth of its maximum, is not a cycle.
 std::vector<Cycle> slip_cycles(const Frames& frames, const Shear& shear, std::size_t begin, std::size_t end);
 
 }  // namespace mixity

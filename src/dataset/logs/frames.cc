@@ -2,19 +2,45 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "base/input_error.h"
-#include "base/number_text.h"
 #include "statistics/noise.h"
 #include "statistics/readings.h"
 
 namespace mixity {
+namespace {
+
+/// Means of samples over intervals of time.
+class Means {
+ public:
+  Means(const std::vector<double>& time, const std::vector<double>& values)
+      : time_(time), values_(values), sums_(values.size() + 1) {
+    for (std::size_t i = 0; i < values.size(); ++i) sums_[i + 1] = sums_[i] + values[i];
+  }
+  /// Interpolated in the middle of the interval if it contains no sample. NaN outside the recording.
+  double over(double begin, double end) const {
+    const std::size_t i = index_of(begin, time_), j = index_of(end, time_);
+    if (j > i) return (sums_[j] - sums_[i]) / static_cast<double>(j - i);
+    if (i == 0 || i == time_.size()) return std::nan("");
+    const double middle = 0.5 * (begin + end), share = (middle - time_[i - 1]) / (time_[i] - time_[i - 1]);
+    return values_[i - 1] + share * (values_[i] - values_[i - 1]);
+  }
+
+ private:
+  const std::vector<double>&time_, &values_;
+  std::vector<double> sums_;
+};
+
+}  // namespace
+
 double typical_step(const std::vector<double>& time) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
   return median(steps);
+}
+
+std::size_t index_of(double time, const std::vector<double>& times) {
+  return static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
 }
 
 Pictures pictures(const Recording& recording) {
@@ -28,14 +54,14 @@ Pictures pictures(const Recording& recording) {
     all.time.push_back(recording.time[i]);
     all.A.push_back(recording.A[i]);
   }
-  // An area that is held until the next picture changes in few rows, and there in steps of one length.
+  // If rows repeat an area until the next picture, it changes in few rows, at equal intervals.
   if (changed.A.size() < 3 || 3 * changed.A.size() > all.A.size()) return all;
   const double step = typical_step(changed.time);
   Pictures held;
   for (std::size_t i = 0, k = 0; i < all.time.size(); ++i) {
     const bool change = k < changed.time.size() && all.time[i] == changed.time[k];
     if (!change && !held.time.empty() && all.time[i] < held.time.back() + 0.999 * step) continue;
-    // a change that comes right behind is the picture that was due
+    // the picture that is due is the change right behind this row
     if (!change && k < changed.time.size() && changed.time[k] - all.time[i] < 0.5 * step) continue;
     held.time.push_back(all.time[i]);
     held.A.push_back(all.A[i]);
@@ -43,35 +69,6 @@ Pictures pictures(const Recording& recording) {
   }
   return held;
 }
-
-namespace {
-
-/// Mean of samples from `begin` to before `end`; between samples, if there are none. NaN outside the recording.
-class Means {
- public:
-  explicit Means(const std::vector<double>& time) : time_(time) {}
-  void add(const std::vector<double>& values) {
-    std::vector<double>& sum = sums_.emplace_back(values.size() + 1);
-    values_.push_back(&values);
-    for (std::size_t i = 0; i < values.size(); ++i) sum[i + 1] = sum[i] + values[i];
-  }
-  double mean(std::size_t which, double begin, double end) const {
-    const auto first = std::lower_bound(time_.begin(), time_.end(), begin),
-               last = std::lower_bound(first, time_.end(), end);
-    const auto i = static_cast<std::size_t>(first - time_.begin()), j = static_cast<std::size_t>(last - time_.begin());
-    if (j > i) return (sums_[which][j] - sums_[which][i]) / static_cast<double>(j - i);
-    if (i == 0 || i == time_.size()) return std::nan("");
-    const double middle = 0.5 * (begin + end), share = (middle - time_[i - 1]) / (time_[i] - time_[i - 1]);
-    return (*values_[which])[i - 1] + share * ((*values_[which])[i] - (*values_[which])[i - 1]);
-  }
-
- private:
-  const std::vector<double>& time_;
-  std::vector<std::vector<double>> sums_;
-  std::vector<const std::vector<double>*> values_;
-};
-
-}  // namespace
 
 Frames make_frames(const Recording& forces, const Recording& areas, double lag) {
   const Pictures shown = pictures(areas);
@@ -84,12 +81,10 @@ Frames make_frames(const Recording& forces, const Recording& areas, double lag) 
   frames.spikes = remove_spikes(loads) + remove_spikes(frames.force_T);
   frames.noise_P = noise_of(loads);
   frames.samples = std::max(1.0, frames.interval / typical_step(forces.time));
-  Means means(forces.time);
-  means.add(loads);
-  means.add(frames.force_T);
+  const Means P_means(forces.time, loads), T_means(forces.time, frames.force_T);
   for (std::size_t i = 0; i < shown.time.size(); ++i) {
     const double middle = shown.time[i] - lag, begin = middle - frames.interval / 2, end = middle + frames.interval / 2;
-    const double P = means.mean(0, begin, end), T = means.mean(1, begin, end);
+    const double P = P_means.over(begin, end), T = T_means.over(begin, end);
     if (!std::isfinite(P) || !std::isfinite(T)) continue;
     frames.time.push_back(shown.time[i]);
     frames.P.push_back(P);

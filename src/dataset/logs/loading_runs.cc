@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "dataset/dataset.h"
 #include "dataset/logs/contacts.h"
 #include "dataset/logs/run_errors.h"
 #include "statistics/drops.h"
@@ -13,7 +14,7 @@
 namespace mixity {
 namespace {
 
-/// The shear of a load step, whose T starts at 0 and rises in the direction in which it goes further.
+/// The shear of a load step: T starts at 0 and is positive in the direction in which it goes further.
 Shear shear_of(const std::vector<double>& T, FrameRange step) {
   const double start = median(
       part_of(T, step.begin, std::min(step.end, step.begin + std::max<std::size_t>(3, (step.end - step.begin) / 20))));
@@ -71,7 +72,7 @@ class Finder {
     if (end > begin) found_.phases.push_back({begin, end, name, reason});
   }
 
-  /// T out of contact, or as first read in contact.
+  /// T out of contact, or the first reading if the log begins and ends in contact.
   static double zero_of_shear(const Frames& frames, const std::vector<FrameRange>& touching) {
     std::vector<double> read;
     std::size_t begin = 0;
@@ -83,15 +84,13 @@ class Finder {
   }
 
   void find_run(FrameRange step) {
-    constexpr std::size_t kBeforeShear = 5;  // frames of the hold that a run keeps: areas without shear
+    constexpr std::size_t kBeforeShear = 5;  // frames before the shear that a run keeps: areas without shear
     constexpr double kRises = 12;            // standard deviations of T
     const Frames& frames = found_.frames;
     const Shear shear = shear_of(frames.T, step);
     const std::vector<double>& T = shear.T;
-    const auto from = T.begin() + static_cast<std::ptrdiff_t>(step.begin),
-               to = T.begin() + static_cast<std::ptrdiff_t>(step.end);
-    const auto top = static_cast<std::size_t>(std::max_element(from, to) - T.begin());
-    // a contact that is let go is not sheared: T comes nearer to its zero
+    const auto top = static_cast<std::size_t>(std::max_element(T.data() + step.begin, T.data() + step.end) - T.data());
+    // if T comes nearer to its zero, the contact is released, not sheared
     if (std::abs(frames.T[top] - rest_T_) < std::abs(frames.T[step.begin] - rest_T_) - kRises * shear.noise)
       return add(step.begin, step.end, "no run", "the shear is only taken back");
     LoadingRun run;
@@ -114,7 +113,7 @@ class Finder {
       return add(step.begin, step.end, "no run", "fewer than three frames between the start of the shear and its end");
     run.begin = start.rest ? start.frame - std::min(kBeforeShear, start.frame - step.begin) : start.frame;
     const double zero = start.rest.value_or(-shear.start);
-    run.baseline = zero + shear.start;  // of the T that was read
+    run.baseline = zero + shear.start;
     run.baseline_time = start.rest ? mean_of(frames.time, step.begin, start.frame) : run.shear.time;
     run.cycles = slip_cycles(frames, shear, rising_from(T, start.frame, step.end), step.end);
     const double zero_error = start.rest ? shear.noise / std::sqrt(static_cast<double>(start.frame - step.begin)) : 0;
@@ -132,12 +131,12 @@ class Finder {
   }
 
   struct ShearStart {
-    std::size_t frame;  // the first of the shear
+    std::size_t frame;  // the first one of the shear
     CutTime cut;
-    std::optional<double> rest;  // T before it; null: the step begins sheared
+    std::optional<double> rest;  // T before the shear; null: the contact is sheared when the step begins
   };
 
-  /// Where T leaves its baseline: looked for until it has risen to a third of what it reaches before it first falls.
+  /// Where T leaves its baseline: searched until T has risen to a third of its value before it first falls.
   ShearStart start_of_shear(const Shear& shear, FrameRange step, std::size_t top, const StatedCut& cuts) const {
     const Frames& frames = found_.frames;
     const std::vector<double>& T = shear.T;
@@ -162,7 +161,7 @@ class Finder {
     return {frame, cut_of(frames, hinge->change), mean_of(T, step.begin, frame)};
   }
 
-  /// The frame behind the last that the run keeps; sets its onset.
+  /// The frame behind the last one that the run keeps. Sets the onset of the run.
   std::size_t end_of_run(const Shear& shear, FrameRange step, std::size_t begin, std::size_t top, const StatedCut& cuts,
                          LoadingRun& run) const {
     const Frames& frames = found_.frames;
@@ -182,7 +181,7 @@ class Finder {
       return frames_before(exact->time, begin, change->at + 1);
     }
     run.onset = cut_of(frames, *change);
-    // the last frame that may as well be the first to slide is no loss
+    // leaves out the last frame if it may slide already
     return change->at + (change->first < change->at ? 0 : 1);
   }
 
@@ -197,26 +196,19 @@ class Finder {
   }
 
   std::size_t frame_at(double time, FrameRange step) const {
-    const auto& times = found_.frames.time;
-    const auto at = static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
-    return std::clamp(at, step.begin, step.end);
+    return std::clamp(index_of(time, found_.frames.time), step.begin, step.end);
   }
 
-  /// The end of the frames that are over at that time.
+  /// The end of the frames that end before this time.
   std::size_t frames_before(double time, std::size_t begin, std::size_t end) const {
     while (end > begin && found_.frames.time[end - 1] + found_.frames.interval / 2 > time) --end;
     return end;
   }
 
   std::string name_of(double P) const {
-    const std::string name = "P=" + rounded(P / factor_, 3) + " " + unit_;
-    std::string own = name;
-    const auto taken = [&] {
-      return std::any_of(found_.runs.begin(), found_.runs.end(),
-                         [&](const LoadingRun& run) { return run.name == own; });
-    };
-    for (int same = 2; taken(); ++same) own = name + " (" + std::to_string(same) + ")";
-    return own;
+    std::vector<std::string> names;
+    for (const LoadingRun& run : found_.runs) names.push_back(run.name);
+    return distinct_name("P=" + rounded(P / factor_, 3) + " " + unit_, names);
   }
 
   std::string unit_;
@@ -225,7 +217,7 @@ class Finder {
   LoadingRuns found_;
   double noise_A_ = 0;            // m^2
   double rest_T_ = 0;             // N
-  std::vector<double> constant_;  // in place of an area that has no say
+  std::vector<double> constant_;  // replaces the areas if they are not used
 };
 
 }  // namespace

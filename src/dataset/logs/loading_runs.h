@@ -16,55 +16,56 @@ namespace mixity {
 
 struct LoadingRun {
   std::string name;
-  double P = 0, scatter_P = 0;  // N: mean and standard deviation of what was read
-  double baseline = 0;          // N, T before the shear, subtracted; in the direction of the shear
-  double baseline_time = 0;     // s, where that was read
-  double direction = 1;         // of the shear: -1 where the sign of T was changed
-  double noise_T = 0;           // N, standard deviation of a frame
-  std::size_t contact = 0, begin = 0, end = 0,
-              last = 0;          // frames: of the contact; kept, from begin to before end; behind
-  CutTime shear;                 // its start
-  std::optional<CutTime> onset;  // of sliding; null: none was seen, and the run goes on to its largest T
+  double P = 0, scatter_P = 0;                        // N: mean and standard deviation of the readings
+  double baseline = 0;                                // N, T before the shear, in its direction; subtracted from T
+  double baseline_time = 0;                           // s, when the baseline was read
+  double direction = 1;                               // of the shear; -1: the sign of T was changed
+  double noise_T = 0;                                 // N, standard deviation of a frame
+  std::size_t contact = 0, last = 0;                  // frames of the load step, from contact to before last
+  std::size_t begin = 0, end = 0;                     // frames that are kept, from begin to before end
+  CutTime shear;                                      // its start
+  std::optional<CutTime> onset;                       // of sliding; null: not seen, the run ends at its largest T
   std::vector<double> smooth_P, T, sigma_T, sigma_A;  // N, N, N, m^2, of the frames that are kept
-  std::vector<Cycle> cycles;                          // T less the baseline
+  std::vector<Cycle> cycles;                          // with the baseline subtracted from T
 };
 
-/// What a range of frames is used for.
+/// How a range of frames is used.
 struct Phase {
   std::size_t begin, end;
   std::string_view name;    // "out of contact", "approach", "hold", "shear", "sliding", "no run"
-  std::string_view reason;  // why its frames are not kept; empty of those that are
+  std::string_view reason;  // why its frames are not kept; empty: they are
 };
 
 struct StatedCut {
   std::optional<double> shear{}, onset{};  // s
   bool leave_out = false;
-  std::string file{};  // that states them, and where
+  std::string file{};  // that states the cut, and the places in it
   FilePlace shear_place{}, onset_place{};
 };
 
 struct RunOptions {
   std::map<std::string, StatedCut> cuts{};  // by the name of a run
-  bool by_shear_alone = false;              // the onset of sliding is found without the area
-  std::optional<bool> drift{};              // subtract a line through the baselines of all runs; null: if it is sure
+  bool by_shear_alone = false;              // find the onset of sliding without the area
+  std::optional<bool> drift{};              // subtract a line through the baselines of all runs; null: if significant
 };
 
 struct LoadingRuns {
   Frames frames;
-  double zero_P = 0;                          // N, read out of contact and subtracted from P
-  double zero_P_error = 0, zero_T_error = 0;  // N, standard errors: of that; of the zeros of T and of the lag, typical
-  double drift_T = 0;                         // N/s, of the zero of T from run to run
-  double drift_error = 0;                     // N/s, standard error; 0 of two runs
+  double zero_P = 0;        // N, read out of contact and subtracted from P
+  double zero_P_error = 0;  // N, its standard error
+  double zero_T_error = 0;  // N, standard error of T due to the zeros and the lag, typical of the runs
+  double drift_T = 0;       // N/s, of the zero of T from run to run
+  double drift_error = 0;   // N/s, standard error; 0 if there are only two runs
   bool drift_removed = false;
-  bool drifts = false;  // by more than noise, and it was not subtracted
+  bool drifts = false;  // by more than noise, and the drift was not subtracted
   std::vector<LoadingRun> runs;
   std::vector<Phase> phases;  // of all frames, in order
 };
 
 /// Finds the contacts of a log and the load steps in each (contacts.h). The shear of a step begins where T leaves its
 /// baseline (hinge_point), and the run ends at the onset of sliding (onset_of), or where T stops rising. Names are the
-/// loads, "P=4.68 mN", in the unit given. Throws InputError for a cut that is stated outside the load step of its run;
-/// `cuts` of names that no run has are left to the caller.
+/// loads, "P=4.68 mN", in the given unit. Throws InputError for a stated cut outside the load step of its run. Cuts of
+/// names that no run has are ignored.
 LoadingRuns find_loading_runs(Frames frames, const std::string& force_unit, double force_factor,
                               const RunOptions& options);
 

@@ -1,9 +1,7 @@
 #include "dataset/logs/onset.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "statistics/drops.h"
 #include "statistics/noise.h"
@@ -12,50 +10,45 @@
 namespace mixity {
 namespace {
 
-constexpr std::size_t kBefore = 12;  // readings that a course is extrapolated from
+constexpr std::size_t kBefore = 12;  // readings from which a parabola is extrapolated
 
-/// A parabola through a dozen readings, extrapolated by so many steps behind the last: its value, and its slope at the
-/// last. A stage that pulls through a spring bends T, and the area bends towards the fold: a straight line would show a
-/// break there.
+/// A parabola through the last readings before `end`, extrapolated by a number of steps behind the last one. A straight
+/// line would show breaks that are none: a stage that pulls through a spring bends T, and the area bends towards the
+/// fold. The polynomials 1, x and x^2 - mean of x^2 of the readings at x = -middle..middle are orthogonal.
 struct Ahead {
-  double value, slope;
-};
-Ahead ahead_of(const std::vector<double>& y, std::size_t end, double steps) {
-  constexpr double n = kBefore, middle = (n - 1) / 2, xx = n * (n * n - 1) / 12, mean_square = (n * n - 1) / 12,
-                   qq = n * (n * n - 1) * (n * n - 4) / 180;
-  double sum = 0, first = 0, second = 0;  // on 1, x, x^2 - mean of x^2, which are orthogonal
-  for (std::size_t i = 0; i < kBefore; ++i) {
-    const double x = static_cast<double>(i) - middle, value = y[end - kBefore + i];
-    sum += value;
-    first += x * value;
-    second += (x * x - mean_square) * value;
-  }
-  const double x = middle + steps;
-  return {sum / n + first / xx * x + second / qq * (x * x - mean_square), first / xx + 2 * second / qq * middle};
-}
+  static constexpr double n = kBefore, middle = (n - 1) / 2, mean_square = (n * n - 1) / 12, xx = n * (n * n - 1) / 12,
+                          qq = n * (n * n - 1) * (n * n - 4) / 180;
+  double value = 0, slope = 0;  // the slope at the last reading
 
-/// The variance of that value, in variances of one reading.
-double variance_ahead(double steps) {
-  constexpr double n = kBefore, middle = (n - 1) / 2, xx = n * (n * n - 1) / 12, mean_square = (n * n - 1) / 12,
-                   qq = n * (n * n - 1) * (n * n - 4) / 180;
-  const double x = middle + steps;
-  return 1 / n + x * x / xx + (x * x - mean_square) * (x * x - mean_square) / qq;
-}
+  Ahead(const std::vector<double>& y, std::size_t end, double steps) {
+    double sum = 0, first = 0, second = 0;
+    for (std::size_t i = 0; i < kBefore; ++i) {
+      const double x = static_cast<double>(i) - middle, reading = y[end - kBefore + i];
+      sum += reading;
+      first += x * reading;
+      second += (x * x - mean_square) * reading;
+    }
+    const double x = middle + steps;
+    value = sum / n + first / xx * x + second / qq * (x * x - mean_square);
+    slope = first / xx + 2 * second / qq * middle;
+  }
+  /// Of the value, in variances of one reading.
+  static double variance(double steps) {
+    const double x = middle + steps, q = x * x - mean_square;
+    return 1 / n + x * x / xx + q * q / qq;
+  }
+};
 
 /// Means of `width` readings from `begin` on.
 std::vector<double> blocks(const std::vector<double>& y, std::size_t begin, std::size_t end, std::size_t width) {
   std::vector<double> means;
-  for (std::size_t i = begin; i + width <= end; i += width) {
-    const auto at = y.begin() + static_cast<std::ptrdiff_t>(i);
-    means.push_back(std::accumulate(at, at + static_cast<std::ptrdiff_t>(width), 0.0) / static_cast<double>(width));
-  }
+  for (std::size_t i = begin; i + width <= end; i += width) means.push_back(mean_of(y, i, i + width));
   return means;
 }
 
-/// Where three blocks are below what those before extrapolate to, in T alone or in T and A, and T has lost a good part
-/// of its slope. Indices of frames; `seen` is the last of them.
+/// Where three blocks lie below the extrapolation, in T alone or in T and A, and T has lost a good part of its slope.
 struct Break {
-  std::size_t before, seen, width;  // the last frame before the three blocks
+  std::size_t before, seen, width;  // the last frame before the three blocks, their last frame, frames in a block
 };
 std::optional<Break> first_break(const std::vector<double>& T, const std::vector<double>& A, std::size_t begin,
                                  std::size_t end, double noise_T, double noise_A, std::size_t width) {
@@ -64,15 +57,11 @@ std::optional<Break> first_break(const std::vector<double>& T, const std::vector
   constexpr double kAlone = 6, kEach = 3.5, kTogether = 8;  // standard deviations
   constexpr double kSlopeLost = 0.4;
   const std::vector<double> T_means = blocks(T, begin, end, width), A_means = blocks(A, begin, end, width);
-  const double error = std::sqrt((variance_ahead(kMiddle) + 1.0 / kBehind) / static_cast<double>(width));
+  const double error = std::sqrt((Ahead::variance(kMiddle) + 1.0 / kBehind) / static_cast<double>(width));
   for (std::size_t cut = kBefore; cut + kBehind <= T_means.size(); ++cut) {
-    const auto mean = [&](const std::vector<double>& y) {
-      const auto at = y.begin() + static_cast<std::ptrdiff_t>(cut);
-      return std::accumulate(at, at + kBehind, 0.0) / kBehind;
-    };
-    const Ahead T_ahead = ahead_of(T_means, cut, kMiddle), A_ahead = ahead_of(A_means, cut, kMiddle);
-    const double lost = T_ahead.value - mean(T_means), by_T = lost / (noise_T * error),
-                 by_A = (A_ahead.value - mean(A_means)) / (noise_A * error);
+    const Ahead T_ahead(T_means, cut, kMiddle), A_ahead(A_means, cut, kMiddle);
+    const double lost = T_ahead.value - mean_of(T_means, cut, cut + kBehind), by_T = lost / (noise_T * error),
+                 by_A = (A_ahead.value - mean_of(A_means, cut, cut + kBehind)) / (noise_A * error);
     if (!(by_T > kAlone || (by_T > kEach && by_A > kEach && by_T + by_A > kTogether * std::sqrt(2.0)))) continue;
     if (!(lost > kSlopeLost * kMiddle * T_ahead.slope)) continue;
     return Break{begin + cut * width - 1, begin + (cut + kBehind) * width - 1, width};
@@ -82,31 +71,31 @@ std::optional<Break> first_break(const std::vector<double>& T, const std::vector
 
 constexpr std::size_t kAround = 15;
 
-/// Where a break is looked for: in first..last, and `top` is the last frame that may be before it.
+/// Where a break is searched: in first..last; `top` is the last frame that may be before it.
 struct Place {
   std::size_t first, seen, last, top;
 };
 
-/// The earliest break in means of 1, 4 or 16 frames: fast cameras and slow ramps hide it in noise.
+/// Finds the earliest break in means of 1, 4 or 16 frames, as noise hides it in frames of fast cameras and slow ramps.
 void take_break(const std::vector<double>& T, const std::vector<double>& A, std::size_t begin, std::size_t end,
                 double noise_T, double noise_A, std::optional<Place>& place) {
   for (const std::size_t width : {1, 4, 16})
     if (const auto found = first_break(T, A, begin, end, noise_T, noise_A, width);
         found && (!place || found->seen < place->seen))
-      // a sliding contact relaxes along no line: no more of it than is needed
+      // a sliding contact does not relax along a line: as little of it as possible is used
       place = Place{found->before > kAround + width ? found->before - kAround - width : 0, found->seen,
                     found->seen + std::max<std::size_t>(width, 2), found->before};
 }
 
-/// The most likely break of the courses there, without frames before it that already saw a part of it.
+/// The most likely break of the courses there, without frames before it that are already affected by it.
 ChangePoint settle(const std::vector<Course>& courses, std::size_t begin, std::size_t end, const Place& place) {
   constexpr double kFar = 3.5;  // standard deviations
   ChangePoint found = break_point(courses, std::max(place.first, begin), std::min(place.last, end))
                           .value_or(ChangePoint{place.top, place.top, place.top});
   const auto slides = [&](std::size_t i) {
     return std::any_of(courses.begin(), courses.end(), [&](const Course& course) {
-      return i >= begin + kBefore && ahead_of(*course.values, i, 1).value - (*course.values)[i] >
-                                         kFar * course.noise * std::sqrt(1 + variance_ahead(1));
+      return i >= begin + kBefore && Ahead(*course.values, i, 1).value - (*course.values)[i] >
+                                         kFar * course.noise * std::sqrt(1 + Ahead::variance(1));
     });
   };
   const auto few_before = [&] { return found.at > begin + 6 ? found.at - 2 : found.at; };
@@ -131,10 +120,9 @@ std::optional<ChangePoint> onset_of(const std::vector<double>& T, const std::vec
   take_break(T, A, shear, end, noise_T, noise_A, place);
   if (!place) return std::nullopt;
   ChangePoint found = settle({{&T, noise_T}, {&A, noise_A}}, shear, end, *place);
-  // a frame that saw part of the drop belongs to it
+  // a frame that is affected by the drop belongs to it
   const auto highest = [&](std::size_t i) {
-    const auto at = T.begin() + static_cast<std::ptrdiff_t>(i);
-    return *std::max_element(at - static_cast<std::ptrdiff_t>(std::min<std::size_t>(i, 3)), at + 1);
+    return *std::max_element(T.data() + i - std::min<std::size_t>(i, 3), T.data() + i + 1);
   };
   while (found.at > shear + 3 && T[found.at] < highest(found.at) - 3 * noise_T) --found.at;
   found.first = std::min(found.first, found.at);
@@ -145,7 +133,7 @@ CutTime cut_of(const Frames& frames, const ChangePoint& change) {
   const auto behind = [&](std::size_t i) {
     return i + 1 < frames.time.size() ? 0.5 * (frames.time[i] + frames.time[i + 1]) : frames.time[i];
   };
-  const double margin = frames.interval / 2 + 1.96 * frames.lag_error;  // 95 % of what the lag may be off by
+  const double margin = frames.interval / 2 + 1.96 * frames.lag_error;
   return {behind(change.at), behind(change.first) - margin, behind(change.last) + margin, false};
 }
 
@@ -153,15 +141,12 @@ std::optional<CutTime> onset_in_samples(const Frames& frames, const ChangePoint&
                                         double direction) {
   constexpr double kEnough = 4;  // samples in a frame
   constexpr std::size_t kLead = 8, kFew = 12;
-  constexpr std::size_t kLongestDrop = 400;  // samples; frames see a longer one
+  constexpr std::size_t kLongestDrop = 400;  // samples; frames show a longer one
   const auto& times = frames.force_time;
   const CutTime rough = cut_of(frames, change);
   if (frames.samples < kEnough) return std::nullopt;
-  const auto at = [&](double time) {
-    return static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
-  };
-  const std::size_t begin = at(frames.time[std::max(shear, change.at > kLead ? change.at - kLead : 0)]),
-                    end = at(rough.time + 3 * frames.interval);
+  const std::size_t begin = index_of(frames.time[std::max(shear, change.at > kLead ? change.at - kLead : 0)], times),
+                    end = index_of(rough.time + 3 * frames.interval, times);
   if (end < begin + kFew) return std::nullopt;
   std::vector<double> T = part_of(frames.force_T, begin, end);
   const double noise = noise_of(T);

@@ -1,4 +1,4 @@
-// When a sheared contact begins to slide.
+// The time when a sheared contact begins to slide.
 #pragma once
 
 #include <cstddef>
@@ -10,30 +10,30 @@
 
 namespace mixity {
 
-inline constexpr double kDropOfNoise = 8;   // standard deviations of T: a drop of more is no noise
+inline constexpr double kDropOfNoise = 8;   // standard deviations of T: a larger drop is not noise
 inline constexpr double kLeastDrop = 0.01;  // of the rise so far
 
-/// A time of the areas' clock, and the shortest interval about it that contains it with 95 %.
+/// A time on the clock of the areas, and its 95 % interval.
 struct CutTime {
   double time = 0, low = 0, high = 0;  // s
   bool stated = false;
 };
 
-/// A change behind a frame, with what the lag between the clocks may be off by.
+/// The time of a change behind a frame. The interval includes the error of the lag between the clocks.
 CutTime cut_of(const Frames& frames, const ChangePoint& change);
 
-/// The last frame in shear..end (end excluded) before the contact slides: where T and A together go most likely from
-/// one line to another, near a drop of T that exceeds its noise, or near where T, or T and A, leave the course that
-/// they followed. Null if there is no such place. `noise_T`, `noise_A`: standard deviations, positive.
+/// The last frame in shear..end (end excluded) before the contact slides: where T and A together most likely go from
+/// one line to another, near a drop of T that exceeds its noise, or near where T, or T and A, leave the parabola that
+/// they follow. Null if there is no such place. `noise_T`, `noise_A`: standard deviations, positive.
 std::optional<ChangePoint> onset_of(const std::vector<double>& T, const std::vector<double>& A, std::size_t shear,
                                     std::size_t end, double noise_T, double noise_A);
 
-/// The onset of sliding among the samples of the force, where a frame holds many. `change`: the frame before it.
-/// `shear`: the first frame of the shear. Null if they are few, or show another time.
+/// The onset of sliding among the samples of the force. `change`: the frame before the onset. `shear`: the first frame
+/// of the shear. Null if a frame has few samples, or they show another time than the frames.
 std::optional<CutTime> onset_in_samples(const Frames& frames, const ChangePoint& change, std::size_t shear,
                                         double direction);
 
-/// The last frame in begin..end before a course falls below the parabola that it followed. Null if it does not.
+/// The last frame in begin..end before a course falls below the parabola that it follows. Null if it does not.
 std::optional<ChangePoint> first_break_below(const Course& course, std::size_t begin, std::size_t end);
 
 }  // namespace mixity

@@ -6,7 +6,6 @@
 
 #include "base/input_error.h"
 #include "base/text.h"
-#include "dataset/table/clock_time.h"
 #include "dataset/table/columns.h"
 #include "dataset/table/csv_file.h"
 #include "dataset/table/number.h"
@@ -50,7 +49,7 @@ class LogReader {
   }
 
  private:
-  /// In SI; NaN where there is none.
+  /// The value in SI; NaN if the field is empty.
   double value_of(const CsvRow& row, const Channel& channel) {
     double value = 0;
     if (row.number(channel.index, value)) return value * channel.factor;
@@ -60,7 +59,7 @@ class LogReader {
     return given ? value * channel.factor : std::nan("");
   }
 
-  /// The seconds since the first row by a clock time. Without a date, a clock that goes back by hours has passed
+  /// The seconds from the time of the first row to this one. Without a date, a clock that goes back by hours has passed
   /// midnight.
   double clock_time(const CsvRow& row, std::size_t i, bool first) {
     constexpr std::int64_t kDay = 86400;
@@ -83,39 +82,31 @@ class LogReader {
   }
 
   void find_columns() {
+    using enum ColumnId;
     ColumnRules rules = rules_of(metadata_);
     rules.log = true;
     const auto table = find_table(recording_.path, file_.start(), file_.line_end(), rules, metadata_.decimal);
     if (!table) throw InputError(recording_.path, "holds no table with headings and rows of numbers");
     recording_.reading = describe(*table);
-    using enum ColumnId;
-    for (const NamedColumn& column : name_columns(recording_.path, table->headings, rules)) {
-      const auto read = {ColumnId::time, P, T, A, a, a_par, a_perp, major, minor};
-      if (std::find(read.begin(), read.end(), column.id) == read.end()) continue;
-      const ColumnKind& kind = kind_of(column.id);
-      const Unit unit = unit_of(column.heading, kind, recording_.path, false, metadata_.pixel);
-      if (unit.dimension == dimension::none && column.id != ColumnId::time)
-        throw InputError(recording_.path, column.heading.place,
-                         "column '" + column.heading.name + "' needs a unit: a log is not dimensionless");
-      channels_.push_back({column.id, column.index, unit.factor});
-      width_ = std::max(width_, column.index + 1);
-      if (column.id == T) {
-        recording_.force_unit = unit.text;
-        recording_.force_factor = unit.factor;
-      } else if (column.id == A) {
-        recording_.area_unit = unit.text;
-        recording_.area_factor = unit.factor;
-      }
-      if (column.heading.name != kind.name)
-        recording_.taken.push_back(std::string(kind.name) + " from '" + table->headings[column.index].text + "'");
+    const Columns columns(recording_.path, table->headings, rules);
+    recording_.taken = columns.taken;
+    width_ = columns.count;
+    for (const auto& column : columns.by_id) {
+      if (!column) continue;
+      const Heading& heading = table->headings[column->index];
+      if (column->unit.dimension == dimension::none && column->id != ColumnId::time)
+        throw InputError(recording_.path, heading.place,
+                         "column '" + heading.name + "' needs a unit: a log is not dimensionless");
+      channels_.push_back({column->id, column->index, column->unit.factor});
     }
-    for (std::size_t i = 0; i < table->headings.size(); ++i)
-      if (!table->headings[i].text.empty()) width_ = std::max(width_, i + 1);
-    if (recording_.area_unit.starts_with("p") || recording_.area_unit.starts_with("P") ||
-        recording_.area_unit.empty()) {
-      recording_.area_unit = "mm^2";
-      recording_.area_factor = 1e-6;
+    if (const Column* shear = columns.find(T)) {
+      recording_.force_unit = shear->unit.text;
+      recording_.force_factor = shear->unit.factor;
     }
+    const Column* const area = columns.find(A);
+    const bool pixels = area && (area->unit.text.starts_with("p") || area->unit.text.starts_with("P"));
+    recording_.area_unit = area && !pixels ? area->unit.text : "mm^2";
+    recording_.area_factor = area && !pixels ? area->unit.factor : 1e-6;
     const auto fail = [&](const Message& message) {
       throw InputError(recording_.path, table->header_line, 1, message);
     };
@@ -128,14 +119,14 @@ class LogReader {
   }
 
   const Channel* channel(ColumnId id) const {
-    const auto found =
-        std::find_if(channels_.begin(), channels_.end(), [&](const Channel& one) { return one.id == id; });
+    const auto found = std::ranges::find(channels_, id, &Channel::id);
     return found == channels_.end() ? nullptr : &*found;
   }
   bool has(ColumnId id) const { return channel(id); }
+  /// Empty if there is no such column.
   std::vector<double> values(ColumnId id) const { return has(id) ? channel(id)->values : std::vector<double>{}; }
 
-  /// Of radii or axes; empty without them.
+  /// Areas from radii or axes; empty if there are neither.
   std::vector<double> areas() const {
     using enum ColumnId;
     const bool round = has(a), whole = has(major);

@@ -8,22 +8,22 @@
 
 namespace mixity {
 
-/// In SI. Quantities that the file does not hold are empty; where a row leaves one empty it is NaN.
+/// In SI. Quantities without a column are empty; NaN replaces empty fields.
 struct Recording {
   std::string path;
   std::vector<double> time;  // s, rising
   std::vector<double> P, T, A;
-  std::string force_unit, area_unit;         // as the file has them; empty: not there
-  double force_factor = 1, area_factor = 1;  // SI units in one of them
-  std::string reading;                       // the format of the file, where that is not plain
-  std::vector<std::string> taken;            // which headings were taken for which quantities
+  std::string force_unit, area_unit;         // of the file; mm^2 for areas in pixels and areas from radii or axes
+  double force_factor = 1, area_factor = 1;  // one unit in SI
+  std::string reading;                       // the format of the file: "tabs, decimal commas"
+  std::vector<std::string> taken;            // "P from 'Normalkraft (mN)'"
 
   bool holds_forces() const { return !T.empty(); }
   bool holds_areas() const { return !A.empty(); }
 };
 
-/// Reads a log with the columns time, and P and T, or A (or a, or axes), or all, all with units; the load may be stated
-/// beside it, as for data. Throws InputError for what load_dataset refuses of a table, and for times that do not rise.
+/// Reads a log with a column of times, and P and T, or A (or a, or axes), or all of these, with units. The load may be
+/// stated beside the file, as for data. Throws InputError as load_dataset does, and for times that do not rise.
 Recording read_recording(const std::string& path, const Metadata& metadata);
 
 }  // namespace mixity

@@ -1,16 +1,20 @@
 #include "dataset/logs/reduced_log.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/input_error.h"
+#include "base/toml_file.h"
+#include "base/units.h"
 #include "dataset/logs/clocks.h"
-#include "dataset/logs/compression.h"
-#include "dataset/logs/cuts_file.h"
+#include "dataset/logs/contacts.h"
+#include "statistics/noise.h"
+#include "statistics/readings.h"
 
 namespace mixity {
 namespace {
 
-/// One file with forces and areas, or two files: the first with forces gives the forces.
+/// One recording of forces and areas, or two, of forces and of areas. The first file with forces gives the forces.
 std::vector<Recording> read_logs(const std::vector<std::string>& paths, const Overrides& constants,
                                  Metadata& metadata) {
   std::vector<Recording> logs;
@@ -36,6 +40,45 @@ std::vector<Recording> read_logs(const std::vector<std::string>& paths, const Ov
   return logs;
 }
 
+/// Correlation of load and area; 0 if one of them is constant.
+double correlation(const std::vector<double>& P, const std::vector<double>& A) {
+  if (P.empty()) return 0;
+  const double P_mean = mean_of(P, 0, P.size()), A_mean = mean_of(A, 0, A.size());
+  double pp = 0, pa = 0, aa = 0;
+  for (std::size_t i = 0; i < P.size(); ++i) {
+    const double p = P[i] - P_mean, a = A[i] - A_mean;
+    pp += p * p;
+    pa += p * a;
+    aa += a * a;
+  }
+  return pp > 0 && aa > 0 ? pa / std::sqrt(pp * aa) : 0;
+}
+
+/// Whether compression is negative in the log: P is lower in contact than out of it, and the contact area grows as P
+/// falls. False if the data do not show it, for example if the load hardly changes in contact.
+bool compression_is_negative(const Recording& forces, const Recording& areas, double lag) {
+  constexpr double kOfAll = -0.5, kOfContact = -0.3, kChanges = 0.2;
+  Frames frames;
+  try {
+    frames = make_frames(forces, areas, lag);
+  } catch (const InputError&) {  // no overlap in time: reported when frames are needed
+    return false;
+  }
+  std::vector<double> P, A;    // in contact
+  double least = 0, most = 0;  // of P in contact, less the zero
+  const auto touching = contacts(frames, noise_of(frames.A));
+  const double zero = load_zero(frames, touching).value;
+  for (const FrameRange& contact : touching)
+    for (std::size_t i = contact.begin; i < contact.end; ++i) {
+      P.push_back(frames.P[i]);
+      A.push_back(frames.A[i]);
+      least = std::min(least, frames.P[i] - zero);
+      most = std::max(most, frames.P[i] - zero);
+    }
+  return -least > most && most - least > kChanges * -least && correlation(frames.P, frames.A) < kOfAll &&
+         correlation(P, A) < kOfContact;
+}
+
 }  // namespace
 
 ReducedLog reduce_log(const std::vector<std::string>& paths, const Overrides& constants,
@@ -57,8 +100,7 @@ ReducedLog reduce_log(const std::vector<std::string>& paths, const Overrides& co
     for (double& P : forces.P) P = 0 - P;
     if (log.metadata.load_offset) *log.metadata.load_offset = 0 - *log.metadata.load_offset;
   }
-  log.runs =
-      find_loading_runs(on_one_clock(forces, areas, {options.lag}), log.force_unit, log.force_factor, run_options);
+  log.runs = find_loading_runs(on_one_clock(forces, areas, options.lag), log.force_unit, log.force_factor, run_options);
   for (const auto& [name, cut] : run_options.cuts)
     if (!cut.leave_out && std::none_of(log.runs.runs.begin(), log.runs.runs.end(),
                                        [&, &name = name](const LoadingRun& run) { return run.name == name; }))
@@ -66,6 +108,47 @@ ReducedLog reduce_log(const std::vector<std::string>& paths, const Overrides& co
   forces.time = forces.P = forces.T = forces.A = {};
   log.forces = std::move(forces);
   return log;
+}
+
+std::map<std::string, StatedCut> read_cuts(const std::string& path) {
+  std::map<std::string, StatedCut> cuts;
+  for (const auto& [key, node] : read_toml(path)) {
+    if (key != "cuts" || !node.is_array_of_tables()) fail_at(path, key, "holds tables [[cuts]] and nothing else");
+    for (const toml::node& entry : *node.as_array()) {
+      std::string name;
+      StatedCut cut;
+      cut.file = path;
+      for (const auto& [item, value] : *entry.as_table()) {
+        const auto time = [&, &item = item, &value = value]() -> double {
+          const auto quantity = value.is_string() ? parse_quantity(value.as_string()->get()) : std::nullopt;
+          if (!quantity || quantity->unit.dimension != dimension::time)
+            fail_at(path, value, std::string(item.str()) + " must be a time such as \"4.31 s\"");
+          return quantity->si();
+        };
+        const FilePlace place{value.source().begin.line, value.source().begin.column};
+        if (item == "run" && value.is_string())
+          name = value.as_string()->get();
+        else if (item == "shear") {
+          cut.shear = time();
+          cut.shear_place = place;
+        } else if (item == "onset") {
+          cut.onset = time();
+          cut.onset_place = place;
+        } else if (item == "leave_out" && value.is_boolean())
+          cut.leave_out = value.as_boolean()->get();
+        else
+          fail_at(
+              path, item,
+              "unknown key \"" + std::string(item.str()) +
+                  "\" or a wrong kind of value (known: run, a text; shear and onset, times; leave_out, true or false)");
+      }
+      if (name.empty()) fail_at(path, entry, "a cut needs the name of its run: run = \"P=4.68 mN\"");
+      if (cut.shear && cut.onset && !(*cut.onset > *cut.shear))
+        fail_at(path, entry, "the onset is not later than the start of the shear");
+      if (!cuts.emplace(name, cut).second) fail_at(path, entry, "a second cut of run '" + name + "'");
+    }
+  }
+  return cuts;
 }
 
 }  // namespace mixity

@@ -10,14 +10,14 @@
 namespace mixity {
 namespace {
 
-/// Standard deviation of T, typical of all runs; 0 without any.
+/// The typical standard deviation of T in the runs; 0 if there are none.
 double noise_of_runs(const LoadingRuns& found) {
   std::vector<double> noise;
   for (const LoadingRun& run : found.runs) noise.push_back(run.noise_T);
   return noise.empty() ? 0 : median(noise);
 }
 
-/// Local lines: a held load and the response to a slow shear are nearly straight for a second or so.
+/// Smoothed by local lines: a held load and the response to a slow shear are nearly straight for about a second.
 std::vector<double> smoothed(const std::vector<double>& values) {
   constexpr std::size_t kAround = 25;
   std::vector<double> course;
@@ -26,9 +26,9 @@ std::vector<double> smoothed(const std::vector<double>& values) {
   return course;
 }
 
-/// A line through the baselines over time.
+/// Fits a line to the baselines over time.
 void find_drift(std::optional<bool> drift, LoadingRuns& found) {
-  constexpr double kSure = 4;  // standard errors of the slope
+  constexpr double kSignificant = 4;  // standard errors of the slope
   auto& runs = found.runs;
   found.drift_removed = drift.value_or(false) && runs.size() >= 2;
   if (runs.size() < 2) return;
@@ -49,10 +49,10 @@ void find_drift(std::optional<bool> drift, LoadingRuns& found) {
   for (const LoadingRun& run : runs) squares += std::pow(base(run) - b - found.drift_T * (at(run) - t), 2);
   found.drift_error =
       std::max(std::sqrt(squares / static_cast<double>(runs.size() - 2)), noise_of_runs(found) / 3) / std::sqrt(tt);
-  if (!drift) found.drift_removed = std::abs(found.drift_T) > kSure * found.drift_error;
+  if (!drift) found.drift_removed = std::abs(found.drift_T) > kSignificant * found.drift_error;
 }
 
-void take_drift_off(LoadingRuns& found) {
+void subtract_drift(LoadingRuns& found) {
   for (LoadingRun& run : found.runs) {
     const auto since = [&](double time) { return found.drift_T * (time - run.baseline_time); };
     for (std::size_t i = run.contact; i < run.last; ++i) found.frames.T[i] -= since(found.frames.time[i]);
@@ -77,7 +77,7 @@ void finish(const Frames& frames, LoadingRun& run) {
 
 void remove_drift(std::optional<bool> wanted, LoadingRuns& found) {
   find_drift(wanted, found);
-  if (found.drift_removed) take_drift_off(found);
+  if (found.drift_removed) subtract_drift(found);
 }
 
 void estimate_errors(double noise_A, LoadingRuns& found) {
@@ -89,13 +89,12 @@ void estimate_errors(double noise_A, LoadingRuns& found) {
   }
   std::vector<double> zeros, wander;
   for (const LoadingRun& run : found.runs) {
-    const auto before = static_cast<double>(std::max<std::ptrdiff_t>(
-        1, std::lower_bound(found.frames.time.begin(), found.frames.time.end(), run.shear.time) -
-               found.frames.time.begin() - static_cast<std::ptrdiff_t>(run.contact)));
+    const std::size_t shear = index_of(run.shear.time, found.frames.time);
+    const double before = shear > run.contact ? static_cast<double>(shear - run.contact) : 1;  // frames
     const double rate = run.T.back() / std::max(found.frames.time[run.end - 1] - run.shear.time, found.frames.interval);
     const double since = found.frames.time[run.end - 1] - run.baseline_time;
     zeros.push_back(std::hypot(run.noise_T / std::sqrt(before), rate * found.frames.lag_error));
-    // at the end of the run, where T and its weight for lambda are largest
+    // at the end of the run, where T and its influence on lambda are largest
     wander.push_back((found.drift_removed ? found.drift_error : std::abs(found.drift_T)) * since);
   }
   if (!zeros.empty()) {
@@ -105,7 +104,7 @@ void estimate_errors(double noise_A, LoadingRuns& found) {
   const NoiseModel of_T = noise_model(T, noise_of_runs(found)), of_A = noise_model(A, noise_A);
   for (std::size_t k = 0; k < found.runs.size(); ++k) {
     LoadingRun& run = found.runs[k];
-    // at the smoothed value: readings that are low by chance would get more weight than those that are high
+    // of the smoothed value, as otherwise readings that are low by chance would get more weight than high ones
     for (const double one : smoothed(T[k])) run.sigma_T.push_back(of_T.at(one));
     for (const double one : smoothed(A[k])) run.sigma_A.push_back(of_A.at(one));
   }

@@ -1,4 +1,4 @@
-// What all loading runs of a log have in common: the drift of the zero of T, and the noise of one apparatus.
+// The drift of the zero of T and the noise of the apparatus, which all loading runs of a log share.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,12 @@
 
 namespace mixity {
 
-/// Fits a line to the baselines of the runs over time, and takes it off T as a drift within the runs; if nothing is
-/// stated, where its slope is sure.
+/// Fits a line to the baselines of the runs over time. Subtracts it from T within the runs if this is stated, or if
+/// nothing is stated and its slope is significant.
 void remove_drift(std::optional<bool> stated, LoadingRuns& found);
 
-/// Once the baselines are known: fills in T, the smooth P and the standard errors of the frames that the runs keep, and
-/// the error of the zero of T. `noise_A`: of the whole log, where the runs are too short.
+/// After the baselines are known: sets T, the smooth P and the standard errors of the frames that the runs keep, and
+/// the error of the zero of T. `noise_A`: of the whole log, used if the runs are too short.
 void estimate_errors(double noise_A, LoadingRuns& found);
 
 }  // namespace mixity

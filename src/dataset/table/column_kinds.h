@@ -1,4 +1,4 @@
-// The quantities that a table may hold.
+// The quantities that the columns of a table may hold.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace mixity {
 
-/// The program's own names of them, case included: A is an area, a a radius. a_par and a_perp are semi-axes along and
-/// across the shear, major and minor whole axes, as image programs give them.
+/// The program's own names, in which case matters: A is an area, a is a radius. a_par and a_perp are semi-axes along
+/// and across the shear; major and minor are full axes, as image programs give them.
 enum class ColumnId {
   P,
   T,
@@ -41,33 +41,32 @@ inline constexpr std::size_t kColumnCount = 22;
 struct ColumnKind {
   ColumnId id;
   std::string_view name;
-  Dimension dimension;   // when it has a unit
-  bool always_a_number;  // never carries a unit of its own
+  Dimension dimension;  // of its unit; none: the column never has a unit
 };
 
 inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
-    {ColumnId::P, "P", dimension::force, false},
-    {ColumnId::T, "T", dimension::force, false},
-    {ColumnId::A, "A", dimension::area, false},
-    {ColumnId::a, "a", dimension::length, false},
-    {ColumnId::a_par, "a_par", dimension::length, false},
-    {ColumnId::a_perp, "a_perp", dimension::length, false},
-    {ColumnId::major, "major", dimension::length, false},
-    {ColumnId::minor, "minor", dimension::length, false},
-    {ColumnId::psi, "psi", dimension::angle, false},
-    {ColumnId::mode_ratio, "mode_ratio", dimension::none, true},
-    {ColumnId::Gc, "Gc", dimension::energy_per_area, false},
-    {ColumnId::Gc_over_GIc, "Gc_over_GIc", dimension::none, true},
-    {ColumnId::G_I, "G_I", dimension::energy_per_area, false},
-    {ColumnId::G_II, "G_II", dimension::energy_per_area, false},
-    {ColumnId::sigma_T, "sigma_T", dimension::force, false},
-    {ColumnId::sigma_A, "sigma_A", dimension::area, false},
-    {ColumnId::sigma_Gc, "sigma_Gc", dimension::energy_per_area, false},
-    {ColumnId::sigma_GI, "sigma_GI", dimension::energy_per_area, false},
-    {ColumnId::sigma_GII, "sigma_GII", dimension::energy_per_area, false},
-    {ColumnId::curve, "curve", dimension::none, true},
-    {ColumnId::include, "include", dimension::none, true},
-    {ColumnId::time, "time", dimension::time, false},
+    {ColumnId::P, "P", dimension::force},
+    {ColumnId::T, "T", dimension::force},
+    {ColumnId::A, "A", dimension::area},
+    {ColumnId::a, "a", dimension::length},
+    {ColumnId::a_par, "a_par", dimension::length},
+    {ColumnId::a_perp, "a_perp", dimension::length},
+    {ColumnId::major, "major", dimension::length},
+    {ColumnId::minor, "minor", dimension::length},
+    {ColumnId::psi, "psi", dimension::angle},
+    {ColumnId::mode_ratio, "mode_ratio", dimension::none},
+    {ColumnId::Gc, "Gc", dimension::energy_per_area},
+    {ColumnId::Gc_over_GIc, "Gc_over_GIc", dimension::none},
+    {ColumnId::G_I, "G_I", dimension::energy_per_area},
+    {ColumnId::G_II, "G_II", dimension::energy_per_area},
+    {ColumnId::sigma_T, "sigma_T", dimension::force},
+    {ColumnId::sigma_A, "sigma_A", dimension::area},
+    {ColumnId::sigma_Gc, "sigma_Gc", dimension::energy_per_area},
+    {ColumnId::sigma_GI, "sigma_GI", dimension::energy_per_area},
+    {ColumnId::sigma_GII, "sigma_GII", dimension::energy_per_area},
+    {ColumnId::curve, "curve", dimension::none},
+    {ColumnId::include, "include", dimension::none},
+    {ColumnId::time, "time", dimension::time},
 }};
 
 inline const ColumnKind& kind_of(ColumnId id) { return kColumnKinds[static_cast<std::size_t>(id)]; }

@@ -1,10 +1,10 @@
 #include "dataset/table/column_names.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/input_error.h"
 #include "base/text.h"
-#include "dataset/table/vocabulary.h"
 
 namespace mixity {
 namespace {
@@ -14,7 +14,7 @@ std::string name_of(ColumnId id) { return std::string(to_string(id)); }
 /// "Kanal 3 (mN)" names a heading with or without its unit, "3" the third.
 NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& headings, ColumnId id,
                           const std::string& wanted) {
-  const Heading said = split_heading(wanted, {});
+  const Heading given = split_heading(wanted, {});
   std::optional<std::size_t> found;
   const auto find = [&](const auto& is_it) {
     for (std::size_t i = 0; i < headings.size(); ++i) {
@@ -27,37 +27,35 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
       found = i;
     }
   };
-  find([&](const Heading& heading) { return trim_name(heading.text) == said.text; });
-  if (const std::string name = folded(said.name); !found && !name.empty())
+  find([&](const Heading& heading) { return trim_name(heading.text) == given.text; });
+  if (const std::string name = folded(given.name); !found && !name.empty())
     find([&](const Heading& heading) { return folded(heading.name) == name; });
-  const auto number = parse_number(said.name);
-  if (!found && number && *number >= 1 && *number <= static_cast<double>(headings.size()) &&
-      *number == static_cast<double>(static_cast<std::size_t>(*number)))
-    found = static_cast<std::size_t>(*number) - 1;
-  const FilePlace line{headings.empty() ? 1 : headings.front().place.line, 1};
+  const double number = parse_number(given.name).value_or(0);
+  if (!found && number >= 1 && number <= static_cast<double>(headings.size()) && number == std::floor(number))
+    found = static_cast<std::size_t>(number) - 1;
   if (!found) {
     std::string names;
     for (const Heading& heading : headings)
       if (!heading.text.empty()) names += (names.empty() ? "'" : ", '") + printable(heading.text, 40) + "'";
-    throw InputError(path, line,
+    throw InputError(path, headings.empty() ? 1 : headings.front().place.line, 1,
                      "no column '" + wanted + "', which is to be " + name_of(id) + "; there are " +
                          (names.empty() ? "none with a name" : names));
   }
   NamedColumn column{id, *found, headings[*found]};
-  if (said.unit) {
-    const auto stated = column.heading.unit ? parse_unit(*column.heading.unit) : std::nullopt,
-               meant = parse_unit(*said.unit);
-    if (stated && meant && (stated->factor != meant->factor || stated->dimension != meant->dimension))
+  if (given.unit) {
+    const auto own = column.heading.unit ? parse_unit(*column.heading.unit) : std::nullopt,
+               mapped = parse_unit(*given.unit);
+    if (own && mapped && (own->factor != mapped->factor || own->dimension != mapped->dimension))
       throw InputError(
           path, column.heading.place,
-          "column '" + column.heading.text + "' is in " + stated->text + ", the mapping says " + meant->text);
-    column.heading.unit = said.unit;
-    column.heading.closed = said.closed;
+          "column '" + column.heading.text + "' is in " + own->text + ", the mapping says " + mapped->text);
+    column.heading.unit = given.unit;
+    column.heading.closed = given.closed;
   }
   return column;
 }
 
-/// The columns that have been named so far.
+/// The columns named so far.
 class Names {
  public:
   Names(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules)
@@ -74,7 +72,7 @@ class Names {
     }
   }
 
-  /// Of the program's own names those whose unit fits.
+  /// Adds columns that have one of the program's own names and a fitting unit.
   void add_own_names() {
     for (std::size_t i = 0; i < headings_.size(); ++i) {
       const auto id = column_named(headings_[i].name);
@@ -95,8 +93,8 @@ class Names {
 
   void add_by_vocabulary(const Vocabulary& vocabulary) {
     for (std::size_t i = 0; i < headings_.size(); ++i) {
-      if (at(i) || column_named(headings_[i].name)) continue;  // of the latter the unit does not fit
-      auto column = read_heading(headings_[i], i, vocabulary);
+      if (at(i) || column_named(headings_[i].name)) continue;  // an own name whose unit does not fit
+      auto column = vocabulary.read(headings_[i], i);
       if (!column || !is_read(column->id)) continue;
       const NamedColumn* before = find(column->id);
       if (!before)
@@ -107,32 +105,32 @@ class Names {
                              name_of(column->id) + "; say which: " + mapping(column->id, headings_, before->index) +
                              " or " + mapping(column->id, headings_, i));
     }
-    // "normal force_N" may be a symbol's index; beside headings that end with units it ends with one
+    // "_N" of "normal force_N" may be an index; it is a unit if other headings end in units
     if (std::any_of(columns_.begin(), columns_.end(), [](const NamedColumn& column) { return column.heading.unit; }))
       for (NamedColumn& column : columns_)
         if (!column.heading.unit && !is_mapped(column.id))
-          if (auto better = read_heading(headings_[column.index], column.index, vocabulary, true);
+          if (auto better = vocabulary.read(headings_[column.index], column.index, true);
               better && better->id == column.id)
             column = std::move(*better);
     if (!is_complete() && (!rules_.log || find(ColumnId::P) || find(ColumnId::T))) refuse_unit(vocabulary);
   }
 
-  /// Own names whose unit does not fit, where nothing else has that name: whoever reads the column refuses the unit.
+  /// Adds own names whose unit does not fit if no other column is that quantity. The unit is rejected when it is read.
   void add_misfits() {
     for (std::size_t i = 0; i < headings_.size(); ++i)
       if (const auto id = column_named(headings_[i].name); id && is_read(*id) && !find(*id) && !at(i))
         columns_.push_back({*id, i, headings_[i]});
   }
 
-  /// Whether points can be made of these.
+  /// Whether these columns make points.
   bool is_complete() const {
     using enum ColumnId;
     const bool loads = find(T) && (find(P) || rules_.load_stated) && is_sized();
-    if (rules_.log) return loads && find(ColumnId::time);  // a log of forces or of areas alone never is
+    if (rules_.log) return loads && find(ColumnId::time);  // false of a log of forces or areas alone
     return loads || ((find(psi) || find(mode_ratio)) && (find(Gc) || find(Gc_over_GIc))) || (find(G_I) && find(G_II));
   }
 
-  /// An export may hold areas with the radii or axes that they were made of, or the other way round: one of them goes.
+  /// Removes radii or axes beside the areas that were computed from them, or the other way round.
   void drop_redundant_sizes() {
     using enum ColumnId;
     const auto drop = [&](ColumnId id) {
@@ -151,22 +149,18 @@ class Names {
   }
 
   std::vector<NamedColumn> sorted() && {
-    std::sort(columns_.begin(), columns_.end(),
-              [](const auto& one, const auto& other) { return one.index < other.index; });
+    std::ranges::sort(columns_, {}, &NamedColumn::index);
     return std::move(columns_);
   }
 
  private:
-  const NamedColumn* find(ColumnId id) const {
-    const auto found =
-        std::find_if(columns_.begin(), columns_.end(), [&](const NamedColumn& column) { return column.id == id; });
+  template <class Value>
+  const NamedColumn* column_with(Value NamedColumn::*member, Value value) const {
+    const auto found = std::ranges::find(columns_, value, member);
     return found == columns_.end() ? nullptr : &*found;
   }
-  const NamedColumn* at(std::size_t index) const {
-    const auto found = std::find_if(columns_.begin(), columns_.end(),
-                                    [&](const NamedColumn& column) { return column.index == index; });
-    return found == columns_.end() ? nullptr : &*found;
-  }
+  const NamedColumn* find(ColumnId id) const { return column_with(&NamedColumn::id, id); }
+  const NamedColumn* at(std::size_t index) const { return column_with(&NamedColumn::index, index); }
   bool is_mapped(ColumnId id) const { return rules_.mapping.contains(name_of(id)); }
   bool is_read(ColumnId id) const { return rules_.log || id != ColumnId::time; }
   bool is_sized() const {
@@ -174,8 +168,7 @@ class Names {
     return find(A) || find(ColumnId::a) || (find(a_par) && find(a_perp)) || (find(major) && find(minor));
   }
 
-  /// Throws for a heading that has the name of a quantity that is still needed, and a unit that is not known or does
-  /// not fit.
+  /// Throws for a heading that names a quantity that is still needed but has an unknown unit or one that does not fit.
   void refuse_unit(const Vocabulary& vocabulary) const {
     for (std::size_t i = 0; i < headings_.size(); ++i) {
       const Heading& heading = headings_[i];
@@ -198,17 +191,16 @@ class Names {
 }  // namespace
 
 Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t index) {
-  constexpr std::size_t kLong = 40;
+  constexpr std::size_t kLongest = 40;
   const Heading& heading = headings[index];
-  const bool alone = std::count_if(headings.begin(), headings.end(), [&](const Heading& other) {
-                       return other.text == heading.text || folded(other.name) == folded(heading.name);
-                     }) == 1;
-  const bool plain = alone && heading.closed && !heading.name.empty() && heading.text.size() <= kLong &&
+  const bool is_unique = std::count_if(headings.begin(), headings.end(), [&](const Heading& other) {
+                           return other.text == heading.text || folded(other.name) == folded(heading.name);
+                         }) == 1;
+  const bool plain = is_unique && heading.closed && !heading.name.empty() && heading.text.size() <= kLongest &&
                      heading.text.find_first_of("\",=") == std::string::npos && printable(heading.text) == heading.text;
-  const bool known = !heading.unit || unit_fits(heading.unit, id);
-  std::string said = plain && known ? heading.text : plain ? heading.name : std::to_string(index + 1);
-  if (!known) said += " (UNIT)";
-  return Remedy::set("columns", name_of(id) + "=" + said);
+  const bool fits = unit_fits(heading.unit, id);
+  const std::string column = plain && fits ? heading.text : plain ? heading.name : std::to_string(index + 1);
+  return Remedy::set("columns", name_of(id) + "=" + column + (fits ? "" : " (UNIT)"));
 }
 
 std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,

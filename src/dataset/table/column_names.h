@@ -1,29 +1,41 @@
 // Which column is which quantity: by a mapping, by the program's own names, or by the vocabulary.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "dataset/table/column_rules.h"
-#include "dataset/table/heading_meaning.h"
+#include "dataset/table/vocabulary.h"
 
 namespace mixity {
 
+/// How to read the columns of a table.
+struct ColumnRules {
+  /// From quantities to headings, with or without their unit, or to numbers of columns.
+  std::map<std::string, std::string> mapping{};
+  std::string headings{};         // path of a TOML that adds to the vocabulary; empty: none
+  bool load_stated = false;       // the table needs no column P
+  std::optional<double> pixel{};  // m, the side of a pixel
+  bool vocabulary = true;         // false: only the program's own names count
+  bool log = false;               // the table needs a column of times, and T or A; only logs have times
+};
+
 /// The columns that name quantities, in their order, each quantity once. The mapping of the user comes first, as it may
-/// contradict all names; then the program's own names; and only if these make no complete set the vocabulary, whose
-/// names may mean other things in other files. A name counts if its unit fits; one of the program's own counts without
-/// it if there is no other, so that its unit is refused. Throws InputError for a mapping to a column that is not there,
-/// for two headings that name one quantity, and for a name of a required quantity with a unit that is not one of it.
+/// contradict all names, then the program's own names. The vocabulary, whose names may mean other things in other
+/// files, is used only if these are not a complete set. A name counts if its unit fits. One of the program's own names
+/// counts without a fitting unit if there is no other column, so that the unit is rejected. Throws InputError for a
+/// mapping to a column that does not exist, for two headings that name one quantity, and for a name of a required
+/// quantity with a unit that does not fit it.
 std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,
                                       const ColumnRules& rules);
 
-/// Those of them whose fields have to be numbers; none if name_columns throws: whoever reads the table gets that error.
+/// Those of them whose fields must be numbers; none if name_columns throws, which it does again when the table is read.
 std::vector<NamedColumn> number_columns(const std::string& path, const std::vector<Heading>& headings,
                                         const ColumnRules& rules);
 
-/// The mapping of a column to a quantity: --columns="P=Load (mN)". By its number if its heading would not be understood
-/// there; with UNIT to be filled in if that of the heading is not known or does not fit.
+/// The mapping of a column to a quantity, as in --columns="P=Load (mN)". By number if its heading would not be
+/// understood there, and with UNIT to be filled in if the unit of the heading is not known or does not fit.
 Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t index);
 
 }  // namespace mixity

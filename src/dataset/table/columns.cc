@@ -1,7 +1,6 @@
 #include "dataset/table/columns.h"
 
 #include <algorithm>
-#include <cctype>
 #include <initializer_list>
 
 #include "base/input_error.h"
@@ -12,19 +11,10 @@
 namespace mixity {
 namespace {
 
-/// In lower case, letters and digits only.
-std::string bare_name(std::string_view name) {
-  std::string bare;
-  for (const char c : name)
-    if (const auto byte = static_cast<unsigned char>(c); std::isalnum(byte))
-      bare += static_cast<char>(std::tolower(byte));
-  return bare;
-}
-
 /// The common part of "P1" and "P2", or "P" and "P.1".
 std::string letters_of(std::string_view name) {
-  std::string letters = bare_name(name);
-  std::erase_if(letters, [](unsigned char c) { return std::isdigit(c); });
+  std::string letters = folded(name);
+  std::erase_if(letters, is_digit);
   return letters;
 }
 
@@ -44,7 +34,7 @@ Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& 
   }
   const auto parsed = parse_unit(*heading.unit);
   const std::string wanted =
-      kind.always_a_number ? "a plain number" : describe(kind.dimension) + ", or no unit if dimensionless";
+      describe(kind.dimension) + (kind.dimension == dimension::none ? "" : ", or no unit if dimensionless");
   if (!parsed) fail("'" + *heading.unit + "' of column '" + heading.name + "' is no unit; wanted " + wanted);
   // "T [mN] (N)"
   for (std::size_t open = text.find_first_of("[("); open != std::string_view::npos;
@@ -63,7 +53,7 @@ Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& 
     return {area ? *pixel * *pixel : *pixel, kind.dimension, parsed->text};
   }
   const bool relative = parsed->text == "%" && kind.name.starts_with("sigma_");
-  if (!relative && parsed->dimension != (kind.always_a_number ? dimension::none : kind.dimension))
+  if (!relative && parsed->dimension != kind.dimension)
     fail("unit '" + parsed->text + "' of column '" + heading.name + "' does not fit; wanted " + wanted);
   return *parsed;
 }
@@ -93,13 +83,13 @@ bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::s
   const std::string_view text = trim_name(row[i]);
   if (text.empty() || is_missing(text)) return false;
   if (text.size() < row[i].size() && parse_number(text, value)) return true;
-  const std::string said = "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number";
+  const std::string problem = "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number";
   NumberStyle style;
   if (parse_number(text, row.decimal(), value, &style) && style.doubtful)
     throw InputError(path, row.place(i),
-                     said + " but for " + shortest(value) + ", if digits stand in groups of three: " +
+                     problem + " but for " + shortest(value) + ", if digits stand in groups of three: " +
                          Remedy::set("decimal", std::string(1, row.decimal())) + " says so");
-  throw InputError(path, row.place(i), said + std::string(decimal_comma_hint(text)));
+  throw InputError(path, row.place(i), problem + std::string(decimal_comma_hint(text)));
 }
 
 std::string_view decimal_comma_hint(std::string_view text) {
@@ -107,46 +97,48 @@ std::string_view decimal_comma_hint(std::string_view text) {
 }
 
 Columns::Columns(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules) {
-  const auto is_number = [](const Heading& heading) { return heading.text.empty() || parse_number(heading.text); };
-  if (rules.mapping.empty() && std::all_of(headings.begin(), headings.end(), is_number))
+  const auto is_no_name = [](const Heading& heading) { return heading.text.empty() || parse_number(heading.text); };
+  if (rules.mapping.empty() && std::all_of(headings.begin(), headings.end(), is_no_name))
     throw InputError(path, headings.at(0).place,
                      "the first row holds numbers where the columns' names are wanted, such as P, T, A (a line that "
                      "starts with '#' is a comment); say which is which: " +
                          Remedy::set("columns", "P=1 (mN),T=2 (mN),A=3 (mm^2)"));
   std::vector<bool> used(headings.size());
   for (const NamedColumn& column : name_columns(path, headings, rules)) {
-    if (column.id == ColumnId::time) continue;  // of logs
+    if (rules.log && column.id > ColumnId::minor && column.id != ColumnId::time) continue;
     const ColumnKind& kind = kind_of(column.id);
-    columns_[static_cast<std::size_t>(column.id)] =
+    by_id[static_cast<std::size_t>(column.id)] =
         Column{column.id, column.index, unit_of(column.heading, kind, path, headings.size() == 1, rules.pixel)};
     used[column.index] = true;
-    count_ = std::max(count_, column.index + 1);
+    count = std::max(count, column.index + 1);
     if (column.heading.name != kind.name)
-      taken_.push_back(std::string(kind.name) + " from '" + printable(headings[column.index].text, 60) + "'");
+      taken.push_back(std::string(kind.name) + " from '" + printable(headings[column.index].text, 60) + "'");
   }
   for (std::size_t i = 0; i < headings.size(); ++i) {
-    if (!headings[i].text.empty()) count_ = std::max(count_, i + 1);
+    if (!headings[i].text.empty()) count = std::max(count, i + 1);
     if (!used[i] && !headings[i].name.empty())
-      ignored_.push_back(printable(headings[i].closed ? headings[i].name : headings[i].text, std::string::npos));
+      ignored.push_back(printable(headings[i].closed ? headings[i].name : headings[i].text, std::string::npos));
   }
-  for (const std::optional<Column>& column : columns_) {
+  if (rules.log) return;
+  find_runs_beside(headings, used);
+  require_a_complete_set(path, headings, rules);
+  require_consistent_units(path, headings);
+  for (const std::string& name : ignored)
+    for (const ColumnKind& kind : kColumnKinds)
+      if (!has(kind.id) && kind.id != ColumnId::time && !column_named(name) && folded(name) == folded(kind.name))
+        misspelt.emplace_back(name, kind.name);
+}
+
+void Columns::find_runs_beside(const std::vector<Heading>& headings, const std::vector<bool>& used) {
+  for (const std::optional<Column>& column : by_id) {
     if (!column || column->id > ColumnId::minor) continue;
     const std::string letters = letters_of(headings[column->index].name);
     const auto twin = std::find_if(headings.begin(), headings.end(), [&](const Heading& heading) {
       return !used[static_cast<std::size_t>(&heading - headings.data())] && letters_of(heading.name) == letters;
     });
-    if (twin == headings.end() || letters.empty()) {
-      beside_.clear();
-      break;
-    }
-    beside_ += (beside_.empty() ? "'" : ", '") + printable(twin->text, 40) + "'";
+    if (twin == headings.end() || letters.empty()) return beside.clear();
+    beside += (beside.empty() ? "'" : ", '") + printable(twin->text, 40) + "'";
   }
-  require_a_complete_set(path, headings, rules);
-  require_consistent_units(path, headings);
-  for (const std::string& name : ignored_)
-    for (const ColumnKind& kind : kColumnKinds)
-      if (!has(kind.id) && kind.id != ColumnId::time && !column_named(name) && bare_name(name) == bare_name(kind.name))
-        misspelt_.emplace_back(name, kind.name);
 }
 
 void Columns::require_a_complete_set(const std::string& path, const std::vector<Heading>& headings,
@@ -159,23 +151,23 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   const auto fail = [&](const std::string& message, std::optional<ColumnId> missing = {}, const Message& tail = {}) {
     const ColumnId wanted = missing.value_or(P);
     std::string others;
-    std::vector<std::size_t> fitting;  // of what is not understood
+    std::vector<std::size_t> fitting;  // columns that are not understood, with a unit that fits
     for (std::size_t i = 0; rules.vocabulary && i < headings.size(); ++i) {
-      if (headings[i].name.empty() || std::any_of(columns_.begin(), columns_.end(),
-                                                  [&](const auto& column) { return column && column->index == i; }))
+      if (headings[i].name.empty() ||
+          std::any_of(by_id.begin(), by_id.end(), [&](const auto& column) { return column && column->index == i; }))
         continue;
       others += (others.empty() ? "'" : ", '") + printable(headings[i].text, 40) + "'";
       if (headings[i].unit && unit_fits(headings[i].unit, wanted)) fitting.push_back(i);
     }
-    // of two unknown forces either may be the one
+    // if P and T are both unknown, a force may be either
     const bool one = fitting.size() == 1 && (kind_of(wanted).dimension != dimension::force || has(wanted == T ? P : T));
     const std::string name(to_string(wanted));
-    Message said = message;
+    Message text = message;
     if (!others.empty())
-      said += "; not understood: " + others + ". To say which column is " + name + ": " +
+      text += "; not understood: " + others + ". To say which column is " + name + ": " +
               (one ? mapping(wanted, headings, fitting[0]) : Remedy::set("columns", name + "=HEADING (UNIT)"));
-    if (missing) throw MissingColumn(path, headings.at(0).place.line, 1, said + tail);
-    throw InputError(path, headings.at(0).place.line, 1, said);
+    if (missing) throw MissingColumn(path, headings.at(0).place.line, 1, text + tail);
+    throw InputError(path, headings.at(0).place.line, 1, text);
   };
   const auto exactly_one = [&](ColumnId one, ColumnId other) {
     const std::string names = "'" + std::string(to_string(one)) + "' or '" + std::string(to_string(other)) + "'";

@@ -1,4 +1,4 @@
-// The columns of a data CSV: which quantity each holds, in which unit.
+// The columns of a table: which quantity each contains, in which unit.
 #pragma once
 
 #include <array>
@@ -25,26 +25,16 @@ struct Column {
   Unit unit;
 };
 
-class Columns {
- public:
-  /// Throws InputError as name_columns does, for a unit that is none or of the wrong kind, and for a set of columns of
-  /// which no point can be made: MissingColumn if one is missing.
+struct Columns {
+  /// Throws InputError as name_columns does, for a text that is not a unit, for a unit that does not fit its quantity,
+  /// and, except of logs, for columns that make no points: MissingColumn if one is missing.
   Columns(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules = {});
 
   const Column* find(ColumnId id) const {
-    const auto& column = columns_[static_cast<std::size_t>(id)];
+    const auto& column = by_id[static_cast<std::size_t>(id)];
     return column ? &*column : nullptr;
   }
   bool has(ColumnId id) const { return find(id) != nullptr; }
-  std::size_t count() const { return count_; }                          // fields in the header, to the last with a name
-  const std::vector<std::string>& ignored() const { return ignored_; }  // names of columns that are not read
-  /// Those of them that differ from the name of a missing quantity in case or punctuation only; with that name.
-  const std::vector<std::pair<std::string, std::string>>& misspelt() const { return misspelt_; }
-  /// Headings other than the program's own names: "P from 'Normalkraft (mN)'".
-  const std::vector<std::string>& taken() const { return taken_; }
-  /// Columns that have the names of all those of P, T and A but for a number: other runs beside the one that is read.
-  /// Empty if there are none.
-  const std::string& beside() const { return beside_; }
   /// P, T and A (or a, or the axes of an ellipse), rather than psi and Gc, or energies.
   bool holds_loads() const { return has(ColumnId::T); }
   /// G_I and G_II.
@@ -52,22 +42,28 @@ class Columns {
   /// The axes of an ellipse.
   bool holds_axes() const { return has(ColumnId::a_par) || has(ColumnId::major); }
 
+  std::array<std::optional<Column>, kColumnCount> by_id;
+  std::size_t count = 0;             // fields in the header, up to the last with a name
+  std::vector<std::string> ignored;  // names of columns that are not read
+  /// Ignored columns whose names differ from the name of a missing quantity only in case or punctuation; with that
+  /// name.
+  std::vector<std::pair<std::string, std::string>> misspelt;
+  std::vector<std::string> taken;  // headings other than the program's own names: "P from 'Normalkraft (mN)'"
+  /// Columns whose names differ from those of P, T and A only in a number: runs beside the one that is read. Empty if
+  /// there are none.
+  std::string beside;
+
  private:
+  void find_runs_beside(const std::vector<Heading>& headings, const std::vector<bool>& used);
   void require_a_complete_set(const std::string& path, const std::vector<Heading>& headings,
                               const ColumnRules& rules) const;
   void require_consistent_units(const std::string& path, const std::vector<Heading>& headings) const;
-
-  std::array<std::optional<Column>, kColumnCount> columns_;
-  std::vector<std::string> ignored_, taken_;
-  std::string beside_;
-  std::vector<std::pair<std::string, std::string>> misspelt_;
-  std::size_t count_ = 0;
 };
 
 // ---- For any file with such a header. Each throws InputError with line and column. ----
 
-/// The unit of a heading, if the quantity may have it; none if it states none. Pixels become metres if their size is
-/// stated. `alone`: it is the only heading of the table.
+/// The unit of a heading, which must fit the quantity; that of a plain number if it states none. Pixels become metres
+/// by the size of a pixel. `alone`: it is the only heading of the table.
 Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& path, bool alone,
              std::optional<double> pixel = {});
 
@@ -76,7 +72,7 @@ bool holds_a_number(const CsvRow& row);
 /// Requires as many fields as the header has; further ones must be empty.
 void require_width(const std::string& path, const CsvRow& row, std::size_t count);
 
-/// Advice behind the message on a text that is no number.
+/// Advice to append to a message about a text that is not a number.
 std::string_view decimal_comma_hint(std::string_view text);
 
 /// Reads the number in field i, without its unit; false if the field is empty. `name`: of the column.

@@ -1,7 +1,6 @@
 #include "dataset/table/csv.h"
 
 #include <algorithm>
-#include <array>
 
 #include "base/text.h"
 #include "dataset/table/number.h"
@@ -32,7 +31,7 @@ void split_line(std::string_view line, char delimiter, std::vector<std::string_v
   }
 }
 
-/// Comma, semicolon or tab, whichever the line has most of outside quotes and the brackets of units.
+/// Comma, semicolon or tab, whichever occurs most often outside quotes and the brackets of units.
 char delimiter_of(std::string_view line) {
   constexpr std::string_view kCandidates = ",;\t";
   std::array<std::size_t, 3> counts{};
@@ -45,6 +44,18 @@ char delimiter_of(std::string_view line) {
     if (!quoted && !bracketed && which != std::string_view::npos) ++counts[which];
   }
   return kCandidates[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
+}
+
+/// Whether a line of the text ends outside quotes.
+bool has_a_row(std::string_view text, const CsvFormat& format) {
+  bool quoted = false;
+  for (std::size_t end = 0; !text.empty(); text.remove_prefix(end)) {
+    end = std::min(text.find(format.line_end), text.size() - 1) + 1;
+    if (quoted || text[0] != '#' || !format.comments)
+      quoted ^= std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '"') % 2 != 0;
+    if (!quoted) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -100,7 +111,7 @@ void CsvSplitter::fail(std::string_view before, const char* message) const {
   throw InputError(path_, line_ + static_cast<std::size_t>(lines), 1, message);
 }
 
-/// Reads the row that the text begins with, blank or not. Returns its bytes; 0 if its end is not in the text.
+/// Reads the row at the beginning of the text, blank or not. Returns its number of bytes; 0 if its end is missing.
 std::size_t CsvSplitter::take(std::string_view text, bool is_rest, CsvRow& row) {
   row.fields_.clear();
   row.unquoted_.clear();
@@ -146,14 +157,14 @@ std::size_t CsvSplitter::take_line(std::string_view text, bool is_rest, CsvRow& 
   const std::size_t end = text.find(format_.line_end);
   if (end == std::string_view::npos && !is_rest) return 0;
   row.raw_ = without_line_end(text.substr(0, end));
-  // what follows it in the line would be lost with the comment
+  // rows behind it would be lost with the comment
   if (row.is_comment_ && row.raw_.find('\r') != std::string_view::npos) fail({}, kReturnInside);
   split_line(row.raw_, format_.delimiter, row.fields_);
   ++line_;
   return std::min(end, text.size() - 1) + 1;
 }
 
-/// Takes a field in quotes. Returns the first character that is not blank behind it; null if the quotes are not closed.
+/// Reads a field in quotes. Returns the first non-blank character behind it; null if the quotes are not closed.
 const char* CsvSplitter::quoted_field(const char* at, const char* end, CsvRow& row) const {
   const char* const begin = ++at;
   bool doubled = false;
@@ -174,12 +185,25 @@ const char* CsvSplitter::quoted_field(const char* at, const char* end, CsvRow& r
   return at;
 }
 
+std::vector<CsvRow> split_rows(std::string_view text, std::size_t first_line, const CsvFormat& format) {
+  std::vector<CsvRow> rows(1);
+  const bool is_rest = !text.ends_with(format.line_end);
+  CsvSplitter splitter({}, format, first_line);
+  try {
+    while (splitter.next(text, is_rest, rows.back())) rows.emplace_back();
+  } catch (const InputError&) {
+    if (is_rest || has_a_row(text, format)) return {};
+  }
+  rows.pop_back();
+  return rows;
+}
+
 bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format) {
   for (; !text.empty(); ++line) {
     const std::size_t end = std::min(text.find(format.line_end), text.size() - 1) + 1;
     const std::string_view first = without_line_end(text.substr(0, end));
     const bool comment = format.comments && first.starts_with('#') && first.find('\r') == std::string_view::npos;
-    // by which Excel knows the delimiter, which may be a tab
+    // tells Excel the delimiter, which may be a tab
     const bool for_excel = first.starts_with("sep=") && first.size() > 4 && trim(first.substr(5)).empty();
     if (!comment && !for_excel && !trim(first).empty()) {
       format.delimiter = delimiter_of(first);

@@ -1,9 +1,9 @@
-// Rows of comma-separated values (RFC 4180, and what laboratories write) with their places in the file.
+// Rows of comma-separated values (RFC 4180 and what laboratories write besides) with their places in the file.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <deque>
+#include <list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,12 +15,12 @@ namespace mixity {
 struct CsvFormat {
   char delimiter = 0;  // kBlanks: any number of blanks and tabs; quotes are then ordinary characters
   char line_end = '\n', decimal = '.';
-  bool grouped = false;  // "1,234" is 1234, as other numbers of the file show
+  bool grouped = false;  // "1,234" is read as 1234
   bool comments = true;  // a line that starts with '#' is not part of the table
 };
 inline constexpr char kBlanks = ' ';
 
-/// A row or a comment. Its fields are valid until the next one is read, and no longer than the text they are in.
+/// A row or a comment. Its fields are views of the text that it was read from.
 class CsvRow {
  public:
   std::size_t line() const { return line_; }  // 1-based; the first of a row with quoted line ends
@@ -43,23 +43,23 @@ class CsvRow {
   friend class ArrayRows;
 
   std::vector<std::string_view> fields_;
-  std::vector<double> numbers_;       // of a row of arrays, which no text holds; else empty
-  std::deque<std::string> unquoted_;  // fields with doubled quotes
+  std::vector<double> numbers_;      // of a row of arrays, which has no text; else empty
+  std::list<std::string> unquoted_;  // fields that had doubled quotes
   std::string_view raw_;
   std::size_t line_ = 0;
   bool is_comment_ = false;
   CsvFormat format_;
 };
 
-/// Splits a text into rows. A field in quotes may hold delimiters, line ends and doubled quotes.
+/// Splits a text into rows. A field in quotes may contain delimiters, line ends and doubled quotes.
 class CsvSplitter {
  public:
   /// `path`: the file in messages. `line`: the number of the first line of the text.
   CsvSplitter(const std::string& path, const CsvFormat& format, std::size_t line = 1);
 
-  /// Takes the next row or comment off the front of the text, with blank rows before it. False if no whole row is left;
-  /// if `is_rest`, the text goes to the end of the file, where a row may lack its line end. Throws InputError for
-  /// quotes that do not match and for a carriage return inside a line.
+  /// Removes the next row or comment from the front of the text, and blank rows before it. False if no whole row is
+  /// left. `is_rest`: the text goes on to the end of the file, where a row may lack its line end. Throws InputError for
+  /// unmatched quotes and for a carriage return inside a line.
   bool next(std::string_view& text, bool is_rest, CsvRow& row);
   std::size_t line() const { return line_; }  // of what comes next
 
@@ -76,11 +76,15 @@ class CsvSplitter {
   std::array<bool, 256> ends_field_{};
 };
 
-/// Drops what comes before the first row (comments, blank lines, Excel's "sep=;") and chooses the delimiter by that
-/// row: comma, semicolon or tab, whichever it has most of. Counts lines. False, with nothing left, if there is no row.
+/// All rows and comments of a text, which begins at this line of the file. None if its quotes do not match, as with a
+/// wrong delimiter, unless the text ends within quotes.
+std::vector<CsvRow> split_rows(std::string_view text, std::size_t first_line, const CsvFormat& format);
+
+/// Removes what comes before the first row (comments, blank lines, Excel's "sep=;") and counts its lines. The delimiter
+/// becomes the one that the row has most of: comma, semicolon or tab. False, with no text left, if there is no row.
 bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format);
 
-/// Text as a CSV field, quoted where it must be to be read back as one field.
+/// Text as a CSV field, in quotes if it would not be read back as one field without them.
 std::string csv_field(const std::string& text);
 
 }  // namespace mixity

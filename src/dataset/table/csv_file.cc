@@ -15,7 +15,7 @@ CsvFile::CsvFile(const std::string& path, std::size_t block_bytes)
   if (!file_) throw InputError(path, std::string("cannot be opened: ") + std::strerror(errno));
 }
 
-/// Appends up to so many bytes, decoded.
+/// Reads up to this many bytes, decodes them and appends them to the text.
 void CsvFile::read(std::size_t bytes) {
   const std::size_t before = text_.size();
   text_.resize(before + bytes);
@@ -31,18 +31,17 @@ void CsvFile::decode(std::size_t from) {
   if (!decoder_) return;
   const std::string raw = text_.substr(from);
   text_.resize(from);
-  decoder_->append(raw, text_);
-  if (at_end_) decoder_->finish(text_);
+  decoder_->append(raw, at_end_, text_);
 }
 
-/// No data come near this size: it is a device without end, or what a crash left of a file.
+/// No data are of this size: the file is an endless device, or was damaged by a crash.
 void CsvFile::require_a_row() const {
   if (text_.size() > kMostText)
     throw InputError(path_, splitter_ ? splitter_->line() : line_, 1,
                      "a row of more than 256 MB, or a quote never closed");
 }
 
-/// Reads another block, or where a row is longer than that, as much again as is held.
+/// Reads another block. If a row is longer than a block, doubles the text.
 void CsvFile::read_more() {
   text_.erase(0, at_);
   at_ = 0;
@@ -68,8 +67,7 @@ void CsvFile::begin() {
       throw InputError(path_, "is " + std::string(to_string(encoding_)) + ", which this system's iconv does not know");
     decode(0);
   }
-  // A file without a single line feed has the carriage returns of the old Macintosh: read up to the first, or to the
-  // end.
+  // A file without line feeds may end its lines in carriage returns, as the old Macintosh did: read on to find out.
   while (text_.find('\n') == std::string::npos && !at_end_) {
     if (text_.find('\r') == std::string::npos) require_a_row();
     read(std::max(block_bytes_, text_.size()));

@@ -13,20 +13,18 @@
 
 namespace mixity {
 
-/// A file of rows in any encoding of encoding.h, with LF, CRLF or CR. No more of it is held than a block, or its
-/// longest row.
+/// A file of rows in any encoding of encoding.h, with LF, CRLF or CR. Memory holds one block of it, or its longest row.
 class CsvFile {
  public:
   /// Throws InputError if the file cannot be opened.
   explicit CsvFile(const std::string& path, std::size_t block_bytes = std::size_t{1} << 17);
-  /// The first lines of the file, whole ones of a block or all of them; valid until anything else is called. Throws
-  /// InputError if the file cannot be read, is a workbook, or begins with a row of more than kMostText bytes.
+  /// The complete lines of the first block; valid until the next call of another function. Throws InputError if the
+  /// file cannot be read, is a workbook, or begins with a row of more than kMostText bytes.
   std::string_view start();
-  /// Starts the rows at this byte of start(), which is on this line of the file. Without it they start at the first
-  /// that find_first_row finds.
+  /// Starts the rows at this byte of start(), on this line of the file. Otherwise find_first_row finds the first row.
   void begin_at(std::size_t offset, std::size_t line, const CsvFormat& format);
-  /// Reads the next row or comment; comments above the first row are passed over. False at the end. Throws InputError
-  /// as CsvSplitter does, and if the file cannot be read or has a row of more than kMostText bytes.
+  /// Reads the next row or comment; skips comments above the first row. False at the end. Throws InputError as
+  /// CsvSplitter does, and if the file cannot be read or has a row of more than kMostText bytes.
   bool next(CsvRow& row);
 
   // After start():
@@ -34,9 +32,9 @@ class CsvFile {
   char line_end() const { return format_.line_end; }
   /// Whether the file has been read to its end: start() is then all of it.
   bool at_end() const { return at_end_; }
-  /// The part of the file whose rows have been read: 0 to 1, or 1 where its size is not known (a pipe).
+  /// The share of the file whose rows have been read; 1 if its size is not known (a pipe).
   double progress() const;
-  /// Bytes that are held now.
+  /// Bytes of memory for the text.
   std::size_t held() const { return text_.capacity(); }
 
  private:
@@ -49,21 +47,21 @@ class CsvFile {
   std::string path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::size_t block_bytes_, bytes_read_ = 0, line_ = 1;
-  std::string text_;    // read, and decoded
+  std::string text_;    // decoded
   std::size_t at_ = 0;  // where its next row starts
   CsvFormat format_;
   Encoding encoding_ = Encoding::utf8;
-  std::optional<Decoder> decoder_;       // where it is not UTF-8
+  std::optional<Decoder> decoder_;       // if it is not UTF-8
   std::optional<CsvSplitter> splitter_;  // once the first row is found
   bool begun_ = false, at_end_ = false;
 };
 
 using UseRow = std::function<void(const CsvRow&)>;
 
-/// Calls use(row) for each row of a file. The row is valid during the call only. Throws what CsvFile throws.
+/// Calls use(row) for each row of a file. Throws what CsvFile throws.
 void read_csv(const std::string& path, const UseRow& use);
 
-/// The same for a text; `name`: the file in messages. Without comments, '#' is an ordinary character.
+/// The same for a text. `name`: the file in messages. Without comments, '#' is an ordinary character.
 void read_csv_text(std::string_view text, const std::string& name, bool comments, const UseRow& use);
 
 }  // namespace mixity

@@ -17,7 +17,7 @@ bool take_mark(std::string_view& text, std::string_view start) {
   return true;
 }
 
-/// Of the start of a text, which may end within a character.
+/// For the start of a text, which may end within a character.
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
     utf8proc_int32_t character = 0;
@@ -60,7 +60,7 @@ Decoder::~Decoder() {
   if (usable()) iconv_close(state_);
 }
 
-void Decoder::append(std::string_view bytes, std::string& text) {
+void Decoder::append(std::string_view bytes, bool is_end, std::string& text) {
   waiting_.append(bytes);
   char* in = waiting_.data();
   std::size_t left = waiting_.size();
@@ -78,11 +78,7 @@ void Decoder::append(std::string_view bytes, std::string& text) {
     left -= skipped;
   }
   waiting_.erase(0, waiting_.size() - left);
-}
-
-void Decoder::finish(std::string& text) {
-  if (!waiting_.empty()) text += kNoCharacter;
-  waiting_.clear();
+  if (is_end && !waiting_.empty()) text += kNoCharacter;
 }
 
 }  // namespace mixity

@@ -7,31 +7,33 @@
 #include <vector>
 
 #include "dataset/table/column_names.h"
-#include "dataset/table/lines.h"
+#include "dataset/table/csv.h"
 
 namespace mixity {
 
 struct HeadingLine {
   std::vector<Heading> headings;
-  std::size_t first_row;             // index of the first line of numbers
-  std::optional<std::size_t> index;  // of the headings; null: there are none, and a mapping names the columns
+  std::size_t first_row;             // index of the first row of numbers
+  std::optional<std::size_t> index;  // of the line of headings; null: there is none, and a mapping names the columns
 };
 
+/// Whether two fields are numbers, and it is not a comment.
+bool is_row_of_numbers(const CsvRow& row);
+
 /// The number of fields that most rows of numbers have; 0 if there are none.
-std::size_t usual_width(const std::vector<Line>& lines);
+std::size_t usual_width(const std::vector<CsvRow>& lines);
 
-/// The line that names most quantities, among the few above the first places where rows of `width` fields begin;
-/// without one, a line of words. Null if there is none, and no mapping.
-std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<Line>& lines, std::size_t width,
-                                         const CsvFormat& format, const ColumnRules& rules);
+/// The line that names most quantities, among the few lines above each of the first places where rows of `width` fields
+/// begin. If none names a quantity, a line of words. Null if there is no such line either, and no mapping.
+std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<CsvRow>& lines, std::size_t width,
+                                         const ColumnRules& rules);
 
-/// Whether no field is a number, and one at least of the columns at these indices has a unit of something measured; if
-/// none are given, half of all columns.
-bool is_row_of_units(const Line& line, const std::vector<std::size_t>& columns);
+/// Whether no field is a number, and at least one of these columns has a unit that is not just a number. If no columns
+/// are given, half of all fields must be units.
+bool is_row_of_units(const CsvRow& row, const std::vector<std::size_t>& columns);
 
-/// Gives the headings the units of that row. Throws InputError for a column that is read if its unit is not known, or
-/// not the one of its heading or mapping.
-void take_units(const std::string& path, const Line& line, const CsvFormat& format, const ColumnRules& rules,
-                std::vector<Heading>& headings);
+/// Gives the headings the units of that row. Throws InputError if the unit of a column that is read is not known or
+/// contradicts its heading or mapping.
+void take_units(const std::string& path, const CsvRow& row, const ColumnRules& rules, std::vector<Heading>& headings);
 
 }  // namespace mixity

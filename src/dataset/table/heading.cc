@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <functional>
 #include <memory>
 #include <set>
 
@@ -13,15 +12,12 @@
 namespace mixity {
 
 std::string_view trim_name(std::string_view text) {
-  constexpr std::string_view kUnseen[] = {"\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x8B", "\xEF\xBB\xBF"};
-  for (bool more = true; more;) {
-    more = false;
+  for (std::size_t before = text.size() + 1; text.size() < before;) {
+    before = text.size();
     text = trim(text);
-    for (const std::string_view unseen : kUnseen) {
-      const bool before = text.starts_with(unseen), behind = !before && text.ends_with(unseen);
-      if (before) text.remove_prefix(unseen.size());
-      if (behind) text.remove_suffix(unseen.size());
-      more |= before || behind;
+    for (const std::string_view unseen : {"\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x8B", "\xEF\xBB\xBF"}) {
+      if (text.starts_with(unseen)) text.remove_prefix(unseen.size());
+      if (text.ends_with(unseen)) text.remove_suffix(unseen.size());
     }
   }
   return text;
@@ -74,13 +70,13 @@ std::string folded(std::string_view name) {
 }
 
 std::string sorted_words(std::string_view name) {
-  static const std::set<std::string, std::less<>> joints{"of", "the", "a",   "de",    "du",  "des", "la",  "le", "l",
-                                                         "d",  "di",  "del", "della", "der", "die", "das", "el"};
+  static const std::set<std::string> skipped{"of", "the", "a",   "de",    "du",  "des", "la",  "le", "l",
+                                             "d",  "di",  "del", "della", "der", "die", "das", "el"};
   std::set<std::string> words;
   while (!name.empty()) {
     const std::size_t end = std::min(name.find_first_of(" _-'./"), name.size());
     std::string word = folded(name.substr(0, end));
-    if (!word.empty() && !joints.contains(word)) words.insert(std::move(word));
+    if (!word.empty() && !skipped.contains(word)) words.insert(std::move(word));
     name.remove_prefix(std::min(end + 1, name.size()));
   }
   std::string joined;

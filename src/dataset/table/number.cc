@@ -1,6 +1,9 @@
 #include "dataset/table/number.h"
 
 #include <algorithm>
+#include <chrono>
+#include <initializer_list>
+#include <string>
 
 #include "base/text.h"
 #include "base/units.h"
@@ -8,14 +11,12 @@
 namespace mixity {
 namespace {
 
-/// The bytes of a separator of groups at the front of a text; 0 if there is none.
-std::size_t group_sign(std::string_view text, char decimal) {
-  const std::string_view other = decimal == '.' ? "," : ".";
+/// The separator of groups at the front of a text; empty if there is none.
+std::string_view group_sign(std::string_view text, char decimal) {
   for (const std::string_view sign :
-       {other, std::string_view("'"), std::string_view(" "), std::string_view("\xC2\xA0"),
-        std::string_view("\xE2\x80\xAF"), std::string_view("\xE2\x80\x89"), std::string_view("\xE2\x80\x99")})
-    if (text.starts_with(sign)) return sign.size();
-  return 0;
+       {decimal == '.' ? "," : ".", "'", " ", "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89", "\xE2\x80\x99"})
+    if (text.starts_with(sign)) return sign;
+  return {};
 }
 
 /// Joins the groups of digits before the decimal sign; false if there are none.
@@ -25,18 +26,39 @@ bool join_groups(std::string_view& rest, char decimal, std::string& plain, Numbe
   if (digits == 0 || digits > 3 || rest[0] == '0') return false;
   plain += rest.substr(0, digits);
   rest.remove_prefix(digits);
-  const std::size_t size = group_sign(rest, decimal);
-  const std::string_view sign = rest.substr(0, size);
+  const std::string_view sign = group_sign(rest, decimal);
   std::size_t groups = 0;
-  for (; size > 0 && rest.starts_with(sign); ++groups) {
-    const std::string_view group = rest.substr(size, 3);
+  for (; !sign.empty() && rest.starts_with(sign); ++groups) {
+    const std::string_view group = rest.substr(sign.size(), 3);
     if (group.size() < 3 || !std::all_of(group.begin(), group.end(), is_digit)) return false;
     plain += group;
-    rest.remove_prefix(size + 3);
+    rest.remove_prefix(sign.size() + 3);
   }
   if (groups == 0 || (!rest.empty() && is_digit(rest[0]))) return false;
   style.grouped = true;
   style.doubtful = groups == 1 && (sign == "," || sign == ".") && !rest.starts_with(decimal);
+  return true;
+}
+
+/// Removes a pattern from the front of a text: each run of 'd' stands for the digits of a number, other characters for
+/// themselves. False if the text does not match.
+bool take(std::string_view& text, std::string_view pattern, std::initializer_list<int*> numbers) {
+  if (text.size() < pattern.size()) return false;
+  auto number = numbers.begin();
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    if (pattern[i] != 'd' ? text[i] != pattern[i] : !is_digit(text[i])) return false;
+    if (pattern[i] != 'd')
+      ++number;
+    else
+      **number = 10 * **number + (text[i] - '0');
+  }
+  text.remove_prefix(pattern.size());
+  return true;
+}
+
+bool take_one_of(std::string_view& text, std::string_view signs) {
+  if (text.empty() || signs.find(text[0]) == std::string_view::npos) return false;
+  text.remove_prefix(1);
   return true;
 }
 
@@ -51,7 +73,7 @@ bool parse_number(std::string_view text, char decimal, double& value, NumberStyl
   NumberStyle found;
   std::string plain;
   std::string_view rest = text;
-  constexpr std::string_view kMinus = "\xE2\x88\x92";  // U+2212, as typesetters have it
+  constexpr std::string_view kMinus = "\xE2\x88\x92";  // U+2212, the minus sign of typesetting
   if (rest.starts_with('-') || rest.starts_with('+')) {
     if (rest[0] == '-') plain = "-";
     rest.remove_prefix(1);
@@ -69,14 +91,18 @@ bool parse_number(std::string_view text, char decimal, double& value, NumberStyl
   if (decimal != '.' && rest.find('.') != std::string_view::npos) return false;
   const std::size_t before = plain.size();
   plain += rest;
-  const std::size_t at = plain.find(decimal, before);
-  if (at != std::string::npos) plain[at] = '.';
-  // Fortran's exponents
-  if (const std::size_t exponent = plain.find_first_of("Dd"); exponent != std::string::npos) plain[exponent] = 'e';
+  if (const std::size_t at = plain.find(decimal, before); at != std::string::npos) plain[at] = '.';
+  // Fortran writes an exponent with D.
+  if (const std::size_t at = plain.find_first_of("Dd"); at != std::string::npos) plain[at] = 'e';
   if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) return false;
   if (!parse_number(std::string_view(plain), value)) return false;
   if (style) *style = found;
   return true;
+}
+
+bool is_number(std::string_view field) {
+  double value = 0;
+  return !trim(field).empty() && (parse_number(field, '.', value) || parse_number(field, ',', value));
 }
 
 bool is_missing(std::string_view text) {
@@ -84,6 +110,40 @@ bool is_missing(std::string_view text) {
                                          "#VALUE!", "-",      "--",      "null",   "NULL", "None",  "missing",
                                          "1.#QNAN", "1.#IND", "-1.#IND", "1.#INF", "1.#J"};
   return std::find(std::begin(kTexts), std::end(kTexts), trim(text)) != std::end(kTexts);
+}
+
+std::optional<ClockTime> parse_clock(std::string_view text) {
+  text = trim(text);
+  ClockTime time;
+  if (text.size() > 10 && text[4] == '-') {
+    int year = 0, month = 0, day = 0;
+    if (!take(text, "dddd-dd-dd", {&year, &month, &day}) || !take_one_of(text, "T ")) return std::nullopt;
+    using namespace std::chrono;
+    const year_month_day date{std::chrono::year{year}, std::chrono::month{static_cast<unsigned>(month)},
+                              std::chrono::day{static_cast<unsigned>(day)}};
+    if (!date.ok()) return std::nullopt;
+    time.dated = true;
+    time.seconds = std::int64_t{86400} * sys_days{date}.time_since_epoch().count();
+  }
+  int hours = 0, minutes = 0, seconds = 0;
+  if (!take(text, text.find(':') == 1 ? "d:dd:dd" : "dd:dd:dd", {&hours, &minutes, &seconds}) || hours > 23 ||
+      minutes > 59 || seconds > 59)
+    return std::nullopt;
+  time.seconds += 3600 * hours + 60 * minutes + seconds;
+  if (take_one_of(text, ".,")) {
+    std::string digits = "0.";
+    for (; !text.empty() && is_digit(text[0]); text.remove_prefix(1)) digits += text[0];
+    if (digits.size() == 2 || !parse_number(digits, time.fraction)) return std::nullopt;
+  }
+  if (time.dated && !text.empty() && !take_one_of(text, "Z")) {
+    const int direction = text[0] == '-' ? 1 : -1;
+    int zone_hours = 0, zone_minutes = 0;
+    if (!take_one_of(text, "+-") || !take(text, "dd", {&zone_hours})) return std::nullopt;
+    take_one_of(text, ":");
+    if (!text.empty() && !take(text, "dd", {&zone_minutes})) return std::nullopt;
+    time.seconds += direction * (3600 * zone_hours + 60 * zone_minutes);
+  }
+  return text.empty() ? std::optional(time) : std::nullopt;
 }
 
 }  // namespace mixity

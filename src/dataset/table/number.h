@@ -1,24 +1,38 @@
-// Numbers in tables: with a decimal point or comma, and groups of three digits.
+// Numbers and clock times in the fields of a table.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace mixity {
 
-/// Of ASCII.
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// How a number was written.
 struct NumberStyle {
   bool grouped = false;   // with groups of three digits, as "1,234.5", "1.234,5", "1 234" or "1'234"
-  bool doubtful = false;  // the one group could as well be decimals: "1,234"
+  bool doubtful = false;  // its only group may be decimals: "1,234"
 };
 
 /// Reads a field, blanks around it allowed, as one number; false if it is none. `decimal`: '.' or ','; the other one,
 /// an apostrophe, or a blank (also no-break and thin ones) may separate groups of three digits. `style` may be null.
 bool parse_number(std::string_view text, char decimal, double& value, NumberStyle* style = nullptr);
 
+/// Whether a field is a number with one of the decimal signs.
+bool is_number(std::string_view field);
+
 /// Whether a text marks a missing number, as in spreadsheets and statistics programs: "NA", "#N/A", "-".
 bool is_missing(std::string_view text);
+
+struct ClockTime {
+  bool dated = false;
+  std::int64_t seconds = 0;  // since midnight, or since 1970 (UTC) if there is a date
+  double fraction = 0;       // of a second
+};
+
+/// Reads "10:05:00.000", or a date and time of ISO 8601: "2026-05-01T10:05:00,5Z", "2026-05-01 10:05:00+02:00". Null
+/// for anything else.
+std::optional<ClockTime> parse_clock(std::string_view text);
 
 }  // namespace mixity

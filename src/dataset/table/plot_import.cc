@@ -19,16 +19,13 @@ struct Series {
   std::vector<std::pair<std::string, std::string>> points;  // as written, so that no digit changes
 };
 
-/// A number field as written; empty if the field is. Throws if it is anything else.
+/// A number as written; empty if the field is empty or missing. Throws for anything else.
 std::string number_field(const std::string& path, const CsvRow& row, std::size_t i) {
-  if (i >= row.size()) return {};
-  const std::string_view text = row[i];
-  if (text.empty()) return {};
-  const auto value = parse_number(text);
-  if (!value || !std::isfinite(*value))
+  const std::string text(i < row.size() ? row[i] : std::string_view());
+  if (!text.empty() && !std::isfinite(parse_number(text).value_or(std::nan(""))))
     throw InputError(path, row.place(i),
-                     "'" + std::string(text) + "' is not a finite number" + std::string(decimal_comma_hint(text)));
-  return std::string(text);
+                     "'" + text + "' is not a finite number" + std::string(decimal_comma_hint(text)));
+  return text;
 }
 
 std::vector<Series> read_series(const std::string& path) {
@@ -81,7 +78,7 @@ std::string import_plot(const std::string& path, const PlotImport& options) {
     text += unit.text.empty() ? "P," : "P [" + unit.text + "],";
   }
   text += options.x_column + "," + options.y_column + "\n";
-  // the header must be read back as two axes with fitting units
+  // the header must be readable as two axes with units that fit
   const std::string name = path + ": the header '" + text.substr(0, text.size() - 1) + "'";
   read_csv_text(text, name, true, [&](const CsvRow& header) {
     const std::vector<Heading> headings = headings_of(header);
@@ -92,18 +89,17 @@ std::string import_plot(const std::string& path, const PlotImport& options) {
     ColumnRules own_names;
     own_names.vocabulary = false;
     const Columns columns(name, headings, own_names);
-    if (header.size() != (with_loads ? 4u : 3u) || !columns.ignored().empty() || columns.holds_loads() != with_loads)
+    if (header.size() != (with_loads ? 4u : 3u) || !columns.ignored.empty() || columns.holds_loads() != with_loads)
       throw InputError(name, "does not name two axes of one kind: T and A (or a) with loads, or psi and Gc without");
   });
-  std::size_t points = 0;
+  if (std::all_of(series.begin(), series.end(), [](const Series& one) { return one.points.empty(); }))
+    throw InputError(path, 2, 1, "holds no points");
   for (std::size_t k = 0; k < series.size(); ++k)
     for (const auto& [x, y] : series[k].points) {
       text += csv_field(series[k].name) + ",";
       if (with_loads) text += shortest(options.loads[k].value) + ",";
       text += x + "," + y + "\n";
-      ++points;
     }
-  if (points == 0) throw InputError(path, 2, 1, "holds no points");
   return text;
 }
 

@@ -10,10 +10,10 @@
 namespace mixity {
 namespace {
 
-using Lines = std::vector<Line>;
+using Lines = std::vector<CsvRow>;
 using Indices = std::vector<std::size_t>;  // of columns
 
-constexpr std::size_t kLooked = std::size_t{1} << 16;  // bytes of the start that are looked at
+constexpr std::size_t kSearched = std::size_t{1} << 16;  // bytes at the start of the file
 
 Indices indices_of_numbers(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules) {
   Indices columns;
@@ -21,10 +21,9 @@ Indices indices_of_numbers(const std::string& path, const std::vector<Heading>& 
   return columns;
 }
 
-/// Takes the row of units between the headings and the numbers, or above the headings. Returns its line, 0 if none.
+/// Takes the units of a row between the headings and the numbers, or above the headings. Returns its line, 0 if none.
 std::size_t take_row_of_units(const std::string& path, const Lines& lines, const HeadingLine& at,
-                              const Indices& columns, const CsvFormat& format, const ColumnRules& rules,
-                              std::vector<Heading>& headings) {
+                              const Indices& columns, const ColumnRules& rules, std::vector<Heading>& headings) {
   constexpr std::size_t kAbove = 12;  // lines
   const std::size_t heading = at.index.value_or(at.first_row);
   Indices order;
@@ -33,26 +32,28 @@ std::size_t take_row_of_units(const std::string& path, const Lines& lines, const
     for (std::size_t i = heading; i-- > heading - std::min(heading, kAbove);) order.push_back(i);
   for (const std::size_t i : order) {
     if (!is_row_of_units(lines[i], columns)) continue;
-    take_units(path, lines[i], format, rules, headings);
-    return lines[i].number;
+    take_units(path, lines[i], rules, headings);
+    return lines[i].line();
   }
   return 0;
 }
 
-/// Sets where the rows begin below the headings: lines of words alone, as Origin writes them, are skipped.
-void find_first_row(const Lines& lines, const HeadingLine& at, Table& table) {
+/// Sets where the rows begin below the headings. Lines of words, as Origin writes them, are skipped.
+void set_first_row(std::string_view text, const Lines& lines, const HeadingLine& at, Table& table) {
   std::size_t begin = at.index ? *at.index + 1 : at.first_row;
   for (; begin < at.first_row; ++begin) {
-    const Line& line = lines[begin];
-    if (line.comment || line.number == table.units_line) continue;
-    if (std::any_of(line.fields.begin(), line.fields.end(), is_number)) break;
-    table.passed_over.push_back(line.number);
+    const CsvRow& line = lines[begin];
+    if (line.is_comment() || line.line() == table.units_line) continue;
+    bool has_number = false;
+    for (std::size_t k = 0; k < line.size(); ++k) has_number |= is_number(line[k]);
+    if (has_number) break;
+    table.passed_over.push_back(line.line());
   }
-  table.offset = lines[begin].offset;
-  table.line = lines[begin].number;
+  table.offset = static_cast<std::size_t>(lines[begin].raw().data() - text.data());
+  table.line = lines[begin].line();
 }
 
-/// What a row is called that sums up all above it.
+/// Whether a word is the label of a row that summarises those above it.
 bool names_a_summary(std::string_view text) {
   const std::string bare = folded(text);
   for (const std::string_view name :
@@ -62,22 +63,22 @@ bool names_a_summary(std::string_view text) {
   return false;
 }
 
-/// The line of the first of the rows at the end that are called so, as ImageJ's "Mean" below its results, or have words
-/// where all others have numbers; 0 if there are none, or more than a few.
+/// The line of the first row of the summary at the end: rows with such a label, as ImageJ's "Mean" below its results,
+/// or with words where all other rows have numbers. 0 if there are no such rows, or more than a few.
 std::size_t find_summary(const Lines& lines, std::size_t first_row, const Indices& columns, const Table& table) {
   constexpr std::size_t kMostRows = 8, kLeastRows = 3;
-  std::optional<std::size_t> runs;  // the column that names them, with any word
+  std::optional<std::size_t> runs;  // the column of names of runs, which may be any word
   for (std::size_t i = 0; i < table.headings.size(); ++i)
     if (column_named(table.headings[i].name) == ColumnId::curve) runs = i;
   const std::size_t n = lines.size();
   const auto numbers_above = [&](std::size_t k) {  // in all rows but those at the end
     for (std::size_t row = first_row; row + kMostRows < n || row < first_row + kLeastRows; ++row)
-      if (k >= lines[row].fields.size() || !is_number(lines[row].fields[k])) return false;
+      if (k >= lines[row].size() || !is_number(lines[row][k])) return false;
     return true;
   };
-  const auto is_summary = [&](const Line& line) {
-    for (std::size_t k = 0; k < line.fields.size() && holds_numbers(line); ++k) {
-      const std::string_view text = trim(line.fields[k]);
+  const auto is_summary = [&](const CsvRow& line) {
+    for (std::size_t k = 0; k < line.size() && is_row_of_numbers(line); ++k) {
+      const std::string_view text = line[k];
       if (k == runs || std::count(columns.begin(), columns.end(), k) > 0 || text.empty() || is_missing(text) ||
           is_number(text))
         continue;
@@ -87,24 +88,24 @@ std::size_t find_summary(const Lines& lines, std::size_t first_row, const Indice
   };
   std::size_t first = n;
   while (first > first_row + kLeastRows && n - first < kMostRows && is_summary(lines[first - 1])) --first;
-  return first < n ? lines[first].number : 0;
+  return first < n ? lines[first].line() : 0;
 }
 
-/// A table as one separator cuts it.
+/// The table that one separator gives.
 struct Candidate {
   Table table;
-  Indices columns;  // of numbers that are read; empty: the headings name nothing that is known
+  Indices columns;  // of numbers that are read; empty: the headings name no known quantity
   Reading reading;
 };
 
 /// Guesses what the lines are, in an order in which each step needs only the results of those before it. The separator
-/// comes first, as nothing can be recognised in a line before it is cut; since a wrong one misleads all that follows,
-/// find_table calls this with each and takes the table that explains most.
+/// comes first, as nothing can be recognised in a line that is not split. Since a wrong one misleads all other steps,
+/// find_table tries every separator and chooses the table that explains most.
 ///
-/// 1. Rows of numbers, by the number of fields that most of them have: a table surely has these.
+/// 1. Rows of numbers, by the number of fields that most of them have: every table has these.
 /// 2. Headings: the line above the rows that names most quantities. This decides which column is which (name_columns).
-/// 3. The row of units: a word is a unit only beside a heading that it fits.
-/// 4. The columns again: with its unit a heading may mean another quantity; "T" in degrees is no force.
+/// 3. The row of units: a word is a unit only if it fits the heading of its column.
+/// 4. The columns again: with its unit a heading may mean another quantity; "T" in degrees is not a force.
 /// 5. The first row: a line with numbers that is neither headings nor units is data, so that no data are lost.
 /// 6. The summary at the end: it has words in columns of numbers that are not read, so these must be known.
 /// 7. The decimal sign: only numbers that are read count, as dates or versions beside them would mislead.
@@ -112,25 +113,25 @@ struct Candidate {
 /// Null if there are no rows or no headings.
 std::optional<Candidate> guess(const std::string& path, std::string_view text, std::size_t first_line,
                                const CsvFormat& format, const ColumnRules& rules, char decimal) {
-  const Lines lines = split_lines(text, first_line, format);
+  const Lines lines = split_rows(text, first_line, format);
   const std::size_t width = usual_width(lines);
   if (width == 0) return std::nullopt;
-  const auto at = find_headings(path, lines, width, format, rules);
+  const auto at = find_headings(path, lines, width, rules);
   if (!at) return std::nullopt;
   Candidate made;
   Table& table = made.table;
   table.format = format;
   table.headings = at->headings;
-  table.header_line = at->index ? lines[*at->index].number : 0;
+  table.header_line = at->index ? lines[*at->index].line() : 0;
   made.columns = indices_of_numbers(path, table.headings, rules);
-  table.units_line = take_row_of_units(path, lines, *at, made.columns, format, rules, table.headings);
+  table.units_line = take_row_of_units(path, lines, *at, made.columns, rules, table.headings);
   made.columns = indices_of_numbers(path, table.headings, rules);
-  find_first_row(lines, *at, table);
+  set_first_row(text, lines, *at, table);
   table.summary_line = find_summary(lines, at->first_row, made.columns, table);
   if (made.columns.empty()) return made;
-  // where commas part columns, the decimal sign of a field without quotes is a point
+  // where commas separate columns, the decimal sign of a field without quotes is a point
   if (decimal == 0 && format.delimiter == ',' && text.find('"') == std::string_view::npos) decimal = '.';
-  made.reading = decimal == 0 ? read_numbers(path, lines, at->first_row, made.columns, format)
+  made.reading = decimal == 0 ? read_numbers(path, lines, at->first_row, made.columns)
                               : read_numbers(lines, at->first_row, made.columns, decimal);
   return made;
 }
@@ -149,7 +150,7 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
                                 const ColumnRules& rules, char decimal) {
   std::string delimiters = ";\t,| ";
   std::string_view text = start;
-  std::size_t before = 0, first_line = 1;  // Excel's "sep=;", with which a table may begin
+  std::size_t before = 0, first_line = 1;  // of Excel's line "sep=;" above the table
   if (const std::string_view first = text.substr(0, text.find(line_end));
       first.starts_with("sep=") && first.size() > 4) {
     delimiters = first[4];
@@ -157,30 +158,26 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
     first_line = 2;
     text.remove_prefix(before);
   }
-  const bool cut = text.size() > kLooked;
-  if (cut) text = text.substr(0, text.rfind(line_end, kLooked) + 1);
-  std::optional<Candidate> best, unknown;
+  const bool cut = text.size() > kSearched;
+  if (cut) text = text.substr(0, text.rfind(line_end, kSearched) + 1);
+  std::optional<Candidate> best;
   for (const char delimiter : delimiters) {
-    if (text.find(delimiter) == std::string_view::npos &&
-        !(delimiter == kBlanks && text.find('\t') != std::string_view::npos))
+    if (text.find_first_of(delimiter == kBlanks ? " \t" : std::string(1, delimiter)) == std::string_view::npos)
       continue;
-    if (delimiter == kBlanks && best) continue;  // what any other separator explains
+    if (delimiter == kBlanks && best && !best->columns.empty()) continue;  // any other separator explains more
     CsvFormat format;
     format.delimiter = delimiter;
     format.line_end = line_end;
     auto made = guess(path, text, first_line, format, rules, decimal);
-    if (!made) continue;
-    std::optional<Candidate>& other = made->columns.empty() ? unknown : best;
     const auto merit = [](const Candidate& one) { return std::pair(one.columns.size(), one.reading.valid_rows); };
-    if (!other || merit(*made) > merit(*other)) other = std::move(made);
+    if (made && (!best || merit(*made) > merit(*best))) best = std::move(made);
   }
-  if (!best && !unknown) return std::nullopt;
-  const Candidate& found = best ? *best : *unknown;
-  Table table = found.table;
-  table.format.decimal = found.reading.decimal;
-  table.format.grouped = found.reading.grouped || (decimal != 0 && found.reading.in_threes > 0);
+  if (!best) return std::nullopt;
+  Table table = std::move(best->table);
+  table.format.decimal = best->reading.decimal;
+  table.format.grouped = best->reading.grouped || (decimal != 0 && best->reading.in_threes > 0);
   table.offset += before;
-  if (cut) table.summary_line = 0;  // the end was not seen
+  if (cut) table.summary_line = 0;  // these rows may not be the last
   return table;
 }
 

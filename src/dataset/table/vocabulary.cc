@@ -3,19 +3,10 @@
 #include <toml++/toml.h>
 
 #include "base/toml_file.h"
-#include "dataset/table/heading.h"
 
 namespace mixity {
 
 extern const char* const kShippedHeadings;  // data/headings.toml, made into a source file by CMake
-
-std::optional<ColumnId> Vocabulary::find(std::string_view name) const {
-  if (const auto symbol = symbols_.find(name); symbol != symbols_.end()) return symbol->second;
-  const std::string bare = folded(name);
-  if (const auto found = bare.empty() ? names_.end() : names_.find(bare); found != names_.end()) return found->second;
-  const auto found = words_.find(sorted_words(name));
-  return found == words_.end() ? std::nullopt : found->second;
-}
 
 const Vocabulary& Vocabulary::shipped() {
   static const Vocabulary vocabulary = [] {
@@ -32,7 +23,8 @@ Vocabulary Vocabulary::with(const std::string& path) {
   return vocabulary;
 }
 
-void Vocabulary::add(const std::string& path, const toml::table& table) {
+template <class TomlTable>
+void Vocabulary::add(const std::string& path, const TomlTable& table) {
   for (const auto& [key, lists] : table) {
     const auto id = column_named(key.str());
     if (!id) fail_at(path, key, "no quantity is called \"" + std::string(key.str()) + "\"");
@@ -51,12 +43,74 @@ void Vocabulary::add(const std::string& path, const toml::table& table) {
         if (!is_new && at->second != *id)
           fail_at(path, entry, "\"" + text + "\" already is a name of " + std::string(to_string(at->second)));
         if (symbols) continue;
-        // words that name two quantities in two orders name none when sorted
+        // Words that name two quantities in two orders name none when sorted.
         const auto [same, first] = words_.try_emplace(sorted_words(text), *id);
         if (!first && same->second != id) same->second = std::nullopt;
       }
     }
   }
+}
+
+std::optional<ColumnId> Vocabulary::find(std::string_view name) const {
+  if (const auto symbol = symbols_.find(name); symbol != symbols_.end()) return symbol->second;
+  const std::string bare = folded(name);
+  if (const auto found = bare.empty() ? names_.end() : names_.find(bare); found != names_.end()) return found->second;
+  const auto found = words_.find(sorted_words(name));
+  return found == words_.end() ? std::nullopt : found->second;
+}
+
+/// Also understands a name followed by a symbol of the same quantity: "Normal force F_N", "friction force, T".
+std::optional<ColumnId> Vocabulary::find_with_symbol(std::string_view name) const {
+  const auto own_or_found = [&](std::string_view text) { return column_named(text) ? column_named(text) : find(text); };
+  if (const auto found = own_or_found(name)) return found;
+  const std::size_t behind = name.find_last_of(" ,");
+  if (behind == std::string_view::npos) return std::nullopt;
+  const auto first = find(trim_name(name.substr(0, name.find_last_not_of(" ,", behind) + 1)));
+  return first && first == own_or_found(name.substr(behind + 1)) ? first : std::nullopt;
+}
+
+std::optional<NamedColumn> Vocabulary::read(const Heading& heading, std::size_t index, bool with_unit) const {
+  const auto named = [&](std::string_view name, const std::optional<std::string>& unit) -> std::optional<NamedColumn> {
+    const auto id = find_with_symbol(trim_name(name));
+    if (!id || !unit_fits(unit, *id)) return std::nullopt;
+    NamedColumn column{*id, index, heading};
+    column.heading.unit = unit;
+    return column;
+  };
+  if (!with_unit)
+    if (auto found = named(heading.name, heading.unit)) return found;
+  if (heading.unit && heading.closed) {
+    // "Normal force (F_N)": a symbol in brackets
+    if (!parse_unit(*heading.unit)) return named(heading.name + " " + *heading.unit, std::nullopt);
+    // a name with brackets, as users may list it: "F_N (cell 2) [mN]"
+    return named(without_brackets(heading.text), heading.unit);
+  }
+  std::string_view text = heading.text;
+  while (text.ends_with('_')) text.remove_suffix(1);  // MATLAB turns a closing bracket into one
+  for (const std::string_view sign : {"/", " in ", " en ", ",", "_", " "}) {
+    const std::size_t at = text.rfind(sign);
+    if (at == std::string_view::npos || at == 0) continue;
+    const std::string unit(without_brackets(text.substr(at + sign.size())));
+    if (!parse_unit(unit) || parse_unit(unit)->text == "1") continue;
+    if (auto found = named(text.substr(0, at), unit)) return found;
+  }
+  return std::nullopt;
+}
+
+bool unit_fits(const std::optional<std::string>& unit, ColumnId id) {
+  if (!unit) return true;
+  const ColumnKind& kind = kind_of(id);
+  const auto parsed = parse_unit(*unit);
+  if (!parsed) return false;
+  if (parsed->text == "%") return kind.name.starts_with("sigma_");
+  return parsed->dimension == kind.dimension || is_pixels(parsed->dimension, kind.dimension);
+}
+
+bool is_pixels(const Dimension& found, const Dimension& wanted) {
+  constexpr Dimension kPixels{0, 0, 0, 0, 1}, kSquarePixels{0, 0, 0, 0, 2};
+  // an area may also be a number of pixels
+  return wanted == dimension::area ? found == kPixels || found == kSquarePixels
+                                   : wanted == dimension::length && found == kPixels;
 }
 
 }  // namespace mixity

@@ -9,7 +9,7 @@
 
 #include "base/input_error.h"
 #include "dataset/logs/clocks.h"
-#include "dataset/logs/cuts_file.h"
+#include "dataset/logs/reduced_log.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -90,8 +90,8 @@ Simulated simulate(const std::vector<double>& loads, const Conditions& c) {
 
 const std::vector<double> kLoads{8e-3, 4e-3, 1e-3};
 
-LoadingRuns find(const Simulated& made, const RunOptions& options = {}, const FrameOptions& frames = {}) {
-  return find_loading_runs(on_one_clock(made.forces, made.areas, frames), "mN", 1e-3, options);
+LoadingRuns find(const Simulated& made, const RunOptions& options = {}, std::optional<double> lag = {}) {
+  return find_loading_runs(on_one_clock(made.forces, made.areas, lag), "mN", 1e-3, options);
 }
 
 TEST(LoadingRuns, BeginAndEndWhereTheContactIsShearedAndSlides) {
@@ -139,12 +139,12 @@ std::size_t onsets_within_a_percent(const Simulated& made, const LoadingRuns& fo
 
 /// Of twenty logs, three runs each, 97 % of the onsets. `look` sees each log and what was found.
 template <class Look>
-void expect_onsets_found(Conditions conditions, const std::vector<double>& loads, const FrameOptions& frames,
+void expect_onsets_found(Conditions conditions, const std::vector<double>& loads, std::optional<double> lag,
                          Look look) {
   std::size_t near = 0;
   for (conditions.seed = 0; conditions.seed < 20; ++conditions.seed) {
     const Simulated made = simulate(loads, conditions);
-    const LoadingRuns found = find(made, {}, frames);
+    const LoadingRuns found = find(made, {}, lag);
     near += onsets_within_a_percent(made, found, found.frames.lag);
     look(found);
   }

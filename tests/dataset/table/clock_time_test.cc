@@ -1,4 +1,4 @@
-#include "dataset/table/clock_time.h"
+#include "dataset/table/number.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,152 @@
+#include "dataset/signs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "base/text.h"
+#include "mechanics/contact.h"
+
+namespace mixity {
+namespace {
+
+constexpr double kPullOff = 1.5 * std::numbers::pi;
+
+double reversed(double value) { return 0 - value; }  // 0 stays 0 and does not become -0
+
+/// The shear of the points of a run.
+struct ShearRange {
+  double least = 0, most = 0;  // at most 0, at least 0
+  std::size_t points = 0, below = 0;
+
+  bool is_negative() const { return points >= 3 && least < 0 && most <= -0.1 * least; }
+};
+
+std::vector<ShearRange> shear_ranges(const Dataset& data) {
+  std::vector<ShearRange> ranges(data.curves.size());
+  for (const Point& point : data.points) {
+    ShearRange& range = ranges[point.curve];
+    range.least = std::min(range.least, point.T);
+    range.most = std::max(range.most, point.T);
+    ++range.points;
+    range.below += point.T < 0;
+  }
+  return ranges;
+}
+
+/// The names of the first few of these runs.
+std::string names_of(const Dataset& data, const std::vector<std::size_t>& runs, std::size_t few) {
+  std::string names;
+  for (std::size_t i = 0; i < std::min(few, runs.size()); ++i)
+    names += (i == 0 ? "" : ", ") + printable(data.curves[runs[i]], 40);
+  return names;
+}
+
+/// Returns how many points of the reversed runs are below zero afterwards.
+std::size_t reverse_negative_runs(const std::vector<ShearRange>& ranges, Dataset& data) {
+  constexpr std::size_t kFew = 4;
+  std::vector<std::size_t> runs;
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    if (ranges[i].is_negative()) runs.push_back(i);
+  if (runs.empty()) return 0;
+  for (const ShearRange& range : ranges) data.shear_reversed.push_back(range.is_negative());
+  std::size_t below = 0;
+  for (Point& point : data.points) {
+    if (!data.shear_reversed[point.curve]) continue;
+    point.T = reversed(point.T);
+    below += point.T < 0;
+  }
+  data.notes.push_back((runs.size() == 1 ? "a run is" : std::to_string(runs.size()) + " runs are") +
+                       " sheared the other way and turned round (T -> -T): " + names_of(data, runs, kFew) +
+                       (runs.size() > kFew ? " and " + std::to_string(runs.size() - kFew) + " more" : ""));
+  return below;
+}
+
+/// Notes runs that rise through zero from well below it. In noise, four rising readings in a row are one in 400.
+void ask_for_zero(Dataset& data) {
+  constexpr std::size_t kInARow = 4, kFew = 3;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::vector<std::size_t> rising(data.curves.size());  // readings below zero, each above the last, from the first on
+  std::vector<double> last(data.curves.size(),
+                           -kInfinity);  // kInfinity: the readings rise no longer, or are above zero
+  for (const Point& point : data.points) {
+    double& before = last[point.curve];
+    const bool rises = point.T < 0 && point.T > before;
+    rising[point.curve] += rises;
+    before = rises ? point.T : kInfinity;
+  }
+  std::vector<std::size_t> runs;
+  for (std::size_t i = 0; i < rising.size(); ++i)
+    if (rising[i] >= kInARow) runs.push_back(i);
+  if (runs.empty()) return;
+  data.notes.push_back("T rises through zero from below in run " + names_of(data, runs, kFew) +
+                       (runs.size() > kFew ? " and others" : "") +
+                       ": is its zero right? An error of it can be stated (shear_offset) or fitted (" +
+                       Remedy::set("free", "shear_offset") + ")");
+}
+
+}  // namespace
+
+bool compression_is_negative(const Dataset& data) {
+  constexpr double kFar = 2, kGrows = -0.5, kAlike = 2;
+  constexpr std::size_t kFew = 3;
+  const double n = static_cast<double>(data.points.size());
+  std::size_t far = 0;
+  double P = 0, A = 0, most = 0;
+  for (const Point& point : data.points) {
+    if (point.P > kPullOff) return false;
+    far += point.P < -kFar * kPullOff;
+    P += point.P / n;
+    A += point.A / n;
+    most = std::max(most, point.shear());
+  }
+  if (far < kFew) return false;
+  double pp = 0, pa = 0, aa = 0;
+  std::vector<double> over_jkr;  // of points with hardly any shear
+  for (const Point& point : data.points) {
+    pp += (point.P - P) * (point.P - P);
+    pa += (point.P - P) * (point.A - A);
+    aa += (point.A - A) * (point.A - A);
+    if (point.shear() <= 0.1 * most && point.P < -kFar * kPullOff)
+      over_jkr.push_back(point.A / area_from_radius(jkr_radius(-point.P)));
+  }
+  const bool several_loads = pp > 0.01 * P * P * n;
+  if (several_loads && pa < kGrows * std::sqrt(pp * aa)) return true;
+  return !over_jkr.empty() && std::all_of(over_jkr.begin(), over_jkr.end(),
+                                          [&](double ratio) { return ratio < kAlike && ratio > 1 / kAlike; });
+}
+
+void reverse_loads(Dataset& data) {
+  for (Point& point : data.points) point.P = reversed(point.P);
+  for (double& load : data.curve_loads) load = reversed(load);
+  if (data.metadata.load_offset) data.metadata.load_offset = reversed(*data.metadata.load_offset);
+  data.notes.emplace_back(kLoadsReversed);
+}
+
+void reverse_loads_alike(std::vector<Dataset>& parts) {
+  const auto is_reversed = [](const Dataset& part) {
+    return std::find(part.notes.begin(), part.notes.end(), kLoadsReversed) != part.notes.end();
+  };
+  const auto may_be_negative = [](const Dataset& part) {
+    return !part.metadata.load && part.metadata.load_from.empty() &&
+           std::all_of(part.points.begin(), part.points.end(), [](const Point& point) { return point.P <= kPullOff; });
+  };
+  if (std::none_of(parts.begin(), parts.end(), is_reversed)) return;
+  for (Dataset& part : parts)
+    if (!is_reversed(part) && may_be_negative(part)) reverse_loads(part);
+}
+
+void finish_shear(Dataset& data) {
+  const std::vector<ShearRange> ranges = shear_ranges(data);
+  std::size_t below = reverse_negative_runs(ranges, data);
+  for (const ShearRange& range : ranges) below += range.is_negative() ? 0 : range.below;
+  if (below == 0) return;
+  ask_for_zero(data);
+  data.notes.push_back(std::to_string(below) + " of " + std::to_string(data.points.size()) +
+                       (below == 1 ? " points has T < 0, used as it is" : " points have T < 0, used as they are") +
+                       ": equilibrium depends on T^2");
+}
+
+}  // namespace mixity
