@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "statistics/readings.h"
+
 namespace mixity {
 namespace {
 
@@ -16,7 +18,15 @@ struct Line {
   double at(std::size_t x) const { return level + slope * static_cast<double>(x); }
 };
 
-/// PartialSums of readings, from which squares about a mean or a line follow.
+/// The line through two readings.
+Line line_between(std::size_t x0, double y0, std::size_t x1, double y1) {
+  const double slope = (y1 - y0) / static_cast<double>(x1 - x0);
+  return {y0 - slope * static_cast<double>(x0), slope};
+}
+
+constexpr std::size_t kLeast = 3;  // readings on either side of a change
+
+/// Partial sums of readings, which give the squares about a mean or a line.
 class PartialSums {
  public:
   explicit PartialSums(const std::vector<double>& values, std::size_t begin, std::size_t end) : begin_(begin) {
@@ -33,25 +43,21 @@ class PartialSums {
     }
   }
   double about_mean(std::size_t from, std::size_t to) const {
-    const auto [i, j] = range(from, to);
-    const double n = static_cast<double>(j - i), y = y_[j] - y_[i];
-    return std::max(0.0, yy_[j] - yy_[i] - y * y / n);
+    const Sums s = sums(from, to);
+    return std::max(0.0, s.yy - s.y * s.y / s.n);
   }
   double about_line(std::size_t from, std::size_t to) const {
-    const auto [i, j] = range(from, to);
-    const double n = static_cast<double>(j - i), y = y_[j] - y_[i], middle = static_cast<double>(i) + (n - 1) / 2;
-    const double xy = xy_[j] - xy_[i] - middle * y, xx = n * (n * n - 1) / 12;
-    return std::max(0.0, yy_[j] - yy_[i] - y * y / n - xy * xy / xx);
+    const Sums s = sums(from, to);
+    return std::max(0.0, s.yy - s.y * s.y / s.n - s.xy * s.xy / s.xx());
   }
-  /// The least squares' line through from..to.
+  /// The least-squares line through from..to.
   Line line(std::size_t from, std::size_t to) const {
-    const auto [i, j] = range(from, to);
-    const double n = static_cast<double>(j - i), y = y_[j] - y_[i], middle = static_cast<double>(i) + (n - 1) / 2;
-    const double slope = (xy_[j] - xy_[i] - middle * y) / (n * (n * n - 1) / 12);
-    return {y / n - slope * middle, slope};
+    const Sums s = sums(from, to);
+    const double slope = s.xy / s.xx();
+    return {s.y / s.n - slope * s.middle, slope};
   }
   double about_given(const Line& line, std::size_t from, std::size_t to) const {
-    const auto [i, j] = range(from, to);
+    const std::size_t i = from - begin_, j = to - begin_;
     const double n = static_cast<double>(j - i), first = static_cast<double>(i), x = n * (first + (n - 1) / 2);
     const double xx = n * first * (first + n - 1) + (n - 1) * n * (2 * n - 1) / 6;
     return std::max(0.0, yy_[j] - yy_[i] - 2 * line.level * (y_[j] - y_[i]) - 2 * line.slope * (xy_[j] - xy_[i]) +
@@ -60,14 +66,22 @@ class PartialSums {
   }
 
  private:
-  std::pair<std::size_t, std::size_t> range(std::size_t from, std::size_t to) const {
-    return {from - begin_, to - begin_};
+  /// Over a stretch of n readings; x of xy and xx from the middle of the stretch.
+  struct Sums {
+    double n, middle, y, yy, xy;
+    double xx() const { return n * (n * n - 1) / 12; }
+  };
+  Sums sums(std::size_t from, std::size_t to) const {
+    const std::size_t i = from - begin_, j = to - begin_;
+    const double n = static_cast<double>(j - i), y = y_[j] - y_[i], middle = static_cast<double>(i) + (n - 1) / 2;
+    return {n, middle, y, yy_[j] - yy_[i], xy_[j] - xy_[i] - middle * y};
   }
+
   std::size_t begin_;
   std::vector<double> y_, yy_, xy_;
 };
 
-/// Of twice the negative logarithm of the likelihood at each cut.
+/// `costs`: twice the negative logarithm of the likelihood of each cut.
 ChangePoint best(const std::vector<double>& costs, std::size_t offset) {
   const auto least = std::min_element(costs.begin(), costs.end());
   ChangePoint point{static_cast<std::size_t>(least - costs.begin()), 0, 0};
@@ -108,7 +122,6 @@ std::vector<std::size_t> mean_changes(const std::vector<double>& values, double 
 }
 
 std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::size_t begin, std::size_t end) {
-  constexpr std::size_t kLeast = 3;
   if (end < begin + 2 * kLeast) return std::nullopt;
   std::vector<double> costs(end - begin + 1 - 2 * kLeast);
   for (const Course& course : courses) {
@@ -123,7 +136,6 @@ std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::
 
 ChangePoint beginning_of_drop(const Course& course, std::size_t begin, std::size_t end, const ChangePoint& about,
                               std::size_t reach) {
-  constexpr std::size_t kLeast = 3;
   const PartialSums sums(*course.values, begin, end);
   const std::size_t middle = about.at + 1, first = std::max(middle, begin + kLeast + reach) - reach,
                     last = std::min(middle + reach, end - kLeast);
@@ -140,8 +152,7 @@ ChangePoint beginning_of_drop(const Course& course, std::size_t begin, std::size
     double least = kUnbounded;
     for (std::size_t low = std::max(drop, middle); low <= last; ++low) {
       const Behind& rest = behind[low - first];
-      const double slope = (rest.level - top) / static_cast<double>(low - drop + 1);
-      const Line between{top - slope * static_cast<double>(drop - 1 - begin), slope};
+      const Line between = line_between(drop - 1 - begin, top, low - begin, rest.level);
       least = std::min(least, sums.about_given(between, drop, low) + rest.squares);
     }
     costs.push_back((before + least) / (course.noise * course.noise));
@@ -150,8 +161,7 @@ ChangePoint beginning_of_drop(const Course& course, std::size_t begin, std::size
 }
 
 std::optional<DropEnds> ends_of_drop(const Course& course, std::size_t begin, std::size_t end, const DropSpan& span) {
-  constexpr std::size_t kLeast = 3;
-  constexpr int kTurns = 50;
+  constexpr int kRounds = 50;
   if (end < begin + 2 * kLeast) return std::nullopt;
   const std::size_t first = std::max(span.first, begin + kLeast), last = std::min(span.last, end - kLeast),
                     seen = std::min(span.seen, last);
@@ -160,9 +170,8 @@ std::optional<DropEnds> ends_of_drop(const Course& course, std::size_t begin, st
   const double variance = course.noise * course.noise;
   // `drop`: the first reading of it; `low`: the first one behind
   const auto cost = [&](std::size_t drop, std::size_t low) {
-    const double top = sums.line(begin, drop).at(drop - 1 - begin), bottom = sums.line(low, end).at(low - begin),
-                 slope = (bottom - top) / static_cast<double>(low - drop + 1);
-    const Line between{top - slope * static_cast<double>(drop - 1 - begin), slope};
+    const Line between = line_between(drop - 1 - begin, sums.line(begin, drop).at(drop - 1 - begin), low - begin,
+                                      sums.line(low, end).at(low - begin));
     return (sums.about_line(begin, drop) + (low > drop ? sums.about_given(between, drop, low) : 0) +
             sums.about_line(low, end)) /
            variance;
@@ -172,12 +181,12 @@ std::optional<DropEnds> ends_of_drop(const Course& course, std::size_t begin, st
     for (std::size_t i = from; i <= to; ++i) list.push_back(one(i));
     return list;
   };
-  // one cut first, then a drop about that, then each end in turn
+  // first a single cut, then a symmetric drop about it, then each end in turn
   const std::size_t cut = best(costs(first, seen, [&](std::size_t i) { return cost(i, i); }), first).at;
   const std::size_t wide = std::min(cut - first, last - cut);
   const std::size_t half = best(costs(0, wide, [&](std::size_t i) { return cost(cut - i, cut + i); }), 0).at;
   ChangePoint drop{cut - half, 0, 0}, low{cut + half, 0, 0};
-  for (int turn = 0; turn < kTurns; ++turn) {
+  for (int round = 0; round < kRounds; ++round) {
     const std::size_t before = drop.at, behind = low.at;
     drop = best(costs(first, std::min(seen, low.at), [&](std::size_t i) { return cost(i, low.at); }), first);
     low = best(costs(drop.at, last, [&](std::size_t i) { return cost(drop.at, i); }), drop.at);
@@ -198,11 +207,10 @@ std::optional<Hinge> hinge_point(const Course& course, std::size_t begin, std::s
   if (end < begin + 6) return std::nullopt;
   const std::vector<double>& y = *course.values;
   const std::size_t n = end - begin;
-  std::vector<double> costs, levels, slopes;
+  std::vector<double> costs(n - 1), levels(n - 1), slopes(n - 1);  // for each cut
   // y = level + slope max(0, x - cut), least squares in level and slope
-  double sum = 0, squares = 0;
-  for (std::size_t i = begin; i < end; ++i) sum += y[i];
-  const double mean = sum / static_cast<double>(n);
+  const double mean = mean_of(y, begin, end);
+  double squares = 0;
   for (std::size_t i = begin; i < end; ++i) squares += (y[i] - mean) * (y[i] - mean);
   double tail_y = 0, tail_xy = 0;  // of readings behind the cut, about the mean; x from the cut
   for (std::size_t cut = n - 1; cut-- > 0;) {
@@ -210,13 +218,10 @@ std::optional<Hinge> hinge_point(const Course& course, std::size_t begin, std::s
     tail_xy += tail_y;
     const double m = static_cast<double>(n - 1 - cut), u = m * (m + 1) / 2, uu = m * (m + 1) * (2 * m + 1) / 6;
     const double spread = uu - u * u / static_cast<double>(n), slope = tail_xy / spread;
-    costs.push_back((squares - slope * tail_xy) / (course.noise * course.noise));
-    slopes.push_back(slope);
-    levels.push_back(mean - slope * u / static_cast<double>(n));
+    costs[cut] = (squares - slope * tail_xy) / (course.noise * course.noise);
+    slopes[cut] = slope;
+    levels[cut] = mean - slope * u / static_cast<double>(n);
   }
-  std::reverse(costs.begin(), costs.end());
-  std::reverse(slopes.begin(), slopes.end());
-  std::reverse(levels.begin(), levels.end());
   const ChangePoint change = best(costs, 0);
   return Hinge{{change.at + begin, change.first + begin, change.last + begin}, levels[change.at], slopes[change.at]};
 }

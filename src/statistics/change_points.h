@@ -1,4 +1,4 @@
-// Change points of noisy readings: of their mean, and of the lines that they follow.
+// Change points of noisy readings: of their mean, or of the line that they follow.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace mixity {
 
-/// Where the mean of the readings changes: the first index of each segment, 0 among them. The exact minimum, over all
-/// partitions, of the sum of squares plus `penalty` variances for each change, by PELT (Killick, Fearnhead & Eckley
+/// Where the mean of the readings changes: the first index of each segment, including 0. The exact minimum over all
+/// partitions of the sum of squares plus `penalty` variances for each change, by PELT (Killick, Fearnhead & Eckley
 /// 2012, J. Am. Stat. Assoc. 107, 1590).
 std::vector<std::size_t> mean_changes(const std::vector<double>& values, double variance, double penalty);
 
@@ -27,19 +27,19 @@ struct Course {
 /// fewer than three readings are on either side.
 std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::size_t begin, std::size_t end);
 
-/// Where in begin..end a course leaves a line for a drop (or rise) that takes several readings, behind which a third
-/// line follows: the change behind the first line. break_point finds the middle of the drop if noise hides its
-/// duration. `about`: the result of break_point; the change is less than `reach` readings from it.
+/// Where in begin..end a course leaves a line for a drop (or rise) of several readings, after which it follows another
+/// line. `about`: the result of break_point, which finds the middle of such a drop if noise hides its duration; the
+/// change is less than `reach` readings from it.
 ChangePoint beginning_of_drop(const Course& course, std::size_t begin, std::size_t end, const ChangePoint& about,
                               std::size_t reach);
 
-/// The end or beginning of a line: its value there, and its standard error, that of the position included.
+/// The end or beginning of a line: its value there, and the standard error, including that of the position.
 struct LineEnd {
   double at;  // position in readings, not rounded
   double value, error;
 };
 
-/// Where a drop is looked for: its first reading is in first..seen, the first one behind it not after `last`.
+/// Where to look for a drop: its first reading is in first..seen, the first one after it not beyond `last`.
 struct DropSpan {
   std::size_t first, seen, last;
 };

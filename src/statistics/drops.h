@@ -1,4 +1,4 @@
-// Drops of readings by more than their noise.
+// Drops of readings that exceed their noise.
 #pragma once
 
 #include <cstddef>

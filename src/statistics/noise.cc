@@ -34,8 +34,7 @@ NoiseModel noise_model(const std::vector<std::vector<double>>& courses, double o
   constexpr double kJump = 25;  // times the variance
   constexpr std::size_t kFew = 30;
   constexpr int kRounds = 6;
-  std::vector<double> squares, size;
-  std::vector<double> noises;
+  std::vector<double> squares, size, noises;
   for (const std::vector<double>& y : courses) {
     for (std::size_t i = 2; i < y.size(); ++i) {
       squares.push_back(std::pow(y[i] - 2 * y[i - 1] + y[i - 2], 2) / 6);
@@ -47,7 +46,7 @@ NoiseModel noise_model(const std::vector<std::vector<double>>& courses, double o
   if (squares.size() < kFew || noises.empty()) return model;
   model.constant = std::pow(median(noises), 2);
   for (int round = 0; round < kRounds; ++round) {
-    double n = 0, x = 0, xx = 0, y = 0, xy = 0;  // weighted by the variance of a square, which goes with its square
+    double n = 0, x = 0, xx = 0, y = 0, xy = 0;  // weighted: the variance of a square is proportional to its square
     for (std::size_t i = 0; i < squares.size(); ++i) {
       const double expected = std::pow(model.at(std::sqrt(size[i])), 2);
       if (!(expected > 0) || squares[i] > kJump * expected) continue;

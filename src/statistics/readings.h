@@ -1,4 +1,4 @@
-// What is asked of stretches of readings everywhere: parts, means, medians, straight lines.
+// Parts, means, medians and straight lines of readings.
 #pragma once
 
 #include <algorithm>
