@@ -8,12 +8,12 @@ namespace mixity {
 namespace {
 
 /// Fractions of the range at which intervals begin. Over a factor of 1000 slopes, curvatures and values may agree by
-/// chance, with two basins in between. Towards the upper bound, too: with psi next to pi/2 model a has basins at
-/// 1 - lambda of some cot^2 psi, too narrow for eight halvings.
+/// chance although two basins lie between. Near the upper bound, too: with psi near pi/2 model a has basins at
+/// 1 - lambda of about cot^2 psi, too narrow for eight halvings.
 constexpr double kShares[] = {1e-12, 1e-6, 3e-5, 1e-3, 0.05, 0.3, 0.7, 1 - 1e-3, 1 - 1e-6};
 constexpr int kHalvings = 8;
 
-/// Intervals over a larger factor are looked at in ln x, towards a bound of 0.
+/// Whether to work in ln x: the interval spans a large factor.
 bool logarithmic(double low, double high) { return low > 0 && high > 4 * low; }
 
 double between(double low, double high) { return logarithmic(low, high) ? std::sqrt(low * high) : 0.5 * (low + high); }
@@ -42,7 +42,7 @@ bool understood(const CostSample& left, const CostSample& right, bool in_logarit
   return changes <= 1;
 }
 
-/// In x, or where the interval spans a larger factor, in ln x.
+/// In x, or where the interval spans a large factor, in ln x.
 bool understood(const CostSample& left, const CostSample& right) {
   return !left.finite || !right.finite || understood(left, right, false) ||
          (logarithmic(left.x, right.x) && understood(left, right, true));
@@ -64,7 +64,7 @@ std::vector<CostSample> sample_range(const std::function<CostSample(double)>& lo
   return samples;
 }
 
-/// Whether the cost falls outwards to this end, or cannot be told from level.
+/// Whether the cost falls outwards to this end, or is level there.
 bool falls_to(const CostSample& end, double direction) {
   const double zero = 1e-8 * end.slope_size * std::sqrt(2 * end.value);
   const bool highest = std::abs(end.slope) <= zero && end.curvature < 0;
@@ -90,11 +90,10 @@ Basins find_basins(const std::function<CostSample(double)>& look, double lower, 
   for (const CostSample& sample : samples)
     if (sample.finite) finite.push_back(&sample);
   std::sort(finite.begin(), finite.end(), [](auto* one, auto* other) { return one->value > other->value; });
-  // Where the cost is hardly more than rounding, its slopes and values may contradict each other.
+  // If the cost is little more than rounding, slopes and values may contradict each other.
   if (found.empty() && !finite.empty()) found.push_back({finite.back()->value, finite.back()->x, lower, lower});
   std::sort(found.begin(), found.end(), [](const Basin& one, const Basin& other) { return one.cost < other.cost; });
-  Basins basins;
-  basins.list = std::move(found);
+  Basins basins{std::move(found), {}};
   for (const CostSample* sample : finite) basins.dearest.push_back(sample->x);
   return basins;
 }

@@ -1,4 +1,4 @@
-// The basins of a cost of one parameter whose curvature is known exactly: the whole range, as finely as the cost bends.
+// The basins of a cost of one parameter with an exact curvature, found over the whole range.
 #pragma once
 
 #include <functional>
@@ -14,18 +14,18 @@ struct CostSample {
   double slope_size;  // |J|, for the scale-free test of the slope
 };
 
-/// A value in a basin, and ends at which the cost falls inwards; low = high: at a bound that the cost falls to.
+/// A value in a basin, and the ends at which the cost falls inwards; low = high: a bound that the cost falls to.
 struct Basin {
   double cost, x, low, high;
 };
 
 struct Basins {
   std::vector<Basin> list;      // lowest first
-  std::vector<double> dearest;  // all values looked at where the cost is finite, dearest first
+  std::vector<double> dearest;  // all values tried where the cost is finite, highest cost first
 };
 
-/// From values spaced by factors towards the lower bound and evenly above, halved until value, slope and curvature at
-/// both ends of each interval agree on the cost between them.
+/// Starts from intervals that shrink by factors towards the bounds, and halves each until value, slope and curvature at
+/// its ends agree on the cost between them.
 Basins find_basins(const std::function<CostSample(double)>& look, double lower, double upper);
 
 }  // namespace mixity

@@ -13,7 +13,7 @@ Covariance covariance(const Problem& problem, const Minimum& best, const std::ve
   Covariance result{std::vector<std::optional<double>>(p), {}, {}};
   std::vector<double> residuals(n), jacobian(n * p);
   if (!problem.evaluate(best.x, residuals, jacobian)) return result;
-  const Eigen::Map<const RowMajorMatrix> J(jacobian.data(), static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(p));
+  const auto J = as_matrix(jacobian, p);
   std::vector<Eigen::Index> open;
   for (std::size_t k = 0; k < p; ++k)
     if (!at_bound[k]) open.push_back(static_cast<Eigen::Index>(k));
@@ -32,7 +32,7 @@ Covariance covariance(const Problem& problem, const Minimum& best, const std::ve
   if (!(norms.array() > 0).all()) return unconstrained([&](Eigen::Index i) { return !(norms[i] > 0); }, "");
   Eigen::MatrixXd scaled(J.rows(), m);
   for (Eigen::Index i = 0; i < m; ++i) scaled.col(i) = J.col(open[i]) / norms[i];
-  // The triangle of J itself: J'J would lose half of the digits of parameters that hardly differ.
+  // QR of J: J'J would lose half of the digits of nearly dependent parameters.
   const Eigen::MatrixXd R = qr_triangle(scaled);
   const WeakDirection weak = weak_direction(R);
   if (J.rows() < m || !(weak.singular_value > options.independent))
@@ -42,15 +42,14 @@ Covariance covariance(const Problem& problem, const Minimum& best, const std::ve
   if (const std::vector<double> bend = problem.curvatures(best.x); bend.empty()) {
     inverse = inverse_of_square(R);
   } else {
-    const Eigen::Map<const Eigen::VectorXd> c(bend.data(), static_cast<Eigen::Index>(n));
-    auto weighted = inverse_of_weighted_square(scaled, c);
-    if (!weighted) return result;  // outliers bend the cost more than the rest
+    auto weighted = inverse_of_weighted_square(scaled, as_vector(bend));
+    if (!weighted) return result;  // outliers make the curvature negative
     inverse = std::move(*weighted);
   }
-  const double variance = problem.known_errors() ? 1 : best.sum_of_squares / static_cast<double>(n - p);
+  const double variance = residual_variance(problem, best.sum_of_squares);
   for (Eigen::Index i = 0; i < m; ++i)
     result.standard_errors[static_cast<std::size_t>(open[i])] = std::sqrt(variance * inverse(i, i)) / norms[i];
-  // The range of a parameter with a start is only wide: what is not known to a part of it is not known.
+  // A parameter with a start has a wide range: with an error of a large part of it, it is not known.
   const auto unknown = [&](Eigen::Index i) {
     const auto k = static_cast<std::size_t>(open[i]);
     const FreeParameter& parameter = problem.parameters()[k];

@@ -17,8 +17,8 @@ struct Covariance {
   std::string unconstrained;                           // names of what the data do not constrain; else empty
 };
 
-/// Of the parameters that are not `at_bound`. (J'J)^-1, scaled to a unit diagonal, times the variance: 1 where the
-/// errors are known, else that of the scatter; under a robust loss with its curvature.
+/// Of the parameters that are not `at_bound`: (J'J)^-1 times residual_variance; a robust loss enters with its
+/// curvature.
 Covariance covariance(const Problem& problem, const Minimum& best, const std::vector<bool>& at_bound,
                       const SolverOptions& options = {});
 

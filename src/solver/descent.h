@@ -1,10 +1,13 @@
-// One descent to a minimum: Ceres, then Newton steps on the gradient to the last digits.
+// One descent to a minimum: Ceres, then Newton steps on the gradient to the last digits. A scale-free test for a
+// minimum.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "solver/linear_algebra.h"
 #include "solver/options.h"
 #include "solver/problem.h"
 #include "solver/results.h"
@@ -15,11 +18,32 @@ namespace mixity {
 std::optional<Minimum> descend(const Problem& problem, const std::vector<double>& start,
                                const SolverOptions& options = {});
 
-/// The same by Ceres, in a file of its own: where there is no Ceres, another one stands for it (explorer).
+/// The same by Ceres, in a file of its own, which the explorer replaces: it has no Ceres.
 std::optional<Minimum> descend_with_ceres(const Problem& problem, const std::vector<double>& start,
                                           const SolverOptions& options);
 
 /// The version of Ceres.
 std::string_view solver_version();
+
+/// Residuals, Jacobian and first-order condition at one point.
+struct Linearised {
+  Eigen::VectorXd r;
+  RowMajorMatrix J;
+  Eigen::VectorXd gradient;  // J'r, zero where a bound holds the parameter
+  std::vector<bool> held;    // by a bound
+  Eigen::VectorXd step;      // Gauss-Newton's
+  bool finite = false;
+  double stationarity = 0;  // see Minimum
+  bool settled = true;      // Newton's step is below the rounding of x
+};
+
+/// Fills `at`, whose memory is used again. False if a value is not finite.
+bool linearise(const Problem& problem, const Eigen::VectorXd& x, const SolverOptions& options, Linearised& at);
+
+/// The first-order condition, within rounding; `rounding` is that of |r|.
+bool is_stationary(const Linearised& at, double rounding, const SolverOptions& options);
+
+/// Newton steps on the gradient from x, linearised there, to the last digits of a minimum close by.
+Minimum polished(const Problem& problem, Eigen::VectorXd x, Linearised& at, const SolverOptions& options);
 
 }  // namespace mixity

@@ -6,15 +6,12 @@
 #include <limits>
 
 #include "solver/descent.h"
-#include "solver/polish.h"
 
 namespace mixity {
 namespace {
 
-using Vector = Eigen::VectorXd;
-
-/// The residuals times `scale`: Ceres damps its steps as if J'J were at least 1e-6, which is all of the
-/// size of a step where psi is small.
+/// The residuals times `scale`: Ceres damps its steps as if J'J were at least 1e-6, which would dominate where psi is
+/// small.
 class CeresAdapter final : public ceres::CostFunction {
  public:
   CeresAdapter(const Problem& problem, double scale) : problem_(problem), scale_(scale) {
@@ -40,11 +37,11 @@ class CeresAdapter final : public ceres::CostFunction {
 
 std::optional<Minimum> descend_with_ceres(const Problem& problem, const std::vector<double>& start,
                                           const SolverOptions& options) {
-  Vector x = Eigen::Map<const Vector>(start.data(), static_cast<Eigen::Index>(start.size()));
+  Eigen::VectorXd x = as_vector(start);
   Linearised at;
   if (!linearise(problem, x, options, at)) return std::nullopt;
 
-  // Below 1e-17 a parameter moves no residual by a rounding, over all of its range.
+  // A slope below 1e-17 changes no residual by more than rounding.
   const double slope = at.J.colwise().norm().maxCoeff();
   CeresAdapter cost(problem, slope > 1e-17 && slope < 1 ? 1 / slope : 1);
   ceres::Problem::Options ownership;
@@ -67,13 +64,14 @@ std::optional<Minimum> descend_with_ceres(const Problem& problem, const std::vec
   ceres::Solver::Summary summary;
   const double rounding = residual_rounding(problem);
   for (const double change : {options.ceres_cost_change, std::numeric_limits<double>::epsilon()}) {
-    // Where rounding is all that is left of the gradient, no step lowers the cost, of which Ceres would complain.
+    // If the gradient is only rounding no step lowers the cost, which Ceres would report as an error.
     if (!(at.stationarity > (at.J.cols() == 1 ? options.kernel_stationary : options.newton_stationary))) break;
     settings.function_tolerance = change;
     std::copy(start.begin(), start.end(), x.begin());
     ceres::Solve(settings, &ceres_problem, &summary);
     if (!linearise(problem, x, options, at)) return std::nullopt;
-    // Undamped, the next step would lower the cost by the square of this, far more than what stopped Ceres: it creeps.
+    // The undamped step would lower the cost by the square of this. If that is far more than `change`, Ceres stopped
+    // early.
     if (at.stationarity <= 100 * std::sqrt(change) || is_stationary(at, rounding, options)) break;
   }
   return polished(problem, x, at, options);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "solver/interval.h"
@@ -14,20 +15,19 @@
 namespace mixity {
 namespace {
 
-/// ln of the posterior density of parameter 0, but for a constant, in u: the parameter or its logarithm.
+/// ln of the posterior density of parameter 0, up to a constant, as a function of u: the parameter or its logarithm.
 class LogDensity {
  public:
   LogDensity(const Problem& problem, const Minimum& best, const EvidenceOptions& choice, const SolverOptions& options)
       : problem_(problem), choice_(choice), profile_(problem, best, 1e-9, options) {
     const auto& parameters = problem.parameters();
     for (std::size_t k = 1; k < parameters.size(); ++k) {
-      const double prior = parameters[k].prior, range = parameters[k].upper - parameters[k].lower;
-      constant_ -= prior > 0 ? std::log(prior) : std::log(range) - 0.5 * std::log(2 * std::numbers::pi);
+      const double prior = parameters[k].prior;
+      constant_ -= prior > 0 ? std::log(prior) : std::log(parameters[k].width()) - 0.5 * std::log(2 * std::numbers::pi);
       n_ -= prior > 0;
     }
     n_ += static_cast<double>(problem.residual_count());
-    const double low = lower(), high = upper();
-    constant_ -= std::log(high - low);
+    constant_ -= std::log(upper() - lower());
     start_ = inner(best.x[0]);
   }
 
@@ -46,8 +46,7 @@ class LogDensity {
   /// Minus infinity where the cost is not finite.
   double operator()(double u) {
     const double none = -std::numeric_limits<double>::infinity();
-    const double x = std::clamp(outer(u), problem_.parameters()[0].lower, problem_.parameters()[0].upper);
-    const auto here = profile_(x);
+    const auto here = profile_(problem_.parameters()[0].clamped(outer(u)));
     if (!here) return none;
     double of_priors = 0, of_others = 0;
     const std::size_t p = problem_.parameters().size();
@@ -97,7 +96,7 @@ class Interpolated {
     }
     return above / below;
   }
-  /// The larger of the last two coefficients of the series of Chebyshev's polynomials: about what is left out.
+  /// The larger of the last two coefficients of the Chebyshev series: about the error.
   double tail() const {
     const std::size_t last = values_.size() - 1;
     double largest = 0;
@@ -119,11 +118,9 @@ class Interpolated {
 };
 
 /// Integrals of e^(density - peak) times 1, x and x^2.
-struct Moments {
-  double whole = 0, first = 0, second = 0;
-};
+using Moments = Eigen::Array3d;
 
-/// The density over all of u where it is not next to nothing.
+/// The density where it is not negligible.
 class Posterior {
  public:
   struct Value {
@@ -132,11 +129,11 @@ class Posterior {
 
   Posterior(const LogDensity& density, double peak) : density_(density), peak_(peak) {}
 
-  /// False if as many points as are allowed do not tell the density between two of its values. `width`: of its peak, if
-  /// known.
+  /// Interpolates the density between two of its values. False if the most points allowed are too few. `width`: of the
+  /// peak, if known.
   bool sample(LogDensity& density, Value low, Value high, std::optional<double> width) {
     constexpr std::size_t kFewest = 9, kMost = 257;
-    constexpr double kLeftOut = 1e-7;  // of a logarithm: relative, of what is integrated
+    constexpr double kLeftOut = 1e-7;  // error of the logarithm: relative error of the density
     std::optional<Interpolated> before;
     for (std::size_t n = kFewest; n <= kMost; n = 2 * n - 1) {
       Interpolated now(low.u, high.u, n);
@@ -164,25 +161,20 @@ class Posterior {
   }
 
   Moments all() const {
-    Moments sum;
-    for (const Moments& part : parts_) {
-      sum.whole += part.whole;
-      sum.first += part.first;
-      sum.second += part.second;
-    }
-    return sum;
+    return std::accumulate(parts_.begin(), parts_.end(), Moments(Moments::Zero()),
+                           [](const Moments& sum, const Moments& part) -> Moments { return sum + part; });
   }
 
-  /// u below which this much of the integral lies.
+  /// The u below which the integral of the density is `rest`.
   double quantile(double rest) const {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      const double part = parts_[i].whole;
+      const double part = parts_[i][0];
       if (rest > part && i + 1 < parts_.size()) {
         rest -= part;
         continue;
       }
       std::uintmax_t most = 100;
-      const auto found = boost::math::tools::toms748_solve([&](double u) { return between(ends_[i], u).whole - rest; },
+      const auto found = boost::math::tools::toms748_solve([&](double u) { return between(ends_[i], u)[0] - rest; },
                                                            ends_[i], ends_[i + 1], -rest, std::max(part - rest, 0.0),
                                                            boost::math::tools::eps_tolerance<double>(40), most);
       return 0.5 * (found.first + found.second);
@@ -193,18 +185,14 @@ class Posterior {
  private:
   Moments between(double low, double high) const {
     using Gauss = boost::math::quadrature::gauss<double, 10>;
-    Moments sum;
-    const auto add = [&](double at, double weight) {
-      const double x = density_.outer(at), value = weight * std::exp((*interpolated_)(at));
-      sum.whole += value;
-      sum.first += value * x;
-      sum.second += value * x * x;
-    };
+    Moments sum = Moments::Zero();
     const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
-    for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k) {
-      add(middle - half * Gauss::abscissa()[k], half * Gauss::weights()[k]);
-      add(middle + half * Gauss::abscissa()[k], half * Gauss::weights()[k]);
-    }
+    for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k)
+      for (const double side : {-1, 1}) {
+        const double u = middle + side * half * Gauss::abscissa()[k], x = density_.outer(u);
+        const double value = half * Gauss::weights()[k] * std::exp((*interpolated_)(u));
+        sum += Moments(value, value * x, value * x * x);
+      }
     return sum;
   }
 
@@ -215,7 +203,7 @@ class Posterior {
   std::vector<Moments> parts_;  // of each panel
 };
 
-/// Where the density has fallen to next to nothing, or the bound. Null if it is not finite before.
+/// Where the density has become negligible, or the bound. Null if it is not finite before.
 std::optional<Posterior::Value> reach(LogDensity& density, double bound, double step, double peak) {
   constexpr double kNothing = 32;  // e^-32 = 1e-14
   const double direction = bound < density.start() ? -1 : 1;
@@ -235,12 +223,12 @@ std::optional<Posterior::Value> reach(LogDensity& density, double bound, double 
 std::optional<Evidence> evidence(const Problem& problem, const Minimum& best, std::optional<double> standard_error,
                                  const EvidenceOptions& choice, const SolverOptions& options) {
   const FreeParameter& parameter = problem.parameters()[0];
-  if (!std::isfinite(parameter.upper - parameter.lower)) return std::nullopt;
+  if (!std::isfinite(parameter.width())) return std::nullopt;
   LogDensity density(problem, best, choice, options);
   density.begin();
   const double peak = density(density.start());
   if (!std::isfinite(peak)) return std::nullopt;
-  constexpr double kFarOff = 8.1;  // standard errors of a normal density, where it is next to nothing
+  constexpr double kFarOff = 8.1;  // standard errors, where a normal density is negligible
   const double range = density.upper() - density.lower();
   double step = kFarOff * standard_error.value_or(0) * (density.logarithmic() ? 1 / std::max(best.x[0], 1e-300) : 1);
   if (!(step > 0 && step < range)) step = standard_error ? range : 1e-6 * range;
@@ -252,11 +240,11 @@ std::optional<Evidence> evidence(const Problem& problem, const Minimum& best, st
       !posterior.sample(density, *low, *high, standard_error ? std::optional(step / kFarOff) : std::nullopt))
     return std::nullopt;
   const Moments all = posterior.all();
-  const double mean = all.first / all.whole;
-  const auto quantile = [&](double share) { return density.outer(posterior.quantile(share * all.whole)); };
-  return Evidence{peak + std::log(all.whole) + density.constant(), mean,
-                  std::sqrt(std::max(all.second / all.whole - mean * mean, 0.0)),
-                  quantile(0.5 * (1 - choice.confidence)), quantile(0.5 * (1 + choice.confidence))};
+  const double mean = all[1] / all[0];
+  const auto quantile = [&](double share) { return density.outer(posterior.quantile(share * all[0])); };
+  return Evidence{peak + std::log(all[0]) + density.constant(), mean,
+                  std::sqrt(std::max(all[2] / all[0] - mean * mean, 0.0)), quantile(0.5 * (1 - choice.confidence)),
+                  quantile(0.5 * (1 + choice.confidence))};
 }
 
 }  // namespace mixity

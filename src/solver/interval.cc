@@ -10,7 +10,7 @@
 namespace mixity {
 namespace {
 
-/// A bound this part of the distance from the minimum away is reached.
+/// A bound counts as reached at this fraction of its distance from the minimum.
 constexpr double kAtBound = 1e-15;
 
 struct End {
@@ -18,26 +18,26 @@ struct End {
   EndStatus status;
 };
 
-/// What one side of an interval is looked for with.
+/// The cost that ends an interval, and a lower cost than the minimum if the search comes upon one.
 struct EndSearch {
-  double least, allowance;  // the cost at the minimum, and what it may rise by
-  double deep;              // a cost below this is lower than the minimum by more than rounding
-  std::vector<double> deeper{};
+  double least, allowance;       // the cost at the minimum, and its allowed rise
+  double deep;                   // a cost below this is lower than the minimum by more than rounding
+  std::vector<double> deeper{};  // all parameters there
 
   EndSearch(double least_cost, double allowed, double rounding, double part)
       : least(least_cost),
         allowance(allowed),
         deep(std::pow(std::max(std::sqrt(least_cost) - rounding, 0.0), 2) - part * allowed) {}
-  /// What is left of the allowance, as a root: linear in x for a parabola, which makes Newton's step exact.
+  /// What is left of the allowance, as a difference of roots: linear in x for a parabola, so Newton's step is exact.
   double left(double cost) const { return std::sqrt(allowance) - std::sqrt(std::max(cost - least, 0.0)); }
 };
 
-/// Outwards from the minimum in Newton's steps on left(), kept between what lies within and what does not.
+/// Newton's steps on left() outwards from the minimum, between the last value inside and the first one outside.
 End find_end(Profile& profile, const FreeParameter& parameter, double best, double direction, double first_step,
              EndSearch& search, const SolverOptions& options) {
   const double bound = direction < 0 ? parameter.lower : parameter.upper;
-  const bool physical = !parameter.start;  // else the range is only wide
-  // of data without scatter the error may be lost in the rounding of x
+  const EndStatus at_end = parameter.start ? EndStatus::open : EndStatus::at_bound;  // a start: no physical bounds
+  // without scatter the error may be lost in the rounding of x
   const double step = std::max(first_step, std::numeric_limits<double>::epsilon() * std::abs(best));
   double inside = best, outside = bound, x = best + direction * step;
   bool bracketed = false, exceeded = false;  // a value was beyond the allowance, or not finite; the former
@@ -49,7 +49,7 @@ End find_end(Profile& profile, const FreeParameter& parameter, double best, doub
       search.deeper = profile.point();
     }
     const bool within = here && here->cost <= search.least + search.allowance;
-    if (within && x == bound) return {x, physical ? EndStatus::at_bound : EndStatus::open};
+    if (within && x == bound) return {x, at_end};
     (within ? inside : outside) = x;
     bracketed |= !within;
     exceeded |= here && !within;
@@ -63,29 +63,17 @@ End find_end(Profile& profile, const FreeParameter& parameter, double best, doub
     } else {
       next = bracketed ? 0.5 * (inside + outside) : farthest;
     }
-    // The cost jumps at the bound alone, where another parameter would have to be infinite.
+    // The cost jumps only at the bound itself, where another parameter would have to be infinite.
     if (exceeded && outside == bound && std::abs(inside - bound) <= kAtBound * std::abs(best - bound))
-      return {bound, physical ? EndStatus::at_bound : EndStatus::open};
+      return {bound, at_end};
     if (bracketed && std::abs(outside - inside) <= 4e-16 * std::abs(outside))
       return {inside, exceeded ? EndStatus::found : EndStatus::open};
     x = next;
   }
-  return {inside, EndStatus::open};  // it lies where halves of any number still jump over it
+  return {inside, EndStatus::open};
 }
 
 }  // namespace
-
-std::string_view to_string(EndStatus status) {
-  switch (status) {
-    case EndStatus::found:
-      return "found";
-    case EndStatus::at_bound:
-      return "at_bound";
-    case EndStatus::open:
-      break;
-  }
-  return "open";
-}
 
 double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors) {
   if (known_errors) return chi_squared_quantile(confidence, 1);
@@ -104,17 +92,17 @@ void Profile::begin(std::size_t k) {
   last_ = best_;
 }
 
-/// To first order the others' minimum moves along with parameter k, by -H_oo^-1 H_ok, from where the gradient there
-/// says that it is.
+/// To first order the minimum over the others moves by -H_oo^-1 H_ok for each unit of parameter k; what is left of its
+/// gradient at the anchor is corrected, too.
 std::optional<Kernel::Held> Profile::descend_from(const Anchor& anchor, double value, double decrease) {
   const auto k = static_cast<Eigen::Index>(k_);
   std::vector<double> x = anchor.x;
   std::vector<Eigen::Index> others;
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(x.size()); ++i) {
     const FreeParameter& parameter = problem_.parameters()[static_cast<std::size_t>(i)];
-    const double at = x[static_cast<std::size_t>(i)], slope = anchor.cost.finite ? anchor.cost.gradient[i] : 0;
-    const bool held = (at <= parameter.lower && slope > 0) || (at >= parameter.upper && slope < 0);
-    if (i != k && anchor.cost.finite && anchor.cost.slope_size[i] > 0 && !held) others.push_back(i);
+    if (i != k && anchor.cost.finite && anchor.cost.slope_size[i] > 0 &&
+        !parameter.held_by_bound(x[static_cast<std::size_t>(i)], anchor.cost.gradient[i]))
+      others.push_back(i);
   }
   const Eigen::VectorXd shift =
       solve_symmetric(anchor.cost.hessian(others, others),
@@ -135,7 +123,7 @@ std::optional<Profile::Value> Profile::operator()(double value, double share) {
     const CostValue& cost = kernel_.at(x_);
     return cost.finite ? std::optional(Value{cost.value, 2 * cost.gradient[0]}) : std::nullopt;
   }
-  // from the nearer of the two minima known; where that leads to none, from the other
+  // From the nearer of the two known minima. If that does not settle, from the other.
   const bool last_is_near = std::abs(value - last_.x[k_]) < std::abs(value - best_.x[k_]);
   auto minimum = descend_from(last_is_near ? last_ : best_, value, share * decrease_);
   Anchor here;
@@ -153,44 +141,27 @@ std::optional<Profile::Value> Profile::operator()(double value, double share) {
   return Value{minimum->cost, minimum->slope};
 }
 
-namespace {
-
-Interval interval_along(Profile& profile, const Problem& problem, const Minimum& best, std::size_t k, double confidence,
-                        double allowance, std::optional<double> standard_error, const SolverOptions& options) {
-  const FreeParameter& parameter = problem.parameters()[k];
-  const double x = best.x[k];
-  EndSearch search(best.sum_of_squares, allowance, residual_rounding(problem), options.deeper);
-  // Where the end lies if the cost is a parabola. Without a standard error (at a bound) the first step is tiny: the
-  // steps grow fast.
-  const auto n = static_cast<double>(problem.residual_count()), p = static_cast<double>(problem.parameters().size());
-  const double variance = problem.known_errors() ? 1 : best.sum_of_squares / (n - p);
-  const double least = std::max(parameter.least_size(), 1e-9 * std::abs(x));
-  const double step = standard_error ? *standard_error * std::sqrt(allowance / variance) : least;
-  const auto end = [&](double bound, double direction) {
-    if (x == bound) return End{x, parameter.start ? EndStatus::open : EndStatus::at_bound};
-    profile.begin(k);
-    return find_end(profile, parameter, x, direction, step, search, options);
-  };
-  const End low = end(parameter.lower, -1), high = end(parameter.upper, 1);
-  return {confidence, low.x, high.x, low.status, high.status, search.deeper};
-}
-
-}  // namespace
-
-Interval profile_interval(const Problem& problem, const Minimum& best, std::size_t k, double confidence,
-                          double allowance, std::optional<double> standard_error, const SolverOptions& options) {
-  Profile profile(problem, best, options.profile_decrease * allowance, options);
-  return interval_along(profile, problem, best, k, confidence, allowance, standard_error, options);
-}
-
 std::vector<Interval> profile_intervals(const Problem& problem, const Minimum& best, double confidence,
                                         double allowance, const std::vector<std::optional<double>>& standard_errors,
                                         const Progress& progress, const SolverOptions& options) {
+  const double variance = residual_variance(problem, best.sum_of_squares);
   Profile profile(problem, best, options.profile_decrease * allowance, options);
   std::vector<Interval> intervals;
   for (std::size_t k = 0; k < best.x.size(); ++k) {
     if (progress) progress(static_cast<double>(k) / static_cast<double>(best.x.size()));
-    intervals.push_back(interval_along(profile, problem, best, k, confidence, allowance, standard_errors[k], options));
+    const FreeParameter& parameter = problem.parameters()[k];
+    const double x = best.x[k];
+    EndSearch search(best.sum_of_squares, allowance, residual_rounding(problem), options.deeper);
+    // The end of a parabola's interval. Without a standard error (at a bound) a tiny step, which grows fast.
+    const double step = standard_errors[k] ? *standard_errors[k] * std::sqrt(allowance / variance)
+                                           : std::max(parameter.least_size(), 1e-9 * std::abs(x));
+    const auto end = [&](double bound, double direction) {
+      if (x == bound) return End{x, parameter.start ? EndStatus::open : EndStatus::at_bound};
+      profile.begin(k);
+      return find_end(profile, parameter, x, direction, step, search, options);
+    };
+    const End low = end(parameter.lower, -1), high = end(parameter.upper, 1);
+    intervals.push_back({confidence, low.x, high.x, low.status, high.status, search.deeper});
   }
   return intervals;
 }
@@ -198,7 +169,7 @@ std::vector<Interval> profile_intervals(const Problem& problem, const Minimum& b
 DrawnProfile draw_profile(const Problem& problem, const Minimum& best, std::size_t k, double low, double high,
                           std::size_t count, double allowance, double variance, const SolverOptions& options) {
   DrawnProfile drawn{{{best.x[k], 0.0}}, allowance / variance};
-  // From the best outwards, since each minimum over the others starts from the one before.
+  // Outwards from the best: each minimum over the others starts from the one before.
   const std::size_t half = count / 2;
   Profile profile(problem, best, options.profile_decrease * allowance, options);
   for (const double end : {low, high}) {

@@ -1,4 +1,4 @@
-// Several problems in one: each with parameters of its own, and all with the same common ones.
+// Several problems in one. Each has parameters of its own, and all share further ones.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace mixity {
 
 class JointProblem final : public Problem {
  public:
-  /// The first `own` parameters of each part, part after part, then those that stand behind them in the first part and
-  /// in the same order in all. The parts, one at least, must outlive this.
+  /// The first `own` parameters of each part, part after part, then the common ones, which come behind them in the same
+  /// order in each part. The parts, one at least, must outlive this.
   JointProblem(std::vector<const Problem*> parts, std::size_t own) : parts_(std::move(parts)), own_(own) {
     for (const Problem* part : parts_) {
       const auto& all = part->parameters();

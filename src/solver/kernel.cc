@@ -8,7 +8,7 @@
 namespace mixity {
 namespace {
 
-/// Of any problem, through its residuals and Jacobian.
+/// The cost of any problem, from its residuals and Jacobian.
 class GeneralCost final : public Cost {
  public:
   explicit GeneralCost(const Problem& problem)
@@ -24,9 +24,8 @@ class GeneralCost final : public Cost {
     cost.finite = problem_.evaluate_again(x, residuals_, jacobian_, memory_);
     if (!cost.finite) return;
     if (weights.empty() && p > 1) {
-      const auto n = static_cast<Eigen::Index>(residuals_.size());
-      const Eigen::Map<const RowMajorMatrix> J(jacobian_.data(), n, p);
-      const Eigen::Map<const Eigen::VectorXd> r(residuals_.data(), n);
+      const auto J = as_matrix(jacobian_, x.size());
+      const auto r = as_vector(residuals_);
       cost.value = r.squaredNorm();
       cost.gradient.noalias() = J.transpose() * r;
       cost.hessian.noalias() = J.transpose() * J;
@@ -80,12 +79,11 @@ bool Kernel::begin(std::span<const double> x, std::span<const double> weights) {
 
 std::optional<Minimum> Kernel::descend(std::span<const double> start, std::span<const double> weights,
                                        std::optional<std::size_t> held) {
+  const std::vector<FreeParameter>& parameters = problem_.parameters();
   std::vector<double> x(start.begin(), start.end());
-  for (std::size_t k = 0; k < x.size(); ++k)
-    x[k] = std::clamp(x[k], problem_.parameters()[k].lower, problem_.parameters()[k].upper);
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] = parameters[k].clamped(x[k]);
   if (!begin(x, weights)) return std::nullopt;
-  if (x.size() == 1 && !held)
-    return newton(x[0], problem_.parameters()[0].lower, problem_.parameters()[0].upper, false, weights);
+  if (x.size() == 1 && !held) return newton(x[0], parameters[0].lower, parameters[0].upper, false, weights);
   return gauss_newton(std::move(x), weights, held, nullptr);
 }
 
@@ -96,8 +94,8 @@ std::optional<Minimum> Kernel::explore(const Start& start) {
   return gauss_newton(start.x, {}, {}, &start);
 }
 
-/// On the gradient, between bounds and what its sign excludes. A bound is tried where Newton's step leads there, and is
-/// the minimum if the cost falls towards it.
+/// Newton's method on the gradient, between bounds and values that its sign excludes. A bound is the minimum if the
+/// cost falls towards it.
 Minimum Kernel::newton(double x, double low, double high, bool known, std::span<const double> weights) {
   double last_x = x, last_slope = 0;
   bool low_known = known, high_known = known;
@@ -119,17 +117,16 @@ Minimum Kernel::newton(double x, double low, double high, bool known, std::span<
     const double move = next - x;
     if (cost_->exact_curvature() && curvature > 0 && next > low && next < high &&
         std::abs(move) <= 1e-9 * std::abs(x)) {
-      // Newton with the exact curvature squares the error: this step is the last, and the parabola gives the cost
-      // there.
+      // With the exact curvature Newton's step squares the error: it is the last, and the parabola gives the cost.
       here_.value = std::max(here_.value + move * (2 * slope + curvature * move), 0.0);
       return {{next}, here_.value, 0, true};
     }
-    // The secant of the slopes has the curvature that Gauss-Newton leaves out.
+    // The secant of the slopes includes the curvature that Gauss-Newton neglects.
     if (!cost_->exact_curvature() && i > 0 && slope != last_slope) {
       const double secant = x - slope * (x - last_x) / (slope - last_slope);
       if (std::abs(secant - x) < 0.1 * std::abs(x - last_x)) next = secant;
     }
-    // Before the bracket, one end of which is x, sends it elsewhere: no step is left.
+    // Test before the bracket, one end of which is x, changes the step.
     if (std::abs(next - x) <= 2e-16 * std::abs(x)) return end(true);
     const bool bounded = std::isfinite(low) && std::isfinite(high);
     if (next <= low)
@@ -139,7 +136,7 @@ Minimum Kernel::newton(double x, double low, double high, bool known, std::span<
     if (!std::isfinite(next)) return end(false);
     if (std::abs(next - x) <= 2e-16 * std::abs(x) || (bounded && high - low <= 2e-16 * high)) return end(true);
     cost_->at({&next, 1}, weights, there_);
-    // Up from a slope that falls: a minimum is between.
+    // The cost rose although it falls at x: a minimum lies between.
     if (there_.finite && std::sqrt(there_.value) > std::sqrt(here_.value) + rounding_) {
       (next > x ? high : low) = next;
       (next > x ? high_known : low_known) = true;
@@ -161,9 +158,8 @@ double Kernel::stationarity(const std::vector<double>& x, std::optional<std::siz
   for (std::size_t k = 0; k < x.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     const double g = here_.gradient[i], scale = here_.slope_size[i] * r;
-    const FreeParameter& parameter = problem_.parameters()[k];
-    if (k == held || (x[k] <= parameter.lower && g > 0) || (x[k] >= parameter.upper && g < 0)) continue;
-    if (!(here_.slope_size[i] > 0)) continue;  // no residual feels it
+    if (k == held || problem_.parameters()[k].held_by_bound(x[k], g)) continue;
+    if (!(here_.slope_size[i] > 0)) continue;  // no residual depends on it
     open_.push_back(i);
     if (scale > 0) largest = std::max(largest, std::abs(g) / scale);
   }
@@ -172,7 +168,7 @@ double Kernel::stationarity(const std::vector<double>& x, std::optional<std::siz
 
 double Kernel::find_step(double damping) {
   const auto m = static_cast<Eigen::Index>(open_.size());
-  // scaled to a unit diagonal, which makes the damping and the factors free of the parameters' units
+  // scaled to a unit diagonal, so that damping and factors do not depend on the parameters' units
   Eigen::MatrixXd H(m, m);
   Eigen::VectorXd g(m);
   for (Eigen::Index k = 0; k < m; ++k) {
@@ -192,7 +188,7 @@ bool Kernel::too_long(const std::vector<double>& x, const Start& reach) const {
     const auto at = static_cast<std::size_t>(open_[k]);
     const double below = reach.x[at] - reach.low[at], above = reach.high[at] - reach.x[at], step = step_[k];
     const double growth = std::max(1.0, std::abs(x[at]) / std::max(std::abs(reach.x[at]), above));
-    // where the box ends at a bound the bound itself is in reach
+    // a step to a bound at which the box ends is allowed
     if ((step < 0 && below > 0 && -step > growth * below) || (step > 0 && above > 0 && step > growth * above))
       return true;
   }
@@ -212,8 +208,7 @@ Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weig
     next = x;
     for (Eigen::Index k = 0; k < step_.size(); ++k) {
       const auto at = static_cast<std::size_t>(open_[k]);
-      const FreeParameter& parameter = problem_.parameters()[at];
-      next[at] = std::clamp(x[at] + step_[k], parameter.lower, parameter.upper);
+      next[at] = problem_.parameters()[at].clamped(x[at] + step_[k]);
     }
     if (next == x && damping == 0) return {x, here_.value, size, true};  // lost in the rounding of x
     const bool usable = step_.allFinite();
@@ -229,7 +224,7 @@ Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weig
     damping = damping > 1e-6 ? 0.1 * damping : 0;
     const double before = size;
     size = stationarity(x, held);
-    // no step gains where rounding is all that is left
+    // only rounding is left: no step improves
     if (size < options_.stationary && size > 0.5 * before) break;
   }
   return {x, here_.value, size, size <= options_.stationary};

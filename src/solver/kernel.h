@@ -1,6 +1,6 @@
-// The kernel: Newton's method for one parameter, damped Gauss-Newton for several, on sums over the residuals. For the
-// many fits behind profiles, resampling and loads left out; the fit that is shown comes from Ceres (descent.h), and
-// tests hold the two together.
+// The kernel: Newton's method for one parameter, damped Gauss-Newton for several, on sums over the residuals. It makes
+// the many fits behind profiles, resampling and cross-validation. The reported fit comes from Ceres (descent.h); tests
+// check that both agree.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,13 @@
 
 namespace mixity {
 
-/// A value to descend from, and the box of a grid that its basin fills as far as a search can tell: a minimum known
-/// inside is that basin's. Without a box (empty) nothing is known of it.
+/// Where to start a descent, and the box of the search grid around it, which is taken for its basin; empty: no box.
 struct Start {
   std::vector<double> x, low{}, high{};
-  bool in_bracket = false;  // of one parameter: at both ends of the box the cost falls inwards
+  bool in_bracket = false;  // of one parameter: the cost falls inwards at both ends of the box
 };
 
-/// One for each thread: it owns its scratch arrays. The problem must outlive it.
+/// For one thread: it owns its scratch arrays. The problem must outlive it.
 class Kernel {
  public:
   explicit Kernel(const Problem& problem, const SolverOptions& options = {});
@@ -31,12 +30,12 @@ class Kernel {
   std::optional<Minimum> descend(std::span<const double> start, std::span<const double> weights = {},
                                  std::optional<std::size_t> held = {});
 
-  /// The same from what a search found: of one parameter in a bracket not beyond its ends; of several in steps that are
-  /// no longer than the box, which grows as the parameter does.
+  /// The same from a start that a search found. One parameter in a bracket stays inside it; steps of several are at
+  /// most as long as the box, which grows with the parameter.
   std::optional<Minimum> explore(const Start& start);
 
-  /// The same with parameter number `held` at its start, to where the next step would lower the cost by `decrease` at
-  /// most: the cost and its slope in that parameter are those behind that step, to first order.
+  /// The same with parameter number `held` at its start, until the next step would lower the cost by at most
+  /// `decrease`. That step is not taken; cost and slope (in the held parameter) include it to first order.
   struct Held {
     std::vector<double> x;
     double cost, slope;
@@ -44,9 +43,9 @@ class Kernel {
   };
   std::optional<Held> descend_held(std::span<const double> start, std::size_t held, double decrease);
 
-  /// Evaluates the cost at x, too, into last().
+  /// Evaluates the cost at x into last().
   const CostValue& at(std::span<const double> x);
-  /// Learns what serves near x; restore() forgets all that was learnt later.
+  /// Evaluates at x and saves the memory (Cost::keep) for restore().
   void keep(std::span<const double> x) {
     at(x);
     cost_->keep();
@@ -61,26 +60,26 @@ class Kernel {
  private:
   /// Evaluates the cost where a descent starts. False if it is not finite.
   bool begin(std::span<const double> x, std::span<const double> weights);
-  /// Not beyond low and high: `known` to be beyond a minimum, or bounds.
+  /// Between low and high, which are bounds, or with `known` enclose a minimum.
   Minimum newton(double x, double low, double high, bool known, std::span<const double> weights);
-  /// `reach`: null, or what limits the steps.
+  /// `reach`: null, or the box that limits the steps.
   Minimum gauss_newton(std::vector<double> x, std::span<const double> weights, std::optional<std::size_t> held,
                        const Start* reach);
   /// Whether the step from x is longer than the box.
   bool too_long(const std::vector<double>& x, const Start& reach) const;
-  /// The damped step of the open parameters, and half of what it lowers the cost by.
+  /// Sets the damped step of the open parameters; returns half of the decrease of the cost that it predicts.
   double find_step(double damping);
-  /// Which parameters may move from x, and how far from zero their gradient is.
+  /// Finds the parameters that may move from x; returns the largest relative gradient of these.
   double stationarity(const std::vector<double>& x, std::optional<std::size_t> held);
 
   const Problem& problem_;
   SolverOptions options_;
   std::unique_ptr<Cost> cost_;
   CostValue here_, there_;
-  double first_ = 0, rounding_;     // that of |r|
+  double first_ = 0, rounding_;     // rounding error of |r|
   std::vector<Eigen::Index> open_;  // parameters that may move
   Eigen::VectorXd step_;            // of these
-  double enough_ = 0;               // a decrease of the cost that is not worth a step
+  double enough_ = 0;               // a step that lowers the cost by less is not taken
 };
 
 }  // namespace mixity

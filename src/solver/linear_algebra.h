@@ -4,11 +4,20 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 
 namespace mixity {
 
 /// Residuals' Jacobians, row by row.
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// An array as a vector, or as a matrix of rows with so many columns.
+inline Eigen::Map<const Eigen::VectorXd> as_vector(std::span<const double> values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+inline Eigen::Map<const RowMajorMatrix> as_matrix(std::span<const double> values, std::size_t columns) {
+  return {values.data(), static_cast<Eigen::Index>(values.size() / columns), static_cast<Eigen::Index>(columns)};
+}
 
 /// The upper triangle R of J = QR, [m x m]; its last rows are 0 where J has fewer rows than columns.
 Eigen::MatrixXd qr_triangle(const Eigen::MatrixXd& J);
@@ -36,8 +45,8 @@ Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& H, const Eigen::VectorXd&
 /// H x = b with full pivoting, for an H that may be singular.
 Eigen::VectorXd solve_any(const Eigen::MatrixXd& H, const Eigen::VectorXd& b);
 
-/// What of b lies along the columns of J, as coordinates in an orthonormal basis that leaves out columns whose pivot is
-/// below `independent` of the largest, and the least-squares solution of J x = b, which does not leave them out.
+/// `along`: the projection of b onto the columns of J, in an orthonormal basis without the columns whose pivot is below
+/// `independent` times the largest. `solution`: the least-squares solution of J x = b with all columns.
 struct Projection {
   Eigen::VectorXd along, solution;
 };

@@ -12,18 +12,18 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Values of one parameter to look at: logarithmic, also away from a neutral value, and from a lower bound of zero or
-/// less at first logarithmic in the distance from it, then even.
+/// Grid of one parameter: logarithmic above a positive lower bound, with values about `neutral`; else logarithmic in
+/// the distance from the lower bound at first, then even.
 std::vector<double> grid_values(const FreeParameter& parameter, std::size_t density) {
-  std::vector<double> values;
   if (parameter.start) return {*parameter.start};
+  std::vector<double> values;
   const auto logarithmic = [&](double from, double to, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i)
       values.push_back(from * std::pow(to / from, static_cast<double>(i) / static_cast<double>(n - 1)));
   };
   if (parameter.lower > 0) {
     logarithmic(parameter.lower, parameter.upper, 2 * density);
-    if (parameter.neutral > 0 && density >= 16)  // a coarse grid has a guess beside it
+    if (parameter.neutral > 0 && density >= 16)  // with a coarse grid there is a guess
       for (const double distance : {0.1, 0.03, 0.01, 0.003})
         for (const double side : {-1, 1}) values.push_back(parameter.neutral * (1 + side * distance));
     std::sort(values.begin(), values.end());
@@ -105,7 +105,7 @@ Starts starts_of_grid(const Problem& problem, const Axes& axes) {
       ++axis;
     });
     starts.list.push_back(start);
-    // at a bound of a single parameter the slope may vanish by symmetry: beside it, too
+    // At a bound of a single parameter the slope may vanish by symmetry: start beside it, too.
     if (axes.size() == 1 && axes[0].size() > 1 && (i == 0 || i + 1 == costs.size()))
       starts.list.push_back({{0.5 * (axes[0][i] + axes[0][i == 0 ? 1 : i - 1])}});
   }

@@ -1,4 +1,4 @@
-// What the solver can be asked for, and its tolerances by name.
+// Options and tolerances of the solver.
 #pragma once
 
 #include <algorithm>
@@ -9,31 +9,29 @@
 
 namespace mixity {
 
-/// What makes the descent that a result is shown of: Ceres for the fit itself, the kernel for fits by the hundred. Both
-/// end at the same minimum, to the last digits.
+/// What makes the last descent: Ceres for a reported fit, the kernel for fits by the hundred. Both end at the same
+/// minimum, to the last digits.
 enum class Engine { ceres, kernel };
 
 struct SolverOptions {
   Engine engine = Engine::ceres;
-  /// Whether the kernel's minima of several parameters are taken to their last digits; what is only compared needs
-  /// none.
+  /// Whether the kernel's minima of several parameters are taken to their last digits; comparisons need not.
   bool last_digits = true;
 
   // ---- Descent ----
   int most_iterations = 200;
-  /// Of several parameters from one start of many: what has not arrived by then, above a minimum that is known, is let
-  /// go.
+  /// From one start of many, with several parameters. A descent that is then above a known minimum is abandoned.
   int most_iterations_of_a_start = 30;
-  /// Of the descent that a result is shown of: curved valleys (NIST's Bennett5, MGH17) take more than a thousand.
+  /// In the last descent: curved valleys (NIST's Bennett5, MGH17) take more than a thousand.
   int most_iterations_shown = 5000;
-  /// Where Ceres stops, relative. Close enough for the Newton steps on the gradient that follow.
+  /// Relative changes at which Ceres stops, close enough for the Newton steps that follow.
   double ceres_cost_change = 1e-10, ceres_step = 1e-14;
-  /// Newton steps on the gradient, at most, until it is this small on the scale of `stationary`.
+  /// At most so many Newton steps on the gradient, until it is this small (measured as `stationary`).
   int newton_steps = 12;
   double newton_stationary = 1e-13;
   /// Relative step of the differences that give the gradient's derivative.
   double difference_step = 1e-5;
-  /// A minimum: at most this part of |r| lies along the columns of J of the parameters that no bound holds.
+  /// At a minimum at most this part of |r| lies along the columns of J of the parameters that no bound holds.
   double stationary = 1e-8;
   /// Where the kernel stops with one parameter, and with several: |J_k' r|/(|J_k| |r|) of each.
   double kernel_stationary = 1e-14, kernel_stationary_of_several = 3e-13;
@@ -43,23 +41,24 @@ struct SolverOptions {
   double same_minimum = 1e-5;
   /// Smallest singular value of J, its columns scaled to 1, at which the parameters count as independent.
   double independent = 1e-6;
-  /// The part of its wide range to which a parameter with a start must be known to be known at all.
+  /// The largest standard error of a parameter with a start, as a part of its wide range.
   double known_part = 0.25;
-  /// A cost this part below that of a minimum is lower, whatever rounding did.
+  /// A cost lower by this part is lower by more than rounding.
   double lower_cost = 1e-9;
 
   // ---- Profile intervals ----
-  /// What the others' minimum may lie below, as a part of the allowance: to first order that is taken off.
+  /// How far a profile may lie above the minimum over the others, as a part of the allowance (corrected to first
+  /// order).
   double profile_decrease = 1e-8;
-  /// So many times that at the first step to an end, which is never the last.
+  /// Factor on that at the first step to an end, which is never the last.
   double profile_first = 1e5;
-  /// Relative size of Newton's last step to an interval's end: what is left is its square.
+  /// Relative size of Newton's last step to an interval's end; the error is its square.
   double interval_step = 1e-5;
-  /// A cost below the minimum by this part of the allowance proves that it was none.
+  /// A cost lower than the minimum by this part of the allowance revokes the minimum.
   double deeper = 1e-6;
 };
 
-/// Large residuals count less. Scales in units of the residuals, see robust.h.
+/// Robust losses, see robust.h.
 enum class Loss { none, huber, cauchy };
 constexpr std::string_view to_string(Loss loss) {
   return loss == Loss::none ? "none" : loss == Loss::huber ? "huber" : "cauchy";
@@ -69,10 +68,10 @@ constexpr std::string_view to_string(Loss loss) {
 /// Welsch 1977).
 constexpr double usual_scale(Loss loss) { return loss == Loss::cauchy ? 2.3849 : 1.345; }
 
-/// Told how much is done, 0..1, from any thread.
+/// Called with the fraction done, 0..1, from any thread.
 using Progress = std::function<void(double)>;
 
-/// For a step that is this stretch of the whole. Null if the whole is not told.
+/// The progress of a step that takes the whole from one fraction to another. Null if `whole` is.
 inline Progress stretch(const Progress& whole, double from, double to) {
   if (!whole) return {};
   return [whole, from, to](double fraction) { whole(fraction < 1 ? std::min(from + (to - from) * fraction, to) : to); };
@@ -88,8 +87,8 @@ struct BootstrapOptions {
   unsigned threads = 0;  // 0: as many as the machine has
 };
 
-/// uniform: over the parameter's range. log_uniform: in its logarithm, from kLeastOfUpper of the upper bound to it; for
-/// a parameter whose range begins at 0.
+/// uniform: over the parameter's range. log_uniform: in its logarithm, from kLeastOfUpper times the upper bound to it,
+/// for a parameter with a range from 0.
 enum class RangePrior { uniform, log_uniform };
 constexpr std::string_view to_string(RangePrior prior) {
   return prior == RangePrior::uniform ? "uniform" : "log_uniform";

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,21 +20,24 @@ namespace mixity {
 struct FreeParameter {
   std::string name;
   double lower, upper;
-  // Null: any value in the range is as likely, and all of it is searched. Else where the fit starts, and the range is
-  // only wide: its ends are no physical bounds.
+  // Where the fit starts; the range is then only wide, and its ends are no physical bounds. Null: the whole range is
+  // searched.
   std::optional<double> start{};
-  // What a reader sees is scale exp(x) if logarithmic, else scale x.
+  // The value that is shown is scale exp(x) if logarithmic, else scale x.
   double scale = 1;
   bool logarithmic = false;
   std::string unit{};
-  double prior = 0;    // standard error of what is known beforehand, about `start`; 0: nothing is
+  double prior = 0;    // standard error of a prior about `start`; 0: no prior
   double neutral = 0;  // > 0: a value in the neighbourhood of which only the distance from it matters
 
   double width() const { return upper - lower; }
-  /// The least size of x that matters beside its range; next to nothing where that is infinite.
+  double clamped(double x) const { return std::clamp(x, lower, upper); }
+  bool at_bound(double x) const { return x <= lower || x >= upper; }
+  /// Whether x is at a bound beyond which a cost with this slope would fall further.
+  bool held_by_bound(double x, double slope) const { return (x <= lower && slope > 0) || (x >= upper && slope < 0); }
+  /// The smallest |x| that matters, given the range; tiny where the range is infinite.
   double least_size() const { return std::isfinite(width()) ? 1e-9 * width() : 1e-100; }
   double shown(double x) const { return scale * (logarithmic ? std::exp(x) : x); }
-  /// x of what a reader sees.
   double solver_value(double shown) const { return logarithmic ? std::log(shown / scale) : shown / scale; }
   /// d shown/dx
   double shown_slope(double x) const { return logarithmic ? shown(x) : scale; }
@@ -47,7 +52,7 @@ struct CostValue {
   bool finite = false;
 };
 
-/// Not shared between threads: it owns its scratch arrays.
+/// The cost of a problem, for one thread: it owns its scratch arrays.
 class Cost {
  public:
   virtual ~Cost() = default;
@@ -55,9 +60,9 @@ class Cost {
   virtual bool exact_curvature() const { return false; }
   /// Weights: one per residual, or empty: 1. Fills `cost`, whose memory is used again.
   virtual void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) = 0;
-  /// What it has learnt on the way to where it is serves from here on as if it had just been learnt.
+  /// Saves the memory of earlier evaluations.
   virtual void keep() {}
-  /// Forgets what it has learnt since keep(): results do not depend on what was asked before.
+  /// Restores the saved memory, so that results do not depend on evaluations since keep().
   virtual void restore() {}
 };
 
@@ -69,25 +74,24 @@ class Problem {
   /// Fills residuals [n] and, unless it is empty, the Jacobian [n x p, row-major]. False if a value is not finite.
   /// Several threads may call it at once.
   virtual bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const = 0;
-  /// The same, faster where a problem keeps in `memory` what served at the last parameters, if these are near. The
-  /// result is that of evaluate() to rounding. `memory` is empty at first, and nobody else's.
+  /// The same to rounding, but faster near the last parameters if the problem keeps intermediate results in `memory`,
+  /// which is empty at first.
   virtual bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                               std::vector<double>& /* memory */) const {
     return evaluate(x, residuals, jacobian);
   }
-  /// For the search of starts: residuals that cost less and are right to a factor of two or so. Those of some points
-  /// may be left out (0), always the same.
+  /// For the search for starts: cheaper residuals, right to about a factor of two. Some points, always the same ones,
+  /// may be left out (0).
   virtual bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
     return evaluate(x, residuals, {});
   }
-  /// Size of the data the residuals are differences of, sqrt(sum of squares): sets what rounding can do to them.
+  /// sqrt(sum of squares) of the data that the residuals are differences from, which limits their rounding errors.
   virtual double data_norm() const = 0;
-  /// True if the residuals are in units of known standard errors: what counts as a better fit is then measured by
-  /// chi^2, otherwise by the scatter.
+  /// True if the residuals are in units of known standard errors. Otherwise the scatter sets the scale.
   virtual bool known_errors() const { return false; }
-  /// Curvature of half the cost along each residual, which a robust loss bends; empty: 1, least squares.
+  /// Second derivative of half the cost in each residual; empty: 1 (least squares, no robust loss).
   virtual std::vector<double> curvatures(std::span<const double>) const { return {}; }
-  /// Values that a search over so many parameters looks at for each, spaced evenly and as many by factors.
+  /// How many values a search over that many parameters tries for each: half evenly spaced, half by factors.
   virtual std::size_t scan_density(std::size_t searched) const { return searched == 1 ? 64 : searched == 2 ? 16 : 8; }
   /// The cost for the kernel (kernel.h), which the problem must outlive.
   virtual std::unique_ptr<Cost> cost() const;
@@ -97,12 +101,18 @@ class Problem {
 inline std::optional<double> sum_of_squares(const Problem& problem, std::span<const double> x,
                                             std::span<double> residuals) {
   if (!problem.evaluate(x, residuals, {})) return std::nullopt;
-  double sum = 0;
-  for (const double r : residuals) sum += r * r;
+  const double sum = std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
   return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
 }
 
-/// A problem that changes another, which must outlive it, in some respect.
+/// Variance of the residuals about a minimum: 1 where the errors are known, else from the scatter. Needs more residuals
+/// than parameters.
+inline double residual_variance(const Problem& problem, double least) {
+  const auto freedom = static_cast<double>(problem.residual_count() - problem.parameters().size());
+  return problem.known_errors() ? 1 : least / freedom;
+}
+
+/// A problem that changes the residuals of another, or adds some. The other must outlive it.
 class WrappedProblem : public Problem {
  public:
   explicit WrappedProblem(const Problem& problem) : problem_(problem) {}
@@ -110,12 +120,39 @@ class WrappedProblem : public Problem {
   const std::vector<FreeParameter>& parameters() const override { return problem_.parameters(); }
   double data_norm() const override { return problem_.data_norm(); }
   bool known_errors() const override { return problem_.known_errors(); }
+  std::vector<double> curvatures(std::span<const double> x) const override { return problem_.curvatures(x); }
+  std::size_t scan_density(std::size_t searched) const override { return problem_.scan_density(searched); }
+
+  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    if (!problem_.evaluate(x, of_other(residuals), of_other(jacobian, x.size()))) return false;
+    change(x, residuals, jacobian);
+    return true;
+  }
+  bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
+                      std::vector<double>& memory) const override {
+    if (!problem_.evaluate_again(x, of_other(residuals), of_other(jacobian, x.size()), memory)) return false;
+    change(x, residuals, jacobian);
+    return true;
+  }
+  bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override {
+    if (!problem_.evaluate_roughly(x, of_other(residuals))) return false;
+    change(x, residuals, {});
+    return true;
+  }
 
  protected:
+  /// Changes the rows of the other problem, which come first, and fills its own behind them. The Jacobian may be empty.
+  virtual void change(std::span<const double> /* x */, std::span<double> /* residuals */,
+                      std::span<double> /* jacobian */) const {}
+  /// The part of an array that the other problem fills.
+  std::span<double> of_other(std::span<double> rows, std::size_t width = 1) const {
+    return rows.empty() ? rows : rows.first(problem_.residual_count() * width);
+  }
+
   const Problem& problem_;
 };
 
-/// Each evaluation has the memory of the last: of one thread, where values follow each other closely.
+/// Passes the memory of the last evaluation to the next one. For one thread, and values close to each other.
 class Remembering final : public WrappedProblem {
  public:
   using WrappedProblem::WrappedProblem;
@@ -123,20 +160,15 @@ class Remembering final : public WrappedProblem {
     return problem_.evaluate_again(x, residuals, jacobian, memory_);
   }
   bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
-                      std::vector<double>& /*another's*/) const override {
+                      std::vector<double>& /* memory */) const override {
     return evaluate(x, residuals, jacobian);
   }
-  bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override {
-    return problem_.evaluate_roughly(x, residuals);
-  }
-  std::vector<double> curvatures(std::span<const double> x) const override { return problem_.curvatures(x); }
-  std::size_t scan_density(std::size_t searched) const override { return problem_.scan_density(searched); }
 
  private:
   mutable std::vector<double> memory_;
 };
 
-/// What rounding of model and data puts into |r|, whatever the parameters: some eps |data|.
+/// Rounding error of |r| whatever the parameters: a few eps |data|.
 inline double residual_rounding(const Problem& problem) {
   return 16 * std::numeric_limits<double>::epsilon() * problem.data_norm();
 }

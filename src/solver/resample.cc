@@ -17,27 +17,19 @@
 namespace mixity {
 namespace {
 
-/// A problem whose last residuals are about other values: what is known beforehand, as another laboratory would know
-/// it.
+/// A problem with shifts added to its last residuals, which are those of priors: the stated values as another
+/// laboratory would have them.
 class Redrawn final : public WrappedProblem {
  public:
-  explicit Redrawn(const Problem& problem) : WrappedProblem(problem) {}
-  std::vector<double> shifts{};  // of the last residuals
-
-  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
-    return problem_.evaluate(x, residuals, jacobian) && shift(residuals);
-  }
-  bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
-                      std::vector<double>& memory) const override {
-    return problem_.evaluate_again(x, residuals, jacobian, memory) && shift(residuals);
-  }
+  Redrawn(const Problem& problem, std::size_t priors) : WrappedProblem(problem), shifts(priors) {}
   std::unique_ptr<Cost> cost() const override { return shifts.empty() ? problem_.cost() : Problem::cost(); }
 
+  std::vector<double> shifts;
+
  private:
-  bool shift(std::span<double> residuals) const {
-    const std::size_t from = residuals.size() - shifts.size();
-    for (std::size_t i = 0; i < shifts.size(); ++i) residuals[from + i] += shifts[i];
-    return true;
+  void change(std::span<const double>, std::span<double> residuals, std::span<double>) const override {
+    const auto priors = residuals.last(shifts.size());
+    for (std::size_t i = 0; i < shifts.size(); ++i) priors[i] += shifts[i];
   }
 };
 
@@ -45,27 +37,24 @@ class Redrawn final : public WrappedProblem {
 class Refitter {
  public:
   Refitter(const Problem& problem, const std::vector<double>& start, std::size_t points)
-      : problem_(problem), start_(start) {
-    problem_.shifts.resize(problem.residual_count() - points);
-    kernel_.emplace(problem_);
-    kernel_->keep(start_);
+      : problem_(problem, problem.residual_count() - points), start_(start), kernel_(problem_) {
+    kernel_.keep(start_);
   }
   /// Of the residuals of priors: normal, of unit variance.
   std::vector<double>& shifts() { return problem_.shifts; }
   /// Empty if no minimum was found.
   std::vector<double> operator()(std::span<const double> weights) {
-    const auto points =
-        static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
-    if (points <= start_.size()) return {};
-    kernel_->restore();  // whichever refits this thread made before
-    const auto minimum = kernel_->descend(start_, weights);
+    const auto points = std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; });
+    if (static_cast<std::size_t>(points) <= start_.size()) return {};
+    kernel_.restore();  // so that a refit does not depend on those before it on this thread
+    const auto minimum = kernel_.descend(start_, weights);
     return minimum && minimum->stationary ? minimum->x : std::vector<double>{};
   }
 
  private:
   Redrawn problem_;
   const std::vector<double>& start_;
-  std::optional<Kernel> kernel_;
+  Kernel kernel_;
 };
 
 /// Calls body(i, refitter, weights) for i < n on several threads, each with its own refitter and weights.
@@ -113,7 +102,7 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
                           const std::vector<std::size_t>& runs, const BootstrapOptions& options, double confidence,
                           const Progress& progress) {
   const auto groups = members(runs);
-  const auto points = static_cast<std::ptrdiff_t>(runs.size());  // what else there is, is known beforehand
+  const auto points = static_cast<std::ptrdiff_t>(runs.size());  // the other residuals are of priors
   std::vector<std::vector<double>> replicates(options.replicates);
   const auto draw = [&](std::size_t replicate, std::vector<double>& weights, std::vector<double>& shifts) {
     // Three words of state, so that seeding one stream for each replicate costs little.
@@ -166,36 +155,34 @@ Influence influence(const Problem& problem, const std::vector<double>& fitted, c
   Influence result;
   std::vector<double> residuals(rows), jacobian(rows * p);
   if (rows <= p || p == 0 || !problem.evaluate(fitted, residuals, jacobian)) return result;
-  const Eigen::VectorXd leverage = leverages(
-      Eigen::Map<const RowMajorMatrix>(jacobian.data(), static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(p)));
-  double squares = 0;
-  for (const double r : residuals) squares += r * r;
+  const Eigen::VectorXd leverage = leverages(as_matrix(jacobian, p));
+  const double squares = std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
   const double variance = squares / static_cast<double>(rows - p);
   const auto groups = members(runs);
   result.points.resize(n);
   result.runs.resize(groups.size());
-  for_each_refit(problem, fitted, n, n + groups.size(), threads, progress,
-                 [&](std::size_t i, Refitter& refit, std::vector<double>& weights) {
-                   std::fill(weights.begin(), weights.end(), 1.0);
-                   if (i < n)
-                     weights[i] = 0;
-                   else
-                     for (const std::size_t member : groups[i - n]) weights[member] = 0;
-                   std::vector<double> change = refit(weights);
-                   for (std::size_t k = 0; k < change.size(); ++k) {
-                     const FreeParameter& parameter = problem.parameters()[k];
-                     change[k] = parameter.shown(change[k]) - parameter.shown(fitted[k]);
-                   }
-                   if (i >= n) {
-                     result.runs[i - n] = std::move(change);
-                     return;
-                   }
-                   const double h = leverage[static_cast<Eigen::Index>(i)], rest = std::max(1 - h, 1e-12);
-                   const double r = residuals[i];
-                   const double cook =
-                       variance > 0 ? r * r * h / (static_cast<double>(p) * variance * rest * rest) : 0.0;
-                   result.points[i] = {h, cook, std::move(change)};
-                 });
+  const auto change_without = [&](const std::vector<std::size_t>& left_out, Refitter& refit,
+                                  std::vector<double>& weights) {
+    std::fill(weights.begin(), weights.end(), 1.0);
+    for (const std::size_t i : left_out) weights[i] = 0;
+    std::vector<double> change = refit(weights);
+    for (std::size_t k = 0; k < change.size(); ++k) {
+      const FreeParameter& parameter = problem.parameters()[k];
+      change[k] = parameter.shown(change[k]) - parameter.shown(fitted[k]);
+    }
+    return change;
+  };
+  for_each_refit(
+      problem, fitted, n, n + groups.size(), threads, progress,
+      [&](std::size_t i, Refitter& refit, std::vector<double>& weights) {
+        if (i >= n) {
+          result.runs[i - n] = change_without(groups[i - n], refit, weights);
+          return;
+        }
+        const double h = leverage[static_cast<Eigen::Index>(i)], rest = std::max(1 - h, 1e-12);
+        const double r = residuals[i], expected = static_cast<double>(p) * variance * rest * rest;
+        result.points[i] = {h, variance > 0 ? r * r * h / expected : 0.0, change_without({i}, refit, weights)};
+      });
   return result;
 }
 

@@ -1,5 +1,5 @@
-// How far the fitted parameters depend on the choice of points: bootstrap, jackknife, influence. Parameters are those a
-// reader sees (FreeParameter::shown); weights are those of the fit, also where they depend on its parameters.
+// How the fitted parameters depend on the choice of points: bootstrap, jackknife, influence. Values are converted by
+// FreeParameter::shown. Weights remain those of the fit, even if they depend on its parameters.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
                           const std::vector<std::size_t>& runs, const BootstrapOptions& options, double confidence,
                           const Progress& progress = {});
 
-/// What single points and runs do to the fit: jackknife, leverage, Cook's distance.
+/// Influence of single points and runs: jackknife, leverage, Cook's distance.
 Influence influence(const Problem& problem, const std::vector<double>& fitted, const std::vector<std::size_t>& runs,
                     unsigned threads, const Progress& progress = {});
 

@@ -1,4 +1,4 @@
-// What the solver finds, as plain numbers.
+// Results of the solver, as plain numbers.
 #pragma once
 
 #include <cstddef>
@@ -12,45 +12,54 @@
 
 namespace mixity {
 
-/// suspect: found, but a test says that the interval cannot be believed; the solver itself has none.
+/// suspect: found, but a test shows that the interval is not reliable; the solver itself has no such test.
 enum class FitStatus { ok, suspect, at_bound, not_identifiable, multimodal, not_converged };
-std::string_view to_string(FitStatus status);
+constexpr std::string_view to_string(FitStatus status) {
+  constexpr std::string_view kNames[] = {"ok",         "suspect",      "at_bound", "not_identifiable",
+                                         "multimodal", "not_converged"};
+  return kNames[static_cast<std::size_t>(status)];
+}
 
 /// Where a descent ended.
 struct Minimum {
   std::vector<double> x;
   double sum_of_squares;
-  double stationarity;  // the part of |r| along the columns of J of the parameters that are free to move; 0 is exact
+  double stationarity;  // share of |r| along the columns of J of the parameters that can move; 0 at a minimum
   bool stationary;      // within SolverOptions::stationary, or within rounding of the data
 };
 
-/// What descents from all starts ended at.
+/// Where the descents from all starts ended.
 struct FoundMinima {
   std::vector<Minimum> list;  // each once, lowest first; the first by the engine of the options
-  double least = std::numeric_limits<double>::infinity();  // the lowest cost met, at starts, too
-  std::vector<std::vector<double>> dearest{};              // that the search looked at, see Starts
+  double least = std::numeric_limits<double>::infinity();  // the lowest cost found, including the starts
+  std::vector<std::vector<double>> dearest{};              // highest costs of the search, see Starts
   bool started = false;                                    // false: the cost is nowhere finite
 };
 
 /// A minimum, judged.
 struct Verdict {
-  FitStatus status;
-  std::string message;                                 // one sentence; empty if ok
-  Minimum best;                                        // meaningless if not_identifiable
-  std::vector<bool> at_bound;                          // per parameter
-  std::vector<std::optional<double>> standard_errors;  // null at a bound, if not identifiable, or without scatter
-  std::vector<Minimum> others;                         // further local minima, best first
-  std::vector<double> correlations;  // [p x p] of the parameters that have a standard error; else empty
+  Verdict() = default;
+  explicit Verdict(std::size_t parameters) : at_bound(parameters), standard_errors(parameters) {}
+
+  FitStatus status = FitStatus::not_converged;
+  std::string message{};                                 // one sentence; empty if ok
+  Minimum best{};                                        // meaningless if not_identifiable
+  std::vector<bool> at_bound{};                          // per parameter
+  std::vector<std::optional<double>> standard_errors{};  // null at a bound, if not identifiable, or without scatter
+  std::vector<Minimum> others{};                         // further local minima, best first
+  std::vector<double> correlations{};  // [p x p] of the parameters that have a standard error; else empty
 };
 
-/// Of one end of an interval.
+/// Status of one end of an interval.
 enum class EndStatus { found, at_bound, open };
-std::string_view to_string(EndStatus status);
+constexpr std::string_view to_string(EndStatus status) {
+  return status == EndStatus::found ? "found" : status == EndStatus::at_bound ? "at_bound" : "open";
+}
 
-/// The profile for drawing: how far the cost lies above its minimum, in units of the errors' variance (known, or as the
-/// scatter shows it), so that it is ((x - best)/standard error)^2 for a parabola.
+/// The profile for drawing: the rise of the cost above its minimum, in units of the variance of the errors (known, or
+/// from the scatter); for a parabola ((x - best)/standard error)^2.
 struct DrawnProfile {
-  std::vector<std::pair<double, double>> points;  // x as the solver counts, rise; x rising
+  std::vector<std::pair<double, double>> points;  // solver value x, rise; x ascending
   double level = 0;                               // the rise at an interval's end: allowance/variance
 };
 

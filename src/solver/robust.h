@@ -1,14 +1,15 @@
-// Robust losses: large residuals count less. The problem with cost sum rho(r^2) is again one of least squares, in the
-// residuals sign(r) sqrt(rho(r^2)), so that multistart, descent and verdict need not know.
+// Robust losses: large residuals count less. A problem with the cost sum rho(r^2) is one of least squares in the
+// residuals sign(r) sqrt(rho(r^2)), so the rest of the solver needs no special case.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "solver/options.h"
 #include "solver/problem.h"
+#include "statistics/readings.h"
 
 namespace mixity {
 
@@ -18,25 +19,8 @@ class RobustProblem final : public WrappedProblem {
   RobustProblem(const Problem& problem, Loss loss, double scale)
       : WrappedProblem(problem), loss_(loss), scale_(scale) {}
 
-  /// The loss bends within a standard error: its basins may be narrower than the usual steps.
+  /// The loss may have basins of a standard error's width, narrower than the usual steps.
   std::size_t scan_density(std::size_t searched) const override { return searched == 1 ? 512 : searched == 2 ? 16 : 8; }
-
-  bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
-    if (!problem_.evaluate(x, residuals, jacobian)) return false;
-    bend(residuals, jacobian);
-    return true;
-  }
-  bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
-                      std::vector<double>& memory) const override {
-    if (!problem_.evaluate_again(x, residuals, jacobian, memory)) return false;
-    bend(residuals, jacobian);
-    return true;
-  }
-  bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override {
-    if (!problem_.evaluate_roughly(x, residuals)) return false;
-    bend(residuals, {});
-    return true;
-  }
 
   /// d^2(rho/2)/dr^2 over the square of the residual's own slope; 0 for Huber's outliers, negative for Cauchy's.
   std::vector<double> curvatures(std::span<const double> x) const override {
@@ -53,8 +37,7 @@ class RobustProblem final : public WrappedProblem {
   }
 
  private:
-  void bend(std::span<double> residuals, std::span<double> jacobian) const {
-    const std::size_t p = parameters().size();
+  void change(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     for (std::size_t i = 0; i < residuals.size(); ++i) {
       const double r = residuals[i], size = std::abs(r) / scale_;
       const bool outlier = loss_ == Loss::cauchy || size > 1;
@@ -63,8 +46,8 @@ class RobustProblem final : public WrappedProblem {
       const double slope = loss_ == Loss::huber ? 1 / size : 1 / (1 + size * size);  // d rho/d(size^2)
       residuals[i] = std::copysign(scale_ * std::sqrt(rho), r);
       const double factor = slope * size / std::sqrt(rho);
-      if (!jacobian.empty())
-        for (std::size_t k = 0; k < p; ++k) jacobian[i * p + k] *= factor;
+      if (jacobian.empty()) continue;
+      for (double& one : jacobian.subspan(i * x.size(), x.size())) one *= factor;
     }
   }
 
@@ -72,17 +55,15 @@ class RobustProblem final : public WrappedProblem {
   double scale_;
 };
 
-/// Standard error of residuals whose size is not known beforehand: 1.4826 times the median of their sizes.
+/// Standard error of residuals of unknown size, from the median of their absolute values.
 inline double spread(const Problem& problem, const std::vector<double>& x) {
   std::vector<double> residuals(problem.residual_count());
   if (residuals.empty() || !problem.evaluate(x, residuals, {})) return 0;
   for (double& r : residuals) r = std::abs(r);
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return 1.4826 * *middle;
+  return kOfMedian * median(std::move(residuals));
 }
 
-/// Where the only parameter leaves the least spread: outliers may hide every minimum of the squares.
+/// The value of the only parameter with the least spread: outliers may hide every minimum of the squares.
 inline std::vector<double> value_of_least_spread(const Problem& problem) {
   if (problem.parameters().size() != 1) return {};
   const FreeParameter& parameter = problem.parameters()[0];

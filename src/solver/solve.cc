@@ -14,8 +14,8 @@
 namespace mixity {
 namespace {
 
-constexpr int kMostRounds = 50;    // of a minimum and the unit of its residuals
-constexpr double kSettled = 1e-9;  // relative, of that unit
+constexpr int kMostRounds = 50;    // between the minimum and the unit of its residuals
+constexpr double kSettled = 1e-9;  // relative change of that unit
 
 bool lower(const Minimum& one, const Minimum& other) { return one.sum_of_squares < other.sum_of_squares; }
 
@@ -39,7 +39,7 @@ class Minima {
     return std::any_of(list.begin(), list.end(),
                        [&](const Minimum& minimum) { return minimum.stationary && minimum.sum_of_squares <= cost; });
   }
-  /// Whether a minimum is known in the basin of this start.
+  /// Whether a minimum is known in the box of this start.
   bool has_one_of(const Start& start) const {
     return !start.low.empty() && std::any_of(list.begin(), list.end(), [&](const Minimum& minimum) {
       for (std::size_t k = 0; k < minimum.x.size(); ++k)
@@ -66,8 +66,8 @@ class Minima {
   bool is_peak_at_bound(const Minimum& minimum) const {
     for (std::size_t k = 0; k < minimum.x.size(); ++k) {
       const FreeParameter& parameter = problem_.parameters()[k];
-      const double x = minimum.x[k], inwards = x <= parameter.lower ? 1 : x >= parameter.upper ? -1 : 0;
-      if (inwards == 0) continue;
+      if (!parameter.at_bound(minimum.x[k])) continue;
+      const double x = minimum.x[k], inwards = x <= parameter.lower ? 1 : -1;
       if (minimum.x.size() == 1) return !lowest_at_bound(problem_, x);
       Profile profile(problem_, minimum, 1e-3 * options_.lower_cost * minimum.sum_of_squares, options_);
       profile.begin(k);
@@ -87,7 +87,7 @@ class Minima {
 FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, const SolverOptions& options) {
   const std::size_t p = problem.parameters().size();
   FoundMinima found;
-  std::vector<Start> list;  // what is guessed lies nearest, mostly
+  std::vector<Start> list;  // guesses first: they are usually nearest
   if (!starting.near.empty()) list.push_back({starting.near});
   for (const auto& guess : starting.guesses) list.push_back({guess});
   if (starting.near.empty()) {
@@ -112,7 +112,7 @@ FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, 
       found.least = std::min(found.least, kernel.first_cost());
     else if (const auto cost = sum_of_squares(problem, start.x, residuals))  // finite, where the slope is not
       found.least = std::min(found.least, *cost);
-    // the only start of several parameters is worth both engines: one may end in a valley, or where nothing is felt
+    // From the only start of several parameters try both engines: one may end in a valley or on a plateau.
     const bool lost = !minimum || (!minimum->stationary && !minima.has_below(minimum->sum_of_squares));
     if (lost || (list.size() == 1 && p > 1 && options.engine == Engine::ceres))
       if (const auto other = descend(problem, start.x, options)) {
@@ -125,7 +125,7 @@ FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, 
   found.list = std::move(minima.list);
   if (found.list.empty()) return found;
   std::sort(found.list.begin(), found.list.end(), lower);
-  // the kernel found it; what is shown is the work of the engine that was asked for, to the last digits
+  // The kernel found it; the engine of the options takes it to the last digits.
   Minimum& best = found.list.front();
   if (p > 1 || options.engine != Engine::kernel)
     if (const auto minimum = descend(problem, best.x, options);
@@ -140,14 +140,15 @@ FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, 
 Verdict solve(const Problem& problem, const StartingPoints& starting, const SolverOptions& options) {
   const std::size_t n = problem.residual_count(), p = problem.parameters().size();
   if (n > p) return judge(problem, find_minima(problem, starting, options), options);
-  Verdict verdict = no_verdict(p);
+  Verdict verdict(p);
   verdict.status = FitStatus::not_identifiable;
   verdict.message = too_few_points(n, n, p);
   return verdict;
 }
 
 SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& starting, const SolverOptions& options) {
-  const std::size_t n = data.residual_count(), unknown = data.parameters().size() - prior_count(data);
+  const std::size_t priors = prior_count(data), n = data.residual_count(), unknown = data.parameters().size() - priors;
+  if (priors == 0) return {solve(data, starting, options), 1};
   const Remembering nearby(data);
   const Problem& of_data = starting.near.empty() ? data : static_cast<const Problem&>(nearby);
   const auto at_unit = [&](double unit, const StartingPoints& from, const SolverOptions& with) {
@@ -159,7 +160,7 @@ SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& st
     const auto square = x.empty() ? std::nullopt : sum_of_squares(of_data, x, residuals);
     return square ? std::sqrt(*square / static_cast<double>(n - unknown)) : 0.0;
   };
-  // Most of the way by the kernel, which is not judged.
+  // The kernel settles the unit first, without a verdict.
   SolverOptions quick = options;
   quick.engine = Engine::kernel;
   quick.stationary = quick.kernel_stationary_of_several = 1e-6;  // the cost's error is its square

@@ -1,4 +1,4 @@
-// A fit: finding minima, from wherever a search of the whole range or somebody's guess says to begin, and judging them.
+// A fit: finds minima, from a search of the whole range and from guesses, and judges the lowest.
 #pragma once
 
 #include <vector>
@@ -9,22 +9,22 @@
 
 namespace mixity {
 
-/// Where to start beside, or instead of, a search of the whole range.
+/// Where to start, in addition to a search of the whole range or instead of it.
 struct StartingPoints {
-  std::vector<double> near{};                  // not empty: no search, for refits of almost the same data
-  std::vector<std::vector<double>> guesses{};  // beside it
+  std::vector<double> near{};                  // not empty: instead of the search, for refits of almost the same data
+  std::vector<std::vector<double>> guesses{};  // in addition
 };
 
-/// The lowest of the minima that are found, judged (verdict.h).
+/// Judges the lowest minimum found (verdict.h).
 Verdict solve(const Problem& problem, const StartingPoints& starting = {}, const SolverOptions& options = {});
 
-/// The minimum of ProblemWithPriors(data, unit).
+/// The minimum of ProblemWithPriors(data, unit); unit is 1 without priors.
 struct SolvedWithPriors {
   Verdict verdict;
   double unit;
 };
 
-/// Residuals whose size is not known are measured by their own scatter about the fit, on which that depends: until it
+/// Residuals of unknown size are divided by their own scatter about the fit, which depends on it: iterated until that
 /// no longer changes.
 SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& starting = {},
                                    const SolverOptions& options = {});

@@ -23,7 +23,7 @@ std::string values_text(const Problem& problem, const std::vector<double>& x) {
   return text;
 }
 
-/// What the tests of a verdict look at. Each test says why the fit is not ok, or nothing.
+/// What the tests of a verdict look at. Each test returns why the fit is not ok, or nothing.
 struct Judgement {
   const Problem& problem;
   const SolverOptions& options;
@@ -42,8 +42,8 @@ struct Judgement {
 
 using Finding = std::optional<std::pair<FitStatus, std::string>>;
 
-/// Within rounding, or within what the scatter allows, every value looked at fits as well as the best: the first that
-/// does not says otherwise. Some standard errors from the best there mostly is one.
+/// Every value tried fits as well as the best, within the scatter or rounding. One that does not ends the test; four
+/// standard errors from the best there usually is one.
 Finding every_value_fits(const Judgement& judgement) {
   if (judgement.found.dearest.empty()) return {};
   const Minimum& best = judgement.verdict.best;
@@ -54,7 +54,7 @@ Finding every_value_fits(const Judgement& judgement) {
     for (const double errors : {-4.0, 4.0}) {
       std::vector<double> x = best.x;
       x[k] += errors * *error;
-      if (x[k] < parameter.lower || x[k] > parameter.upper) continue;
+      if (x[k] != parameter.clamped(x[k])) continue;
       if (const auto cost = judgement.cost_at(x); cost && !judgement.fits_as_well(*cost)) return {};
     }
   }
@@ -81,16 +81,16 @@ Finding unconstrained(const Judgement& judgement) {
   return {};
 }
 
-/// Where a little further down the slope the model is not defined, the only parameter is as good as at a bound.
+/// The model may not be defined a little further down the slope, which is like a bound for the only parameter.
 Finding stopped_on_a_slope(const Judgement& judgement) {
   const Minimum& best = judgement.verdict.best;
   if (best.stationary) return {};
   for (std::size_t k = 0; k < best.x.size(); ++k)
     for (const double direction : {-1.0, 1.0}) {
-      std::vector<double> beyond = best.x;
-      beyond[k] += direction * 1e-6 * std::max(std::abs(best.x[k]), judgement.problem.parameters()[k].least_size());
       const FreeParameter& parameter = judgement.problem.parameters()[k];
-      if (beyond[k] < parameter.lower || beyond[k] > parameter.upper || judgement.cost_at(beyond)) continue;
+      std::vector<double> beyond = best.x;
+      beyond[k] += direction * 1e-6 * std::max(std::abs(best.x[k]), parameter.least_size());
+      if (beyond[k] != parameter.clamped(beyond[k]) || judgement.cost_at(beyond)) continue;
       judgement.verdict.standard_errors.assign(best.x.size(), std::nullopt);
       const std::string where = "beyond " + values_text(judgement.problem, best.x) + " the model is not defined here";
       return {{best.x.size() == 1 ? FitStatus::at_bound : FitStatus::not_converged, where}};
@@ -132,40 +132,12 @@ Finding another_fits_as_well(const Judgement& judgement) {
                                       values_text(judgement.problem, other->x)}};
 }
 
-/// In this order: the first that has something to say decides.
+/// In this order; the first finding decides.
 constexpr Finding (*kTests[])(const Judgement&) = {every_value_fits,    nothing_found, unconstrained,
                                                    stopped_on_a_slope,  above_a_start, at_a_bound,
                                                    another_fits_as_well};
 
 }  // namespace
-
-std::string_view to_string(FitStatus status) {
-  switch (status) {
-    case FitStatus::ok:
-      return "ok";
-    case FitStatus::suspect:
-      return "suspect";
-    case FitStatus::at_bound:
-      return "at_bound";
-    case FitStatus::not_identifiable:
-      return "not_identifiable";
-    case FitStatus::multimodal:
-      return "multimodal";
-    case FitStatus::not_converged:
-      break;
-  }
-  return "not_converged";
-}
-
-Verdict no_verdict(std::size_t parameters) {
-  return {FitStatus::not_converged,
-          {},
-          {},
-          std::vector<bool>(parameters),
-          std::vector<std::optional<double>>(parameters),
-          {},
-          {}};
-}
 
 std::string too_few_points(std::size_t distinct, std::size_t points, std::size_t parameters) {
   return std::to_string(distinct) + " usable point" + (distinct == 1 ? "" : "s") +
@@ -173,14 +145,11 @@ std::string too_few_points(std::size_t distinct, std::size_t points, std::size_t
          std::to_string(parameters) + " parameter" + (parameters == 1 ? "" : "s") + " and their errors";
 }
 
-double fit_tolerance(const Problem& problem, double least) {
-  const auto freedom = static_cast<double>(problem.residual_count() - problem.parameters().size());
-  return kChiSquare95 * (problem.known_errors() ? 1 : least / freedom);
-}
+double fit_tolerance(const Problem& problem, double least) { return kChiSquare95 * residual_variance(problem, least); }
 
 Verdict judge(const Problem& problem, const FoundMinima& found, const SolverOptions& options) {
   const std::size_t p = problem.parameters().size();
-  Verdict verdict = no_verdict(p);
+  Verdict verdict(p);
   if (!found.started) {
     verdict.message = "the model is not finite at these points for any parameter value";
     return verdict;
@@ -189,9 +158,7 @@ Verdict judge(const Problem& problem, const FoundMinima& found, const SolverOpti
   if (!found.list.empty()) {
     verdict.best = found.list.front();
     verdict.others.assign(found.list.begin() + 1, found.list.end());
-    for (std::size_t k = 0; k < p; ++k)
-      verdict.at_bound[k] =
-          verdict.best.x[k] <= problem.parameters()[k].lower || verdict.best.x[k] >= problem.parameters()[k].upper;
+    for (std::size_t k = 0; k < p; ++k) verdict.at_bound[k] = problem.parameters()[k].at_bound(verdict.best.x[k]);
     errors = covariance(problem, verdict.best, verdict.at_bound, options);
   }
   verdict.status = FitStatus::ok;

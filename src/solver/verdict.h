@@ -1,4 +1,4 @@
-// Judging what was found: tests of a sentence each.
+// Judging a minimum: each test gives one sentence.
 #pragma once
 
 #include <string>
@@ -9,17 +9,14 @@
 
 namespace mixity {
 
-/// Why a fit of more parameters than different points, less one, has no result.
+/// The message of a fit that needs more distinct points than it has.
 std::string too_few_points(std::size_t distinct, std::size_t points, std::size_t parameters);
 
-/// `not_converged`, without a word.
-Verdict no_verdict(std::size_t parameters);
-
-/// How far above the least sum of squares a fit counts as no worse: chi^2 of one parameter at 95 %, in units of the
-/// known errors or of the scatter. Needs more residuals than parameters.
+/// A fit is as good as the best if its sum of squares is at most so much higher: chi^2 of one parameter at 95 %, in
+/// units of residual_variance.
 double fit_tolerance(const Problem& problem, double least);
 
-/// The lowest of the minima, judged. More residuals than parameters.
+/// Judges the lowest of the minima. Needs more residuals than parameters.
 Verdict judge(const Problem& problem, const FoundMinima& found, const SolverOptions& options = {});
 
 }  // namespace mixity

@@ -53,7 +53,7 @@ void KernelFit(benchmark::State& state, const char* key) {
     const Verdict verdict = solve(problem, {}, options);
     const double allowance = cost_allowance(0.95, verdict.best.sum_of_squares, problem.residual_count(), 1, false);
     benchmark::DoNotOptimize(
-        profile_interval(problem, verdict.best, 0, 0.95, allowance, verdict.standard_errors[0], options));
+        profile_intervals(problem, verdict.best, 0.95, allowance, verdict.standard_errors, {}, options));
   }
 }
 BENCHMARK_CAPTURE(KernelFit, PapangeloCiavarella, "c")->Name("KernelFit<PapangeloCiavarella>");

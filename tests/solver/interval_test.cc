@@ -32,7 +32,7 @@ Fitted fitted(const Problem& problem, const std::vector<double>& start) {
 }
 
 Interval interval(const Problem& problem, const Fitted& fit, std::size_t k, double allowance) {
-  return profile_interval(problem, fit.best, k, 0.95, allowance, fit.errors[k]);
+  return profile_intervals(problem, fit.best, 0.95, allowance, fit.errors)[k];
 }
 
 TEST(CostAllowance, IsAQuantile) {

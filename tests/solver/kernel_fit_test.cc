@@ -91,7 +91,7 @@ TEST_P(OneParameter, ProfileEndsLieWhereTheCostHasRisenByTheAllowance) {
   const Verdict fit = solve(problem);
   ASSERT_EQ(fit.status, FitStatus::ok) << fit.message;
   const double least = fit.best.sum_of_squares, allowance = cost_allowance(0.95, least, 80, 1, false);
-  const Interval interval = profile_interval(problem, fit.best, 0, 0.95, allowance, fit.standard_errors[0]);
+  const Interval interval = profile_intervals(problem, fit.best, 0.95, allowance, fit.standard_errors)[0];
   ASSERT_EQ(interval.low_status, EndStatus::found);
   ASSERT_EQ(interval.high_status, EndStatus::found);
   std::vector<double> residuals(80);

@@ -52,7 +52,7 @@ TEST(Prior, OnALineGivesThePosteriorInClosedForm) {
       EXPECT_NEAR(verdict.best.x[1], each.expected.slope, kRounding);
       EXPECT_NEAR(verdict.standard_errors[0].value(), each.expected.level_error, kRounding);
       EXPECT_NEAR(verdict.standard_errors[1].value(), each.expected.slope_error, kRounding);
-      const Interval interval = profile_interval(problem, verdict.best, 0, 0.95, 3.84, verdict.standard_errors[0]);
+      const Interval interval = profile_intervals(problem, verdict.best, 0.95, 3.84, verdict.standard_errors)[0];
       EXPECT_NEAR(interval.high - verdict.best.x[0], each.expected.level_error * std::sqrt(3.84), 1e-9);  // an end's
     }
   }

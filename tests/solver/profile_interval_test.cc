@@ -73,7 +73,7 @@ TEST(ProfileOfALine, IsTheTInterval) {
     const double allowance = cost_allowance(confidence, verdict.best.sum_of_squares, kLine.size(), 2, false);
     for (std::size_t k = 0; k < 2; ++k) {
       const Interval interval =
-          profile_interval(line, verdict.best, k, confidence, allowance, verdict.standard_errors[k]);
+          profile_intervals(line, verdict.best, confidence, allowance, verdict.standard_errors)[k];
       const double half = known.quantile * known.error[k];
       EXPECT_EQ(interval.low_status, EndStatus::found);
       EXPECT_EQ(interval.high_status, EndStatus::found);
@@ -101,7 +101,7 @@ TEST(ProfileOfALine, StopsAtABoundThatTheDataDoNotExclude) {
   const Verdict verdict = solve(line);
   ASSERT_EQ(verdict.status, FitStatus::ok) << verdict.message;
   const double allowance = cost_allowance(0.95, verdict.best.sum_of_squares, kLine.size(), 2, false);
-  const Interval interval = profile_interval(line, verdict.best, 1, 0.95, allowance, verdict.standard_errors[1]);
+  const Interval interval = profile_intervals(line, verdict.best, 0.95, allowance, verdict.standard_errors)[1];
   EXPECT_EQ(interval.high_status, EndStatus::at_bound);
   EXPECT_EQ(interval.high, upper);
   EXPECT_EQ(interval.low_status, EndStatus::found);
@@ -114,7 +114,7 @@ TEST(ProfileOfALine, FromABoundGoesOneWay) {
   const Line line(kLine, {{"intercept", -10, 10}, {"slope", -10, known.value[1] - known.error[1]}});
   const Verdict verdict = solve(line);
   ASSERT_EQ(verdict.status, FitStatus::at_bound);
-  const Interval interval = profile_interval(line, verdict.best, 1, 0.95, 1, {});
+  const Interval interval = profile_intervals(line, verdict.best, 0.95, 1, {{}, {}})[1];
   EXPECT_EQ(interval.high_status, EndStatus::at_bound);
   EXPECT_EQ(interval.low_status, EndStatus::found);
   // cost above the free minimum S: ((b - x)/error)^2 S/(n - 2); from one error to where it has grown by the allowance 1
@@ -131,7 +131,7 @@ TEST(ProfileOfALine, IsOpenWhereOnlyTheSearchEnds) {
   const Verdict verdict = solve(line);
   ASSERT_EQ(verdict.status, FitStatus::ok) << verdict.message;
   const double allowance = cost_allowance(0.95, verdict.best.sum_of_squares, kLine.size(), 2, false);
-  const Interval interval = profile_interval(line, verdict.best, 1, 0.95, allowance, verdict.standard_errors[1]);
+  const Interval interval = profile_intervals(line, verdict.best, 0.95, allowance, verdict.standard_errors)[1];
   EXPECT_EQ(interval.high_status, EndStatus::open);
   EXPECT_EQ(interval.low_status, EndStatus::found);
 }

@@ -30,7 +30,7 @@ void expect_values(const Verdict& verdict, const std::vector<double>& values, co
 
 Interval interval_of(const Problem& problem, const Verdict& verdict, std::size_t k, double confidence,
                      double allowance) {
-  return profile_interval(problem, verdict.best, k, confidence, allowance, verdict.standard_errors[k]);
+  return profile_intervals(problem, verdict.best, confidence, allowance, verdict.standard_errors)[k];
 }
 
 double scatter_allowance(const Problem& problem, const Verdict& verdict, double confidence) {

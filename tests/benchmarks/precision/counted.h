@@ -27,11 +27,10 @@ class CountedProblem final : public WrappedProblem {
  public:
   using WrappedProblem::WrappedProblem;
   mutable long sweeps = 0;
-  bool evaluate(std::span<const double> x, std::span<double> r, std::span<double> J) const override {
-    ++sweeps;
-    return problem_.evaluate(x, r, J);
-  }
   std::unique_ptr<Cost> cost() const override { return std::make_unique<CountedCost>(problem_.cost(), sweeps); }
+
+ private:
+  void change(std::span<const double>, std::span<double>, std::span<double>) const override { ++sweeps; }
 };
 
 }  // namespace mixity::precision

@@ -74,8 +74,8 @@ double sweeps_of_whole_fit(const Problem& objective) {
   const Verdict verdict = solve(problem);
   if (!verdict.best.x.empty()) {
     const double least = verdict.best.sum_of_squares;
-    profile_interval(problem, verdict.best, 0, kConfidence, cost_allowance(kConfidence, least, kPoints, 1, false),
-                     verdict.standard_errors[0]);
+    profile_intervals(problem, verdict.best, kConfidence, cost_allowance(kConfidence, least, kPoints, 1, false),
+                      verdict.standard_errors);
   }
   return static_cast<double>(problem.sweeps);
 }
