@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "studies/plan.h"
+#include "studies/simulate.h"
 
 namespace mixity::cli {
 

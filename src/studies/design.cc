@@ -23,8 +23,6 @@ std::vector<std::string> without(const std::vector<std::string>& models, const s
   return rivals;
 }
 
-const FittedParameter& first_of_model(const FitResult& fit) { return fit.parameters.front(); }
-
 }  // namespace
 
 double Expectation::Rival::odds() const { return std::exp(0.5 * chi2); }
@@ -44,7 +42,7 @@ Expectation expect(const Plan& plan, const std::vector<std::string>& rivals) {
   FitOptions options = value_only({});
   Expectation expected;
   const FitResult own = fit_model(data, plan.model, options);
-  if (own.status != FitStatus::not_identifiable) expected.standard_error = first_of_model(own).stderr_;
+  if (own.status != FitStatus::not_identifiable) expected.standard_error = own.parameters.front().stderr_;
   for (const std::string& model : without(rivals, plan.model)) {
     const FitResult fit = fit_model(data, model, options);
     if (has_all_values(fit)) expected.rivals.push_back({model, fit.sum_of_squares});
@@ -69,7 +67,7 @@ std::vector<LoadCandidate> next_loads(const Plan& plan, double least, double mos
 Plan best_plan(const Plan& plan, double least, double most, std::size_t runs, Goal goal,
                const std::vector<std::string>& rivals, const Progress& progress) {
   constexpr std::size_t kCandidates = 25;
-  constexpr double kHelps = 1e-3;  // of the cost: exchanges that gain less are noise of the grid
+  constexpr double kHelps = 1e-3;  // relative; smaller gains of an exchange are noise of the grid
   const std::vector<std::string> others = goal == Goal::error ? std::vector<std::string>{} : rivals;
   Plan best = plan;
   const auto best_next = [&](const Plan& with) {
@@ -111,13 +109,13 @@ Outcome try_plan(const Plan& plan, std::uint64_t seed, std::size_t experiments, 
   };
   std::vector<One> all(experiments);
   std::size_t done = 0;
-  std::mutex telling;
+  std::mutex reporting;
   parallel_for(experiments, [&](std::size_t i) {
     const Dataset data = simulate(plan, seed, i);
     FitOptions options;
     options.checks = !others.empty();
     std::vector<FitResult> fits{fit_model(data, plan.model, options)};
-    const FittedParameter& parameter = first_of_model(fits[0]);
+    const FittedParameter& parameter = fits[0].parameters.front();
     One& one = all[i];
     one.value = parameter.value;
     one.standard_error = parameter.stderr_;
@@ -132,7 +130,7 @@ Outcome try_plan(const Plan& plan, std::uint64_t seed, std::size_t experiments, 
       one.decided = probabilities(fits)[0].value_or(0) > 0.95;
     }
     if (progress) {
-      const std::lock_guard lock(telling);
+      const std::lock_guard lock(reporting);
       progress(static_cast<double>(++done) / static_cast<double>(experiments));
     }
   });

@@ -1,4 +1,4 @@
-// What a plan will tell, and which loads tell most.
+// The expected results of a plan, and the best loads for it.
 #pragma once
 
 #include <optional>
@@ -6,37 +6,37 @@
 #include <vector>
 
 #include "fitting/options.h"
-#include "studies/plan.h"
+#include "studies/simulate.h"
 
 namespace mixity {
 
-enum class Goal { error, model };  // the least error of the parameter; the largest least chi^2 of the rivals
+enum class Goal { error, model };  // the smallest error of the parameter; the largest minimum of the rivals' chi^2
 
-/// Of a plan, before it is done.
+/// The expected results of a plan.
 struct Expectation {
-  /// Of the model's first parameter, by the Fisher information of all points with what is known of the constants
-  /// (nuisance constants: Ds-optimality, Silvey 1980): the error of a fit to the plan without noise. Null where
-  /// the plan does not determine it.
+  /// Of the model's first parameter, from the Fisher information of all points and the priors of the constants
+  /// (nuisance constants: Ds-optimality, Silvey 1980): the error of a fit to the plan without noise. Null where the
+  /// plan does not determine it.
   std::optional<double> standard_error;
-  /// How far each rival's best fit to the plan without noise is off, as chi^2: the T-criterion of Atkinson & Fedorov
-  /// 1975 (Biometrika 62, 57). Twice the expected logarithm of the odds against it, but for what its freedom costs.
+  /// chi^2 of each rival's best fit to the plan without noise: the T-criterion of Atkinson & Fedorov 1975 (Biometrika
+  /// 62, 57). Twice the expected logarithm of the odds against it, without the penalty for free parameters.
   struct Rival {
     std::string model;
     double chi2;
     double odds() const;  // exp(chi2/2), infinite where that is no double
   };
   std::vector<Rival> rivals;
-  /// Of the least chi^2 of the rivals; infinite without any.
+  /// Infinite without rivals.
   double least_chi2() const;
-  /// The smaller the better: the standard error, infinite where there is none; or less the least chi^2.
+  /// To be minimised: the standard error (infinite if there is none), or the least chi^2 with a minus sign.
   double cost(Goal goal) const;
 };
 
-/// `rivals`: keys of models; the plan's own is left out. Throws std::invalid_argument where problem_of names one.
+/// `rivals`: keys of models; the plan's own is left out. Throws as simulate does.
 Expectation expect(const Plan& plan, const std::vector<std::string>& rivals);
 
-/// Which load is best for one more run: candidates from `least` to `most` [N], evenly in load, each with the
-/// expectation of the plan with it.
+/// Candidates for the load of one more run, evenly from `least` to `most` [N], with the expectation of the plan that
+/// includes it.
 struct LoadCandidate {
   double load;
   Expectation expected;
@@ -44,18 +44,17 @@ struct LoadCandidate {
 std::vector<LoadCandidate> next_loads(const Plan& plan, double least, double most, std::size_t candidates,
                                       const std::vector<std::string>& rivals, const Progress& progress = {});
 
-/// The plan with so many more runs, at the loads that serve the goal best: one after the other, then exchanged until no
-/// exchange helps (Fedorov 1972). How many that takes is not known before: `progress` is told of the loads tried for
-/// the next run.
+/// The plan with so many more runs at the best loads for the goal: added one by one, then exchanged until no exchange
+/// helps (Fedorov 1972). `progress` is that of the loads tried for the next run, since their number is not known.
 Plan best_plan(const Plan& plan, double least, double most, std::size_t runs, Goal goal,
                const std::vector<std::string>& rivals, const Progress& progress = {});
 
-/// Experiments of a plan, simulated and fitted as they will be: the answer that the expectation foretells.
+/// Experiments of a plan, simulated and fitted: the actual results that the expectation predicts.
 struct Outcome {
   std::size_t experiments = 0, with_value = 0, ok = 0;
   double mean = 0, spread = 0;     // of the parameter: mean, standard deviation
-  double mean_standard_error = 0;  // as the fits state it
-  double covered = 0;              // share of 95 % intervals that hold the truth
+  double mean_standard_error = 0;  // of the fits
+  double covered = 0;              // share of 95 % intervals that contain the truth
   std::optional<double> decided;   // share in which the right model's probability exceeds 0.95; null without rivals
 };
 Outcome try_plan(const Plan& plan, std::uint64_t seed, std::size_t experiments, const std::vector<std::string>& rivals,

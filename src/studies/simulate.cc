@@ -87,7 +87,7 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
   true_contact.radius *= factor("radius", nominal.radius);
   true_contact.modulus *= std::exp(stated.modulus_error() * chance());
   true_contact.toughness *= factor("toughness", nominal.toughness);
-  // what is to be added to a reading, and what an area is to be multiplied by
+  // offsets to be added to a reading, and the factor on areas
   const auto offset = [&](std::string_view name, std::optional<double> value) {
     return value.value_or(0) + stated.standard_error(name) * chance();
   };
@@ -100,7 +100,7 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
   std::vector<std::string> runs;
   const double mm2 = kMilli * kMilli;
   for (std::size_t k = 0; k < plan.loads.size(); ++k) {
-    // the apparatus is steered by its readings: the true load is what was wanted and the offset
+    // the apparatus is controlled by its readings: the true load is the planned one plus the offset
     const double load = (plan.loads[k] + load_offset) / true_contact.force_unit();
     const double longest =
         plan.reach * longest_shear(model, plan, plan.loads[k] / nominal.force_unit()) * nominal.force_unit();
@@ -110,10 +110,10 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
       shears[i] = longest * static_cast<double>(i) / static_cast<double>(plan.points - 1) / true_contact.force_unit();
     model.areas_at(plan.parameters, load, shears, areas_found, status);
     for (std::size_t i = 0; i < plan.points; ++i) {
-      if (status[i] != EquilibriumStatus::ok) continue;  // it has jumped, and is no point
+      if (status[i] != EquilibriumStatus::ok) continue;  // the contact has jumped
       const double shear = shears[i] * true_contact.force_unit() / kMilli - shear_offset / kMilli,
                    area = (areas_found[i] * true_contact.area_unit() / area_scale - area_offset) / mm2;
-      // errors are those of what is wanted, so that noise does not weigh points by itself
+      // errors of the true values, so that noise does not change the weights
       const double dT = error_of(plan.sigma_T, std::max(shear, longest / kMilli / static_cast<double>(plan.points)),
                                  kMilli),
                    dA = error_of(plan.sigma_A, area, mm2);
