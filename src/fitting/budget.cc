@@ -1,6 +1,7 @@
 #include "fitting/budget.h"
 
 #include <cmath>
+#include <limits>
 
 #include "solver/linear_algebra.h"
 #include "statistics/distributions.h"
@@ -8,17 +9,17 @@
 namespace mixity {
 namespace {
 
-/// Residuals so many times what rounding may leave are noise of the data.
+/// Residuals larger than so many rounding errors are noise of the data.
 constexpr double kRounding = 100;
 
-/// How many independent tests act like these, from the eigenvalues of their correlations (Galwey 2009).
+/// The effective number of independent tests, from the eigenvalues of their correlations (Galwey 2009).
 double effective_number(const std::vector<Eigen::VectorXd>& columns) {
-  const auto m = static_cast<Eigen::Index>(columns.size());
+  const std::size_t m = columns.size();
   if (m == 0) return 0;
   Eigen::MatrixXd correlations(m, m);
-  for (Eigen::Index i = 0; i < m; ++i)
-    for (Eigen::Index j = 0; j < m; ++j)
-      correlations(i, j) = columns[static_cast<std::size_t>(i)].dot(columns[static_cast<std::size_t>(j)]);
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < m; ++j)
+      correlations(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = columns[i].dot(columns[j]);
   const Eigen::VectorXd values = eigenvalues(correlations).cwiseMax(0);
   return std::pow(values.cwiseSqrt().sum(), 2) / values.sum();
 }
@@ -31,22 +32,24 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
   const auto& parameters = problem.parameters();
   std::vector<double> residuals(n), jacobian(n * all);
   if (fitted == 0 || !(unit > 0) || !problem.evaluate(x, residuals, jacobian)) return std::nullopt;
-  const auto rows = static_cast<Eigen::Index>(n);
-  const RowMajorMatrix J =
-      Eigen::Map<const RowMajorMatrix>(jacobian.data(), rows, static_cast<Eigen::Index>(all)) / unit;
-  const Eigen::VectorXd r = Eigen::Map<const Eigen::VectorXd>(residuals.data(), rows) / unit;
+  const RowMajorMatrix J = as_matrix(jacobian, all) / unit;
+  const Eigen::VectorXd r = as_vector(residuals) / unit;
   if (!J.allFinite() || !r.allFinite()) return std::nullopt;
   const bool scatters = r.norm() * unit > kRounding * residual_rounding(problem);
 
-  std::vector<Eigen::Index> open;  // columns of what the fit moves
+  std::vector<std::size_t> open;  // columns of parameters that the fit moves
   for (std::size_t k = 0; k < fitted; ++k)
-    if (!held[k]) open.push_back(static_cast<Eigen::Index>(k));
+    if (!held[k]) open.push_back(k);
+  const auto m = static_cast<Eigen::Index>(open.size());
+  Eigen::VectorXd priors(m);  // infinite where nothing is known
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const double prior = parameters[open[static_cast<std::size_t>(i)]].prior;
+    priors[i] = prior > 0 ? prior : std::numeric_limits<double>::infinity();
+  }
   const Eigen::MatrixXd open_J = J(Eigen::all, open), of_data = open_J.transpose() * open_J;
   Eigen::MatrixXd H = of_data;
-  for (std::size_t i = 0; i < open.size(); ++i)
-    if (const double prior = parameters[static_cast<std::size_t>(open[i])].prior; prior > 0)
-      H(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) += 1 / (prior * prior);
-  // scaled to a unit diagonal, for the sake of rounding
+  H.diagonal() += priors.cwiseAbs2().cwiseInverse();
+  // scaled to a unit diagonal, against rounding errors
   const Eigen::VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
   if (!scale.allFinite()) return std::nullopt;
   H = scale.asDiagonal() * H * scale.asDiagonal();
@@ -54,19 +57,18 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
     return scale.cwiseProduct(solve_symmetric(H, scale.cwiseProduct(right)));
   };
   Budget budget{parameters[0].name, parameters[0].unit, {}, {}, {}, 0};
-  std::vector<Eigen::VectorXd> tested;  // what each score test looks along
+  std::vector<Eigen::VectorXd> tested;  // direction of each score test
   const bool moves = !held[0];
   if (moves) {
-    const Eigen::VectorXd row = solve(Eigen::VectorXd::Unit(static_cast<Eigen::Index>(open.size()), 0));
+    const Eigen::VectorXd row = solve(Eigen::VectorXd::Unit(m, 0));
     const double variance = row[0];
     if (!row.allFinite() || !(variance > 0)) return std::nullopt;
     budget.scatter = row.dot(of_data * row) / variance;
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      const FreeParameter& parameter = parameters[static_cast<std::size_t>(open[i])];
-      if (!(parameter.prior > 0)) continue;
-      const double part = row[static_cast<Eigen::Index>(i)] / parameter.prior;
-      budget.parts.push_back({parameter.name, part * part / variance,
-                              (x[static_cast<std::size_t>(open[i])] - *parameter.start) / parameter.prior});
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const std::size_t k = open[static_cast<std::size_t>(i)];
+      const double part = row[i] / priors[i];
+      if (parameters[k].prior > 0)
+        budget.parts.push_back({parameters[k].name, part * part / variance, (x[k] - *parameters[k].start) / priors[i]});
     }
   }
   for (const ConstantStep& one : exact) {
@@ -80,21 +82,19 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
                            parameter.shown(at + one.step) - parameter.shown(at),
                            {}};
     const double square = column.squaredNorm(), left = square - (open_J.transpose() * column).dot(moved);
-    // what differs from the fit's own columns by rounding alone says nothing
+    // a column that depends on those of the fit, to rounding, cannot be tested
     if (left > 1e-9 * square && scatters) {
       const double slope = column.dot(r), fall = slope * slope / left;
       const Eigen::VectorXd apart = column - open_J * moved;
       tested.push_back(apart.normalized());
       double p_value = chi_squared_p_value(fall, 1);
-      if (const Eigen::Index freedom = rows - static_cast<Eigen::Index>(open.size()) - 1; !problem.known_errors()) {
-        // Of unknown size: the larger p of two, one for errors that are all alike, one where each residual stands for
-        // its own, larger by its leverage, with the constant free (MacKinnon & White's HC3).
+      if (const Eigen::Index freedom = static_cast<Eigen::Index>(n) - m - 1; !problem.known_errors()) {
+        // Errors of unknown size: the larger p of two, for one variance of all residuals, and for a variance of each
+        // from the residual and its leverage with the constant free (MacKinnon & White's HC3).
         const Eigen::ArrayXd leverage = apart.array().square() / left,
                              free = (r - apart * (slope / left)).array() / (1 - leverage).max(0.1);
         double robust = (apart.array() * free).square().sum();
-        for (std::size_t i = 0; i < open.size(); ++i)
-          if (const double prior = parameters[static_cast<std::size_t>(open[i])].prior; prior > 0)
-            robust += std::pow(moved[static_cast<Eigen::Index>(i)] / prior, 2);
+        for (Eigen::Index i = 0; i < m; ++i) robust += std::pow(moved[i] / priors[i], 2);
         const double alike = left * std::max(r.squaredNorm() - fall, 0.0) / static_cast<double>(freedom);
         p_value = freedom > 0 && robust > 0 && alike > 0
                       ? student_p_value(slope / std::sqrt(std::max(robust, alike)), static_cast<double>(freedom))

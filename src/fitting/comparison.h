@@ -1,4 +1,4 @@
-// Which model describes the data, and whether one value serves all loads.
+// Compares models (comparison.cc), and one set of parameters for all runs with one for each (per_curve.cc).
 #pragma once
 
 #include <optional>
@@ -9,19 +9,23 @@
 
 namespace mixity {
 
-/// Information criteria of one fit; K counts the fitted parameters and, where the size of the errors is not known,
-/// their variance. AICc needs n > K + 1. Null without values, of a perfect fit, and of a robust loss in units of the
-/// scatter: that of another fit is another cost.
+/// Information criteria.
 struct Information {
   double aic, bic;
-  std::optional<double> aicc;
+  std::optional<double> aicc;  // needs n > K + 1
 };
+/// Of n points. K counts the parameters and, where the size of the errors is not known, their variance.
+Information information(double sum_of_squares, std::size_t n, std::size_t parameters, bool known_errors);
+/// Null without values, of a perfect fit, and of a robust loss in units of the scatter, which differs between fits.
 std::optional<Information> information(const FitResult& fit);
-/// The same as if the constant were free that explains why its tests fail; null where none does.
+/// The same with that constant free which explains why tests fail; null if there is none.
 std::optional<Information> information_explained(const FitResult& fit);
 
-/// How well a model predicts the areas of loading runs that were left out of its fit, in the units of the file. Beyond
-/// the last equilibrium the area at the fold counts.
+/// The points of each run that has some, as indices into Dataset::points.
+std::vector<std::vector<std::size_t>> runs_with_points(const Dataset& data);
+
+/// Errors of the predicted areas of loading runs that were left out of the fit, in the units of the file. Beyond the
+/// last equilibrium the area at the fold counts.
 struct LeftOut {
   double rmse_area;
   std::size_t beyond_fold;  // points
@@ -34,11 +38,11 @@ struct LeftOut {
   std::vector<Run> runs;
 };
 /// Null without loads, with fewer than two runs or more than 200 (each takes a fit to all others), or if a fit without
-/// one of them yields no value, or one for which the law defines no equilibrium.
+/// one of them has no value or no equilibrium.
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options);
 
-/// By the evidence, all models equally probable beforehand; null of fits of fewer points than others, and of all unless
-/// each that is left has an evidence.
+/// From the evidence, all models equally probable beforehand. Null for fits of fewer points than others, and for all if
+/// one of the rest has no evidence.
 std::vector<std::optional<double>> probabilities(const std::vector<FitResult>& fits);
 
 struct ComparedModel {
@@ -52,7 +56,7 @@ struct ComparedModel {
 std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector<FitResult>& fits,
                                           const FitOptions& options);
 
-/// What each criterion prefers; empty where it has nothing to compare.
+/// The model that each criterion prefers; empty where it has nothing to compare.
 struct Preferences {
   std::string aicc, evidence, left_out;
   bool agree() const;  // those that prefer a model prefer the same

@@ -1,5 +1,4 @@
-// Whether the data are what a fit takes them for: tests of its residuals (consistency.cc), and what explains it when
-// one of them fails (diagnosis.cc).
+// Tests of a fit's residuals (consistency.cc), which of them fails (failed_test.cc), and why (diagnosis.cc).
 #pragma once
 
 #include <functional>
@@ -11,37 +10,37 @@
 
 namespace mixity {
 
-/// A test fails where so much happens by chance in one of a thousand consistent experiments.
+/// A test fails at this p-value.
 inline constexpr double kChance = 1e-3;
 
-/// What a residual's standard error is: 1 where errors are known, else as they scatter about the fit.
+/// Standard error of a residual: 1 where errors are known, else from the scatter about the fit.
 double residual_unit(const FitResult& fit);
 
 /// Of a fit that has residuals.
 Consistency test_consistency(const Dataset& data, const FitResult& fit);
 
-/// The constant that chi^2 would gain most from, if that is more than chance gives; else null.
+/// The exact constant with the most significant score test, if that fails; else null.
 const ExactConstant* wrong_constant(const FitResult& fit);
 
-/// Whether more points lie beyond the last equilibrium than noise puts there.
+/// Whether more points lie beyond the last equilibrium than by chance.
 bool slides(const FitResult& fit);
 
-/// Whether the residuals are far larger than neighbours scatter.
+/// Whether the residuals are far larger than the scatter of neighbours.
 bool is_far(const ResidualTests& tests);
 
-/// Which test of the fit's constants and residuals fails, as a sentence with a remedy; empty if none does.
+/// The first test that fails, as a sentence with a remedy; empty if none does.
 Message failed_test(const FitResult& fit);
 
-/// A fit of the same model to some points, for its values; from `near` where that is not null.
+/// A refit of the same model to some points, for its values; from `near` if that is not null.
 using Refit = std::function<FitResult(const FitOptions& options, const std::vector<std::size_t>& points,
                                       const std::vector<FittedParameter>* near)>;
 
-/// What explains best why tests of this fit fail, and the remedy, in one sentence: a constant of the experiment that is
-/// wrong, points past the onset of sliding, errors that are too small, a model that is wrong. Empty if none fails. Of a
-/// model that another one leaves far behind only a constant that explains everything is of interest.
+/// The best explanation for the tests that fail, with a remedy, in one sentence: a wrong constant of the experiment,
+/// points past the onset of sliding, errors that are too small, or a wrong model. Empty if no test fails.
+/// `left_behind`: another model fits far better, so only a constant that explains everything is considered.
 struct Diagnosis {
   Message reason;
-  std::optional<double> explained{};  // the cost with the constant free that explains all
+  std::optional<double> explained{};  // the cost with that constant free which explains everything
 };
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
                    bool left_behind);

@@ -1,4 +1,4 @@
-// Constants of the experiment, and how a change of them rescales what was measured.
+// Constants of the experiment, and how they rescale measured values.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace mixity {
 
-/// Constants of the experiment that may be fitted beside a model's parameters, with or without what is known of them.
-/// Factors (toughness, modulus and radius on the data set's own values, area_scale on the areas) count as logarithms;
-/// offsets, dimensionless, are added to what was read.
+/// Constants of the experiment that may be fitted with a model's parameters, with or without a prior. Factors
+/// (toughness, modulus and radius on the data set's own values, area_scale on the areas) are logarithms; offsets,
+/// dimensionless, are added to the readings.
 enum Constant : std::size_t { kToughness, kModulus, kRadius, kAreaScale, kLoadOffset, kShearOffset, kAreaOffset };
 inline constexpr std::array<std::string_view, 7> kConstantNames{
     "toughness", "modulus", "radius", "area_scale", "load_offset", "shear_offset", "area_offset"};
@@ -35,14 +35,12 @@ struct ConstantsScale {
   double load(double P) const { return (P + load_offset) * force; }
   double shear(double T) const { return (T + shear_offset) * force; }
   double true_area(double A) const { return (A + area_offset) * area; }
-  /// What would be measured of a contact of this true area.
   double measured_area(double A) const { return A / area - area_offset; }
 };
 
-/// Derivative of a residual in a constant, from those in the load, shear and area as scaled, times these, and in the
-/// logarithms of the standard errors: the chain rule through ConstantsScale.
+/// Derivatives of a residual; `in` gives that in a constant, by the chain rule through ConstantsScale.
 struct ResidualSlopes {
-  double by_P, by_T, by_A;                  // in P, T and A
+  double by_P, by_T, by_A;                  // in P, T and A as scaled
   double log_sigma_T = 0, log_sigma_A = 0;  // in the logarithms of their errors
 
   double in(Constant constant, double P, double T, double A, const ConstantsScale& scale) const {

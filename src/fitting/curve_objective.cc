@@ -10,7 +10,6 @@
 namespace mixity {
 namespace {
 
-constexpr std::size_t kSample = 32;             // points that tell one basin from another
 constexpr std::size_t kBlock = 512;             // points whose arrays stay in the processor's cache
 constexpr std::size_t kPointsOfAThread = 1024;  // fewer take less time than starting it
 
@@ -26,7 +25,7 @@ struct CurveObjective::Workspace {
 
 CurveObjective::CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice)
     : ModelProblem(std::move(choice)), order_(points.size()) {
-  // by load: what looks for the nearest point of a whole curve then does so for all points of that curve together
+  // by load, so that the points of one curve are processed together
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   std::stable_sort(order_.begin(), order_.end(),
                    [&](std::size_t i, std::size_t j) { return points[i].P < points[j].P; });

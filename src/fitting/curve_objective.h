@@ -13,16 +13,16 @@ class CurveObjective final : public ModelProblem {
   /// Standard errors > 0. The targets, which the reported R^2 compares with, are the areas.
   CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice);
 
-  /// T is data, too.
+  /// Includes T.
   double data_norm() const override;
-  /// The cost bends little over a factor of ten in lambda, and the paper's fit gives a start beside the search.
+  /// Few values are enough: basins are wide, and the paper's fit gives another start.
   std::size_t scan_density(std::size_t searched) const override { return searched == 1 ? 10 : 5; }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override;
-  /// From the nearest places of last time: T of each point, then A.
+  /// Memory: T of the nearest point of the curve for each point, then A.
   bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                       std::vector<double>& memory) const override;
-  /// To first order, and at some of the points.
+  /// To first order, at a sample of the points.
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
 
  private:
@@ -33,8 +33,8 @@ class CurveObjective final : public ModelProblem {
                  std::span<double> residuals, std::span<double> jacobian, std::span<double> places) const;
 
   std::vector<MeasuredPoint> points_;       // by load
-  std::vector<std::size_t> order_;          // of each in points_: its place among the residuals
-  std::unique_ptr<CurveObjective> sample_;  // of some of many points, evenly over the loads
+  std::vector<std::size_t> order_;          // of each in points_: the index of its residual
+  std::unique_ptr<CurveObjective> sample_;  // of some of the points, evenly over the loads; null of few points
 };
 
 }  // namespace mixity

@@ -15,12 +15,13 @@ struct EnergyPoint {
   std::size_t series;
 };
 
-/// The energies of the points used, errors of 0 raised to kLeastError of the largest energy; 1 without any error.
-/// Throws InputError where only some errors are stated.
+/// The energies of the points used. Errors of 0 are raised to kLeastError of the largest energy; without errors they
+/// are
+/// 1. Throws InputError where only some errors are stated.
 std::vector<EnergyPoint> energy_points(const Dataset& data, const std::vector<std::size_t>& used);
 
-/// G_Ic of each series, as ln of a factor on the data set's own. Nothing known of it (prior 0), it starts at Gc of the
-/// point with the least mode II.
+/// G_Ic of each series, as ln of a factor on the data set's own. Without a prior (0) it starts at Gc of the point with
+/// the smallest share of mode II.
 std::vector<FreeParameter> series_toughness(const Dataset& data, const std::vector<EnergyPoint>& points,
                                             const std::vector<std::size_t>& used, double prior);
 
@@ -34,7 +35,7 @@ class EnergyObjective final : public ModelProblem {
   const std::vector<FreeParameter>& parameters() const override { return parameters_; }
   double data_norm() const override;
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override;
-  /// From the polygon through some points of the law.
+  /// From a polygon instead of the law.
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
 
  private:

@@ -1,4 +1,4 @@
-// One model fitted to one data set, with its goodness of fit: what `mixity fit` reports.
+// One model fitted to one data set.
 #pragma once
 
 #include <string_view>
@@ -9,19 +9,19 @@
 namespace mixity {
 
 /// `points`: indices of the points to fit, all if null. Throws std::invalid_argument for a model that is none of
-/// model_keys(), and InputError if a parameter is to be held at a value that is out of range or that the data set does
-/// not state, if the objective needs what the data set does not have, or if a point lacks a standard error.
+/// model_keys(), and InputError if a parameter is to be held at a value that is out of range or not stated, if the
+/// objective needs what the data set does not have, or if a point lacks a standard error.
 FitResult fit_model(const Dataset& data, std::string_view model, const FitOptions& options = {},
                     const std::vector<std::size_t>* points = nullptr);
 
-/// The two steps of it. After the first a fit whose tests fail is `suspect` and does not say why; the second finds what
-/// explains it (consistency.h), or nothing to say. `left_behind`: by another model, which makes most causes idle.
+/// The two steps of fit_model. After the first a fit whose tests fail is `suspect`; the second adds the explanation to
+/// the message, if any. `left_behind`: see diagnose in consistency.h.
 FitResult fit_and_test(const Dataset& data, std::string_view model, const FitOptions& options,
                        const std::vector<std::size_t>* points = nullptr);
 void find_cause(const Dataset& data, FitResult& fit, const FitOptions& options, bool left_behind = false);
 
-/// Values alone, of almost the same data as `whole`, from the minimum of which it starts; from anywhere if that leads
-/// nowhere, or if `whole` has a parameter without a standard error. The same exceptions.
+/// A refit to almost the same data, for its values. Starts from the minimum of `whole`; searches the whole range if
+/// that fails, or if a parameter of `whole` has no standard error. The same exceptions.
 FitResult refit_model(const Dataset& data, const FitResult& whole, const FitOptions& options,
                       const std::vector<std::size_t>& points);
 

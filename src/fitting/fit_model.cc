@@ -1,9 +1,8 @@
-#include "fitting/fit.h"
-
 #include <algorithm>
 #include <stdexcept>
 
 #include "fitting/consistency.h"
+#include "fitting/fit.h"
 #include "fitting/fitter.h"
 
 namespace mixity {
@@ -45,7 +44,7 @@ FitResult fit_model(const Dataset& data, std::string_view model, const FitOption
 FitResult refit_model(const Dataset& data, const FitResult& whole, const FitOptions& options,
                       const std::vector<std::size_t>& points) {
   const FitOptions values = value_only(options);
-  // What bends at its minimum may have another elsewhere without a run.
+  // Only with a curvature at its minimum the fit to fewer data has its minimum nearby.
   const bool smooth = std::all_of(whole.parameters.begin(), whole.parameters.end(), [](const FittedParameter& one) {
     return one.value && (one.held || one.at_bound || one.stderr_);
   });

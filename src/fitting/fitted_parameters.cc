@@ -19,21 +19,19 @@ ShownInterval shown(const Interval& interval, const FreeParameter& parameter) {
   return result;
 }
 
-/// To twice the interval's distance on each side; all of a bounded range where another minimum fits as well.
+/// Over twice the interval on each side, or the whole bounded range where another minimum fits as well.
 DrawnProfile profile_of(const Problem& cost, const Verdict& verdict, std::size_t j, const Interval& interval,
                         double allowance, std::size_t points) {
   const FreeParameter& parameter = cost.parameters()[j];
-  const double x = verdict.best.x[j], n = static_cast<double>(cost.residual_count()),
-               p = static_cast<double>(cost.parameters().size());
+  const double x = verdict.best.x[j];
   const bool whole = verdict.status == FitStatus::multimodal && !parameter.start;
   const auto end = [&](double found, EndStatus status, double bound) {
     if (whole || status != EndStatus::found) return bound;
-    return std::clamp(x + 2 * (found - x), parameter.lower, parameter.upper);
+    return parameter.clamped(x + 2 * (found - x));
   };
-  const double variance = cost.known_errors() ? 1 : verdict.best.sum_of_squares / (n - p);
-  DrawnProfile drawn =
-      draw_profile(cost, verdict.best, j, end(interval.low, interval.low_status, parameter.lower),
-                   end(interval.high, interval.high_status, parameter.upper), points, allowance, variance);
+  DrawnProfile drawn = draw_profile(cost, verdict.best, j, end(interval.low, interval.low_status, parameter.lower),
+                                    end(interval.high, interval.high_status, parameter.upper), points, allowance,
+                                    residual_variance(cost, verdict.best.sum_of_squares));
   for (auto& point : drawn.points) point.first = parameter.shown(point.first);
   return drawn;
 }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "fitting/fitted_parameters.h"
-#include "fitting/toughness_weights.h"
 #include "solver/verdict.h"
 
 namespace mixity {
@@ -12,19 +13,15 @@ namespace {
 
 constexpr int kMostRestarts = 3;
 
-/// How many points differ from each other, counted up to `enough`: rows that repeat one know nothing of its error.
+/// How many points differ from each other, counted up to `enough`: repeated rows are no information about errors.
 std::size_t distinct_points(const Dataset& data, const std::vector<std::size_t>& used, std::size_t enough) {
-  std::vector<std::size_t> distinct;
-  const auto same = [&](std::size_t one, std::size_t other) {
-    const Point &p = data.points[one], &q = data.points[other];
-    if (data.has_loads) return p.P == q.P && p.shear() == q.shear() && p.A == q.A;
-    const ToughnessPoint &f = data.converted[one], &g = data.converted[other];
-    return f.mixity.sin == g.mixity.sin && f.mixity.cos == g.mixity.cos && f.ratio == g.ratio;
-  };
+  std::set<std::tuple<double, double, double>> distinct;
   for (const std::size_t i : used) {
     if (distinct.size() == enough) break;
-    if (std::none_of(distinct.begin(), distinct.end(), [&](std::size_t known) { return same(i, known); }))
-      distinct.push_back(i);
+    if (data.has_loads)
+      distinct.insert({data.points[i].P, data.points[i].shear(), data.points[i].A});
+    else
+      distinct.insert({data.converted[i].mixity.sin, data.converted[i].mixity.cos, data.converted[i].ratio});
   }
   return distinct.size();
 }
@@ -58,7 +55,7 @@ FitResult Fitter::run() {
   }
   const bool as_the_paper = purpose_ == Purpose::shown || (p > 0 && starting_.near.empty());
   if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper) fit_as_the_paper();
-  // how the time is shared, roughly: up to the minimum, and up to what is resampled
+  // rough fractions of the time: up to the minimum, and up to the resampling
   const double found = options_.profile_points > 0 ? 0.1 : 0.4,
                fitted = options_.bootstrap.replicates > 0 || options_.influence ? 0.1 : 1;
   report_progress(0.25 * found * fitted);
@@ -69,7 +66,7 @@ FitResult Fitter::run() {
   } else {
     Verdict verdict;
     const FitResult described = result_;
-    // An interval may come upon a lower cost, from which to start again.
+    // The search for an interval may find a lower cost, from which to start again.
     for (int again = 0;; ++again) {
       result_ = described;
       verdict = find_minimum();
@@ -78,9 +75,9 @@ FitResult Fitter::run() {
       if (!result_.has_values() || verdict.best.x.empty()) return result_;
       x = verdict.best.x;
       const std::vector<double> deeper =
-          add_parameters(cost(), verdict, options_, stretch(options_.progress, found * fitted, fitted), result_);
+          add_parameters(*cost_, verdict, options_, stretch(options_.progress, found * fitted, fitted), result_);
       result_.known_errors = problem_->known_errors();
-      result_.free_parameters = unknown;  // each of the others brings a residual of its own
+      result_.free_parameters = unknown;  // each of the others has a residual of its own
       result_.sum_of_squares *= unit_ * unit_;
       if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
       if (deeper.empty() && checked()) add_evidence(verdict);
@@ -88,7 +85,7 @@ FitResult Fitter::run() {
       starting_.guesses.push_back(deeper);
     }
     report_progress(fitted);
-    add_resampled(cost(), verdict, data_, options_, stretch(options_.progress, fitted, 1), result_);
+    add_resampled(*cost_, verdict, data_, options_, stretch(options_.progress, fitted, 1), result_);
   }
   add_goodness(x);
   if (checked() && p > 0) test_residuals();
@@ -112,25 +109,24 @@ void Fitter::describe() {
   result_.excluded = prepared_.excluded;
   result_.excluded_reason = prepared_.excluded_reason;
   result_.errors = prepared_.errors;
-  const std::span<const ParameterInfo> infos = prepared_.model.parameters();
-  for (std::size_t k = 0; k < infos.size(); ++k) {
-    result_.parameters.push_back({std::string(infos[k].name), {}, {}, infos[k].lower, infos[k].upper});
-    result_.parameters[k].held = prepared_.held[k];
-    if (prepared_.held[k]) result_.parameters[k].value = prepared_.base[k];
+  for (const ParameterInfo& info : prepared_.model.parameters()) {
+    const std::size_t k = result_.parameters.size();
+    FittedParameter& shown = result_.parameters.emplace_back(
+        FittedParameter{std::string(info.name), {}, {}, info.lower, info.upper, false, prepared_.held[k]});
+    if (shown.held) shown.value = prepared_.base[k];
   }
-  for (const FreeParameter& parameter : problem_->parameters())
-    if (parameter.start) {
-      result_.parameters.push_back(
-          {parameter.name, {}, {}, parameter.shown(parameter.lower), parameter.shown(parameter.upper)});
-      result_.parameters.back().unit = parameter.unit;
-      if (parameter.prior > 0)
-        result_.parameters.back().prior = {parameter.shown(*parameter.start),
-                                           parameter.prior * parameter.shown_slope(*parameter.start),
-                                           parameter.logarithmic};
-    }
+  for (const FreeParameter& constant : problem_->parameters()) {
+    if (!constant.start) continue;
+    FittedParameter& shown = result_.parameters.emplace_back(
+        FittedParameter{constant.name, {}, {}, constant.shown(constant.lower), constant.shown(constant.upper)});
+    shown.unit = constant.unit;
+    if (constant.prior > 0)
+      shown.prior = {constant.shown(*constant.start), constant.prior * constant.shown_slope(*constant.start),
+                     constant.logarithmic};
+  }
 }
 
-/// The paper's fit is reported beside the result, and is a start for it.
+/// The paper's fit is reported with the result, and is a start for it.
 void Fitter::fit_as_the_paper() {
   FitOptions options = value_only({});
   options.objective = Objective::toughness;
@@ -143,7 +139,7 @@ void Fitter::fit_as_the_paper() {
 }
 
 Verdict Fitter::find_minimum() {
-  priors_.reset();  // of the problem before
+  cost_.reset();  // they refer to the previous problem
   robust_.reset();
   Verdict verdict = minimum_of(*problem_);
   const bool reweighted = prepared_.objective == Objective::toughness && options_.weighted;
@@ -151,15 +147,13 @@ Verdict Fitter::find_minimum() {
   return options_.loss == Loss::none ? verdict : find_robust_minimum(std::move(verdict));
 }
 
-/// The standard errors depend on the model: fits until they no longer change. False if they go on changing.
+/// The standard errors depend on the model: refits until they no longer change. False if they do not settle.
 bool Fitter::settle_weights(Verdict& verdict) {
   double change = 0;
   for (int i = 0; i < 50; ++i) {
     const std::vector<double> before = verdict.best.x;
     const ParameterValues at = before.empty() ? prepared_.base : problem_->candidate(before).parameters;
-    problem_ = make_problem(
-        data_, options_, prepared_,
-        toughness_weights(data_, scale_of(options_), prepared_.used, prepared_.errors, prepared_.model, at));
+    problem_ = make_problem(data_, options_, prepared_, toughness_weights(data_, options_, prepared_, at));
     verdict = minimum_of(*problem_);
     if (verdict.best.x.empty()) break;
     if (before.empty()) continue;
@@ -181,7 +175,7 @@ Verdict Fitter::find_robust_minimum(Verdict verdict) {
   if (x.empty() && !known) x = value_of_least_spread(*problem_);
   for (int i = 0; i < (known ? 1 : 3) && (known || !x.empty()); ++i) {
     const double unit = known ? 1.0 : spread(*problem_, x);
-    if (!(unit > 0)) return verdict;  // no residuals to speak of
+    if (!(unit > 0)) return verdict;  // an exact fit
     result_.loss_scale = scale * unit;
     robust_.emplace(*problem_, options_.loss, result_.loss_scale);
     verdict = minimum_of(*robust_);
@@ -190,19 +184,12 @@ Verdict Fitter::find_robust_minimum(Verdict verdict) {
   return verdict;
 }
 
-/// With what is known of the constants beforehand.
+/// Includes the priors of the constants.
 Verdict Fitter::minimum_of(const Problem& data) {
-  if (prior_count(data) == 0) return solve(data, starting_, solver_);
   SolvedWithPriors solved = solve_with_priors(data, starting_, solver_);
   unit_ = solved.unit;
-  priors_.emplace(data, unit_);
+  cost_.emplace(data, unit_);
   return std::move(solved.verdict);
-}
-
-const Problem& Fitter::cost() const {
-  if (priors_) return *priors_;
-  if (robust_) return *robust_;
-  return *problem_;
 }
 
 }  // namespace mixity

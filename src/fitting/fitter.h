@@ -1,4 +1,4 @@
-// One fit: of one model to points of a data set, with what the options ask for.
+// One fit of one model to points of a data set.
 #pragma once
 
 #include <memory>
@@ -12,14 +12,14 @@
 
 namespace mixity {
 
-/// shown: a fit of its own, by Ceres. values: one of many, by the kernel, without what is only shown. tried: the same,
-/// of an explanation that may be wrong, and is given up where it takes long.
+/// shown: a reported fit, by Ceres. values: a refit by the kernel, for its values only. tried: the same for a possible
+/// explanation, with fewer iterations.
 enum class Purpose { shown, values, tried };
 
 class Fitter {
  public:
-  /// `points`: indices of those to fit; null: all. `near`: where the minimum is looked for; null: anywhere. All of
-  /// these must outlive this. Throws as fit_model does.
+  /// `points`: indices of those to fit; null: all. `near`: values to start from; null: searches the whole range. All
+  /// arguments must outlive this. Throws as fit_model does.
   Fitter(const Dataset& data, const ContactModel& model, const FitOptions& options, Purpose purpose,
          const std::vector<std::size_t>* points, const std::vector<FittedParameter>* near);
 
@@ -34,7 +34,6 @@ class Fitter {
   bool settle_weights(Verdict& verdict);
   Verdict find_robust_minimum(Verdict verdict);
   Verdict minimum_of(const Problem& data);
-  const Problem& cost() const;
   void add_evidence(const Verdict& verdict);
   void add_budget(const std::vector<double>& x, const Verdict& verdict);
   void add_goodness(const std::vector<double>& x);
@@ -50,8 +49,8 @@ class Fitter {
   SolverOptions solver_;
   std::unique_ptr<ModelProblem> problem_;
   std::optional<RobustProblem> robust_;
-  std::optional<ProblemWithPriors> priors_;
-  double unit_ = 1;  // of the residuals of the data beside the priors
+  std::optional<ProblemWithPriors> cost_;
+  double unit_ = 1;  // by which cost_ divides the residuals of the data
   FitResult result_;
 };
 

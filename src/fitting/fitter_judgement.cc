@@ -1,11 +1,10 @@
-// What a fit says beyond its minimum: evidence, budget, goodness of fit, tests of its residuals.
+// Of a fit at its minimum: evidence, budget, goodness of fit, tests of the residuals.
 #include <algorithm>
 #include <cmath>
 
 #include "fitting/budget.h"
 #include "fitting/consistency.h"
 #include "fitting/fitter.h"
-#include "fitting/goodness.h"
 #include "fitting/predicted_area.h"
 #include "solver/evidence.h"
 
@@ -15,17 +14,14 @@ namespace mixity {
 void Fitter::add_evidence(const Verdict& verdict) {
   result_.evidence.reset();
   const bool wanted = options_.intervals && !robust_;
-  const FreeParameter& first = cost().parameters()[0];
+  const FreeParameter& first = cost_->parameters()[0];
   if (!wanted || first.start || verdict.best.x.empty() || verdict.status == FitStatus::not_converged) return;
-  const EvidenceOptions choice{options_.lambda_prior, options_.confidence,
-                               problem_->known_errors() ? 0
-                               : priors_                ? unit_
-                                                        : 1};
-  if (const auto found = evidence(cost(), verdict.best, verdict.standard_errors[0], choice))
+  const EvidenceOptions choice{options_.lambda_prior, options_.confidence, problem_->known_errors() ? 0 : unit_};
+  if (const auto found = evidence(*cost_, verdict.best, verdict.standard_errors[0], choice))
     result_.evidence = {first.name, options_.lambda_prior, options_.confidence, *found};
 }
 
-/// What the constants of the experiment do to the parameter.
+/// The effect of the constants of the experiment on the parameter.
 void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
   const bool scaled = prepared_.objective == Objective::toughness && scale_of(options_) == Scale::linear;
   if (scaled || data_.has_energies || verdict.status == FitStatus::not_converged || verdict.at_bound.size() != x.size())
@@ -51,15 +47,13 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
   all.start.clear();
   const auto data = make_problem(data_, options_, all, options_.weighted ? problem_->weights() : std::vector<double>{});
   const double freedom = static_cast<double>(data->residual_count()) - static_cast<double>(result_.free_parameters);
-  const double unit = problem_->known_errors() ? 1 : priors_ ? unit_ : std::sqrt(result_.sum_of_squares / freedom);
-  if (robust_)
-    result_.budget =
-        error_budget(RobustProblem(*data, options_.loss, result_.loss_scale), beside, unit, verdict.at_bound, exact);
-  else
-    result_.budget = error_budget(*data, beside, unit, verdict.at_bound, exact);
+  const double unit = cost_->known_errors() ? unit_ : std::sqrt(result_.sum_of_squares / freedom);
+  const RobustProblem robust(*data, options_.loss, result_.loss_scale);
+  result_.budget =
+      error_budget(robust_ ? static_cast<const Problem&>(robust) : *data, beside, unit, verdict.at_bound, exact);
 }
 
-/// Of the fit in the fitted space, and of the predicted areas.
+/// In the fitted space, and for the predicted areas.
 void Fitter::add_goodness(const std::vector<double>& x) {
   result_.residuals.resize(problem_->residual_count());
   if (result_.residuals.empty() || !problem_->evaluate(x, result_.residuals, {})) {
@@ -76,7 +70,7 @@ void Fitter::add_goodness(const std::vector<double>& x) {
     result_.area = area_goodness(data_, result_.used, prepared_.model, problem_->candidate(x));
 }
 
-/// Whether the data are what the fit takes them for. Residuals of rounding alone are not tested.
+/// Tests the assumptions of the fit, unless its residuals are rounding only.
 void Fitter::test_residuals() {
   const double rounding = 100 * residual_rounding(*problem_);
   const bool judged = result_.status == FitStatus::ok || result_.status == FitStatus::at_bound ||
@@ -86,12 +80,12 @@ void Fitter::test_residuals() {
   if (result_.status == FitStatus::ok && !failed_test(result_).empty()) result_.status = FitStatus::suspect;
 }
 
-/// A value with an error beyond its whole range is none.
+/// A value with an error larger than its whole range is no result.
 void Fitter::suspect_wide_errors() {
   for (const FittedParameter& one : result_.parameters) {
     if (result_.status != FitStatus::ok || !one.stderr_ || !(*one.stderr_ > one.upper - one.lower)) continue;
     result_.status = FitStatus::suspect;
-    result_.message = "the data do not tell " + one.name +
+    result_.message = "the data do not determine " + one.name +
                       ": its standard error exceeds its whole range; check the sizes and units of sigma_T and sigma_A";
   }
 }

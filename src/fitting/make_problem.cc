@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/input_error.h"
 #include "fitting/curve_objective.h"
 #include "fitting/energy_objective.h"
 #include "fitting/prepare.h"
@@ -11,7 +12,7 @@
 namespace mixity {
 namespace {
 
-/// The points' loads and areas; without standard errors those are 1, so that residuals keep their unit.
+/// The points' loads and areas; standard errors are 1 if not needed, so that residuals keep their unit.
 std::vector<MeasuredPoint> measured_points(const Dataset& data, const PreparedFit& prepared) {
   std::vector<MeasuredPoint> points;
   points.reserve(prepared.used.size());
@@ -27,8 +28,8 @@ FreeChoice choice_of_model(const PreparedFit& prepared) {
   return FreeChoice(prepared.model, {prepared.base, prepared.constants}, prepared.held);
 }
 
-/// What may be freed beside the model's parameters, with its range: factors of a thousand, loads and shear up to ten
-/// times the largest, areas up to nine tenths of the smallest.
+/// The model's parameters and the constants that are fitted, with ranges: factors of a thousand, offsets of load and
+/// shear up to ten times the largest, of areas up to nine tenths of the smallest.
 FreeChoice free_choice(const Dataset& data, const PreparedFit& prepared) {
   FreeChoice choice = choice_of_model(prepared);
   double largest_load = 1, largest_shear = 1,
@@ -43,22 +44,37 @@ FreeChoice free_choice(const Dataset& data, const PreparedFit& prepared) {
     const double reach = is_factor(constant)       ? factor
                          : constant == kAreaOffset ? 0.9 * smallest_area
                                                    : 10 * (constant == kShearOffset ? largest_shear : largest_load);
-    FreeParameter parameter{std::string(kConstantNames[constant]), mean - reach, mean + reach, mean};
-    parameter.prior = prior;
-    parameter.scale = constant_scale(data, constant);
-    parameter.logarithmic = is_factor(constant);
-    parameter.unit = constant_unit(data, constant);
-    if (!prepared.start.empty()) parameter.start = prepared.start[choice.constants().size()];
-    choice.add(constant, parameter);
+    const double start = prepared.start.empty() ? mean : prepared.start[choice.constants().size()];
+    const auto [scale, unit] = unit_of(data, constant);
+    choice.add(constant, {std::string(kConstantNames[constant]), mean - reach, mean + reach, start, scale,
+                          is_factor(constant), unit, prior});
   }
   return choice;
 }
 
-std::unique_ptr<ModelProblem> energy_problem(const Dataset& data, const PreparedFit& prepared) {
-  const std::vector<EnergyPoint> points = energy_points(data, prepared.used);
-  std::vector<FreeParameter> toughness;
-  if (!prepared.fitted.empty()) toughness = series_toughness(data, points, prepared.used, prepared.fitted[0].prior);
-  return std::make_unique<EnergyObjective>(points, choice_of_model(prepared), toughness);
+/// Standard errors of ln f (or f) over f minus the model's, from those of T and A.
+std::vector<double> errors_of_loads(const Dataset& data, Scale scale, const PreparedFit& prepared,
+                                    std::span<const double> p) {
+  const std::vector<std::size_t>& used = prepared.used;
+  const std::size_t n = used.size();
+  std::vector<double> P, T, A, value(n), by_P(n), by_T(n), by_A(n), by_parameter(n * p.size()), found;
+  for (const std::size_t i : used) {
+    P.push_back(data.points[i].P);
+    T.push_back(data.points[i].shear());
+    A.push_back(data.points[i].A);
+  }
+  prepared.model.toughness_residuals(p, P, T, A, {value, by_P, by_T, by_A, by_parameter});
+  for (std::size_t i = 0; i < n; ++i) {
+    if (scale == Scale::linear) {
+      // d(f_model - f) = f_model d(ln f_model - ln f) + (f_model - f) d(ln f), here over f
+      const double a = radius_from_area(A[i]), y = edge_load(a, P[i]), y_A = 2 * a / pi<double>();
+      const double square = y * y + T[i] * T[i], growth = std::expm1(value[i]);
+      by_T[i] = (1 + growth) * by_T[i] + growth * 2 * T[i] / square;
+      by_A[i] = (1 + growth) * by_A[i] + growth * y_A * (2 * y / square - 1 / (y + P[i]));
+    }
+    found.push_back(std::hypot(by_T[i] * prepared.errors->T[used[i]], by_A[i] * prepared.errors->A[used[i]]));
+  }
+  return found;
 }
 
 }  // namespace
@@ -69,7 +85,10 @@ std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions
   const bool weighted = prepared.objective == Objective::curve || !weights.empty();
   std::unique_ptr<ModelProblem> problem;
   if (prepared.objective == Objective::curve && data.has_energies) {
-    problem = energy_problem(data, prepared);
+    const std::vector<EnergyPoint> points = energy_points(data, prepared.used);
+    std::vector<FreeParameter> toughness;
+    if (!prepared.fitted.empty()) toughness = series_toughness(data, points, prepared.used, prepared.fitted[0].prior);
+    problem = std::make_unique<EnergyObjective>(points, choice_of_model(prepared), toughness);
   } else if (prepared.objective == Objective::curve) {
     problem = std::make_unique<CurveObjective>(measured_points(data, prepared), free_choice(data, prepared));
   } else if (corrected && data.has_loads) {
@@ -88,6 +107,27 @@ std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions
   return problem;
 }
 
+std::vector<double> toughness_weights(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
+                                      std::span<const double> p) {
+  const Scale scale = scale_of(options);
+  if (!data.has_loads && data.errors.empty())
+    throw InputError(data.path, "needs a column " +
+                                    std::string(data.has_energies ? "sigma_GI or sigma_GII" : "sigma_Gc") +
+                                    " to weigh its points by");
+  std::vector<double> of_loads, weights;
+  if (data.has_loads) of_loads = errors_of_loads(data, scale, prepared, p);
+  for (const std::size_t i : prepared.used) {
+    const double ratio = data.toughness(i)->ratio;
+    const double error = data.has_loads ? of_loads[weights.size()] : data.errors_of(i).ratio / ratio;
+    if (!(error > 0))
+      refuse_value(data, data.points[i], data.has_energies ? "sigma_GI" : "sigma_Gc",
+                   data.has_energies ? "this point has no standard error (sigma_GI and sigma_GII are 0 or empty)"
+                                     : "this point has no standard error (sigma_Gc is 0 or empty)");
+    weights.push_back(1 / (scale == Scale::log ? error : error * ratio));
+  }
+  return weights;
+}
+
 std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, const PreparedFit& prepared) {
   std::vector<double> start;
   for (const FittedConstant& constant : prepared.fitted) start.push_back(constant.mean);
@@ -97,7 +137,7 @@ std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, co
     pull = std::max(pull, -data.points[i].P);
   }
   const std::size_t free = options.free.size();
-  // with a toughness at which every load keeps the contact closed, if the stated one is not: at 0.85 of pull-off
+  // if a load is below pull-off, a toughness at which the lowest load is 0.85 of pull-off
   for (std::size_t k = 0; k < free; ++k)
     if (options.free[k] == kToughness && above_pull_off(-pull) < 0) start[k] = std::log(pull / 4);
   PreparedFit unsheared = prepared;
@@ -117,10 +157,9 @@ std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, co
 std::vector<double> solver_values(const Problem& problem, const std::vector<FittedParameter>& fitted) {
   std::vector<double> x;
   for (const FreeParameter& parameter : problem.parameters()) {
-    const auto same = std::find_if(fitted.begin(), fitted.end(),
-                                   [&](const FittedParameter& other) { return other.name == parameter.name; });
-    if (same != fitted.end() && same->value)
-      x.push_back(std::clamp(parameter.solver_value(*same->value), parameter.lower, parameter.upper));
+    const FittedParameter* const same = find_parameter(fitted, parameter.name);
+    if (same && same->value)
+      x.push_back(parameter.clamped(parameter.solver_value(*same->value)));
     else if (parameter.start)
       x.push_back(*parameter.start);
     else

@@ -1,5 +1,4 @@
-// A least-squares problem that knows which model it fits and which constants of the experiment are free: the way back
-// from the solver's numbers.
+// A least-squares problem of a model and of free constants of the experiment.
 #pragma once
 
 #include <span>
@@ -11,7 +10,7 @@
 
 namespace mixity {
 
-/// What a fit tries out: a model's parameters, and constants of the experiment other than those stated.
+/// A model's parameters, and constants of the experiment.
 struct Candidate {
   ParameterValues parameters{};
   Constants constants{};
@@ -25,7 +24,7 @@ struct MeasuredPoint {
 /// Which parameters are free, in the solver's order, and where the others are held.
 class FreeChoice {
  public:
-  /// `base`: where parameters are held that are not free; `held`: of each parameter of the model, or empty: none.
+  /// `base`: values of everything that is not free; `held`: for each parameter of the model, or empty: none.
   FreeChoice(ContactModel model, const Candidate& base, const std::vector<bool>& held);
   void add(Constant constant, FreeParameter parameter);
 
@@ -37,8 +36,8 @@ class FreeChoice {
 
   Candidate candidate(std::span<const double> x) const;
 
-  /// A row of the Jacobian: `by_parameter` has the residual's derivatives in all of the model's parameters, `slopes`
-  /// those in what was measured, at a point as scaled.
+  /// Fills a row of the Jacobian. `by_parameter`: the residual's derivatives in all of the model's parameters;
+  /// `slopes`: those in the measured values, at a point as scaled.
   void fill_row(std::span<double> row, const double* by_parameter, const ResidualSlopes& slopes,
                 const MeasuredPoint& scaled, const ConstantsScale& scale) const {
     std::size_t k = 0;
@@ -54,14 +53,16 @@ class FreeChoice {
   std::vector<FreeParameter> parameters_;
 };
 
-/// What the objectives share. A residual is its model's value minus the target, each times weight.
+inline constexpr std::size_t kSample = 32;  // points, enough to find the basins of a cost
+
+/// Base of the objectives. A residual is the model's value minus the target, each times a weight.
 class ModelProblem : public Problem {
  public:
   explicit ModelProblem(FreeChoice choice) : choice_(std::move(choice)) {}
   std::size_t residual_count() const override { return targets_.size(); }
   const std::vector<FreeParameter>& parameters() const override { return choice_.parameters(); }
   Candidate candidate(std::span<const double> x) const { return choice_.candidate(x); }
-  /// What the residuals are differences from, in the fitted space: data times weight.
+  /// Data times weight, in the fitted space.
   const std::vector<double>& targets() const { return targets_; }
   /// 1/standard error of each, or 1.
   const std::vector<double>& weights() const { return weights_; }

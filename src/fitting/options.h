@@ -1,4 +1,4 @@
-// What a fit can be asked for.
+// Options of a fit.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ namespace mixity {
 enum class Objective { toughness, curve };
 std::string_view to_string(Objective objective);
 std::optional<Objective> parse_objective(std::string_view text);
-/// What is said where the objective of earlier versions is asked for.
+/// The message for an objective of earlier versions.
 inline constexpr std::string_view kNoAreaObjective =
     "the objective area took T as exact and covered 57 to 97 % of a nominal 95 %: use curve";
 
@@ -25,8 +25,8 @@ inline constexpr std::string_view kNoAreaObjective =
 enum class Scale { log, linear };
 constexpr std::string_view to_string(Scale scale) { return scale == Scale::log ? "log" : "linear"; }
 
-/// A parameter held during the fit: at `value`, or without one at what the data set's metadata say of it
-/// (r = toughness_II/toughness).
+/// A parameter held during the fit: at `value`, else at the value in the data set's metadata (r =
+/// toughness_II/toughness).
 struct HeldParameter {
   std::string name;
   std::optional<double> value;
@@ -39,9 +39,9 @@ struct FitOptions {
   std::optional<Scale> scale{};          // of toughness; null: log
   bool weighted = false;                 // toughness: by each point's standard error, which curve always uses
   std::vector<HeldParameter> hold{};     // names a model does not have are ignored for that model
-  std::vector<Constant> free{};          // constants of the experiment that are fitted as if nothing were known of them
-  /// Of those that are not fitted. Null: as the data set states them, and those that it states with a standard error
-  /// are fitted with what is known of them. Given, they are exact.
+  std::vector<Constant> free{};          // constants of the experiment that are fitted without a prior
+  /// Constants that are not free, taken as exact. Null: as the data set states them; those that it states with a
+  /// standard error are fitted with a prior.
   std::optional<Constants> constants{};
   std::optional<StatedError> sigma_T{}, sigma_A{};
   Loss loss = Loss::none;
@@ -49,12 +49,12 @@ struct FitOptions {
   bool intervals = true;
   double confidence = 0.95;
   bool checks = true;  // the tests of consistency and the evidence; without them nothing is suspect
-  RangePrior lambda_prior =
-      RangePrior::uniform;         // of evidence and credible interval; lambda, or a model's first parameter
+  /// For evidence and credible interval, of the model's first parameter.
+  RangePrior lambda_prior = RangePrior::uniform;
   BootstrapOptions bootstrap{};    // with replicates = 0: none
   bool influence = false;          // of each point and run: jackknife, leverage, Cook's distance
   std::size_t profile_points = 0;  // of each free parameter's drawn profile; 0: none
-  Progress progress{};  // of the one call that these options are given to; may fall back when a fit starts again
+  Progress progress{};             // of one call; may decrease when a fit starts again
 };
 
 /// curve where there are loads, or errors of both energies; else toughness.
@@ -63,7 +63,7 @@ Objective default_objective(const Dataset& data);
 /// The scale that toughness is fitted in.
 constexpr Scale scale_of(const FitOptions& options) { return options.scale.value_or(Scale::log); }
 
-/// For refits whose value alone is wanted: no intervals, checks, bootstrap or influence.
+/// For refits: values only, no intervals, checks, bootstrap or influence.
 FitOptions value_only(FitOptions options);
 
 /// Keys of all models: "a", "b", "c", "bk", and of the laws that were defined (laws/law.h).

@@ -3,16 +3,15 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fitting/goodness.h"
 #include "fitting/stated_constants.h"
 
 namespace mixity {
 namespace {
 
-/// Relative. Where a measured load is that of the fold, rounding alone says on which side it lies.
+/// Relative. A measured load that equals that of the fold lies on either side by rounding alone.
 constexpr double kFoldWidth = 1e-9;
 
-/// Areas of one contact, at shears that are not negative.
+/// Appends the areas of one contact, at shears that are not negative.
 void add_areas(const ContactModel& model, std::span<const double> p, const ConstantsScale& scale, double load,
                std::span<const double> shears, std::vector<PredictedArea>& areas) {
   if (!model.obstacle(p, load).empty())
@@ -40,12 +39,12 @@ ContactModel model_of(const FitResult& fit) {
   return *model;
 }
 
-Constants with_fitted(Constants constants, const Dataset& data, const std::vector<FittedParameter>& parameters) {
-  for (const FittedParameter& parameter : parameters)
-    for (const Constant constant : kAllConstants) {
-      if (parameter.name != kConstantNames[constant]) continue;
-      const double value = *parameter.value / constant_scale(data, constant);
-      constants[constant] = is_factor(constant) ? std::log(value) : value;
+Constants constants_of(const Dataset& data, const FitOptions& options, const std::vector<FittedParameter>& parameters) {
+  Constants constants = constants_of(data, options);
+  for (const Constant c : kAllConstants)
+    if (const FittedParameter* const found = find_parameter(parameters, kConstantNames[c])) {
+      const double value = *found->value / unit_of(data, c).scale;
+      constants[c] = is_factor(c) ? std::log(value) : value;
     }
   return constants;
 }
@@ -54,10 +53,9 @@ Candidate fitted_candidate(const Dataset& data, const ContactModel& model, const
                            const FitOptions& options) {
   const std::span<const ParameterInfo> infos = model.parameters();
   ParameterValues values = ParameterValues::zeros(infos.size());
-  for (const FittedParameter& parameter : fit.parameters)
-    for (std::size_t k = 0; k < infos.size(); ++k)
-      if (parameter.name == infos[k].name) values[k] = *parameter.value;
-  return {values, with_fitted(options.constants.value_or(stated_constants(data)), data, fit.parameters)};
+  for (std::size_t k = 0; k < infos.size(); ++k)
+    if (const FittedParameter* const found = find_parameter(fit.parameters, infos[k].name)) values[k] = *found->value;
+  return {values, constants_of(data, options, fit.parameters)};
 }
 
 std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate,
@@ -86,6 +84,26 @@ std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Cand
     T.push_back(data.shear_as_read(i));
   }
   return predicted_areas(model, candidate, P, T);
+}
+
+Goodness goodness(std::span<const double> residuals, std::span<const double> targets, std::span<const double> weights) {
+  double sum = 0, weight = 0, squares = 0, scatter = 0;
+  Goodness result;
+  const auto weight_of = [&](std::size_t i) { return weights.empty() ? 1.0 : weights[i]; };
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    sum += weight_of(i) * targets[i];
+    weight += weight_of(i) * weight_of(i);
+  }
+  const double mean = sum / weight;
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    const double off = targets[i] - weight_of(i) * mean;
+    squares += residuals[i] * residuals[i];
+    scatter += off * off;
+    result.max_abs_residual = std::fmax(result.max_abs_residual, std::abs(residuals[i]));
+  }
+  result.rmse = std::sqrt(squares / static_cast<double>(residuals.size()));
+  if (targets.size() >= 2 && scatter > 0) result.r2 = 1 - squares / scatter;
+  return result;
 }
 
 AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& used, const ContactModel& model,

@@ -1,4 +1,4 @@
-// The areas that a candidate predicts at measured loads, and how well.
+// Predicted areas at measured loads, and how well they agree.
 #pragma once
 
 #include <span>
@@ -12,31 +12,40 @@ namespace mixity {
 /// The model that was fitted. Throws std::invalid_argument where there is none with this key.
 ContactModel model_of(const FitResult& fit);
 
-/// These constants with those that were fitted as found. Each of `parameters` has a value.
-Constants with_fitted(Constants constants, const Dataset& data, const std::vector<FittedParameter>& parameters);
+/// All constants of a fit, those among `parameters` as fitted. Each of these has a value.
+Constants constants_of(const Dataset& data, const FitOptions& options, const std::vector<FittedParameter>& parameters);
 
-/// A finished fit, all of whose parameters have values, as what it tried out. `options`: those of the fit, for
-/// constants that were not free.
+/// The parameters and constants of a fit whose parameters all have values. `options`: those of the fit, for constants
+/// that were not free.
 Candidate fitted_candidate(const Dataset& data, const ContactModel& model, const FitResult& fit,
                            const FitOptions& options);
 
-/// As it would be measured, dimensionless: beyond the last equilibrium the area at the fold, below pull-off that of no
-/// contact; 0 where the law defines no equilibrium with these parameters. A load within kFoldWidth of that of the fold
-/// is at the fold.
+/// An area as it would be measured, dimensionless: beyond the last equilibrium that at the fold, below pull-off that of
+/// no contact; 0 where the law defines no equilibrium with these parameters.
 struct PredictedArea {
   enum class State { equilibrium, beyond_fold, below_pull_off, undefined } state;
   double value;
 };
 
-/// At loads as they are read, which neighbours share.
+/// At loads as measured; consecutive points of the same load are found together.
 std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate,
                                            std::span<const double> P, std::span<const double> T);
 
-/// The same at points of a data set, indices into Dataset::points.
+/// The same at these points of a data set.
 std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate, const Dataset& data,
                                            const std::vector<std::size_t>& points);
 
-/// Of a whole fit, at the points it used.
+struct Goodness {
+  std::optional<double> r2;  // null if the targets do not vary or are fewer than two
+  double rmse = 0, max_abs_residual = 0;
+};
+
+/// residuals, targets and weights (1/standard error, or empty: 1) of equal length > 0; residuals and targets are the
+/// weighted ones. R^2 = 1 - SS_res/SS_tot about the weighted mean of the data.
+Goodness goodness(std::span<const double> residuals, std::span<const double> targets,
+                  std::span<const double> weights = {});
+
+/// Of a fit at the points that it used.
 AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& used, const ContactModel& model,
                            const Candidate& candidate);
 

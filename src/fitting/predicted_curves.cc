@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kChord = 2e-4;  // of the curve's size: a hundredth of a line's width
 
-/// From the model's numbers to those of the reader's axes.
+/// Converts the model's numbers to those of the axes.
 class Shown {
  public:
   Shown(const Dataset& data, const Constants& constants) : units_(data), scale_(constants) {}
@@ -90,7 +90,7 @@ DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const Fit
   DrawnRadii drawn;
   if (!model.obstacle(candidate.parameters).empty()) return drawn;
   const double load = shown.scale().load(P_most);
-  // Far enough that the load passes P_most: y of JKR there, which shear only lowers
+  // The largest y up to the load P_most: that of JKR, since shear lowers it.
   const double largest = 1.05 * (3 * pi<double>() + circle_radius(std::max(load, 0.0)));
   std::vector<double> edge_loads;
   for (std::size_t i = 1; i <= points; ++i) {
@@ -154,16 +154,13 @@ const FittedParameter* leading_parameter(const FitResult& fit) {
 }
 
 std::optional<FitResult> at_interval_end(const FitResult& fit, bool high) {
+  const FittedParameter* const leading = leading_parameter(fit);
+  if (!leading || !leading->interval) return std::nullopt;
+  const auto end = high ? leading->interval->high : leading->interval->low;
+  if (!end) return std::nullopt;
   FitResult moved = fit;
-  for (FittedParameter& parameter : moved.parameters) {
-    if (parameter.held) continue;
-    if (!parameter.interval) return std::nullopt;
-    const auto end = high ? parameter.interval->high : parameter.interval->low;
-    if (!end) return std::nullopt;
-    parameter.value = *end;
-    return moved;
-  }
-  return std::nullopt;
+  moved.parameters[static_cast<std::size_t>(leading - fit.parameters.data())].value = *end;
+  return moved;
 }
 
 }  // namespace mixity

@@ -1,4 +1,4 @@
-// The curves of a fitted model in the reader's units, for drawing.
+// The curves of a fitted model in the user's units, for drawing.
 #pragma once
 
 #include <optional>
@@ -34,29 +34,28 @@ struct DrawnCurve {
   std::vector<DrawnFold> folds;
 };
 
-/// A fit's curve at a normal load as measured (dimensionless), as far as T_most (measured, dimensionless), within 2e-4
-/// of the curve's size. The fit must have values.
+/// A fit's curve at the normal load `load`, up to T_most (both as measured, dimensionless), within 2e-4 of the curve's
+/// size. The fit must have values.
 DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load,
                        double T_most);
 
-/// States of the stable branch at a run's load from T = 0 to the instability, or to a fifth beyond the largest measured
-/// T of the run, dense towards the fold. T and A as they would be measured, dimensionless; empty where there is no
-/// contact.
+/// States of the stable branch at a run's load from T = 0 to the instability, or to 1.2 times the largest measured T of
+/// the run, denser towards the fold. T and A as measured, dimensionless; empty where there is no contact.
 struct StableState {
   double T, A, psi, f;
 };
 std::vector<StableState> stable_states(const Dataset& data, const FitOptions& options, const FitResult& fit,
                                        std::size_t run, std::size_t points);
 
-/// a(P) at a tangential load T (measured, dimensionless): stable and unstable part, which meet at pull-off, up to the
-/// load P_most.
+/// a(P) at a tangential load T (as measured, dimensionless) up to the load P_most: stable and unstable part, which meet
+/// at pull-off.
 struct DrawnRadii {
   std::vector<std::pair<double, double>> stable, unstable;
 };
 DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const FitResult& fit, double T, double P_most,
                        std::size_t points = 400);
 
-/// f(psi) at the ends of so many even steps of psi from 0 to last_psi, where it does not exceed `most`.
+/// f(psi) at even steps of psi from 0 to last_psi, where it does not exceed `most`.
 std::vector<std::pair<double, double>> toughness_curve(const ContactModel& model, std::span<const double> p,
                                                        double last_psi, double most, std::size_t steps);
 /// The same of a fit.
@@ -66,10 +65,10 @@ std::vector<std::pair<double, double>> drawn_toughness(const Dataset& data, cons
 /// The fit with its first free parameter at one end of its interval; null without that end.
 std::optional<FitResult> at_interval_end(const FitResult& fit, bool high);
 
-/// The fits that can be drawn: all of their parameters have values.
+/// The fits of which all parameters have values.
 std::vector<const FitResult*> fits_with_values(const std::vector<FitResult>& all);
 
-/// Of the data's points, dimensionless.
+/// Dimensionless.
 double largest_shear(const Dataset& data);
 
 /// The stated shear strength, dimensionless; null if there is none, or no contact to scale it by.

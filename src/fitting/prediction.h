@@ -1,4 +1,4 @@
-// What a fit says of areas, and of jumps, at any loads, with what it does not know (propagation.h).
+// Areas and jumps that a fit predicts at any loads, with standard errors.
 #pragma once
 
 #include <optional>
@@ -6,24 +6,28 @@
 #include <string>
 #include <vector>
 
-#include "fitting/propagation.h"
 #include "fitting/result.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/folds.h"
 
 namespace mixity {
 
-/// An area as it would be measured, and its standard error from those of the fitted parameters and constants; null
-/// where these are not known (a parameter at a bound, not identifiable), and so close to a jump that a standard error
-/// of a parameter takes the contact beyond it. Dimensionless, as Point has them.
+/// A number that follows from a fit, and its standard error from those of all fitted parameters and constants. Null
+/// where there is none.
+struct Derived {
+  std::optional<double> value{}, standard_error{};
+};
+
+/// An area as it would be measured, dimensionless like those of Point. The standard error is null where a parameter has
+/// none (at a bound, not identifiable), and within a standard error of a jump.
 struct AreaPrediction {
   EquilibriumStatus status;  // no_equilibrium: beyond the last one, or below pull-off; then A is 0
   double A = 0;
   std::optional<double> standard_error{};
 };
 
-/// At loads as they are read (offsets that were fitted are added to them); `options` are those of the fit. Empty if the
-/// fit has no values. Throws std::invalid_argument for a model that is none.
+/// At loads as measured (fitted offsets are added to them); `options` are those of the fit. Empty if the fit has no
+/// values. Throws std::invalid_argument for an unknown model.
 std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResult& fit, const FitOptions& options,
                                              std::span<const double> P, std::span<const double> T);
 
@@ -37,7 +41,7 @@ struct FoldPrediction {
   double area_after;  // 0 off contact
 };
 
-/// Folds at a load as it is read, under each of the controls, in the order in which they are met (find_folds). The
+/// Folds at a load as measured, under each of the controls, in the order in which they are met (find_folds). The
 /// stiffness of a control is in units of xi^2 G_Ic of the data set's own constants.
 struct FoldsPrediction {
   std::vector<FoldPrediction> folds{};
@@ -46,7 +50,7 @@ struct FoldsPrediction {
 FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
                                  const std::vector<Control>& controls);
 
-/// The first of them that is met on loading under load control: where the contact jumps. Null if it does not.
+/// The first fold on loading under load control, where the contact jumps. Null if it does not.
 std::optional<FoldPrediction> predict_jump_of(const Dataset& data, const FitResult& fit, const FitOptions& options,
                                               double P);
 

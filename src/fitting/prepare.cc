@@ -9,16 +9,12 @@
 namespace mixity {
 namespace {
 
-/// What the metadata say of a parameter; null if nothing.
-std::optional<double> stated_value(std::string_view parameter, const Metadata& metadata) {
-  if (parameter == "r" && metadata.toughness && metadata.toughness_II)
-    return *metadata.toughness_II / *metadata.toughness;
-  return std::nullopt;
-}
-
-/// The value at which a parameter is to be held. Throws InputError if that is outside its range, or none is stated.
+/// The value at which a parameter is to be held. Throws InputError if it is outside its range, or not stated.
 double held_value(const HeldParameter& held, const ParameterInfo& info, const Dataset& data) {
-  const auto value = held.value ? held.value : stated_value(held.name, data.metadata);
+  std::optional<double> value = held.value;
+  if (const auto& [I, II] = std::pair(data.metadata.toughness, data.metadata.toughness_II);
+      !value && held.name == "r" && I && II)
+    value = *II / *I;
   if (!value)
     throw InputError(data.path, "parameter '" + held.name +
                                     "' is to be held at the data set's own value, but the metadata state none" +
@@ -62,8 +58,8 @@ void require_what_is_asked(const Dataset& data, const FitOptions& options, Objec
            (options.weighted ? "weighs the points anyway" : "compares no toughness"));
 }
 
-/// A model whose toughness is infinite at psi = pi/2 for every parameter in the interior of its range says nothing
-/// about points there.
+/// Whether the toughness is infinite at psi = pi/2 for all parameters inside their ranges: then points there are not
+/// used.
 bool is_infinite_in_mode_II(const ContactModel& model) {
   std::vector<double> typical;
   for (const ParameterInfo& info : model.parameters()) typical.push_back(info.typical);
@@ -90,7 +86,7 @@ void choose_points(const Dataset& data, const std::vector<std::size_t>* points, 
       return *prepared.excluded_reason;
     }
     if (data.has_energies) return {};
-    // a freed constant may bring it back
+    // with another value of a constant there may be a contact
     const bool contact = !prepared.fitted.empty() || above_pull_off(scale.load(data.points[i].P)) >= 0;
     return contact ? std::string_view() : kBelowPullOff;
   };
@@ -139,7 +135,7 @@ PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOpt
                     const std::vector<std::size_t>* points) {
   require_what_is_asked(data, options, objective);
   PreparedFit prepared{model, objective};
-  prepared.constants = options.constants.value_or(stated_constants(data));
+  prepared.constants = constants_of(data, options);
   prepared.fitted = fitted_constants(data, options);
   choose_points(data, points, prepared);
   hold_parameters(data, options, prepared);

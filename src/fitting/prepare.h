@@ -1,5 +1,5 @@
-// From a data set and options to what one model fits, the points used, the parameters held and the constants fitted,
-// and to its least-squares problem.
+// From a data set and options to the least-squares problem of one model: the points used, the parameters held and the
+// constants fitted.
 #pragma once
 
 #include <memory>
@@ -20,13 +20,13 @@ struct PreparedFit {
   Objective objective;
   std::vector<std::size_t> used{};                       // indices into Dataset::points
   std::vector<Excluded> excluded{};                      // points this model cannot describe
-  std::shared_ptr<const std::string> excluded_reason{};  // a text that `excluded` refers to
+  std::shared_ptr<const std::string> excluded_reason{};  // a text to which `excluded` refers
   ParameterValues base{};                                // held values, and typical ones for the rest
   std::vector<bool> held{};
   std::optional<StandardErrors> errors{};  // where the objective uses them
-  Constants constants{};                   // of those that are not fitted
+  Constants constants{};                   // of which those that are not fitted count
   std::vector<FittedConstant> fitted{};    // the free ones first
-  std::vector<double> start{};             // of these, in the solver's numbers; empty: their means
+  std::vector<double> start{};             // of the fitted ones, in the solver's numbers; empty: their means
 };
 
 /// The constants that a fit with these options fits: those that are free, then those that are uncertain.
@@ -41,16 +41,20 @@ inline constexpr std::string_view kBelowPullOff =
 PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOptions& options, Objective objective,
                     const std::vector<std::size_t>* points);
 
-/// The least-squares problem.
 /// `weights`: of objective toughness, 1/standard error; empty: 1.
 std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
                                            std::vector<double> weights = {});
 
-/// Where the constants start: at the JKR curve through the points without shear (T up to 1 % of the largest).
+/// 1/standard error of ln f (or f) minus the model's with parameters p, at each point's psi. sigma_A and sigma_T act
+/// through both f and psi; without loads the errors are the file's sigma_Gc. Throws InputError where a point has none.
+std::vector<double> toughness_weights(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
+                                      std::span<const double> p);
+
+/// Starts of the fitted constants, from a JKR fit of the points without shear (T up to 1 % of the largest).
 std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, const PreparedFit& prepared);
 
-/// A fit's values as the solver counts, for a problem of the same parameters or fewer of them: constants of the
-/// experiment that it does not have start where the problem says. Empty where a value is missing.
+/// A fit's values in the solver's numbers. Constants of the experiment that the fit does not have are at their starts;
+/// empty if another value is missing.
 std::vector<double> solver_values(const Problem& problem, const std::vector<FittedParameter>& fitted);
 
 }  // namespace mixity

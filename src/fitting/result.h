@@ -1,6 +1,7 @@
-// What a fit says, as plain numbers in a reader's units.
+// The result of a fit, as plain numbers in the user's units.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,7 +15,7 @@
 
 namespace mixity {
 
-/// An interval as a reader sees it. A missing end is open.
+/// An interval in the user's unit. A null end is open.
 struct ShownInterval {
   std::string method;  // profile
   double confidence;
@@ -22,7 +23,7 @@ struct ShownInterval {
   EndStatus low_status, high_status;
 };
 
-/// What was known of a constant beforehand, in the reader's unit: normal, or log-normal.
+/// The prior of a constant in the user's unit: normal, or log-normal.
 struct ShownPrior {
   double mean, standard_error;
   bool logarithmic;
@@ -35,11 +36,18 @@ struct FittedParameter {
   double lower, upper;
   bool at_bound = false, held = false;
   std::optional<ShownInterval> interval{};
-  std::optional<Bootstrapped> bootstrap{};  // in the reader's unit
+  std::optional<Bootstrapped> bootstrap{};  // in the user's unit
   std::string unit{};                       // empty if dimensionless
-  std::optional<DrawnProfile> profile{};    // x in the reader's unit; if asked for
+  std::optional<DrawnProfile> profile{};    // x in the user's unit; if asked for
   std::optional<ShownPrior> prior{};        // of a constant that is uncertain
 };
+
+/// The parameter of this name; null if there is none.
+inline const FittedParameter* find_parameter(const std::vector<FittedParameter>& parameters, std::string_view name) {
+  const auto found =
+      std::find_if(parameters.begin(), parameters.end(), [&](const FittedParameter& one) { return one.name == name; });
+  return found == parameters.end() ? nullptr : &*found;
+}
 
 /// How well the fitted model predicts the area at the points' loads, in the units of the file.
 struct AreaGoodness {
@@ -60,49 +68,47 @@ struct PaperFit {
 
   /// Null where the fit has none: a constant of the experiment, not identifiable.
   std::optional<double> value_of(std::string_view parameter) const {
-    for (const FittedParameter& one : parameters)
-      if (one.name == parameter) return one.value;
-    return std::nullopt;
+    const FittedParameter* const found = find_parameter(parameters, parameter);
+    return found ? found->value : std::nullopt;
   }
 };
 
-/// Of one constant that was fitted with a prior.
+/// A constant that was fitted with a prior.
 struct BudgetPart {
   std::string constant;
   double share;  // of the parameter's variance, 0..1
   double pull;   // how far the constant moved from its mean, in standard errors of the prior
 };
 
-/// Of one constant that was taken as exact.
+/// A constant that was taken as exact.
 struct ExactConstant {
-  std::string constant, unit;  // the reader's unit
-  std::optional<double>
-      effect;   // what 5 % more of it would do to the parameter; of an offset, 1 % of the largest load, shear or area
-  double step;  // those 5 % or 1 %, in the reader's unit
-  /// Score test: by how much chi^2 would fall if the constant were free, the value it would take, and how probable so
-  /// large a fall is by chance. Null where the residuals do not feel it.
+  std::string constant, unit;    // the user's unit
+  std::optional<double> effect;  // change of the parameter for this step
+  double step;  // 5 % of the constant; of an offset, 1 % of the largest load, shear or area; in the user's unit
+  /// Score test: by how much chi^2 would fall if the constant were free, its value then, and the probability of so
+  /// large a fall by chance. Null where the residuals do not depend on it.
   struct Score {
     double fall, value, p_value;
   };
   std::optional<Score> score;
 };
 
-/// Of the first parameter that is free. Scatter and parts add up to 1; null and empty where a bound holds it.
+/// Budget of the first free parameter. Scatter and parts add up to 1; null and empty where a bound holds it.
 struct Budget {
   std::string parameter, unit;
   std::optional<double> scatter;
   std::vector<BudgetPart> parts;
   std::vector<ExactConstant> exact;
-  double independent = 0;  // so many of the score tests say something of their own: some constants act alike
+  double independent = 0;  // effective number of independent score tests: some constants act alike
 };
 
-/// Tests of the residuals of each run in the order of the file, about zero if the model and its errors are right.
-/// Robust: no point needs the same variance as another. p-values: how probable so much is by chance.
+/// Tests of the residuals of each run in the order of the file. z and correlations are about zero if the model and its
+/// errors are right; points may have different variances. p-values: probability of so much by chance.
 struct ResidualTests {
   struct Run {
     std::string curve;
     std::size_t points;
-    double runs;         // of one sign: z of their number; few (below zero) where neighbours resemble each other
+    double runs;         // z of the number of runs of one sign; below zero where neighbours are correlated
     double correlation;  // of neighbours
     double trend;        // z of the slope against T, or against psi
   };
@@ -111,10 +117,8 @@ struct ResidualTests {
   /// Root mean square of the residuals over the scatter of neighbouring points, and over that of neighbouring
   /// residuals; null where that is not known.
   std::optional<double> over_scatter{}, over_neighbours{};
-  double ends = 0,
-         ends_p =
-             1;  // z of the residuals at the ends of the runs (kEnd of each, one point at least) against those beside
-  static constexpr double kEnd = 0.05;
+  double ends = 0, ends_p = 1;          // z of the residuals at the ends of the runs against the points before these
+  static constexpr double kEnd = 0.05;  // of a run is its end, one point at least
   static constexpr std::size_t kLeastRun = 8;
 };
 
@@ -124,15 +128,14 @@ struct BeyondEquilibrium {
   std::size_t points, first;  // how many; the index of the first, into Dataset::points
 };
 
-/// Whether the data are what the fit takes them for.
+/// Tests of the assumptions of the fit.
 struct Consistency {
   std::optional<double> chi2_per_freedom, chi2_p;  // of known errors, without a robust loss
   ResidualTests residuals;
   std::vector<BeyondEquilibrium> beyond;  // runs that have such points
 };
 
-/// The model's evidence, and what it leaves of its first free parameter: posterior mean, standard deviation and
-/// credible interval.
+/// The model's evidence, and posterior mean, standard deviation and credible interval of its first free parameter.
 struct ShownEvidence {
   std::string parameter;
   RangePrior prior;
@@ -149,7 +152,7 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<std::size_t> used;                         // indices into Dataset::points
   std::vector<Excluded> excluded;                        // usable points that this model cannot describe
-  std::shared_ptr<const std::string> excluded_reason{};  // a text that `excluded` refers to
+  std::shared_ptr<const std::string> excluded_reason{};  // a text to which `excluded` refers
   std::optional<double> r2;                              // in the fitted space; null without scatter or without a fit
   std::optional<double> rmse, max_abs_residual;
   std::vector<double> residuals;         // per used point, model minus data; empty without a fit
@@ -160,25 +163,29 @@ struct FitResult {
   std::vector<double> correlations;      // [p x p] of the free parameters in order; empty for one
   std::size_t free_parameters = 0;
   double sum_of_squares = 0;               // of the (weighted) residuals, or of the robust loss
-  std::optional<Budget> budget;            // of the first free parameter; null where there is nothing to tell
+  std::optional<Budget> budget;            // of the first free parameter; null where there is none
   std::optional<ShownEvidence> evidence;   // null where intervals were not asked for, or it could not be found
-  std::optional<Consistency> consistency;  // of fits that are shown
-  /// The cost with the constant free that explains why tests fail, where one does.
+  std::optional<Consistency> consistency;  // of reported fits
+  /// The cost with that constant free which explains why tests fail, if there is one.
   std::optional<double> explained{};
   std::string outdone_by{};  // of a suspect fit: the model that describes the same points far better
   std::optional<BootstrapResult> bootstrap;
-  std::optional<Influence> influence;  // changes in the reader's units; points as in `used`
+  std::optional<Influence> influence;  // changes in the user's units; points as in `used`
   std::vector<std::string> run_names;  // of Influence::runs
   double loss_scale = 0;               // in units of the residuals; 0 without a robust loss
 
   bool has_values() const { return status != FitStatus::not_identifiable; }
+  /// Degrees of freedom: points minus free parameters, at least 0.
+  std::size_t freedom() const { return used.size() > free_parameters ? used.size() - free_parameters : 0; }
 };
 
 /// Whether each of the parameters has a value.
 inline bool has_all_values(const FitResult& fit) {
-  for (const FittedParameter& parameter : fit.parameters)
-    if (!parameter.value) return false;
-  return true;
+  return std::all_of(fit.parameters.begin(), fit.parameters.end(),
+                     [](const FittedParameter& one) { return one.value.has_value(); });
 }
+
+/// All parameters have values, at a minimum.
+inline bool has_minimum(const FitResult& fit) { return has_all_values(fit) && fit.status != FitStatus::not_converged; }
 
 }  // namespace mixity

@@ -55,16 +55,17 @@ std::optional<PowerLaw> fit_power_law(const std::vector<SahliRun>& runs, bool pr
 SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model, const std::vector<double>& parameters) {
   const auto predicting = ContactModel::find(model);
   SahliResult result;
-  for (std::size_t c = 0; c < data.curves.size(); ++c) {
+  const auto runs = points_by_curve(data);
+  for (std::size_t c = 0; c < runs.size(); ++c) {
     double largest = 0;
-    for (const Point& point : data.points)
-      if (point.curve == c) largest = std::max(largest, point.shear());
+    for (const std::size_t i : runs[c]) largest = std::max(largest, data.points[i].shear());
     std::vector<double> squares, areas;
-    for (const Point& point : data.points)
-      if (point.curve == c && point.shear() <= upto * largest) {
-        squares.push_back(point.T * point.T);
-        areas.push_back(point.A);
-      }
+    for (const std::size_t i : runs[c]) {
+      const Point& point = data.points[i];
+      if (point.shear() > upto * largest) continue;
+      squares.push_back(point.T * point.T);
+      areas.push_back(point.A);
+    }
     const auto line = fit_line(squares, areas);
     if (!line) {
       result.skipped.push_back(data.curves[c]);

@@ -3,21 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "base/input_error.h"
 #include "base/number_text.h"
+#include "statistics/readings.h"
 
 namespace mixity {
 namespace {
 
-/// The slope of A against T about a point of a run that is sorted by T: of the line through the points within a
-/// twentieth of the run to either side, by number and by T, and one more. Of nearer neighbours it would be noise where
-/// points are dense.
+/// The slope of A against T at a point of a run that is sorted by T: of the line through the points within a twentieth
+/// of the run to either side, by number and by T, and one more. From nearer neighbours it would be noise where points
+/// are dense.
 class Slopes {
  public:
   Slopes(const Dataset& data, const std::vector<std::size_t>& run) : sums_(run.size() + 1) {
     for (const std::size_t i : run) T_.push_back(data.points[i].shear());
-    const double T0 = T_[T_.size() / 2], A0 = data.points[run[run.size() / 2]].A;  // sums of differences keep digits
+    const double T0 = T_[T_.size() / 2], A0 = data.points[run[run.size() / 2]].A;  // differences keep digits
     for (std::size_t k = 0; k < run.size(); ++k) {
       const double T = T_[k] - T0, A = data.points[run[k]].A - A0;
       const Sums& before = sums_[k];
@@ -45,15 +47,15 @@ class Slopes {
   std::vector<Sums> sums_;  // of the points before
 };
 
-/// Relative error common to T and A. The middle one of three neighbours in T lies off their chord by
-/// e = A - w A_before - (1-w) A_after, whose variance is s^2 times the sum below; the median over all of them is not
-/// moved by the few near an instability, where the curve itself bends. Null with fewer than three.
+/// Relative error s common to T and A. The middle of three neighbours in T is off their chord by
+/// e = A - w A_before - (1-w) A_after, whose variance is s^2 times the sum below. The median over all triples is robust
+/// against those near an instability, where the curve bends. Null with fewer than three.
 std::optional<double> relative_scatter(const Dataset& data) {
   constexpr double kMedianOfChiSquare = 0.454936423119573;  // of one degree of freedom
   constexpr double kLeast = 1e-9;
   std::vector<double> ratios;
   for (auto& run : points_by_curve(data)) {
-    // a row that repeats another says nothing of its error
+    // repeated rows are no information about errors
     const auto key = [&](std::size_t i) {
       return std::tuple(data.points[i].shear(), data.points[i].A, data.points[i].P);
     };
@@ -77,12 +79,10 @@ std::optional<double> relative_scatter(const Dataset& data) {
     }
   }
   if (ratios.size() < 3) return std::nullopt;
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return std::max(std::sqrt(*middle / kMedianOfChiSquare), kLeast);
+  return std::max(std::sqrt(median(std::move(ratios)) / kMedianOfChiSquare), kLeast);
 }
 
-/// A stated error as a function of the value it is of.
+/// A stated error as a function of the measured value.
 struct Stated {
   double value = 0;
   bool relative = false;
@@ -109,34 +109,15 @@ double largest(const Dataset& data, double Point::*quantity) {
   return most > 0 ? most : 1;
 }
 
-/// Returns how many there were.
-std::size_t raise_zeros(std::vector<double>& errors, double of) {
-  std::size_t raised = 0;
-  for (double& error : errors)
-    if (!(error > 0)) {
-      error = kLeastError * of;
-      ++raised;
-    }
-  return raised;
+/// Raises errors of 0 to kLeastError of `largest_value`; returns how many there were.
+std::size_t raise_zeros(std::vector<double>& errors, double largest_value) {
+  const auto is_zero = [](double error) { return !(error > 0); };
+  const auto zeros = std::count_if(errors.begin(), errors.end(), is_zero);
+  std::replace_if(errors.begin(), errors.end(), is_zero, kLeastError * largest_value);
+  return static_cast<std::size_t>(zeros);
 }
 
 }  // namespace
-
-std::string_view to_string(ErrorSource source) {
-  switch (source) {
-    case ErrorSource::columns:
-      return "columns";
-    case ErrorSource::stated:
-      return "stated";
-    case ErrorSource::exact:
-      return "exact";
-    case ErrorSource::assumed:
-      return "assumed";
-    case ErrorSource::scatter:
-      break;
-  }
-  return "scatter";
-}
 
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
                                const std::optional<StatedError>& sigma_A, bool both_axes) {
@@ -192,7 +173,7 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
   if (both_axes) {
     const std::size_t zeros_T = raise_zeros(errors.T, largest(data, &Point::T)),
                       zeros_A = raise_zeros(errors.A, largest(data, &Point::A));
-    // a share of a T of 0 is nobody's statement
+    // nobody states an error of 0 by a percentage of T = 0
     if (errors.source_T == ErrorSource::columns || (sigma_T && stated_T.value == 0)) errors.raised_T = zeros_T;
     if (errors.source_A == ErrorSource::columns || (sigma_A && stated_A.value == 0)) errors.raised_A = zeros_A;
   }

@@ -14,28 +14,30 @@ namespace mixity {
 /// the data are dimensionless).
 using StatedError = Quantity;
 
-/// scatter: estimated from the points; assumed: 1 %, for want of enough points to estimate it.
+/// scatter: estimated from the points; assumed: 1 %, with too few points for an estimate.
 enum class ErrorSource { columns, stated, scatter, assumed, exact };
-std::string_view to_string(ErrorSource source);
+constexpr std::string_view to_string(ErrorSource source) {
+  constexpr std::string_view kNames[] = {"columns", "stated", "scatter", "assumed", "exact"};
+  return kNames[static_cast<std::size_t>(source)];
+}
 
 struct StandardErrors {
   std::vector<double> T, A;  // per point of the data set, dimensionless
   ErrorSource source_T = ErrorSource::scatter, source_A = ErrorSource::scatter;
   std::optional<double> scatter;  // the relative error, where it was estimated or assumed
-  // Points for whose error of 0 kLeastError of the largest value stands, which the distance from a curve needs.
+  // How many errors of 0 were raised to kLeastError of the largest value.
   std::size_t raised_T = 0, raised_A = 0;
 
-  /// True if the size of the errors is known, and not only their proportions: that of A's is stated.
+  /// True if the size of the errors is known, not only their proportions.
   bool absolute() const { return source_A == ErrorSource::columns || source_A == ErrorSource::stated; }
 };
 
-/// Stated errors win over columns. Where neither T nor A has one, both get the same relative error, estimated from how
-/// far points lie from the line between their neighbours in the run, rows that repeat one left out; or 1 % if fewer
-/// than three points have neighbours. Where only A has one, T gets that estimate if `both_axes` (the part of the
-/// scatter that is A's makes it too large rather than too small) and counts as exact otherwise. `both_axes`: errors
-/// stated as 0 are raised to kLeastError of the largest value, since a distance in both axes needs both. An InputError:
-/// a point whose field in a column of errors is empty, or without `both_axes` 0 for A; a stated error whose unit is
-/// none of the quantity's.
+/// Stated errors take precedence over columns. Where neither T nor A has one, both get the same relative error,
+/// estimated from the distance of points from the line between their neighbours in the run, without repeated rows; or 1
+/// % if fewer than three points have neighbours. Where only A has one, T gets that estimate with `both_axes` (too large
+/// rather than too small, since it includes the scatter of A), and is exact otherwise. `both_axes`: the fit needs both
+/// errors, so those of 0 are raised to kLeastError of the largest value. Throws InputError for an empty field in a
+/// column of errors, for an error of A of 0 without `both_axes`, and for a stated error with a wrong unit.
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
                                const std::optional<StatedError>& sigma_A, bool both_axes = false);
 

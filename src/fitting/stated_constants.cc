@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "fitting/options.h"
+
 namespace mixity {
 namespace {
 
@@ -48,33 +50,29 @@ Constants stated_constants(const Dataset& data) {
   return stated;
 }
 
-double constant_scale(const Dataset& data, Constant c) {
+Constants constants_of(const Dataset& data, const FitOptions& options) {
+  return options.constants.value_or(stated_constants(data));
+}
+
+ConstantUnit unit_of(const Dataset& data, Constant c) {
+  const auto& contact = data.contact;
   switch (c) {
     case kToughness:
-      if (data.contact) return data.contact->toughness;
-      return states_toughness(data) ? *data.metadata.toughness : 1;
+      if (contact) return {contact->toughness, "J/m^2"};
+      return states_toughness(data) ? ConstantUnit{*data.metadata.toughness, "J/m^2"} : ConstantUnit{};
     case kModulus:
-      return data.contact ? data.contact->modulus : 1;
+      return contact ? ConstantUnit{contact->modulus, "Pa"} : ConstantUnit{};
     case kRadius:
-      return data.contact ? data.contact->radius : 1;
+      return contact ? ConstantUnit{contact->radius, "m"} : ConstantUnit{};
     case kAreaScale:
-      return 1;
+      return {};
     case kLoadOffset:
     case kShearOffset:
-      return data.display.force_scale;
+      return {data.display.force_scale, contact ? data.display.force : ""};
     case kAreaOffset:
       break;
   }
-  return data.display.area_scale;
-}
-
-std::string constant_unit(const Dataset& data, Constant c) {
-  if (c == kToughness && states_toughness(data)) return "J/m^2";
-  if (!data.contact || c == kAreaScale) return {};
-  if (c == kToughness) return "J/m^2";
-  if (c == kModulus) return "Pa";
-  if (c == kRadius) return "m";
-  return c == kAreaOffset ? data.display.area : data.display.force;
+  return {data.display.area_scale, contact ? data.display.area : ""};
 }
 
 std::vector<FittedConstant> uncertain_constants(const Dataset& data) {

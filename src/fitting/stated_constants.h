@@ -1,4 +1,4 @@
-// What a data set says of the constants of its experiment, in the solver's numbers.
+// The constants of the experiment as a data set states them, in the solver's numbers.
 #pragma once
 
 #include <string>
@@ -9,24 +9,30 @@
 
 namespace mixity {
 
-/// A constant of the experiment that is fitted: about `mean`, with that standard error, or 0 where nothing is known.
+struct FitOptions;
+
+/// A constant of the experiment that is fitted.
 struct FittedConstant {
   Constant constant;
-  double mean, prior;
+  double mean, prior;  // standard error of the prior about the mean; 0: no prior
 };
 
-/// The stated values: 0 for what counts from the data set's own (toughness, modulus, radius), offsets and scale of the
-/// areas as stated.
+/// The stated values: 0 for toughness, modulus and radius, which are relative to the data set's own.
 Constants stated_constants(const Dataset& data);
 
-/// What a reader sees of a constant in the solver's number x is that times constant_scale, of a factor exp(x) times it:
-/// SI for toughness, modulus and radius, a factor for area_scale, the file's unit for offsets.
-double constant_scale(const Dataset& data, Constant c);
-/// Empty where the data are dimensionless.
-std::string constant_unit(const Dataset& data, Constant c);
+/// The constants of a fit that are not fitted: those of the options, else as stated.
+Constants constants_of(const Dataset& data, const FitOptions& options);
 
-/// Constants that are stated with a standard error: normal for offsets, log-normal for what is positive. Those that
-/// this kind of data does not need are left out.
+/// For the solver's number x of a constant `scale` x is shown, for a factor `scale` exp(x). The text is empty where the
+/// data are dimensionless.
+struct ConstantUnit {
+  double scale = 1;  // SI for toughness, modulus and radius; the file's unit for offsets
+  std::string text{};
+};
+ConstantUnit unit_of(const Dataset& data, Constant c);
+
+/// Constants that are stated with a standard error, normal for offsets, else log-normal, if this kind of data needs
+/// them.
 std::vector<FittedConstant> uncertain_constants(const Dataset& data);
 
 }  // namespace mixity

@@ -4,13 +4,52 @@
 #include <array>
 #include <cmath>
 
-#include "fitting/packed_toughness.h"
-
 namespace mixity {
 namespace {
 
-constexpr std::size_t kSample = 32;  // points that tell one basin from another
 constexpr std::size_t kChunk = 256;  // points whose arrays stay in the processor's cache
+
+/// The cost in ln f on packed arrays, of a model with one parameter: a vectorised sweep gives value and derivatives.
+class PackedToughness final : public Cost {
+ public:
+  /// `targets`, `weights`: as ToughnessObjective has them. All arguments must outlive this.
+  PackedToughness(const ContactModel& model, const PackedMixities& points, const std::vector<double>& targets,
+                  const std::vector<double>& weights)
+      : model_(model), points_(points), targets_(targets), weights_(weights) {}
+
+  bool exact_curvature() const override { return true; }
+  void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) override {
+    // Four sums of each kind, which compilers keep in vector registers. The order is fixed, so the result is, too.
+    double value[4]{}, slope[4]{}, square[4]{}, bend[4]{};
+    std::array<double, kPackedChunk> f, f1, f2;  // ln f and its derivatives
+    for (std::size_t begin = 0; begin < points_.size(); begin += kPackedChunk) {
+      const std::size_t n = std::min(kPackedChunk, points_.size() - begin);
+      model_.packed_log_toughness(x[0], points_, begin, n, f.data(), f1.data(), f2.data());
+      for (std::size_t j = 0; j < n; ++j) {
+        const std::size_t i = begin + j, k = j % 4;
+        const double w = weights.empty() ? 1 : weights[i];
+        const double r = weights_[i] * f[j] - targets_[i], d = weights_[i] * f1[j];
+        value[k] += w * r * r;
+        slope[k] += w * r * d;
+        square[k] += w * d * d;
+        bend[k] += w * r * weights_[i] * f2[j];
+      }
+    }
+    const auto sum = [](const double* s) { return (s[0] + s[1]) + (s[2] + s[3]); };
+    cost.value = sum(value);
+    cost.gradient.setConstant(1, sum(slope));
+    cost.hessian.setConstant(1, 1, sum(square) + sum(bend));
+    cost.slope_size.setConstant(1, std::sqrt(sum(square)));
+    cost.finite = std::isfinite(cost.value) && std::isfinite(cost.gradient[0]) && std::isfinite(cost.hessian(0, 0));
+  }
+
+ private:
+  static constexpr std::size_t kPackedChunk = 512;  // a multiple of four
+
+  const ContactModel& model_;
+  const PackedMixities& points_;
+  const std::vector<double>&targets_, &weights_;
+};
 
 }  // namespace
 
@@ -39,41 +78,23 @@ double ToughnessObjective::residual(std::size_t i, double log_f) const {
   return weights_[i] * (scale_ == Scale::log ? log_f : std::exp(log_f)) - targets_[i];
 }
 
-bool ToughnessObjective::evaluate_packed(const Candidate& at, std::span<double> residuals,
-                                         std::span<double> jacobian) const {
-  const std::size_t width = choice_.size(), free = choice_.of_model().size();
-  const double toughness = at.constants[kToughness];
-  bool finite = true;
-  sweep_log_toughness(model(), packed_, at.parameters[0],
-                      [&](std::size_t begin, std::size_t n, const double* value, const double* slope, const double*) {
-                        for (std::size_t j = 0; j < n; ++j) {
-                          const std::size_t i = begin + j;
-                          residuals[i] = weights_[i] * (value[j] + toughness) - targets_[i];
-                          finite &= std::isfinite(residuals[i]);
-                          if (jacobian.empty()) continue;
-                          if (width > free) jacobian[i * width + free] = weights_[i];
-                          if (free == 0) continue;
-                          jacobian[i * width] = weights_[i] * slope[j];
-                          finite &= std::isfinite(jacobian[i * width]);
-                        }
-                      });
-  return finite;
-}
-
 bool ToughnessObjective::evaluate(std::span<const double> x, std::span<double> residuals,
                                   std::span<double> jacobian) const {
   const Candidate at = candidate(x);
-  if (is_packed()) return evaluate_packed(at, residuals, jacobian);
   const std::vector<std::size_t>& free = choice_.of_model();
   const std::size_t width = choice_.size(), p = model_parameters();
   const double toughness = at.constants[kToughness];  // of ln f: ln Gc/GIc is less by so much
-  std::array<double, kChunk> value;
+  std::array<double, kChunk> value, curvature;
   std::array<double, kChunk * ParameterValues::kMost> gradient;
   bool finite = true;
   for (std::size_t begin = 0; begin < mixities_.size(); begin += kChunk) {
     const std::size_t n = std::min(kChunk, mixities_.size() - begin);
-    model().log_toughness(at.parameters, std::span(mixities_).subspan(begin, n), value,
-                          std::span(gradient).first(jacobian.empty() ? 0 : n * p));
+    if (is_packed())
+      model().packed_log_toughness(at.parameters[0], packed_, begin, n, value.data(), gradient.data(),
+                                   curvature.data());
+    else
+      model().log_toughness(at.parameters, std::span(mixities_).subspan(begin, n), value,
+                            std::span(gradient).first(jacobian.empty() ? 0 : n * p));
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t i = begin + j;
       residuals[i] = residual(i, value[j] + toughness);

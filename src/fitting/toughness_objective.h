@@ -12,29 +12,28 @@ namespace mixity {
 
 class ToughnessObjective final : public ModelProblem {
  public:
-  /// `weights`: 1/standard error of each point's target, or empty: 1. Of the constants the toughness alone may be
-  /// fitted, in ln f.
+  /// `weights`: 1/standard error of each point's target, or empty: 1. The only constant that can be fitted is the
+  /// toughness, in ln f.
   ToughnessObjective(const std::vector<ToughnessPoint>& points, Scale scale, FreeChoice choice,
                      std::vector<double> weights = {});
 
-  /// ln f inherits the rounding of f, an eps however small ln f is.
+  /// ln f has at least the rounding error of f, an eps, however small ln f is.
   double data_norm() const override;
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override;
-  /// At some of many points, evenly over the file.
+  /// At a sample of the points, evenly over the file.
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
   std::unique_ptr<Cost> cost() const override;
 
  private:
   bool is_packed() const { return packed_.size() > 0; }
   double residual(std::size_t i, double log_f) const;
-  bool evaluate_packed(const Candidate& at, std::span<double> residuals, std::span<double> jacobian) const;
 
   Scale scale_;
-  PackedMixities packed_;                 // in ln f, of a model that has a packed form
-  std::vector<Mixity<double>> mixities_;  // else
+  PackedMixities packed_;  // for ln f of a model that has a packed form; else empty
+  std::vector<Mixity<double>> mixities_;
 };
 
-/// The same in ln f, with constants of the experiment free: the points' psi and f follow from these.
+/// The same in ln f, with constants of the experiment free, on which the points' psi and f depend.
 class ToughnessOfLoads final : public ModelProblem {
  public:
   /// `weights`: 1/standard error of each point's ln f, or empty: 1.

@@ -12,8 +12,9 @@
 namespace mixity {
 namespace {
 
+/// Points with T up to 1 % of the largest of their run.
 std::vector<std::size_t> unsheared_points(const Dataset& data) {
-  constexpr double kNoShear = 0.01;  // of the largest T
+  constexpr double kNoShear = 0.01;
   std::vector<double> largest(data.curves.size());
   for (const Point& point : data.points) largest[point.curve] = std::max(largest[point.curve], point.shear());
   std::vector<std::size_t> list;
@@ -40,7 +41,7 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
   FitOptions as_stated;
   as_stated.sigma_T = options.sigma_T;
   as_stated.sigma_A = options.sigma_A;
-  as_stated.constants = options.constants.value_or(stated_constants(data));
+  as_stated.constants = constants_of(data, options);
   const ContactModel any_model = ContactModel::find("c").value();  // without shear every law is JKR's
   PreparedFit prepared = prepare(data, any_model, as_stated, Objective::curve, &points);
   prepared.held.assign(prepared.held.size(), true);
@@ -54,7 +55,7 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
   test.points = points.size();
   test.loads = loads.size();
   for (const double r : residuals) test.chi2 += r * r;
-  // What is known of constants only to an error may take what that allows: the minimum with their priors.
+  // Uncertain constants may differ from what was stated: the minimum with their priors.
   if (const auto known = options.constants ? std::vector<FittedConstant>{} : uncertain_constants(data);
       !known.empty()) {
     prepared.fitted = known;

@@ -1,4 +1,4 @@
-// The areas without shear against JKR: what they say of the constants of the experiment, whatever the mode mixity.
+// The areas without shear compared with JKR: a test of the constants of the experiment that needs no mode-mixity model.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,12 @@
 
 namespace mixity {
 
-/// What the areas without shear say. Null members where they cannot tell.
 struct UnshearedTest {
   std::size_t points = 0, loads = 0;
-  /// Of the constants as stated, whose standard errors count; an error of a point that nobody states is that of the
+  /// With the constants as stated, within their standard errors. Errors of points that are not stated are from the
   /// scatter.
   double chi2 = 0, p_value = 1;
-  /// Of one constant, the others as stated: what these areas imply.
+  /// The value of one constant that these areas imply, with the others as stated.
   struct Implied {
     std::string constant, unit;
     double stated, value, standard_error;  // in the reader's unit

@@ -1,6 +1,4 @@
 // The vectorised cost of objective toughness against the general one, through residuals and Jacobian.
-#include "fitting/packed_toughness.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

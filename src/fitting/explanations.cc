@@ -1,0 +1,137 @@
+#include "fitting/explanations.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fitting/predicted_area.h"
+#include "statistics/distributions.h"
+
+namespace mixity {
+namespace {
+
+/// Largest shear of these points in each run.
+std::vector<double> largest_shears(const Dataset& data, const Points& points) {
+  std::vector<double> largest(data.curves.size());
+  for (const std::size_t i : points)
+    largest[data.points[i].curve] = std::max(largest[data.points[i].curve], data.points[i].shear());
+  return largest;
+}
+
+/// The points of each run from low to high shear, if the file has them from high to low.
+std::vector<Points> runs_from_low_shear(const Dataset& data, const Points& points) {
+  std::vector<Points> runs(data.curves.size());
+  for (const std::size_t i : points) runs[data.points[i].curve].push_back(i);
+  for (Points& run : runs)
+    if (!run.empty() && data.points[run.back()].shear() < data.points[run.front()].shear())
+      std::reverse(run.begin(), run.end());
+  return runs;
+}
+
+/// Whether each point of the data set is far off a fit to some of `points`. Null if the fit predicts nothing for them.
+std::optional<std::vector<bool>> far_off(const Case& of, const FitResult& fit, const Points& points) {
+  constexpr double kFar = 4;  // standard errors of a residual
+  FitOptions as_found = of.options;
+  as_found.hold.clear();
+  for (const FittedParameter& one : fit.parameters) as_found.hold.push_back({one.name, one.value});
+  as_found.constants = constants_of(of.data, of.options, fit.parameters);
+  as_found.free.clear();
+  const FitResult all = of.refit(as_found, points, nullptr);
+  if (all.residuals.empty()) return std::nullopt;
+  std::vector<bool> off(of.data.points.size(), false);
+  for (std::size_t k = 0; k < all.used.size(); ++k)
+    off[all.used[k]] = std::abs(all.residuals[k]) > kFar * residual_unit(fit);
+  return off;
+}
+
+/// Index in the run from which on nearly all points are far off; the size of the run if there is none.
+std::size_t onset(const Points& run, const std::vector<bool>& off) {
+  double sum = 0, most = 0;
+  std::size_t at = run.size();
+  for (std::size_t i = run.size(); i-- > 0;) {
+    sum += off[run[i]] ? 1 : -1.5;
+    if (sum > most) {
+      most = sum;
+      at = i;
+    }
+  }
+  return at;
+}
+
+}  // namespace
+
+bool is_found(const FitResult& fit) { return has_minimum(fit) && fit.freedom() > 0; }
+
+double per_freedom(const FitResult& fit) { return fit.sum_of_squares / static_cast<double>(fit.freedom()); }
+
+std::vector<Freed> freed_one_by_one(const Case& of, const std::vector<Constant>& constants, const Points& points) {
+  std::vector<Freed> list;
+  for (const Constant constant : constants) {
+    FitOptions freed = of.options;
+    freed.free.push_back(constant);
+    if (FitResult with = of.refit(freed, points, &of.fit.parameters); is_found(with))
+      list.push_back({constant, std::move(with)});
+  }
+  return list;
+}
+
+const Freed* best_of(const std::vector<Freed>& list) {
+  const Freed* best = nullptr;
+  for (const Freed& one : list)
+    if (!best || one.fit.sum_of_squares < (1 - 1e-6) * best->fit.sum_of_squares) best = &one;
+  return best;
+}
+
+std::optional<Cut> before_sliding(const Case& of, const Points& points, std::size_t few) {
+  constexpr int kRounds = 8;
+  const std::vector<Points> runs = runs_from_low_shear(of.data, points);
+  const std::vector<double> largest = largest_shears(of.data, points);
+  Points before;
+  for (std::size_t c = 0; c < runs.size(); ++c)
+    for (const std::size_t i : runs[c]) {
+      if (of.data.points[i].shear() > 0.5 * largest[c]) break;
+      before.push_back(i);
+    }
+  std::vector<FittedParameter> near;
+  for (int round = 0; round < kRounds && before.size() > of.fit.free_parameters + kFew; ++round) {
+    FitResult start = of.refit(of.options, before, near.empty() ? nullptr : &near);
+    if (!is_found(start)) return std::nullopt;
+    near = start.parameters;
+    const auto off = far_off(of, start, points);
+    if (!off) return std::nullopt;
+    Points next;
+    std::size_t left_out = 0, first = of.data.points.size();
+    for (const Points& run : runs) {
+      const std::size_t end = onset(run, *off);
+      next.insert(next.end(), run.begin(), run.begin() + static_cast<std::ptrdiff_t>(end));
+      left_out += run.size() - end;
+      if (end < run.size()) first = std::min(first, run[end]);
+    }
+    if (left_out < few) return std::nullopt;
+    if (next == before) return Cut{std::move(start), left_out, first};
+    before = std::move(next);
+  }
+  return std::nullopt;
+}
+
+FitResult without_ends(const Case& of, const FitResult& whole, const Points& points) {
+  const std::vector<double> largest = largest_shears(of.data, points);
+  Points before = points;
+  std::erase_if(before,
+                [&](std::size_t i) { return of.data.points[i].shear() > 0.9 * largest[of.data.points[i].curve]; });
+  return of.refit(of.options, before, &whole.parameters);
+}
+
+bool explains(const Dataset& data, const FitResult& fit) {
+  constexpr double kHardly = 1e-5;
+  if (fit.residuals.empty()) return false;
+  const auto [chi2, chi2_p, tests, beyond] = test_consistency(data, fit);
+  return chi2_p.value_or(1) > kHardly && !is_far(tests) && tests.runs_p > kHardly && tests.correlation_p > kHardly &&
+         tests.trend_p > kHardly && tests.ends_p > kHardly;
+}
+
+bool is_better(const FitResult& fit, const FitResult& freed, double constants) {
+  const double fall = (fit.sum_of_squares - freed.sum_of_squares) / (fit.known_errors ? 1 : per_freedom(freed));
+  return fall > 0 && chi_squared_p_value(fall, 1) * constants < kChance;
+}
+
+}  // namespace mixity

@@ -1,0 +1,58 @@
+// Refits that may explain why tests of a fit fail: one more constant free, or without the points past the onset of
+// sliding.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fitting/consistency.h"
+
+namespace mixity {
+
+using Points = std::vector<std::size_t>;  // indices into Dataset::points
+
+/// The fit that is to be explained, and how to refit its data.
+struct Case {
+  const Dataset& data;
+  const FitResult& fit;
+  const FitOptions& options;
+  const Refit& refit;
+  bool left_behind;  // see diagnose
+};
+
+/// A refit with a minimum and more points than parameters.
+bool is_found(const FitResult& fit);
+
+/// Sum of squares per degree of freedom, of which there is one at least.
+double per_freedom(const FitResult& fit);
+
+/// The fit with one more constant free.
+struct Freed {
+  Constant constant;
+  FitResult fit;
+};
+/// Frees each of the constants in turn; fits that are not found are left out.
+std::vector<Freed> freed_one_by_one(const Case& of, const std::vector<Constant>& constants, const Points& points);
+/// The one with the lowest chi^2; of two that act alike the first. Null of none.
+const Freed* best_of(const std::vector<Freed>& list);
+
+/// The fit of the points before the onset of sliding.
+struct Cut {
+  FitResult fit;
+  std::size_t points, first;  // how many were left out; the first of them in the file
+};
+inline constexpr std::size_t kFew = 3;  // points that may lie behind an onset by chance
+/// First fits the first half of each run, then all points that agree with the fit before. Null if fewer points than
+/// `few` lie behind the onset, or if this does not settle.
+std::optional<Cut> before_sliding(const Case& of, const Points& points, std::size_t few);
+
+/// The fit without the points above nine tenths of each run's largest shear.
+FitResult without_ends(const Case& of, const FitResult& whole, const Points& points);
+
+/// Whether no test of the fit fails clearly: an explanation need not be perfect.
+bool explains(const Dataset& data, const FitResult& fit);
+
+/// Whether chi^2 falls by more than chance when the best of so many constants is free.
+bool is_better(const FitResult& fit, const FitResult& freed, double constants);
+
+}  // namespace mixity

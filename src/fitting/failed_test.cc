@@ -1,0 +1,73 @@
+#include <cmath>
+
+#include "base/number_text.h"
+#include "fitting/consistency.h"
+#include "statistics/distributions.h"
+
+namespace mixity {
+
+const ExactConstant* wrong_constant(const FitResult& fit) {
+  if (!fit.budget) return nullptr;
+  const ExactConstant* worst = nullptr;
+  for (const ExactConstant& one : fit.budget->exact)
+    if (one.score && (!worst || one.score->p_value < worst->score->p_value)) worst = &one;
+  if (!worst || !(worst->score->p_value * fit.budget->independent < kChance)) return nullptr;
+  // If the stated errors are too small whatever the constant, falls of chi^2 count less.
+  const bool too_small = fit.known_errors && fit.consistency && fit.consistency->chi2_p.value_or(1) < kChance;
+  if (too_small &&
+      chi_squared_p_value(worst->score->fall / *fit.consistency->chi2_per_freedom, 1) * fit.budget->independent >=
+          kChance)
+    return nullptr;
+  return worst;
+}
+
+bool slides(const FitResult& fit) {
+  constexpr double kFarOff = 4;    // standard errors of a residual
+  constexpr std::size_t kFew = 2;  // points there by chance
+  if (!fit.area || fit.area->areas.size() != fit.used.size()) return false;
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < fit.used.size(); ++i)
+    beyond += !fit.area->areas[i] && std::abs(fit.residuals[i]) > kFarOff * residual_unit(fit);
+  return beyond > kFew;
+}
+
+/// For runs too short for the other tests. Noise of other proportions than assumed appears in the residuals of
+/// neighbours, too. A wrong model gives 4 to 8 with six points a run.
+bool is_far(const ResidualTests& tests) {
+  constexpr double kFarOff = 2.5, kFarFromNeighbours = 1.5;
+  return tests.over_scatter.value_or(0) > kFarOff && tests.over_neighbours.value_or(0) > kFarFromNeighbours;
+}
+
+Message failed_test(const FitResult& fit) {
+  constexpr double kFarFromStated = 4;  // standard errors of a prior
+  if (fit.budget)
+    for (const BudgetPart& part : fit.budget->parts)
+      if (std::abs(part.pull) > kFarFromStated)
+        return part.constant + " lies " + rounded(std::abs(part.pull), 2) + " of its standard errors " +
+               (part.pull < 0 ? "below" : "above") + " what was stated: check it";
+  if (slides(fit)) return "points lie beyond the last equilibrium: cut the runs at the onset of sliding";
+  if (const ExactConstant* wrong = wrong_constant(fit))
+    return wrong->constant + " looks wrong: check it, state its standard error, or " +
+           Remedy::set("free", wrong->constant);
+  if (!fit.consistency) return {};
+  const Consistency& tests = *fit.consistency;
+  if (tests.chi2_p && *tests.chi2_p < kChance)
+    return "the scatter is larger than the stated errors (chi^2 per degree of freedom " +
+           rounded(*tests.chi2_per_freedom, 3) + "): check sigma_T and sigma_A";
+  if (is_far(tests.residuals))
+    return "the points lie " + rounded(*tests.residuals.over_scatter, 2) +
+           " times as far from the curve as neighbours scatter: the model or a constant is wrong";
+  if (tests.residuals.ends_p < kChance)
+    return "the ends of the runs lie off the curve (z = " + rounded(tests.residuals.ends, 2) +
+           "): points past the onset of sliding?";
+  if (tests.residuals.runs_p < kChance || tests.residuals.correlation_p < kChance)
+    return "residuals of neighbouring points resemble each other (correlation " +
+           rounded(tests.residuals.correlation, 2) +
+           "): the model or a constant is wrong, or the points are not independent (" + Remedy::set("bootstrap") +
+           " with " + Remedy::set("resample", "curves") + ")";
+  if (tests.residuals.trend_p < kChance)
+    return "residuals follow a trend along the runs: the model or a constant is wrong";
+  return {};
+}
+
+}  // namespace mixity
