@@ -18,7 +18,7 @@ std::string with_error(const Derived& number) {
   return shown.value + " ± " + shown.error;
 }
 
-/// λ and ψ for lambda and psi.
+/// Writes λ, ψ and ² for lambda, psi and ^2.
 std::string with_greek(std::string text) {
   for (const auto& [name, letter] : {std::pair("lambda", "λ"), std::pair("psi", "ψ"), std::pair("^2", "²")})
     for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;)
@@ -26,7 +26,7 @@ std::string with_greek(std::string text) {
   return text;
 }
 
-/// At the loads of all runs.
+/// The jumps at the loads of all runs.
 std::vector<PredictedJump> jumps(const Analysis& result, const FitResult& fit) {
   const Dataset& data = result.data;
   const DisplayUnits& units = data.display;
@@ -61,9 +61,9 @@ std::string reach(const std::vector<PredictedJump>& jumps) {
   double farthest = 0;
   for (const PredictedJump& jump : jumps)
     if (jump.largest_T > 0) farthest = std::max(farthest, *jump.T.value / jump.largest_T);
-  return farthest > 1.05 ? "Jumps are the model's word: they lie up to " + rounded(farthest, 3) +
-                               " times as far as the largest T that was measured at their load."
-                         : "";
+  if (farthest <= 1.05) return {};
+  return "The jumps are extrapolated: they lie at up to " + rounded(farthest, 3) +
+         " times the largest T that was measured at their load.";
 }
 
 /// Loads at which the interface slides before the contact jumps.
@@ -75,10 +75,10 @@ std::string sliding(const Dataset& data, const std::vector<PredictedJump>& jumps
   for (const PredictedJump& jump : jumps)
     if (*jump.T.value / units.force_scale > *strength * *jump.A.value / units.area_scale)
       loads += (loads.empty() ? "" : ", ") + rounded(jump.P, 4);
-  return loads.empty() ? ""
-                       : "The jumps take no account of the stated shear strength: T = τ0 A is met before, and the "
-                         "interface slides first, at P = " +
-                             loads + unit_text(units.force) + ".";
+  if (loads.empty()) return {};
+  return "The jumps ignore the stated shear strength: the interface reaches T = τ0 A before, and slides first, "
+         "at P = " +
+         loads + unit_text(units.force) + ".";
 }
 
 /// Constants without a standard error of which 5 % would move the result by more than its standard error.
@@ -93,9 +93,10 @@ std::string exact_constants(const FitResult& fit) {
     if (!worst || std::abs(*one.effect) > std::abs(*worst->effect)) worst = &one;
   }
   if (!worst) return {};
-  return "The error holds nothing of " + names + ", taken as exact: 5 % more " + worst->constant + " would move " +
-         parameter_symbol(parameter->name) + " by " + rounded(std::abs(*worst->effect) / *parameter->stderr_, 2) +
-         " of its standard errors. State theirs, as in " + worst->constant + " = \"VALUE +/- ERROR\".";
+  return "The error does not include errors of " + names + ", taken as exact: a 5 % larger " + worst->constant +
+         " would shift " + parameter_symbol(parameter->name) + " by " +
+         rounded(std::abs(*worst->effect) / *parameter->stderr_, 2) +
+         " of its standard errors. State their standard errors, as in " + worst->constant + " = \"VALUE +/- ERROR\".";
 }
 
 std::string rivals(const Analysis& result) {

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
 #include "analysis/laws.h"
-#include "analysis/request.h"
 #include "analysis/settings.h"
 #include "base/number_text.h"
 #include "base/toml_file.h"
-#include "mechanics/laws/known_laws.h"
 
 namespace mixity {
 namespace {
@@ -25,31 +22,7 @@ class Reader {
     FitRequest request;
     request.path = path_;
     read_laws(table, request);  // first, as models may name them
-    for (const auto& [key, node] : table) {
-      if (key == "data")
-        read_data(node, request);
-      else if (key == "runs")
-        read_runs(node, request);
-      else if (key == "constants")
-        read_constants(node, request);
-      else if (key == "columns" && node.is_table())
-        request.constants.emplace_back("columns", mapping_text(path_, *node.as_table()));
-      else if (key == "source")
-        request.source = text(node, "source");
-      else if (key == "peaks")
-        request.peaks_path = beside(node, "peaks");
-      else if (key == "log_figures")
-        read_log_figures(node, request);
-      else if (key == "laws")
-        continue;
-      else if (key == "published")
-        read_published(node, request);
-      else if (is_option(key.str()))
-        read_option(std::string(key.str()), node, request);
-      else
-        fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: data, runs, columns, " + names_of_options() +
-                      ", constants, laws, peaks, log_figures, source, published)");
-    }
+    for (const auto& [key, node] : table) read_key(key, node, request);
     if (request.data_path.empty()) throw InputError(path_, "the key data is missing");
     if (table.contains("data") && table.contains("runs"))
       fail(*table.get("runs"), "data and runs both say which files: state one");
@@ -60,6 +33,31 @@ class Reader {
   }
 
  private:
+  void read_key(const toml::key& key, const toml::node& node, FitRequest& request) const {
+    const std::string name(key.str());
+    if (name == "data")
+      read_data(node, request);
+    else if (name == "runs")
+      read_runs(node, request);
+    else if (name == "constants")
+      read_constants(node, request);
+    else if (name == "columns" && node.is_table())
+      request.constants.emplace_back("columns", mapping_text(path_, *node.as_table()));
+    else if (name == "source")
+      request.source = text(node, "source");
+    else if (name == "peaks")
+      request.peaks_path = beside(node, "peaks");
+    else if (name == "log_figures")
+      read_log_figures(node, request);
+    else if (name == "published")
+      read_published(node, request);
+    else if (std::any_of(settings().begin(), settings().end(), [&](const Setting& one) { return one.name == name; }))
+      read_option(name, node, request);
+    else if (name != "laws")
+      fail(key, "unknown key \"" + name + "\" (known: data, runs, columns, " + names_of_options() +
+                    ", constants, laws, peaks, log_figures, source, published)");
+  }
+
   template <class Placed>
   [[noreturn]] void fail(const Placed& node, const std::string& message) const {
     fail_at(path_, node, message);
@@ -81,13 +79,8 @@ class Reader {
   void read_data(const toml::node& node, FitRequest& request) const {
     const toml::array* const list = node.as_array();
     std::vector<std::string> files;
-    const auto add = [&](const toml::node& entry) {
-      for (std::string& file : files_of(beside(entry, "data"))) files.push_back(std::move(file));
-    };
-    if (list)
-      for (const toml::node& entry : *list) add(entry);
-    else
-      add(node);
+    for (std::size_t i = 0, n = list ? list->size() : 1; i < n; ++i)
+      for (std::string& file : files_of(beside(list ? *list->get(i) : node, "data"))) files.push_back(std::move(file));
     if (files.empty()) fail(node, "data names no file");
     request.data_path = files.front();
     if (list || files.size() > 1)
@@ -99,7 +92,7 @@ class Reader {
     for (const toml::node& entry : *node.as_array()) request.log_figures.push_back(beside(entry, "log_figures"));
   }
 
-  /// [[runs]]: a file, with its name, load and sphere if stated.
+  /// [[runs]]: a file, and its name, load and sphere if they are stated.
   void read_runs(const toml::node& node, FitRequest& request) const {
     if (!node.is_array_of_tables()) fail(node, "runs must be tables, each written [[runs]]");
     for (const toml::node& entry : *node.as_array()) {
@@ -118,11 +111,9 @@ class Reader {
       }
       if (run.path.empty()) fail(entry, "a run needs a file");
       Metadata scratch;
-      if (const std::string problem = run.load.empty() ? "" : set_field(scratch, "load", run.load); !problem.empty())
-        fail(entry, problem);
-      if (const std::string problem = run.sphere.empty() ? "" : set_field(scratch, "radius", run.sphere);
-          !problem.empty())
-        fail(entry, problem);
+      for (const auto& [constant, stated] : {std::pair("load", run.load), std::pair("radius", run.sphere)})
+        if (const std::string problem = stated.empty() ? "" : set_field(scratch, constant, stated); !problem.empty())
+          fail(entry, problem);
       if (scratch.standard_error("radius") > 0)
         fail(entry, "the standard error of a sphere is that of the radius, a percentage of all: state it there");
       request.runs.push_back(run);
@@ -135,10 +126,6 @@ class Reader {
     if (!node.is_string()) fail(node, key + " must be a string");
     if (node.as_string()->get().find('\0') != std::string::npos) fail(node, key + " holds a NUL character");
     return node.as_string()->get();
-  }
-
-  static bool is_option(std::string_view name) {
-    return std::any_of(settings().begin(), settings().end(), [&](const Setting& one) { return one.name == name; });
   }
 
   static std::string names_of_options() {
@@ -231,67 +218,5 @@ class Reader {
 }  // namespace
 
 FitRequest read_fit_definition(const std::string& path) { return Reader(path).read(); }
-
-std::string fit_definition_text(const FitRequest& request, const Dataset& data, const std::string& path) {
-  const auto from_there = [&](const std::string& file) {
-    std::error_code none;
-    // Links are not resolved: constants are read from beside the link.
-    const std::filesystem::path folder = std::filesystem::absolute(path).lexically_normal().parent_path(),
-                                whole = std::filesystem::absolute(file).lexically_normal(),
-                                relative = std::filesystem::canonical(folder, none) == folder
-                                               ? whole.lexically_proximate(folder)
-                                               : whole;
-    return toml_text((none ? std::filesystem::absolute(file) : relative).string());
-  };
-  std::ostringstream out;
-  const bool told_apart = std::any_of(request.runs.begin(), request.runs.end(), [](const RunFile& run) {
-    return !run.name.empty() || !run.load.empty() || !run.sphere.empty();
-  });
-  if (request.runs.empty()) {
-    out << "data = " << from_there(request.data_path) << '\n';
-  } else if (!told_apart) {
-    out << "data = [";
-    for (const RunFile& run : request.runs) out << (&run == request.runs.data() ? "" : ", ") << from_there(run.path);
-    out << "]\n";
-  }
-  if (!request.peaks_path.empty()) out << "peaks = " << from_there(request.peaks_path) << '\n';
-  for (std::size_t i = 0; i < request.log_figures.size(); ++i)
-    out << (i == 0 ? "log_figures = [" : ", ") << from_there(request.log_figures[i])
-        << (i + 1 == request.log_figures.size() ? "]\n" : "");
-  // Defaults that depend on the data or on the version of this program are written, too.
-  for (const Setting& one : settings()) {
-    if (one.name == "models") {
-      out << "models = [";
-      for (std::size_t i = 0; i < request.models.size(); ++i)
-        out << (i == 0 ? "" : ", ") << toml_text(request.models[i]);
-      out << "]\n";
-    } else if (one.name == "objective") {
-      out << "objective = "
-          << toml_text(std::string(to_string(request.options.objective.value_or(default_objective(data))))) << '\n';
-    } else if (request.stated.contains(one.name)) {
-      const std::string text = one.write(request);
-      out << one.name << " = " << (one.is_switch ? text : toml_text(text)) << '\n';
-    }
-  }
-  if (!request.source.empty()) out << "source = " << toml_text(request.source) << '\n';
-  if (!request.constants.empty()) out << "\n[constants]\n";
-  for (const auto& [name, value] : request.constants) out << name << " = " << toml_text(value) << '\n';
-  for (const RunFile& run : request.runs) {
-    if (!told_apart) break;
-    out << "\n[[runs]]\nfile = " << from_there(run.path) << '\n';
-    if (!run.name.empty()) out << "name = " << toml_text(run.name) << '\n';
-    if (!run.load.empty()) out << "load = " << toml_text(run.load) << '\n';
-    if (!run.sphere.empty()) out << "sphere = " << toml_text(run.sphere) << '\n';
-  }
-  for (const std::string& model : request.models)
-    if (const auto law = find_law(model); law && !is_shipped(*law)) out << '\n' << law_toml(law->definition());
-  for (const auto& [model, numbers] : request.published) {
-    if (std::find(request.models.begin(), request.models.end(), model) == request.models.end()) continue;
-    out << "\n[published." << model << "]\n";
-    for (const Published& one : numbers)
-      out << one.name << " = {value = " << shortest(one.value) << ", tolerance = " << shortest(one.tolerance) << "}\n";
-  }
-  return out.str();
-}
 
 }  // namespace mixity

@@ -92,7 +92,7 @@ std::string no_best_model(const Analysis& result) {
     const bool named =
         fit.model == preferred.aicc || fit.model == preferred.evidence || fit.model == preferred.left_out;
     if (named && fit.status == FitStatus::suspect && fit.outdone_by.empty())
-      return "the fit of " + fit.model + " is suspect, and no model is named best before that is mended";
+      return "the fit of " + fit.model + " is suspect, and no model is named best until that is resolved";
   }
   if (preferred.agree()) return {};
   std::string text, separator = "the criteria disagree, and no model is named best: ";

@@ -1,4 +1,4 @@
-// Laws that are typed: in a fit definition, as a flag, and those of data/laws.toml, which the program carries with it.
+// Laws that users write, as a flag or in a fit definition, and the laws of data/laws.toml, which the program contains.
 #pragma once
 
 #include <toml++/toml.h>
@@ -12,52 +12,54 @@
 
 namespace mixity {
 
-/// A law that was defined, and what was noticed about it.
+/// A law that was defined, and warnings about it.
 struct DefinedLaw {
   std::shared_ptr<const ExpressionLaw> law;
   std::vector<std::string> warnings{};
 };
 
-/// "mine: 1 + (1-l)*tan(psi)^2; l=0..1", "mine: 1 + p*t^n; p=0..1, n=0.5..4 start 2; normalised", or without a key,
-/// which then is law_1, law_2, ... `what` names the text in messages. Throws InputError, with the column in the text,
-/// for what is no such law, fails a check (law_traits.h), or has the key of another model.
+/// Defines "mine: 1 + (1-l)*tan(psi)^2; l=0..1" or "mine: 1 + p*t^n; p=0..1, n=0.5..4 start 2; normalised". Without a
+/// key the law becomes law_1, law_2, ... `what` names the text in messages. Throws InputError, with the column in the
+/// text, for a syntax error, a failed check (law_check.h), or the key of another model.
 DefinedLaw define_law_text(const std::string& what, std::string_view text);
 
-/// Only what the text says; `expression_at`: where its expression begins. Throws InputError for what has not this form.
+/// Reads the text without defining the law; `expression_at`: where its expression begins. Throws InputError for a
+/// syntax error.
 LawDefinition read_law_text(const std::string& what, std::string_view text, std::size_t* expression_at = nullptr);
 
-/// The same of a definition; an empty key becomes law_ and digits that follow from it. Columns count in its text.
+/// Defines a law. Without a key it becomes law_ and a hash of its definition. Columns in errors count in its text.
 DefinedLaw define_law_checked(const std::string& what, LawDefinition definition);
 
-/// The table [laws] of the file at `path`: each law a table with f (or criterion, an equation), its parameters as
-/// [least, greatest] or {range = [...], start = ...}, and name, source, normalised. Throws InputError as above, with
-/// line and column in the file.
+/// Defines the laws of the table [laws] of the file at `path`. Each is a table with f (or criterion, an equation), its
+/// parameters as [least, greatest] or {range = [...], start = ...}, and name, source, normalised. Throws InputError as
+/// above, with line and column in the file.
 std::vector<DefinedLaw> define_laws(const std::string& path, const toml::table& laws);
 
-/// A law as a table [laws.KEY] of a fit definition. Throws InputError for one that is a function.
+/// The law as a table [laws.KEY] of a fit definition. Throws InputError for a law that is a function.
 std::string law_toml(const LawDefinition& law);
 
-/// The same as read_law_text has it, without its key and name.
+/// The law as read_law_text reads it, without its key and name.
 std::string law_text(const LawDefinition& law);
 
-/// Where nothing is said of it: the middle of a range, in the logarithm of one over decades.
+/// The default start value: the middle of the range, in the logarithm if the range spans decades.
 double usual_start(double lower, double upper);
 
 /// Whether a model, published or defined, has this key.
 bool is_model(std::string_view key);
 
-/// Makes a law of data/laws.toml a model, if it has one of this key and it is none yet.
+/// Defines the law of data/laws.toml with this key, if there is one and no model has the key yet.
 void provide_law(std::string_view key);
 
 /// Keys of all models: published, defined, and of data/laws.toml.
 std::vector<std::string> known_models();
 
-/// What data/laws.toml holds.
-struct ShippedLaw {
-  std::string key, name, shown, source;
-  std::vector<LawParameter> parameters;
+/// A law as a file states it, with the place of its publication.
+struct StatedLaw {
+  LawDefinition definition;
+  std::string source;
 };
-const std::vector<ShippedLaw>& shipped_laws();
+/// The laws of data/laws.toml.
+const std::vector<StatedLaw>& shipped_laws();
 bool is_shipped(const ExpressionLaw& law);
 
 }  // namespace mixity

@@ -1,7 +1,6 @@
 #include "analysis/model_curves.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -103,10 +102,7 @@ FiguredModels figured_models(const Analysis& result) {
   }
   const std::vector<const FitResult*> fits = fits_with_values(result.fits);
   figured.models.resize(fits.size());
-  std::atomic<std::size_t> next = 0;
-  run_on_threads(std::min(processors(), fits.size()), [&] {
-    for (std::size_t i = next++; i < fits.size(); i = next++) figured.models[i] = curves_of(result, figured, *fits[i]);
-  });
+  parallel_for(fits.size(), [&](std::size_t i) { figured.models[i] = curves_of(result, figured, *fits[i]); });
   return figured;
 }
 

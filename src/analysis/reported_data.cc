@@ -23,13 +23,11 @@ Analysis run_for_report(FitRequest request, const Progress& progress) {
   if (result.per_curve.empty() && result.data.has_loads && result.data.curves.size() > 1) {
     const std::vector<std::string>& models = request.models;
     result.per_curve.resize(models.size());
-    std::atomic<std::size_t> next = 0, done = 0;
-    run_on_threads(std::min(processors(), models.size()), [&] {
-      for (std::size_t i = next++; i < models.size(); i = next++) {
-        result.per_curve[i] = fit_per_curve(result.data, models[i], request.options);
-        const double share = static_cast<double>(++done) / static_cast<double>(models.size());
-        if (progress) progress(kAll + (1 - kAll) * share);
-      }
+    std::atomic<std::size_t> done = 0;
+    parallel_for(models.size(), [&](std::size_t i) {
+      result.per_curve[i] = fit_per_curve(result.data, models[i], request.options);
+      const double share = static_cast<double>(++done) / static_cast<double>(models.size());
+      if (progress) progress(kAll + (1 - kAll) * share);
     });
   }
   // the best model first, in every table and figure

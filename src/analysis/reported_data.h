@@ -13,8 +13,8 @@
 
 namespace mixity {
 
-/// Runs a request, with the cost profiles and, if there are several runs, the fits of single runs that figures need.
-/// The best fit comes first.
+/// Runs a request with the cost profiles and, if there are several runs, the fits of single runs that figures need. The
+/// best fit comes first.
 Analysis run_for_report(FitRequest request, const Progress& progress = {});
 
 struct ReportedData {

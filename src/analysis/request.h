@@ -46,7 +46,4 @@ struct FitRequest {
   Wording words = in_neutral_words;                         // of the messages in what is written of the results
 };
 
-/// Every file that the request reads, existing or not. Results must not overwrite them.
-std::vector<std::string> files_read(const FitRequest& request);
-
 }  // namespace mixity

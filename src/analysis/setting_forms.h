@@ -33,16 +33,6 @@ std::string listed(const auto& names, const char* separator = ", ", const char* 
   return list;
 }
 
-/// true or false.
-struct Switch {
-  static Complaint read(std::string_view text, bool& value) {
-    if (text != "true" && text != "false") return must_be(text, "true or false");
-    value = text == "true";
-    return {};
-  }
-  static std::string write(bool value) { return value ? "true" : "false"; }
-};
-
 /// One of the values of an enumeration, by its to_string(). An optional without a value has the first.
 template <class Enum>
 struct Choice {
@@ -71,6 +61,11 @@ struct Word {
     return {};
   }
   std::string write(bool value) const { return value ? if_true : if_false; }
+};
+
+/// true or false.
+struct Switch : Word {
+  Switch() : Word{"true", "false"} {}
 };
 
 /// A whole number from 0 to `most`.

@@ -24,7 +24,9 @@ void explain_program() {
   };
   for (const ContactModel& model : ContactModel::published())
     explain_model(model.info().key, model.info().name, model.info().formula, model.parameters());
-  for (const ShippedLaw& law : shipped_laws()) explain_model(law.key, law.name, law.shown, law.parameters);
+  for (const auto& [law, source] : shipped_laws())
+    explain_model(law.key, law.name, (law.text.find('=') == std::string::npos ? "f = " : "") + law.text,
+                  law.parameters);
   std::cout << "  your own     --law=\"mine: 1 + (1-l)*tan(psi)^2; l=0..1\", or [laws.mine] in a definition\n";
   std::cout << "\nmixity help COMMAND lists the flags of a command; mixity --version prints the version. mixity help "
                "man and\n"

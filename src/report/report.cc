@@ -1,5 +1,6 @@
 #include "report/report.h"
 
+#include "analysis/run.h"
 #include "base/files.h"
 #include "report/fit_csv.h"
 

@@ -134,11 +134,11 @@ TEST_F(Definitions, SayWhereALawIsWrong) {
 }
 
 TEST(ShippedLaws, AreDefinedWhenTheyAreAskedFor) {
-  for (const ShippedLaw& law : shipped_laws()) {
+  for (const auto& [law, source] : shipped_laws()) {
     provide_law(law.key);
     ASSERT_TRUE(find_law(law.key)) << law.key;
     EXPECT_TRUE(is_shipped(*find_law(law.key)));
-    EXPECT_FALSE(law.source.empty()) << law.key;
+    EXPECT_FALSE(source.empty()) << law.key;
   }
 }
 

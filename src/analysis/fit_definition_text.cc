@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "analysis/fit_definition.h"
+#include "analysis/laws.h"
+#include "analysis/settings.h"
+#include "base/number_text.h"
+#include "base/toml_file.h"
+#include "mechanics/laws/known_laws.h"
+
+namespace mixity {
+namespace {
+
+/// KEY = "text".
+std::string stated(std::string_view key, const std::string& text) {
+  return std::string(key) + " = " + toml_text(text) + '\n';
+}
+
+std::string stated_if_any(std::string_view key, const std::string& text) {
+  return text.empty() ? "" : stated(key, text);
+}
+
+/// KEY = ["text", "text"].
+std::string stated(std::string_view key, const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + toml_text(text);
+  return std::string(key) + " = [" + list + "]\n";
+}
+
+/// A file as seen from the folder of `definition`.
+std::string relative_to(const std::string& definition, const std::string& file) {
+  std::error_code unread;
+  // Links are not resolved: constants are read from beside the link.
+  const std::filesystem::path folder = std::filesystem::absolute(definition).lexically_normal().parent_path(),
+                              whole = std::filesystem::absolute(file).lexically_normal(),
+                              relative = std::filesystem::canonical(folder, unread) == folder
+                                             ? whole.lexically_proximate(folder)
+                                             : whole;
+  return (unread ? std::filesystem::absolute(file) : relative).string();
+}
+
+}  // namespace
+
+std::string fit_definition_text(const FitRequest& request, const Dataset& data, const std::string& path) {
+  const auto from_there = [&](const std::string& file) { return relative_to(path, file); };
+  const bool told_apart = std::any_of(request.runs.begin(), request.runs.end(), [](const RunFile& run) {
+    return !run.name.empty() || !run.load.empty() || !run.sphere.empty();
+  });
+  std::ostringstream out;
+  std::vector<std::string> files, figures;
+  for (const RunFile& run : request.runs) files.push_back(from_there(run.path));
+  for (const std::string& figure : request.log_figures) figures.push_back(from_there(figure));
+  if (request.runs.empty())
+    out << stated("data", from_there(request.data_path));
+  else if (!told_apart)
+    out << stated("data", files);
+  if (!request.peaks_path.empty()) out << stated("peaks", from_there(request.peaks_path));
+  if (!figures.empty()) out << stated("log_figures", figures);
+  for (const Setting& one : settings()) {
+    const std::string text = one.write(request);
+    // Defaults that depend on the data or on the version of this program are written, too.
+    if (one.name == "models")
+      out << stated(one.name, request.models);
+    else if (one.name == "objective")
+      out << stated(one.name, std::string(to_string(request.options.objective.value_or(default_objective(data)))));
+    else if (request.stated.contains(one.name))
+      out << (one.is_switch ? one.name + " = " + text + '\n' : stated(one.name, text));
+  }
+  out << stated_if_any("source", request.source);
+  if (!request.constants.empty()) out << "\n[constants]\n";
+  for (const auto& [name, value] : request.constants) out << stated(name, value);
+  if (told_apart)
+    for (const RunFile& run : request.runs)
+      out << "\n[[runs]]\n" << stated("file", from_there(run.path)) << stated_if_any("name", run.name)
+          << stated_if_any("load", run.load) << stated_if_any("sphere", run.sphere);
+  for (const std::string& model : request.models)
+    if (const auto law = find_law(model); law && !is_shipped(*law)) out << '\n' << law_toml(law->definition());
+  for (const auto& [model, numbers] : request.published) {
+    if (std::find(request.models.begin(), request.models.end(), model) == request.models.end()) continue;
+    out << "\n[published." << model << "]\n";
+    for (const Published& one : numbers)
+      out << one.name << " = {value = " << shortest(one.value) << ", tolerance = " << shortest(one.tolerance) << "}\n";
+  }
+  return out.str();
+}
+
+}  // namespace mixity
