@@ -1,5 +1,5 @@
-// mixity curve: the whole equilibrium curve at a normal load, or a(P) at a tangential load, as CSV; of a fit A(T) with
-// its band, up to where the contact jumps.
+// mixity curve: the whole equilibrium curve at a normal load, or a(P) at a tangential load, as CSV; for a fit, A(T)
+// with its band up to the jump of the contact.
 #include <cmath>
 #include <iostream>
 
@@ -7,9 +7,8 @@
 #include "cli/contact_flags.h"
 #include "cli/fitted_contact.h"
 
-DEFINE_string(
-    chord, "",
-    "instead of --points: as few points as keep straight lines within this fraction of the ranges of T and A");
+DEFINE_string(chord, "",
+              "instead of --points: the fewest points whose chords stay within this fraction of the ranges of T and A");
 
 namespace mixity::cli {
 namespace {
@@ -21,10 +20,9 @@ std::size_t point_count() {
 
 void print_at_load(const ContactModel& model, const ParameterValues& p, const OutputUnits& units) {
   const Load load = load_from("load", units);
-  if (const auto obstacle = model.obstacle(p, load.dimensionless); !obstacle.empty())
-    throw UsageError(std::string(obstacle));
+  require_contact(model, p, load.dimensionless);
   if (above_pull_off(load.dimensionless) < 0)
-    throw UsageError("flag '--load': no contact exists below the pull-off load -3 pi/2 R G_Ic");
+    throw refused("load", "no contact exists below the pull-off load -3 pi/2 R G_Ic");
   CurveSampling sampling;
   if (is_set("chord"))
     sampling = {.rule = CurveSampling::Rule::fewest, .chord = number_from("chord", 1e-9)};
@@ -46,7 +44,7 @@ void print_at_shear(const ContactModel& model, const ParameterValues& p, const O
   const Load shear = load_from("shear", units);
   if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
     throw UsageError("flag '--shear': T must lie between 0 and 1e150");
-  if (const auto obstacle = model.obstacle(p); !obstacle.empty()) throw UsageError(std::string(obstacle));
+  require_contact(model, p);
   const std::size_t n = point_count();
   // From the unstable end to twice the edge load at which the load is that of Hertz a hundred times over
   const double largest = 40 * pi<double>() + shear.dimensionless;

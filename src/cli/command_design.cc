@@ -1,4 +1,4 @@
-// mixity design: what a planned experiment will tell, and which loads to measure next.
+// mixity design: what a planned experiment will determine, and which loads to measure next.
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -13,11 +13,12 @@
 #include "mechanics/contact_model.h"
 #include "studies/design.h"
 
-DEFINE_string(runs, "", "how many more runs to find the best loads for");
-DEFINE_string(goal, "error", "what these are to serve: error (of lambda) or model (telling models apart)");
+DEFINE_string(runs, "", "number of further runs to find the best loads for");
+DEFINE_string(goal, "error", "what these runs optimise: error (of lambda) or model (odds between models)");
 DEFINE_string(wanted, "",
-              "an error of lambda, 2% or 0.0001: how many runs it takes, and how many 95% odds between models");
-DEFINE_string(experiments, "", "so many experiments are simulated and fitted, as a check of what is expected");
+              "an error of lambda, 2% or 0.0001: prints how many runs reach it, and how many give 95% odds between "
+              "models");
+DEFINE_string(experiments, "", "number of experiments to simulate and fit, as a check of the predictions");
 
 namespace mixity::cli {
 namespace {
@@ -106,10 +107,10 @@ void print_best(const Plan& plan, const Plan& chosen, const Range& range, Goal g
 }
 
 void print_runs_needed(const Plan& plan, const Range& range, const std::vector<std::string>& rivals) {
-  const auto wanted = parse_quantity(value_of("wanted"));
-  if (!wanted || wanted->unit.dimension != dimension::none || !(wanted->value > 0))
-    throw must("wanted", "be an error such as 2% or 0.0001");
-  const double error = wanted->unit.text == "%" ? wanted->si() * plan.parameters[0] : wanted->si();
+  const Quantity wanted = quantity_from("wanted", "be an error such as 2% or 0.0001", [](const Quantity& one) {
+    return one.unit.dimension == dimension::none && one.value > 0;
+  });
+  const double error = wanted.unit.text == "%" ? wanted.si() * plan.parameters[0] : wanted.si();
   const auto runs_until = [&](Goal goal, double cost) {
     const std::vector<std::string> others = goal == Goal::error ? std::vector<std::string>{} : rivals;
     for (std::size_t runs = 1; runs <= kMostRuns; ++runs)

@@ -1,4 +1,4 @@
-// mixity figures: the paper's, with data or without.
+// mixity figures: the figures of the paper, with or without data.
 #include <iostream>
 
 #include "cli/commands.h"
@@ -23,7 +23,7 @@ int run_figures(const Arguments& arguments) {
   files.push_back({FLAGS_out + "/figures.html", paper_page(figures, drawn)});
   write_files(files);
   for (const OutputFile& file : files) std::cout << file.path << '\n';
-  if (!drawn.missing.empty()) std::cerr << "mixity: " << drawn.missing << '\n';
+  if (!drawn.missing.empty()) warn(drawn.missing);
   return kFine;
 }
 

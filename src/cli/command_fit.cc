@@ -18,8 +18,8 @@
 #include "report/fit_text.h"
 
 DEFINE_string(shard, "",
-              "fit a part of the files only: i/n, every n-th from the i-th on (mixity merge puts parts together)");
-DEFINE_string(save, "", "write what was just run to this fit definition (TOML)");
+              "fit only a part of the files, i/n: every n-th from the i-th on (mixity merge merges the parts)");
+DEFINE_string(save, "", "write data and options of this fit to a fit definition (TOML)");
 
 namespace mixity::cli {
 namespace {
@@ -74,7 +74,7 @@ void require_definition_path(const std::string& path) {
   for (const char* ending : {".csv", ".CSV", ".txt", ".dat"}) {
     const std::string data = path.substr(0, path.size() - 5) + ending;
     if (std::filesystem::exists(data))
-      throw UsageError("flag '--save': " + path + " is where the constants of " + data + " stand; take another name");
+      throw refused("save", path + " is where the constants of " + data + " stand; take another name");
   }
 }
 

@@ -1,9 +1,5 @@
-// mixity import: a WebPlotDigitizer export becomes a data CSV.
-#include <iostream>
-
-#include "base/files.h"
+// mixity import: converts a WebPlotDigitizer export to a data CSV.
 #include "cli/commands.h"
-#include "cli/contact_flags.h"
 #include "cli/flags.h"
 #include "dataset/table/plot_import.h"
 
@@ -20,13 +16,8 @@ int run_import(const Arguments& arguments) {
   for (const Quantity& load : options.loads)
     if (load.unit.text != options.loads.front().unit.text ||
         (!load.unit.text.empty() && load.unit.dimension != dimension::force))
-      throw UsageError("flag '--loads': all loads must be forces in one unit");
-  const std::string text = import_plot(arguments[0], options);
-  if (FLAGS_out.empty()) {
-    std::cout << text;
-    return kFine;
-  }
-  write_files({{FLAGS_out, text}}, arguments);
+      throw refused("loads", "all loads must be forces in one unit");
+  print_or_write(import_plot(arguments[0], options), arguments);
   return kFine;
 }
 

@@ -1,5 +1,5 @@
-// mixity instability: every fold of the equilibrium curve, under load and displacement control and, if asked for,
-// through a loading apparatus of given stiffness; of given parameters, or of what is fitted to data.
+// mixity instability: every fold of the equilibrium curve under load control, displacement control and, if a stiffness
+// is given, through a loading apparatus; for given parameters, or for a fit.
 #include <iostream>
 
 #include "cli/commands.h"
@@ -9,7 +9,7 @@
 #include "report/instability_text.h"
 
 DEFINE_string(stiffness, "",
-              "stiffness k of the loading apparatus, such as \"1200 N/m\", or dimensionless; adds the folds it sees");
+              "stiffness k of the loading apparatus, such as \"1200 N/m\", or dimensionless; adds the folds under it");
 
 namespace mixity::cli {
 namespace {
@@ -46,8 +46,7 @@ InstabilityReport of_flags(const ContactModel& model) {
   for (const Control& control : controls(shown.contact)) {
     if (const auto problem = model.problem(p, load.dimensionless); !problem.empty()) throw UsageError(problem);
     for (const Fold& fold : model.folds(p, load.dimensionless, control))
-      at.predicted.folds.push_back(
-          {control, fold.place.maximum, {fold.T}, {fold.u}, {fold.A}, fold.psi, fold.jumps_to, fold.area_after});
+      at.predicted.folds.push_back(as_prediction(fold));
   }
   report.loads.push_back(std::move(at));
   return report;

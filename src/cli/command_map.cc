@@ -1,17 +1,17 @@
-// mixity map: what becomes of a sheared contact, over normal load and lambda.
+// mixity map: the regime of a sheared contact over normal load and lambda.
 #include <iostream>
 
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 
-DEFINE_string(axis, "", "the parameter that the map is over beside the load; empty: the model's first");
+DEFINE_string(axis, "", "the parameter on the second axis of the map; by default the model's first");
 DEFINE_string(lambda_range, "0,1", "smallest and largest lambda of the map");
 DEFINE_int32(grid, 41, "points of the map along each axis");
 DEFINE_bool(boundaries, false, "print the exact boundaries between regimes instead of the grid");
 DEFINE_string(tau0, "",
-              "shear strength of the interface, such as \"0.43 MPa\", or dimensionless (tau0 xi/E*): sliding at T = "
-              "tau0 A competes");
+              "shear strength of the interface, such as \"0.43 MPa\", or dimensionless (tau0 xi/E*); the contact then "
+              "slides at T = tau0 A");
 
 namespace mixity::cli {
 namespace {
@@ -102,7 +102,7 @@ int run_map(const Arguments& arguments) {
   std::size_t axis = 0;
   if (is_set("axis"))
     while (axis < infos.size() && infos[axis].name != FLAGS_axis) ++axis;
-  if (axis == infos.size()) throw UsageError("flag '--axis': model " + key + " has no parameter '" + FLAGS_axis + "'");
+  if (axis == infos.size()) throw refused("axis", "model " + key + " has no parameter '" + FLAGS_axis + "'");
   const ParameterValues others = parameters_from_flags(model, axis);
   const Range loads = load_range(units);
   const ParameterInfo& info = infos[axis];
@@ -110,7 +110,7 @@ int run_map(const Arguments& arguments) {
   const Range values = usual ? range_from("lambda_range", info.lower, info.upper) : Range{info.lower, info.upper};
   const auto boundaries = model.regime_boundaries();
   if (FLAGS_boundaries && !boundaries)
-    throw UsageError("flag '--boundaries': those of model " + key + " have no closed form");
+    throw refused("boundaries", "those of model " + key + " have no closed form");
   if (FLAGS_boundaries)
     print_boundaries(*boundaries, loads, values, units);
   else

@@ -1,4 +1,4 @@
-// mixity predict: areas at a list of tangential loads; of one model at one normal load, or of a fit with its band.
+// mixity predict: areas at a list of tangential loads, of one model at one normal load, or of a fit with its band.
 #include <iostream>
 
 #include "cli/commands.h"
@@ -16,8 +16,7 @@ void predict(const ContactModel& model) {
   for (const Load& shear : shears)
     if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
       throw UsageError("flag '--shear': every T must lie between 0 and 1e150");
-  if (const auto obstacle = model.obstacle(p, load.dimensionless); !obstacle.empty())
-    throw UsageError(std::string(obstacle));
+  require_contact(model, p, load.dimensionless);
   std::vector<double> T;
   for (const Load& shear : shears) T.push_back(shear.dimensionless);
   const std::vector<Equilibrium> found = model.equilibria(p, load.dimensionless, T).at;

@@ -1,4 +1,4 @@
-// mixity report: fits, and everything that can be shown of them.
+// mixity report: fits, and a report with all their figures and tables.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -49,7 +49,7 @@ int run_report(const Arguments& arguments) {
   for (const Analysis& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
   const WrittenReport written =
       write_report(results, data, FLAGS_out, {command_line(), stretch(progress, kFits, 1), explorer()});
-  if (!written.missing.empty()) std::cerr << "mixity: " << written.missing << '\n';
+  if (!written.missing.empty()) warn(written.missing);
   std::cout << written.page << '\n';
   for (const Analysis& result : results)
     std::cout << '\n'

@@ -11,19 +11,20 @@
 #include "report/figures/log_figures.h"
 #include "report/runs_files.h"
 
-DEFINE_string(
-    lag, "", "what the clock of the areas is ahead of that of the forces: \"0.12 s\"; else from events that both show");
-DEFINE_bool(drift, false, "take a line through the zeros of T of all runs off T; left out, where it is sure");
-DEFINE_string(cuts, "", "a TOML that states cuts of runs (cuts.toml, which runs writes)");
+DEFINE_string(lag, "",
+              "how far the clock of the areas is ahead of the clock of the forces, such as \"0.12 s\"; by default "
+              "found from events that both show");
+DEFINE_bool(drift, false,
+            "subtract from T a straight line through the zeros of all runs; by default only if the drift is certain");
+DEFINE_string(cuts, "", "a TOML file of cuts, such as the cuts.toml that runs writes");
 
 namespace mixity::cli {
 namespace {
 
 std::optional<double> seconds(const std::string& flag) {
   if (!is_set(flag)) return std::nullopt;
-  const auto quantity = parse_quantity(value_of(flag));
-  if (!quantity || quantity->unit.dimension != dimension::time) throw must(flag, "be a time such as \"0.12 s\"");
-  return quantity->si();
+  const auto is_time = [](const Quantity& one) { return one.unit.dimension == dimension::time; };
+  return quantity_from(flag, "be a time such as \"0.12 s\"", is_time).si();
 }
 
 }  // namespace
@@ -44,19 +45,18 @@ int run_runs(const Arguments& arguments) {
     const DrawnFigures drawn =
         draw_figures(figures, FLAGS_out + "/figures", figure_formats(), progress_line("figures"));
     std::vector<OutputFile> files = drawn.files;
-    files.push_back({folder + "runs.csv", runs_csv(log)});
-    files.push_back({folder + "runs.toml", runs_toml(log)});
-    files.push_back({folder + "peaks.csv", peaks_csv(log)});
-    files.push_back({folder + "peaks.toml", runs_toml(log)});
-    files.push_back({folder + "phases.csv", phases_csv(log)});
-    files.push_back({folder + "cuts.toml", cuts_toml(log, in_flags)});
-    files.push_back({folder + "fit.toml", runs_definition(figures)});
+    files.insert(files.end(), {{folder + "runs.csv", runs_csv(log)},
+                               {folder + "runs.toml", runs_toml(log)},
+                               {folder + "peaks.csv", peaks_csv(log)},
+                               {folder + "peaks.toml", runs_toml(log)},
+                               {folder + "phases.csv", phases_csv(log)},
+                               {folder + "cuts.toml", cuts_toml(log, in_flags)},
+                               {folder + "fit.toml", runs_definition(figures)}});
     std::vector<std::string> inputs(arguments.begin(), arguments.end());
     for (const std::string& path : arguments) inputs.push_back(metadata_path(path));
-    for (const std::string& kept : keep_former(files))
-      std::cerr << "mixity: what was there is kept as " << kept << '\n';
+    keep_former_files(files);
     write_files(files, inputs);
-    if (!drawn.missing.empty()) std::cerr << "mixity: " << drawn.missing << '\n';
+    if (!drawn.missing.empty()) warn(drawn.missing);
   }
   std::cout << runs_text(log, in_flags);
   if (!FLAGS_out.empty())

@@ -1,4 +1,4 @@
-// mixity simulate: an experiment of a plan, as a data set to try things with.
+// mixity simulate: a simulated experiment, as a data set.
 #include <iostream>
 #include <sstream>
 
@@ -11,7 +11,7 @@
 #include "dataset/table/csv.h"
 #include "studies/simulate.h"
 
-DEFINE_string(index, "0", "number of the experiment in the stream of the seed");
+DEFINE_string(index, "0", "index of the experiment in the random stream of the seed");
 
 namespace mixity::cli {
 
@@ -38,7 +38,7 @@ int run_simulate(const Arguments& arguments) {
     constants += name + " = " + toml_text(text) + "\n";
   constants += "provenance = \"reconstructed\"\nsource = " + toml_text(command_line()) + "\n";
   std::vector<OutputFile> files{{FLAGS_out, table.str()}, {metadata_path(FLAGS_out), constants}};
-  for (const std::string& kept : keep_former(files)) std::cerr << "mixity: what was there is kept as " << kept << '\n';
+  keep_former_files(files);
   write_files(files);
   std::cout << "Written to " << FLAGS_out << " and " << metadata_path(FLAGS_out) << '\n';
   return kFine;

@@ -1,11 +1,38 @@
 #include "cli/commands.h"
 
-#include "cli/fit_flags.h"
-#include "cli/flags.h"
-#include "cli/law_flags.h"
-#include "cli/plan_flags.h"
+#include <iostream>
+
+#include "analysis/settings.h"
+#include "dataset/metadata.h"
 
 namespace mixity::cli {
+namespace {
+
+using Flags = std::vector<std::string_view>;
+
+Flags with_law_flags(Flags flags) {
+  flags.insert(flags.end(), {"law", "laws"});
+  return flags;
+}
+
+Flags with_metadata_flags(Flags flags) {
+  for (const MetadataField& one : metadata_fields()) flags.push_back(one.name);
+  return flags;
+}
+
+Flags with_plan_flags(Flags flags) {
+  flags.insert(flags.end(),
+               {"model", "lambda", "parameters", "loads", "points", "reach", "sigma_T", "sigma_A", "seed"});
+  return with_metadata_flags(with_law_flags(std::move(flags)));
+}
+
+}  // namespace
+
+std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags) {
+  for (const Setting& option : settings()) flags.push_back(option.name);
+  flags.push_back("pool");
+  return with_metadata_flags(with_law_flags(std::move(flags)));
+}
 
 std::span<const Command> commands() {
   static const std::vector<Command> table{
@@ -16,71 +43,68 @@ std::span<const Command> commands() {
        with_fit_flags({"format", "out", "save", "shard"}),
        {"text", "json", "csv"}},
       {"report", run_report, "report DATA.csv|FIT.toml ... --out=DIR [--formats=pdf,png,gnuplot] [flags]",
-       "Fits as `fit` does, and writes a page with every figure, tables, and the figures by themselves.",
+       "Fits as `fit` does, and writes a web page with all figures and tables, and each figure as a file.",
        with_fit_flags({"out"})},
       {"predict", run_predict,
        "predict DATA.csv|FIT.toml [--loads=P1,P2] --shear=T1,T2,... | --model=KEY --lambda=L --load=P "
        "--shear=T1,T2,... [flags]",
-       "Predicts the contact area at given loads; of a fit with standard errors.",
+       "Predicts the contact area at given loads, with standard errors if the model is fitted to data.",
        with_fit_flags({"model", "lambda", "parameters", "loads", "shear", "units"})},
       {"curve", run_curve,
        "curve DATA.csv|FIT.toml [--loads=P1,P2] [--points=N] | --model=KEY --lambda=L --load=P|--shear=T "
        "[--points=N|--chord=E] [flags]",
-       "Prints the whole equilibrium curve at a normal load, or a(P) at a tangential load, as CSV; of a fit A(T) with "
-       "standard errors.",
+       "Prints the whole equilibrium curve at a normal load, or a(P) at a tangential load, as CSV; for a fit, A(T) "
+       "with standard errors.",
        with_fit_flags({"model", "lambda", "parameters", "loads", "shear", "points", "chord", "units"})},
       {"instability",
        run_instability,
        "instability DATA.csv|FIT.toml [--model=KEY] [--loads=P1,P2] | --model=KEY --lambda=L --load=P [flags]",
-       "Lists every fold: where the contact jumps, what to, and the area lost; of a fit with standard errors.",
+       "Lists every fold: where the contact jumps, to which state, and the area lost; for a fit, with standard errors.",
        with_fit_flags({"model", "lambda", "parameters", "loads", "stiffness", "format", "units"}),
        {"text", "json"}},
       {"map", run_map,
        "map --model=KEY [--load_range=P1,P2] [--lambda_range=L1,L2] [--axis=NAME] [--tau0=S|--boundaries]",
-       "Classifies what becomes of a sheared contact over normal load and lambda or another parameter, as CSV.",
+       "Prints the regime of a sheared contact over normal load and lambda, or another parameter, as CSV.",
        with_law_flags({"model", "load_range", "lambda_range", "axis", "parameters", "grid", "tau0", "boundaries",
                        "units", "radius", "modulus", "youngs_modulus", "poisson_ratio", "toughness"})},
       {"sahli",
        run_sahli,
        "sahli DATA.csv [--upto=0.5] [--model=c] [--format=csv] [flags]",
-       "Fits A = A0 - alpha T^2 to each loading run, and the power law of alpha against A0.",
+       "Fits A = A0 - alpha T^2 to each loading run, and a power law to alpha against A0.",
        with_metadata_flags(with_law_flags({"upto", "model", "lambda", "parameters", "format"})),
        {"text", "csv"}},
       {"figures",
        run_figures,
        "figures --paper --out=DIR [--formats=pdf,png,gnuplot] [DATA.csv ...]",
-       "Draws the figures of Papangelo & Ciavarella (2019) from the equations, with the points of data where it has "
-       "some.",
+       "Draws the figures of Papangelo & Ciavarella (2019) from the equations, with the points of given data sets.",
        {"paper", "out", "formats"}},
       {"check", run_check, "check DATA.csv ... [flags]",
-       "Says what was understood of a data set, and what looks odd in it; how it was read, before its constants are "
-       "known.",
+       "Shows how a data set was read, and warns of anything unusual in it. Works before its constants are known.",
        with_metadata_flags({"pool"})},
       {"runs", run_runs,
        "runs LOG.csv [AREAS.csv] [--out=DIR] [--lag=L] [--drift] [--cuts=CUTS.toml] [--formats=pdf] [flags]",
-       "Turns a log of forces and areas over time into loading runs: points to be fitted, peaks, figures of the cuts.",
+       "Cuts a log of forces and areas over time into loading runs: points to fit, peaks, and figures of the cuts.",
        with_metadata_flags({"out", "lag", "drift", "cuts", "formats"})},
       {"design",
        run_design,
        "design --model=KEY --lambda=L [--loads=P1,P2] [--load_range=P1,P2] [--runs=N] [--wanted=2%] [--experiments=N] "
        "[flags]",
-       "Foretells the error of lambda and the odds between models of a planned experiment, and finds the loads that "
-       "tell "
-       "most.",
+       "Predicts the error of lambda and the odds between models for a planned experiment, and finds the most "
+       "informative loads.",
        with_plan_flags({"models", "load_range", "runs", "goal", "wanted", "experiments", "format"}),
        {"text", "csv"}},
       {"simulate", run_simulate,
        "simulate --model=KEY --lambda=L --loads=P1,P2 [--seed=N] [--index=N] [--out=DATA.csv] [flags]",
-       "Makes an experiment of a plan: the model, and noise from a seed.", with_plan_flags({"index", "out"})},
+       "Simulates a planned experiment: the model, and noise from a seed.", with_plan_flags({"index", "out"})},
       {"merge",
        run_merge,
        "merge PART1.json PART2.json ... [--out=FITS.json]",
-       "Puts together what `fit --shard=i/n --format=json` made on several machines.",
+       "Merges the results of `fit --shard=i/n --format=json` from several machines.",
        {"out"}},
       {"import",
        run_import,
        "import EXPORT.csv --x=\"T [mN]\" --y=\"A [mm^2]\" --loads=\"P1,P2,... mN\" [--out=DATA.csv]",
-       "Turns a WebPlotDigitizer export of several data sets into a data CSV.",
+       "Converts a WebPlotDigitizer export of several data sets to a data CSV.",
        {"x", "y", "loads", "out"}},
       {"help", run_help, "help [COMMAND]", "Explains the program or a command.", {}},
   };
@@ -92,5 +116,11 @@ const Command* find_command(std::string_view name) {
     if (command.name == name) return &command;
   return nullptr;
 }
+
+void require_flags_only(const std::string& command, const Arguments& arguments) {
+  if (!arguments.empty()) throw UsageError(command + " takes flags only, not '" + arguments[0] + "'");
+}
+
+void warn(const std::string& message) { std::cerr << "mixity: " << message << '\n'; }
 
 }  // namespace mixity::cli

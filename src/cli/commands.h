@@ -56,4 +56,13 @@ std::span<const Command> commands();
 /// Null for an unknown name.
 const Command* find_command(std::string_view name);
 
+/// The flags of fits, of laws and of metadata, which several commands have, after those given.
+std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags);
+
+/// Throws UsageError if there are arguments.
+void require_flags_only(const std::string& command, const Arguments& arguments);
+
+/// Prints a message to standard error, after the program's name.
+void warn(const std::string& message);
+
 }  // namespace mixity::cli

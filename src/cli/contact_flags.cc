@@ -3,6 +3,7 @@
 #include <iostream>
 #include <map>
 
+#include "base/text.h"
 #include "dataset/metadata.h"
 
 DEFINE_string(lambda, "", "mode-mixity parameter lambda");
@@ -11,30 +12,6 @@ DEFINE_string(shear, "", "tangential loads T: \"0,5,10\", or \"0,5,10 mN\" if di
 DEFINE_string(units, "mN,mm", "force and length unit of dimensional output, and of numbers without a unit");
 
 namespace mixity::cli {
-
-std::vector<Quantity> quantities_from(const std::string& flag) {
-  std::vector<Quantity> list;
-  for (const std::string& item : list_from(flag)) {
-    const auto quantity = parse_quantity(item);
-    if (!quantity) throw UsageError("flag '--" + flag + "': '" + item + "' is not a number, or its unit is unknown");
-    list.push_back(*quantity);
-  }
-  if (list.empty()) throw UsageError("flag '--" + flag + "' is missing or empty");
-  for (Quantity& quantity : list)
-    if (quantity.unit.text.empty()) quantity.unit = list.back().unit;
-  return list;
-}
-
-double positive_quantity(const std::string& flag, const std::string& unit, std::optional<double> size) {
-  const auto given = parse_quantity(value_of(flag));
-  const bool bare = given && given->unit.text.empty();
-  if (!given || (size ? bare || given->unit.dimension != parse_unit(unit)->dimension : !bare))
-    throw must(flag, size ? "be a quantity with its unit, such as " + unit
-                          : "be a number; a unit needs --radius, --modulus and --toughness");
-  const double value = size ? given->si() / *size : given->value;
-  if (!(value >= 1e-150 && value <= 1e150)) throw UsageError("flag '--" + flag + "' must be above 0");
-  return value;
-}
 
 void print_numbers(std::initializer_list<double> numbers) {
   for (const double& one : numbers) std::cout << (&one == numbers.begin() ? "" : ",") << shortest(one);
@@ -57,7 +34,7 @@ OutputUnits output_units() {
   if (!force || !length || force->dimension != dimension::force || length->dimension != dimension::length)
     throw must("units", "be a force and a length, such as mN,mm");
   if (!metadata.standard_errors.empty())
-    std::cerr << "mixity: standard errors of constants need a fit to be carried over (DATA.csv in place of a model)\n";
+    warn("standard errors of constants need a fit to be carried over (DATA.csv in place of a model)");
   const Contact contact{*metadata.radius, *modulus, *metadata.toughness};
   if (!contact.usable()) throw UsageError("--radius, --modulus and --toughness together are out of range");
   const double metre = 1 / length->factor;
@@ -67,17 +44,13 @@ OutputUnits output_units() {
           contact.length_unit() * metre,
           contact.area_unit() * metre * metre,
           contact.displacement_unit() * metre,
-          contact.stiffness_unit() * length->factor / force->factor,
           *force,
           contact};
 }
 
 std::string OutputUnits::headings(std::string_view names) const {
   std::string line;
-  for (bool more = true; more;) {
-    const std::string_view name = names.substr(0, names.find(','));
-    more = name.size() < names.size();
-    names.remove_prefix(name.size() + (more ? 1 : 0));
+  for (const std::string_view name : split(names)) {
     const bool is_force = name == "P" || name == "T" || name == "y" || name.starts_with("T_");
     const bool is_length = name == "a" || name == "u";
     const std::string unit = is_force                   ? force
@@ -85,7 +58,7 @@ std::string OutputUnits::headings(std::string_view names) const {
                              : name == "A"              ? area()
                              : name == "psi" && contact ? "rad"
                                                         : "";
-    line += std::string(name) + (unit.empty() ? "" : " [" + unit + "]") + (more ? "," : "");
+    line += (line.empty() ? "" : ",") + bracketed(std::string(name), unit);
   }
   return line;
 }
@@ -95,9 +68,8 @@ std::vector<Load> loads_from(const std::string& flag, const OutputUnits& units) 
   std::vector<Load> loads;
   for (Quantity quantity : quantities_from(flag)) {
     const bool bare = quantity.unit.text.empty();
-    if (!contact && !bare)
-      throw UsageError("flag '--" + flag + "' has a unit; that needs --radius, --modulus and --toughness");
     if (!contact) {
+      if (!bare) throw UsageError("flag '--" + flag + "' has a unit; that needs --radius, --modulus and --toughness");
       loads.push_back({quantity.value, quantity.value});
       continue;
     }
@@ -124,7 +96,7 @@ std::map<std::string, std::string> parameter_texts() {
   std::map<std::string, std::string> given;
   for (const std::string& item : list_from("parameters")) {
     const std::size_t equals = item.find('=');
-    if (equals == std::string::npos) throw UsageError("flag '--parameters': '" + item + "' is not NAME=NUMBER");
+    if (equals == std::string::npos) throw refused("parameters", "'" + item + "' is not NAME=NUMBER");
     const std::string name(trim(std::string_view(item).substr(0, equals)));
     if (!given.emplace(name, item.substr(equals + 1)).second)
       throw UsageError("flag '--parameters' names '" + name + "' twice");
@@ -139,6 +111,10 @@ std::map<std::string, std::string> parameter_texts() {
 ContactModel model_from(const std::string& key) {
   require_model("model", key);
   return ContactModel::find(key).value();
+}
+
+void require_contact(const ContactModel& model, const ParameterValues& p, double P) {
+  if (const auto obstacle = model.obstacle(p, P); !obstacle.empty()) throw UsageError(std::string(obstacle));
 }
 
 ParameterValues parameters_from_flags(const ContactModel& model, std::optional<std::size_t> except) {

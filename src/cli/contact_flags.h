@@ -16,7 +16,7 @@ namespace mixity::cli {
 /// Units of the output: scales from dimensionless numbers. For dimensionless output all scales are 1 and names empty.
 struct OutputUnits {
   std::string force, length;
-  double force_scale = 1, length_scale = 1, area_scale = 1, displacement_scale = 1, stiffness_scale = 1;
+  double force_scale = 1, length_scale = 1, area_scale = 1, displacement_scale = 1;
   Unit force_unit{};               // of numbers that were given without a unit
   std::optional<Contact> contact;  // null if dimensionless
 
@@ -45,15 +45,11 @@ Load load_from(const std::string& flag, const OutputUnits& units);
 /// The model with this key; throws UsageError if there is none.
 ContactModel model_from(const std::string& key);
 
-/// Comma-separated quantities. The unit of the last applies to those without one. Throws UsageError.
-std::vector<Quantity> quantities_from(const std::string& flag);
+/// Throws UsageError where these parameters define no contact under the load P (ContactModel::obstacle).
+void require_contact(const ContactModel& model, const ParameterValues& p, double P = 0);
 
-/// A positive quantity of the dimension of `unit`, divided by `size` [SI]; without a size a bare number. Throws
-/// UsageError.
-double positive_quantity(const std::string& flag, const std::string& unit, std::optional<double> size);
-
-/// The parameters of a model, all of them given and in range, except that of this number, which stays 0; throws
-/// UsageError otherwise.
+/// The parameters of a model. Throws UsageError if one is missing or out of range. The parameter with the index
+/// `except` must not be given and stays 0.
 ParameterValues parameters_from_flags(const ContactModel& model, std::optional<std::size_t> except = {});
 
 }  // namespace mixity::cli

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 
 #include "analysis/fit_definition.h"
 #include "analysis/result.h"
@@ -11,9 +10,8 @@
 #include "base/text.h"
 #include "cli/flag_words.h"
 #include "cli/flags.h"
-#include "cli/law_flags.h"
 
-DEFINE_bool(pool, false, "the files are the runs of one data set");
+DEFINE_bool(pool, false, "treat the files as the runs of one data set");
 
 namespace mixity::cli {
 namespace {
@@ -39,7 +37,7 @@ FitRequest request_for(const std::string& path) {
   else
     request.data_path = path;
   request.words = in_flags;
-  for (const std::string& note : request.law_notes) std::cerr << "mixity: " << note << '\n';
+  for (const std::string& note : request.law_notes) warn(note);
   const auto refuse = [](const std::string& option, const std::string& problem) {
     throw UsageError("flag '--" + option + "' " + problem);
   };
@@ -75,12 +73,6 @@ std::vector<FitRequest> requests_for(const std::vector<std::string>& arguments) 
   }
   for (const std::string& path : arguments) requests.push_back(request_for(path));
   return requests;
-}
-
-std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags) {
-  for (const Setting& option : settings()) flags.push_back(option.name);
-  flags.push_back("pool");
-  return with_metadata_flags(with_law_flags(std::move(flags)));
 }
 
 void make_names_unique(std::vector<Analysis>& results) {

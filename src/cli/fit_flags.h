@@ -3,7 +3,6 @@
 
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "analysis/result.h"
@@ -20,9 +19,6 @@ FitRequest request_for(const std::string& path);
 std::vector<FitRequest> requests_for(const std::vector<std::string>& arguments);
 /// The data files of --pool. Throws UsageError for a definition.
 std::vector<RunFile> pooled_files(const std::vector<std::string>& arguments);
-
-/// Adds the flags that request_for reads.
-std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags);
 
 /// Prefixes the folder to names shared by different files: "a/run", "b/run".
 void make_names_unique(std::vector<Analysis>& results);

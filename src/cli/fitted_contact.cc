@@ -104,8 +104,8 @@ void FittedContact::print_areas(const std::function<std::vector<Load>(const Load
 
 int FittedContact::exit_code() const {
   if (fit().status == FitStatus::ok) return kFine;
-  std::cerr << "mixity: " << data().shown_path() << ": model " << fit().model << " is " << to_string(fit().status)
-            << (fit().message.empty() ? "" : ": " + fit().message.text(in_flags)) << '\n';
+  warn(data().shown_path() + ": model " + fit().model + " is " + std::string(to_string(fit().status)) +
+       (fit().message.empty() ? "" : ": " + fit().message.text(in_flags)));
   return kFitNotOk;
 }
 

@@ -2,25 +2,35 @@
 
 #include <algorithm>
 #include <deque>
+#include <iostream>
 
 #include "analysis/laws.h"
+#include "analysis/setting_forms.h"
 #include "analysis/settings.h"
-#include "base/number_text.h"
-#include "base/text.h"
-#include "base/units.h"
+#include "base/toml_file.h"
 
 DEFINE_string(format, "text", "output format");
-DEFINE_string(out, "", "where to write: a folder (fit, figures), a file (import)");
+DEFINE_string(out, "", "output folder (fit, report, runs, figures) or file (import, merge, simulate)");
 DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(
     load, "",
-    "normal load P, compression positive: a number, or with a unit if dimensional; of a data file without one");
-DEFINE_string(loads, "", "normal load of each data set, in order: \"7.7,3.8 mN\"");
+    "normal load P, compression positive: a number, or a force such as \"3 mN\" if the contact has dimensions; for a "
+    "data file, the load of all points if no column states it");
+DEFINE_string(loads, "", "normal loads, such as \"7.7,3.8 mN\"; for import, one for each data set, in order");
 DEFINE_string(load_range, "-4,40", "smallest and largest normal load: \"0.5, 10 mN\", or dimensionless");
-DEFINE_int32(points, 201, "number of points, uniform in phi; of a planned run, from T = 0 at even steps (there 25)");
+DEFINE_int32(points, 201,
+             "number of points of a curve, evenly spaced in phi; for design and simulate, points of a run, at equal "
+             "steps of T from 0 (default there 25)");
+DEFINE_string(
+    law, "",
+    "a law of your own: \"mine: 1 + (1-l)*tan(psi)^2; l=0..1\", in terms of psi, B = sin^2 psi, t = tan psi, or an "
+    "equation in K_I and K_II; to define several, separate them by | or repeat the flag");
+DEFINE_string(laws, "", "a TOML file of laws, in the form of data/laws.toml");
 
 namespace mixity::cli {
 namespace {
+
+constexpr char kNextLaw = '\x1f';  // separates the values of a repeated --law
 
 /// The storage of a flag that is defined from a table: gflags keeps pointers to it.
 struct TableFlag {
@@ -39,6 +49,11 @@ void define(const std::string& name, const std::string& help, const std::string&
 
 std::string given_command;  // NOLINT(cert-err58-cpp): an empty string does not throw
 
+std::vector<std::string>& keys_of_laws() {
+  static std::vector<std::string> keys;
+  return keys;
+}
+
 /// Quotes a word for a shell if necessary.
 std::string shell_word(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:%+@";
@@ -55,7 +70,7 @@ void add_set(bool of_experiment, Overrides& overrides) {
     if (field.of_experiment != of_experiment || !is_set(field.name)) continue;
     const std::string value = value_of(field.name);
     const std::string problem = set_field(scratch, field.name, value);
-    if (!problem.empty()) throw UsageError("flag '--" + std::string(field.name) + "': " + problem);
+    if (!problem.empty()) throw refused(field.name, problem);
     overrides.emplace_back(field.name, value);
   }
 }
@@ -68,11 +83,6 @@ void define_flags_of_tables() {
   for (const Setting& one : settings()) define(one.name, one.help, one.initial(), one.is_switch);
   for (const MetadataField& one : metadata_fields())
     if (one.name != "load") define(std::string(one.name), std::string(one.help), "", false);
-}
-
-std::vector<std::string_view> with_metadata_flags(std::vector<std::string_view> flags) {
-  for (const MetadataField& one : metadata_fields()) flags.push_back(one.name);
-  return flags;
 }
 
 Arguments parse_flags(const Command& command, const Arguments& words) {
@@ -124,24 +134,7 @@ FigureFormats figure_formats() {
   return request.formats;
 }
 
-std::string formats_text(const Command& command) {
-  std::string text;
-  const std::size_t n = command.formats.size();
-  for (std::size_t i = 0; i < n; ++i)
-    text += (i == 0 ? "" : i + 1 == n ? " or " : ", ") + std::string(command.formats[i]);
-  return text;
-}
-
-bool is_set(std::string_view flag) {
-  gflags::CommandLineFlagInfo info;
-  return gflags::GetCommandLineFlagInfo(std::string(flag).c_str(), &info) && !info.is_default;
-}
-
-std::string value_of(std::string_view flag) {
-  std::string value;
-  gflags::GetCommandLineOption(std::string(flag).c_str(), &value);
-  return value;
-}
+std::string formats_text(const Command& command) { return listed(command.formats, ", ", " or "); }
 
 Overrides data_overrides() {
   Overrides overrides = metadata_overrides();
@@ -160,37 +153,40 @@ Overrides metadata_overrides() {
 void require_model(const std::string& flag, const std::string& key) {
   provide_law(key);
   if (is_model(key)) return;
-  std::string known;
-  for (const std::string& candidate : known_models()) known += (known.empty() ? "" : ", ") + candidate;
-  throw UsageError("flag '--" + flag + "': " + (key.empty() ? "no model" : "unknown model '" + key + "'") +
-                   " (known: " + known + ")");
+  throw refused(flag, (key.empty() ? "no model" : "unknown model '" + key + "'") +
+                          " (known: " + listed(known_models()) + ")");
 }
 
-void require_flags_only(const std::string& command, const Arguments& arguments) {
-  if (!arguments.empty()) throw UsageError(command + " takes flags only, not '" + arguments[0] + "'");
-}
-
-UsageError must(const std::string& flag, const std::string& be) {
-  return UsageError("flag '--" + flag + "' is '" + value_of(flag) + "'; it must " + be);
-}
-
-double number_from(const std::string& flag, double low, double high) {
-  const auto value = parse_number(value_of(flag));
-  if (!value || !(*value >= low && *value <= high))
-    throw must(flag, "be a number from " + shortest(low) + " to " + shortest(high));
-  return *value;
-}
-
-std::vector<std::string> list_from(const std::string& flag) {
-  const std::string value = value_of(flag);
-  std::vector<std::string> items;
-  if (value.empty()) return items;
-  for (const std::string_view item : split(value)) {
-    if (item.empty())
-      throw UsageError("flag '--" + flag + "': entry " + std::to_string(items.size() + 1) + " is empty");
-    items.emplace_back(item);
+void define_laws_of_flags() {
+  const auto add = [](const DefinedLaw& defined) {
+    const std::string& key = defined.law->definition().key;
+    keys_of_laws().push_back(key);
+    for (const std::string& warning : defined.warnings) warn("law " + key + ": " + warning);
+  };
+  const std::string& all = FLAGS_law;
+  for (std::size_t line = 0, end; line < all.size(); line = end + 1) {
+    end = std::min(all.find(kNextLaw, line), all.size());
+    for (std::size_t at = line, next; at < end; at = next + 1) {
+      next = std::min(all.find('|', at), end);
+      // padded, so that columns in messages count from the start of the flag's value
+      add(define_law_text("--law", std::string(at - line, ' ') + all.substr(at, next - at)));
+    }
   }
-  return items;
+  if (FLAGS_laws.empty()) return;
+  for (const DefinedLaw& one : define_laws(FLAGS_laws, read_toml(FLAGS_laws))) add(one);
+}
+
+const std::vector<std::string>& laws_of_flags() { return keys_of_laws(); }
+
+void keep_former_files(std::vector<OutputFile>& files) {
+  for (const std::string& kept : keep_former(files)) warn("what was there is kept as " + kept);
+}
+
+void print_or_write(const std::string& text, const std::vector<std::string>& inputs) {
+  if (FLAGS_out.empty())
+    std::cout << text;
+  else
+    write_files({{FLAGS_out, text}}, inputs);
 }
 
 }  // namespace mixity::cli

@@ -1,13 +1,14 @@
-// Flags (gflags): how a command line is parsed, and how values of flags are read.
+// Flags (gflags): how a command line is parsed, and flags that several commands share.
 #pragma once
 
 #include <gflags/gflags.h>
 
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "analysis/request.h"
-#include "cli/commands.h"
+#include "base/files.h"
+#include "cli/flag_values.h"
 #include "dataset/metadata.h"
 
 // Flags of several commands. Those of one command are defined in its file.
@@ -18,20 +19,11 @@ DECLARE_int32(points);
 
 namespace mixity::cli {
 
-/// Separates the values of --law, which may be given more than once.
-inline constexpr char kNextLaw = '\x1f';
-
-/// Defines the flags of all options of fits (analysis/settings.h) and of metadata (dataset/metadata.h). To be called
-/// once, before any other function.
+/// Defines a flag for each option of fits (analysis/settings.h) and each metadata field (dataset/metadata.h). To be
+/// called once, before any other function.
 void define_flags_of_tables();
 
-/// Adds the flags of metadata.
-std::vector<std::string_view> with_metadata_flags(std::vector<std::string_view> flags);
-
-/// What --formats says. Throws UsageError.
-FigureFormats figure_formats();
-
-/// Sets flags from "--name=value" or "--name value", and returns the other words; all words after "--" are such. Throws
+/// Sets flags from "--name=value" or "--name value", and returns the other words and all words after "--". Throws
 /// UsageError for an unknown flag, a missing value, or a format that the command does not have.
 Arguments parse_flags(const Command& command, const Arguments& words);
 
@@ -41,8 +33,8 @@ std::string formats_text(const Command& command);
 /// The command line, quoted so that it can be pasted into a shell.
 const std::string& command_line();
 
-bool is_set(std::string_view flag);
-std::string value_of(std::string_view flag);
+/// The value of --formats. Throws UsageError.
+FigureFormats figure_formats();
 
 /// The flags of metadata that were given. Throws UsageError if one cannot be used.
 Overrides data_overrides();
@@ -53,18 +45,16 @@ Overrides metadata_overrides();
 /// Throws UsageError for an unknown model.
 void require_model(const std::string& flag, const std::string& key);
 
-/// Throws UsageError if there are arguments.
-void require_flags_only(const std::string& command, const Arguments& arguments);
+/// Defines the laws of --law and --laws as models, and prints warnings about them. Throws InputError.
+void define_laws_of_flags();
 
-// Values of flags, by the name of the flag.
+/// Keys of these laws.
+const std::vector<std::string>& laws_of_flags();
 
-/// The error "flag '--goal' is 'x'; it must be error or model", from "be error or model".
-UsageError must(const std::string& flag, const std::string& be);
+/// Adds NAME.old for each TOML file that would change (base/files.h), and says so.
+void keep_former_files(std::vector<OutputFile>& files);
 
-/// A number from low to high, both included. Throws UsageError.
-double number_from(const std::string& flag, double low, double high = 1e150);
-
-/// Comma-separated items, trimmed. Throws UsageError for an empty item.
-std::vector<std::string> list_from(const std::string& flag);
+/// Writes a text to the file --out, which must not be one of the inputs, or prints it if there is no --out.
+void print_or_write(const std::string& text, const std::vector<std::string>& inputs);
 
 }  // namespace mixity::cli

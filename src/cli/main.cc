@@ -13,7 +13,6 @@
 #include "cli/commands.h"
 #include "cli/flag_words.h"
 #include "cli/flags.h"
-#include "cli/law_flags.h"
 
 namespace {
 
@@ -39,7 +38,7 @@ int run(const Arguments& words) {
 }
 
 int fail(const std::string& message, int code) {
-  std::cerr << "mixity: " << printable(message) << '\n';
+  warn(printable(message));
   return code;
 }
 

@@ -2,18 +2,15 @@
 
 #include "cli/contact_flags.h"
 #include "cli/flags.h"
-#include "cli/law_flags.h"
 
-DEFINE_string(reach, "0.9", "the longest T of a run, as a share of that at which the contact jumps");
+DEFINE_string(reach, "0.9", "the largest T of a run, as a fraction of the T at which the contact jumps");
 
 namespace mixity::cli {
 namespace {
 
 StatedError error_from(const std::string& flag) {
-  const std::string text = is_set(flag) ? value_of(flag) : "1%";
-  const auto error = parse_quantity(text);
-  if (!error) throw must(flag, "be \"1%\" or a quantity");
-  return *error;
+  if (!is_set(flag)) return *parse_quantity("1%");
+  return quantity_from(flag, "be \"1%\" or a quantity", [](const Quantity&) { return true; });
 }
 
 }  // namespace
@@ -26,7 +23,7 @@ Plan plan_from_flags(bool needs_loads) {
   apply_overrides(data_overrides(), plan.constants);
   if (is_set("loads"))
     for (const Quantity& load : quantities_from("loads")) {
-      if (load.unit.dimension != dimension::force) throw UsageError("flag '--loads': a load needs a unit such as mN");
+      if (load.unit.dimension != dimension::force) throw refused("loads", "a load needs a unit such as mN");
       plan.loads.push_back(load.si());
     }
   else if (needs_loads)
@@ -40,20 +37,6 @@ Plan plan_from_flags(bool needs_loads) {
   if (whole.loads.empty()) whole.loads = {0};  // for the check, which needs one
   if (const std::string problem = problem_of(whole); !problem.empty()) throw UsageError(problem);
   return plan;
-}
-
-std::vector<std::string_view> with_plan_flags(std::vector<std::string_view> flags) {
-  flags.insert(flags.end(),
-               {"model", "lambda", "parameters", "loads", "points", "reach", "sigma_T", "sigma_A", "seed"});
-  return with_metadata_flags(with_law_flags(std::move(flags)));
-}
-
-std::size_t count_from(const std::string& flag, std::size_t least) {
-  const auto number = parse_number(value_of(flag));
-  if (!number || !(*number >= static_cast<double>(least)) || !(*number <= 1e9) ||
-      *number != static_cast<double>(static_cast<std::size_t>(*number)))
-    throw must(flag, "be a whole number from " + std::to_string(least) + " on");
-  return static_cast<std::size_t>(*number);
 }
 
 }  // namespace mixity::cli

@@ -41,6 +41,12 @@ struct FoldPrediction {
   double area_after;  // 0 off contact
 };
 
+/// A fold of given parameters, without standard errors.
+inline FoldPrediction as_prediction(const Fold& fold) {
+  return {fold.control,  fold.place.maximum, {fold.T}, {fold.u}, {fold.A}, fold.psi,
+          fold.jumps_to, fold.area_after};
+}
+
 /// Folds at a load as measured, under each of the controls, in the order in which they are met (find_folds). The
 /// stiffness of a control is in units of xi^2 G_Ic of the data set's own constants.
 struct FoldsPrediction {

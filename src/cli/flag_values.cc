@@ -1,0 +1,88 @@
+#include "cli/flag_values.h"
+
+#include <gflags/gflags.h>
+
+#include "base/number_text.h"
+#include "base/text.h"
+
+namespace mixity::cli {
+
+bool is_set(std::string_view flag) {
+  gflags::CommandLineFlagInfo info;
+  return gflags::GetCommandLineFlagInfo(std::string(flag).c_str(), &info) && !info.is_default;
+}
+
+std::string value_of(std::string_view flag) {
+  std::string value;
+  gflags::GetCommandLineOption(std::string(flag).c_str(), &value);
+  return value;
+}
+
+UsageError refused(std::string_view flag, const std::string& problem) {
+  return UsageError("flag '--" + std::string(flag) + "': " + problem);
+}
+
+UsageError must(const std::string& flag, const std::string& be) {
+  return UsageError("flag '--" + flag + "' is '" + value_of(flag) + "'; it must " + be);
+}
+
+double number_from(const std::string& flag, double low, double high) {
+  const auto value = parse_number(value_of(flag));
+  if (!value || !(*value >= low && *value <= high))
+    throw must(flag, "be a number from " + shortest(low) + " to " + shortest(high));
+  return *value;
+}
+
+std::size_t count_from(const std::string& flag, std::size_t least) {
+  const auto number = parse_number(value_of(flag));
+  if (!number || !(*number >= static_cast<double>(least)) || !(*number <= 1e9) ||
+      *number != static_cast<double>(static_cast<std::size_t>(*number)))
+    throw must(flag, "be a whole number from " + std::to_string(least) + " on");
+  return static_cast<std::size_t>(*number);
+}
+
+std::vector<std::string> list_from(const std::string& flag) {
+  const std::string value = value_of(flag);
+  std::vector<std::string> items;
+  if (value.empty()) return items;
+  for (const std::string_view item : split(value)) {
+    if (item.empty()) throw refused(flag, "entry " + std::to_string(items.size() + 1) + " is empty");
+    items.emplace_back(item);
+  }
+  return items;
+}
+
+Quantity quantity_from(const std::string& flag, const std::string& be,
+                       const std::function<bool(const Quantity&)>& suits) {
+  const auto quantity = parse_quantity(value_of(flag));
+  if (!quantity || !suits(*quantity)) throw must(flag, be);
+  return *quantity;
+}
+
+std::vector<Quantity> quantities_from(const std::string& flag) {
+  std::vector<Quantity> list;
+  for (const std::string& item : list_from(flag)) {
+    const auto quantity = parse_quantity(item);
+    if (!quantity) throw refused(flag, "'" + item + "' is not a number, or its unit is unknown");
+    list.push_back(*quantity);
+  }
+  if (list.empty()) throw UsageError("flag '--" + flag + "' is missing or empty");
+  for (Quantity& quantity : list)
+    if (quantity.unit.text.empty()) quantity.unit = list.back().unit;
+  return list;
+}
+
+double positive_quantity(const std::string& flag, const std::string& unit, std::optional<double> size) {
+  const auto suits = [&](const Quantity& one) {
+    const bool bare = one.unit.text.empty();
+    return size ? !bare && one.unit.dimension == parse_unit(unit)->dimension : bare;
+  };
+  const std::string be = size ? "be a quantity with its unit, such as " + unit
+                              : "be a number; a unit needs --radius, --modulus and --toughness";
+  const Quantity given = quantity_from(flag, be, suits);
+  const double value = size ? given.si() / *size : given.value;
+  if (!(value >= 1e-150 && value <= 1e150)) throw UsageError("flag '--" + flag + "' must be above 0");
+  return value;
+}
+
+}  // namespace mixity::cli

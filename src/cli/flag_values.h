@@ -1,0 +1,43 @@
+// Values of flags, by the name of the flag. Each function throws UsageError for a value that it cannot use.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/units.h"
+#include "cli/commands.h"
+
+namespace mixity::cli {
+
+bool is_set(std::string_view flag);
+std::string value_of(std::string_view flag);
+
+/// The error "flag '--goal': PROBLEM".
+UsageError refused(std::string_view flag, const std::string& problem);
+
+/// The error "flag '--goal' is 'x'; it must be error or model", from "be error or model".
+UsageError must(const std::string& flag, const std::string& be);
+
+/// A number from low to high, both included.
+double number_from(const std::string& flag, double low, double high = 1e150);
+
+/// A whole number from `least` to 10^9.
+std::size_t count_from(const std::string& flag, std::size_t least);
+
+/// Comma-separated items, trimmed, none of them empty.
+std::vector<std::string> list_from(const std::string& flag);
+
+/// A quantity of which `suits` is true; `be` as for must().
+Quantity quantity_from(const std::string& flag, const std::string& be,
+                       const std::function<bool(const Quantity&)>& suits);
+
+/// Comma-separated quantities, one at least. The unit of the last applies to those without one.
+std::vector<Quantity> quantities_from(const std::string& flag);
+
+/// A positive quantity of the dimension of `unit`, divided by `size` [SI]; without a size a bare number.
+double positive_quantity(const std::string& flag, const std::string& unit, std::optional<double> size);
+
+}  // namespace mixity::cli
