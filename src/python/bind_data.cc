@@ -16,7 +16,6 @@ namespace mixity {
 void bind_data(nb::module_& m) {
   nb::class_<Dataset>(m, "Dataset")
       .def_ro("name", &Dataset::name)
-      .def_ro("path", &Dataset::path)
       .def_prop_ro("notes",
                    [](const Dataset& d) {
                      std::vector<std::string> notes;
@@ -24,16 +23,12 @@ void bind_data(nb::module_& m) {
                      return notes;
                    })
       .def_ro("curves", &Dataset::curves)
-      .def_ro("reading", &Dataset::reading)
-      .def_ro("taken", &Dataset::taken)
       .def_ro("has_loads", &Dataset::has_loads)
-      .def_prop_ro("dimensional", [](const Dataset& d) { return d.contact.has_value(); })
       .def_prop_ro("force_unit_text", [](const Dataset& d) { return d.display.force; })
       .def_prop_ro("area_unit_text", [](const Dataset& d) { return d.display.area; })
       .def_prop_ro("force_scale", [](const Dataset& d) { return d.display.force_scale; })
       .def_prop_ro("area_scale", [](const Dataset& d) { return d.display.area_scale; })
       .def_prop_ro("force_unit", [](const Dataset& d) { return d.contact ? d.contact->force_unit() : 1.0; })
-      .def_prop_ro("area_unit", [](const Dataset& d) { return d.contact ? d.contact->area_unit() : 1.0; })
       .def_prop_ro("stiffness_unit", [](const Dataset& d) { return d.contact ? d.contact->stiffness_unit() : 1.0; })
       .def_prop_ro("displacement_unit",
                    [](const Dataset& d) { return d.contact ? d.contact->displacement_unit() : 1.0; })

@@ -1,4 +1,4 @@
-// Fits and what they say.
+// Fits.
 #include <cmath>
 
 #include "analysis/result.h"
@@ -27,11 +27,13 @@ Analysis fit(const Dataset& data, const Stated& options, const nb::object& progr
   return run(request, data, [&](double share) { watch(share); });
 }
 
-nb::dict shown(const FoldPrediction& fold) {
+}  // namespace
+
+nb::dict shown(const FoldPrediction& fold, bool with_errors) {
   nb::dict one;
   const auto add = [&](const char* name, const char* error, const Derived& number) {
     one[name] = *number.value;
-    one[error] = number.standard_error;
+    if (with_errors) one[error] = number.standard_error;
   };
   add("T", "T_stderr", fold.T);
   add("u", "u_stderr", fold.u);
@@ -44,8 +46,6 @@ nb::dict shown(const FoldPrediction& fold) {
   one["area_lost"] = *fold.A.value - fold.area_after;
   return one;
 }
-
-}  // namespace
 
 void bind_fits(nb::module_& m) {
   auto results = nb::class_<Analysis>(m, "Results");
@@ -103,7 +103,7 @@ void bind_fits(nb::module_& m) {
         without_gil([&] { return predict_folds_of(result.data, result.fits.at(i), result.request.options, P, {by}); });
     if (!found.problem.empty()) throw InputError("folds", found.problem);
     nb::list list;
-    for (const FoldPrediction& fold : found.folds) list.append(shown(fold));
+    for (const FoldPrediction& fold : found.folds) list.append(shown(fold, true));
     return list;
   });
   m.def("fit", &fit, "data"_a, "options"_a, "progress"_a.none());

@@ -14,52 +14,37 @@
 namespace mixity {
 namespace {
 
-/// One number for all, or one for each.
+/// One number for all points, or one for each.
 Values values_of(const Numbers& numbers) { return {numbers.data(), numbers.size() == 1 ? 0 : 1}; }
-std::vector<Values> all_values(const std::vector<Numbers>& parameters) {
+std::vector<Values> values_of(const std::vector<Numbers>& parameters) {
   std::vector<Values> all;
   for (const Numbers& one : parameters) all.push_back(values_of(one));
   return all;
 }
 std::span<double> span_of(const Output& out) { return {out.data(), out.size()}; }
 
-nb::dict shown(const Fold& fold) {
-  nb::dict one;
-  one["T"] = fold.T;
-  one["u"] = fold.u;
-  one["A"] = fold.A;
-  one["psi"] = fold.psi;
-  one["control"] = std::string(to_string(fold.control.kind));
-  one["met_on"] = fold.place.maximum ? "loading" : "reversal";
-  one["jumps_to"] = std::string(to_string(fold.jumps_to));
-  one["area_after"] = fold.area_after;
-  one["area_lost"] = fold.area_lost;
-  return one;
-}
-
-/// A Python function, to be a law: called with psi and a tuple of the parameters, which returns as many numbers. It is
-/// let go with the law, unless Python ends before.
+/// A Python function as a law: it is called with psi and a list of the parameters and returns as many numbers. Laws
+/// share it, and the last of them frees it, on any thread and so with the GIL taken; not after Python has ended.
 struct Function {
   std::shared_ptr<const LawSampler> sampler;
 
-  explicit Function(nb::object function)
-      : Function(std::shared_ptr<PyObject>(function.release().ptr(), [](PyObject* last) {
-          if (!nb::is_alive()) return;
-          const nb::gil_scoped_acquire gil;
-          Py_DECREF(last);
-        })) {}
-
- private:
-  explicit Function(const std::shared_ptr<PyObject>& function)
-      : sampler(std::make_shared<const LawSampler>(
-            [function](std::span<const double> psi, std::span<const double> parameters, std::span<double> f) {
-              const nb::gil_scoped_acquire gil;  // fits have let go of it
-              nb::list values;
-              for (const double one : parameters) values.append(one);
-              const nb::object found = nb::handle(function.get())(numpy_of({psi.begin(), psi.end()}), values);
-              const Numbers numbers = nb::cast<Numbers>(found);
-              std::copy_n(numbers.data(), std::min(numbers.size(), f.size()), f.begin());
-            })) {}
+  explicit Function(nb::object function) {
+    const auto free = [](PyObject* last) {
+      if (!nb::is_alive()) return;
+      const nb::gil_scoped_acquire gil;
+      Py_DECREF(last);
+    };
+    const std::shared_ptr<PyObject> shared(function.release().ptr(), free);
+    sampler = std::make_shared<const LawSampler>(
+        [shared](std::span<const double> psi, std::span<const double> parameters, std::span<double> f) {
+          const nb::gil_scoped_acquire gil;  // which fits have released
+          nb::list values;
+          for (const double one : parameters) values.append(one);
+          const nb::object found = nb::handle(shared.get())(numpy_of({psi.begin(), psi.end()}), values);
+          const Numbers numbers = nb::cast<Numbers>(found);
+          std::copy_n(numbers.data(), std::min(numbers.size(), f.size()), f.begin());
+        });
+  }
 };
 
 void require(const std::string& problem) {
@@ -134,30 +119,27 @@ void bind_mechanics(nb::module_& m) {
   });
   m.def("areas", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
                     const Numbers& T, const Output& A, const Codes& status) {
-    const std::vector<Values> all = all_values(parameters);
-    const nb::gil_scoped_release released;
-    model_of(model).areas(all, values_of(P), values_of(T), span_of(A),
-                          {reinterpret_cast<EquilibriumStatus*>(status.data()), status.size()});
+    without_gil([&] {
+      model_of(model).areas(values_of(parameters), values_of(P), values_of(T), span_of(A),
+                            {reinterpret_cast<EquilibriumStatus*>(status.data()), status.size()});
+    });
   });
   m.def("area_slopes", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
                           const Numbers& T, const Numbers& A, const std::vector<Output>& slopes) {
-    const std::vector<Values> all = all_values(parameters);
     std::vector<std::span<double>> out;
     for (const Output& one : slopes) out.push_back(span_of(one));
-    const nb::gil_scoped_release released;
-    model_of(model).area_slopes(all, values_of(P), values_of(T), {A.data(), A.size()}, out);
+    without_gil([&] {
+      model_of(model).area_slopes(values_of(parameters), values_of(P), values_of(T), {A.data(), A.size()}, out);
+    });
   });
   m.def("toughness_ratios",
         [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& psi, const Output& f) {
-          const std::vector<Values> all = all_values(parameters);
-          const nb::gil_scoped_release released;
-          model_of(model).toughness_ratios(all, values_of(psi), span_of(f));
+          without_gil([&] { model_of(model).toughness_ratios(values_of(parameters), values_of(psi), span_of(f)); });
         });
   m.def("tangential_loads", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
                                const Numbers& A, const Output& T) {
-    const std::vector<Values> all = all_values(parameters);
-    const nb::gil_scoped_release released;
-    model_of(model).tangential_loads(all, values_of(P), values_of(A), span_of(T));
+    without_gil(
+        [&] { model_of(model).tangential_loads(values_of(parameters), values_of(P), values_of(A), span_of(T)); });
   });
   m.def("phase_angles", [](const Numbers& P, const Numbers& T, const Numbers& A, const Output& psi, const Output& f) {
     const nb::gil_scoped_release released;
@@ -174,7 +156,7 @@ void bind_mechanics(nb::module_& m) {
     const std::vector<Fold> folds =
         without_gil([&] { return model_of(model, parameters, P).folds(parameters, P, by); });
     nb::list list;
-    for (const Fold& fold : folds) list.append(shown(fold));
+    for (const Fold& fold : folds) list.append(shown(as_prediction(fold), false));
     return list;
   });
   m.def(

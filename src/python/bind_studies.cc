@@ -37,24 +37,17 @@ Plan plan_of(const std::string& model, const std::vector<double>& parameters, co
 
 void bind_studies(nb::module_& m) {
   nb::class_<Plan>(m, "Plan")
-      .def("__init__",
-           [](Plan* plan, const std::string& model, const std::vector<double>& parameters, const Stated& constants,
-              const std::vector<double>& loads, std::size_t points, double reach, const std::string& sigma_T,
-              const std::string& sigma_A) {
-             new (plan) Plan(plan_of(model, parameters, constants, loads, points, reach, sigma_T, sigma_A));
-           })
+      .def(nb::new_(&plan_of))
       .def_ro("loads", &Plan::loads)
       .def(
           "simulate",
           [](const Plan& plan, std::uint64_t seed, std::optional<std::uint64_t> index) {
-            const nb::gil_scoped_release released;
-            return simulate(plan, seed, index);
+            return without_gil([&] { return simulate(plan, seed, index); });
           },
           "seed"_a, "index"_a.none())
       .def("expect",
            [](const Plan& plan, const std::vector<std::string>& rivals) {
-             const Expectation expected = without_gil([&] { return expect(plan, rivals); });
-             return shown(expected);
+             return shown(without_gil([&] { return expect(plan, rivals); }));
            })
       .def("next_loads",
            [](const Plan& plan, double least, double most, std::size_t candidates,

@@ -1,4 +1,4 @@
-// What the parts of the module share: arrays, and a watch over work that takes long.
+// What the parts of the module share: arrays, and progress and Ctrl-C of long work.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/states.h"
+#include "fitting/prediction.h"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -49,9 +49,13 @@ auto without_gil(const auto& work) {
 /// From the arguments of folds(); throws InputError.
 Control control_of(const std::string& kind, double stiffness);
 
+/// A fold as a dict, with standard errors of T, u and A if they are wanted.
+nb::dict shown(const FoldPrediction& fold, bool with_errors);
+
 struct Interrupted {};
 
-/// Calls Python's callback, and asks for Ctrl-C, on the thread that Python waits on; others only stop when it says so.
+/// Calls Python's callback and checks for Ctrl-C, on the thread that Python waits on. Once one of them has thrown, all
+/// threads stop.
 class Watch {
  public:
   explicit Watch(nb::object callback) : callback_(std::move(callback)), main_(std::this_thread::get_id()) {}

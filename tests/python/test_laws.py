@@ -249,6 +249,32 @@ def test_nothing_of_a_function_is_reported_as_lost_at_the_end():
     assert told.stderr == ""
 
 
+def test_a_function_is_freed_with_the_gil_held():
+    # the engine frees a law on any thread, also on one that has released the GIL, as ctypes does here
+    code = """
+import ctypes, threading, numpy as np, mixity
+from mixity import _core, _law
+
+class Ratio:
+    def __call__(self, psi, p):
+        return 1 + p * np.tan(psi) ** 2
+
+    def __del__(self):
+        print("freed on", threading.current_thread().name, "GIL held:", ctypes.pythonapi.PyGILState_Check())
+
+mixity.Law(Ratio(), p=(0, 1), key="ratio")
+_law._functions.clear()
+_law._by_key.clear()
+print("known to the engine alone")
+forget_laws = ctypes.CDLL(_core.__file__)["_ZN6mixity11forget_lawsEv"]
+other = threading.Thread(target=forget_laws, name="another thread")
+other.start()
+other.join()
+"""
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, text=True)
+    assert told.stdout.splitlines() == ["known to the engine alone", "freed on another thread GIL held: 1"]
+
+
 def test_the_same_function_is_one_law():
     def made(factor):
         return lambda psi, p: 1 + factor * p * np.tan(psi) ** 2

@@ -11,8 +11,8 @@
 0.0089
 
 Quantities are floats in SI, strings with units as the program takes them ("2.133 +/- 0.1 MPa"), or pint quantities.
-What cannot be understood raises :class:`InputError` with the program's sentence. What a fit does is told to
-``logging.getLogger("mixity")``: see :func:`fit`; notes of a data set are told there as warnings.
+Input that cannot be used raises :class:`InputError` with the message of the program. ``logging.getLogger("mixity")`` gets the
+progress of fits (see :func:`fit`), and the notes of a data set as warnings.
 """
 
 from __future__ import annotations
@@ -20,7 +20,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ._core import InputError, version
-from ._data import Dataset, from_frame, read
+from ._data import Dataset, read
+from ._frame import from_frame
 from ._law import Law
 from ._fits import Fit, Fits, Parameter
 from ._fitting import fit
@@ -74,7 +75,7 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name):
-        # what needs more than NumPy is imported when it is asked for
+        # modules that need more than NumPy are imported on first use
         if name in ("lmfit", "scipy", "plots"):
             import importlib
 

@@ -1,4 +1,4 @@
-"""Data sets: from arrays, frames and files."""
+"""Data sets from arrays and files."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
 
-_COLUMNS = [name for name in _core.column_names() if name not in ("curve", "include", "time")]
+COLUMNS = [name for name in _core.column_names() if name not in ("curve", "include", "time")]
 
 
 def _column(name, values, units):
     if isinstance(values, str):
         raise _core.InputError(f"arrays: column '{name}' is the text '{values}'; a percentage is an option of fit({name}=...)")
-    # its own: what its owner does to the array later is not done to the data set
+    # a copy: later changes of the array do not change the data set
     array = np.array(plain_array(name, values), order="C")
     if array.ndim != 1:
         raise _core.InputError(f"arrays: column '{name}' must have one dimension, not {array.ndim}")
@@ -41,10 +41,10 @@ class Dataset:
         ``sigma_T``, ``sigma_A``, ... Values that are not finite, and areas <= 0, are left out and listed in
         ``excluded``.
     runs : array_like of str or int, shape (n,), optional
-        The loading run of each point; points of one load are one where none is named (None, NaN).
+        The loading run of each point; without a name (None, NaN), points of one load form a run.
     units : dict, "SI" or None
         Units of the columns, as in ``{"P": "mN", "A": "mm^2"}``; SI for those that are not named. None: dimensionless
-        in the sense of the paper (loads in R G_Ic, areas in (R/xi)^2).
+        as in the paper (loads in R G_Ic, areas in (R/xi)^2).
     name : str
         Shown in texts and messages.
     **constants
@@ -55,7 +55,7 @@ class Dataset:
     Raises
     ------
     InputError
-        For what the program refuses of a file with these columns, in its words. Row i is called line i + 2.
+        As the program reports it for a file with these columns. Row i is called line i + 2.
     """
 
     def __init__(
@@ -66,7 +66,7 @@ class Dataset:
         name: str = "data",
         **given: Any,
     ) -> None:
-        there = {column: given.pop(column) for column in _COLUMNS if column in given}
+        there = {column: given.pop(column) for column in COLUMNS if column in given}
         there = {column: values for column, values in there.items() if values is not None}
         if isinstance(units, dict):
             unknown = [key for key in units if key not in there]
@@ -95,7 +95,7 @@ class Dataset:
         made._source = source
         return made
 
-    # A data set is what it was made from.
+    # A pickled data set holds what it was made from.
     def __reduce__(self) -> tuple[Any, ...]:
         return _again, self._source
 
@@ -113,7 +113,7 @@ class Dataset:
 
     @property
     def notes(self) -> list[str]:
-        """What of the data is passed over or not taken as it stands: sentences."""
+        """What was ignored or reinterpreted in the data: sentences."""
         return self._core.notes
 
     @property
@@ -123,13 +123,12 @@ class Dataset:
 
     @property
     def excluded(self) -> list[tuple[int, str]]:
-        """[(line, reason)] of rows that are no points."""
+        """[(line, reason)] of rows that are left out."""
         return self._core.excluded
 
     @property
     def units(self) -> dict[str, str]:
-        """Units in which loads and areas are shown and returned: {"force": "mN", "area": "mm^2"}; empty texts if
-        dimensionless."""
+        """Units of loads and areas as shown and returned: {"force": "mN", "area": "mm^2"}; empty if dimensionless."""
         return {"force": self._core.force_unit_text, "area": self._core.area_unit_text}
 
     @property
@@ -170,86 +169,6 @@ def _again(kind, arguments):
     return Dataset._of((_core.from_arrays if kind == "arrays" else _core.read)(*arguments), (kind, arguments))
 
 
-def _one_unit(name, heading, own, stated):
-    """The unit of a column whose heading has the unit ``own``, and of which ``units`` says ``stated``; None: neither does."""
-    if own is None or stated is None:
-        return own if stated is None else stated
-    if not _core.same_unit(own, own):  # brackets that hold no unit
-        return stated
-    if not _core.same_unit(own, stated):
-        raise _core.InputError(f"{name}: column '{heading}' is in {own}, units says {stated or 'that it has none'}")
-    return own
-
-
-def from_frame(
-    frame: Any,
-    columns: Mapping[str, Any] | None = None,
-    *,
-    runs: str | Iterable[Any] | None = None,
-    units: Mapping[str, str] | str | None = "SI",
-    name: str = "frame",
-    **constants: Any,
-) -> Dataset:
-    """A data set from a pandas DataFrame, or anything with named columns.
-
-    Parameters
-    ----------
-    frame : DataFrame
-    columns : dict, optional
-        What is what: ``{"P": "Normal force [mN]", "T": "Friction", "A": "Area"}``. Left out: columns that the program knows
-        in a file, by its own names or others ("T [mN]", "Normal force (mN)").
-    runs : str or array_like, optional
-        The column that names runs, or the names. Left out: a column ``curve``, if there is one.
-    units : dict, "SI" or None
-        As of :class:`Dataset`, for columns whose heading states no unit; one that states another is refused.
-    name, **constants
-        As of :class:`Dataset`.
-
-    Raises
-    ------
-    InputError
-        As :class:`Dataset`, and for columns that are not there or not known.
-    """
-    headings = list(frame)
-    texts = list(map(str, headings))
-    load_stated = bool(constants.get("load") or constants.get("load_from"))
-    if columns:
-        missing = [heading for heading in columns.values() if heading not in frame]
-        if missing:
-            raise _core.InputError(f"{name}: has no column '{missing[0]}'; there are {', '.join(texts)}")
-        found = {column: (heading, _core.unit_in_heading(str(heading))) for column, heading in columns.items()}
-    else:
-        named = _core.named_columns(name, texts, load_stated)
-        found = {column: (headings[index], unit) for column, index, unit in named}
-        if not any(column in found for column in _COLUMNS):
-            raise _core.InputError(
-                f"{name}: none of its columns is known; there are {', '.join(texts)}. Say which is which: "
-                'columns={"P": ..., "T": ..., "A": ...}'
-            )
-    if isinstance(runs, str):
-        if runs not in frame:
-            raise _core.InputError(f"{name}: has no column '{runs}'; there are {', '.join(texts)}")
-        runs = frame[runs]
-    elif runs is None and ("curve" in found or "curve" in frame):
-        runs = frame[found["curve"][0] if "curve" in found else "curve"]
-    taken = {column: one for column, one in found.items() if column in _COLUMNS}
-    stated = units if isinstance(units, dict) else dict.fromkeys(taken, "") if units is None else {}
-    of_columns = {
-        column: _one_unit(name, heading, own, stated.get(column)) for column, (heading, own) in taken.items()
-    }
-    if units is None or isinstance(units, dict) or units == "SI":
-        units = {**stated, **{column: unit for column, unit in of_columns.items() if unit is not None}}
-    given = {column: np.asarray(frame[heading]) for column, (heading, _) in taken.items()}
-    try:
-        return Dataset(**given, runs=runs, units=units, name=name, **constants)
-    except _core.MissingColumn as error:
-        others = [f"'{heading}'" for heading in texts if heading not in [str(one) for one, _ in found.values()]]
-        if not others:
-            raise
-        which = 'columns={"A": ..., ...}'
-        raise _core.InputError(f"{error}; not understood: {', '.join(others)}. Say which is which: {which}") from None
-
-
 def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **constants: Any) -> Dataset:
     """Reads a data file as the program does, with the TOML beside it.
 
@@ -258,8 +177,8 @@ def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **cons
     path : str, path, or list of them
         A CSV or another export of a table; a pattern such as ``"run_*.csv"``, or several files, are one data set.
     **constants
-        Over those that the TOML states: as of :class:`Dataset`, and how to read the file (``columns``, ``decimal``, ``pixel``,
-        ``load``, ``load_from``, ``headings``).
+        Replace those that the TOML states: as for :class:`Dataset`, and how to read the file (``columns``, ``decimal``,
+        ``pixel``, ``load``, ``load_from``, ``headings``).
     """
     paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
     files = [file for one in paths for file in _core.files_of(os.fspath(one))]

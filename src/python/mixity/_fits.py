@@ -1,4 +1,4 @@
-"""Fits and what they say."""
+"""Results of fits."""
 
 from __future__ import annotations
 
@@ -19,7 +19,24 @@ if TYPE_CHECKING:
     FloatArray = NDArray[np.float64]
 
 
-class Parameter:
+class _Described:
+    """Has the fields of a part of the program's JSON as attributes."""
+
+    _fields: dict[str, Any]
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            try:
+                return self.__dict__["_fields"][name]
+            except KeyError:
+                raise AttributeError(f"a {type(self).__name__.lower()} has no '{name}'") from None
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._fields]
+
+
+class Parameter(_Described):
     """A parameter of a fit: ``value``, ``stderr``, ``interval`` (low, high), ``unit``, ``lower``, ``upper``, ``at_bound``, ``held``,
     ``bootstrap``, ``prior``, and ``budget`` of the one that has it. None where a number is not known."""
 
@@ -42,23 +59,13 @@ class Parameter:
         interval = fields["interval"]
         self.interval = (interval["low"], interval["high"]) if interval else None
         self.budget = budget
-        self.value = fields["value"]
-        self.stderr = fields["stderr"]
-
-    if not TYPE_CHECKING:
-
-        def __getattr__(self, name):
-            try:
-                return self.__dict__["_fields"][name]
-            except KeyError:
-                raise AttributeError(f"a parameter has no '{name}'") from None
 
     def __repr__(self) -> str:
         error = "" if self.stderr is None else f" +/- {self.stderr:.2g}"
         return f"<{self.name} = {self.value}{error} {self.unit}>".replace(" >", ">")
 
 
-class Fit:
+class Fit(_Described):
     """One model's fit: ``status`` ("ok", "suspect", "at_bound", ...), ``message``, ``params``, and every field of the program's JSON."""
 
     params: dict[str, Parameter]
@@ -92,21 +99,10 @@ class Fit:
             name: Parameter(name, fields, budget if budget and budget["parameter"] == name else None)
             for name, fields in self._fields["parameters"].items()
         }
-        self.model = self._fields["model"]
-        self.status = self._fields["status"]
-        self.message = self._fields["message"]
-
-    if not TYPE_CHECKING:
-
-        def __getattr__(self, name):
-            try:
-                return self.__dict__["_fields"][name]
-            except KeyError:
-                raise AttributeError(f"a fit has no '{name}'") from None
 
     @property
     def suspect(self) -> str | None:
-        """The sentence that says what is wrong and what helps; None if the data do not contradict the fit."""
+        """The sentence that says what is wrong and what helps; None if the status is not suspect."""
         return self.message if self.status == "suspect" else None
 
     @property
@@ -125,7 +121,7 @@ class Fit:
         return self._fits._results.used(self._index).astype(int)
 
     def area(self, P: ArrayLike, T: ArrayLike, confidence: float = 0.95) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Predicted area at loads as they would be read, with its band.
+        """Predicted area, as it would be read, with its band.
 
         Parameters
         ----------
@@ -158,23 +154,23 @@ class Fit:
         return array / core.force_unit
 
     def folds(self, P: ArrayLike, control: str = "load", stiffness: float = 0.0) -> list[dict[str, Any]]:
-        """Where the fitted contact loses stability at load P (in ``data.units["force"]``), as it would be read.
+        """The folds of the fitted contact at load P (in ``data.units["force"]``), as they would be read.
 
         Returns
         -------
         list of dict
-            As of :func:`mixity.folds`, in the units of the data, u in m; with T_stderr, u_stderr and A_stderr from the
+            As from :func:`mixity.folds`, in the units of the data, u in m; with T_stderr, u_stderr and A_stderr from the
             covariance of the fit, constants of the experiment among them (None where they are not known). ``stiffness`` of
             control "stiffness" is in N/m, of dimensionless data k/(xi^2 G_Ic).
         """
         core = self.data._core
         found = self._fits._results.folds(self._index, float(self._load("P", P)), control, stiffness / core.stiffness_unit)
-        for fold in found:
-            for key in ("T", "T_stderr", "A", "A_stderr", "area_after", "area_lost", "u", "u_stderr"):
-                if fold[key] is not None:
-                    scale = core.force_scale if key[0] == "T" else core.displacement_unit if key[0] == "u" else core.area_scale
-                    fold[key] *= scale
-        return found
+        units = {"T": core.force_scale, "u": core.displacement_unit, "A": core.area_scale, "a": core.area_scale}
+        scaled = ("T", "T_stderr", "A", "A_stderr", "area_after", "area_lost", "u", "u_stderr")
+        return [
+            {key: value * units[key[0]] if key in scaled and value is not None else value for key, value in fold.items()}
+            for fold in found
+        ]
 
     def to_dict(self) -> dict[str, Any]:
         """This fit's part of the program's JSON."""
@@ -184,9 +180,6 @@ class Fit:
         values = ", ".join(repr(one)[1:-1] for one in self.params.values())
         return f"<mixity.Fit {self.model}: {self.status}, {values}>"
 
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self._fields]
-
     plot_area = plots.area
     plot_toughness = plots.toughness
     plot_residuals = plots.residuals
@@ -195,7 +188,7 @@ class Fit:
 
 
 class Fits:
-    """Fits of several models to one data set: a mapping from keys to :class:`Fit`, printed as the program's report."""
+    """Fits of several models to one data set: maps keys to :class:`Fit`, and prints as the program does."""
 
     def __init__(self, data: Dataset, results: Any) -> None:
         self.data = data
@@ -255,21 +248,20 @@ class Fits:
     def _repr_html_(self) -> str:
         import html
 
+        def cell(value):
+            text = "" if value is None else f"{value:.5g}" if isinstance(value, float) else str(value)
+            return f"<td>{html.escape(text)}</td>"
+
         rows = []
         for key, one in self.items():
-            for parameter in one.params.values():
-                low, high = parameter.interval or (None, None)
-                cells = [key, parameter.name, parameter.value, parameter.stderr, low, high, parameter.unit, one.status]
-                rows.append(
-                    "<tr>"
-                    + "".join(f"<td>{html.escape('' if c is None else f'{c:.5g}' if isinstance(c, float) else str(c))}</td>" for c in cells)
-                    + "</tr>"
-                )
+            for p in one.params.values():
+                cells = (key, p.name, p.value, p.stderr, *(p.interval or (None, None)), p.unit, one.status)
+                rows.append(f"<tr>{''.join(map(cell, cells))}</tr>")
         head = "".join(f"<th>{h}</th>" for h in ("model", "parameter", "value", "stderr", "low", "high", "unit", "status"))
         messages = "".join(f"<p>{html.escape(k)}: {html.escape(f.message)}</p>" for k, f in self.items() if f.message)
         return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(rows)}</tbody></table>{messages}"
 
-    # Results are a pure function of data and options: the same numbers to the last bit are found again.
+    # Results are a pure function of data and options, so unpickling repeats the fit and finds the same numbers to the last bit.
     def __reduce__(self) -> tuple[Any, ...]:
         return _refit, (self.data, self._results.options(), definitions(self.keys()))
 

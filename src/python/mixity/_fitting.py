@@ -1,4 +1,4 @@
-"""Fitting: options as the program takes them, and what is told of a fit."""
+"""Fitting: the options of the program, and the log of a fit."""
 
 from __future__ import annotations
 
@@ -53,9 +53,9 @@ def fit(
         Distance from the equilibrium curve in the plane of T and A (the default where there are loads), or
         ln(G_c/G_Ic) against psi.
     free : list of str, optional
-        Constants of the experiment that are fitted as if nothing were known of them.
+        Constants of the experiment that are fitted without a prior.
     progress : callable or bool, optional
-        Called with the share that is done, 0..1, on the calling thread; True: a bar of tqdm, where that is installed.
+        Called with the share done, 0..1, on the calling thread; True: a bar of tqdm, if that is installed.
     **options
         The options of ``mixity fit``: sigma_T="2%", loss="cauchy", hold={"lambda": 0.3}, bootstrap=1000, per="curve",
         exclude=[17], checks=False. ``sigma_T`` and ``sigma_A`` may be floats in SI (dimensionless as the data are) or pint
@@ -69,11 +69,11 @@ def fit(
     Raises
     ------
     InputError
-        With the program's sentence. Ctrl-C ends a fit between its parts (KeyboardInterrupt), a bootstrap at once.
+        With the message of the program. Ctrl-C ends a fit between its parts (KeyboardInterrupt), a bootstrap at once.
 
     Notes
     -----
-    ``logging.getLogger("mixity")`` is told at INFO of data, statuses and seconds, at DEBUG of options and messages.
+    ``logging.getLogger("mixity")`` gets data, statuses and seconds at INFO, options and messages at DEBUG.
     """
     if not isinstance(data, Dataset):
         raise TypeError("data must be a mixity.Dataset: Dataset(P=..., T=..., A=...), from_frame(...) or read(...)")

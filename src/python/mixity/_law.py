@@ -1,4 +1,4 @@
-"""Laws of one's own."""
+"""User-defined laws."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from . import _core
 
 
 class Law:
-    """A mode-mixity law of one's own, which is then a model like a, b, c.
+    """A user-defined mode-mixity law, which becomes a model like a, b, c.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ class Law:
         f(psi, p=..., n=...) of an array of phase angles [rad], 0 <= psi < pi/2, and of the parameters as floats, by
         their names, that returns f of each angle and depends on nothing else.
     key : str, optional
-        What models=... calls it; else law_ and digits that follow from the definition, in every process the same.
+        The key for models=...; by default law_ and a hash of the definition, the same in every process.
     name : str, optional
         Shown beside the key.
     normalised : bool
@@ -37,18 +37,17 @@ class Law:
     Raises
     ------
     InputError
-        With the column, for what cannot be read; where f is no positive number; where a function returns no array of
-        the angles' shape. Where one area stands for several T, and where the form loses digits, a UserWarning says so.
+        For a syntax error, with its column; if f is not a positive number; if a function does not return an array of
+        the angles' shape. A UserWarning is issued if one area corresponds to several T, or if the form loses digits.
 
     Notes
     -----
-    A function is called with some hundred angles for each set of parameters, and what it returns is interpolated to
-    rounding: as smooth as it is, with any power of psi or cos psi at the ends, and kinks. What samples do not tell is said
-    in a warning, and refused where it is more than 1e-6 of f. Derivatives in the parameters are differences, right to
-    some 1e-10.
+    A function is called with a few hundred angles for each set of parameters. Its values are interpolated to rounding
+    accuracy, including any power of psi or cos psi at the ends, and kinks. A larger interpolation error is reported in a
+    warning, and refused above 1e-6 of f. Derivatives in the parameters are finite differences, accurate to about 1e-10.
 
-    It is called on any thread of a fit, one at a time. What it raises ends the fit, and is raised there. It pickles, and so
-    do fits of it, if the function does.
+    It may be called on any thread of a fit, by one at a time. An exception that it raises ends the fit and is raised there.
+    The law, and fits with it, can be pickled if the function can.
 
     Examples
     --------
@@ -105,8 +104,8 @@ class Law:
         return _again, (_definition(self.key),)
 
 
-_functions: list = []  # (function, names of its parameters, what it said when it was given, what the engine calls)
-_by_key: dict = {}
+_functions: list = []  # (function, names of its parameters, its values when it was given, what the engine calls)
+_by_key: dict = {}  # functions of laws
 
 
 @atexit.register
@@ -115,7 +114,7 @@ def _let_go():
 
 
 def _known(f, names, ranges):
-    """What the engine calls: of a function that it has called before the same, so that the law is the same."""
+    """What the engine calls for a function: the same object for the same function, so that the law is the same."""
     says = _sayings(f, names, ranges)
     for other, of_other, said, called in _functions:
         if of_other == names and said == says and _same(f, other):
@@ -125,14 +124,14 @@ def _known(f, names, ranges):
 
 
 def _sayings(f, names, ranges):
-    """What tells a function from itself with other globals: its values at a few places."""
+    """The function's values at a few places, which differ if its globals have changed."""
     call = _checked(f, names)
     psi = np.linspace(0.05, 1.5, 8)
     return b"".join(call(psi, [low + share * (high - low) for _, low, high, *_ in ranges]).tobytes() for share in (0.11, 0.47, 0.83))
 
 
 def _same(one, other):
-    """Also that of a notebook's cell that was run again."""
+    """Whether two functions are the same, as when a notebook's cell is run again."""
     if one is other or not (isinstance(one, types.FunctionType) and isinstance(other, types.FunctionType)):
         return one is other
     parts = ("__code__", "__defaults__", "__kwdefaults__", "__closure__")
@@ -144,7 +143,7 @@ def _same(one, other):
 
 def _checked(f, names):
     def call(psi, values):
-        with np.errstate(all="ignore"):  # what is no positive number is told in a sentence
+        with np.errstate(all="ignore"):  # the engine reports values that are not positive numbers
             found = f(psi, **dict(zip(names, values)))
         try:
             array = np.asarray(np.ma.filled(found, np.nan) if np.ma.isMaskedArray(found) else found)
@@ -182,7 +181,7 @@ def _again(definition):
 
 
 def definitions(keys):
-    """Of the laws among these models, so that another process has them."""
+    """Definitions of the laws among these models, for another process."""
     return [found for found in map(_definition, keys) if found]
 
 

@@ -1,5 +1,5 @@
-"""What the package tells through ``logging.getLogger("mixity")``: INFO of each fit its data, models, statuses and seconds, DEBUG
-its options, WARNING the notes of a data set. It adds no handler that would show anything."""
+"""Messages to ``logging.getLogger("mixity")``: of each fit data, models, statuses and seconds at INFO and options at DEBUG; the
+notes of a data set at WARNING. The package adds no handler that would show them."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import logging
 
-# The levels of logging, which is imported by those who listen: it takes longer to import than the engine.
+# The levels of logging, which is not imported here: that takes longer than to import the engine.
 DEBUG, INFO, WARNING = 10, 20, 30
 
 _logger: logging.Logger | None = None
 
 
 def listening(level: int) -> logging.Logger | None:
-    """The logger, where somebody may want to hear of this level."""
+    """The logger, if it is enabled for this level; else None."""
     global _logger
     if _logger is None:
         module = sys.modules.get("logging")

@@ -1,10 +1,11 @@
-"""Planned experiments, simulated ones, and campaigns of many on one machine or several."""
+"""Planned and simulated experiments, and campaigns of many on one or several machines."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 from . import _core, plots
+from ._arrays import numbers
 from ._data import Dataset
 from ._law import Law, define, definitions, key_of, model_keys
 from ._units import constant_text, error_text, load_list, load_number, whole_number
@@ -20,23 +21,23 @@ def _keys(models: Models) -> list[str]:
 
 
 class Plan:
-    """An experiment that is to be done.
+    """A planned experiment.
 
     Parameters
     ----------
     model : str
     lam : float or tuple
-        The guess; of a model with several parameters a tuple.
+        The guess; a tuple for a model with several parameters.
     loads : sequence of float, or str
-        Normal load of each run [N], as texts with units ("1,4 mN") or pint quantities; empty if they are to be found.
+        Normal load of each run [N], a text with units ("1,4 mN") or pint quantities; empty if they are to be found.
     points : int
-        Of a run, at equal steps of T from 0.
+        Number of points of a run, at equal steps of T from 0.
     reach : float
-        The longest T, as a share of that at which the contact jumps.
+        The largest T, as a fraction of the T at which the contact jumps.
     sigma_T, sigma_A : str or float
         Standard errors: "1%" of each value, or a quantity ("0.2 mN", "0.002 mm^2", floats in SI, pint quantities).
     **constants
-        As of :class:`mixity.Dataset`; those with an error count as nuisance parameters with a prior.
+        As for :class:`mixity.Dataset`; those with an error are nuisance parameters with a prior.
 
     Examples
     --------
@@ -59,7 +60,7 @@ class Plan:
         **constants: Any,
     ) -> None:
         key = key_of(model)
-        parameters = [float(one) for one in (lam if isinstance(lam, tuple) else (lam,))]
+        parameters = numbers(lam)
         stated = [(name, constant_text(name, value)) for name, value in constants.items()]
         sigma_T, sigma_A = error_text("sigma_T", sigma_T), error_text("sigma_A", sigma_A)
         points = whole_number("points", points, 1)
@@ -86,7 +87,7 @@ class Plan:
         return Dataset._of(self._core.simulate(seed, index), ("simulated", (self, seed, index)))
 
     def expect(self, rivals: Models = "abc") -> dict[str, Any]:
-        """What the plan will tell: {"standard_error": of lambda, "chi2": {rival: T-criterion}}.
+        """What the plan will determine: {"standard_error": of lambda, "chi2": {rival: T-criterion}}.
 
         The error is that of the Fisher information with the constants as nuisance parameters (Ds-optimality, Silvey
         1980); chi2/2 is the expected logarithm of the odds against a rival (Atkinson & Fedorov 1975).
@@ -103,7 +104,7 @@ class Plan:
     plot_loads = plots.loads
 
     def best(self, least: Any, most: Any, runs: int, goal: str = "error", rivals: Models = "abc") -> Plan:
-        """The plan with so many more runs at the loads that serve best: goal "error" of lambda, or "model"."""
+        """The plan with this many more runs at the best loads, for the goal "error" of lambda or "model"."""
         if goal not in ("error", "model"):
             raise ValueError("goal must be 'error' or 'model'")
         least, most = load_number("least", least), load_number("most", most)
@@ -112,9 +113,9 @@ class Plan:
     def experiments(
         self, count: int, seed: int = 1, rivals: Models = "", progress: Callable[[float], Any] | None = None
     ) -> dict[str, Any]:
-        """Simulates and fits so many experiments: mean and spread of lambda, the mean stated standard error, the share of
-        95 % intervals that hold the truth, and of experiments that decide for the right model (with rivals)."""
-        count = whole_number("count", count, 2)  # of which a spread can be told
+        """Simulates and fits this many experiments: mean and spread of lambda, the mean standard error, the share of 95 %
+        intervals that contain the true value, and with rivals the share of experiments that find the right model."""
+        count = whole_number("count", count, 2)  # a spread needs two
         return self._core.experiments(whole_number("seed", seed), count, _keys(rivals), progress or None)
 
 
@@ -148,13 +149,13 @@ def campaign(function: Callable[[int], Any], count: int, executor: Any = None, c
     Parameters
     ----------
     function : callable
-        Pure: what it returns depends on its argument alone, such as ``functools.partial(task, plan, seed)``. For
+        A pure function, which depends on its argument alone, such as ``functools.partial(task, plan, seed)``. For
         executors of other processes it must pickle, and so must its results.
     executor : optional
-        None: one after the other, here. Else anything with ``submit``: ``concurrent.futures`` executors, or a
-        ``distributed.Client`` (which gives the work of a worker that dies to another one).
+        None: one after the other, in this process. Else anything with ``submit``: an executor of ``concurrent.futures``, or
+        a ``distributed.Client`` (which repeats the work of a worker that dies on another).
     chunk : int, optional
-        How many make one task; by default so many that there are some sixty tasks.
+        Number of calls in one task; by default such that there are about sixty tasks.
 
     Examples
     --------

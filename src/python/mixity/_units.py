@@ -14,7 +14,7 @@ def si_unit(name):
 
 
 def plain_array(name, value):
-    """Doubles of any shape: pint quantities in SI, what a mask hides as NaN; no copy where there is nothing to convert."""
+    """Doubles of any shape: pint quantities in SI, masked values as NaN; not copied if there is nothing to convert."""
     if carries_units(value):
         value = in_si(name, value) if is_pint(value) else [in_si(name, one) for one in value]
     try:
@@ -37,7 +37,7 @@ def is_pint(value):
 
 
 def carries_units(value):
-    """Whether it is a pint quantity, or a list of them: what plain_array returns in SI."""
+    """Whether it is a pint quantity or a list of them, which plain_array converts to SI."""
     return is_pint(value) or (isinstance(value, (list, tuple)) and len(value) > 0 and all(map(is_pint, value)))
 
 
@@ -56,9 +56,16 @@ def si_number(name, value):
 
 
 def _with_error(name, value):
-    """(value, standard error) of what carries one, as numbers of uncertainties and pint's plus_minus do; else (value,)."""
+    """(value, standard error) of a number of uncertainties or pint's plus_minus; (value,) of another."""
     plain = in_si(name, value) if is_pint(value) else value
     return (plain.nominal_value, plain.std_dev) if hasattr(plain, "nominal_value") else (plain,)
+
+
+def _quantity_text(name, value, dimensional=True):
+    """A number, which is in SI or else dimensionless, or a pint quantity as a text."""
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError("a truth value is not a quantity")
+    return f"{si_number(name, value)!r} {si_unit(name) if dimensional or is_pint(value) else ''}".strip()
 
 
 def error_text(name, value, dimensional=True):
@@ -66,9 +73,7 @@ def error_text(name, value, dimensional=True):
     if isinstance(value, str):
         return value
     try:
-        if isinstance(value, (bool, np.bool_)):
-            raise TypeError("a truth value is none")
-        return f"{si_number(name, value)!r} {si_unit(name) if dimensional or is_pint(value) else ''}".strip()
+        return _quantity_text(name, value, dimensional)
     except (TypeError, ValueError):
         raise _core.InputError(
             f"{name} is {value!r}; it must be a text such as \"1%\" or \"0.2 mN\", a number in SI or a pint quantity"
@@ -104,22 +109,14 @@ def whole_number(name, value, least=0):
 
 
 def constant_text(name, value):
-    """A constant as a text: strings stay, floats are SI, a pair is a value and its standard error, as is a number that has one."""
+    """A constant as a text: strings stay, floats are SI, a pair is a value and its standard error, as is a number with one."""
     if isinstance(value, str):
         return value
     parts = value if isinstance(value, (tuple, list)) else _with_error(name, value)
-    texts = []
-    for part in parts:
-        if isinstance(part, str):
-            texts.append(part)
-            continue
-        try:
-            if isinstance(part, (bool, np.bool_)):
-                raise TypeError("a truth value is none")
-            texts.append(f"{si_number(name, part)!r} {si_unit(name)}".strip())
-        except (TypeError, ValueError):
-            texts = []
-            break
+    try:
+        texts = [part if isinstance(part, str) else _quantity_text(name, part) for part in parts]
+    except (TypeError, ValueError):
+        texts = []
     if len(texts) not in (1, 2):
         raise _core.InputError(
             f"'{name}' is no column, and as a constant it must be a number in SI, a text such as \"9.42 mm +/- 1%\", a pair of "

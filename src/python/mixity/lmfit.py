@@ -9,6 +9,7 @@ import lmfit
 import numpy as np
 
 from . import _core
+from ._arrays import Units
 from ._law import Law, define, definitions, key_of
 from .scipy import areas_to_the_fold, slopes
 
@@ -60,8 +61,9 @@ def model(key: str | Law, *, contact: Any = None) -> lmfit.Model:
 
     Notes
     -----
-    The engine's derivatives serve lmfit's default method, leastsq. Beyond the last equilibrium the area there counts, so that a minimiser sees no NaN. For intervals that hold what is
-    not known of the constants, and for a verdict, use :func:`mixity.fit`.
+    lmfit's default method, leastsq, uses the engine's derivatives. Beyond the last equilibrium the area at it is returned, so
+    that a minimiser sees no NaN. For intervals that include the uncertainty of the constants, and for a status, use
+    :func:`mixity.fit`.
 
     Examples
     --------
@@ -72,18 +74,14 @@ def model(key: str | Law, *, contact: Any = None) -> lmfit.Model:
     >>> round(result.params["lambda_"].value, 8)
     0.15
     """
-    from . import _mechanics
-
-    units = _mechanics._Units(contact)
+    units = Units(contact)
     key = key_of(key)
     if key not in _core.model_keys():
         raise _core.InputError(f"there is no model '{key}'; there are {', '.join(_core.known_models())}")
     names = [_python_name(name) for name in _core.parameter_names(key)]
 
     def loads(P, T):
-        return np.broadcast_arrays(
-            _mechanics._scaled("P", P, units.force, contact), np.abs(_mechanics._scaled("T", T, units.force, contact))
-        )
+        return np.broadcast_arrays(units.without("P", P), np.abs(units.without("T", T)))
 
     def area(P, T, **parameters):
         x = [parameters[name] for name in names]

@@ -1,5 +1,6 @@
 """Figures of fits and plans on matplotlib axes, in the style of the report: methods of :class:`mixity.Fit` and
-:class:`mixity.Plan`. Each draws on ``ax``, or on new axes, and returns them."""
+:class:`mixity.Plan`. Each draws on ``ax``, a matplotlib Axes, by default on new ones, and returns it. Each raises
+:class:`InputError` if there is nothing to draw."""
 
 from __future__ import annotations
 
@@ -33,8 +34,17 @@ def _label(name, unit):
     return f"{name} [{unit}]" if unit else name
 
 
-def _lam(fit):
-    return tuple(fit.params[name].value for name in parameter_names(fit.model))
+def _style(fit):
+    """Colour and line of the fit's model."""
+    return _STYLE.get(fit.model, ("k", "-"))
+
+
+def _finished(ax, x, y, legend=False):
+    ax.set_xlabel(x)
+    ax.set_ylabel(y)
+    if legend:
+        ax.legend(frameon=False)
+    return ax
 
 
 def area(fit: Any, ax: Axes | None = None) -> Axes:
@@ -59,7 +69,7 @@ def area(fit: Any, ax: Axes | None = None) -> Axes:
     if not data._core.has_loads:
         raise InputError(f"{data.name} has no loads, so that there is no A(T) to draw; plot_toughness() draws what was fitted")
     ax = _axes(ax)
-    colour, line = _STYLE.get(fit.model, ("k", "-"))
+    colour, line = _style(fit)
     P, T, A, run = data.P, data.T, data.A, data.run_of_point
     ax.plot(T, A, label="data", **_POINTS)
     for i in range(len(data.runs)):
@@ -73,10 +83,7 @@ def area(fit: Any, ax: Axes | None = None) -> Axes:
         ax.plot(shear, A_fit, line, color=colour, label=f"model {fit.model}" if i == 0 else None)
         if jumps:
             ax.plot(jumps[0]["T"], jumps[0]["A"], "s", color=colour, label="jump" if i == 0 else None)
-    ax.set_xlabel(_label("T", data.units["force"]))
-    ax.set_ylabel(_label("A", data.units["area"]))
-    ax.legend(frameon=False)
-    return ax
+    return _finished(ax, _label("T", data.units["force"]), _label("A", data.units["area"]), legend=True)
 
 
 def toughness(fit: Any, ax: Axes | None = None) -> Axes:
@@ -86,20 +93,17 @@ def toughness(fit: Any, ax: Axes | None = None) -> Axes:
     """
     ax = _axes(ax)
     data = fit.data
-    colour, line = _STYLE.get(fit.model, ("k", "-"))
+    colour, line = _style(fit)
     psi = np.linspace(0, np.nanmax(data.psi) * 1.01, 300)
     ax.plot(np.degrees(data.psi), data.toughness_ratio, label="data", **_POINTS)
-    lam = _lam(fit)
+    lam = tuple(fit.params[name].value for name in parameter_names(fit.model))
     interval = next(iter(fit.params.values())).interval
     if interval and None not in interval:
         low, high = (_mechanics.toughness(fit.model, (end, *lam[1:]), psi) for end in interval)
         ax.fill_between(np.degrees(psi), low, high, color=colour, alpha=0.25, linewidth=0)
     ax.plot(np.degrees(psi), _mechanics.toughness(fit.model, lam, psi), line, color=colour, label=f"model {fit.model}")
     ax.set_yscale("log")
-    ax.set_xlabel("psi [deg]")
-    ax.set_ylabel("G_c/G_Ic")
-    ax.legend(frameon=False)
-    return ax
+    return _finished(ax, "psi [deg]", "G_c/G_Ic", legend=True)
 
 
 def residuals(fit: Any, ax: Axes | None = None) -> Axes:
@@ -113,44 +117,27 @@ def residuals(fit: Any, ax: Axes | None = None) -> Axes:
     x = data.T if loads else np.degrees(data.psi)
     ax.axhline(0, color="0.7", linewidth=1)
     ax.plot(x[fit.used_points], fit.residuals, **_POINTS)
-    ax.set_xlabel(_label("T", data.units["force"]) if loads else "psi [deg]")
-    ax.set_ylabel("residual [standard errors]" if fit.objective == "curve" else "residual")
-    return ax
+    y = "residual [standard errors]" if fit.objective == "curve" else "residual"
+    return _finished(ax, _label("T", data.units["force"]) if loads else "psi [deg]", y)
 
 
 def profile(fit: Any, parameter: str | None = None, ax: Axes | None = None) -> Axes:
     """Draws the profile likelihood of a parameter: the rise of the cost when it is held, and the limit of the interval.
 
-    Parameters
-    ----------
-    fit : Fit
-    parameter : str, optional
-        The model's first by default.
-    ax : matplotlib Axes, optional
-
-    Returns
-    -------
-    matplotlib Axes
-
-    Raises
-    ------
-    InputError
-        If there is no such parameter, or if it is held, at a bound or not identifiable.
+    ``parameter`` is the model's first by default; the rest as for :func:`area`. An InputError if there is no such
+    parameter, or if it is held, at a bound or not identifiable.
     """
     if parameter is None:
         parameter = next(iter(fit.params))
     if parameter not in fit.params:
         raise InputError(f"this fit of model '{fit.model}' has no parameter '{parameter}'; there are {', '.join(fit.params)}")
-    one = fit.params[parameter]
     x, rise, level = fit._fits._results.profile(fit._index, parameter)
     if not len(x):
         raise InputError(f"'{parameter}' is held, at a bound or not identifiable: there is no profile to draw")
     ax = _axes(ax)
-    ax.plot(x, rise, color=_STYLE.get(fit.model, ("k", "-"))[0])
+    ax.plot(x, rise, color=_style(fit)[0])
     ax.axhline(level, color="0.6", linestyle="--")
-    ax.set_xlabel(_label(parameter, one.unit))
-    ax.set_ylabel("rise of the cost [variances]")
-    return ax
+    return _finished(ax, _label(parameter, fit.params[parameter].unit), "rise of the cost [variances]")
 
 
 def budget(fit: Any, ax: Axes | None = None) -> Axes:
@@ -184,8 +171,7 @@ def loads(plan: Any, least: Any, most: Any, rivals: Any = "abc", ax: Axes | None
     guess = plan._given[1][0]
     error = [np.nan if found["standard_error"] is None else 100 * found["standard_error"] / guess for _, found in candidates]
     ax.plot(load, error, "-", color=_STYLE["c"][0], label="error of lambda")
-    ax.set_xlabel("load of the next run [mN]")
-    ax.set_ylabel("expected error of lambda [%]")
+    _finished(ax, "load of the next run [mN]", "expected error of lambda [%]")
     odds = [min(found["chi2"].values(), default=np.nan) / (2 * np.log(10)) for _, found in candidates]
     if np.isfinite(odds).any():
         right = ax.twinx()

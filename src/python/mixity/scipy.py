@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 
 from . import _core, _mechanics
+from ._arrays import Units
 from ._law import Law, key_of
 
 if TYPE_CHECKING:
@@ -44,12 +45,8 @@ def residuals(
     0.15
     """
     model = key_of(model)
-    units = _mechanics._Units(contact)
-    P, T, A = np.broadcast_arrays(
-        _mechanics._scaled("P", P, units.force, contact),
-        np.abs(_mechanics._scaled("T", T, units.force, contact)),
-        _mechanics._scaled("A", A, units.area, contact),
-    )
+    units = Units(contact)
+    P, T, A = np.broadcast_arrays(units.without("P", P), np.abs(units.without("T", T)), units.without("A", A))
     weight = 1.0 if sigma is None else units.area / np.asarray(sigma, float)
     scale = units.area if sigma is None else weight
 
