@@ -13,7 +13,7 @@ namespace {
 constexpr double kMilli = 1e-3, kSquareMilli = 1e-6;
 constexpr std::size_t kPoints = 100;  // of a curve that is drawn while a slider moves
 
-/// A data set without points, which says what the constants and units are.
+/// A data set without points, for its constants and units.
 Dataset of_constants(const Json& request) {
   Dataset data;
   const Contact contact{request.at("radius"), request.at("modulus"), request.at("toughness")};
@@ -40,14 +40,15 @@ FitResult as_chosen(const ContactModel& model, const std::vector<double>& parame
 }
 
 Json curve(const DrawnCurve& drawn) {
-  Json T = Json::array(), A = Json::array(), u = Json::array(), stable = Json::array();
-  for (const DrawnPoint& q : drawn.points) {
-    T.push_back(q.T);
-    A.push_back(q.A);
-    u.push_back(q.u);
-    stable.push_back(q.stable);
-  }
-  return {{"T", T}, {"A", A}, {"u", u}, {"stable", stable}};
+  return {{"T", list_of(drawn.points, &DrawnPoint::T)},
+          {"A", list_of(drawn.points, &DrawnPoint::A)},
+          {"u", list_of(drawn.points, &DrawnPoint::u)},
+          {"stable", list_of(drawn.points, &DrawnPoint::stable)}};
+}
+
+Json fold(const DrawnFold& drawn) {
+  return {{"control", to_string(drawn.control)}, {"T", drawn.T}, {"A", drawn.A}, {"u", drawn.u},
+          {"jumps_to", drawn.jumps_to},          {"area_after", drawn.area_after}};
 }
 
 /// The stable state at the load and shear.
@@ -76,10 +77,8 @@ ContactModel model_of(const std::string& key) {
 Json drawn_models(const Json& request) {
   const Dataset data = of_constants(request);
   const DisplayUnits& units = data.display;
-  const double P = request.at("P").get<double>() / units.force_scale,
-               T = std::abs(request.at("T").get<double>()) / units.force_scale,
-               T_most = request.at("T_most").get<double>() / units.force_scale,
-               P_most = request.at("P_most").get<double>() / units.force_scale;
+  const auto load = [&](const char* name) { return request.at(name).get<double>() / units.force_scale; };
+  const double P = load("P"), T = std::abs(load("T")), T_most = load("T_most"), P_most = load("P_most");
   Json all = Json::array();
   for (const Json& one : request.at("models")) {
     const std::string key = one.at("model");
@@ -92,18 +91,10 @@ Json drawn_models(const Json& request) {
       continue;
     }
     const DrawnCurve drawn = drawn_curve(data, {}, fit, P, T_most);
-    Json folds = Json::array();
-    for (const DrawnFold& fold : drawn.folds)
-      folds.push_back({{"control", to_string(fold.control)},
-                       {"T", fold.T},
-                       {"A", fold.A},
-                       {"u", fold.u},
-                       {"jumps_to", fold.jumps_to},
-                       {"area_after", fold.area_after}});
     const DrawnRadii radii = drawn_radii(data, {}, fit, T, P_most, kPoints);
     all.push_back({{"model", key},
                    {"curve", curve(drawn)},
-                   {"folds", folds},
+                   {"folds", list_of(drawn.folds, fold)},
                    {"radii", {{"stable", radii.stable}, {"unstable", radii.unstable}}},
                    {"toughness", toughness},
                    {"state", state(model, parameters, units, P, T)},

@@ -1,7 +1,8 @@
-// What a page with sliders draws of the models at chosen constants and loads. Numbers in and out are in the page's
-// units: loads mN, areas mm^2, radii mm, displacements um.
+// The models at chosen constants and loads, for a page with sliders. Numbers in and out are in the page's units: loads
+// mN, areas mm^2, radii mm, displacements um.
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -11,14 +12,21 @@ namespace mixity::explorer {
 
 using Json = nlohmann::ordered_json;
 
-/// Throws std::invalid_argument if there is none with this key.
+/// A list with get(item), or the member `get`, of each item.
+Json list_of(const auto& items, const auto& get) {
+  Json list = Json::array();
+  for (const auto& one : items) list.push_back(std::invoke(get, one));
+  return list;
+}
+
+/// Throws std::invalid_argument if there is no model with this key.
 ContactModel model_of(const std::string& key);
 
 /// {"radius": m, "modulus": Pa, "toughness": J/m^2, "P": .., "T": .., "T_most": .., "P_most": .., "models":
 /// [{"model": "c", "parameters": [0.0023]}]}: of each model {"toughness": [[psi, f]], "curve": {"T", "A", "u",
 /// "stable"}, "folds": [{"control", "T", "A", "u", "jumps_to", "area_after"}], "radii": {"stable": [[P, a]],
-/// "unstable"}, "state": {"A", "psi", "f"} or null off equilibrium, "regime": text}; the toughness and "problem" alone
-/// where there is no contact. Throws std::invalid_argument for constants that are none.
+/// "unstable"}, "state": {"A", "psi", "f"} or null off equilibrium, "regime": text}; only the toughness and "problem"
+/// where there is no contact. Throws std::invalid_argument for constants that are not positive numbers.
 Json drawn_models(const Json& request);
 
 }  // namespace mixity::explorer

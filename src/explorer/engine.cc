@@ -1,5 +1,5 @@
-// The engine as a page's script calls it: texts in, JSON out. What throws elsewhere is here {"error": SENTENCE,
-// "options": [those that it recommends]}.
+// The engine as a page's script calls it: texts in, JSON out. An exception becomes {"error": SENTENCE, "options":
+// [those that it recommends]}.
 #include <emscripten/bind.h>
 
 #include <chrono>
@@ -49,7 +49,7 @@ void areas_at(const std::string& model, const std::vector<double>& parameters, d
   model_of(model).areas_at(parameters, P, {at(T), n}, {at(A), n}, status);
 }
 
-/// Puts a file where `read` and `fit` find it: the TOML beside a data file. Files are passed as Uint8Array: a text of
+/// Writes a file for `read` and `fit`: data, or the TOML beside it. Contents are passed as Uint8Array, as a string of
 /// JavaScript would become UTF-8.
 void write_file(const std::string& name, const std::string& content) {
   std::ofstream(name, std::ios::binary) << content;
@@ -68,7 +68,7 @@ FitRequest request_of(const std::string& name, const std::string& constants, con
   return request;
 }
 
-/// A file that was written, as it is understood (experiment.h).
+/// How a file that was written is read (experiment.h).
 std::string read_file(const std::string& name, const std::string& constants) {
   return guarded([&] { return as_read(load_dataset(name, request_of(name, constants, "{}").constants)); });
 }
@@ -93,18 +93,18 @@ std::string define(const std::string& text) {
   return guarded([&] {
     const DefinedLaw defined = define_law_text("law", text);
     const LawDefinition& law = defined.law->definition();
-    Json parameters = Json::array();
-    for (const LawParameter& one : law.parameters)
-      parameters.push_back({{"name", one.name}, {"lower", one.lower}, {"upper", one.upper}, {"start", one.start}});
+    const auto parameter = [](const LawParameter& one) {
+      return Json{{"name", one.name}, {"lower", one.lower}, {"upper", one.upper}, {"start", one.start}};
+    };
     return Json{{"model", law.key},
                 {"shown", defined.law->shown()},
-                {"parameters", parameters},
+                {"parameters", list_of(law.parameters, parameter)},
                 {"warnings", defined.warnings}};
   });
 }
 
-/// A fit definition that was written: {"data": name, and the rest as request_fields has it}. Keys of its laws may be
-/// those of others that were typed: what was defined is forgotten, and what it defines, too.
+/// A fit definition that was written: {"data": name} and the fields of request_fields. All laws are forgotten before
+/// and after, as laws that were typed may have the keys of its laws.
 std::string read_definition(const std::string& name) {
   return guarded([&] {
     struct Forgetting {
@@ -131,27 +131,27 @@ RegimeMap map_for(const Json& request) {
            request.at("P_high")}};
 }
 
-/// Of {"model", "parameters": [value], "axis": number of the parameter, "low", "high": its ends, "logarithmic",
-/// "P_low", "P_high"}, loads dimensionless: works on a map for so long, by a line at least, so that a page can do other
-/// things in between. The same request again until it is done: {"regions": [{"regime", "outline": [[P, parameter]]}]};
-/// {} as long as there is more to do. Another request replaces one that is not done.
+/// A map of regimes for {"model", "parameters": [value], "axis": index of the parameter, "low", "high": its ends,
+/// "logarithmic", "P_low", "P_high"}, loads dimensionless. Works for so long, but adds one line at least, and returns
+/// {} until the map is done: the page asks again, and can do other things in between. Then {"regions": [{"regime",
+/// "outline": [[P, parameter]]}]}. A new request replaces an unfinished one.
 std::string map_of(const std::string& request, double milliseconds) {
   return guarded([&] {
     static std::string asked;
     static std::optional<RegimeMap> map;
     if (!map || request != asked) map.emplace(map_for(Json::parse(request)));
     asked = request;
-    Json told = Json::object();
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     while (map->add_line())
-      if (std::chrono::duration<double, std::milli>(Clock::now() - begin).count() >= milliseconds) return told;
-    told["regions"] = Json::array();
-    for (const RegimeRegion& region : map->regions(false))
-      told["regions"].push_back({{"regime", region.regime ? regime_text(*region.regime) : "no unique equilibrium"},
-                                 {"outline", region.outline}});
+      if (std::chrono::duration<double, std::milli>(Clock::now() - begin).count() >= milliseconds)
+        return Json::object();
+    const auto regions = list_of(map->regions(false), [](const RegimeRegion& region) {
+      return Json{{"regime", region.regime ? regime_text(*region.regime) : "no unique equilibrium"},
+                  {"outline", region.outline}};
+    });
     map.reset();
-    return told;
+    return Json{{"regions", regions}};
   });
 }
 

@@ -1,11 +1,13 @@
 #include "explorer/experiment.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 
 #include "analysis/judgement.h"
 #include "base/number_text.h"
 #include "base/units.h"
+#include "explorer/drawing.h"
 #include "explorer/field_words.h"
 #include "fitting/predicted_curves.h"
 #include "fitting/prediction.h"
@@ -18,19 +20,13 @@ constexpr std::size_t kMostExcluded = 20;  // that a page lists
 Json runs_of(const Dataset& data) {
   Json runs = Json::array();
   const auto by_run = points_by_curve(data);
-  for (std::size_t run = 0; run < by_run.size(); ++run) {
-    Json lines = Json::array(), T = Json::array(), A = Json::array();
-    for (const std::size_t i : by_run[run]) {
-      lines.push_back(data.points[i].line);
-      T.push_back(data.points[i].T * data.display.force_scale);
-      A.push_back(data.points[i].A * data.display.area_scale);
-    }
-    runs.push_back({{"name", data.curves[run]},
-                    {"P", data.curve_loads[run] * data.display.force_scale},
-                    {"lines", lines},
-                    {"T", T},
-                    {"A", A}});
-  }
+  for (std::size_t run = 0; run < by_run.size(); ++run)
+    runs.push_back(
+        {{"name", data.curves[run]},
+         {"P", data.curve_loads[run] * data.display.force_scale},
+         {"lines", list_of(by_run[run], [&](std::size_t i) { return data.points[i].line; })},
+         {"T", list_of(by_run[run], [&](std::size_t i) { return data.points[i].T * data.display.force_scale; })},
+         {"A", list_of(by_run[run], [&](std::size_t i) { return data.points[i].A * data.display.area_scale; })}});
   return runs;
 }
 
@@ -85,20 +81,17 @@ std::string as_typed(double value, double error, const std::string& unit) {
 }  // namespace
 
 Json as_read(const Dataset& data) {
-  std::vector<std::string> notes;
-  for (const Message& note : data.notes) notes.push_back(note.text(in_fields));
   Json told{{"reading", data.reading},
             {"taken", data.taken},
             {"ignored", data.ignored_columns},
-            {"notes", notes},
+            {"notes", list_of(data.notes, [](const Message& note) { return note.text(in_fields); })},
             {"log", data.like_a_log},
             {"points", data.points.size()},
             {"rows", data.rows},
             {"units", {{"force", data.display.force}, {"area", data.display.area}}},
             {"notice", data.metadata.provenance == Provenance::reconstructed ? kReconstructedNotice : ""}};
-  Json excluded = Json::array(), constants = Json::object();
-  for (std::size_t i = 0; i < std::min(data.excluded.size(), kMostExcluded); ++i)
-    excluded.push_back({{"line", data.excluded[i].line}, {"reason", data.excluded[i].reason}});
+  Json constants = Json::object();
+  const std::span<const Excluded> listed(data.excluded.data(), std::min(data.excluded.size(), kMostExcluded));
   const Metadata& stated = data.metadata;
   for (const auto& [name, text] : constants_as_stated(stated)) constants[name] = {{"exact", text}, {"shown", text}};
   for (const auto& [name, value, unit] :
@@ -106,28 +99,28 @@ Json as_read(const Dataset& data) {
         std::tuple("toughness", stated.toughness, "J/m^2"), std::tuple("shear_strength", stated.shear_strength, "Pa"),
         std::tuple("load_offset", stated.load_offset, "N"), std::tuple("shear_offset", stated.shear_offset, "N")})
     if (value) constants[name]["shown"] = as_typed(*value, stated.standard_error(name), unit);
-  told["excluded"] = excluded;
+  told["excluded"] = list_of(listed, [](const Excluded& one) {
+    return Json{{"line", one.line}, {"reason", one.reason}};
+  });
   told["excluded_count"] = data.excluded.size();
   told["constants"] = constants;
   if (data.has_loads) {
     told["runs"] = runs_of(data);
     return told;
   }
-  Json lines = Json::array(), psi = Json::array(), f = Json::array();
-  for (std::size_t i = 0; i < data.points.size(); ++i) {
-    lines.push_back(data.points[i].line);
-    psi.push_back(data.converted[i].psi());
-    f.push_back(data.converted[i].ratio);
-  }
-  told["energies"] = {{"lines", lines}, {"psi", psi}, {"f", f}};
+  told["energies"] = {{"lines", list_of(data.points, &Point::line)},
+                      {"psi", list_of(data.converted, &ToughnessPoint::psi)},
+                      {"f", list_of(data.converted, &ToughnessPoint::ratio)}};
   return told;
 }
 
 Json as_told(const Answer& answer, const Dataset& data) {
-  Json budget = Json::array();
-  for (const auto& [name, part] : answer.budget) budget.push_back({name, part});
-  return {{"result", answer.result},        {"model", answer.model}, {"interval", answer.interval},
-          {"doubt", answer.doubt},          {"budget", budget},      {"jumps", jump_table(answer, data)},
+  return {{"result", answer.result},
+          {"model", answer.model},
+          {"interval", answer.interval},
+          {"doubt", answer.doubt},
+          {"budget", answer.budget},
+          {"jumps", jump_table(answer, data)},
           {"cannot_say", answer.cannot_say}};
 }
 

@@ -1,4 +1,4 @@
-// A data set and its fit as a page shows them, in the units of the file.
+// A data set and its fit for the page, in the units of the file.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,14 +11,14 @@ namespace mixity::explorer {
 
 using Json = nlohmann::ordered_json;
 
-/// How a file was understood: {"reading", "taken": ["P from 'Normalkraft'"], "ignored", "notes", "excluded_count",
+/// How a file was read: {"reading", "taken": ["P from 'Normalkraft'"], "ignored", "notes", "excluded_count",
 /// "excluded": [{"line", "reason"}], "constants": {"radius": {"exact": "0.00942 m", "shown": "9.42 mm"}}, "notice": of
 /// reconstructed data, "units": {"force", "area"}, "runs": [{"name", "P", "lines", "T", "A"}]}; without loads
 /// "energies": {"lines", "psi", "f"} in place of runs.
 Json as_read(const Dataset& data);
 
-/// {"result", "model", "interval", "doubt", "budget": [[name, part]], "jumps": [[text]], "cannot_say"}, as the report
-/// leads with.
+/// {"result", "model", "interval", "doubt", "budget": [[name, part]], "jumps": [[text]], "cannot_say"}, as at the
+/// head of a report.
 Json as_told(const Answer& answer, const Dataset& data);
 
 /// {"contact": {"radius": m, "modulus": Pa, "toughness": J/m^2}, "models": [{"model", "runs": [{"P", "curve": [[T, A]],

@@ -1,10 +1,27 @@
-// What a fit says, as HTML: the answer first, then every model.
+// How a file was read, in sentences; a fit as HTML: the answer first, then every model.
 import {shown} from './charts.js';
 
 export const escape = text => text.replace(/[&<>"]/g, c => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[c]);
 export const list = sentences => sentences.map(one => `<li>${escape(one)}</li>`).join('');
 /// A law without a name has a key that nobody has typed.
 export const named = text => text.replaceAll(/(\bmodel )?\blaw_\d+\b(, law_\d+\b)?/g, 'your own law');
+
+/// How a file was read. `whole`: with all constants known; `hidden(name)`: whether the form has no field for a constant.
+export function howRead(told, from, whole, hidden) {
+  const sentences = [told.notice, from].filter(Boolean);
+  sentences.push(...told.taken);
+  if (told.reading) sentences.push(`read as ${told.reading}`);
+  if (told.runs) sentences.push(`loads in ${told.units.force || 'no unit'}, areas in ${told.units.area || 'no unit'}`);
+  if (told.ignored.length) sentences.push(`not used: ${told.ignored.join(', ')}`);
+  if (!whole) return sentences;
+  sentences.push(...told.notes);
+  for (const [name, text] of Object.entries(told.constants)) if (hidden(name)) sentences.push(`${name} = ${text.shown}`);
+  for (const one of told.excluded) sentences.push(`line ${one.line} left out: ${one.reason}`);
+  if (told.excluded_count > told.excluded.length) sentences.push(`and ${told.excluded_count - told.excluded.length} more lines`);
+  return sentences;
+}
+
+export const looksLikeALog = name => `${name} looks like a log over time. The program makes loading runs of it (mixity runs ${name}): drop the runs.csv that it writes, with runs.toml. Fit takes the rows as they are.`;
 
 const percent = part => `${shown(100 * part, 2)} %`;
 

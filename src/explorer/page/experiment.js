@@ -1,7 +1,7 @@
-// A file of the reader's own: read, confirmed, cropped, fitted, saved.
-import {answerHtml, escape, list, modelsHtml, named} from './answer.js';
+// A user's file: read, confirmed, cropped, fitted, saved.
+import {answerHtml, escape, howRead, list, looksLikeALog, modelsHtml, named} from './answer.js';
 import {pngOf, shown, svgOf} from './charts.js';
-import {cropped, parted, ranges} from './files.js';
+import {cropped, offer, parted, ranges} from './files.js';
 import {FitFigures} from './fit_figures.js';
 
 const $ = id => document.getElementById(id);
@@ -34,16 +34,13 @@ export class Experiment {
   /// One file of data, perhaps with what is stated beside it, or with the definition of a fit of it.
   async open(files) {
     if (!files.length) return;
-    const {data, beside, definition} = await parted(files);
-    const other = data.find(({name}) => /\.(json|html?|svg|png|jpe?g|gif|pdf|docx?)$/i.test(name));
-    if (other) return this.trouble(`${other.name} is no table: drop the data as CSV or text, and with them a TOML if there is one.`);
-    if (data.length > 1) return this.trouble('One file of data at a time: the program pools several (mixity fit run_*.csv --pool).');
-    if (definition) return this.openDefinition(definition, data[0], beside);
-    if (!data.length) return this.trouble('That is a TOML alone: drop the data with it.');
-    this.take(data[0], beside);
+    const {data, beside, definition, problem} = await parted(files);
+    if (problem) return this.trouble(problem);
+    if (definition) return this.openDefinition(definition, data, beside);
+    this.take(data, beside);
   }
 
-  /// As this page saves one: constants, options, cuts, models and the law come from it. `data` may be there already.
+  /// A definition as this page saves it: its constants, options, cuts, models and law are used. Its data may be open already.
   openDefinition(definition, data, beside) {
     const {engine, models} = this, former = this.source;
     engine.write(definition.name, definition.bytes);
@@ -60,7 +57,7 @@ export class Experiment {
     this.take(data, beside, {...told, from: `constants, options and models are those of ${definition.name}${told.data === data.name ? '' : `, which is of ${told.data}`}`});
   }
 
-  /// The first law that comes with data becomes the one that is typed; the models by what they are called here then.
+  /// The first law that comes with data becomes the law of the page. Returns the models by their keys on the page.
   withLaw({models, laws = {}}) {
     const [[key, law] = [], ...others] = Object.entries(laws);
     if (law) this.models.define(/^law_\d+$/.test(key) ? law : `${key}: ${law}`);
@@ -84,7 +81,7 @@ export class Experiment {
     this.figures.showAll();
     $('columns').value = stated.constants?.columns ?? '';
     $('read').hidden = false;
-    for (const field of $('constants').querySelectorAll('input:not([type=checkbox])')) {
+    for (const field of this.fields()) {
       field.value = stated.constants?.[field.name] ?? '';
       delete field.dataset.shown;
     }
@@ -92,7 +89,7 @@ export class Experiment {
     this.readAgain(true);
   }
 
-  /// Nothing of what was fitted stays on the page.
+  /// Removes the fit from the page.
   forget() {
     clearTimeout(this.fitting);
     this.result = null;
@@ -110,14 +107,17 @@ export class Experiment {
     $('trouble').hidden = !sentence;
   }
 
+  fields() { return $('constants').querySelectorAll('input:not([type=checkbox])'); }
+
+  /// What the form states: {name: text}.
   constants() {
     const stated = {...this.more};
-    for (const field of $('constants').querySelectorAll('input:not([type=checkbox])')) if (field.value.trim()) stated[field.name] = field.value === field.dataset.shown ? field.dataset.exact : field.value.trim();
+    for (const field of this.fields()) if (field.value.trim()) stated[field.name] = field.value === field.dataset.shown ? field.dataset.exact : field.value.trim();
     const columns = $('columns').value.trim();
     return columns ? {...stated, columns} : stated;
   }
 
-  /// Reads the file with what the form says, shows how, and fits; what looks like a log only where that is asked for.
+  /// Reads the file with the constants of the form, shows how it was read, and fits: what looks like a log only if `asked`.
   readAgain(andFit, asked = false) {
     if (!this.name) return;
     this.trouble('');
@@ -150,15 +150,11 @@ export class Experiment {
     $('measured').hidden = false;
     $('crop').hidden = !told.runs;
     this.figures.draw();
-    if (told.log && !asked) this.trouble(this.ofLog());
+    if (told.log && !asked) this.trouble(looksLikeALog(this.name));
     else if (andFit) this.fit();
   }
 
-  ofLog() {
-    return `${this.name} looks like a log over time. The program makes loading runs of it (mixity runs ${this.name}): drop the runs.csv that it writes, with runs.toml. Fit takes the rows as they are.`;
-  }
-
-  /// Where only the constants are missing the columns are shown all the same.
+  /// Shows why a file was not read; where only the constants are missing, its columns as well.
   notRead(sentence) {
     this.told = null;
     this.trouble(sentence);
@@ -173,31 +169,19 @@ export class Experiment {
       return;
     }
     this.showRead(false);
-    this.trouble(this.told.log ? this.ofLog() : `${sentence}: fill in the sphere and the constants above, with their units, and press Fit.`);
+    this.trouble(this.told.log ? looksLikeALog(this.name) : `${sentence}: fill in the sphere and the constants above, with their units, and press Fit.`);
     $('constants').querySelector('input:placeholder-shown')?.focus();
   }
 
   showRead(whole) {
     const {told} = this;
     $('read-title').textContent = `${this.name}: ${told.points} of ${told.rows} rows${told.runs ? `, ${told.runs.length} run${told.runs.length === 1 ? '' : 's'}` : ''}`;
-    const sentences = told.notice ? [told.notice] : [];
-    if (this.from) sentences.push(this.from);
-    sentences.push(...told.taken);
-    if (told.reading) sentences.push(`read as ${told.reading}`);
-    if (told.runs) sentences.push(`loads in ${told.units.force || 'no unit'}, areas in ${told.units.area || 'no unit'}`);
-    if (told.ignored.length) sentences.push(`not used: ${told.ignored.join(', ')}`);
-    if (whole) sentences.push(...told.notes);
-    for (const [name, text] of Object.entries(whole ? told.constants : {})) if (!$('constants').elements[name]) sentences.push(`${name} = ${text.shown}`);
-    if (whole) for (const one of told.excluded) sentences.push(`line ${one.line} left out: ${one.reason}`);
-    if (whole && told.excluded_count > told.excluded.length) sentences.push(`and ${told.excluded_count - told.excluded.length} more lines`);
-    $('taken').innerHTML = list(sentences);
+    $('taken').innerHTML = list(howRead(told, this.from, whole, name => !$('constants').elements[name]));
   }
 
-  chosen() {
-    return [...document.querySelectorAll('input[name=model]:checked')].map(box => box.value);
-  }
+  chosen() { return [...document.querySelectorAll('input[name=model]:checked')].map(box => box.value); }
 
-  /// After a word that it takes a while, which the browser must have shown.
+  /// Fits once the browser has shown that it takes a while.
   fit() {
     clearTimeout(this.fitting);
     if (!this.whole) return;
@@ -208,8 +192,7 @@ export class Experiment {
 
   fitNow() {
     const models = this.chosen();
-    const out = [];
-    (this.told.runs ?? []).forEach((run, i) => run.lines.forEach((n, k) => { if (k < this.kept[i][0] || k > this.kept[i][1]) out.push(n); }));
+    const out = (this.told.runs ?? []).flatMap(({lines}, i) => lines.filter((_, k) => k < this.kept[i][0] || k > this.kept[i][1]));
     const options = {...this.options, models: models.join(',')};
     options.exclude = [this.options.exclude, ranges(out)].filter(Boolean).join(',');
     if (!options.exclude) delete options.exclude;
@@ -225,30 +208,24 @@ export class Experiment {
     $('busy').textContent = '';
     this.time = performance.now() - begin;
     this.trouble('');
-    this.showAnswer();
-    this.figures.draw();
-    this.tellModels();
-  }
-
-  showAnswer() {
     $('told').innerHTML = named(answerHtml(this.result));
     $('models').innerHTML = named(modelsHtml(this.result));
     $('downloads').hidden = $('others').hidden = false;
+    this.figures.draw();
+    this.setSliders();
   }
 
-  /// Sets the sliders below to what was found.
-  tellModels() {
-    const {contact} = this.result.drawn, values = {};
+  /// Sets the sliders of the models to the fitted values.
+  setSliders() {
+    const {contact} = this.result.drawn, {fits} = this.result.fits.datasets[0], values = {};
     if (contact) Object.assign(values, {R: contact.radius * 1e3, E: contact.modulus * 1e-6, G: contact.toughness * 1e3});
-    for (const fit of this.result.fits.datasets[0].fits) if (fit.parameters.lambda?.value > 0) values[fit.model] = fit.parameters.lambda.value;
-    const own = this.result.fits.datasets[0].fits.find(fit => fit.model === this.models.own?.model);
+    for (const {model, parameters} of fits) if (parameters.lambda?.value > 0) values[model] = parameters.lambda.value;
+    const own = fits.find(fit => fit.model === this.models.own?.model);
     if (own) this.models.takeOwn(Object.values(own.parameters).slice(0, this.models.own.parameters.length).map(({value}) => value));
     this.models.take(values);
   }
 
-  selected() {
-    return Number($('run').value || 0);
-  }
+  selected() { return Number($('run').value || 0); }
 
   crop(end, k) {
     const run = this.selected(), kept = this.kept[run];
@@ -269,11 +246,6 @@ export class Experiment {
       svg: () => [`${stem}.svg`, 'image/svg+xml', svgOf(this.figures.all)],
       png: async () => [`${stem}.png`, 'image/png', await pngOf(this.figures.all)],
     };
-    const [name, type, content] = await files[what]();
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([content], {type}));
-    link.download = name;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    offer(...await files[what]());
   }
 }

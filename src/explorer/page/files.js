@@ -1,13 +1,17 @@
-// What was dropped, and lines of a file as a text.
+// Files that are dropped or saved, and lines of a file as a text.
 
 const textOf = file => new TextDecoder().decode(file.bytes);
 const isToml = file => /\.toml$/i.test(file.name);
 
-/// Files as a browser gives them: {data: [file], beside: what is stated beside the data, definition: of a fit}.
+/// Files that were dropped: {data, beside: the TOML of the data, definition: of a fit, problem: why they are not used}.
 export async function parted(files) {
   const all = await Promise.all(files.map(async file => ({name: file.name.replaceAll('/', '_'), bytes: new Uint8Array(await file.arrayBuffer())})));
   const tomls = all.filter(isToml), definition = tomls.find(file => /^\s*(data\s*=|\[\[runs\]\])/m.test(textOf(file)));
-  return {data: all.filter(file => !isToml(file)), definition, beside: tomls.find(file => file !== definition)};
+  const data = all.filter(file => !isToml(file)), other = data.find(({name}) => /\.(json|html?|svg|png|jpe?g|gif|pdf|docx?)$/i.test(name));
+  const problem = other ? `${other.name} is no table: drop the data as CSV or text, and with them a TOML if there is one.`
+    : data.length > 1 ? 'One file of data at a time: the program pools several (mixity fit run_*.csv --pool).'
+    : data.length || definition ? '' : 'That is a TOML alone: drop the data with it.';
+  return {data: data[0], definition, beside: tomls.find(file => file !== definition), problem};
 }
 
 /// "4,7-9" of line numbers.
@@ -36,4 +40,13 @@ export function cropped(runs, text) {
     return [first, last];
   });
   return {kept, between: ranges(runs.flatMap(({lines}, i) => lines.filter((n, k) => k >= kept[i][0] && k <= kept[i][1] && out(n))))};
+}
+
+/// Offers a file for download.
+export function offer(name, type, content) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([content], {type}));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }

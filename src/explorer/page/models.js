@@ -1,6 +1,8 @@
-// The sliders, and what the models say at them.
-import {color, colorOfModel, figure, line, marks, shown} from './charts.js';
+// The sliders, and the models at their values.
+import {colorOfModel, figure} from './charts.js';
+import {drawCurve, sentence} from './curves.js';
 import {RegimeMap} from './map.js';
+import {slider} from './slider.js';
 import {byDecades, quantities, read, valid, write} from './state.js';
 
 const models = ['a', 'b', 'c'];
@@ -34,7 +36,7 @@ export class Models {
     this.redraw();
   }
 
-  /// A law that has just been typed is what the map is looked at for.
+  /// Defines a law that was just typed, and shows its map.
   typed(text) {
     if (this.define(text) && this.own) {
       this.state.map = 'own';
@@ -42,7 +44,7 @@ export class Models {
     }
   }
 
-  /// A law that somebody typed is a model until another one is; none is typed: there is none.
+  /// Defines the law of a text, which replaces the one before; without a text there is none.
   define(text, values = []) {
     const {state} = this, says = document.getElementById('law-says');
     let law = null;
@@ -75,29 +77,16 @@ export class Models {
   makeOwnSliders() {
     const form = document.getElementById('own-sliders'), {state} = this;
     form.textContent = '';
-    (this.own?.parameters ?? []).forEach(({name, lower, upper}, i) => {
-      const logarithmic = byDecades({lower, upper}), box = document.createElement('div');
-      box.className = 'slider model';
-      box.style.setProperty('--own', `var(--color-${ownColor})`);
-      box.innerHTML = `<label for="own-${i}">${name} of your own law</label>
-        <span class="value"><input type="number" step="any" aria-label="${name} of your own law"></span>
-        <input type="range" id="own-${i}" min="0" max="1000" step="1">`;
-      const [number, range] = [box.querySelector('input[type=number]'), box.querySelector('input[type=range]')];
-      const show = () => {
-        number.value = shown(state.own[i], 5);
-        range.value = 1000 * (logarithmic ? Math.log(state.own[i] / lower) / Math.log(upper / lower) : (state.own[i] - lower) / (upper - lower));
-        range.setAttribute('aria-valuetext', shown(state.own[i]));
-      };
-      const set = value => {
-        if (Number.isFinite(value)) state.own[i] = Math.min(Math.max(Number(value.toPrecision(6)), lower), upper);
-        show();
-        this.schedule();
-      };
-      range.addEventListener('input', () => set(logarithmic ? lower * (upper / lower) ** (range.value / 1000) : lower + (upper - lower) * range.value / 1000));
-      number.addEventListener('change', () => set(number.value.trim() === '' ? NaN : Number(number.value)));
-      form.append(box);
-      show();
-    });
+    (this.own?.parameters ?? []).forEach(({name, lower, upper}, i) => slider(form, `own-${i}`,
+      {label: `${name} of your own law`, low: lower, high: upper, logarithmic: byDecades({lower, upper})}, {
+        tint: ownColor,
+        get: () => state.own[i],
+        parse: text => text.trim() === '' || !Number.isFinite(Number(text)) ? null : Number(text),
+        set: value => {
+          state.own[i] = Math.min(Math.max(value, lower), upper);
+          this.schedule();
+        },
+      }));
   }
 
   takeOwn(values) {
@@ -106,58 +95,31 @@ export class Models {
     this.makeOwnSliders();
   }
 
-  /// What a model is called, and its colour.
+  /// The title of a model, and its colour.
   title(model) { return model === this.own?.model ? 'your own law' : `model ${model}`; }
   tint(model) { return model === this.own?.model ? ownColor : colorOfModel[model]; }
   parametersOf(model) { return model === this.own?.model ? this.state.own : [this.state[model]]; }
 
   makeSliders() {
-    const form = document.getElementById('sliders');
+    const form = document.getElementById('sliders'), {state} = this;
     form.addEventListener('submit', event => event.preventDefault());
-    this.controls = {};
+    this.sliders = {};
     for (const q of quantities) {
-      const box = document.createElement('div');
-      box.className = q.model ? 'slider model' : 'slider';
-      if (q.model) box.style.setProperty('--own', `var(--color-${colorOfModel[q.key]})`);
-      const id = `slider-${q.key}`;
-      box.innerHTML = `<label for="${id}">${q.label.replace('_Ic', '<sub>Ic</sub>')}</label>
-        <span class="value"><input type="number" step="any" aria-label="${q.label}${q.unit ? ` in ${q.unit}` : ''}"> ${q.unit ?? ''}</span>
-        <input type="range" id="${id}" min="0" max="1000" step="1">`;
-      if (q.model) {
-        const label = document.createElement('label');
-        label.innerHTML = '<input type="checkbox"> drawn';
-        const box2 = label.firstChild;
-        box2.checked = !this.state.off.has(q.key);
-        box2.setAttribute('aria-label', `model ${q.key} drawn`);
-        box2.addEventListener('change', () => { this.state.off[box2.checked ? 'delete' : 'add'](q.key); this.redraw(); });
-        box.append(label);
-      }
-      const [number, range] = [box.querySelector('input[type=number]'), box.querySelector('input[type=range]')];
-      range.addEventListener('input', () => this.set(q, q.logarithmic
-        ? q.low * (q.high / q.low) ** (range.value / 1000) : q.low + (q.high - q.low) * range.value / 1000, number));
-      number.addEventListener('change', () => {
-        const value = valid(q, number.value);
-        if (value !== null) this.set(q, value);
-        else this.show(q);
-      });
-      this.controls[q.key] = {number, range};
-      form.append(box);
-      this.show(q);
+      const set = value => { state[q.key] = value; this.schedule(); };
+      this.sliders[q.key] = slider(form, `slider-${q.key}`, q, {tint: q.model && colorOfModel[q.key], get: () => state[q.key], set, parse: text => valid(q, text)});
+      if (q.model) this.sliders[q.key].box.append(this.switchOf(q.key));
     }
   }
 
-  /// The state of a quantity on its slider and in its field.
-  show(q) {
-    const value = this.state[q.key], {number, range} = this.controls[q.key];
-    number.value = shown(value, 5);
-    range.value = 1000 * (q.logarithmic ? Math.log(value / q.low) / Math.log(q.high / q.low) : (value - q.low) / (q.high - q.low));
-    range.setAttribute('aria-valuetext', `${shown(value)} ${q.unit ?? ''}`);
-  }
-
-  set(q, value) {
-    this.state[q.key] = Number(value.toPrecision(6));
-    this.show(q);
-    this.schedule();
+  /// Lets a model be drawn or not.
+  switchOf(model) {
+    const label = document.createElement('label');
+    label.innerHTML = '<input type="checkbox"> drawn';
+    const box = label.firstChild;
+    box.checked = !this.state.off.has(model);
+    box.setAttribute('aria-label', `model ${model} drawn`);
+    box.addEventListener('change', () => { this.state.off[box.checked ? 'delete' : 'add'](model); this.redraw(); });
+    return label;
   }
 
   /// From a fit: {P, R, ...}.
@@ -165,7 +127,7 @@ export class Models {
     for (const q of quantities)
       if (Number.isFinite(values[q.key])) {
         this.state[q.key] = values[q.key];
-        this.show(q);
+        this.sliders[q.key].show();
       }
     this.redraw();
   }
@@ -181,7 +143,7 @@ export class Models {
     return {radius: R * 1e-3, modulus: E * 1e6, toughness: G * 1e-3};
   }
 
-  /// Asks the engine, and draws figures as long as a frame lasts; those that are left follow in the next ones.
+  /// Asks the engine and draws figures for the time of a frame; the others follow in the next frames.
   redraw() {
     const begin = performance.now();
     const {state} = this;
@@ -195,19 +157,19 @@ export class Models {
       document.getElementById('says').textContent = error.message;
       return;
     }
-    document.getElementById('says').textContent = this.all.map(one => this.sentence(one)).join(' ');
+    document.getElementById('says').textContent = this.all.map(one => sentence(this, one)).join(' ');
     this.stale = new Set(Object.keys(this.figures));
     this.drawSome(begin);
   }
 
-  /// In turn, those in view first, so that none waits while a slider moves.
+  /// Draws the figures in turn, those in view first, so that none waits while a slider moves.
   drawSome(begin) {
     const inView = name => { const box = this.figures[name].chart.getDom().getBoundingClientRect(); return box.bottom > 0 && box.top < innerHeight; };
     const turn = [...this.turn.filter(inView), ...this.turn.filter(name => !inView(name))];
     for (const name of turn) {
       if (!this.stale.has(name)) continue;
       if (name === 'map') this.map.draw();
-      else this.drawCurve(name);
+      else drawCurve(this, name);
       this.stale.delete(name);
       this.turn.push(this.turn.splice(this.turn.indexOf(name), 1)[0]);
       if (performance.now() - begin > 8) break;
@@ -222,73 +184,9 @@ export class Models {
     requestAnimationFrame(() => { this.following = false; this.drawSome(performance.now()); });
   }
 
-  /// A figure of which more has become known.
+  /// Draws a figure again.
   drawAgain(name) {
     this.stale.add(name);
     this.follow();
-  }
-
-  drawCurve(name) {
-    // a law that defines no equilibrium is a law all the same
-    const {state, all} = this, there = all.filter(one => !one.problem || (name === 'toughness' && one.toughness)), names = there.map(one => this.title(one.model));
-    const what = {
-      area: `Contact area against tangential load at P = ${shown(state.P)} mN`,
-      toughness: 'Toughness against phase angle',
-      displacement: `Tangential load against displacement at P = ${shown(state.P)} mN`,
-      radius: `Contact radius against normal load at T = ${shown(state.T)} mN`,
-    }[name];
-    this.figures[name].draw(there.flatMap(one => this[name](one, this.title(one.model), color(this.tint(one.model)))),
-      `${what} for ${names.join(', ') || 'no model'}`, {legend: {data: names}});
-  }
-
-  /// Solid up to the first place where the contact is not stable, dashed from there.
-  twoParts(one, name, own, x, y) {
-    const turn = one.curve.stable.indexOf(false), end = turn < 0 ? x.length : turn;
-    const along = (from, to) => x.slice(from, to).map((value, i) => [value, y[from + i]]);
-    return [line(`${one.model}-stable`, name, along(0, end), own), line(`${one.model}-unstable`, name, along(Math.max(end - 1, 0), x.length), own, 'dashed')];
-  }
-
-  folds(one, name, own, place) {
-    return ['load', 'displacement'].map(control => marks(`${one.model}-${control}`, name, one.folds.filter(fold => fold.control === control).map(fold => ({
-      value: place(fold),
-      hover: `${this.title(one.model)} jumps under ${control} control:<br>T = ${shown(fold.T)} mN, A = ${shown(fold.A)} mm², u = ${shown(fold.u)} µm<br>to ${fold.jumps_to}`,
-    })), own, control === 'load' ? 'triangle' : 'diamond'));
-  }
-
-  here(one, name, own, place) {
-    return marks(`${one.model}-here`, name, place ? [place] : [], own, 'circle', {itemStyle: {color: own}});
-  }
-
-  area(one, name, own) {
-    const jump = one.folds.find(fold => fold.control === 'load');
-    return [...this.twoParts(one, name, own, one.curve.T, one.curve.A), ...this.folds(one, name, own, fold => [fold.T, fold.A]),
-      line(`${one.model}-jump`, name, jump ? [[jump.T, jump.A], [jump.T, jump.area_after]] : [], own, 'dotted'),
-      this.here(one, name, own, one.state && [Math.abs(this.state.T), one.state.A])];
-  }
-
-  toughness(one, name, own) {
-    return [line(`${one.model}-law`, name, one.toughness.map(([psi, f]) => [psi, Math.max(f, 1)]), own),
-      this.here(one, name, own, one.state && one.state.psi !== undefined && [one.state.psi, one.state.f])];
-  }
-
-  displacement(one, name, own) {
-    return [...this.twoParts(one, name, own, one.curve.u, one.curve.T), ...this.folds(one, name, own, fold => [fold.u, fold.T])];
-  }
-
-  radius(one, name, own) {
-    return [line(`${one.model}-stable`, name, one.radii.stable, own), line(`${one.model}-unstable`, name, one.radii.unstable, own, 'dashed'),
-      this.here(one, name, own, one.state && [this.state.P, Math.sqrt(one.state.A / Math.PI)])];
-  }
-
-  sentence(one) {
-    const named = this.title(one.model).replace(/^./, first => first.toUpperCase());
-    if (one.problem) return `${named}: ${one.problem}.`;
-    const {state} = this, jump = one.folds.find(fold => fold.control === 'load');
-    const beyond = jump ? `beyond its jump, A = ${shown(jump.area_after)} mm² if it slides at that` : 'beyond its last equilibrium';
-    const here = one.state ? `A = ${shown(one.state.A)} mm²` : beyond;
-    const names = one.model === this.own?.model ? this.own.parameters.map(({name}) => name) : ['λ'];
-    const chosen = this.parametersOf(one.model).map((value, i) => `${names[i]} = ${shown(value)}`).join(', ');
-    return `${named} (${chosen}): ${here} at T = ${shown(state.T)} mN; ` +
-      (jump ? `jumps at T = ${shown(jump.T)} mN from ${shown(jump.A)} to ${shown(jump.area_after)} mm².` : `${one.regime.slice(2)}.`);
   }
 }
