@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* kTemporary = ".mixity-tmp";  // then the process
 
-/// Removes what runs that were killed left of this file: PATH.mixity-tmpPID of processes that are no more.
+/// Removes temporary files of this file, PATH.mixity-tmpPID, whose processes no longer exist.
 void remove_leftovers(const std::filesystem::path& path) {
   const std::string beginning = path.filename().string() + kTemporary;
   std::error_code error;
@@ -41,12 +41,12 @@ void remove_leftovers(const std::filesystem::path& path) {
   }
 }
 
-/// A pipe or device, which is written to as it is.
+/// A pipe or device, which is written in place.
 bool is_direct(std::filesystem::file_type kind) {
   return kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::fifo;
 }
 
-/// Writes all of it and closes the file. 0, or the reason as errno has it.
+/// Writes the content and closes the file. Returns 0 or an errno.
 int write_and_close(int file, const std::string& content, bool to_disk) {
   int reason = 0;
   for (std::size_t done = 0; reason == 0 && done < content.size();) {
@@ -65,7 +65,7 @@ int write_and_close(int file, const std::string& content, bool to_disk) {
   throw OutputError(path + ": cannot be written: " + std::strerror(reason));
 }
 
-/// Where a path leads, also if nothing is there yet.
+/// The end of a chain of links, which need not exist.
 std::filesystem::path end_of_links(const std::string& path) {
   constexpr int kMost = 40;  // as the system's
   std::filesystem::path end = path;
@@ -77,7 +77,7 @@ std::filesystem::path end_of_links(const std::string& path) {
   cannot_be_written(path, ELOOP);
 }
 
-/// A file that is written, but not yet at its place. Never put there, it leaves nothing behind.
+/// A file that is written under a temporary name, and removed unless it is put in place.
 class StagedFile {
  public:
   explicit StagedFile(const OutputFile& file) : file_(file) {
@@ -104,7 +104,7 @@ class StagedFile {
       check(reason);
     }
     struct stat old {};
-    if (::stat(target_.c_str(), &old) == 0) ::fchmod(opened, old.st_mode & 0777);  // who might read it may still
+    if (::stat(target_.c_str(), &old) == 0) ::fchmod(opened, old.st_mode & 0777);  // the permissions stay
     if (const int reason = write_and_close(opened, file.content, true); reason != 0) {
       discard();
       check(reason);
@@ -114,7 +114,7 @@ class StagedFile {
   StagedFile& operator=(const StagedFile&) = delete;
   ~StagedFile() { discard(); }
 
-  /// If it is a pipe or device; may take as long as its reader does.
+  /// Writes a pipe or device; may take as long as its reader does.
   void write_if_direct() const {
     if (!direct_) return;
     const int opened = ::open(file_.path.c_str(), O_WRONLY | O_CLOEXEC);
@@ -140,7 +140,7 @@ class StagedFile {
   bool direct_ = false;  // a pipe or device
 };
 
-/// While it lives, what asks the process to end has to wait: all files of a run take their place, or none.
+/// Blocks the signals that end the process while it exists, so that all files of a run are put in place or none.
 class Uninterrupted {
  public:
   Uninterrupted() {
@@ -157,7 +157,7 @@ class Uninterrupted {
   sigset_t before_{};
 };
 
-/// Throws OutputError if two of the files would be one, as links can make them.
+/// Throws OutputError if two of the paths lead to the same file, as links can.
 void tell_apart(const std::vector<OutputFile>& files) {
   std::map<std::filesystem::path, const OutputFile*> known;
   for (const OutputFile& file : files) {
@@ -171,7 +171,7 @@ void tell_apart(const std::vector<OutputFile>& files) {
   }
 }
 
-/// Throws OutputError if one of the files that are to be written is, by whatever name, one of those that were read.
+/// Throws OutputError if one of the outputs is one of the inputs, under any name.
 void spare_inputs(const std::vector<std::string>& inputs, const std::vector<OutputFile>& outputs) {
   for (const OutputFile& output : outputs)
     for (const std::string& input : inputs) {

@@ -1,4 +1,4 @@
-// The one exception of the library: input that cannot be used, with the place where it was found.
+// The exception for input that cannot be used, with its place in the file.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ struct FilePlace {
   std::size_t line = 1, column = 1;
 };
 
-/// The message reads "file:line:column: what is wrong" with 1-based line and column (characters); 0 leaves them out.
-/// One printable line, whatever it quotes. what() has it in neutral words.
+/// The message is one printable line, "file:line:column: what is wrong"; a line or column of 0 is left out. what() is
+/// the message in neutral words.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& file, std::size_t line, std::size_t column, const Message& message)
@@ -24,7 +24,7 @@ class InputError : public std::runtime_error {
   InputError(const std::string& file, FilePlace at, const Message& message)
       : InputError(file, at.line, at.column, message) {}
   InputError(const std::string& file, const Message& message) : InputError(file, 0, 0, message) {}
-  /// About an option as it was given.
+  /// About an option that was given.
   InputError(const Remedy& given, const Message& message) : InputError(given + message) {}
 
   std::string text(Wording words) const { return printable(message_.text(words)); }

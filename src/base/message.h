@@ -1,5 +1,5 @@
-// Sentences that recommend options. An option is a flag of the program, a keyword in Python and a field of the page. A
-// message therefore holds the recommendation as data, and the door that shows the message words it.
+// Messages that recommend options. An option is a flag of the program, a keyword in Python and a field of the page. A
+// message therefore stores its recommendations as data, and each of these interfaces puts them into its own words.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ namespace mixity {
 /// What the reader of a message can set.
 struct Remedy {
   enum class Kind {
-    set,         // these options
-    set_or_key,  // this option, or the key of the same name in the TOML file of the data
-    state,       // these constants, as options or in `file`. A clause with the colon before it
-    given,       // nothing: the message is about this option as it was given. Stands first, with a colon behind it
+    set,         // set these options
+    set_or_key,  // set this option, or the key of the same name in the TOML file of the data
+    state,       // state these constants, as options or in `file`; its text begins with a colon
+    given,       // no recommendation: the option that the message is about; its text ends in a colon
   };
   struct Choice {
-    std::string option, value{};  // an empty value: the option alone is named
-    bool placeholder = false;     // the value is the reader's to fill in, "..."
+    std::string option, value{};  // an empty value: only the option is named
+    bool placeholder = false;     // the value, such as "...", is to be filled in by the reader
   };
   Kind kind;
   std::vector<Choice> choices;
@@ -39,10 +39,10 @@ struct Remedy {
   static Remedy given(std::string option) { return {Kind::given, {{std::move(option)}}}; }
 };
 
-/// How a door words a remedy.
+/// Puts a remedy into the words of an interface.
 using Wording = std::string (*)(const Remedy& remedy);
 
-/// In no door's words, as a fit definition states options: `free = "modulus"`.
+/// As a fit definition states options: `free = "modulus"`.
 std::string in_neutral_words(const Remedy& remedy);
 
 /// Text with remedies between its parts. Texts and remedies convert to it; + joins.

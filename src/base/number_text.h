@@ -8,13 +8,13 @@ namespace mixity {
 /// Shortest decimal text that reads back to exactly this (finite) double.
 std::string shortest(double value);
 
-/// Rounded to so many significant digits: 1.7e+03.
+/// Rounded to this many significant digits: 1.7e+03.
 std::string significant(double value, int digits);
 
 /// The same without exponents up to ten million: 1700.
 std::string rounded(double value, int digits);
 
-/// With so many significant digits that a change of `resolution` changes the last but one.
+/// With enough significant digits that a change of `resolution` changes the last but one.
 std::string resolved(double value, double resolution);
 
 /// A value and its standard error as the Particle Data Group rounds them: the error to two digits if its first three
@@ -24,7 +24,7 @@ struct RoundedToError {
 };
 RoundedToError rounded_to_error(double value, double error);
 
-/// A coefficient of determination with as many nines as it has, and two digits more: 0.9999 and 0.99994 differ.
+/// A coefficient of determination with all its leading nines and two more digits: 0.9999 and 0.99994 differ.
 std::string r2_text(double r2);
 
 /// "T [mN]", or "T" for a dimensionless quantity.

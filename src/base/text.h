@@ -1,4 +1,4 @@
-// Text that users wrote: trimmed, split, and made fit for messages.
+// Text of users: trimmed, split, and made printable.
 #pragma once
 
 #include <cstddef>
@@ -26,13 +26,13 @@ constexpr std::size_t character_length(std::string_view text) {
 /// bytes is cut and ends in "...".
 std::string printable(std::string_view text, std::size_t limit = 4000);
 
-/// Without the blanks, tabs and line ends around it.
+/// Without blanks, tabs and line ends at both ends.
 std::string_view trim(std::string_view text);
 
 /// The parts between the separators, trimmed: one more than there are separators.
 std::vector<std::string_view> split(std::string_view text, char separator = ',');
 
-/// Filled up with blanks to a column's width, with at least one.
+/// The text with blanks up to the width of a column, one blank at least.
 std::string padded(std::string text, std::size_t width);
 
 }  // namespace mixity

@@ -1,4 +1,4 @@
-// The same work on several threads.
+// Work on several threads.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace mixity {
 
-/// Number of processors; 1 where it is not known, and in a browser, which has no threads here. Found once: the system
-/// opens a file for it.
+/// Number of processors; 1 if it is unknown, and in a browser, where threads are not used. Cached, as the system opens
+/// a file to find it.
 inline std::size_t processors() {
 #ifdef __EMSCRIPTEN__
   return 1;
@@ -21,8 +21,8 @@ inline std::size_t processors() {
   return count;
 }
 
-/// Calls run() on so many threads, this one included, and waits for all of them. If the system grants fewer threads,
-/// some calls come after others: run() has to share the work out, and finds none left then.
+/// Calls run() on this many threads, the calling one included, and waits for all. The calls share the work. If the
+/// system grants fewer threads, some calls start late and find no work left.
 template <class Run>
 void run_on_threads(std::size_t threads, const Run& run) {
   std::vector<std::future<void>> helpers;

@@ -1,4 +1,4 @@
-// Reading a TOML file with every failure turned into an InputError.
+// TOML files, with every failure as an InputError.
 #pragma once
 
 #include <toml++/toml.h>
@@ -9,15 +9,15 @@
 
 namespace mixity {
 
-/// Throws InputError: with line and column for a syntax error, and for a file that cannot be read or a line of more
-/// than 10,000 characters, on whose nesting the parser could run out of stack.
+/// Throws InputError for a file that cannot be read, for a syntax error (with line and column), and for a line of more
+/// than 10,000 characters, as deep nesting could exhaust the parser's stack.
 toml::table read_toml(const std::string& path);
 
-/// A table of columns as a flag has it: "P=Kanal 3 (mN),T=Kanal 4 (N)". Throws InputError for a heading that is no
-/// string.
+/// A table of columns in the form of the option columns: "P=Kanal 3 (mN),T=Kanal 4 (N)". Throws InputError for a
+/// heading that is not a string.
 std::string mapping_text(const std::string& path, const toml::table& table);
 
-/// A text as TOML has it, in quotes.
+/// A text as a TOML string, in quotes.
 std::string toml_text(const std::string& text);
 
 /// Throws an InputError at the place of a node or key.

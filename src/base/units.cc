@@ -100,11 +100,11 @@ std::optional<int> take_power(std::string_view& factor) {
 std::optional<Unit> parse_unit(std::string_view text) {
   text = trim(text);
   Unit unit{1, {}, std::string(text)};
-  // it stands in sentences of one line
+  // for messages of one line
   std::replace_if(
       unit.text.begin(), unit.text.end(), [](unsigned char c) { return std::isspace(c); }, ' ');
   if (text.empty()) return std::nullopt;
-  // of a plain number; beside others only as in "1/mm"
+  // units of a plain number; in a product 1 may only be as in "1/mm"
   if (text == "1" || text == "-") return unit;
   if (text == "%") return unit.factor = 0.01, unit;
   bool divide = text.starts_with("1/");
@@ -130,7 +130,7 @@ std::optional<Unit> parse_unit(std::string_view text) {
     unit.dimension.time += n * symbol->dimension.time;
     unit.dimension.pixel += n * symbol->dimension.pixel;
     text = trim(text);
-    // Absurd powers leave the range of numbers; what lies beyond it is no unit.
+    // very large powers leave the range of doubles
     if (text.empty()) return std::isfinite(unit.factor) && unit.factor > 0 ? std::optional(unit) : std::nullopt;
     divide = take(text, "/");
     if (!divide && !take(text, "*")) take(text, "·");
@@ -144,7 +144,7 @@ bool parse_number(std::string_view text, double& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (end != text.data() + text.size() || text.empty()) return false;
   if (error == std::errc()) return true;
-  // Out of range: from_chars says so without a value. Too small is zero for our purposes, too large infinite.
+  // from_chars returns no value out of range; too small becomes zero, too large infinite
   if (error != std::errc::result_out_of_range) return false;
   const double sized = std::strtod(std::string(text).c_str(), nullptr);
   value = std::abs(sized) < 1 ? 0.0 : sized;
@@ -206,7 +206,7 @@ std::optional<UncertainQuantity> parse_uncertain(std::string_view text) {
     if (one->value == 0) return std::nullopt;
     return result;
   }
-  // a unit behind the error alone is that of both, and so is one behind the value alone
+  // a single unit applies to the value and the error
   if (one->unit.text.empty()) result.quantity.unit = other->unit;
   if (other->unit.text.empty()) other->unit = one->unit;
   if (other->unit.dimension != result.quantity.unit.dimension) return std::nullopt;

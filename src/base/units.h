@@ -27,7 +27,7 @@ struct Unit {
   std::string text;  // as written
 };
 
-/// Null if the text is no unit. An SI prefix (p n u µ m c d k M G) may stand before m, N, Pa, J, rad and s;
+/// Null if the text is not a unit. An SI prefix (p n u µ m c d k M G) may stand before m, N, Pa, J, rad and s;
 /// powers as ^2, 2 or ²; products by space, '*' or '·'; '/' divides by the one unit that follows it.
 std::optional<Unit> parse_unit(std::string_view text);
 
@@ -41,13 +41,13 @@ struct Quantity {
 /// followed by nothing or a unit.
 std::optional<Quantity> parse_quantity(std::string_view text);
 
-/// A quantity with its standard error, in SI; 0 where none is stated, which says that it is exact.
+/// A quantity with its standard error, in SI; 0, or exact, if none is stated.
 struct UncertainQuantity {
   Quantity quantity;
   double standard_error = 0;
 };
 
-/// Whether a text has one of the signs before a standard error: "+/-", "+-", "±".
+/// Whether a text contains the sign of a standard error: "+/-", "+-" or "±".
 bool states_error(std::string_view text);
 
 /// "2.133 +/- 0.1 MPa", "2.133 MPa +/- 0.1 MPa", "(2.133 +/- 0.1) MPa", "2.133 MPa +/- 5%"; "+-" and "±" stand for
@@ -55,20 +55,20 @@ bool states_error(std::string_view text);
 /// percentage of 0.
 std::optional<UncertainQuantity> parse_uncertain(std::string_view text);
 
-/// A constant of the experiment as a reader has it: what to multiply a value in SI by, and the unit then.
+/// A unit for readers, and the factor from SI to it.
 struct ReadableUnit {
   double factor;
   std::string unit;
 };
-/// By the size of `value`: MPa for Pa, mJ/m^2 for J/m^2, mm for m and their like; other units stay.
+/// Chosen by the size of `value`: MPa for Pa, mJ/m^2 for J/m^2, mm for m and so on; other units stay.
 ReadableUnit readable_unit(double value, const std::string& unit);
 
-/// A whole field as one number, surrounding blanks allowed. Null if it is not; inf and nan are numbers here.
+/// The whole text as one number, surrounding blanks allowed. Null if it is not a number; inf and nan are numbers.
 std::optional<double> parse_number(std::string_view text);
-/// The same for files of millions of them; false if it is none.
+/// The same, faster; false if the text is not a number.
 bool parse_number(std::string_view text, double& value);
 
-/// How a dimension is called in messages: "a force such as mN".
+/// A dimension as messages name it: "a force such as mN".
 std::string describe(const Dimension& dimension);
 
 }  // namespace mixity
