@@ -24,7 +24,7 @@ DefinedLaw define(const LawDefinition& definition) {
   if (!find_law(definition.key) && is_model(definition.key))
     throw LawError{{}, "'" + definition.key + "' is one of the published models: choose another key"};
   LawError error;
-  const std::shared_ptr<const ExpressionLaw> made = ExpressionLaw::make(definition, error);
+  const std::shared_ptr<const UserLaw> made = UserLaw::make(definition, error);
   if (!made) throw error;
   LawCheck check = check_law(*made);
   if (check.error) throw LawError{definition.sampler ? std::nullopt : std::optional<std::size_t>(0), *check.error};
@@ -193,7 +193,7 @@ const std::vector<StatedLaw>& shipped_laws() {
   return laws;
 }
 
-bool is_shipped(const ExpressionLaw& law) {
+bool is_shipped(const UserLaw& law) {
   return std::any_of(shipped_laws().begin(), shipped_laws().end(), [&](const StatedLaw& one) {
     return same_law(one.definition, law.definition()) && one.definition.name == law.definition().name;
   });

@@ -8,13 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "mechanics/laws/law.h"
+#include "mechanics/laws/user_law.h"
 
 namespace mixity {
 
 /// A law that was defined, and warnings about it.
 struct DefinedLaw {
-  std::shared_ptr<const ExpressionLaw> law;
+  std::shared_ptr<const UserLaw> law;
   std::vector<std::string> warnings{};
 };
 
@@ -60,6 +60,6 @@ struct StatedLaw {
 };
 /// The laws of data/laws.toml.
 const std::vector<StatedLaw>& shipped_laws();
-bool is_shipped(const ExpressionLaw& law);
+bool is_shipped(const UserLaw& law);
 
 }  // namespace mixity

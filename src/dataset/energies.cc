@@ -5,8 +5,8 @@
 #include "base/input_error.h"
 #include "base/number_text.h"
 #include "dataset/exclusion.h"
+#include "mechanics/base/law.h"
 #include "mechanics/contact.h"
-#include "mechanics/model.h"
 
 namespace mixity {
 namespace {

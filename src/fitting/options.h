@@ -66,7 +66,7 @@ constexpr Scale scale_of(const FitOptions& options) { return options.scale.value
 /// For refits: values only, no intervals, checks, bootstrap or influence.
 FitOptions value_only(FitOptions options);
 
-/// Keys of all models: "a", "b", "c", "bk", and of the laws that were defined (laws/law.h).
+/// Keys of all models: "a", "b", "c", "bk", and of the laws that were defined (laws/user_law.h).
 std::vector<std::string> model_keys();
 
 /// True if one of these models has a parameter of this name.

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "fitting/result.h"
-#include "mechanics/equilibrium.h"
-#include "mechanics/folds.h"
+#include "mechanics/states.h"
 
 namespace mixity {
 

@@ -25,7 +25,7 @@ MIXITY_SIMD void areas_from_loads(std::span<double> loads) {
 MIXITY_SIMD std::size_t closed_form_areas(double root_lambda, double S0, double P, std::span<const double> T,
                                           std::span<double> areas) {
   const double centre = 3 * pi<double>();
-  const double limit = S0 * (1 + std::numeric_limits<double>::epsilon());  // as LoadedContact::at
+  const double limit = S0 * (1 + std::numeric_limits<double>::epsilon());  // as in LoadedContact::at
   const double* const in = T.data();
   double* const out = areas.data();
   const std::size_t n = T.size();
@@ -45,7 +45,7 @@ namespace {
 
 constexpr std::size_t kBlock = 64;
 
-/// One Euler step of each point, as LoadedContact::solve takes it; `settled` where only rounding is left.
+/// One Euler step of each point, as in LoadedContact::solve; `settled` where only rounding is left.
 template <class Law>
 MIXITY_LOOP void euler_step(Law law, double parameter, double P, const BranchPart& part, const double* __restrict T,
                             double* __restrict y, double* __restrict settled, std::size_t n) {

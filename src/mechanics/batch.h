@@ -16,22 +16,22 @@ namespace batch_detail {
 std::size_t closed_form_areas(double root_lambda, double S0, double P, std::span<const double> T,
                               std::span<double> areas);
 
-/// pi (3/4 load[i])^(2/3) in place, load = y + P: as area_from_radius, vectorised. 0 stays 0.
+/// Replaces each load = y + P by the area pi (3/4 load)^(2/3), vectorised. 0 stays 0.
 void areas_from_loads(std::span<double> loads);
 
-/// The part of the stable branch on which batches are solved: from JKR down to y = low, which T_last does not exceed,
-/// and a first guess of it, y = low + (y_jkr - low) sqrt(1 - shrink T^2), exact for model c.
+/// The part of the stable branch on which batches are solved, from JKR down to y = low, which is reached at T_last or
+/// later, with a first guess on it, y = low + (y_jkr - low) sqrt(1 - shrink T^2), exact for model c.
 struct BranchPart {
   double y_jkr, low, T_last, shrink;
 };
 
-/// A one-parameter law: y[i] = edge load at T[i], from a few Euler steps for all points at once; 0 where these do not
-/// suffice (close to a fold), T[i] lies beyond T_last, or is invalid.
+/// For a one-parameter law: y[i] = edge load at T[i], from a few Euler steps for all points at once; 0 where these do
+/// not suffice (close to a fold), and where T[i] lies beyond T_last or is invalid.
 template <class Law>
 void settle_batch(Law law, double parameter, double P, const BranchPart& part, std::span<const double> T,
                   std::span<double> y);
 
-/// Above the centre of the circle if the loads reach no further, which one evaluation shows; else the branch to its
+/// The part above the centre of the circle if the loads stay there, which one evaluation shows; else the branch to its
 /// fold.
 template <class Law>
 BranchPart branch_part(const LoadedContact<Law>& contact, double T_most) {
@@ -85,13 +85,6 @@ std::size_t predict_areas(const LoadedContact<Law>& contact, std::span<const dou
   }
   batch_detail::areas_from_loads(areas);
   return found;
-}
-
-/// The same for a contact of its own.
-template <class Law>
-std::size_t predict_areas(const Law& law, const Parameters<Law>& p, double P, std::span<const double> T,
-                          std::span<double> areas) {
-  return predict_areas(LoadedContact<Law>(law, p, P), T, areas);
 }
 
 }  // namespace mixity

@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "mechanics/constants.h"
+#include "mechanics/base/constants.h"
 
 namespace mixity {
 
-// Between these the fourth power of a quantity is a double, which sums of squares of products need.
+// Between these limits the fourth power of a quantity is a double, which sums of squares of products need.
 inline constexpr double kLeastQuantity = 1e-75, kMostQuantity = 1e75;
 
-/// For what is positive in nature.
+/// For quantities that are positive.
 inline bool in_range(double value) { return value >= kLeastQuantity && value <= kMostQuantity; }
 
 /// Constants of a contact in SI units, all > 0: radius R [m], plane-strain modulus E* [Pa], mode-I toughness
@@ -29,7 +29,7 @@ struct Contact {
   double stress_unit() const { return modulus / xi(); }                // tau0: E*/xi [Pa]
   double stiffness_unit() const { return xi() * xi() * toughness; }    // k: xi^2 G_Ic [N/m]
 
-  /// Whether numbers in these units can be computed with.
+  /// Whether the units allow calculations without overflow.
   bool usable() const {
     return in_range(force_unit()) && in_range(area_unit()) && in_range(displacement_unit()) &&
            in_range(stress_unit()) && in_range(stiffness_unit());
@@ -41,7 +41,7 @@ inline double plane_strain_modulus(double youngs_modulus, double poisson_ratio) 
   return youngs_modulus / (1 - poisson_ratio * poisson_ratio);
 }
 
-// Below everything is dimensionless (Maugis), as in the paper with its tildes dropped.
+// From here on everything is dimensionless (Maugis), as in the paper but without its tildes.
 
 /// Edge load y = 4/3 a^3 - P: the Hertz load at radius a minus the applied load.
 template <class S>
@@ -78,6 +78,11 @@ S jkr_radius(const S& P) {
 template <class S>
 S area_from_radius(const S& a) {
   return pi<S>() * a * a;
+}
+
+template <class S>
+S area_from_edge_load(const S& y, const S& P) {
+  return area_from_radius(radius_from_edge_load(y, P));
 }
 
 template <class S>

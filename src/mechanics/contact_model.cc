@@ -1,61 +1,48 @@
 #include "mechanics/contact_model.h"
 
-#include "mechanics/operations.h"
-#include "mechanics/regimes.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/any_law.h"
+#include "mechanics/equilibrium.h"
+#include "mechanics/laws/known_laws.h"
+#include "mechanics/packed_toughness.h"
 
 namespace mixity {
-namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-template <class Law>
-std::shared_ptr<const Operations> make_operations(std::shared_ptr<const ExpressionLaw> law) {
-  const ExpressionLaw* const typed = law.get();
-  Operations made{{}, {}, std::move(law), nullptr, nullptr, nullptr, nullptr};
-  if constexpr (std::is_same_v<Law, TypedLaw>) {
-    made.info = typed->info();
-    made.parameters = typed->parameters();
-  } else {
-    made.info = Law::info;
-    made.parameters.assign(Law::parameters.begin(), Law::parameters.end());
-  }
-  made.areas = area_operations<Law>(typed);
-  made.curves = curve_operations<Law>(typed);
-  made.toughness = toughness_operations<Law>(typed);
-  made.distances = distance_operations<Law>(typed);
-  return std::make_shared<const Operations>(std::move(made));
-}
-
-bool is_contact(const Operations& model, ParameterSpan p, double P) {
-  return model.areas->obstacle(p, P).empty() && !(above_pull_off(P) < 0);
-}
-
-}  // namespace
 
 std::optional<ContactModel> ContactModel::find(std::string_view key) {
   for (const ContactModel& model : published())
     if (model.info().key == key) return model;
-  const std::shared_ptr<const ExpressionLaw> law = find_law(key);
+  const std::shared_ptr<const UserLaw> law = find_law(key);
   return law ? std::optional(ContactModel(law)) : std::nullopt;
 }
 
 const std::vector<ContactModel>& ContactModel::published() {
   static const std::vector<ContactModel> all = [] {
     std::vector<ContactModel> models;
-    for_each_model([&](auto law) { models.push_back(ContactModel(make_operations<decltype(law)>(nullptr))); });
+    for_each_model([&](auto law) {
+      models.push_back(ContactModel(std::make_shared<const AnyLaw>(AnyLaw{law, law.info, law.parameters})));
+    });
     return models;
   }();
   return all;
 }
 
-ContactModel::ContactModel(std::shared_ptr<const Operations> operations) : operations_(std::move(operations)) {}
-ContactModel::ContactModel(std::shared_ptr<const ExpressionLaw> law)
-    : operations_(make_operations<TypedLaw>(std::move(law))) {}
+ContactModel::ContactModel(std::shared_ptr<const AnyLaw> law) : law_(std::move(law)) {}
+ContactModel::ContactModel(std::shared_ptr<const UserLaw> law)
+    : law_(std::make_shared<const AnyLaw>(AnyLaw{law, law->info(), law->parameters()})) {}
 
-const ModelInfo& ContactModel::info() const { return operations_->info; }
-std::span<const ParameterInfo> ContactModel::parameters() const { return operations_->parameters; }
+const ModelInfo& ContactModel::info() const { return law_->info; }
+std::span<const ParameterInfo> ContactModel::parameters() const { return law_->parameters; }
 
-std::string_view ContactModel::obstacle(ParameterSpan p, double P) const { return operations_->areas->obstacle(p, P); }
+std::string_view ContactModel::obstacle(ParameterSpan p, double P) const {
+  return with_law(*law_, p, [&](const auto& law, const auto& values) { return contact_obstacle(law, values, P); });
+}
+
+bool ContactModel::in_contact(ParameterSpan p, double P) const {
+  return obstacle(p, P).empty() && !(above_pull_off(P) < 0);
+}
 
 std::string ContactModel::problem(ParameterSpan p, double P) const {
   const std::size_t n = parameters().size();
@@ -67,111 +54,70 @@ std::string ContactModel::problem(ParameterSpan p, double P) const {
   return above_pull_off(P) < 0 ? "no contact exists below the pull-off load -3 pi/2 R G_Ic" : "";
 }
 
-void ContactModel::make_continuous(std::span<double> p) const { operations_->distances->make_continuous(p); }
-
-void ContactModel::areas(std::span<const Values> p, Values P, Values T, std::span<double> A,
-                         std::span<EquilibriumStatus> status) const {
-  if (p.size() == parameters().size()) return operations_->areas->areas(p, P, T, A, status);
-  std::fill(A.begin(), A.end(), kNaN);
-  std::fill(status.begin(), status.end(), EquilibriumStatus::invalid);
-}
-
-void ContactModel::areas_at(ParameterSpan p, double P, std::span<const double> T, std::span<double> A,
-                            std::span<EquilibriumStatus> status) const {
-  std::vector<Values> all;
-  for (const double& one : p) all.push_back({&one, 0});
-  areas(all, {&P, 0}, {T.data(), 1}, A, status);
-}
-
-void ContactModel::area_slopes(std::span<const Values> p, Values P, Values T, std::span<const double> A,
-                               std::span<const std::span<double>> slopes) const {
-  for (const std::span<double> of_one : slopes) std::fill(of_one.begin(), of_one.end(), kNaN);
-  if (p.size() == parameters().size()) operations_->areas->area_slopes(p, P, T, A, slopes);
+void ContactModel::make_continuous(std::span<double> p) const {
+  with_law(*law_, p, [&]([[maybe_unused]] const auto& law, const auto& values) {
+    if constexpr (requires { law.continuous(values); }) {
+      const auto next = law.continuous(values);
+      std::copy(next.begin(), next.end(), p.begin());
+    }
+  });
 }
 
 void ContactModel::toughness_ratios(std::span<const Values> p, Values psi, std::span<double> f) const {
-  std::fill(f.begin(), f.end(), kNaN);
-  if (p.size() == parameters().size()) operations_->toughness->toughness_ratios(p, psi, f);
-}
-
-void ContactModel::tangential_loads(std::span<const Values> p, Values P, Values A, std::span<double> T) const {
-  std::fill(T.begin(), T.end(), kNaN);
-  if (p.size() == parameters().size()) operations_->areas->tangential_loads(p, P, A, T);
-}
-
-Equilibria ContactModel::equilibria(ParameterSpan p, double P, std::span<const double> T) const {
-  return operations_->areas->equilibria(p, P, T);
-}
-
-double ContactModel::first_stable_end(ParameterSpan p, double P) const {
-  return is_contact(*operations_, p, P) ? operations_->curves->first_stable_end(p, P) : 0;
-}
-
-std::vector<Fold> ContactModel::folds(ParameterSpan p, double P, Control control) const {
-  if (!is_contact(*operations_, p, P)) return {};
-  return operations_->curves->folds(p, P, control);
-}
-
-std::optional<RegimeReport> ContactModel::regime(ParameterSpan p, double P, std::optional<double> tau0) const {
-  if (!is_contact(*operations_, p, P)) return std::nullopt;
-  return operations_->curves->regime(p, P, tau0);
-}
-
-SampledCurve ContactModel::curve(ParameterSpan p, double P, const CurveSampling& sampling) const {
-  if (!is_contact(*operations_, p, P)) return {{}, false};
-  return operations_->curves->curve(p, P, sampling);
-}
-
-std::vector<ConstantShearPoint> ContactModel::at_constant_shear(ParameterSpan p, double T,
-                                                                std::span<const double> y) const {
-  return operations_->curves->at_constant_shear(p, T, y);
-}
-
-std::optional<double> ContactModel::critical_load(ParameterSpan p) const {
-  return obstacle(p).empty() ? std::optional(operations_->curves->critical_load(p)) : std::nullopt;
-}
-
-std::optional<std::span<const RegimeBoundary>> ContactModel::regime_boundaries() const {
-  return mixity::regime_boundaries(info().key);
-}
-
-std::optional<double> ContactModel::shear_sensitivity(ParameterSpan p, double A0) const {
-  return operations_->curves->shear_sensitivity(p, A0);
+  std::fill(f.begin(), f.end(), std::numeric_limits<double>::quiet_NaN());
+  if (p.size() != parameters().size()) return;
+  with_law(*law_, [&]<class Law>(const Law& law) {
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      const auto values = parameters_at<Law>(p, i);
+      if (!(psi[i] >= 0 && psi[i] <= kLargestPhaseAngle) || !in_bounds(law, values)) continue;
+      f[i] = std::exp(log_toughness_alone(law, values, mixity_from_angle(psi[i])));
+    }
+  });
 }
 
 void ContactModel::log_toughness(ParameterSpan p, std::span<const Mixity<double>> at, std::span<double> value,
                                  std::span<double> gradient) const {
-  operations_->toughness->log_toughness(p, at, value, gradient);
+  with_law(*law_, p, [&](const auto& law, const auto& values) {
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (gradient.empty()) {
+        value[i] = log_toughness_alone(law, values, at[i]);
+        continue;
+      }
+      const auto log_f = law.log_toughness(values, at[i]);
+      value[i] = log_f.value;
+      std::copy(log_f.gradient.begin(), log_f.gradient.end(),
+                gradient.begin() + static_cast<std::ptrdiff_t>(i * p.size()));
+    }
+  });
 }
 
-bool ContactModel::has_packed_form() const { return operations_->toughness->has_packed_form(); }
+bool ContactModel::has_packed_form() const {
+  return with_law(*law_, []<class Law>(const Law&) { return HasPackedForm<Law>; });
+}
 
 PackedMixities ContactModel::packed(std::span<const Mixity<double>> at) const {
-  return operations_->toughness->packed(at);
+  return with_law(*law_, [&]<class Law>([[maybe_unused]] const Law& law) {
+    PackedMixities points;
+    if constexpr (HasPackedForm<Law>) {
+      points.first.reserve(at.size());
+      points.second.reserve(at.size());
+      for (const Mixity<double>& mixity : at) {
+        const PackedPoint<double> point = law.packed_point(mixity);
+        points.first.push_back(point.first);
+        points.second.push_back(point.second);
+      }
+    }
+    return points;
+  });
 }
 
 void ContactModel::packed_log_toughness(double parameter, const PackedMixities& at, std::size_t begin, std::size_t n,
                                         double* value, double* slope, double* curvature) const {
-  operations_->toughness->packed_log_toughness(parameter, at.first.data() + begin, at.second.data() + begin, n, value,
-                                               slope, curvature);
-}
-
-bool ContactModel::toughness_residuals(ParameterSpan p, std::span<const double> P, std::span<const double> T,
-                                       std::span<const double> A, const ToughnessResiduals& out) const {
-  return operations_->distances->toughness_residuals(p, P, T, A, out);
-}
-
-bool ContactModel::curve_distances(ParameterSpan p, const PlanePoints& points, Search search, bool derivatives,
-                                   CurveDistances& out) const {
-  return operations_->distances->curve_distances(p, points, search, derivatives, out);
-}
-
-void ContactModel::energy_distances(ParameterSpan p, const EnergyPoints& points, const EnergyDistances& out) const {
-  operations_->distances->energy_distances(p, points, out);
-}
-
-void ContactModel::rough_energy_distances(ParameterSpan p, const EnergyPoints& points, std::span<double> out) const {
-  operations_->distances->rough_energy_distances(p, points, out);
+  with_law(*law_, [&]<class Law>([[maybe_unused]] const Law& law) {
+    if constexpr (HasPackedForm<Law>)
+      mixity::packed_log_toughness(law, parameter, at.first.data() + begin, at.second.data() + begin, n, value, slope,
+                                   curvature);
+  });
 }
 
 }  // namespace mixity

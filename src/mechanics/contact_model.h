@@ -1,6 +1,6 @@
-// A mode-mixity model as a value: all that the rooms above know of the physics. A published model (models/*.h) or a law
-// of somebody's own (laws/law.h); the rest is arrays of numbers, dimensionless (contact.h), and sets of parameters in
-// the order of parameters().
+// A mode-mixity model as a value: all that the rooms above know of the physics. Its law is a published one (models/*.h)
+// or was defined at run time (laws/user_law.h). Arguments and results are arrays of dimensionless numbers (contact.h)
+// and sets of parameters in the order of parameters().
 #pragma once
 
 #include <cstddef>
@@ -9,38 +9,37 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "mechanics/parameter_values.h"
+#include "mechanics/base/parameter_values.h"
 #include "mechanics/states.h"
 
 namespace mixity {
 
-class ExpressionLaw;
-struct Operations;
+class UserLaw;
+struct AnyLaw;
 
-/// Values of an array, or one for all: value i lies i steps behind the first.
+/// Values of an array, or one value for all points: value i lies i steps behind the first.
 struct Values {
   const double* first = nullptr;
   std::ptrdiff_t step = 0;
   double operator[](std::size_t i) const { return first[static_cast<std::ptrdiff_t>(i) * step]; }
 };
 
-/// Points of a one-parameter model in the form that its vectorised loop takes.
+/// Points in the form that the vectorised loop of a one-parameter model takes.
 struct PackedMixities {
   std::vector<double> first, second;
   std::size_t size() const { return first.size(); }
 };
 
-/// Which points of a curve: evenly in phi; the fewest whose chords stay within `chord` of it; or three times as many
-/// that are found a hundred times sooner.
+/// Which points of a curve: evenly in phi (even); the fewest whose chords stay within `chord` of it (fewest); or three
+/// times as many, found a hundred times sooner (soonest).
 struct CurveSampling {
   enum class Rule { even, fewest, soonest } rule = Rule::even;
   std::size_t points = 101;        // even: on each range, two at least
   double chord = 2e-4;             // in the plane of T and A, each as a fraction of its range
   std::optional<double> T_most{};  // where a curve that runs to infinite T ends; null: at ten times its natural scale
-  bool first_range_only = false;   // of a curve in two pieces (model a, P < 0) the one that starts from JKR
+  bool first_range_only = false;   // of a curve in two pieces (model a, P < 0) only the one that starts from JKR
 };
 
 struct SampledCurve {
@@ -59,54 +58,54 @@ class ContactModel {
   /// The published model with this key, or the law that was defined with it (define_law); null if there is none.
   static std::optional<ContactModel> find(std::string_view key);
   static const std::vector<ContactModel>& published();
-  explicit ContactModel(std::shared_ptr<const ExpressionLaw> law);
+  explicit ContactModel(std::shared_ptr<const UserLaw> law);
 
   const ModelInfo& info() const;
   std::span<const ParameterInfo> parameters() const;
 
-  /// Why these parameters define no contact under the load P: one out of its range, no unique equilibrium, a load that
-  /// is no number. Empty if they do, or the load lies below pull-off (above_pull_off).
+  /// Why these parameters define no contact under the load P: a parameter out of its range, no unique equilibrium, or a
+  /// load that is not a number. Empty if they do, and also if the load lies below pull-off (above_pull_off).
   std::string_view obstacle(std::span<const double> p, double P = 0) const;
-  /// The same, and for another number of parameters, and for a load below pull-off.
+  /// The same, but also for a wrong number of parameters and for a load below pull-off.
   std::string problem(std::span<const double> p, double P = 0) const;
-  /// Replaces parameters at which curves change abruptly by the next ones at which they do not.
+  /// Replaces parameters at which curves change abruptly by the nearest ones at which they do not.
   void make_continuous(std::span<double> p) const;
 
-  // ---- Arrays, each point with parameters of its own if need be: one of Values for each parameter, NaN for another
-  // number of them ----
+  // ---- Arrays. Each point may have its own parameters: p has one Values for each parameter. Results are NaN if the
+  // number of parameters is wrong. ----
 
   /// A[i] = pi a^2 and status[i] at the loads P[i] and T[i] (|T|: equilibrium depends on T^2), within 4e-15 of
   /// `equilibria`. A[i] is NaN exactly where status[i] is not ok: no_equilibrium beyond the last one, or below
-  /// pull-off; invalid for parameters out of range and for loads that are no numbers. Neighbours with the same P and
-  /// parameters are found together.
+  /// pull-off; invalid for parameters out of range and for loads that are not numbers. Neighbours with the same P and
+  /// parameters are computed together.
   void areas(std::span<const Values> p, Values P, Values T, std::span<double> A,
              std::span<EquilibriumStatus> status) const;
   /// The same for one set of parameters and one load.
   void areas_at(std::span<const double> p, double P, std::span<const double> T, std::span<double> A,
                 std::span<EquilibriumStatus> status) const;
-  /// Derivatives of these areas: slopes[k][i] = dA[i]/d parameter k, each of A's length. NaN where A[i] is; not finite
-  /// on a fold, where dA/dT is not either.
+  /// Derivatives of these areas: slopes[k][i] = dA[i]/d parameter k, each span as long as A. NaN where A[i] is NaN; not
+  /// finite on a fold, like dA/dT.
   void area_slopes(std::span<const Values> p, Values P, Values T, std::span<const double> A,
                    std::span<const std::span<double>> slopes) const;
   /// f = G_c/G_Ic at phase angles psi [rad], 0..pi/2; NaN outside, and for parameters out of range. May be infinite at
   /// pi/2.
   void toughness_ratios(std::span<const Values> p, Values psi, std::span<double> f) const;
-  /// T >= 0 at which an equilibrium of the load P[i] has the area A[i], stable or not: the inverse of `areas` on its
-  /// stable branch. NaN where there is none: an area above that of JKR, at or below that of Hertz, or one that no
-  /// finite T leaves.
+  /// T >= 0 at which an equilibrium of the load P[i], stable or not, has the area A[i]: on the stable branch the
+  /// inverse of `areas`. NaN where there is none: for an area above that of JKR, at or below that of Hertz, or one that
+  /// no finite T has.
   void tangential_loads(std::span<const Values> p, Values P, Values A, std::span<double> T) const;
 
-  // ---- One contact: where obstacle(p, P) is not empty, or P is below pull-off, there is nothing ----
+  // ---- One contact. Results are empty if obstacle(p, P) is not empty, or P is below pull-off. ----
 
-  /// At each T of a contact that was loaded from T = 0 and has followed its stable branch, over jumps to lower ones.
+  /// At each T, of a contact that was loaded from T = 0 and has followed its stable branch, over jumps to lower ones.
   /// 0 <= T <= kLargestLoad, else invalid. Relative error of the area below 4e-15 away from folds; towards a fold T_f
   /// it grows as eps/sqrt(1 - T/T_f).
   Equilibria equilibria(std::span<const double> p, double P, std::span<const double> T) const;
-  /// Where the stable branch that starts from JKR ends: infinite if it shrinks to an asymptote.
+  /// T at which the stable branch that starts from JKR ends: infinite if the contact shrinks to an asymptote.
   double first_stable_end(std::span<const double> p, double P) const;
   /// All folds in the order in which they are met along the curve from T = 0. T to 1e-13, A and u to 1e-12.
   std::vector<Fold> folds(std::span<const double> p, double P, Control control) const;
-  /// tau0 > 0, or null: without a limit to the strength. Null where there is no contact.
+  /// tau0 > 0, or null for unlimited strength. Null where there is no contact.
   std::optional<RegimeReport> regime(std::span<const double> p, double P, std::optional<double> tau0 = {}) const;
   SampledCurve curve(std::span<const double> p, double P, const CurveSampling& sampling) const;
 
@@ -115,77 +114,48 @@ class ContactModel {
   /// States at the tangential load T with edge loads y > 0.
   std::vector<ConstantShearPoint> at_constant_shear(std::span<const double> p, double T,
                                                     std::span<const double> y) const;
-  /// The load below which the contact jumps: infinite where it jumps at every load, -3 pi/2 where at none. Null where
+  /// The load below which the contact jumps: infinite if it jumps at every load, -3 pi/2 if at none. Null if
   /// obstacle(p) is not empty.
   std::optional<double> critical_load(std::span<const double> p) const;
-  /// Lines between regimes that have a closed form; null: this model has none.
+  /// Lines between regimes that have a closed form; null if this model has none.
   std::optional<std::span<const RegimeBoundary>> regime_boundaries() const;
-  /// alpha of A = A0 - alpha T^2 at small T for a contact of the area A0 without shear. Null at or below pull-off, and
+  /// alpha of A = A0 - alpha T^2 at small T for a contact with the area A0 at T = 0. Null at or below pull-off, and
   /// where the area does not fall with T^2.
   std::optional<double> shear_sensitivity(std::span<const double> p, double A0) const;
 
   // ---- Measured points, for fits ----
 
-  /// ln f, with derivatives in the parameters [n x parameters] unless `gradient` is empty: without them it may cost
-  /// less.
+  /// ln f, with derivatives in the parameters [n x parameters] unless `gradient` is empty, which may cost less.
   void log_toughness(std::span<const double> p, std::span<const Mixity<double>> at, std::span<double> value,
                      std::span<double> gradient) const;
-  /// Whether the model has a vectorised loop for ln f: it has one parameter then.
+  /// Whether the model has a vectorised loop for ln f; it then has one parameter.
   bool has_packed_form() const;
   PackedMixities packed(std::span<const Mixity<double>> at) const;
   /// ln f, its slope and curvature in the parameter of n points, the first of them at `begin`. Absolute error of ln f
   /// some eps.
   void packed_log_toughness(double parameter, const PackedMixities& at, std::size_t begin, std::size_t n, double* value,
                             double* slope, double* curvature) const;
-  /// T of either sign. False if an area is no larger than that of Hertz: it has no psi.
+  /// T of either sign. False if an area is not larger than that of Hertz, where psi is not defined.
   bool toughness_residuals(std::span<const double> p, std::span<const double> P, std::span<const double> T,
                            std::span<const double> A, const ToughnessResiduals& out) const;
-  /// Distances from the equilibrium curve of each point's load. Fills out.r, and if `derivatives` the rest (otherwise
-  /// those may be empty), each result a function of its own point alone. False if a point has no curve (its load lies
-  /// below pull-off, the law is undefined for these parameters), a point is invalid, its nearest place is the contact
-  /// that vanishes at P = 0, or a result is not finite; `out` then holds nothing of use. r to some roundings of
-  /// T/sigma_T and A/sigma_A, derivatives to 1e-10 or so.
+  /// Distances from the equilibrium curve of each point's load. Fills out.r, and the rest if `derivatives` (otherwise
+  /// those may be empty). Each result depends on its own point alone. False, with no usable results, if a point has no
+  /// curve (its load lies below pull-off, the law is undefined for these parameters), a point is invalid, the nearest
+  /// point of its curve is the contact that vanishes at P = 0, or a result is not finite. Errors: of r some roundings
+  /// of T/sigma_T and A/sigma_A, of the derivatives about 1e-10.
   bool curve_distances(std::span<const double> p, const PlanePoints& points, Search search, bool derivatives,
                        CurveDistances& out) const;
-  /// Distances from the law in the plane of G_I and G_II. A reading of G_II below zero is compared with the tangent
-  /// that continues the law beyond psi = 0.
+  /// Distances from the law in the plane of G_I and G_II. A measured G_II below zero is compared with the tangent that
+  /// continues the law beyond psi = 0.
   void energy_distances(std::span<const double> p, const EnergyPoints& points, const EnergyDistances& out) const;
-  /// The same without a sign, to a thousandth of the law's own size.
+  /// The same without sign, to a thousandth of the size of the law's curve.
   void rough_energy_distances(std::span<const double> p, const EnergyPoints& points, std::span<double> out) const;
 
  private:
-  explicit ContactModel(std::shared_ptr<const Operations> operations);
-  std::shared_ptr<const Operations> operations_;
-};
+  explicit ContactModel(std::shared_ptr<const AnyLaw> law);
+  bool in_contact(std::span<const double> p, double P) const;
 
-// ---- By key. To go: callers hold a ContactModel. ----
-
-std::vector<std::string> parameter_names(std::string_view model);
-std::vector<std::pair<double, double>> parameter_bounds(std::string_view model);
-std::string parameters_problem(std::string_view model, std::span<const double> parameters);
-void areas(std::string_view model, std::span<const Values> parameters, Values P, Values T, std::span<double> A,
-           std::span<EquilibriumStatus> status);
-void area_slopes(std::string_view model, std::span<const Values> parameters, Values P, Values T,
-                 std::span<const double> A, std::span<const std::span<double>> slopes);
-void toughness_ratios(std::string_view model, std::span<const Values> parameters, Values psi, std::span<double> f);
-void tangential_loads(std::string_view model, std::span<const Values> parameters, Values P, Values A,
-                      std::span<double> T);
-struct FoldsOrProblem {
-  std::vector<Fold> folds{};
-  std::string problem{};
+  std::shared_ptr<const AnyLaw> law_;
 };
-FoldsOrProblem folds_of(std::string_view model, std::span<const double> parameters, double P, Control control);
-struct RegimeOrProblem {
-  std::optional<RegimeReport> regime{};
-  std::string problem{};
-};
-RegimeOrProblem regime_of(std::string_view model, std::span<const double> parameters, double P,
-                          std::optional<double> tau0 = {});
-std::optional<double> critical_load_of(std::string_view model, std::span<const double> parameters);
-struct CurveOrProblem {
-  std::vector<CurvePoint> points{};
-  std::string problem{};
-};
-CurveOrProblem curve_of(std::string_view model, std::span<const double> parameters, double P, std::size_t points);
 
 }  // namespace mixity

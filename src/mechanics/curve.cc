@@ -7,17 +7,25 @@
 
 namespace mixity {
 
-template <class Law>
-bool asymptotic_edge_loads(const Law& law, const Parameters<Law>& p, double P, double& upper, double& lower) {
-  const double excess = shear_limit(law, p);
-  if (std::isinf(excess)) return false;
+namespace {
+
+/// Edge loads upper > lower at which T -> infinity.
+struct AsymptoticLoads {
+  double upper, lower;
+};
+
+/// With g = 1 + excess, its limit at psi = pi/2, in y^2 g = 6 pi (y + P). Null if g is unbounded (every published law
+/// but a with lambda < 1) or the load admits no such state.
+std::optional<AsymptoticLoads> asymptotic_loads(double excess, double P) {
+  if (std::isinf(excess)) return std::nullopt;
   const double g = 1 + excess, centre = 3 * pi<double>();
   const double square = 2 * centre * (above_pull_off(P) + P * excess);  // centre^2 + 2 centre P g, which would cancel
-  if (square < 0) return false;
-  upper = (centre + std::sqrt(square)) / g;
-  lower = -2 * centre * P / (centre + std::sqrt(square));  // the product of the roots is -6 pi P/g
-  return true;
+  if (square < 0) return std::nullopt;
+  const double root = std::sqrt(square);
+  return AsymptoticLoads{(centre + root) / g, -2 * centre * P / (centre + root)};  // the product is -6 pi P/g
 }
+
+}  // namespace
 
 template <class Law>
 double search_tangential_load(const Law& law, const Parameters<Law>& p, double y, double tau) {
@@ -25,7 +33,7 @@ double search_tangential_load(const Law& law, const Parameters<Law>& p, double y
   const bool regular = w > 0 && std::isfinite(w);
   double T = tau / (regular ? std::sqrt(w) : 1.0);
   if (tau < 1e-140 * y) return regular ? T : 0.0;  // tau^2 would underflow
-  // tau bends little as a function of T: Newton on it ends in a few steps, or in rounding.
+  // tau is nearly linear in T: Newton's method on it ends in a few steps, or in rounding.
   double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 12; ++i) {
     const ShearTerm<double> term = law.shear_term(p, y, T);
@@ -35,7 +43,7 @@ double search_tangential_load(const Law& law, const Parameters<Law>& p, double y
     if (std::abs(step) <= 4e-16 * T || (std::abs(step) <= 1e-13 * T && std::abs(step) >= 0.5 * before)) return T;
     before = std::abs(step);
   }
-  // Where it does not: a bracket of ln T.
+  // If it does not, a bracketing search of ln T.
   const double target = std::log(tau);
   const auto error = [&](double x) {
     return std::max(0.5 * std::log(law.shear_term(p, y, std::exp(x)).value) - target, -kFar);
@@ -44,7 +52,7 @@ double search_tangential_load(const Law& law, const Parameters<Law>& p, double y
   if (error(low) > 0) return 0;  // bk with a small eta: T lies below all doubles
   if (!(error(high) >= 0)) return std::numeric_limits<double>::infinity();
   T = std::exp(root_between(error, low, high, 40));
-  // The last digits in T itself: ln T of a large T has lost some.
+  // The last digits from T itself: ln T of a large T has lost some.
   for (int i = 0; i < 2; ++i) {
     const ShearTerm<double> term = law.shear_term(p, y, T);
     const double root = std::sqrt(term.value);
@@ -60,14 +68,15 @@ std::vector<CurvePiece> curve_pieces(const Law& law, const Parameters<Law>& p, d
   if (!(law.shear_term(p, 1.0, 1.0).value > 0)) return {};
   const double across = 2 * S0;
   const CurveEnd natural = P > 0 ? CurveEnd::hertz : CurveEnd::unstable_jkr;
-  double upper = 0, lower = 0;
-  if (!asymptotic_edge_loads(law, p, P, upper, lower)) {
+  const double excess = shear_limit(law, p);
+  const auto loads = asymptotic_loads(excess, P);
+  if (!loads) {
     if (P > 0) return {{y_jkr, 0, y_jkr, 0, -y_low / across, natural, false}};
     return {{y_jkr, y_low, across, 0, 0, natural, false}};
   }
-  // Where an asymptote lies close to an end of the circle their difference follows from that of y^2 = 6 pi (y + P) and
-  // y^2 g = 6 pi (y + P).
-  const double excess = shear_limit(law, p);
+  // Where an asymptote lies close to an end of the circle, their difference follows from the difference of the
+  // equations y^2 = 6 pi (y + P) and y^2 g = 6 pi (y + P).
+  const auto [upper, lower] = *loads;
   const bool near_top = upper > 0.5 * y_jkr, near_low = lower < 2 * y_low;
   const double width = near_top ? excess * upper * upper / (S0 + upper - centre) : y_jkr - upper;
   const CurvePiece first{y_jkr, upper, width, 0, (upper - y_low) / across, CurveEnd::asymptote, false};
@@ -110,7 +119,7 @@ CurvePoint EquilibriumCurve<Law>::non_monotone_point(double s) const {
   q.a = a;
   q.A = area_from_radius(a);
   q.psi = place.psi;
-  if (!(a > 0) || y == 0) {  // as below: nothing is finite where the contact vanishes
+  if (!(a > 0) || y == 0) {  // no derivative is finite where the contact vanishes
     q.f = law_.shear_term(p_, 0.0, 1.0).value > 0 ? 1 / law_.shear_term(p_, 0.0, 1.0).value : kLargest;
     q.u = a > 0 ? 0.75 * T / a : 0;
     return q;
@@ -139,7 +148,7 @@ CurvePoint EquilibriumCurve<Law>::point(double phi) const {
   // y from the nearer end of the circle: y_jkr - y = 2 S0 sin^2(phi/2), y - y_low = 2 S0 cos^2(phi/2)
   const double y = std::max(phi < 2 ? y_jkr_ - 2 * S0_ * half * half : y_low_ + 2 * S0_ * other * other, 0.0);
   const double tau = 2 * S0_ * half * other;
-  // Where phi cannot resolve the distance from the asymptote, kFar replaces the infinite T.
+  // kFar replaces an infinite T, where phi cannot resolve the distance from the asymptote.
   const double T = uncoupled() ? 0 : std::min(mixity::tangential_load(law_, p_, y, tau), kFar);
   const double a = radius_from_edge_load(y, P_), sum = y + P_, square = y * y + T * T;
 
@@ -153,8 +162,7 @@ CurvePoint EquilibriumCurve<Law>::point(double phi) const {
   q.psi = phase_angle(mixity_from_loads(y, T));
   q.f = T > 0 ? square / (6 * pi<double>() * sum) : 1.0;
 
-  if (!(a > 0) ||
-      square == 0) {  // the contact has vanished (P = 0, phi = pi): T and u are 0, and no derivative is finite
+  if (!(a > 0) || square == 0) {  // the contact has vanished (P = 0, phi = pi): no derivative is finite
     q.u = q.dT = q.du = 0;
     q.psi = 0.5 * pi<double>();
     return q;
@@ -175,7 +183,7 @@ CurvePoint EquilibriumCurve<Law>::point(double phi) const {
     q.dpsi = T / square * (y * growth - q.dy);
     q.df = q.f * (2 * (y * q.dy + T * T * growth) / square - q.dy / sum);
   } else {
-    // What is left of that at T = 0: sqrt(small_shear) T' = tau'. bk with eta = 1, r = 2 has an infinite slope there.
+    // The limit of that at T = 0: sqrt(small_shear) T' = tau'. bk with eta = 1, r = 2 has an infinite slope there.
     const double w = law_.small_shear(p_);
     q.dT = w > 0 ? offset / std::sqrt(w) : std::copysign(kLargest, offset);
     q.du = std::clamp(0.75 * q.dT / a, -kLargest, kLargest);
@@ -188,8 +196,8 @@ CurvePoint EquilibriumCurve<Law>::point(double phi) const {
 
 namespace {
 [[gnu::used]] const auto curve_instances = each_law([]<class Law>() {
-  return std::tuple(&asymptotic_edge_loads<Law>, &search_tangential_load<Law>, &curve_pieces<Law>,
-                    &EquilibriumCurve<Law>::point, &non_monotone_piece<Law>);
+  return std::tuple(&search_tangential_load<Law>, &curve_pieces<Law>, &non_monotone_piece<Law>,
+                    &EquilibriumCurve<Law>::point);
 });
 }  // namespace
 

@@ -13,8 +13,8 @@
 #include <optional>
 #include <vector>
 
+#include "mechanics/base/law.h"
 #include "mechanics/contact.h"
-#include "mechanics/model.h"
 #include "mechanics/non_monotone_curve.h"
 #include "mechanics/registry.h"
 #include "mechanics/states.h"
@@ -23,11 +23,11 @@ namespace mixity {
 
 enum class CurveEnd { hertz, asymptote, unstable_jkr };
 
-/// A connected piece of the curve, from its top (largest y) down to y_end. Only a model with an asymptote at P < 0 has
-/// two: the contact cannot pass from one to the other.
+/// A connected piece of the curve, from its top (largest y) down to y_end. Only a model with an asymptote has two, at
+/// P < 0; the contact cannot pass from one to the other.
 struct CurvePiece {
   double y_top, y_end;
-  double width;  // y_top - y_end, also where that difference would cancel; under a non-monotone law the range of s
+  double width;  // y_top - y_end without cancellation; under a non-monotone law the range of s
   double sin2_top, cos2_end;  // sin^2(phi/2) at the top, cos^2(phi/2) at the end
   CurveEnd end;
   bool from_asymptote;  // T -> infinity at the top, too
@@ -43,11 +43,6 @@ double shear_limit(const Law& law, const Parameters<Law>& p) {
   else
     return std::numeric_limits<double>::infinity();
 }
-
-/// Edge loads y_+ > y_- at which T -> infinity: g = g_inf, its limit at psi = pi/2, in y^2 g = 6 pi (y + P). Returns
-/// false if g is unbounded (every model but a with lambda < 1) or the load admits no such state.
-template <class Law>
-bool asymptotic_edge_loads(const Law& law, const Parameters<Law>& p, double P, double& upper, double& lower);
 
 /// tangential_load of a law without a closed form, tau > 0: Newton's method, then a bracket.
 template <class Law>
@@ -68,7 +63,7 @@ double tangential_load(const Law& law, const Parameters<Law>& p, double y, doubl
 template <class Law>
 std::vector<CurvePiece> curve_pieces(const Law& law, const Parameters<Law>& p, double P);
 
-/// The one of a non-monotone law.
+/// The only piece under a non-monotone law.
 template <class Law>
 CurvePiece non_monotone_piece(const NonMonotoneCurve<Law>& curve, double P);
 
@@ -94,7 +89,7 @@ class EquilibriumCurve {
   const std::vector<CurvePiece>& pieces() const { return pieces_; }
   bool non_monotone() const { return kMayBeNonMonotone<Law> && by_angle_.has_value(); }
 
-  /// The place with y = 3 pi + offset.
+  /// The position with y = 3 pi + offset.
   CurvePosition position_at_offset(double offset) const {
     return {3 * pi<double>() + offset, 0.5 * (1 + offset / S0_), 0.5 * (1 - offset / S0_)};
   }
@@ -103,8 +98,8 @@ class EquilibriumCurve {
     return std::log((at.sin2 - piece.sin2_top) / (at.cos2 - piece.cos2_end));
   }
 
-  /// Place on a piece from the logistic coordinate v: (y - y_end)/(y_top - y) = exp(-v), so that uniform steps in v
-  /// resolve both ends.
+  /// The position on a piece with the logistic coordinate v: (y - y_end)/(y_top - y) = exp(-v), so that uniform steps
+  /// in v resolve both ends.
   CurvePosition position(const CurvePiece& piece, double v) const {
     if (non_monotone()) {
       const auto place = by_angle_->at(piece.width / (1 + std::exp(-v)), piece.width / (1 + std::exp(v)));
@@ -115,7 +110,7 @@ class EquilibriumCurve {
             piece.sin2_top + below / (2 * S0_)};
   }
 
-  /// Negative where g < 1, as a non-monotone law may have it.
+  /// Negative where g < 1, which only a non-monotone law may have.
   double tau_squared(const CurvePosition& at) const {
     if (non_monotone()) return law_.shear_term(p_, at.y, at.t * at.y).value;
     return 4 * S0_ * S0_ * at.sin2 * at.cos2;

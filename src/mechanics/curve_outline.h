@@ -1,6 +1,6 @@
-// A coarse outline of an equilibrium curve in the plane of T and A, for the price of a few square and cube roots a
-// node. Along a ray T = t y the circle reads g(t) y^2 = 6 pi (y + P) with g = 1 + tau^2(1, t) whatever the load, so
-// that a table of g serves all loads, and each node lies on the curve without a search.
+// A coarse outline of an equilibrium curve in the plane of T and A, which costs a few square and cube roots a node.
+// Along a ray T = t y the circle reads g(t) y^2 = 6 pi (y + P) with g = 1 + tau^2(1, t) at every load, so that one
+// table of g serves all loads, and each node lies on the curve without a search.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace mixity {
 
-/// A place in the plane of T and A.
+/// A point in the plane of T and A.
 struct PlanePlace {
   double T, A;
 };
@@ -21,7 +21,7 @@ template <class Law>
 class RayTable {
  public:
   explicit RayTable(const nearest_detail::CurveFamily<Law>& family) : family_(family) {
-    if (family.non_monotone) return;  // its outline is made for each load
+    if (family.non_monotone) return;  // set_load makes its outline
     const double start = kFirst * (family.bounded ? std::min(1.0, std::sqrt(family.excess)) : 1.0);
     double t = 1;
     while (slope(t) > start && t > 1e-140) t /= 4;
@@ -42,7 +42,7 @@ class RayTable {
       ++first_;
   }
 
-  /// The curve of a load that starts from JKR and ends at `end`, as nodes 0 to last(), both ends among them.
+  /// The curve of a load from JKR to `end`, as nodes 0 to last(), which include both ends.
   void set_load(double P, PlanePlace end) {
     P_ = P;
     end_ = end;
@@ -58,7 +58,7 @@ class RayTable {
   }
   const std::vector<PlanePlace>& places() const { return places_; }
 
-  /// The place between nodes: on the curve to rounding. 0 <= u <= last().
+  /// A point between nodes, on the curve to rounding. 0 <= u <= last().
   PlanePlace at(double u) const {
     const int i = std::min(static_cast<int>(u), last_ - 1);
     const double share = u - i;
@@ -84,7 +84,7 @@ class RayTable {
   int last() const { return last_; }
 
  private:
-  // Of a non-monotone law: node 0 is JKR, which lies beside node 1, the others are uniform in the curve's coordinate.
+  // Under a non-monotone law node 0 is JKR, close to node 1; the others are uniform in the curve's coordinate.
   static constexpr double kFrom = -18, kTo = 38, kStep = 0.25;
   static double coordinate(int i) { return kFrom + kStep * (i - 1); }
   PlanePlace on_curve(double v) const {
@@ -120,7 +120,7 @@ class RayTable {
     return on_ray({t, slope(t)}, 2 * i <= kArcs);
   }
 
-  PlanePlace place(double T, double y) const { return {T, area_from_radius(radius_from_edge_load(y, P_))}; }
+  PlanePlace place(double T, double y) const { return {T, area_from_edge_load(y, P_)}; }
 
   static constexpr double kFirst = 1e-4, kSteepest = 300;  // of tau/y
   static constexpr std::size_t kMost = 400;
@@ -148,7 +148,7 @@ class RayTable {
   static constexpr int kArcs = 32;
   nearest_detail::CurveFamily<Law> family_;
   std::vector<Node> nodes_;
-  int first_ = 0;  // of the nodes, where tau/y begins to count at loads that are not close to pull-off
+  int first_ = 0;  // the node at which tau/y begins to matter at loads that are not close to pull-off
   double P_ = 0;
   PlanePlace end_{};
   bool asymptote_ = false, along_rays_ = true;
@@ -157,14 +157,14 @@ class RayTable {
   std::optional<EquilibriumCurve<Law>> curve_;  // of a non-monotone law
 };
 
-/// A segment of an outline that is nearer to a point than its neighbours, and its place nearest to it.
+/// A segment of an outline that is nearer to a point than its neighbours, and the nearest point on it.
 struct Approach {
   double distance;
   PlanePlace place;
   int segment;
 };
 
-/// The nearest `most` of those, in ascending order.
+/// The nearest `most` of these, in ascending order.
 inline void approaches(const std::vector<PlanePlace>& places, PlanePlace point, double per_T, double per_A,
                        std::size_t most, std::vector<Approach>& found) {
   found.clear();
@@ -188,7 +188,7 @@ inline void approaches(const std::vector<PlanePlace>& places, PlanePlace point, 
   if (found.size() > most) found.resize(most);
 }
 
-/// The least of distance(u), low < u < high, to the root of a rounding: golden section.
+/// The u of the smallest distance(u), low < u < high, by golden section, to the square root of a rounding.
 template <class Distance>
 double golden_section(double low, double high, const Distance& distance) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1);

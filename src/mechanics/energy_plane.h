@@ -12,13 +12,13 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/model.h"
+#include "mechanics/base/law.h"
 #include "mechanics/registry.h"
 
 namespace mixity {
 
 /// Signed distance of a measured point in units of its standard errors, positive where the law's energies are the
-/// larger, with its derivatives in the model's parameters and in ln G_Ic.
+/// larger, with its derivatives in the law's parameters and in ln G_Ic.
 template <class Law>
 struct EnergyDistance {
   double value;
@@ -27,18 +27,18 @@ struct EnergyDistance {
 };
 
 template <class Law>
-class EnergyLaw {
+class EnergyCurve {
  public:
-  EnergyLaw(const Law& law, const Parameters<Law>& p) : law_(law), p_(p), slope_at_mode_I_(-law.small_shear(p)) {}
+  EnergyCurve(const Law& law, const Parameters<Law>& p) : law_(law), p_(p), slope_at_mode_I_(-law.small_shear(p)) {}
 
-  /// Of the point (G_I, G_II) with standard errors > 0, in any unit of energy per area, as G_Ic > 0. A reading of G_II
-  /// below zero is compared with the tangent that continues the law beyond psi = 0. The model's parameters have
-  /// derivatives if `slopes`.
+  /// Of the point (G_I, G_II) with standard errors > 0 and `toughness` = G_Ic > 0, all in one unit of energy per area.
+  /// A measured G_II below zero is compared with the tangent that continues the law beyond psi = 0. Derivatives in the
+  /// parameters only if `slopes`.
   EnergyDistance<Law> distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness,
                                bool slopes = true) const {
     const Target target{G_I / toughness, G_II / toughness, sigma_I / toughness, sigma_II / toughness};
     const Nearest nearest = find(target);
-    // along the normal, where a rounding of the place does not show; the offset itself at an end of the law
+    // along the normal, where a rounding of the nearest point does not matter; the offset itself at an end of the law
     double x = (nearest.G_I - target.G_I) / target.sigma_I, y = (nearest.G_II - target.G_II) / target.sigma_II;
     double n_I = nearest.d_II / target.sigma_II, n_II = -nearest.d_I / target.sigma_I;
     const double size = std::hypot(n_I, n_II), length = std::hypot(x, y);
@@ -105,7 +105,7 @@ class EnergyLaw {
     return std::pow((q.G_I - t.G_I) / t.sigma_I, 2) + std::pow((q.G_II - t.G_II) / t.sigma_II, 2);
   }
 
-  /// Those that every search goes over, found when the first one comes to them.
+  /// The nodes of every search, computed when first used.
   const Nearest& node(int i) const {
     for (; known_ <= i; ++known_)
       nodes_[static_cast<std::size_t>(known_)] =
@@ -113,9 +113,8 @@ class EnergyLaw {
     return nodes_[static_cast<std::size_t>(i)];
   }
 
-  /// Where the slope passes 0, from - at one node to + at the next: by Newton's steps, halves where these do not
-  /// shrink. The error left is the square of the last step; that of the distance, which is stationary there, the square
-  /// of that.
+  /// Where the slope passes 0, from - at one node to + at the next: by Newton's steps, or halves where these do not
+  /// shrink. The remaining error is the square of the last step; that of the distance, which is stationary, its square.
   Nearest between(const Target& target, const Nearest& one, const Nearest& other, double slope_of_one,
                   double slope_of_other) const {
     double low = one.B, high = other.B, before = high - low;
@@ -136,7 +135,7 @@ class EnergyLaw {
 
   Nearest find(const Target& target) const {
     // Nodes even in psi, up to where the energies are finite; each sign change of the slope from - to + is a minimum.
-    // (bk with eta < 1 leaves psi = 0 with an infinite slope: a corner)
+    // (bk with eta < 1 has an infinite slope at psi = 0: a corner)
     Nearest best = std::isfinite(slope_at_mode_I_) ? node(0) : at(kCorner), before = best;
     best.at_end = true;
     double least = square(target, best), slope = half_slope(target, before);
@@ -177,7 +176,7 @@ class EnergyLaw {
   double slope_at_mode_I_;  // dG_I/dG_II there
 };
 
-/// The law as a polygon, for distances that show which basin a minimum belongs to.
+/// The law as a polygon, for distances that are only accurate enough to separate basins of minima.
 template <class Law>
 class EnergyPolygon {
  public:
@@ -190,14 +189,14 @@ class EnergyPolygon {
     }
   }
 
-  /// Without a sign, to a thousandth of the law's own size; infinite where the law is no number.
+  /// Without sign, to a thousandth of the size of the law's curve; infinite where the law is not a number.
   double distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness) const {
     double least = std::numeric_limits<double>::infinity();  // its square
-    const auto place = [&](const Corner& corner) {
+    const auto scaled = [&](const Corner& corner) {
       return Corner{(toughness * corner.G_I - G_I) / sigma_I, (toughness * corner.G_II - G_II) / sigma_II};
     };
     for (std::size_t i = 0; i + 1 < count_; ++i) {
-      const Corner from = place(corners_[i]), to = place(corners_[i + 1]);
+      const Corner from = scaled(corners_[i]), to = scaled(corners_[i + 1]);
       const double I = to.G_I - from.G_I, II = to.G_II - from.G_II, length = I * I + II * II;
       const double along = length > 0 ? std::clamp(-(from.G_I * I + from.G_II * II) / length, 0.0, 1.0) : 0;
       const double x = from.G_I + along * I, y = from.G_II + along * II;

@@ -16,8 +16,8 @@ std::string_view contact_obstacle(const Law& law, const Parameters<Law>& p, doub
 }
 
 /// Largest root of R in [low, high], where R(low) <= 0 <= R(high): steps to the upper root of the quadratic that
-/// R's value, slope and curvature define (Euler's method). It is cubically convergent, exact in one step for
-/// law c, and keeps its pace where Newton's crawls, at the double root of a fold. Bisection is the safeguard.
+/// R's value, slope and curvature define (Euler's method). It converges cubically, is exact in one step for law c, and,
+/// unlike Newton's method, stays fast at the double root of a fold. Bisection is the safeguard.
 template <class Law>
 Equilibrium LoadedContact<Law>::solve(double T, double low, double high, double start) const {
   constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -25,7 +25,7 @@ Equilibrium LoadedContact<Law>::solve(double T, double low, double high, double 
   int iterations = 0;
   for (; iterations < 200 && high - low > eps * high; ++iterations) {
     const ShearTerm<double> R = circle_residual(law_, p_, P_, y, T);
-    // What R is known to, in the form that circle_residual takes at this y.
+    // The rounding error of R in the form that circle_residual uses at this y.
     const double size =
         y > 4 ? S0_ * S0_ + 2 * std::abs(y - 3 * pi<double>()) * y : 6 * pi<double>() * (y + std::abs(P_));
     const double rounding = 0.5 * eps * size;
@@ -39,8 +39,8 @@ Equilibrium LoadedContact<Law>::solve(double T, double low, double high, double 
       y = low > 0 && high > 16 * low ? std::sqrt(low * high) : 0.5 * (low + high);
       continue;
     }
-    // What the step leaves is a third of a cubic term, |R''' step^3/6 R'|, with R''' about R''/y; R'' by its terms, 2
-    // and tau^2_yy, whose sum may pass through 0 where R''' does not.
+    // The error after the step is a third of a cubic term, |R''' step^3/6 R'|, with R''' about R''/y; R'' by its terms,
+    // 2 and tau^2_yy, whose sum may pass through 0 where R''' does not.
     const double bend = 2 + std::abs(R.d2 - 2);
     const bool done = std::abs(step) <= eps * y || bend * std::abs(step * step * step) <= 0.1 * eps * R.d1 * y * y;
     y = next;
@@ -52,12 +52,12 @@ Equilibrium LoadedContact<Law>::solve(double T, double low, double high, double 
   return {EquilibriumStatus::ok, y, iterations};
 }
 
-/// Along the curve, on which T rises: by its coordinate.
+/// Searches the coordinate of the curve, along which T rises.
 template <class Law>
 Equilibrium LoadedContact<Law>::solve_non_monotone(double T, const StableBranch& branch) const {
   const CurvePiece& piece = curve_->pieces().front();
   const auto excess = [&](double v) { return std::log(curve_->tangential_load(curve_->position(piece, v)) / T); };
-  if (branch.T_top == 0 && !(excess(branch.v_top) < 0)) {  // at less shear than the first coordinate has
+  if (branch.T_top == 0 && !(excess(branch.v_top) < 0)) {  // T lies before the first coordinate
     const NonMonotoneCurve<Law> by_ray(law_, p_, P_);
     double y = y_jkr_;
     for (int i = 0; i < 3; ++i) y = by_ray.upper_edge_load(T / y).value_or(y_jkr_);
@@ -65,7 +65,7 @@ Equilibrium LoadedContact<Law>::solve_non_monotone(double T, const StableBranch&
   }
   if (!(excess(branch.v_top) < 0)) return {EquilibriumStatus::ok, branch.y_top};
   if (!(excess(branch.v_bottom) > 0)) {
-    // beyond the largest T of the curve there is no equilibrium, except for the rounding of T at a fold
+    // beyond the largest T of the curve there is no equilibrium, but T at a fold is rounded
     const bool rounding = std::abs(excess(branch.v_bottom)) < 1e-12;
     return {branch.ends_in_fold || rounding ? EquilibriumStatus::ok : EquilibriumStatus::no_equilibrium,
             branch.y_bottom};
@@ -98,7 +98,7 @@ Equilibrium LoadedContact<Law>::follow(double T) const {
 
 template <class Law>
 const StableBranch& LoadedContact<Law>::first_branch() const {
-  if (branches_.empty()) find_branches(1);  // finds one
+  if (branches_.empty()) find_branches(1);  // finds one at least
   return branches_.front();                 // cppcheck-suppress containerOutOfBounds
 }
 
@@ -132,8 +132,8 @@ void LoadedContact<Law>::find_branches(std::size_t folds) const {
   }
   all_branches_ = places.size() < folds;
   if (!open) return;
-  // Only the first piece can end in a stable branch: at Hertz, where tau^2 = 6 pi P, or at the asymptote. Where neither
-  // is its end, its fold lies beyond kLargestLoad.
+  // Only the first piece can end in a stable branch: at Hertz, where tau^2 = 6 pi P, or at the asymptote. If it has
+  // neither end, its fold lies beyond kLargestLoad.
   const CurvePiece& piece = curve.pieces().front();
   double end = kInfinity;
   if (piece.end == CurveEnd::hertz)

@@ -13,14 +13,14 @@
 #include <string_view>
 #include <vector>
 
+#include "mechanics/base/law.h"
 #include "mechanics/folds.h"
-#include "mechanics/model.h"
 #include "mechanics/registry.h"
 
 namespace mixity {
 
-/// R and its derivatives in y at fixed T. Near y = 3 pi it is taken about the centre of the circle, near
-/// y = 0 (Hertz, large T) expanded, so that neither form cancels where it is used.
+/// R and its derivatives in y at fixed T. Computed about the centre of the circle near y = 3 pi and expanded near y = 0
+/// (Hertz, large T), so that neither form cancels where it is used.
 template <class Law, class S>
 ShearTerm<S> circle_residual(const Law& law, const Parameters<Law, S>& p, const S& P, const S& y, const S& T) {
   const ShearTerm<S> tau2 = law.shear_term(p, y, T);
@@ -44,9 +44,8 @@ bool in_bounds(const Law& law, const Parameters<Law>& p) {
 template <class Law>
 std::string_view contact_obstacle(const Law& law, const Parameters<Law>& p, double P);
 
-/// A law with its parameters at one normal load P (dimensionless). Cheap to make: the folds of the curve are
-/// looked for only when a T lies beyond the part of the curve that is known to be free of them, and no further than
-/// that T needs.
+/// A law with its parameters at one normal load P (dimensionless). Cheap to make: the folds of the curve are searched
+/// only for a T beyond the part of the curve that is known to have none, and only as far as that T needs.
 template <class Law>
 class LoadedContact {
  public:
@@ -64,7 +63,7 @@ class LoadedContact {
   const Parameters<Law>& parameters() const { return p_; }
   double load() const { return P_; }
 
-  /// contact_obstacle: where there is one, at() returns `invalid`.
+  /// contact_obstacle; unless it is empty, at() returns `invalid`.
   std::string_view obstacle() const { return obstacle_; }
 
   /// False below the JKR pull-off load, where no contact exists: at() then returns `no_equilibrium`.
@@ -87,7 +86,7 @@ class LoadedContact {
     }
   }
 
-  /// The same where at() has no closed form and nothing to refuse.
+  /// The same for valid loads of a law without a closed form.
   Equilibrium follow(double T) const;
 
   /// Stable branches from T = 0 downwards, at least one. Only if in_contact().

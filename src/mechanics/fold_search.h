@@ -1,4 +1,4 @@
-// Where the folds are: what locate_folds chooses from. For folds.h and its tests.
+// The searches from which locate_folds chooses. For folds.h and its tests.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 
 namespace mixity {
 
-// Logistic coordinates between which folds are looked for: e^-42 = 6e-19 of the piece.
+// Logistic coordinates between which folds are searched: e^-42 = 6e-19 of the piece.
 inline constexpr double kFirstCoordinate = -20;
 
-/// Near Hertz the coordinate is about ln(T/y). The slope of a law typed in t loses its digits to rounding there, as
+/// Near Hertz the coordinate is about ln(T/y). There the slope of a user's law in t loses its digits by rounding, as
 /// t^2 eps, so that any fold found would be noise.
 template <class Law>
 inline constexpr double kLastCoordinate = kMayBeNonMonotone<Law> ? 27 : 42;
 
-/// A pair of folds shallower than this is rounding: the contact does not jump.
+/// A pair of folds shallower than this is rounding, not a jump.
 inline constexpr double kShallow = 2e-15;
 
-/// State of the curve at a position, and what drives it.
+/// The driving quantity along the curve.
 template <class Law>
 struct Driven {
   const EquilibriumCurve<Law>& curve;
@@ -28,8 +28,8 @@ struct Driven {
 
   double radius(const CurvePosition& at) const { return radius_from_edge_load(at.y, curve.load()); }
 
-  /// Share of u in what drives the contact, w u + (1 - w) T: 0 load, 1 displacement, k/(1 + k) a spring. The rest,
-  /// 1 - w, is kept beside it for the sake of a stiff spring.
+  /// Weight w of u in the driving quantity w u + (1 - w) T: 0 load, 1 displacement, k/(1 + k) a spring. 1 - w has a
+  /// function of its own because it would cancel for a stiff spring.
   double share() const {
     if (control.kind == Control::Kind::stiffness) return control.stiffness / (1 + control.stiffness);
     return control.kind == Control::Kind::displacement ? 1 : 0;
@@ -42,10 +42,10 @@ struct Driven {
     return share() * std::min(0.75 * T / radius(at), kFar) + rest() * T;
   }
 
-  /// > 0 where the value grows as y falls (stable), 0 at a fold. Relative to the size of its terms, so that a value
-  /// within a few eps of 0 is 0 to rounding.
+  /// > 0 where the value grows as y falls (stable), 0 at a fold. Relative to the size of its terms, so that a few eps
+  /// are rounding.
   double slope(const CurvePosition& at) const {
-    // At the last digits before an asymptote T comes out infinite; tau^2 there is that of any large T.
+    // Just before an asymptote T is computed as infinite; tau^2 there is that of any large T.
     const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), kFar);
     const double d1 = curve.law().shear_term(curve.parameters(), at.y, T).d1;
     const double twice = 2 * curve.offset(at), R_y = twice + d1, size = std::abs(twice) + std::abs(d1);
@@ -55,25 +55,24 @@ struct Driven {
   }
 };
 
-/// The folds of a curve as a search meets them: the first ones, at most so many, without those at the largest load,
-/// beyond which nothing is known but rounding.
+/// Collects the first folds of a curve, at most so many, without those near the largest load, which are rounding.
 struct FoundFolds {
   std::size_t at_most;
   std::vector<FoldPlace> places{};
 
-  /// Whether to go on.
+  /// Whether the search is to go on.
   bool add(const FoldPlace& place) {
     if (place.T < 0.1 * kFar) places.push_back(place);
     return places.size() < at_most;
   }
 };
 
-/// Searches under any control, along each piece of the curve; T of each place costs a search of its own.
+/// Searches under any control, along each piece of the curve; T of each position may cost a search of its own.
 template <class Law>
 void folds_by_position(const EquilibriumCurve<Law>& curve, Control control, FoundFolds& found);
 
-/// The same under load control along the phase angle, from which y and T follow in closed form. False, without any, if
-/// the first fold lies at less shear than doubles resolve.
+/// The same under load control along the phase angle, from which y and T follow in closed form. False, without folds,
+/// if the first fold lies at less shear than doubles resolve.
 template <class Law>
 bool folds_by_angle(const EquilibriumCurve<Law>& curve, FoundFolds& found);
 

@@ -15,7 +15,8 @@ struct Stretch {
   double from, to;
 };
 
-/// What lies between the folds and is stable. The top of the curve is; a second piece, from an asymptote, is not.
+/// The stable parts between the folds. The top of the curve is stable; the top of a second piece, from an asymptote, is
+/// not.
 template <class Law>
 std::vector<Stretch> stable_stretches(const std::vector<FoldPlace>& folds, std::size_t pieces) {
   std::vector<Stretch> stable;
@@ -58,14 +59,14 @@ std::vector<Fold> find_folds(const EquilibriumCurve<Law>& curve, Control control
                                         : s.piece == place.piece && s.to <= place.coordinate;
       if (!beyond) continue;
       const CurvePiece& piece = curve.pieces()[s.piece];
-      // in the logarithm, since towards an asymptote the value grows over all bounds; finite where it is 0
+      // the logarithm, since the value grows without bound towards an asymptote; finite where it is 0
       const auto excess = [&](double v) {
         return std::max(std::log(driven.value(curve.position(piece, v)) / value), -1000.0);
       };
       if (!(excess(s.from) <= 0 && excess(s.to) >= 0)) continue;
       fold.jumps_to = place.maximum ? Jump::lower_branch : Jump::upper_branch;
       fold.area_after = area_from_radius(driven.radius(curve.position(piece, root_between(excess, s.from, s.to))));
-      if (place.maximum) break;  // the first met going down; going up, the last, which lies nearest
+      if (place.maximum) break;  // downwards the first stretch is the nearest, upwards the last
     }
     if (fold.jumps_to == Jump::off_contact && curve.load() > 0) {
       fold.jumps_to = Jump::hertz;

@@ -1,4 +1,4 @@
-// Named limits: small shear, large area, and the classical theories a model contains.
+// The limit of small shear.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,8 @@ namespace mixity {
 ///     alpha = pi (3/4)^(2/3) w/(3 S0 (3 pi + P + S0)^(1/3)).
 ///
 /// w is lambda for models a and c, lambda - lambda^2/4 for b; for bk it is 1 if eta > 1 and 2 - r if eta = 1. For
-/// eta < 1 the area falls as T^(2 eta) and no alpha exists: null. Null also at or below pull-off, where S0 = 0.
+/// eta < 1 the area falls as T^(2 eta) and no alpha exists: null. Null also at or below pull-off, where S0 = 0. For a
+/// large area A0, alpha -> pi^(7/4) w/(8 sqrt 2) A0^(-5/4); the next term is smaller by a factor 2.2/sqrt(P).
 template <class Law>
 std::optional<double> shear_sensitivity(const Law& law, const Parameters<Law>& p, double P) {
   const double w = law.small_shear(p);
@@ -30,28 +31,6 @@ inline std::optional<double> jkr_load(double A0) {
   const double a = radius_from_area(A0), h = 4.0 / 3 * a * a * a;
   if (!(h >= 1.5 * pi<double>())) return std::nullopt;
   return h - std::sqrt(6 * pi<double>() * h);
-}
-
-/// alpha as a function of A0 instead of P.
-template <class Law>
-std::optional<double> shear_sensitivity_at_area(const Law& law, const Parameters<Law>& p, double A0) {
-  const auto P = jkr_load(A0);
-  return P ? shear_sensitivity(law, p, *P) : std::nullopt;
-}
-
-/// Its limit for large A0: alpha -> pi^(7/4) w/(8 sqrt 2) A0^(-5/4). The next term is smaller by a factor 2.2/sqrt(P).
-template <class Law>
-double shear_sensitivity_large_area(const Law& law, const Parameters<Law>& p, double A0) {
-  return std::pow(pi<double>(), 1.75) * law.small_shear(p) / (8 * std::sqrt(2.0)) * std::pow(A0, -1.25);
-}
-
-/// Savkoor & Briggs (1977), ideally brittle: y^2 + T^2 = 6 pi (y + P), so 4/3 a^3 = P + 3 pi + sqrt(S0^2 - T^2). Null
-/// beyond T = S0. Models a and c at lambda = 1 and b at lambda = 2 reduce to it.
-inline std::optional<double> savkoor_briggs_radius(double P, double T) {
-  if (!(above_pull_off(P) >= 0 && T >= 0)) return std::nullopt;
-  const double S0 = circle_radius(P);
-  if (!(T <= S0)) return std::nullopt;
-  return radius_from_edge_load(3 * pi<double>() + std::sqrt((S0 - T) * (S0 + T)), P);
 }
 
 }  // namespace mixity

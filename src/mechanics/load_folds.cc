@@ -31,10 +31,10 @@ std::optional<LoadFold> newton_fold(const Law& law, const Parameters<Law>& p, do
 
 namespace load_folds_detail {
 
-/// The upper half of the curve, y > -2 P, by x = ln tan psi. tau^2 = y^2 (g - 1), where g depends on psi alone, makes
-/// the circle a quadratic in y, g y^2 = 6 pi (y + P), of which this is the larger root: a place costs one evaluation of
-/// the model. dT = 0 reads (y + 2 P)/(y + P) = d ln g/dx, so that there is no fold on the lower half, which only P < 0
-/// has: y + 2 P < 0 there, y + P > 0, and g grows with psi.
+/// The upper half of the curve, y > -2 P, by x = ln tan psi. With tau^2 = y^2 (g - 1), where g depends on psi alone,
+/// the circle is a quadratic in y, g y^2 = 6 pi (y + P), of which this is the larger root: a point costs one evaluation
+/// of the law. dT = 0 reads (y + 2 P)/(y + P) = d ln g/dx. Hence there is no fold on the lower half, which exists only
+/// for P < 0: there y + 2 P < 0, y + P > 0, and g grows with psi.
 template <class Law>
 class CurveByAngle {
  public:
@@ -65,8 +65,8 @@ class CurveByAngle {
             square >= 0};
   }
 
-  /// The fold at x. Newton's method finds its last digits where psi itself has a maximum close to it, near pull-off;
-  /// where that does not converge, at the edge of a law's domain, those of x are kept.
+  /// The fold at x. Newton's method finds its last digits, which x lacks near pull-off, where psi has a maximum close
+  /// to the fold. At the edge of a law's domain it may not converge; then the digits of x remain.
   FoldPlace fold(const EquilibriumCurve<Law>& curve, double x, bool maximum) const {
     const Place place = at(x);
     double y = place.y, offset = place.offset, tau2 = place.tau2, T = y * std::exp(x);
@@ -77,15 +77,15 @@ class CurveByAngle {
       y = 3 * pi<double>() + offset;
       tau2 = law_.shear_term(p_, y, T).value;
     }
-    // each half angle from what does not cancel there
+    // each half angle from the form that does not cancel
     const double cosine = std::clamp(offset / S0_, -1.0, 1.0), sine2 = tau2 / (S0_ * S0_);
     const double larger = 0.5 * (1 + std::abs(cosine)), smaller = 0.25 * sine2 / larger;
     const CurvePosition on_circle{y, cosine > 0 ? larger : smaller, cosine > 0 ? smaller : larger};
     return {0, curve.coordinate(curve.pieces()[0], on_circle), on_circle, T, maximum};
   }
 
-  /// x below which there is no fold: where tau grows with y, above the centre of the circle; else where shear is some
-  /// 1e-9 of all.
+  /// x below which there is no fold: above the centre of the circle if tau grows with y; else where tau^2 is some 1e-9
+  /// of S0^2.
   double first() const {
     const bool simple_top = law_.tau_grows_with_edge_load(p_);
     const auto before = [&](double x) {
@@ -102,13 +102,12 @@ class CurveByAngle {
     return low;
   }
 
-  /// How far from x, where the curve is at `place`, the next sample may lie: a quarter of ln tau^2, and where psi is
-  /// large of the powers of tan psi that g is made of.
+  /// How far from x, where the curve is at `place`, the next sample may lie: a quarter of ln tau^2 at small psi, and
+  /// fixed steps at large psi.
   static double step(double x, const Place& place) {
     if (!place.exists) return kLast - x;
     if (x < -1) return std::clamp(0.25 / std::max(place.growth, 0.02), 0.125, 12.0);
-    const double fine =
-        kMayBeNonMonotone<Law> && x < 3 ? 0.4 : 1;  // the bumps that somebody's law may have: 1.5 degrees
+    const double fine = kMayBeNonMonotone<Law> && x < 3 ? 0.4 : 1;  // 1.5 degrees, for bumps of a user's law
     return fine * (x < 6 ? 0.125 : x < 12 ? 0.25 : 0.5);
   }
 

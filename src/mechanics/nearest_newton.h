@@ -1,5 +1,5 @@
 // The nearest point of an equilibrium curve by Newton's method, for many measured points at once: the vectorised loops
-// of curve_distance.cc. Loops have a constant length, so that the result for a point does not depend on its neighbours.
+// of curve_distance.cc. Their length is constant, so that the result for a point does not depend on its neighbours.
 #pragma once
 
 #include <algorithm>
@@ -22,12 +22,12 @@ using Packed = std::array<double, kBlock>;
 struct Block {
   Packed P, T_point, A_point, sigma_T, sigma_A;  // measured
   Packed per_T, per_A;                           // 1/sigma_T, 1/sigma_A
-  Packed T, A;                                   // the place on the curve
+  Packed T, A;                                   // the point on the curve
   Packed T_end, A_end;                           // where the curve ends: Hertz, or an asymptote (T_end infinite)
   Packed settled, at_end;                        // 1 or 0
 };
 
-/// What the curves of a law with its parameters have in common at every load.
+/// What the curves of a law have in common at all loads.
 template <class Law>
 struct CurveFamily {
   [[no_unique_address]] Law law;
@@ -59,9 +59,9 @@ struct CurveFamily {
 struct Local {
   double a, y, y_A, y_AA;                // radius, edge load, dy/dA, d2y/dA2
   double F, size, per_size;              // F, |grad F| and 1/|grad F|
-  double n_T, n_A, along, slope;         // unit normal; the way from the point along it and along the tangent
+  double n_T, n_A, along, slope;         // unit normal; the offset from the measured point along it and the tangent
   double F_y, TT, TA, AA;                // second derivatives in the plane
-  double x, z;                           // the way from the point
+  double x, z;                           // the offset from the measured point
   double F_T, value, d1, d2, inverse_T;  // in T, and tau^2
 };
 
@@ -111,7 +111,7 @@ MIXITY_LOOP double area_of_load(double load) {
   return pi<double>() * a * a;
 }
 
-/// Where the curve of a load ends if not at T = 0: at Hertz, or an asymptote (T infinite). A = 0 where it does not.
+/// Where the curve of a load ends: at Hertz or at an asymptote (T infinite). A = 0 if it ends at T = 0.
 struct CurveBounds {
   double y, T, A;
 };
@@ -128,14 +128,14 @@ MIXITY_LOOP CurveBounds curve_bounds(const CurveFamily<Law> family, double P) {
 }
 
 enum class Begin {
-  at_the_point,  // at a place of the curve found for it
-  nearby,        // at the places that the block holds
-  anywhere       // there, too, with as many steps as it takes; the curves' ends are known
+  at_the_point,  // at a point of the curve that `start` finds
+  nearby,        // at the points that the block contains
+  anywhere       // the same, with as many steps as it takes; the ends of the curves are known
 };
 
-/// Where the curve ends, and the nearest of four places on the circle at or beside the point: at its T, at its A, in
-/// its direction from the centre (which is exact on the curve and regular at the fold), and the end. T from tau as if
-/// in proportion, which is exact for c.
+/// Sets where the curve ends, and the nearest of four points on the circle: at the T of the measured point, at its A,
+/// in its direction from the centre (which is exact on the curve and regular at the fold), and the end. T is taken as
+/// proportional to tau, which is exact for c.
 template <Begin kBegin, class Law>
 MIXITY_LOOP void start(const CurveFamily<Law> family, Block& b) {
   const double centre = 3 * pi<double>();
@@ -175,8 +175,8 @@ MIXITY_LOOP void start(const CurveFamily<Law> family, Block& b) {
   }
 }
 
-/// One step of each slot that is not settled: Newton on F = 0 and on the slope of the distance along the curve, that is
-/// on the Lagrangian of the least distance. Its curvature is kept positive, for minima are sought.
+/// One step of each slot that is not settled: Newton's method on F = 0 and on the slope of the distance along the
+/// curve, that is on the Lagrangian of the least distance. Its curvature is kept positive, so that minima are found.
 template <class Law>
 MIXITY_LOOP void step(const CurveFamily<Law> family, Block& b) {
   constexpr double kLeastCurvature = 0.1, kDone = 1e-8;
@@ -191,7 +191,7 @@ MIXITY_LOOP void step(const CurveFamily<Law> family, Block& b) {
     double dT = (normal * q.n_T + along_curve * t_T) * b.sigma_T[i];
     double dA = (normal * q.n_A + along_curve * t_A) * b.sigma_A[i];
     const double T_old = b.T[i], A_old = b.A[i], end = b.A_end[i];
-    // What such a step leaves is of the order of its square.
+    // The error after such a step is of the order of its square.
     const bool small = (std::abs(dT) <= kDone * (T_old + 1e-2 * q.y)) & (std::abs(dA) <= kDone * A_old) &
                        (std::abs(dA) * q.y_A <= kDone * (q.y + 1e-6 * A_old * q.a));
     const double most_T = T_old + q.y + (std::abs(q.x) + 1) * b.sigma_T[i], most_A = 0.5 * A_old;

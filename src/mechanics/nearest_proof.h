@@ -1,5 +1,5 @@
-// The distance at a place of an equilibrium curve, its derivatives, and the proof that no other place is nearer, many
-// points at once.
+// The distance of a measured point from a point of an equilibrium curve, its derivatives, and the proof that no other
+// point of the curve is nearer, for many measured points at once.
 #pragma once
 
 #include "mechanics/nearest_newton.h"
@@ -10,8 +10,8 @@ namespace mixity::nearest_detail {
 template <class Law>
 struct Result {
   Packed r, dP, dT, dA, distance, sure;
-  Packed stationary;  // 1 where the way from the point is along the normal
-  Packed on_curve;    // 1 where F vanishes: Newton's steps come to nothing where F is steep beyond measure, too
+  Packed stationary;  // 1 where the offset from the measured point is along the normal
+  Packed on_curve;    // 1 where F vanishes; Newton's steps also vanish where F is extremely steep
   std::array<Packed, parameter_count<Law>> parameters;
 };
 
@@ -27,10 +27,10 @@ MIXITY_LOOP Parameters<Law> log_toughness_slope(const Law& law, const Parameters
   }
 }
 
-/// r and its derivatives in P, T and A at the place, and whether no other place of the curve is nearer.
+/// r and its derivatives in P, T and A at a point Q of the curve, and whether no other point of the curve is nearer.
 ///
-/// That proof: let Q be the place, d its distance, n its unit normal, and q another place that is no further. Then
-/// |q - Q|^2 <= 2 d n.(q - Q), because the point is Q + d n (up to sign; at an end the offset also points away from the
+/// The proof: let d be the distance of Q, n its unit normal, and q another point that is no further. Then |q - Q|^2 <=
+/// 2 d n.(q - Q), because the measured point is Q + d n (up to sign; at an end the offset also points away from the
 /// curve, which only helps). F(q) = F(Q) = 0 makes |grad F| |n.(q - Q)| <= L |q - Q|^2/2 with L the norm of the second
 /// derivatives on the way, so that q = Q wherever d L < |grad F|. L follows from bounds of tau^2's second derivatives
 /// over all (y, T), or, where the circle of radius 2 d about Q is small in y and T, from their moduli at Q.
@@ -41,12 +41,12 @@ MIXITY_LOOP void measure(const CurveFamily<Law> family, const Block& b, Result<L
     const double distance = std::sqrt(q.x * q.x + q.z * q.z);
     const bool end = b.at_end[i] > 0, settled = b.settled[i] > 0;
     const double signed_distance = q.along < 0 ? -distance : distance;
-    // Along the normal a rounding of the place does not show; F/|grad F| is what it is off the curve.
+    // A rounding of Q does not matter along the normal; F/|grad F| is its distance from the curve.
     const double normal = q.along - q.F * q.per_size;
-    // not so where Newton's steps come to nothing at a corner (bk with eta < 1)
+    // false where Newton's steps vanish at a corner (bk with eta < 1)
     const bool stationary = std::abs(q.slope) <= 1e-4 * distance + 1e-6;
     out.stationary[i] = stationary ? 1.0 : 0.0;
-    // beside a corner (bk with eta < 1, T = 1e-80) F/|grad F| is next to nothing off the curve
+    // beside a corner (bk with eta < 1, T = 1e-80) F/|grad F| is tiny also off the curve
     const double v = q.y - 3 * pi<double>(), terms = v * v + 6 * pi<double>() * (above_pull_off(b.P[i]) + 5);
     const bool on_curve = family.uncoupled | (std::abs(q.F) <= 1e-8 * terms);
     out.on_curve[i] = on_curve ? 1.0 : 0.0;

@@ -1,19 +1,19 @@
 // The equilibrium curve by the phase angle, under a law whose g = (1 + tan^2 psi)/f does not grow with psi throughout.
-// Several T may then have the same area, and the circle is of no use: the curve runs along it more than once, or leaves
-// it (g < 1), and T does not follow from tau. By psi the curve is still explicit: y is a root of
+// Several T may then have the same area, and the circle cannot be used: the curve runs along it more than once, or
+// leaves it (g < 1), and T does not follow from tau. By psi the curve is still explicit: y is a root of
 //
 //     g y^2 = 6 pi (y + P),
 //
-// the larger one, up to the psi_c (P < 0, g = -3 pi/(2 P)) at which the two meet, then the smaller one on the way back.
-// Where g falls towards 0, the contact grows over all bounds; the curve ends where g = 1e-8.
+// the larger one up to psi_c, where the two meet (P < 0, g = -3 pi/(2 P)), then the smaller one on the way back. Where
+// g falls towards 0, the contact grows without bound; the curve ends where g = 1e-8.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "mechanics/base/law.h"
 #include "mechanics/contact.h"
-#include "mechanics/model.h"
 #include "mechanics/registry.h"
 
 namespace mixity {
@@ -26,7 +26,7 @@ class NonMonotoneCurve {
     if (!closed() && ratio(std::exp(kLast)) < kLeastRatio) cut();
   }
 
-  /// Whether it comes back to T = 0, at the unstable JKR state; else it runs on to psi = pi/2.
+  /// Whether it returns to T = 0, at the unstable JKR state; else it runs on to psi = pi/2.
   bool closed() const { return sin_c_ > 0; }
   /// Whether it ends at g = 1e-8.
   bool grows_over_all_bounds() const { return psi_end_ < 0.5 * pi<double>(); }
@@ -41,7 +41,7 @@ class NonMonotoneCurve {
     double pace;        // dt/ds over root, finite at psi_c, too
   };
 
-  /// At s, with rest = length() - s beside it for the sake of its digits.
+  /// At s; rest = length() - s is passed separately to keep its digits.
   Place at(double s, double rest) const {
     Place q{};
     if (closed()) {
@@ -62,7 +62,7 @@ class NonMonotoneCurve {
     const double per_t = 1 + q.t * q.t;
     q.pace = per_t * q.dpsi / q.root;
     if (closed()) {
-      // beside psi_c the square has no digits of its own: it is its slope times the way there in ln t
+      // near psi_c the square would cancel: it is its slope times the distance in ln t
       const double cos_s = q.dpsi / sin_c_ / std::sqrt(per_t), squared = cos_s * cos_s, t_c = sin_c_ / cos_c_;
       const double way = 0.5 * (std::log1p(t_c * t_c * squared) - std::log1p(-squared));
       if (way < kBeside) {

@@ -11,18 +11,18 @@ namespace {
 constexpr int kLines = 96;  // at least
 constexpr std::size_t kMostLines = 400;
 constexpr double kFinest = 1.0 / 2048;  // of an axis: less than a pixel
-constexpr double kLeap = 0.03;          // of the loads, by which a boundary may move from line to line
+constexpr double kLeap = 0.03;          // of the loads: how far a boundary may move from line to line
 
-/// A region while it grows: its lower and upper boundary, from line to line.
+/// A region that grows line by line, as its lower and upper boundary.
 struct Growing {
   std::optional<Regime> regime;
-  std::vector<std::pair<double, double>> lower{}, upper{};  // (place on the line, place of it)
+  std::vector<std::pair<double, double>> lower{}, upper{};  // as in RegimeRegion
   RegimeExtent last{};
   bool open = true;
 
-  void add(double place, const RegimeExtent& extent) {
-    lower.emplace_back(extent.from, place);
-    upper.emplace_back(extent.to, place);
+  void add(double line, const RegimeExtent& extent) {
+    lower.emplace_back(extent.from, line);
+    upper.emplace_back(extent.to, line);
     last = extent;
   }
 };
@@ -40,24 +40,15 @@ bool overlap(const RegimeExtent& one, const RegimeExtent& other) { return one.fr
 }  // namespace
 
 const char* regime_text(Regime regime) {
-  switch (regime) {
-    case Regime::asymptote:
-      return "1 shrinks, never to Hertz";
-    case Regime::hertz:
-      return "2 shrinks to Hertz";
-    case Regime::jump:
-      return "3 jumps";
-    case Regime::strength:
-      break;
-  }
-  return "4 slides first";
+  constexpr const char* kTexts[]{"1 shrinks, never to Hertz", "2 shrinks to Hertz", "3 jumps", "4 slides first"};
+  return kTexts[static_cast<std::size_t>(regime) - 1];
 }
 
-std::vector<RegimeRegion> connected_regions(const std::vector<double>& places,
+std::vector<RegimeRegion> connected_regions(const std::vector<double>& coordinates,
                                             const std::vector<std::vector<RegimeExtent>>& lines) {
   std::list<Growing> all;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double before = i > 0 ? 0.5 * (places[i - 1] + places[i]) : places[0];
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const double before = i > 0 ? 0.5 * (coordinates[i - 1] + coordinates[i]) : coordinates[0];
     std::vector<Growing*> grown;
     for (const RegimeExtent& extent : lines[i]) {
       const auto found = std::find_if(all.begin(), all.end(), [&](const Growing& region) {
@@ -66,7 +57,7 @@ std::vector<RegimeRegion> connected_regions(const std::vector<double>& places,
       });
       Growing& region = found != all.end() ? *found : all.emplace_back(Growing{extent.regime});
       if (found == all.end() && i > 0) region.add(before, extent);  // begins between two lines
-      region.add(places[i], extent);
+      region.add(coordinates[i], extent);
       grown.push_back(&region);
     }
     for (Growing& region : all)
@@ -97,7 +88,7 @@ double RegimeMap::value_at(double part) const {
   return logarithmic ? low * std::pow(high / low, part) : low + (high - low) * part;
 }
 
-/// Beyond the critical load it changes at P = 0 alone, since Hertz is an area of pressed contacts.
+/// Beyond the critical load the regime changes only at P = 0, since Hertz contacts exist for P > 0 alone.
 RegimeMap::Line RegimeMap::line(double part) const {
   std::vector<double> p = parameters_;
   p[frame_.parameter] = value_at(part);
@@ -126,7 +117,7 @@ bool RegimeMap::slides_first(std::span<const double> p, double P) const {
   const double end = model_.first_stable_end(p, P);
   if (std::isinf(end)) return true;
   const Equilibrium state = model_.equilibria(p, P, std::span(&end, 1)).at.front();
-  return state.status == EquilibriumStatus::ok && end >= *tau0_ * area_from_radius(radius_from_edge_load(state.y, P));
+  return state.status == EquilibriumStatus::ok && end >= *tau0_ * area_from_edge_load(state.y, P);
 }
 
 RegimeMap::Line RegimeMap::with_strength(std::span<const double> p, const Line& fracture) const {
@@ -169,7 +160,7 @@ bool RegimeMap::differ(const Line& one, const Line& other) const {
                      });
 }
 
-/// Where a line is wanted next.
+/// Where the next line is needed.
 std::optional<double> RegimeMap::missing() const {
   if (lines_.size() <= kLines) return static_cast<double>(lines_.size()) / kLines;
   if (lines_.size() >= kMostLines) return std::nullopt;

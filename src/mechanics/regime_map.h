@@ -21,38 +21,38 @@ struct RegimeExtent {
   double from, to;
 };
 
-/// A connected region of one regime: its outline, closed, as (place on the lines, place of the line).
+/// A connected region of one regime: its closed outline as (coordinate along a line, coordinate of the line).
 struct RegimeRegion {
   std::optional<Regime> regime;
   std::vector<std::pair<double, double>> outline;
 };
 
-/// From lines at these coordinates in ascending order, two at least, each filled by its extents in order.
-std::vector<RegimeRegion> connected_regions(const std::vector<double>& places,
+/// From two or more lines at these coordinates in ascending order, each filled by its extents in order.
+std::vector<RegimeRegion> connected_regions(const std::vector<double>& coordinates,
                                             const std::vector<std::vector<RegimeExtent>>& lines);
 
-/// What a map spans.
+/// The axes of a map.
 struct RegimeMapFrame {
-  std::size_t parameter = 0;  // its number
-  double low = 0, high = 1;   // its ends; above 0 if logarithmic
+  std::size_t parameter = 0;  // number of the parameter
+  double low = 0, high = 1;   // its range; above 0 if logarithmic
   bool logarithmic = false;
   double P_low = 0, P_high = 1;  // above pull-off
 };
 
-/// Found line by line at fixed values of the parameter, more closely where something changes. Along a line the contact
+/// Computed line by line at fixed values of the parameter, more closely where regimes change. Along a line the contact
 /// jumps at loads below the critical one (ContactModel::critical_load).
 class RegimeMap {
  public:
-  /// tau0 > 0, or null: without a limit to the strength. Throws std::invalid_argument for another number of parameters
-  /// and for ends that do not rise.
+  /// tau0 > 0, or null for unlimited strength. Throws std::invalid_argument for a wrong number of parameters and for
+  /// ranges that do not rise.
   RegimeMap(const ContactModel& model, std::span<const double> parameters, const RegimeMapFrame& frame,
             std::optional<double> tau0 = {});
 
-  /// Adds one line. False if none is missing.
+  /// Adds one line. False if the map is complete.
   bool add_line();
 
-  /// Of the lines that there are, two or more. Outlines are (load, value of the parameter). `slivers`: with regions that
-  /// exist at one value of the parameter alone, as at lambda = 0, where the modes are not coupled.
+  /// From the lines so far, two or more. Outlines are (load, value of the parameter). `slivers`: with regions at one
+  /// value of the parameter alone, such as lambda = 0, where the modes are not coupled.
   std::vector<RegimeRegion> regions(bool slivers = true) const;
 
  private:

@@ -11,7 +11,7 @@ namespace mixity {
 template <class Law>
 RegimeReport classify(const Law& law, const Parameters<Law>& p, double P, std::optional<double> tau0) {
   const LoadedContact<Law> contact(law, p, P);
-  const StableBranch branch = contact.first_branch();  // what `excess` asks may find the others, too
+  const StableBranch branch = contact.first_branch();  // a copy: `excess` may add the other branches
   RegimeReport report{Regime::hertz, Regime::hertz, branch.T_bottom, {}, {}};
   if (branch.ends_in_fold) {
     report.fracture = Regime::jump;
@@ -22,7 +22,7 @@ RegimeReport classify(const Law& law, const Parameters<Law>& p, double P, std::o
   report.regime = report.fracture;
   if (!tau0) return report;
   // T - tau0 A(T) rises along the branch, since A falls: one crossing at most.
-  const auto area = [&](double T) { return area_from_radius(radius_from_edge_load(contact.at(T).y, P)); };
+  const auto area = [&](double T) { return area_from_edge_load(contact.at(T).y, P); };
   const auto excess = [&](double T) { return T - *tau0 * area(T); };
   const double high = std::min({branch.T_bottom, *tau0 * area(0), kLargestLoad});
   if (!(excess(high) >= 0)) return report;
@@ -38,15 +38,15 @@ double critical_load(const Law& law, const Parameters<Law>& p) {
   const auto load = [&](double x) {
     const ShearTerm<double> at = excess(x);
     const double rest = 2 + at.d1, growth = 2 * at.value - at.d1;
-    // where g falls (a non-monotone law) T rises; a g next to 0 has no digits of its own
+    // where g falls (a non-monotone law) T rises; a g near 0 has lost its digits
     if (!(growth > 0) || at.value < -1 + 1e-8) return -1.5 * pi<double>();
     return rest > 0 ? 6 * pi<double>() * (at.value - 1 - at.d1) / (rest * rest) : kInfinity;
   };
-  double first = -1;  // below, g is 1 to a millionth: psi folds near pull-off alone
+  double first = -1;  // below, g is 1 to a millionth: folds occur only near pull-off
   while (first > -700 && std::abs(excess(first).value) > 1e-6) first *= 1.5;
   double most = -1.5 * pi<double>(), x_before = first, before = most, x = first, here = load(first);
   while (x < kLast) {
-    const double step = x < 6 ? 0.125 : x < 12 ? 0.25 : 0.5;  // as folds are searched
+    const double step = x < 6 ? 0.125 : x < 12 ? 0.25 : 0.5;  // as in the search for folds
     const double x_next = std::min(x + step, kLast), next = load(x_next);
     most = std::max({most, here, next});
     if (most == kInfinity) return most;

@@ -1,5 +1,5 @@
-// What becomes of a contact that is sheared under a constant normal load (Regime), and the boundaries between the
-// answers in the plane of load and lambda.
+// What becomes of a contact that is sheared under a constant normal load (Regime), and the boundaries between regimes
+// in the plane of load and lambda.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace mixity {
 
-/// For a contact that exists and a valid set of parameters. tau0 > 0 dimensionless, or null. A branch that jumps to a
-/// lower stable one is regime 3 (jumps_to lower_branch): its first critical point decides.
+/// For a contact that exists and valid parameters. tau0 > 0 dimensionless, or null. A jump to a lower stable branch
+/// also counts as regime 3 (jumps_to lower_branch): the first critical point decides.
 template <class Law>
 RegimeReport classify(const Law& law, const Parameters<Law>& p, double P, std::optional<double> tau0 = {});
 
 // ---- Boundaries. These go beyond the paper. ----
 
-/// The load below which a contact jumps, and from which on it shrinks without; infinite where it jumps at every load,
-/// -3 pi/2 where at none. For parameters that define a unique equilibrium.
+/// The load below which a contact jumps and above which it shrinks without a jump; infinite if it jumps at every load,
+/// -3 pi/2 if at none. For parameters that define a unique equilibrium.
 ///
 /// With x = ln tan psi, g(x) = (1 + tan^2 psi)/f and D = d ln g/dx, a fold at x is where g y^2 = 6 pi (y + P) and
 /// (y + 2 P)/(y + P) = D (load_folds.cc). The second gives y + P = P/(D - 1), and both together the one load that folds
@@ -42,8 +42,8 @@ inline double model_b_critical_load(double lambda) {
   return 1.5 * pi<double>() / (kc * kc);
 }
 
-/// A point of the cusp line of model a, where a fold appears on its curve. Both lambda and 1 - lambda are given:
-/// towards large P lambda is 1 to all digits.
+/// A point of the cusp line of model a, where a fold appears on its curve. 1 - lambda is given too, because lambda is 1
+/// to all digits at large P.
 struct CuspPoint {
   double P, lambda, one_minus_lambda;
 };
@@ -73,7 +73,7 @@ inline double model_a_closing_lambda(double P) { return 1 + 2 * P / (3 * pi<doub
 /// -3 pi/2 < P <= 1e8.
 CuspPoint model_a_jump_boundary(double P);
 
-/// Those of the model with this key; null if it has none in closed form.
+/// The closed-form boundaries of the model with this key; null if it has none.
 std::optional<std::span<const RegimeBoundary>> regime_boundaries(std::string_view key);
 
 }  // namespace mixity

@@ -1,13 +1,12 @@
-// Every mode-mixity law that the program knows: the published ones, each with its header, and those that are defined at
-// run time (laws/law.h). To add one, write its header and include it here, or add it to data/laws.toml.
+// The types of laws: the published ones, each with its header, and UserLawView for those that are defined at run time.
+// To add a published law, write its header and include it here. Laws as text go to data/laws.toml.
 #pragma once
 
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
-#include "mechanics/laws/known_laws.h"
-#include "mechanics/laws/typed_law.h"
+#include "mechanics/laws/user_law_view.h"
 #include "mechanics/models/benzeggagh_kenane.h"     // bk
 #include "mechanics/models/johnson.h"               // a
 #include "mechanics/models/papangelo_ciavarella.h"  // c
@@ -38,22 +37,9 @@ void for_each_model(Visit&& visit) {
   std::apply([&](auto... law) { (visit(law), ...); }, Models{});
 }
 
-/// Calls visit(law) with the law of this key and returns true; returns false if there is none. `law` is an object of a
-/// published law's type or a TypedLaw, valid until the visit returns, on its thread.
-template <class Visit>
-bool with_law(std::string_view key, Visit&& visit) {
-  if (std::apply([&](auto... law) { return ((law.info.key == key ? (visit(law), true) : false) || ...); }, Models{}))
-    return true;
-  const std::shared_ptr<const ExpressionLaw> law = find_law(key);
-  if (!law) return false;
-  const LawLease lease(law);
-  visit(TypedLaw(lease));
-  return true;
-}
-
 namespace registry_detail {
 template <class... Law>
-std::tuple<Law..., TypedLaw> with_typed(std::tuple<Law...>);
+std::tuple<Law..., UserLawView> with_typed(std::tuple<Law...>);
 
 template <class Entry, class... Law>
 constexpr auto each_of(Entry entry, std::type_identity<std::tuple<Law...>>) {

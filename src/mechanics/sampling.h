@@ -10,11 +10,11 @@
 
 namespace mixity {
 
-/// How far curves that run to infinite T are drawn, in multiples of their natural scale.
+/// How far curves that run to infinite T are drawn, in multiples of shear_scale.
 inline constexpr double kFarthestDrawn = 10;
 
-/// phi range of one piece that is worth drawing: to its end, or where it runs to infinity as far as T <= T_most. On a
-/// sliver of a piece (model a, P just below 0) it stops before, where the roundings of phi and y hide T by 1e-4 T_most.
+/// The phi range of one piece to draw: to its end, or up to T_most where it runs to infinity. On a very short piece
+/// (model a, P just below 0) it ends earlier, where the rounding of phi and y causes an error of 1e-4 T_most in T.
 struct PhiRange {
   double from, to;
 };
@@ -25,16 +25,16 @@ std::vector<PhiRange> drawable_ranges(const EquilibriumCurve<Law>& curve, double
   std::vector<PhiRange> ranges;
   for (const CurvePiece& piece : curve.pieces()) {
     PhiRange range{curve.phi_begin(piece), curve.phi_end(piece)};
-    const auto holds = [&](double phi) {
+    const auto drawable = [&](double phi) {
       const CurvePoint q = curve.point(phi);
-      const double blur = 4.4e-16 * (phi + q.y / std::abs(q.dy));  // phi's rounding, and y's, since dy/dphi = -tau
+      const double blur = 4.4e-16 * (phi + q.y / std::abs(q.dy));  // the rounding of phi and that of y
       return q.T < T_most && std::abs(q.dT) * blur < 1e-4 * T_most;
     };
-    // T is monotone between the asymptote and the inside of its piece where it exceeds every fold: bisect
+    // T is monotone between the asymptote and a point inside the piece beyond every fold
     const auto cut = [&](double inside, double asymptote) {
       for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (inside + asymptote);
-        (holds(middle) ? inside : asymptote) = middle;
+        (drawable(middle) ? inside : asymptote) = middle;
       }
       return inside;
     };
@@ -46,7 +46,7 @@ std::vector<PhiRange> drawable_ranges(const EquilibriumCurve<Law>& curve, double
   return ranges;
 }
 
-/// A natural scale of T: where the circle's top would be for small shear.
+/// A natural scale of T: its value at the top of the circle if tau^2 = small_shear T^2 throughout.
 template <class Law>
 double shear_scale(const EquilibriumCurve<Law>& curve) {
   const double w = curve.law().small_shear(curve.parameters());
@@ -66,30 +66,40 @@ std::vector<CurvePoint> sample_uniform(const EquilibriumCurve<Law>& curve, const
   return points;
 }
 
-/// Points on the curve such that the straight lines between them stay within `chord` of it, in the plane of T and A,
-/// each as a fraction of its range. From each point the longest step that holds is taken, which needs the fewest
-/// points of all polylines with vertices on the curve. The distance is measured at 15 places of each step, and
-/// the peak of the parabola through three of them finds its maximum to 1 %.
+/// Distances in the plane of T and A, each as a fraction of its largest value on a curve.
+struct ChordPlane {
+  double T_range = 0, A_range = 0;
+
+  explicit ChordPlane(const std::vector<CurvePoint>& points) {
+    for (const CurvePoint& p : points) {
+      T_range = std::max(T_range, p.T);
+      A_range = std::max(A_range, p.A);
+    }
+    if (!(T_range > 0)) T_range = 1;
+  }
+  /// From the segment between a and b, not from the line through them: a curve may turn back at a fold.
+  double distance(const CurvePoint& a, const CurvePoint& b, const CurvePoint& point) const {
+    const double dx = (b.T - a.T) / T_range, dy = (b.A - a.A) / A_range, length = std::hypot(dx, dy);
+    const double x = (point.T - a.T) / T_range, y = (point.A - a.A) / A_range;
+    const double along = length > 0 ? std::clamp((x * dx + y * dy) / (length * length), 0.0, 1.0) : 0;
+    return std::hypot(x - along * dx, y - along * dy);
+  }
+};
+
+/// Points on the curve such that the straight lines between them stay within `chord` of it (ChordPlane). From each
+/// point the longest step that satisfies this is taken, which needs the fewest points of all polylines with vertices on
+/// the curve. The distance is measured at 15 points of each step; the peak of the parabola through three of them gives
+/// its maximum to 1 %.
 template <class Law>
 std::vector<CurvePoint> sample_adaptive(const EquilibriumCurve<Law>& curve, const std::vector<PhiRange>& ranges,
                                         double chord) {
-  double T_range = 0, A_range = 0;
-  for (const CurvePoint& p : sample_uniform(curve, ranges, 65)) {
-    T_range = std::max(T_range, p.T);
-    A_range = std::max(A_range, p.A);
-  }
-  if (!(T_range > 0)) T_range = 1;
-  const auto holds = [&](const CurvePoint& a, double to) {
+  const ChordPlane plane(sample_uniform(curve, ranges, 65));
+  const auto stays_within = [&](const CurvePoint& a, double to) {
     const CurvePoint b = curve.point(to);
-    const double dx = (b.T - a.T) / T_range, dy = (b.A - a.A) / A_range, length = std::hypot(dx, dy);
     std::array<double, 17> off{};  // 0 at both ends
     constexpr std::size_t kLast = off.size() - 1;
     for (std::size_t i = 1; i < kLast; ++i) {
-      const CurvePoint c = curve.point(a.phi + (to - a.phi) * static_cast<double>(i) / kLast);
-      const double x = (c.T - a.T) / T_range, y = (c.A - a.A) / A_range;
-      // distance from the segment, not from the line through it: a fold may turn back
-      const double t = length > 0 ? std::clamp((x * dx + y * dy) / (length * length), 0.0, 1.0) : 0;
-      off[i] = std::hypot(x - t * dx, y - t * dy);
+      off[i] = plane.distance(a, b, curve.point(a.phi + (to - a.phi) * static_cast<double>(i) / kLast));
       if (off[i] > 0.99 * chord) return false;
     }
     for (std::size_t i = 1; i < kLast; ++i) {
@@ -105,16 +115,16 @@ std::vector<CurvePoint> sample_adaptive(const EquilibriumCurve<Law>& curve, cons
     while (points.back().phi < range.to) {
       const CurvePoint here = points.back();
       const double left = range.to - here.phi;
-      if (holds(here, range.to)) {
+      if (stays_within(here, range.to)) {
         points.push_back(curve.point(range.to));
         break;
       }
       step = std::min(step, left);
-      while (step < left && holds(here, here.phi + step)) step = std::min(2 * step, left);
-      double low = 0, high = step;  // low holds, high does not
+      while (step < left && stays_within(here, here.phi + step)) step = std::min(2 * step, left);
+      double low = 0, high = step;  // low stays within, high does not
       while (high - low > 1e-3 * high) {
         const double middle = 0.5 * (low + high);
-        (holds(here, here.phi + middle) ? low : high) = middle;
+        (stays_within(here, here.phi + middle) ? low : high) = middle;
       }
       step = std::max(low, 1e-12);
       points.push_back(curve.point(here.phi + step));
@@ -123,30 +133,22 @@ std::vector<CurvePoint> sample_adaptive(const EquilibriumCurve<Law>& curve, cons
   return points;
 }
 
-/// The same with a hundredth of the work and some three times as many points, for who waits for them: even steps are
-/// halved until their middles stay within the chord.
+/// The same for a hundredth of the work, with some three times as many points: even steps are halved until their
+/// middles stay within the chord.
 template <class Law>
 std::vector<CurvePoint> sample_halved(const EquilibriumCurve<Law>& curve, const std::vector<PhiRange>& ranges,
                                       double chord) {
   constexpr std::size_t kFirst = 17;
   constexpr int kMostHalvings = 12;
   const std::vector<CurvePoint> first = sample_uniform(curve, ranges, kFirst);
-  double T_range = 0, A_range = 0;
-  for (const CurvePoint& p : first) {
-    T_range = std::max(T_range, p.T);
-    A_range = std::max(A_range, p.A);
-  }
-  if (!(T_range > 0)) T_range = 1;
+  const ChordPlane plane(first);
   std::vector<CurvePoint> points;
   // what follows a, up to b
   const auto add = [&](const auto& again, const CurvePoint& a, const CurvePoint& b, int halvings) -> void {
     const CurvePoint middle = curve.point(0.5 * (a.phi + b.phi));
     if (!(middle.phi > a.phi && middle.phi < b.phi)) return points.push_back(b);
-    const double dx = (b.T - a.T) / T_range, dy = (b.A - a.A) / A_range, length = std::hypot(dx, dy);
-    const double x = (middle.T - a.T) / T_range, y = (middle.A - a.A) / A_range;
-    const double along = length > 0 ? std::clamp((x * dx + y * dy) / (length * length), 0.0, 1.0) : 0;
     // with the middle as a point a smooth curve is four times nearer than the middle was, at an end hardly nearer
-    if (halvings == 0 || std::hypot(x - along * dx, y - along * dy) <= chord) {
+    if (halvings == 0 || plane.distance(a, b, middle) <= chord) {
       points.push_back(middle);
       return points.push_back(b);
     }

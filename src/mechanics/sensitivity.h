@@ -1,20 +1,21 @@
-// How a contact answers to a change of anything. With y = 4/3 a^3 - P and A = pi a^2, equilibrium is
+// The derivatives of equilibrium in all that it depends on. With y = 4/3 a^3 - P and A = pi a^2, equilibrium is
 //
 //     F(A, T, P, parameters) = y^2 + tau^2(y, T) - 6 pi (y + P) = 0,
 //
-// the circle. One gradient of F serves all: dA/dT = -F_T/F_A, dA/dlambda = -F_lambda/F_A, and F/|grad F| is how far a
-// point lies from the curve. Since y^2 + tau^2 = (y^2 + T^2)/f, the derivative in a parameter needs d(ln f) only.
+// the circle. One gradient of F gives them all: dA/dT = -F_T/F_A, dA/dlambda = -F_lambda/F_A, and F/|grad F| is the
+// distance of a point from the curve to first order. Since y^2 + tau^2 = (y^2 + T^2)/f, the derivative in a parameter
+// needs d(ln f) only.
 #pragma once
 
+#include "mechanics/base/law.h"
 #include "mechanics/contact.h"
-#include "mechanics/model.h"
 #include "mechanics/registry.h"
 
 namespace mixity {
 
 template <class Law>
 struct EquilibriumGradient {
-  double held;     // y^2 + tau^2 = (y^2 + T^2)/f, what the interface holds against 6 pi (y + P)
+  double held;     // y^2 + tau^2 = (y^2 + T^2)/f, which equals 6 pi (y + P) in equilibrium
   double A, T, P;  // dF/dA at fixed T and P, and so on
   Parameters<Law> parameters;
 };
@@ -29,7 +30,7 @@ EquilibriumGradient<Law> equilibrium_gradient(const Law& law, const Parameters<L
   gradient.held = held;
   gradient.A = (2 * (y - 3 * pi<double>()) + tau2.d1) * 2 * a / pi<double>();  // dy/dA = 2 a/pi
   gradient.T = T > 0 ? (2 * tau2.value - y * tau2.d1) / T : 0.0;               // tau^2 is homogeneous of degree 2
-  gradient.P = -(2 * y + tau2.d1);                                             // y + P stays: dy/dP = -1
+  gradient.P = -(2 * y + tau2.d1);                                             // at fixed y + P: dy/dP = -1
   const auto log_f = law.log_toughness(p, mixity_from_loads(y, T));
   gradient.parameters = log_f.gradient;
   for (double& slope : gradient.parameters) slope *= -held;

@@ -8,22 +8,25 @@
 #include <span>
 #include <string_view>
 
+#include "mechanics/base/law.h"
 #include "mechanics/contact.h"
-#include "mechanics/model.h"
 
 namespace mixity {
 
 /// Largest T and |P| for which the formulas are guaranteed not to overflow.
 inline constexpr double kLargestLoad = 1e150;
 
-/// Stands for T = infinity.
+/// Used for T = infinity.
 inline constexpr double kFar = 1e150;
 
 // ---- Equilibrium at given loads ----
 
 enum class EquilibriumStatus : unsigned char { ok, no_equilibrium, invalid };
 /// The name of a status in every output format.
-std::string_view to_string(EquilibriumStatus status);
+inline std::string_view to_string(EquilibriumStatus status) {
+  constexpr std::string_view kNames[]{"ok", "no_equilibrium", "invalid"};
+  return kNames[static_cast<std::size_t>(status)];
+}
 
 struct Equilibrium {
   EquilibriumStatus status;
@@ -31,12 +34,12 @@ struct Equilibrium {
   int iterations = 0;
 };
 
-/// One piece of the equilibrium curve on which A falls steadily as T rises: stable under load control.
-/// y falls from y_top (at T_top) to y_bottom (at T_bottom, which may be infinite: model a's asymptote).
+/// A part of the equilibrium curve on which A falls steadily as T rises: stable under load control. y falls from y_top
+/// (at T_top) to y_bottom (at T_bottom, which is infinite at an asymptote of model a).
 struct StableBranch {
   double y_top, T_top, y_bottom, T_bottom;
   bool ends_in_fold;               // otherwise y_bottom is Hertz (0) or an asymptote
-  double v_top = 0, v_bottom = 0;  // under a non-monotone law: coordinates on the curve, along which A may rise, too
+  double v_top = 0, v_bottom = 0;  // under a non-monotone law: coordinates on the curve, along which A may also rise
 };
 
 struct ContactState {
@@ -64,7 +67,7 @@ inline ContactState contact_state(double P, double T, double y) {
           std::fmin(f, std::numeric_limits<double>::max())};
 }
 
-/// A state at constant T, and whether it is stable when the normal load is what is controlled.
+/// A state at constant T, and whether it is stable under a controlled normal load.
 struct ConstantShearPoint {
   double y, P, a;
   double dP_dy;  // > 0: stable, the load must grow for the contact to grow; 0 at pull-off under shear
@@ -72,15 +75,14 @@ struct ConstantShearPoint {
 
 // ---- The whole curve ----
 
-/// A place on the curve: the edge load and cos^2(phi/2), sin^2(phi/2), each to full relative accuracy, since none
-/// follows from another without losing digits somewhere (near pull-off, near the ends).
+/// A position on the curve: the edge load and cos^2(phi/2), sin^2(phi/2), each to full relative accuracy, since each
+/// loses digits somewhere (near pull-off, near the ends) if it is computed from another.
 struct CurvePosition {
   double y, cos2, sin2;
   double t = 0;  // T/y, under a non-monotone law, which leaves cos2 and sin2 unused
 };
 
-/// A point of the curve with its derivatives in phi. All finite: where one is infinite, the largest double stands for
-/// it.
+/// A point of the curve with its derivatives in phi. All finite: the largest double replaces an infinite value.
 struct CurvePoint {
   double phi, y, T, a, A, u, psi, f;
   double dy, dT, da, dA, du, dpsi, df;
@@ -88,15 +90,21 @@ struct CurvePoint {
 
 // ---- Instabilities ----
 
-/// What drives the contact: v = T (load), u (displacement), or u + T/k (a spring of stiffness k > 0 in series).
+/// The driving quantity: T (load), u (displacement), or u + T/k (a spring of stiffness k > 0 in series).
 struct Control {
   enum class Kind { load, displacement, stiffness } kind;
   double stiffness = 0;  // k~ = k/(xi^2 G_Ic); only for Kind::stiffness
 };
-std::string_view to_string(Control::Kind kind);
+inline std::string_view to_string(Control::Kind kind) {
+  constexpr std::string_view kNames[]{"load", "displacement", "stiffness"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
 
 enum class Jump { hertz, lower_branch, upper_branch, off_contact };
-std::string_view to_string(Jump jump);
+inline std::string_view to_string(Jump jump) {
+  constexpr std::string_view kNames[]{"hertz", "lower_branch", "upper_branch", "off_contact"};
+  return kNames[static_cast<std::size_t>(jump)];
+}
 
 /// Where the driving quantity has an extremum along the curve.
 struct FoldPlace {
@@ -104,16 +112,16 @@ struct FoldPlace {
   double coordinate;  // logistic, see EquilibriumCurve::position
   CurvePosition position;
   double T;
-  bool maximum;  // met on loading; a minimum is met on reversal from a lower branch
+  bool maximum;  // reached on loading; a minimum is reached on reversal from a lower branch
 };
 
-/// A fold with the state there and what follows it.
+/// A fold with its state and what follows it.
 struct Fold {
   Control control;
   FoldPlace place;
   double T, u, A, psi;  // T is the place's
   Jump jumps_to;
-  double area_after;  // area of the state it jumps to: 0 off contact
+  double area_after;  // area of the state after the jump: 0 off contact
   double area_lost;   // A - area_after; negative where the contact regains area
 };
 
@@ -146,31 +154,30 @@ struct PlanePoints {
   std::span<const double> P, T, A, sigma_T, sigma_A;
 };
 
-/// local: the place of the curve that Newton's method reaches from the point, which is the nearest where the point lies
-/// within some standard errors of the curve, and never nearer than the nearest. global: the nearest of the whole curve
-/// that starts from JKR.
-/// rough: to first order, from a place of the curve beside the point, whatever Newton's method would make of it.
+/// local: the point of the curve that Newton's method reaches from the measured point; the nearest one if the measured
+/// point lies within some standard errors of the curve. global: the nearest point of the whole curve that starts from
+/// JKR. rough: to first order from a point of the curve beside the measured one, without Newton's method.
 enum class Search { rough, local, global };
 
-/// r is positive where the area of the model is the larger. The nearest place is found anew for each value, so that by
-/// the envelope theorem the derivatives are those of -F/|grad F| there; where the place is an end or a corner of the
-/// curve, those of the distance from it. `parameters` holds those in the model's parameters, point after point.
-/// d r/d ln sigma_T is -r (dT sigma_T)^2, and so for A.
+/// r is positive where the area of the model is the larger. The nearest point is found again for each value, so that by
+/// the envelope theorem the derivatives are those of -F/|grad F| there, or, at an end or a corner of the curve, those
+/// of the distance from it. `parameters` has those in the model's parameters, point after point. d r/d ln sigma_T is
+/// -r (dT sigma_T)^2, and likewise for A.
 ///
-/// `place_T` and `place_A`, unless empty, hold places to start from, as near a point's own as those of parameters
-/// nearby are (A = 0: none), and the nearest places afterwards.
+/// `place_T` and `place_A`, unless empty, contain starting points, such as the nearest points for similar parameters
+/// (A = 0: none), and afterwards the nearest points.
 struct CurveDistances {
   std::span<double> r, dP, dT, dA, parameters, place_T{}, place_A{};
 };
 
-/// Measured energies of the two modes with standard errors > 0, and the toughness G_Ic > 0 that each is compared with,
-/// all in one unit of energy per area. Spans of one size.
+/// Measured energies of the two modes with standard errors > 0, and the toughness G_Ic > 0 of each, all in one unit of
+/// energy per area. Spans of one size.
 struct EnergyPoints {
   std::span<const double> G_I, G_II, sigma_I, sigma_II, G_Ic;
 };
 
 /// Signed distances in units of the standard errors, positive where the law's energies are the larger, with their
-/// derivatives in the model's parameters (point after point; empty: not wanted) and in ln G_Ic.
+/// derivatives in the model's parameters (point after point; not computed if empty) and in ln G_Ic.
 struct EnergyDistances {
   std::span<double> value, log_toughness, parameters;
 };

@@ -1,6 +1,5 @@
 // The C library's vector forms of log, tan and atan, which compilers use by themselves only with -ffast-math. For
-// sources whose loops are to take several points at once; they need -fno-math-errno -fno-trapping-math, which change no
-// result.
+// sources with vectorised loops; these need -fno-math-errno -fno-trapping-math, which change no result.
 #pragma once
 
 #include <cmath>
@@ -21,7 +20,7 @@ __attribute__((simd("notinbranch"))) double atan(double) noexcept;
 #define MIXITY_WIDE
 #define MIXITY_HAS_WIDE false
 #endif
-// The same for one function, chosen when the program starts: before a sanitizer is ready.
+// The same for one function, chosen when the program starts. Not with sanitizers, which are not ready then.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define MIXITY_SIMD __attribute__((target_clones("avx2", "default")))

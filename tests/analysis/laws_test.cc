@@ -110,7 +110,7 @@ TEST_F(Definitions, StateLawsThatAreModels) {
       write("data = \"x.csv\"\nmodels = [\"c\", \"mine\"]\nhold = \"n=2\"\n[laws.mine]\nf = \"1 + p*tan(psi)^n\"\n"
             "p = [0, 1]\nn = { range = [0.5, 4], start = 2 }\n"));
   EXPECT_EQ(request.models, (std::vector<std::string>{"c", "mine"}));
-  const std::shared_ptr<const ExpressionLaw> law = find_law("mine");
+  const std::shared_ptr<const UserLaw> law = find_law("mine");
   ASSERT_TRUE(law);
   ASSERT_EQ(law->definition().parameters.size(), 2u);
   EXPECT_EQ(law->definition().parameters[0].name, "p");  // as they are written

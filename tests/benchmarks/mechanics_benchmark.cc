@@ -67,7 +67,8 @@ template <class Model>
 void PredictBatch(benchmark::State& state) {
   const std::vector<double> T = loads<Model>();
   std::vector<double> areas(T.size());
-  for (auto _ : state) benchmark::DoNotOptimize(predict_areas(Model{}, typical<Model>(), kLoad, T, areas));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(predict_areas(LoadedContact(Model{}, typical<Model>(), kLoad), T, areas));
   per_point(state);
 }
 BENCHMARK_TEMPLATE(PredictBatch, PapangeloCiavarella);

@@ -233,7 +233,7 @@ void check_a_law(std::string_view text) {
   accepts({"--law:"}, [&] {
     const LawDefinition definition = read_law_text("--law", text);
     LawError error;
-    const auto law = ExpressionLaw::make(definition, error);
+    const auto law = UserLaw::make(definition, error);
     promise(law || !error.message.empty(), "a law is read, or it is said why not");
     promise(law || !error.at || *error.at <= definition.text.size(), "what is wrong lies in the text");
     if (!law) return;

@@ -40,7 +40,8 @@ TEST(AnyModel, HasTheAreasOfItsTypeInAnyOrderOfLoads) {
     std::vector<EquilibriumStatus> status(P.size());
     std::vector<Values> parameters;
     for (const double& value : values) parameters.push_back({&value, 0});
-    areas(Model::info.key, parameters, {P.data(), 1}, {T.data(), 1}, A, status);
+    const ContactModel model = ContactModel::find(Model::info.key).value();
+    model.areas(parameters, {P.data(), 1}, {T.data(), 1}, A, status);
     for (std::size_t i = 0; i < P.size(); ++i) {
       const Equilibrium wanted = LoadedContact(Model{}, p, P[i]).at(std::abs(T[i]));
       ASSERT_EQ(status[i], wanted.status) << Model::info.key << i;
@@ -50,7 +51,7 @@ TEST(AnyModel, HasTheAreasOfItsTypeInAnyOrderOfLoads) {
       EXPECT_NEAR(A[i], exact, 1e-14 * exact);  // 4e-15 each
       // and back, where the branch is stable and not flat: at small T the area hardly tells it
       double back = 0;
-      tangential_loads(Model::info.key, parameters, {&P[i], 0}, {&A[i], 0}, {&back, 1});
+      model.tangential_loads(parameters, {&P[i], 0}, {&A[i], 0}, {&back, 1});
       if (std::abs(T[i]) > 2) {
         EXPECT_NEAR(back, std::abs(T[i]), 1e-9 * std::abs(T[i])) << Model::info.key << ' ' << P[i];
       }
@@ -66,11 +67,12 @@ TEST(AnyModel, TakesOneValueForAllOrOneForEach) {
   std::vector<double> A(5), one(1);
   std::vector<EquilibriumStatus> status(5), one_status(1);
   const Values each[] = {{lambdas.data(), 1}};
-  areas("c", each, {&P, 0}, {&T, 0}, A, status);
+  const ContactModel model = ContactModel::find("c").value();
+  model.areas(each, {&P, 0}, {&T, 0}, A, status);
   EXPECT_EQ(status[3], EquilibriumStatus::invalid);  // lambda > 1
   for (const std::size_t i : {0u, 1u, 2u, 4u}) {
     const Values alone[] = {{&lambdas[i], 0}};
-    areas("c", alone, {&P, 0}, {&T, 0}, one, one_status);
+    model.areas(alone, {&P, 0}, {&T, 0}, one, one_status);
     EXPECT_EQ(A[i], one[0]);
   }
 }
@@ -78,14 +80,13 @@ TEST(AnyModel, TakesOneValueForAllOrOneForEach) {
 TEST(AnyModel, HasTheSlopesOfItsAreas) {
   const double P = 2, m = 1.3;
   const std::vector<double> T{0, 3, -8, 12, 500};
-  for (const std::string model : {"a", "b", "c", "bk"}) {
-    const std::vector<double> p = model == "bk" ? std::vector{1.8, m} : std::vector{0.15};
+  for (const ContactModel& model : ContactModel::published()) {
+    const std::string_view key = model.info().key;
+    const std::vector<double> p = key == "bk" ? std::vector{1.8, m} : std::vector{0.15};
     const auto at = [&](const std::vector<double>& values) {
-      std::vector<Values> all;
-      for (const double& one : values) all.push_back({&one, 0});
       std::vector<double> A(T.size());
       std::vector<EquilibriumStatus> status(T.size());
-      areas(model, all, {&P, 0}, {T.data(), 1}, A, status);
+      model.areas_at(values, P, T, A, status);
       return A;
     };
     std::vector<Values> all;
@@ -93,19 +94,19 @@ TEST(AnyModel, HasTheSlopesOfItsAreas) {
     std::vector<std::vector<double>> slopes(p.size(), std::vector<double>(T.size()));
     const std::vector<std::span<double>> out(slopes.begin(), slopes.end());
     const std::vector<double> A = at(p);
-    area_slopes(model, all, {&P, 0}, {T.data(), 1}, A, out);
+    model.area_slopes(all, {&P, 0}, {T.data(), 1}, A, out);
     for (std::size_t k = 0; k < p.size(); ++k) {
       const double h = 1e-5;
       std::vector<double> above = p, below = p;
       above[k] += h;
       below[k] -= h;
       const std::vector<double> more = at(above), less = at(below);
-      EXPECT_EQ(slopes[k][0], 0) << model;
+      EXPECT_EQ(slopes[k][0], 0) << key;
       for (std::size_t i = 0; i < T.size(); ++i) {
-        ASSERT_EQ(std::isnan(slopes[k][i]), std::isnan(A[i])) << model;
+        ASSERT_EQ(std::isnan(slopes[k][i]), std::isnan(A[i])) << key;
         // central differences are right to h^2
         if (std::isnan(A[i])) continue;
-        EXPECT_NEAR(slopes[k][i], (more[i] - less[i]) / (2 * h), 1e-6) << model << ' ' << i;
+        EXPECT_NEAR(slopes[k][i], (more[i] - less[i]) / (2 * h), 1e-6) << key << ' ' << i;
       }
     }
   }
@@ -116,7 +117,7 @@ TEST(AnyModel, HasTheToughnessOfItsFormula) {
   const std::vector<double> psi{0, 0.4, half_pi, -0.1, 1.6};
   std::vector<double> f(5);
   const Values p[] = {{&lambda, 0}};
-  toughness_ratios("c", p, {psi.data(), 1}, f);
+  ContactModel::find("c")->toughness_ratios(p, {psi.data(), 1}, f);
   EXPECT_EQ(f[0], 1);
   EXPECT_NEAR(f[1], 1 / (1 + (0.3 - 1) * std::pow(std::sin(0.4), 2)), 1e-15);
   EXPECT_NEAR(f[2], 1 / 0.3, 1e-15);
@@ -125,18 +126,21 @@ TEST(AnyModel, HasTheToughnessOfItsFormula) {
 
 TEST(AnyModel, HasFoldsRegimesAndCurvesOrAReason) {
   const std::vector<double> p{0.15}, wrong{1.5}, two{0.1, 0.2};
-  const auto folds = folds_of("c", p, 2, {Control::Kind::load});
-  ASSERT_EQ(folds.folds.size(), 1u);
-  EXPECT_NEAR(folds.folds[0].T, circle_radius(2.0) / std::sqrt(0.15), 1e-12);
-  EXPECT_EQ(regime_of("c", p, 2).regime.value().fracture, Regime::jump);
-  const auto curve = curve_of("c", p, 2, 50);
-  EXPECT_EQ(curve.points.size(), 50u);
-  EXPECT_EQ(folds_of("c", wrong, 2, {Control::Kind::load}).problem, parameters_problem("c", wrong));
-  EXPECT_NE(parameters_problem("c", wrong), "");
-  EXPECT_EQ(parameters_problem("c", two), "model c has 1 parameter, not 2");
-  EXPECT_EQ(parameters_problem("x", p), "no model is called 'x'");
-  EXPECT_NE(folds_of("c", p, -5, {Control::Kind::load}).problem.find("pull-off"), std::string::npos);
-  EXPECT_NE(regime_of("c", p, 2, -1).problem, "");
+  const ContactModel model = ContactModel::find("c").value();
+  const auto folds = model.folds(p, 2, {Control::Kind::load});
+  ASSERT_EQ(folds.size(), 1u);
+  EXPECT_NEAR(folds[0].T, circle_radius(2.0) / std::sqrt(0.15), 1e-12);
+  EXPECT_EQ(model.regime(p, 2).value().fracture, Regime::jump);
+  EXPECT_EQ(model.curve(p, 2, {.points = 50}).points.size(), 50u);
+  EXPECT_EQ(model.problem(p, 2), "");
+  EXPECT_TRUE(model.folds(wrong, 2, {Control::Kind::load}).empty());
+  EXPECT_EQ(model.problem(wrong), model.obstacle(wrong));
+  EXPECT_NE(model.problem(wrong), "");
+  EXPECT_EQ(model.problem(two), "model c has 1 parameter, not 2");
+  EXPECT_FALSE(ContactModel::find("x"));
+  EXPECT_TRUE(model.folds(p, -5, {Control::Kind::load}).empty());
+  EXPECT_NE(model.problem(p, -5).find("pull-off"), std::string::npos);
+  EXPECT_FALSE(model.regime(p, -5));
 }
 
 }  // namespace

@@ -42,25 +42,26 @@ TEST(CriticalLoad, IsPullOffWithoutCouplingAndBeyondAllLoadsForModelC) {
   for (const double lambda : {1e-9, 0.0023, 0.15, 1.0}) EXPECT_GT(critical_load(PapangeloCiavarella{}, {lambda}), 1e20);
   EXPECT_GT(critical_load(Johnson{}, {1}), 1e20);
   EXPECT_GT(critical_load(WatersGuduru{}, {2}), 1e20);
-  EXPECT_FALSE(critical_load_of("a", std::vector{2.0}));
-  EXPECT_FALSE(critical_load_of("bk", std::vector{30.0, 3.0}));  // no unique equilibrium
+  EXPECT_FALSE(ContactModel::find("a")->critical_load(std::vector{2.0}));
+  EXPECT_FALSE(ContactModel::find("bk")->critical_load(std::vector{30.0, 3.0}));  // no unique equilibrium
 }
 
 /// Loads at random, and both sides of the critical one.
-void agrees(const std::string& model, const std::vector<double>& p) {
+void agrees(const std::string& key, const std::vector<double>& p) {
   static std::mt19937 random(1);
   std::uniform_real_distribution<double> part(0, 1);
-  const auto critical = critical_load_of(model, p);
-  ASSERT_EQ(critical.has_value(), parameters_problem(model, p).empty());
+  const ContactModel model = ContactModel::find(key).value();
+  const auto critical = model.critical_load(p);
+  ASSERT_EQ(critical.has_value(), model.problem(p).empty());
   if (!critical) return;
   std::vector<double> loads{*critical - 1e-6 * (5 + std::abs(*critical)), *critical + 1e-6 * (5 + std::abs(*critical))};
   for (int i = 0; i < 10; ++i) loads.push_back(kPullOff * 0.999 + 30 * part(random) * part(random));
   for (const double P : loads) {
     if (!(P > kPullOff * 0.9999 && P < 1e6)) continue;
-    const auto told = regime_of(model, p, P);
-    ASSERT_TRUE(told.regime) << told.problem;
-    EXPECT_EQ(told.regime->regime == Regime::jump, P < *critical)
-        << model << ' ' << p[0] << ' ' << p.back() << " P " << P << " critical " << *critical;
+    const auto found = model.regime(p, P);
+    ASSERT_TRUE(found) << model.problem(p, P);
+    EXPECT_EQ(found->regime == Regime::jump, P < *critical)
+        << key << ' ' << p[0] << ' ' << p.back() << " P " << P << " critical " << *critical;
   }
 }
 
@@ -93,8 +94,8 @@ TEST(CriticalLoad, PartsTheRegimesOfLawsThatAreTyped) {
     agrees("critical_angle", {50 * part(random)});
   }
   for (const double lambda : {0.15, 0.7, 1.7})
-    EXPECT_NEAR(*critical_load_of("critical_b", std::vector{lambda}), model_b_critical_load(lambda),
-                1e-9 * model_b_critical_load(lambda));  // psi is rounded
+    EXPECT_NEAR(ContactModel::find("critical_b")->critical_load(std::vector{lambda}).value(),
+                model_b_critical_load(lambda), 1e-9 * model_b_critical_load(lambda));  // psi is rounded
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TYPED_TEST_SUITE(EnergyPlane, ModelTypes);
 /// little more than G_Ic lies beside that stretch.
 TEST(EnergyPlaneOfBk, PointsAboveGIcAreNearTheStretchThatRisesFromIt) {
   const Parameters<BenzeggaghKenane> p{3, 0.6};
-  const EnergyLaw law(BenzeggaghKenane{}, p);
+  const EnergyCurve law(BenzeggaghKenane{}, p);
   for (const Point& measured : {Point{1.002, 0.001}, Point{1.02, 0}, Point{1.00552, 0.002205}}) {
     double least = 1e300;
     for (int i = 0; i <= 400000; ++i) {
@@ -54,7 +54,7 @@ TEST(EnergyPlaneOfBk, PointsAboveGIcAreNearTheStretchThatRisesFromIt) {
 TYPED_TEST(EnergyPlane, NearestPointIsThatOfADenseWalkAlongTheLaw) {
   const double sigma_I = 0.03, sigma_II = 0.05;
   for (const Parameters<TypeParam>& p : cases<TypeParam>()) {
-    const EnergyLaw law(TypeParam{}, p);
+    const EnergyCurve law(TypeParam{}, p);
     for (const double psi : {0.4, 0.6, 0.9, 1.2})
       for (const double off : {-0.08, 0.0, 0.05}) {
         const Point q = on_law<TypeParam>(p, psi);
@@ -81,7 +81,7 @@ TYPED_TEST(EnergyPlane, DerivativesMatchDifferences) {
     for (const double psi : {0.3, 0.8, 1.2}) {
       const Point q = on_law<TypeParam>(p, psi);
       const auto r = [&](const Parameters<TypeParam>& at, double log_toughness) {
-        return EnergyLaw(TypeParam{}, at)
+        return EnergyCurve(TypeParam{}, at)
             .distance(q.G_I + 0.02, q.G_II - 0.03, 0.03, 0.05, 1.3 * std::exp(log_toughness));
       };
       const auto here = r(p, 0);
@@ -100,7 +100,7 @@ TYPED_TEST(EnergyPlane, DerivativesMatchDifferences) {
 /// Model c is the line G_I = 1 - lambda G_II, also where noise puts G_II below zero.
 TEST(EnergyPlane, OfModelCIsAStraightLineOnBothSidesOfModeI) {
   const double lambda = 0.4, sigma_I = 0.1, sigma_II = 0.3;
-  const EnergyLaw law(PapangeloCiavarella{}, {lambda});
+  const EnergyCurve law(PapangeloCiavarella{}, {lambda});
   const double size = std::hypot(sigma_I, lambda * sigma_II);
   for (const double G_II : {-0.05, 0.0, 0.02, 0.5, 1.5}) {
     const double G_I = 0.9;

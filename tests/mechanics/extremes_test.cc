@@ -141,7 +141,7 @@ TEST(Extremes, BatchAndSinglePredictionsAgree) {
         for (int i = 0; i < 40; ++i) T.push_back(end * 0.999 * (i * 17 % 41) / 41);
         std::vector<double> areas(T.size(), -1);
         std::size_t ok = 0;
-        const std::size_t found = predict_areas(Model{}, p, P, T, areas);
+        const std::size_t found = predict_areas(LoadedContact(Model{}, p, P), T, areas);
         for (std::size_t i = 0; i < T.size(); ++i) {
           const Equilibrium single = contact.at(T[i]);
           const bool exists = single.status == EquilibriumStatus::ok;

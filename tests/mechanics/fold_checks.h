@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include "mechanics/base/law.h"
 #include "mechanics/folds.h"
-#include "mechanics/model.h"
 #include "mechanics/printed_equation.h"
 
 namespace mixity {

@@ -17,7 +17,8 @@ namespace {
 /// Calls visit(model, p) for a model by name.
 template <class Visit>
 void with_parameters(std::string_view model, double p0, double p1, Visit visit) {
-  with_law(model, [&](auto m) {
+  for_each_model([&](auto m) {
+    if (m.info.key != model) return;
     Parameters<decltype(m)> p{};
     p[0] = p0;
     if (p.size() > 1) p[p.size() - 1] = p1;

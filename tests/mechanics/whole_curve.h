@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "mechanics/model.h"
+#include "mechanics/base/law.h"
 
 namespace mixity {
 

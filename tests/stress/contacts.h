@@ -99,7 +99,7 @@ void one_contact(Random& random, Tally& tally) {
     if (error > tally.worst_error && found.y > 0 && Judge<Model>{p, P, T}.condition(found.y) < 3)
       tally.see_error(error, here);
   }
-  predict_areas(Model{}, p, P, loads, areas);
+  predict_areas(LoadedContact(Model{}, p, P), loads, areas);
   for (std::size_t i = 0; i < loads.size(); ++i) {
     const Equilibrium& found = alone[i];
     const double A = found.status == EquilibriumStatus::ok ? contact_state(P, loads[i], found.y).A : 0;

@@ -1,6 +1,5 @@
-// The root of a criterion of fracture: an equation in K_I and K_II is one in q = ln(G_c/G_Ic), as K_I = exp(q/2) cos
-// psi and K_II = exp(q/2) sin psi. What a root is found to depends on the equation and the start alone, to the last
-// bit.
+// The root of a fracture criterion: an equation in K_I and K_II is one in q = ln(G_c/G_Ic), as K_I = exp(q/2) cos psi
+// and K_II = exp(q/2) sin psi. A root depends on the equation and the start alone, to the last bit.
 #pragma once
 
 #include <algorithm>
@@ -16,14 +15,14 @@ struct CriterionRoot {
   double q, slope;
 };
 
-/// By Halley's steps from `start`; null where these do not halve, or pass over a nearer root. equation(q) is what is to
-/// vanish, with two derivatives in q. Criteria in powers of the intensities are nearly linear in q as the logarithm of
-/// left over right: two or three evaluations.
+/// By Halley's steps from `start`; null where these do not halve, or pass over a nearer root. equation(q) returns the
+/// quantity that is to vanish, with two derivatives in q. Criteria in powers of the intensities are nearly linear in q
+/// as the logarithm of left over right: two or three evaluations.
 template <class Equation>
 std::optional<CriterionRoot> contracted_root(const Equation& equation, double start) {
-  constexpr double kFirst = 60;     // of ln f: farther is no start
-  constexpr double kEnough = 1e-6;  // the cube of such a step is nothing,
-  constexpr double kBend = 1e-5;    // if it bends by this part at most: what is left, and of the slope, is the square
+  constexpr double kFirst = 60;     // largest first step in ln f
+  constexpr double kEnough = 1e-6;  // the cube of such a step is negligible
+  constexpr double kBend = 1e-5;    // if the slope changes by at most this part, whose square remains
   constexpr int kMost = 12;
   double q = start, before = 2 * kFirst, at_start = 0;
   for (int i = 0; i < kMost; ++i) {
@@ -42,15 +41,15 @@ std::optional<CriterionRoot> contracted_root(const Equation& equation, double st
   return std::nullopt;
 }
 
-/// The root nearest to 0, of several the one within the least 0.25 * 2^n on either side; null where there is none up to
-/// 600. Some 14 evaluations.
+/// The root nearest to 0, to a factor of two in distance, by a bracketing search; null if there is none up to 600. Some
+/// 14 evaluations.
 template <class Equation>
 std::optional<CriterionRoot> enclosed_root(const Equation& equation) {
-  constexpr double kFar = 600;
+  constexpr double kFarthest = 600;
   Taylor here = equation(0);
   if (here.value == 0) return CriterionRoot{0, here.first};
   double beyond = 0;
-  for (double step = 0.25; step <= kFar && beyond == 0; step *= 2)
+  for (double step = 0.25; step <= kFarthest && beyond == 0; step *= 2)
     for (const double side : {step, -step})
       if (beyond == 0 && std::signbit(equation(side).value) != std::signbit(here.value)) beyond = side;
   if (beyond == 0) return std::nullopt;

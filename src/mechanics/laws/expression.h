@@ -1,6 +1,5 @@
-// An expression that somebody typed, with exact derivatives: ExprTk (A. Partow, MIT licence) on Taylor numbers. Of what
-// ExprTk knows, arithmetic and the elementary functions are left: no assignment, no variable of its own, no loop, no
-// condition, no text.
+// An expression given as text, with exact derivatives: ExprTk (A. Partow, MIT licence) on Taylor numbers. Only
+// arithmetic and elementary functions are allowed: no assignment, local variable, loop, condition or string.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +14,9 @@
 
 namespace mixity {
 
-/// Why a text is no expression, and at which of its characters, counted from 0.
-struct ExpressionError {
-  std::size_t at;
+/// Why a text or a definition is invalid, and at which character of the text (from 0) if the error is there.
+struct LawError {
+  std::optional<std::size_t> at;
   std::string message;
 };
 
@@ -25,31 +24,34 @@ struct ExpressionError {
 /// abs, min, max. Also the constant pi.
 const std::vector<std::string>& expression_functions();
 
-/// Whether a variable may have this name: a letter, then letters, digits and underscores, and none of ExprTk's words.
+/// Whether names may contain this character: letters, digits and underscores.
+bool is_name_character(char c);
+
+/// Whether a variable may have this name: a letter, then letters, digits and underscores; not a word of ExprTk.
 bool is_variable_name(std::string_view name);
 
-/// Cheap to keep, not to share between threads: it is evaluated on variables of its own.
+/// Not to be shared between threads: an evaluation writes to the expression's own variables.
 class Expression {
  public:
   static constexpr std::size_t kLongest = 1000;  // characters
   static constexpr std::size_t kDeepest = 60;    // brackets in brackets
 
-  /// Of variables with these names, each of which is_variable_name. Costs some 20 microseconds.
+  /// The names must satisfy is_variable_name. Takes some 20 microseconds.
   Expression(std::string_view text, const std::vector<std::string>& variables);
   Expression(Expression&&) noexcept;
   Expression& operator=(Expression&&) noexcept;
   ~Expression();
 
-  /// Null: it can be evaluated.
-  const std::optional<ExpressionError>& error() const { return error_; }
+  /// Null if the expression can be evaluated.
+  const std::optional<LawError>& error() const { return error_; }
 
-  /// Of as many variables as there are names. May be anything, such as NaN, where a function is not defined.
+  /// One variable for each name. Any number, also NaN, where a function is not defined.
   Taylor operator()(std::span<const Taylor> variables) const;
 
  private:
   struct Compiled;
   std::unique_ptr<Compiled> compiled_;
-  std::optional<ExpressionError> error_;
+  std::optional<LawError> error_;
 };
 
 }  // namespace mixity

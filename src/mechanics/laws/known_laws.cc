@@ -8,8 +8,8 @@ namespace mixity {
 namespace {
 
 struct KnownLaws {
-  std::mutex one_at_a_time;
-  std::vector<std::shared_ptr<const ExpressionLaw>> laws;
+  std::mutex mutex;
+  std::vector<std::shared_ptr<const UserLaw>> laws;
 };
 
 KnownLaws& known_laws() {
@@ -26,8 +26,8 @@ std::string range_of(const LawParameter& one) {
   return text;
 }
 
-/// What a law that is known has otherwise than another one of its key, as what follows that.
-std::string difference(const ExpressionLaw& known, const ExpressionLaw& given) {
+/// The known law, and how it differs from a given one of the same key.
+std::string difference(const UserLaw& known, const UserLaw& given) {
   const LawDefinition &one = known.definition(), &other = given.definition();
   if (one.text != other.text || one.normalised != other.normalised)
     return known.shown() + (one.normalised == other.normalised ? ""
@@ -46,8 +46,8 @@ std::string difference(const ExpressionLaw& known, const ExpressionLaw& given) {
 }
 }  // namespace
 
-std::shared_ptr<const ExpressionLaw> add_law(const std::shared_ptr<const ExpressionLaw>& made, LawError& error) {
-  const std::lock_guard lock(known_laws().one_at_a_time);
+std::shared_ptr<const UserLaw> add_law(const std::shared_ptr<const UserLaw>& made, LawError& error) {
+  const std::lock_guard lock(known_laws().mutex);
   for (const auto& other : known_laws().laws) {
     if (other->definition().key != made->definition().key) continue;
     if (same_law(other->definition(), made->definition())) return other;
@@ -60,39 +60,28 @@ std::shared_ptr<const ExpressionLaw> add_law(const std::shared_ptr<const Express
   return made;
 }
 
-std::shared_ptr<const ExpressionLaw> define_law(const LawDefinition& definition, LawError& error) {
-  const std::shared_ptr<const ExpressionLaw> made = ExpressionLaw::make(definition, error);
+std::shared_ptr<const UserLaw> define_law(const LawDefinition& definition, LawError& error) {
+  const std::shared_ptr<const UserLaw> made = UserLaw::make(definition, error);
   return made ? add_law(made, error) : made;
 }
 
-std::shared_ptr<const ExpressionLaw> find_law(std::string_view key) {
-  const std::lock_guard lock(known_laws().one_at_a_time);
+std::shared_ptr<const UserLaw> find_law(std::string_view key) {
+  const std::lock_guard lock(known_laws().mutex);
   for (const auto& law : known_laws().laws)
     if (law->definition().key == key) return law;
   return nullptr;
 }
 
 std::vector<std::string> law_keys() {
-  const std::lock_guard lock(known_laws().one_at_a_time);
+  const std::lock_guard lock(known_laws().mutex);
   std::vector<std::string> keys;
   for (const auto& law : known_laws().laws) keys.push_back(law->definition().key);
   return keys;
 }
 
-void forget_law(std::string_view key) {
-  std::vector<std::shared_ptr<const ExpressionLaw>> forgotten;  // freed after the lock, as a function may call back
-  const std::lock_guard lock(known_laws().one_at_a_time);
-  std::vector<std::shared_ptr<const ExpressionLaw>>& laws = known_laws().laws;
-  const auto found =
-      std::find_if(laws.begin(), laws.end(), [&](const auto& law) { return law->definition().key == key; });
-  if (found == laws.end()) return;
-  forgotten.push_back(std::move(*found));
-  laws.erase(found);
-}
-
 void forget_laws() {
-  std::vector<std::shared_ptr<const ExpressionLaw>> forgotten;
-  const std::lock_guard lock(known_laws().one_at_a_time);
+  std::vector<std::shared_ptr<const UserLaw>> forgotten;  // freed after the lock, as a function may call back
+  const std::lock_guard lock(known_laws().mutex);
   forgotten.swap(known_laws().laws);
 }
 

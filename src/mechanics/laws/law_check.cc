@@ -6,14 +6,14 @@
 #include <span>
 
 #include "base/number_text.h"
-#include "mechanics/constants.h"
+#include "mechanics/base/constants.h"
 #include "mechanics/laws/law_growth.h"
 #include "mechanics/laws/law_workspace.h"
 
 namespace mixity {
 namespace {
 
-constexpr double kLost = 1e-12, kMostLost = 1e-6;  // of f: what is warned of, and what is refused
+constexpr double kLost = 1e-12, kMostLost = 1e-6;  // errors of f for a warning, and for an error
 
 std::string shown(double value, int digits = 3) {
   return std::isnan(value) ? "not a number" : significant(value, digits);
@@ -28,16 +28,12 @@ std::string shown(const std::vector<LawParameter>& parameters, std::span<const d
   return text;
 }
 
-/// An angle at which f has a feature that is too narrow to show at the angles of LawTraits: g = (1 + tan^2 psi)/f rises
-/// and falls between two of them, f is no positive number, or f has a pole or a zero. Null if there is none.
+/// An angle at which f has a feature that is too narrow for the angles of LawTraits: g = (1 + tan^2 psi)/f rises and
+/// falls between two of them, f is not a positive number, or f has a pole or a zero. Null if there is none.
 std::optional<double> unseen(LawWorkspace& law, std::span<const double> parameters) {
   constexpr std::size_t kBetween = 12;
   constexpr double kRounding = 1e-6, kBeyond = 3;  // of a slope; of ln f
-  std::array<Taylor, ExpressionLaw::kMostParameters> numbers;
-  std::copy(parameters.begin(), parameters.end(), numbers.begin());
-  const auto at = [&](double psi) {
-    return law.toughness(along_angle(std::sin(psi), std::cos(psi)), {numbers.data(), parameters.size()});
-  };
+  const auto at = [&](double psi) { return law.toughness(along_angle(std::sin(psi), std::cos(psi)), parameters); };
   double before_psi = LawTraits::angle(1);
   Taylor before = at(before_psi);
   Growth growth = growth_of(before_psi, before, kRounding);
@@ -67,7 +63,7 @@ std::optional<double> unseen(LawWorkspace& law, std::span<const double> paramete
       before_psi = psi;
       before = f;
     }
-    // traits_of follows a dip that shows at both ends
+    // traits_of finds a dip that shows at both ends
     const double dip = 0.125 * (LawTraits::angle(i + 1) - LawTraits::angle(i)) * (begins.slope - growth.slope);
     const double mean = 0.5 * (begins.value + growth.value);
     const bool shows =
@@ -79,7 +75,7 @@ std::optional<double> unseen(LawWorkspace& law, std::span<const double> paramete
 
 }  // namespace
 
-LawCheck check_law(const ExpressionLaw& law) {
+LawCheck check_law(const UserLaw& law) {
   LawCheck check;
   const LawLease lease(law);
   LawWorkspace& workspace = lease.workspace();
@@ -100,7 +96,7 @@ LawCheck check_law(const ExpressionLaw& law) {
     }
     const LawTraits traits = traits_of(workspace, p, true);
     const std::string there = " with " + shown(parameters, p);
-    if (const SampledLaw* sampled = workspace.sampled(p); sampled && sampled->error() > lost) {
+    if (const SampledToughness* sampled = workspace.sampled(p); sampled && sampled->error() > lost) {
       lost = sampled->error();
       lost_at = sampled->error_at();
       lost_with = there;

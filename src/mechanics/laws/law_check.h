@@ -1,20 +1,20 @@
-// What is checked of a law that was defined at run time before it is used.
+// The checks of a law that is defined at run time, before it is used.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "mechanics/laws/law.h"
+#include "mechanics/laws/user_law.h"
 
 namespace mixity {
 
 struct LawCheck {
-  std::optional<std::string> error{};   // why it is no law over the ranges of its parameters
-  std::vector<std::string> warnings{};  // where its equilibrium is not unique, how many digits its form loses
+  std::optional<std::string> error{};   // why the law cannot be used over the ranges of its parameters
+  std::vector<std::string> warnings{};  // where equilibrium is not unique; how many digits are lost
 };
 
-/// Over the ranges of its parameters, at some of their values.
-LawCheck check_law(const ExpressionLaw& law);
+/// At some values over the ranges of the law's parameters.
+LawCheck check_law(const UserLaw& law);
 
 }  // namespace mixity

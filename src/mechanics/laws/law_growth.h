@@ -1,4 +1,4 @@
-// How g = (1 + tan^2 psi)/f grows with psi under a law that was defined at run time.
+// How g = (1 + tan^2 psi)/f grows with psi under a law that is defined at run time.
 #pragma once
 
 #include <algorithm>
@@ -22,12 +22,12 @@ inline Growth growth_of(double psi, const Taylor& f, double rounding) {
           !(value >= -rounding * (growth + std::abs(decline)))};
 }
 
-/// Whether a dip or a hump of the growth shows at both ends of a stretch that holds it.
+/// Whether both ends of a stretch show that the growth has a dip or a hump between them.
 inline bool shows_between(const Growth& one, const Growth& other) {
   return one.falls ? one.slope > 0 && other.slope < 0 : one.slope < 0 && other.slope > 0;
 }
 
-/// An angle between low and high at which g falls, though it grows at both; null where none shows.
+/// An angle between low and high at which g falls although it grows at both; null if none is found.
 template <class At>
 std::optional<double> falls_between(const At& growth_at, double low, Growth at_low, double high, Growth at_high) {
   constexpr int kSteps = 8;

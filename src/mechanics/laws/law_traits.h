@@ -1,4 +1,4 @@
-// What is known of a law that was defined at run time at given parameters, for every load.
+// What is known, for every load, of a law that is defined at run time at given parameters.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 #include <span>
 #include <string_view>
 
+#include "mechanics/base/law.h"
+#include "mechanics/base/parameter_values.h"
 #include "mechanics/laws/taylor.h"
-#include "mechanics/model.h"
-#include "mechanics/parameter_values.h"
 
 namespace mixity {
 
@@ -19,8 +19,8 @@ class LawWorkspace;
 /// cos psi is taken as this at least, because 1/0 has no derivative. psi remains the same double.
 inline constexpr double kLeastCosine = 1e-20;
 
-/// Below this T/y, or a smaller one (LawTraits::small_t), tau^2 is a power of T/y: the next term is a 1e8th of it, and
-/// the difference that gives tau^2 has lost as much by rounding.
+/// Below this T/y, or a smaller one (LawTraits::small_t), tau^2 is a power of T/y: the next term is smaller by 1e-8,
+/// and the difference that gives tau^2 has lost as much by rounding.
 inline constexpr double kSmallShear = 1e-4;
 
 /// Where a law is evaluated, with derivatives along some direction.
@@ -46,15 +46,17 @@ struct LawTraits {
   std::optional<double> undefined_at{};  // psi [rad] at which f is no positive number
   std::optional<double> falls_at{};      // psi at which g = (1 + tan^2 psi)/f does not grow, and g there
   double falling_g = 1;
-  ShearBend bend{};     // model.h; from the samples, with a margin of two
-  ShearReach reach{};   // model.h; from the samples, with a margin of two
+  ShearBend bend{};     // base/law.h; from the samples, with a margin of two
+  ShearReach reach{};   // base/law.h; from the samples, with a margin of two
   double rounding = 0;  // largest relative error of f that the rounding of psi causes, where f depends on psi itself
   double rounding_at = 0;
   std::array<Taylor, kAngles + 1> log_f;  // of an equation at the angles, with derivatives in psi; NaN: not known
 
   /// Empty if equilibrium exists with these parameters, else why not.
-  std::string_view obstacle() const;
-  /// model.h
+  std::string_view obstacle() const {
+    return undefined_at ? "the law is not a positive number at every phase angle, with these parameters" : "";
+  }
+  /// base/law.h
   bool non_monotone() const { return !undefined_at && (!(small_shear >= 0) || falls_at); }
 
   /// An estimate of ln f of an equation along the direction in which psi [rad] changes: the quintic between two angles.
@@ -62,12 +64,12 @@ struct LawTraits {
   std::optional<Taylor> about(const Taylor& psi) const;
 };
 
-/// tau^2/r^2, r^2 = y^2 + T^2, and its derivatives in y/r, at y/r = cosine and T/r = sine; `known`: null, or the traits
-/// of the law with these parameters.
-ShearTerm<double> reduced_shear(LawWorkspace& law, std::span<const Taylor> p, double sine, double cosine,
+/// tau^2/r^2, r^2 = y^2 + T^2, and its derivatives in y/r, at y/r = cosine and T/r = sine. `known` is null, or the
+/// traits of the law with these parameters.
+ShearTerm<double> reduced_shear(LawWorkspace& law, std::span<const double> p, double sine, double cosine,
                                 const LawTraits* known = nullptr);
 
 /// From samples at the angles. Sets `rounding` only if asked to.
-LawTraits traits_of(LawWorkspace& law, std::span<const double> parameters, bool with_rounding = false);
+LawTraits traits_of(LawWorkspace& law, std::span<const double> p, bool with_rounding = false);
 
 }  // namespace mixity

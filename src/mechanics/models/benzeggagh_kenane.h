@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "mechanics/model.h"
+#include "mechanics/base/law.h"
 
 namespace mixity {
 
@@ -81,9 +81,9 @@ struct BenzeggaghKenane {
   }
 
   /// tau^2 = (y^2 + T^2)/f - y^2 = T^2 (1 - (f - 1) y^2/T^2)/f, with (f - 1) y^2/T^2 = k (1 - B), k = (r - 1)
-  /// B^(eta-1). Up to k = 1 its difference from 1 is (1 - k) + k B, for the sake of eta = 1, r = 2 where it is B, and
-  /// 1 - k is a sum of two that do not cancel; beyond, where 1 - k is negative and would cancel with k B, it is left as
-  /// written.
+  /// B^(eta-1). Up to k = 1 its difference from 1 is (1 - k) + k B, for the sake of eta = 1, r = 2 where it is B, and 1
+  /// - k is a sum of two terms that do not cancel; beyond, where 1 - k is negative and would cancel with k B, the first
+  /// form is used.
   template <class S>
   static ShearTerm<S> shear_term(const std::array<S, 2>& p, const S& y, const S& T) {
     using std::expm1;
@@ -102,8 +102,7 @@ struct BenzeggaghKenane {
   }
 
   /// 1 - (r - 1) B^(eta-1) at B -> 0: 1 for eta > 1, 2 - r for eta = 1. For eta < 1 the limit is infinite: with r < 1
-  /// the area falls faster than T^2; with r > 1 no equilibrium is unique, and the law leaves the axis of mode I
-  /// upwards.
+  /// the area falls faster than T^2; with r > 1 no equilibrium is unique, and f rises from 1 with an infinite slope.
   static double small_shear(const std::array<double, 2>& p) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     if (p[1] > 1 || p[0] == 1) return 1;

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "mechanics/model.h"
+#include "mechanics/base/law.h"
 
 namespace mixity {
 
@@ -12,7 +12,7 @@ struct Johnson {
   static constexpr ModelInfo info{"a", "Johnson 1996", "f = 1 + (1-lambda) tan^2(psi)"};
   static constexpr std::array<ParameterInfo, 1> parameters{{{"lambda", 0, 1, 0.15}}};
 
-  /// Infinite at psi = pi/2 for lambda < 1: not to be called there.
+  /// Infinite at psi = pi/2 for lambda < 1: must not be called there.
   template <class S>
   static Differentiated<S, 1> log_toughness(const std::array<S, 1>& p, const Mixity<S>& mixity) {
     return log_toughness_of_packed_form<Johnson>(p, mixity);
@@ -59,8 +59,8 @@ struct Johnson {
   static double small_shear(const std::array<double, 1>& p) { return p[0]; }
   /// Infinite for lambda = 1.
   static double shear_limit(const std::array<double, 1>& p) { return p[0] / (1 - p[0]); }
-  /// At lambda = 1 the curve ends at Hertz; of any smaller lambda it runs on, along an asymptote that tends to Hertz. A
-  /// fit takes the limit there, or its cost would jump at the bound.
+  /// At lambda = 1 the curve ends at Hertz; for any smaller lambda it runs on along an asymptote that tends to Hertz. A
+  /// fit uses the limit of the latter at the bound, where its cost would jump otherwise.
   static std::array<double, 1> continuous(const std::array<double, 1>& p) { return {std::fmin(p[0], 1 - 0x1p-53)}; }
   /// With w = m T^2/y^2: 2 l (1 - 3w)/(1 + w)^3, 8 l sqrt(w^3/m)/(1 + w)^3 and 2 (l/m) w^2 (w - 3)/(1 + w)^3.
   static ShearBend shear_bend(const std::array<double, 1>& p) {

@@ -2,7 +2,7 @@
 // lambda = 2 is the ideally brittle Savkoor-Briggs limit, lambda = 0 uncouples the modes.
 #pragma once
 
-#include "mechanics/model.h"
+#include "mechanics/base/law.h"
 
 namespace mixity {
 

@@ -11,7 +11,7 @@
 
 #include "growth/measure.h"
 #include "mechanics/contact_model.h"
-#include "mechanics/laws/known_laws.h"
+#include "mechanics/laws/user_law.h"
 
 namespace {
 
@@ -41,10 +41,8 @@ bool use(const ContactModel& model) {
 
 bool define_use_and_drop(const std::string& key, std::size_t i) {
   LawError error;
-  if (!define_law(definition(key, i), error)) return false;
-  const bool used = use(*ContactModel::find(key));
-  forget_law(key);
-  return used;
+  const auto law = UserLaw::make(definition(key, i), error);
+  return law && use(ContactModel(law));
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ class Drawing {
   Polyline uniform_in_T(std::size_t n) const {
     std::vector<double> T(n - 1), A(n - 1);
     for (std::size_t i = 0; i + 1 < n; ++i) T[i] = shear(i, n);
-    predict_areas(Model{}, p_, P_, T, A);
+    predict_areas(LoadedContact(Model{}, p_, P_), T, A);
     Polyline line;
     line.reserve(n);
     for (std::size_t i = 0; i + 1 < n; ++i) line.push_back({T[i], A[i]});

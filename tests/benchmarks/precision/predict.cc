@@ -80,10 +80,10 @@ void add_ours(const Case<Model>& c, std::vector<Row>& rows) {
 
   const auto loads = std::make_shared<std::vector<double>>(kArray, T);
   const auto out = std::make_shared<std::vector<double>>(kArray);
-  const bool all = predict_areas(Model{}, p, P, *loads, *out) == kArray;
+  const bool all = predict_areas(LoadedContact(Model{}, p, P), *loads, *out) == kArray;
   rows.push_back(c.row(kArrayMethod, 0, out->front(), 0, all));
   rows.back().run = [p, P, loads, out] {
-    predict_areas(Model{}, p, P, *loads, *out);
+    predict_areas(LoadedContact(Model{}, p, P), *loads, *out);
     sink = out->back();
   };
 }

@@ -1,4 +1,4 @@
-// What tests of laws share: the area of a model by its key, and the same area of two.
+// What tests of laws share: models by their keys, their areas, and the comparison of two.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,13 +10,13 @@
 
 namespace mixity {
 
+inline ContactModel model_of(const std::string& key) { return ContactModel::find(key).value(); }
+
 /// NaN where `status` is not ok.
 inline double area_of(const std::string& key, const std::vector<double>& p, double P, double T,
                       EquilibriumStatus& status) {
   double A = 0;
-  std::vector<Values> parameters;
-  for (const double& one : p) parameters.push_back({&one, 0});
-  areas(key, parameters, {&P, 0}, {&T, 0}, {&A, 1}, {&status, 1});
+  model_of(key).areas_at(p, P, {&T, 1}, {&A, 1}, {&status, 1});
   return A;
 }
 

@@ -58,9 +58,9 @@ TEST(Criteria, OfSeveralRootsHaveTheNearest) {
   EXPECT_FALSE(contracted_root([](double q) { return Taylor(1 + q * q, 2 * q, 2); }, 0));
 }
 
-std::shared_ptr<const ExpressionLaw> made(const std::string& text) {
+std::shared_ptr<const UserLaw> made(const std::string& text) {
   LawError error;
-  const auto law = ExpressionLaw::make({"key", text, {{"l", 0, 1, 0.5}}}, error);
+  const auto law = UserLaw::make({"key", text, {{"l", 0, 1, 0.5}}}, error);
   EXPECT_TRUE(law) << error.message;
   return law;
 }
@@ -89,14 +89,14 @@ TEST(Criteria, MayBeWrittenInAnyForm) {
 // Derivatives are those of differences, with a start that is known and without.
 TEST(Criteria, HaveTheirDerivativesFromAnyStart) {
   LawError error;
-  const auto law = ExpressionLaw::make(
+  const auto law = UserLaw::make(
       {"key", "(K_I^2)^m + (K_II^2/r)^n = 1", {{"r", 0.1, 10, 2}, {"m", 0.5, 3, 1}, {"n", 0.5, 3, 1}}}, error);
   ASSERT_TRUE(law);
-  const std::vector<Taylor> p{2, 1.3, 0.8};
+  const std::vector<double> p{2, 1.3, 0.8};
   const auto at = [&](double psi, std::optional<Taylor> about) {
     LawState state = along_angle(std::sin(psi), std::cos(psi));
     state.about = about;
-    return LawLease(law).workspace().toughness(state, p);
+    return LawLease(*law).workspace().toughness(state, p);
   };
   for (const double psi : {0.2, 0.7, 1.3}) {
     const Taylor alone = at(psi, {});
@@ -119,8 +119,8 @@ TEST(Criteria, DoNotRememberWhatWasAsked) {
   ASSERT_TRUE(define_law(
       {"no_memory", "(K_I^2)^m + (K_II^2/r)^n = 1", {{"r", 0.1, 10, 2}, {"m", 0.5, 3, 1}, {"n", 0.5, 3, 1}}}, error));
   const auto ask = [](double r, double psi, bool shear) {
-    const LawLease lease(find_law("no_memory"));
-    const TypedLaw law(lease);
+    const LawLease lease(*find_law("no_memory"));
+    const UserLawView law(lease);
     const ParameterValues p{r, 1.4, 0.8};
     return shear ? law.shear_term(p, std::cos(psi), std::sin(psi)).value
                  : law.log_toughness(p, mixity_from_angle(psi)).value;

@@ -10,14 +10,14 @@
 
 #include "mechanics/contact_model.h"
 #include "mechanics/laws/known_laws.h"
-#include "mechanics/laws/typed_law.h"
+#include "mechanics/laws/user_law_view.h"
 
 namespace mixity {
 namespace {
 
-std::shared_ptr<const ExpressionLaw> made(const LawDefinition& definition) {
+std::shared_ptr<const UserLaw> made(const LawDefinition& definition) {
   LawError error;
-  const auto law = ExpressionLaw::make(definition, error);
+  const auto law = UserLaw::make(definition, error);
   EXPECT_TRUE(law) << error.message;
   return law;
 }
@@ -32,7 +32,7 @@ double area_of(const ContactModel& model, double lambda) {
 }
 
 TEST(LawLifetime, EndsWithTheLastUser) {
-  std::weak_ptr<const ExpressionLaw> watched;
+  std::weak_ptr<const UserLaw> watched;
   {
     LawError error;
     auto law = define_law({"short_lived", "1 + p*t^2", {{"p", 0, 1, 0.5}}}, error);
@@ -40,7 +40,7 @@ TEST(LawLifetime, EndsWithTheLastUser) {
     std::optional<ContactModel> model = ContactModel::find("short_lived");
     std::optional<ContactModel> other = model;
     law.reset();
-    forget_law("short_lived");
+    forget_laws();
     EXPECT_FALSE(find_law("short_lived"));
     model.reset();
     EXPECT_FALSE(watched.expired());
@@ -51,7 +51,7 @@ TEST(LawLifetime, EndsWithTheLastUser) {
 
 TEST(LawLifetime, EndsForAllThatAreForgotten) {
   LawError error;
-  const std::weak_ptr<const ExpressionLaw> one = define_law({"forgotten_1", "1 + p*t^2", {{"p", 0, 1, 0.5}}}, error),
+  const std::weak_ptr<const UserLaw> one = define_law({"forgotten_1", "1 + p*t^2", {{"p", 0, 1, 0.5}}}, error),
                                            two = define_law({"forgotten_2", "1 + p*t^2", {{"p", 0, 1, 0.5}}}, error);
   EXPECT_FALSE(one.expired());
   forget_laws();
@@ -89,7 +89,7 @@ TEST(LawLifetime, OfOneLawIsOfNoConcernToAnother) {
     auto law = made({"passing", "1 + l*t^2", {{"l", 0, 1, 0.15}}});
     auto model = std::make_unique<ContactModel>(law);
     EXPECT_GT(area_of(*model, 0.3), 0);
-    const std::weak_ptr<const ExpressionLaw> watched = law;
+    const std::weak_ptr<const UserLaw> watched = law;
     law.reset();
     std::jthread([last = std::move(model)]() mutable {
       EXPECT_GT(area_of(*last, 0.7), 0);

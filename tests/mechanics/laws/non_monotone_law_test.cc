@@ -31,8 +31,8 @@ void with_tan_power(const Visit& visit) {
   LawError error;
   const auto tan_power = define_law({"tan_power", "1 + p*tan(psi)^n", {{"p", 0, 2, 0.5}, {"n", 0.5, 4, 2}}}, error);
   ASSERT_TRUE(tan_power) << error.message;
-  const LawLease lease(tan_power);
-  visit(TypedLaw(lease));
+  const LawLease lease(*tan_power);
+  visit(UserLawView(lease));
 }
 
 template <class Number>
@@ -63,7 +63,7 @@ std::optional<Digits50> followed(const Pair& p, double P, double T, int steps = 
   return Digits50((low + high) / 2);
 }
 
-double first_fold(const TypedLaw& law, const Pair& p, double P) {
+double first_fold(const UserLawView& law, const Pair& p, double P) {
   const auto folds = find_folds(EquilibriumCurve(law, p, P), kLoad);
   return folds.empty() ? 40 : folds[0].T;
 }
@@ -73,7 +73,7 @@ TEST(NonMonotoneLaws, FoldAsOftenAsTheirCurve) {
   LawError error;
   ASSERT_TRUE(define_law({"bump", "1 + p*exp(-((psi-0.7)/0.08)^2)*B", {{"p", 0, 1, 0.2}}}, error)) << error.message;
   const double p = 0.19743589743589746, P = -3;
-  const std::vector<Fold> folds = folds_of("bump", std::vector{p}, P, {Control::Kind::load}).folds;
+  const std::vector<Fold> folds = model_of("bump").folds(std::vector{p}, P, {Control::Kind::load});
   ASSERT_EQ(folds.size(), 3u);
   // by psi the curve is explicit: the extrema of T in 30 digits
   EXPECT_NEAR(folds[0].T, 5.6977046995313678, 1e-12);
@@ -85,7 +85,7 @@ TEST(NonMonotoneLaws, FoldAsOftenAsTheirCurve) {
 
 // The area of a load leads back to it, or to a smaller one at which the contact had that area before.
 TEST(NonMonotoneLaws, GiveTheFirstLoadThatHasAnArea) {
-  with_tan_power([](const TypedLaw& law) {
+  with_tan_power([](const UserLawView& law) {
     std::size_t back = 0, all = 0;
     for (const Pair& p : kCases)
       for (const double P : kLoads)
@@ -97,7 +97,7 @@ TEST(NonMonotoneLaws, GiveTheFirstLoadThatHasAnArea) {
           if (status != EquilibriumStatus::ok) continue;
           double found = 0;
           const std::vector<Values> parameters{{p.begin(), 0}, {p.begin() + 1, 0}};
-          tangential_loads("tan_power", parameters, {&P, 0}, {&A, 0}, {&found, 1});
+          model_of("tan_power").tangential_loads(parameters, {&P, 0}, {&A, 0}, {&found, 1});
           ASSERT_TRUE(found <= T * (1 + 1e-3)) << p[0] << ' ' << p[1] << " P " << P << " T " << T << " found " << found;
           EXPECT_NEAR(area_of("tan_power", {p[0], p[1]}, P, found, status), A, 1e-13 * A)
               << p[0] << ' ' << p[1] << " P " << P << " T " << T;
@@ -109,7 +109,7 @@ TEST(NonMonotoneLaws, GiveTheFirstLoadThatHasAnArea) {
 }
 
 TEST(NonMonotoneLaws, HaveTheAreasOfTheirPrintedEquation) {
-  with_tan_power([](const TypedLaw& law) {
+  with_tan_power([](const UserLawView& law) {
     for (const Pair& p : kCases)
       for (const double P : kLoads) {
         const LoadedContact contact(law, p, P);
@@ -132,7 +132,7 @@ TEST(NonMonotoneLaws, HaveTheAreasOfTheirPrintedEquation) {
 
 TEST(NonMonotoneLaws, FoldWhereTheirPrintedEquationDoes) {
   int seen = 0;
-  with_tan_power([&](const TypedLaw& law) {
+  with_tan_power([&](const UserLawView& law) {
     for (const Pair& p : kCases)
       for (const double P : kLoads)
         for (const Control& control : {kLoad, kDisplacement, spring(0.5)})
@@ -158,7 +158,7 @@ TEST(NonMonotoneLaws, FoldWhereTheirPrintedEquationDoes) {
 }
 
 TEST(NonMonotoneLaws, HaveCurvesThatSatisfyTheirPrintedEquationWithTheirDerivatives) {
-  with_tan_power([](const TypedLaw& law) {
+  with_tan_power([](const UserLawView& law) {
     for (const Pair& p : kCases)
       for (const double P : kLoads) {
         const EquilibriumCurve curve(law, p, P);
@@ -185,7 +185,7 @@ TEST(NonMonotoneLaws, HaveCurvesThatSatisfyTheirPrintedEquationWithTheirDerivati
 
 TEST(NonMonotoneLaws, HaveTheDistancesOfTheirPrintedCurve) {
   int compared = 0;
-  with_tan_power([&](const TypedLaw& law) {
+  with_tan_power([&](const UserLawView& law) {
     for (const Pair& p : kCases)
       for (const double P : kLoads) {
         const EquilibriumCurve whole(law, p, P);

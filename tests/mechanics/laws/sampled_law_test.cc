@@ -1,5 +1,5 @@
 // A law that is a function, sampled: where it is a published one it gives its areas, and what is lost is told.
-#include "mechanics/laws/sampled_law.h"
+#include "mechanics/laws/sampled_toughness.h"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST(SampledLaws, HaveTheAreasOfThePublishedOnes) {
   for (const Pair& pair : kPairs)
     for (const std::vector<double>& p : pair.parameters)
       for (const double P : {-4.5, -1.79, 0.0, 2.0, 30.4, 1000.0}) {
-        const std::vector<Fold> folds = folds_of(pair.published, p, P, {Control::Kind::load}).folds;
+        const std::vector<Fold> folds = model_of(pair.published).folds(p, P, {Control::Kind::load});
         const double most = folds.empty() ? 300 : std::min(folds[0].T, 1e4);  // no contact is sheared so
         for (int i = 0; i <= 30; ++i) {
           const double T = i == 1 ? 9e-4 : i == 2 ? 1e-5 : most * 0.0332 * i;  // to 0.4 % from the fold
@@ -87,16 +87,11 @@ TEST(SampledLaws, HaveTheDerivativesOfThePublishedOnes) {
   for (const Pair& pair : kPairs)
     for (const std::vector<double>& p : pair.parameters)
       for (const double psi : {0.01, 0.3, 0.8, 1.2, 1.5}) {
-        std::vector<double> published(p.size());
-        const auto set_gradient = [&](std::vector<double>& gradient) {
-          return [&]<class OneLaw>(const OneLaw& law) {
-            const auto f = law.log_toughness(parameters_from<OneLaw>(p), mixity_from_angle(psi));
-            std::copy(f.gradient.begin(), f.gradient.end(), gradient.begin());
-          };
-        };
-        with_law(pair.published, set_gradient(published));
-        std::vector<double> gradient(p.size());
-        with_law(pair.sampled, set_gradient(gradient));
+        const Mixity<double> at = mixity_from_angle(psi);
+        double value = 0;
+        std::vector<double> published(p.size()), gradient(p.size());
+        model_of(pair.published).log_toughness(p, {&at, 1}, {&value, 1}, published);
+        model_of(pair.sampled).log_toughness(p, {&at, 1}, {&value, 1}, gradient);
         for (std::size_t k = 0; k < p.size(); ++k)
           EXPECT_NEAR(gradient[k], published[k], 2e-9 * (1 + std::abs(published[k])))
               << pair.sampled << ' ' << p[0] << ' ' << psi << ' ' << k;
@@ -109,7 +104,7 @@ struct Error {
 };
 Error error_of(Law law) {
   const double none = 0;
-  const SampledLaw sampled(*sampler_of(law), {&none, 1});
+  const SampledToughness sampled(*sampler_of(law), {&none, 1});
   Error error{0, sampled.error(), sampled.error_at()};
   const auto look = [&](double psi) {
     const double lacks = sampled.log_toughness(psi, std::cos(psi)) - std::log(law(psi, {}));
@@ -151,7 +146,7 @@ TEST(SampledLaws, TellWhatSamplesDoNot) {
 LawCheck checked(Law law, bool normalised = false) {
   LawError error;
   const auto made =
-      ExpressionLaw::make({"key", "law(psi, p)", {{"p", 0, 1, 0.5}}, "", normalised, sampler_of(law)}, error);
+      UserLaw::make({"key", "law(psi, p)", {{"p", 0, 1, 0.5}}, "", normalised, sampler_of(law)}, error);
   EXPECT_TRUE(made) << error.message;
   return check_law(*made);
 }
@@ -200,7 +195,7 @@ TEST(SampledLaws, LetOutWhatTheirFunctionThrows) {
     const double psi = 0.3;
     double f = 0;
     const Values parameter{&l, 0};
-    toughness_ratios("throws", {&parameter, 1}, {&psi, 0}, {&f, 1});
+    model_of("throws").toughness_ratios({&parameter, 1}, {&psi, 0}, {&f, 1});
     return f;
   };
   EXPECT_EQ(f_at(0.4), 1);

@@ -1,4 +1,4 @@
-#include "mechanics/laws/law.h"
+#include "mechanics/laws/user_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,25 +10,22 @@ namespace mixity {
 namespace {
 
 constexpr const char* kVariables[] = {"psi", "B", "t", "K_I", "K_II"};
-constexpr const char* kOwn[] = {"sin_psi", "cos_psi"};  // what sin(psi) and cos(psi) become
+constexpr const char* kOwn[] = {"sin_psi", "cos_psi"};  // replace sin(psi) and cos(psi)
 constexpr const char* kNormalised = ", over its value at psi = 0";
 
-bool is_of_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-/// Where a text contains a name, from a position on; npos if nowhere.
+/// The first position, from `from` on, at which a text contains a name; npos if there is none.
 std::size_t find_name(std::string_view text, std::string_view name, std::size_t from = 0) {
   for (std::size_t at = text.find(name, from); at != std::string_view::npos; at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
-    if ((at == 0 || !is_of_name(text[at - 1])) && (end == text.size() || !is_of_name(text[end]))) return at;
+    if ((at == 0 || !is_name_character(text[at - 1])) && (end == text.size() || !is_name_character(text[end])))
+      return at;
   }
   return std::string_view::npos;
 }
 
 bool uses(std::string_view text, std::string_view name) { return find_name(text, name) != std::string_view::npos; }
 
-/// With `value` instead of function(psi).
+/// The text with `value` in place of function(psi).
 std::string with_value_of(std::string text, std::string_view function, std::string_view value) {
   const auto skip = [&](std::size_t at, std::string_view expected) {  // npos if something else follows
     at = text.find_first_not_of(' ', at);
@@ -44,15 +41,16 @@ std::string with_value_of(std::string text, std::string_view function, std::stri
   return text;
 }
 
-/// tan(psi), sin(psi) and cos(psi) as they are known beside psi, whose rounding they would magnify near 90 degrees.
+/// Replaces tan(psi), sin(psi) and cos(psi) by variables: computed from psi they would magnify its rounding near 90
+/// degrees.
 std::string with_known_functions(std::string text) {
   text = with_value_of(std::move(text), "tan", "t");
   return with_value_of(with_value_of(std::move(text), "sin", kOwn[0]), "cos", kOwn[1]);
 }
 
-/// What is wrong with the key and the parameters. Adds the names of these to `variables`.
+/// What is wrong with the key and the parameters. Appends the parameters' names to `variables`.
 std::optional<LawError> problem_of(const LawDefinition& definition, std::vector<std::string>& variables) {
-  constexpr std::size_t kMost = ExpressionLaw::kMostParameters;
+  constexpr std::size_t kMost = UserLaw::kMostParameters;
   const auto error = [](std::string message) { return LawError{{}, std::move(message)}; };
   if (!is_variable_name(definition.key))
     return error("'" + definition.key + "' cannot be the key of a law: a letter, then letters, digits and _");
@@ -75,20 +73,16 @@ std::optional<LawError> problem_of(const LawDefinition& definition, std::vector<
   return std::nullopt;
 }
 
-/// Reads the text of a definition that is no function.
+/// Reads the text of a definition that has no sampler.
 std::optional<LawError> read_text(const LawDefinition& definition, std::vector<std::string> variables, LawForm& form) {
   const std::string& text = definition.text;
   const std::size_t equals = text.find('=');
   const bool is_equation = equals != std::string::npos;
-  std::string left = text, right = "K_I^2+K_II^2";
-  if (is_equation) {
-    left = text.substr(0, equals);
-    right = text.substr(equals + 1);
-  }
-  if (const Expression side(left, variables); side.error()) return LawError{side.error()->at, side.error()->message};
+  const std::string left = text.substr(0, equals), right = is_equation ? text.substr(equals + 1) : "K_I^2+K_II^2";
+  if (const Expression side(left, variables); side.error()) return side.error();
   if (is_equation)
     if (const Expression side(right, variables); side.error())
-      return LawError{equals + 1 + side.error()->at, side.error()->message};
+      return LawError{equals + 1 + *side.error()->at, side.error()->message};
   form.equation = uses(text, "K_I") || uses(text, "K_II");
   if (is_equation && !form.equation)
     return LawError{equals, "an equation is solved for K_I and K_II, and these are not in it"};
@@ -117,18 +111,18 @@ bool same_law(const LawDefinition& one, const LawDefinition& other) {
                     });
 }
 
-std::shared_ptr<const ExpressionLaw> ExpressionLaw::make(LawDefinition definition, LawError& error) {
+std::shared_ptr<const UserLaw> UserLaw::make(LawDefinition definition, LawError& error) {
   std::vector<std::string> variables;  // a function has none
   if (!definition.sampler) variables.assign(std::begin(kVariables), std::end(kVariables));
   LawForm form;
   std::optional<LawError> problem = problem_of(definition, variables);
   if (!problem && !definition.sampler) problem = read_text(definition, std::move(variables), form);
-  if (!problem) return std::shared_ptr<const ExpressionLaw>(new ExpressionLaw(std::move(definition), std::move(form)));
+  if (!problem) return std::shared_ptr<const UserLaw>(new UserLaw(std::move(definition), std::move(form)));
   error = std::move(*problem);
   return nullptr;
 }
 
-ExpressionLaw::ExpressionLaw(LawDefinition definition, LawForm form)
+UserLaw::UserLaw(LawDefinition definition, LawForm form)
     : definition_(std::move(definition)), form_(std::move(form)) {
   const bool stated_as_equation = !definition_.sampler && definition_.text.find('=') != std::string::npos;
   shown_ = (stated_as_equation ? "" : "f = ") + definition_.text + (definition_.normalised ? kNormalised : "");
@@ -137,29 +131,26 @@ ExpressionLaw::ExpressionLaw(LawDefinition definition, LawForm form)
     parameters_.push_back({one.name, one.lower, one.upper, one.start});
 }
 
-ExpressionLaw::~ExpressionLaw() = default;
+UserLaw::~UserLaw() = default;
 
-double ExpressionLaw::toughness(double psi, std::span<const double> parameters) const {
-  return LawLease(*this).workspace().toughness(psi, parameters);
+double UserLaw::toughness(double psi, std::span<const double> parameters) const {
+  return std::exp(LawLease(*this).workspace().log_toughness(mixity_from_angle(psi), parameters, {}));
 }
 
-LawLease::LawLease(std::shared_ptr<const ExpressionLaw> law) : law_(std::move(law)) {
+LawLease::LawLease(const UserLaw& law) : law_(law) {
   {
-    const std::lock_guard lock(law_->one_at_a_time_);
-    if (!law_->idle_.empty()) {
-      workspace_ = std::move(law_->idle_.back());
-      law_->idle_.pop_back();
+    const std::lock_guard lock(law_.mutex_);
+    if (!law_.idle_.empty()) {
+      workspace_ = std::move(law_.idle_.back());
+      law_.idle_.pop_back();
     }
   }
-  if (!workspace_) workspace_ = std::make_unique<LawWorkspace>(*law_);
+  if (!workspace_) workspace_ = std::make_unique<LawWorkspace>(law_);
 }
 
-LawLease::LawLease(const ExpressionLaw& law)
-    : LawLease(std::shared_ptr<const ExpressionLaw>(std::shared_ptr<const void>(), &law)) {}
-
 LawLease::~LawLease() {
-  const std::lock_guard lock(law_->one_at_a_time_);
-  law_->idle_.push_back(std::move(workspace_));
+  const std::lock_guard lock(law_.mutex_);
+  law_.idle_.push_back(std::move(workspace_));
 }
 
 }  // namespace mixity

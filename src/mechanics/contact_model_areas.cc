@@ -2,11 +2,12 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/any_law.h"
 #include "mechanics/batch.h"
 #include "mechanics/contact.h"
+#include "mechanics/contact_model.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/non_monotone_curve.h"
-#include "mechanics/operations.h"
 #include "mechanics/roots.h"
 #include "mechanics/sensitivity.h"
 
@@ -15,8 +16,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// T at which a contact under a non-monotone law first has the edge load y on its way from T = 0; NaN where it never
-/// has.
+/// T at which a contact under a non-monotone law first has the edge load y on its way from T = 0; NaN if it never has.
 template <class Law>
 double first_tangential_load(const Law& law, const Parameters<Law>& p, double P, double y) {
   constexpr double kFirst = -40, kStep = 0.125, kLast = 42, kRounding = 8 * std::numeric_limits<double>::epsilon();
@@ -24,7 +24,7 @@ double first_tangential_load(const Law& law, const Parameters<Law>& p, double P,
   const double half = 0.5 * curve.length();
   const double last = curve.closed() ? std::log(curve.at(half, half).t)
                                      : (curve.grows_over_all_bounds() ? std::log(std::tan(curve.length())) : kLast);
-  // above y, by x = ln(T/y); on a curve that closes also on the way back, where the product of both y is -6 pi P/g
+  // ln of the curve's edge load over y at x = ln(T/y); on the way back the product of both edge loads is -6 pi P/g
   const auto excess = [&](double x, bool back) {
     const double upper = curve.upper_edge_load(std::exp(std::min(x, last))).value_or(-2 * P);
     return std::log((back ? -P * upper / (upper + P) : upper) / y);
@@ -45,25 +45,22 @@ double first_tangential_load(const Law& law, const Parameters<Law>& p, double P,
   return found;
 }
 
-template <class Law>
-class AreasOf final : public AreaOperations {
- public:
-  explicit AreasOf(const ExpressionLaw* law) : held_(law) {}
+}  // namespace
 
-  std::string_view obstacle(ParameterSpan p, double P) const override {
-    const auto use = held_.use();
-    return contact_obstacle(use.law, parameters_from<Law>(p), P);
+void ContactModel::areas(std::span<const Values> parameters, Values P, Values T, std::span<double> A,
+                         std::span<EquilibriumStatus> status) const {
+  if (parameters.size() != law_->parameters.size()) {
+    std::fill(A.begin(), A.end(), kNaN);
+    std::fill(status.begin(), status.end(), EquilibriumStatus::invalid);
+    return;
   }
-
-  void areas(std::span<const Values> parameters, Values P, Values T, std::span<double> A,
-             std::span<EquilibriumStatus> status) const override {
-    const auto use = held_.use();
+  with_law(*law_, [&]<class Law>(const Law& law) {
     std::vector<double> positive;
     for (std::size_t begin = 0; begin < A.size();) {
       const Parameters<Law> p = parameters_at<Law>(parameters, begin);
       std::size_t end = begin + 1;
       while (end < A.size() && P[end] == P[begin] && parameters_at<Law>(parameters, end) == p) ++end;
-      const LoadedContact contact(use.law, p, P[begin]);
+      const LoadedContact contact(law, p, P[begin]);
       const std::span<double> found = A.subspan(begin, end - begin);
       std::span<const double> shears(T.first + static_cast<std::ptrdiff_t>(begin) * T.step,
                                      T.step == 1 ? end - begin : 0);
@@ -82,40 +79,54 @@ class AreasOf final : public AreaOperations {
       }
       begin = end;
     }
-  }
+  });
+}
 
-  void area_slopes(std::span<const Values> parameters, Values P, Values T, std::span<const double> A,
-                   std::span<const std::span<double>> slopes) const override {
-    const auto use = held_.use();
+void ContactModel::areas_at(ParameterSpan p, double P, std::span<const double> T, std::span<double> A,
+                            std::span<EquilibriumStatus> status) const {
+  std::vector<Values> all;
+  for (const double& one : p) all.push_back({&one, 0});
+  areas(all, {&P, 0}, {T.data(), 1}, A, status);
+}
+
+void ContactModel::area_slopes(std::span<const Values> parameters, Values P, Values T, std::span<const double> A,
+                               std::span<const std::span<double>> slopes) const {
+  for (const std::span<double> of_one : slopes) std::fill(of_one.begin(), of_one.end(), kNaN);
+  if (parameters.size() != law_->parameters.size()) return;
+  with_law(*law_, [&]<class Law>(const Law& law) {
     for (std::size_t i = 0; i < A.size(); ++i) {
       const double y = edge_load(radius_from_area(A[i]), P[i]);
       if (!(y >= 0)) continue;
-      const auto gradient = equilibrium_gradient(use.law, parameters_at<Law>(parameters, i), P[i], std::abs(T[i]), y);
+      const auto gradient = equilibrium_gradient(law, parameters_at<Law>(parameters, i), P[i], std::abs(T[i]), y);
       for (std::size_t k = 0; k < slopes.size(); ++k) slopes[k][i] = -gradient.parameters[k] / gradient.A;
     }
-  }
+  });
+}
 
-  void tangential_loads(std::span<const Values> parameters, Values P, Values A, std::span<double> T) const override {
-    const auto use = held_.use();
+void ContactModel::tangential_loads(std::span<const Values> parameters, Values P, Values A, std::span<double> T) const {
+  std::fill(T.begin(), T.end(), kNaN);
+  if (parameters.size() != law_->parameters.size()) return;
+  with_law(*law_, [&]<class Law>(const Law& law) {
     for (std::size_t i = 0; i < T.size(); ++i) {
       const auto p = parameters_at<Law>(parameters, i);
-      if (!contact_obstacle(use.law, p, P[i]).empty() || above_pull_off(P[i]) < 0 || !(A[i] > 0)) continue;
+      if (!contact_obstacle(law, p, P[i]).empty() || above_pull_off(P[i]) < 0 || !(A[i] > 0)) continue;
       const double y = edge_load(radius_from_area(A[i]), P[i]), S0 = circle_radius(P[i]), v = y - 3 * pi<double>();
       if constexpr (kMayBeNonMonotone<Law>) {
-        if (is_non_monotone(use.law, p)) {
-          if (y > 0) T[i] = first_tangential_load(use.law, p, P[i], y);
+        if (is_non_monotone(law, p)) {
+          if (y > 0) T[i] = first_tangential_load(law, p, P[i], y);
           continue;
         }
       }
       if (!(y > 0) || !(std::abs(v) <= S0 * (1 + 8 * std::numeric_limits<double>::epsilon()))) continue;
-      const double found = tangential_load(use.law, p, y, std::sqrt(std::max(0.0, (S0 - v) * (S0 + v))));
+      const double found = tangential_load(law, p, y, std::sqrt(std::max(0.0, (S0 - v) * (S0 + v))));
       if (std::isfinite(found)) T[i] = found;
     }
-  }
+  });
+}
 
-  Equilibria equilibria(ParameterSpan p, double P, std::span<const double> T) const override {
-    const auto use = held_.use();
-    const LoadedContact contact(use.law, parameters_from<Law>(p), P);
+Equilibria ContactModel::equilibria(ParameterSpan p, double P, std::span<const double> T) const {
+  return with_law(*law_, p, [&](const auto& law, const auto& values) {
+    const LoadedContact contact(law, values, P);
     Equilibria found;
     found.at.reserve(T.size());
     bool beyond = false;
@@ -125,21 +136,7 @@ class AreasOf final : public AreaOperations {
     }
     if (beyond && contact.in_contact()) found.last = contact.branches().back();
     return found;
-  }
-
- private:
-  HeldLaw<Law> held_;
-};
-
-}  // namespace
-
-template <class Law>
-std::unique_ptr<const AreaOperations> area_operations(const ExpressionLaw* law) {
-  return std::make_unique<AreasOf<Law>>(law);
+  });
 }
-
-namespace {
-[[gnu::used]] const auto area_instances = each_law([]<class Law>() { return &area_operations<Law>; });
-}  // namespace
 
 }  // namespace mixity

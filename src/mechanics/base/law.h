@@ -1,8 +1,8 @@
 // What a mode-mixity law must have: a toughness ratio f(psi) = G_c/G_Ic with named, bounded parameters.
 //
-// A law is an object: law.shear_term(p, y, T), with its parameters p beside it. A published law is an empty struct
-// whose members are static (models/*.h); a law that is defined at run time has state (laws/typed_law.h). Members marked
-// with * may be left out.
+// A law is an object that takes its parameters p with each call: law.shear_term(p, y, T). A published law is an empty
+// struct whose members are static (models/*.h); a law that is defined at run time has state (laws/user_law_view.h).
+// Members marked with * are optional.
 //
 //   info                           key on the command line, name, published formula
 //   parameters                     name, range and a typical value of each
@@ -41,12 +41,12 @@
 #include <tuple>
 #include <type_traits>
 
-#include "mechanics/constants.h"
+#include "mechanics/base/constants.h"
 
 namespace mixity {
 
-/// Direction of the edge load: cos = K_I/|K|, sin = K_II/|K|, both in [0, 1]. Holding both keeps full relative
-/// accuracy at psi -> 0 and at psi -> pi/2, which an angle cannot.
+/// Direction of the edge load: cos = K_I/|K|, sin = K_II/|K|, both in [0, 1]. Unlike an angle, the two have full
+/// relative accuracy both at psi -> 0 and at psi -> pi/2.
 template <class S>
 struct Mixity {
   S cos, sin;
@@ -61,7 +61,7 @@ Mixity<S> mixity_from_loads(const S& y, const S& T) {
   return {steep ? smaller : larger, steep ? larger : smaller};
 }
 
-/// 90 degrees as they come from degrees: the double behind the one nearest to pi/2.
+/// 90 degrees after conversion from degrees: the double after the one nearest to pi/2.
 inline constexpr double kLargestPhaseAngle = 1.5707963267948968;
 
 /// From the phase angle psi [rad] in [0, pi/2]. The double nearest to pi/2 means pi/2.
@@ -90,8 +90,8 @@ S phase_angle(const Mixity<S>& m) {
 struct ParameterInfo {
   std::string_view name;
   double lower, upper;  // closed range in which the published law makes sense
-  double typical;       // shown in help, and the start where nothing better is known
-  double neutral = 0;   // > 0: where f = 1 whatever the other parameters; only the distance from it matters nearby
+  double typical;       // shown in help, and the start of a fit where nothing better is known
+  double neutral = 0;   // > 0: the value at which f = 1 whatever the other parameters are
 };
 
 struct ModelInfo {
@@ -101,10 +101,10 @@ struct ModelInfo {
 };
 
 /// A point as a vectorised loop takes it, and ln f there for one parameter: ln f = kLogSign log(argument), with an
-/// absolute error of a few eps, and its derivatives in the parameter; excess = argument - 1 without cancellation. Free
-/// of branches, so that a compiler can process several points at once. The loop takes the logarithm of `argument`
-/// because log1p(excess) makes it 22 % slower for law a and 44 % for c (mechanics_benchmark, LogToughnessPacked), and a
-/// sweep of a fit 12 and 22 %; kLogSign is -1 for c because dividing first makes the loop 16 % slower.
+/// absolute error of a few eps, and its derivatives in the parameter; excess = argument - 1 without cancellation. No
+/// branches, so that a compiler can process several points at once. The loop uses log(argument) because log1p(excess)
+/// makes it 22 % slower for law a and 44 % for c (mechanics_benchmark, LogToughnessPacked), and a sweep of a fit 12 and
+/// 22 %; kLogSign is -1 for c because dividing first makes the loop 16 % slower.
 template <class S>
 struct PackedPoint {
   S first, second;
@@ -121,7 +121,7 @@ struct Differentiated {
   std::array<S, N> gradient;
 };
 
-/// The type of a law's parameters: an array of as many numbers as it states, unless it says otherwise.
+/// The type of a law's parameters: Law::Parameters if the law defines it, else an array with one number for each.
 template <class Law, class S>
 struct ParametersOf {
   static constexpr std::size_t kMost = std::tuple_size_v<std::remove_cvref_t<decltype(Law::parameters)>>;
@@ -141,7 +141,7 @@ using Parameters = typename ParametersOf<Law, S>::type;
 template <class Law>
 inline constexpr std::size_t parameter_count = ParametersOf<Law, double>::kMost;
 
-/// The parameters with these values, of which there are as many as the law has.
+/// The parameters with these values, one for each parameter of the law.
 template <class Law>
 Parameters<Law> parameters_from(std::span<const double> values) {
   if constexpr (requires { Parameters<Law>(values); }) {
@@ -177,14 +177,14 @@ struct ShearTerm {
   S value, d1, d2;
 };
 
-/// Upper bounds of |d^2 tau^2| over all y and T; infinite where nothing is known.
+/// Upper bounds of the second derivatives of tau^2 over all y and T; infinite where unknown.
 struct ShearBend {
   double TT = std::numeric_limits<double>::infinity(), yT = TT, yy = TT;
 };
 
-/// How far bounds at one state hold. The second derivatives of tau^2 are homogeneous of degree 0. Over a step w, the
-/// larger of narrow dT/(T + T_part y) and narrow dy/(y + y_part T), the sums of moduli that nearest_proof.h takes for
-/// them grow by a factor (1 + 8 w)^2 at most, up to w = 1/4. `narrow` is infinite where nothing is known.
+/// How far bounds at one state are valid. The second derivatives of tau^2 are homogeneous of degree 0. Over a step w,
+/// the larger of narrow dT/(T + T_part y) and narrow dy/(y + y_part T), the sums of moduli by which nearest_proof.h
+/// bounds them grow by a factor (1 + 8 w)^2 at most, up to w = 1/4. `narrow` is infinite where this is unknown.
 struct ShearReach {
   double narrow = std::numeric_limits<double>::infinity(), y_part = 0, T_part = 0;
 };

@@ -1,21 +1,21 @@
-#include "mechanics/laws/sampled_law.h"
+#include "mechanics/laws/sampled_toughness.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "mechanics/constants.h"
+#include "mechanics/base/constants.h"
 
 namespace mixity {
 namespace {
 
 constexpr double kBeyondAll = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 4e-15;    // of ln f: what samples are known to
-constexpr double kNoise = 1e-6;        // what falls no further with the degree, below this, is noise of the function,
-constexpr double kSmallNoise = 1e-10;  // nor with the length of a piece
+constexpr double kRounding = 4e-15;    // of ln f in samples
+constexpr double kNoise = 1e-6;        // coefficients below this that stop falling with the degree are noise of f,
+constexpr double kSmallNoise = 1e-10;  // and so below this if they stop falling with the length of a piece
 constexpr std::size_t kMostPieces = 300;
-constexpr double kSmooth = 1e-2;  // [rad] a piece from 0 on that is longer: f has derivatives at 0
-constexpr double kNear = 1e-4;    // [rad] else its power is that of ln f here
+constexpr double kSmooth = 1e-2;  // [rad] f has derivatives at 0 if the piece from 0 on is longer
+constexpr double kNear = 1e-4;    // [rad] where the power of ln f is determined otherwise
 constexpr double kRight = 1.5707963267948966;
 
 /// Ends of the parts that a piece is cut into: halves, towards 0 and 90 degrees four times over.
@@ -28,12 +28,12 @@ std::vector<double> cuts_of(double begin, double end) {
 
 struct Pending {
   double begin, end;
-  double before;  // what was left of the piece that it was cut from
+  double before;  // last coefficients of the piece that it was cut from
 };
 
 }  // namespace
 
-Taylor SampledLaw::Piece::at(double psi) const {
+Taylor SampledToughness::Piece::at(double psi) const {
   const double half = 0.5 * (end - begin), x = std::clamp((psi - begin) / half - 1, -1.0, 1.0);
   Taylor one, two;  // Clenshaw's sums, with their derivatives in x
   for (std::size_t k = count; k-- > 1;) {
@@ -46,7 +46,7 @@ Taylor SampledLaw::Piece::at(double psi) const {
           (2 * one.first + x * one.second - two.second) / (half * half)};
 }
 
-SampledLaw::Piece SampledLaw::piece_through(double begin, double end, std::span<const double> psi,
+SampledToughness::Piece SampledToughness::piece_through(double begin, double end, std::span<const double> psi,
                                             std::span<const double> f) const {
   static const std::array<std::array<double, kNodes>, kNodes> cosines = [] {
     std::array<std::array<double, kNodes>, kNodes> all;
@@ -65,8 +65,8 @@ SampledLaw::Piece SampledLaw::piece_through(double begin, double end, std::span<
   return piece;
 }
 
-SampledLaw::SampledLaw(const LawSampler& sampler, std::span<const double> parameters) {
-  constexpr double kBeside = 1e-12, kFarther = 1e-10;  // of 90 degrees, where the power is read
+SampledToughness::SampledToughness(const LawSampler& sampler, std::span<const double> parameters) {
+  constexpr double kBeside = 1e-12, kFarther = 1e-10;  // distances from 90 degrees at which the power is determined
   std::vector<Pending> pending, next;
   for (int i = 0; i < 4; ++i) pending.push_back({i * kRight / 4, (i + 1) * kRight / 4, kBeyondAll});
   std::vector<double> psi{0, kRight - kFarther, kRight - kBeside}, f;
@@ -84,7 +84,7 @@ SampledLaw::SampledLaw(const LawSampler& sampler, std::span<const double> parame
       at = 3;
       log_f0_ = f[0] > 0 ? std::log(f[0]) : NAN;
       const double power = std::log(f[2] / f[1]) / std::log(std::cos(psi[1]) / std::cos(psi[2]));
-      // one that is hardly felt, or as good as 2, is taken as 0, 2
+      // a tiny power is taken as 0, one close to 2 as 2
       if (std::isfinite(power) && std::abs(power) > 0.1) power_ = std::abs(power - 2) < 1e-3 ? 2 : power;
     }
     next.clear();
@@ -124,15 +124,15 @@ SampledLaw::SampledLaw(const LawSampler& sampler, std::span<const double> parame
             [](const Piece& one, const Piece& other) { return one.begin < other.begin; });
 }
 
-const SampledLaw::Piece& SampledLaw::piece_at(double psi) const {
+const SampledToughness::Piece& SampledToughness::piece_at(double psi) const {
   const auto behind = std::upper_bound(pieces_.begin() + 1, pieces_.end(), psi,
                                        [](double value, const Piece& piece) { return value < piece.begin; });
   return *(behind - 1);
 }
 
-Taylor SampledLaw::smooth(double psi) const { return psi == 0 ? at_zero() : piece_at(psi).at(psi); }
+Taylor SampledToughness::smooth(double psi) const { return psi == 0 ? at_zero() : piece_at(psi).at(psi); }
 
-Taylor SampledLaw::at_zero() const {
+Taylor SampledToughness::at_zero() const {
   if (pieces_[0].end > kSmooth) {
     const Taylor h = pieces_[0].at(0);
     const double rounding = 1e-9 + 4 * kNodes * kNodes * error_ / pieces_[0].end;
@@ -140,17 +140,17 @@ Taylor SampledLaw::at_zero() const {
   }
   const double one = log_toughness(kNear, std::cos(kNear)) - log_f0_;
   const double two = log_toughness(2 * kNear, std::cos(2 * kNear)) - log_f0_;
-  // of a power below 2 the second derivative is infinite; else what there is of one is not known here
+  // the second derivative of a power below 2 is infinite; for other powers it is not known here
   return {log_f0_, 0, std::abs(two) < 3.99 * std::abs(one) ? std::copysign(kBeyondAll, one) : NAN};
 }
 
-Taylor SampledLaw::toughness(const Taylor& psi, const Taylor& cosine) const {
+Taylor SampledToughness::toughness(const Taylor& psi, const Taylor& cosine) const {
   const Taylor h = smooth(psi.value), f = exp(psi.through(h.value, h.first, h.second));
   if (power_ == 0) return f;
   return power_ == 2 ? f / (cosine * cosine) : f * pow(cosine, Taylor(-power_));
 }
 
-double SampledLaw::log_toughness(double psi, double cosine) const {
+double SampledToughness::log_toughness(double psi, double cosine) const {
   return smooth(psi).value - (power_ == 0 ? 0 : power_ * std::log(cosine));
 }
 

@@ -1,5 +1,5 @@
-// A law that is a function of arrays, such as one of Python, at one set of its parameters: sampled, and then a
-// polynomial in psi on each of some pieces of 0..90 degrees.
+// The toughness ratio f(psi) of a law that is a function of arrays, such as a Python function, at one set of
+// parameters: sampled once, then evaluated as polynomials in psi on pieces of 0..90 degrees.
 #pragma once
 
 #include <array>
@@ -13,33 +13,33 @@
 
 namespace mixity {
 
-/// Fills f = G_c/G_Ic at phase angles psi [rad], 0 <= psi < pi/2. Called on any thread, on several at once; what it
-/// throws comes out where the law was asked for.
+/// Fills f = G_c/G_Ic at phase angles psi [rad], 0 <= psi < pi/2. Called on any thread, on several at once. Exceptions
+/// reach the caller who evaluates the law.
 using LawSampler =
     std::function<void(std::span<const double> psi, std::span<const double> parameters, std::span<double> f)>;
 
-/// Not to change once made.
-class SampledLaw {
+/// Immutable.
+class SampledToughness {
  public:
-  /// Calls the sampler with some hundred angles, and again for those pieces that this does not settle: towards 0 and 90
-  /// degrees, where f may be any power of psi or cos psi, and at kinks.
-  SampledLaw(const LawSampler& sampler, std::span<const double> parameters);
+  /// Calls the sampler with some hundred angles, and again for the pieces on which these do not suffice: towards 0 and
+  /// 90 degrees, where f may be any power of psi or cos psi, and at kinks.
+  SampledToughness(const LawSampler& sampler, std::span<const double> parameters);
 
-  /// f along the direction in which psi and its cosine > 0 change; NaN on pieces with a sample that is no positive
+  /// f along the direction in which psi and its cosine > 0 change; NaN on pieces where a sample is not a positive
   /// number.
   Taylor toughness(const Taylor& psi, const Taylor& cosine) const;
   double log_toughness(double psi, double cosine) const;
 
-  /// Largest error, of f or of 1/f, whichever is smaller, that further samples would not have made less, beyond
-  /// rounding; psi there.
+  /// Largest error, beyond rounding, of f or of 1/f, whichever is smaller, that further samples would not reduce; and
+  /// the psi of it.
   double error() const { return error_; }
   double error_at() const { return error_at_; }
-  /// The least psi of a sample that is no positive number; infinite where there is none.
+  /// The smallest psi at which a sample is not a positive number; infinite if there is none.
   double undefined_at() const { return undefined_at_; }
 
  private:
-  static constexpr std::size_t kNodes = 21;  // of a piece, Chebyshev's
-  /// h = ln f + power ln cos psi in Chebyshev polynomials, of which the last may be left out.
+  static constexpr std::size_t kNodes = 21;  // Chebyshev nodes of a piece
+  /// h = ln f + power ln cos psi in Chebyshev polynomials, without the last ones if these are rounding.
   struct Piece {
     double begin, end;
     std::array<double, kNodes> coefficients{};

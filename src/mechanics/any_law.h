@@ -1,0 +1,58 @@
+// The law of a ContactModel, which may be of any type, and calls of templates with it.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <variant>
+
+#include "mechanics/contact_model.h"
+#include "mechanics/registry.h"
+
+namespace mixity {
+
+namespace any_law_detail {
+template <class... Law>
+std::variant<Law..., std::shared_ptr<const UserLaw>> variant_of(std::tuple<Law...>);
+}  // namespace any_law_detail
+
+/// A published law, or one that was defined at run time. Not to change once made.
+struct AnyLaw {
+  decltype(any_law_detail::variant_of(Models{})) value;
+  const ModelInfo& info;
+  std::span<const ParameterInfo> parameters;
+};
+
+using ParameterSpan = std::span<const double>;
+
+/// Returns visit(law), where `law` has the type of a published law or is a UserLawView, valid during the call.
+template <class Visit>
+auto with_law(const AnyLaw& any, const Visit& visit) {
+  const auto use = [&]<class Held>(const Held& held) {
+    if constexpr (std::is_same_v<Held, std::shared_ptr<const UserLaw>>) {
+      const LawLease lease(*held);
+      return visit(UserLawView(lease));
+    } else {
+      return visit(held);
+    }
+  };
+  return std::visit(use, any.value);
+}
+
+/// Returns visit(law, p) with the parameters in the law's own type.
+template <class Visit>
+auto with_law(const AnyLaw& any, ParameterSpan p, const Visit& visit) {
+  return with_law(any, [&]<class Law>(const Law& law) { return visit(law, parameters_from<Law>(p)); });
+}
+
+/// The parameters of point i.
+template <class Law>
+Parameters<Law> parameters_at(std::span<const Values> values, std::size_t i) {
+  std::array<double, parameter_count<Law>> p{};
+  const std::size_t n = std::is_same_v<Law, UserLawView> ? values.size() : p.size();
+  for (std::size_t k = 0; k < n; ++k) p[k] = values[k][i];
+  return parameters_from<Law>({p.data(), n});
+}
+
+}  // namespace mixity

@@ -1,0 +1,76 @@
+#include "mechanics/any_law.h"
+#include "mechanics/constant_shear.h"
+#include "mechanics/contact_model.h"
+#include "mechanics/equilibrium.h"
+#include "mechanics/limits.h"
+#include "mechanics/regimes.h"
+#include "mechanics/sampling.h"
+
+namespace mixity {
+
+double ContactModel::first_stable_end(ParameterSpan p, double P) const {
+  if (!in_contact(p, P)) return 0;
+  return with_law(*law_, p, [&](const auto& law, const auto& values) {
+    return LoadedContact(law, values, P).branches().front().T_bottom;
+  });
+}
+
+std::vector<Fold> ContactModel::folds(ParameterSpan p, double P, Control control) const {
+  if (!in_contact(p, P)) return {};
+  return with_law(*law_, p, [&](const auto& law, const auto& values) {
+    return find_folds(EquilibriumCurve(law, values, P), control);
+  });
+}
+
+std::optional<RegimeReport> ContactModel::regime(ParameterSpan p, double P, std::optional<double> tau0) const {
+  if (!in_contact(p, P)) return std::nullopt;
+  return with_law(*law_, p, [&](const auto& law, const auto& values) { return classify(law, values, P, tau0); });
+}
+
+SampledCurve ContactModel::curve(ParameterSpan p, double P, const CurveSampling& sampling) const {
+  if (!in_contact(p, P)) return {{}, false};
+  return with_law(*law_, p, [&](const auto& law, const auto& values) -> SampledCurve {
+    const EquilibriumCurve curve(law, values, P);
+    if (curve.uncoupled()) return {{curve.point(0)}, true};
+    auto ranges = drawable_ranges(curve, sampling.T_most ? *sampling.T_most : kFarthestDrawn * shear_scale(curve));
+    if (sampling.first_range_only) ranges.resize(1);
+    switch (sampling.rule) {
+      case CurveSampling::Rule::even:
+        return {sample_uniform(curve, ranges, std::max<std::size_t>(sampling.points, 2)), false};
+      case CurveSampling::Rule::fewest:
+        return {sample_adaptive(curve, ranges, sampling.chord), false};
+      case CurveSampling::Rule::soonest:
+        break;
+    }
+    return {sample_halved(curve, ranges, sampling.chord), false};
+  });
+}
+
+std::vector<ConstantShearPoint> ContactModel::at_constant_shear(ParameterSpan p, double T,
+                                                                std::span<const double> y) const {
+  return with_law(*law_, p, [&](const auto& law, const auto& values) {
+    std::vector<ConstantShearPoint> points;
+    points.reserve(y.size());
+    for (const double edge_load : y) points.push_back(constant_shear_point(law, values, T, edge_load));
+    return points;
+  });
+}
+
+std::optional<double> ContactModel::critical_load(ParameterSpan p) const {
+  if (!obstacle(p).empty()) return std::nullopt;
+  return with_law(*law_, p, [](const auto& law, const auto& values) { return mixity::critical_load(law, values); });
+}
+
+std::optional<std::span<const RegimeBoundary>> ContactModel::regime_boundaries() const {
+  return mixity::regime_boundaries(info().key);
+}
+
+std::optional<double> ContactModel::shear_sensitivity(ParameterSpan p, double A0) const {
+  const std::optional<double> P = jkr_load(A0);
+  if (!P) return std::nullopt;
+  return with_law(*law_, p, [&](const auto& law, const auto& values) {
+    return mixity::shear_sensitivity(law, values, *P);
+  });
+}
+
+}  // namespace mixity

@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/any_law.h"
+#include "mechanics/contact_model.h"
+#include "mechanics/curve_distance.h"
+#include "mechanics/energy_plane.h"
+#include "mechanics/sensitivity.h"
+
+namespace mixity {
+
+/// From the equilibrium condition F of sensitivity.h: -ln((y^2 + tau^2)/(6 pi (y + P))).
+bool ContactModel::toughness_residuals(ParameterSpan p, std::span<const double> P, std::span<const double> T,
+                                       std::span<const double> A, const ToughnessResiduals& out) const {
+  return with_law(*law_, p, [&](const auto& law, const auto& values) {
+    for (std::size_t i = 0; i < P.size(); ++i) {
+      if (!(A[i] > 0)) return false;
+      const double a = radius_from_area(A[i]), y = edge_load(a, P[i]), sum = y + P[i];
+      if (!(y > 0)) return false;
+      const auto F = equilibrium_gradient(law, values, P[i], std::abs(T[i]), y);
+      out.value[i] = -std::log(F.held / (6 * pi<double>() * sum));
+      for (std::size_t k = 0; k < p.size(); ++k) out.parameters[i * p.size() + k] = -F.parameters[k] / F.held;
+      // F = held - 6 pi sum, and dsum/dA = 2 a/pi
+      const double growth = 2 * a / pi<double>();
+      out.A[i] = growth / sum - (F.A + 6 * pi<double>() * growth) / F.held;
+      out.T[i] = -std::copysign(F.T, T[i]) / F.held;
+      out.P[i] = -F.P / F.held;
+    }
+    return true;
+  });
+}
+
+bool ContactModel::curve_distances(ParameterSpan p, const PlanePoints& points, Search search, bool derivatives,
+                                   CurveDistances& out) const {
+  return with_law(*law_, p, [&](const auto& law, const auto& values) {
+    return mixity::curve_distances(law, values, points, search, derivatives, out);
+  });
+}
+
+void ContactModel::energy_distances(ParameterSpan p, const EnergyPoints& points, const EnergyDistances& out) const {
+  with_law(*law_, p, [&](const auto& law, const auto& values) {
+    const EnergyCurve curve(law, values);
+    for (std::size_t i = 0; i < points.G_I.size(); ++i) {
+      const auto r = curve.distance(points.G_I[i], points.G_II[i], points.sigma_I[i], points.sigma_II[i],
+                                    points.G_Ic[i], !out.parameters.empty());
+      out.value[i] = r.value;
+      out.log_toughness[i] = r.log_toughness;
+      if (out.parameters.empty()) continue;
+      std::copy(r.parameters.begin(), r.parameters.end(),
+                out.parameters.begin() + static_cast<std::ptrdiff_t>(i * p.size()));
+    }
+  });
+}
+
+void ContactModel::rough_energy_distances(ParameterSpan p, const EnergyPoints& points, std::span<double> out) const {
+  with_law(*law_, p, [&](const auto& law, const auto& values) {
+    const EnergyPolygon polygon(law, values);
+    for (std::size_t i = 0; i < points.G_I.size(); ++i)
+      out[i] = polygon.distance(points.G_I[i], points.G_II[i], points.sigma_I[i], points.sigma_II[i], points.G_Ic[i]);
+  });
+}
+
+}  // namespace mixity

@@ -1,0 +1,128 @@
+// The stages of nearest_newton.h and nearest_proof.h applied to a block of measured points.
+#pragma once
+
+#include "mechanics/nearest_proof.h"
+#include "mechanics/states.h"
+
+namespace mixity::nearest_detail {
+
+// Each stage is compiled for two doubles at once and for four.
+
+template <Begin kBegin, class Law>
+void start_by_two(const CurveFamily<Law>& family, Block& __restrict block) {
+  start<kBegin>(family, block);
+}
+template <Begin kBegin, class Law>
+[[gnu::flatten]] MIXITY_WIDE void start_by_four(const CurveFamily<Law>& family, Block& __restrict block) {
+  start<kBegin>(family, block);
+}
+
+template <class Law>
+void settle_by_two(const CurveFamily<Law>& family, int steps, Block& __restrict block) {
+  settle(family, block, steps);
+}
+template <class Law>
+[[gnu::flatten]] MIXITY_WIDE void settle_by_four(const CurveFamily<Law>& family, int steps, Block& __restrict block) {
+  settle(family, block, steps);
+}
+
+template <bool kDerivatives, class Law>
+void measure_by_two(const CurveFamily<Law>& family, const Block& __restrict block, Result<Law>& __restrict result) {
+  measure<kDerivatives>(family, block, result);
+}
+template <bool kDerivatives, class Law>
+[[gnu::flatten]] MIXITY_WIDE void measure_by_four(const CurveFamily<Law>& family, const Block& __restrict block,
+                                                  Result<Law>& __restrict result) {
+  measure<kDerivatives>(family, block, result);
+}
+
+/// All stages. Begin::anywhere does not look for a place to start from.
+template <Begin kBegin, class Law>
+void run_block(const CurveFamily<Law>& family, int steps, bool derivatives, Block& block, Result<Law>& result) {
+  if constexpr (HasPackedForm<Law>) {  // the loops of other laws are not vectorised
+    if (MIXITY_HAS_WIDE) {
+      if constexpr (kBegin != Begin::anywhere) start_by_four<kBegin>(family, block);
+      settle_by_four(family, steps, block);
+      return derivatives ? measure_by_four<true>(family, block, result) : measure_by_four<false>(family, block, result);
+    }
+  }
+  if constexpr (kBegin != Begin::anywhere) start_by_two<kBegin>(family, block);
+  settle_by_two(family, steps, block);
+  return derivatives ? measure_by_two<true>(family, block, result) : measure_by_two<false>(family, block, result);
+}
+
+inline bool valid(const PlanePoints& points, std::size_t i) {
+  const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
+  return std::abs(points.P[i]) <= kLargestLoad && above_pull_off(points.P[i]) >= 0 &&
+         std::abs(points.T[i]) <= kLargestLoad && positive(points.A[i]) && positive(points.sigma_T[i]) &&
+         positive(points.sigma_A[i]);
+}
+
+inline void set_point(Block& block, std::size_t slot, const PlanePoints& points, std::size_t i) {
+  block.P[slot] = points.P[i];
+  block.T_point[slot] = std::abs(points.T[i]);
+  block.A_point[slot] = points.A[i];
+  block.sigma_T[slot] = points.sigma_T[i];
+  block.sigma_A[slot] = points.sigma_A[i];
+  block.per_T[slot] = 1 / points.sigma_T[i];
+  block.per_A[slot] = 1 / points.sigma_A[i];
+}
+
+/// Replaces the derivatives in `out`, those of -F/|grad F|, by those of the distance from an end or a corner of the
+/// curve. Its A depends on the load alone, with dA/dP = A_P; its T either stays or changes so that F = 0.
+template <class Law>
+void measure_from_end(const Block& block, std::size_t i, double A_P, bool T_stays, Result<Law>& out) {
+  const double r = out.r[i];
+  if (r == 0) return;
+  const double e_T = (block.T[i] - block.T_point[i]) / block.sigma_T[i] / (r * block.sigma_T[i]);
+  const double e_A = (block.A[i] - block.A_point[i]) / block.sigma_A[i] / (r * block.sigma_A[i]);
+  const double per_T = T_stays ? 0 : -e_T / out.dT[i];
+  out.dP[i] = per_T * (out.dA[i] * A_P + out.dP[i]) + e_A * A_P;
+  for (auto& slope : out.parameters) slope[i] *= per_T;
+  out.dT[i] = -e_T;
+  out.dA[i] = -e_A;
+}
+
+/// A point of a curve, and its distance from the measured one.
+struct Place {
+  double T, A, distance;
+};
+
+inline double distance_to(const Block& b, std::size_t i, double T, double A) {
+  return std::hypot((T - b.T_point[i]) / b.sigma_T[i], (A - b.A_point[i]) / b.sigma_A[i]);
+}
+
+/// The nearest of three points of the curve: JKR, Hertz if the curve ends there, and the one in the direction of the
+/// measured point from the circle's centre.
+template <class Law>
+Place known_place(const CurveFamily<Law>& family, const Block& block, std::size_t slot) {
+  const double P = block.P[slot], centre = 3 * pi<double>(), S0 = circle_radius(P), jkr = centre + S0;
+  Place best{0, area_from_radius(jkr_radius(P)), 0};
+  if (family.uncoupled) best.T = block.T_point[slot];
+  best.distance = distance_to(block, slot, best.T, best.A);
+  const auto consider = [&](double T, double A) {
+    const double distance = distance_to(block, slot, T, A);
+    if (distance < best.distance) best = {T, A, distance};
+  };
+  consider(block.T_end[slot], block.A_end[slot]);
+  const double A = block.A_point[slot], T = block.T_point[slot];
+  if constexpr (kMayBeNonMonotone<Law>) {
+    if (family.non_monotone) {  // instead of the last, in the direction from T = 0 and Hertz
+      const double t = T / std::max(edge_load(radius_from_area(A), P), 1e-3 * jkr);
+      if (const auto y_there = NonMonotoneCurve<Law>(family.law, family.p, P).upper_edge_load(t))
+        consider(t * *y_there, area_from_edge_load(*y_there, P));
+      return best;
+    }
+  }
+  const double end = std::max(edge_load(radius_from_area(block.A_end[slot]), P), 0.0),
+               least = end + 1e-3 * (jkr - end);
+  const double y = std::max(edge_load(radius_from_area(A), P), least), v = y - centre;
+  const double tau2 = std::max(family.law.shear_term(family.p, y, T).value, 0.0), radius = std::sqrt(v * v + tau2);
+  const double y_radial = std::max(centre + v * S0 / radius, least), v_radial = y_radial - centre;
+  const double tau = std::sqrt(std::max((S0 - v_radial) * (S0 + v_radial), 0.0));
+  if (!family.uncoupled)
+    consider(tangential_load(family.law, family.p, y_radial, tau), area_from_edge_load(y_radial, P));
+  return best;
+}
+
+}  // namespace mixity::nearest_detail
