@@ -131,7 +131,7 @@ void Collector::finish() {
   }
   take_mean_loads(data_);
   finish_shear(data_);
-  if (columns().holds_axes()) add_note_on_axes();
+  if (columns().lengths() && !columns().lengths()->round()) add_note_on_axes();
 }
 
 bool Collector::has_times() const {

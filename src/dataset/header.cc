@@ -103,8 +103,7 @@ void set_display(const Columns& columns, Dataset& data) {
     display.force = shear->unit.text;
     display.force_scale = data.contact->force_unit() / shear->unit.factor;
   }
-  const Column *area = columns.find(ColumnId::A), *length = columns.find(ColumnId::a);
-  if (!area && !length) length = columns.find(columns.has(ColumnId::a_par) ? ColumnId::a_par : ColumnId::major);
+  const Column *area = columns.find(ColumnId::A), *length = area ? nullptr : columns.find(columns.lengths()->one);
   const Column& size = area ? *area : *length;
   const auto parsed = parse_unit(size.unit.text);
   if (parsed && parsed->dimension.pixel != 0) {  // shown in a unit of area

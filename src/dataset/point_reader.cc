@@ -91,24 +91,25 @@ std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
 // Each returns why the numbers are not a point. If one of them cannot be used, Numbers::unusable has the reason.
 
 std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const {
-  const bool by_radius = columns_.has(ColumnId::a);
+  const ContactLengths* const lengths = columns_.lengths();
   const double P = load_ ? *load_ : number(ColumnId::P), T = number(ColumnId::T);
-  double size = 0;
-  if (columns_.holds_axes()) {
-    const bool halves = columns_.has(ColumnId::a_par);
-    const double one = number(halves ? ColumnId::a_par : ColumnId::major),
-                 other = number(halves ? ColumnId::a_perp : ColumnId::minor);
+  double area = 0;
+  if (lengths && !lengths->round()) {
+    const double one = number(lengths->one), other = number(lengths->other);
     if (!(one > 0) || !(other > 0)) return "an axis of the ellipse <= 0";
-    size = std::numbers::pi * one * other / (halves ? 1 : 4);
+    area = std::numbers::pi * one * other / lengths->parts;
     read.axes = one > other ? one / other : other / one;
   }
-  if (by_radius || columns_.has(ColumnId::A)) size = number(by_radius ? ColumnId::a : ColumnId::A);
-  if (size <= 0) return by_radius ? "a <= 0" : "A <= 0";
+  if (columns_.has(ColumnId::A)) area = number(ColumnId::A);
+  const bool by_radius = lengths && lengths->round() && !columns_.has(ColumnId::A);
+  const double radius = by_radius ? number(lengths->one) / std::sqrt(lengths->parts) : 0;
+  if (by_radius && radius <= 0) return lengths->one == ColumnId::a ? "a <= 0" : "diameter <= 0";
+  if (!by_radius && area <= 0) return "A <= 0";
   Point& point = read.point;
   point.P = P / units_.force + 0.0;  // a load of -0 is one of 0
   point.T = T / units_.force;
   const double area_unit = units_.length * units_.length;
-  point.A = by_radius ? area_from_radius(size / units_.length) : size / area_unit;
+  point.A = by_radius ? area_from_radius(radius / units_.length) : area / area_unit;
   if (!(std::abs(point.P) <= kMostQuantity) || !(point.shear() <= kMostQuantity) || !in_range(point.A))
     return "P, T or A is out of range";
   const double a = radius_from_area(point.A), y = edge_load(a, point.P);

@@ -103,6 +103,13 @@ TEST(Dataset, ARadiusServesAsWellAsAnArea) {
                      load_text("a [mm],P [mN],T [mN]\n0.27639531957706836,1,0.5\n", kMergel));
 }
 
+TEST(Dataset, ADiameterServesAsWellAsARadius) {
+  expect_same_points(load_text("P [mN],T [mN],a [mm]\n1,0.5,0.28\n", kMergel),
+                     load_text("P [mN],T [mN],diameter [mm]\n1,0.5,0.56\n", kMergel));
+  expect_same_points(load_text("P [mN],T [mN],A [mm^2]\n1,0.5,0.24\n", kMergel),
+                     load_text("P [mN],T [mN],A [mm^2],diameter\n1,0.5,0.24,7\n", kMergel));
+}
+
 TEST(Dataset, DimensionlessPointsNeedNoConstants) {
   const Dataset data = load_text("P,T,A\n1,0,19.614936466006520661\n");  // the JKR area at P = 1, from 40 digits
   EXPECT_FALSE(data.contact);

@@ -112,7 +112,7 @@ class LogReader {
     };
     if (!has(ColumnId::time))
       fail("column 'time' is missing; to say which it is: " + Remedy::set("columns", "time=HEADING (s)"));
-    if (!has(T) && !has(A) && !has(a) && !has(a_par) && !has(major)) fail("neither T nor A is there");
+    if (!has(T) && !has(A) && !lengths()) fail("neither T nor A is there");
     if (has(T) && !has(P) && !metadata_.load) fail("column 'P' is missing, and no load is stated");
     first_line_ = table->line;
     file_.begin_at(table->offset, table->line, table->format);
@@ -123,18 +123,21 @@ class LogReader {
     return found == channels_.end() ? nullptr : &*found;
   }
   bool has(ColumnId id) const { return channel(id); }
+  const ContactLengths* lengths() const {
+    return contact_lengths([&](ColumnId id) { return has(id); });
+  }
   /// Empty if there is no such column.
   std::vector<double> values(ColumnId id) const { return has(id) ? channel(id)->values : std::vector<double>{}; }
 
   /// Areas from radii or axes; empty if there are neither.
   std::vector<double> areas() const {
-    using enum ColumnId;
-    const bool round = has(a), whole = has(major);
-    std::vector<double> areas = values(round ? a : whole ? major : a_par);
-    const std::vector<double> other = values(round ? a : whole ? minor : a_perp);
+    const ContactLengths* const from = lengths();
+    if (!from) return {};
+    std::vector<double> areas = values(from->one);
+    const std::vector<double> other = values(from->other);
     if (areas.size() != other.size())
       throw InputError(recording_.path, "states one axis of an ellipse without the other");
-    for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = std::numbers::pi * areas[i] * other[i] / (whole ? 4 : 1);
+    for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = std::numbers::pi * areas[i] * other[i] / from->parts;
     return areas;
   }
 

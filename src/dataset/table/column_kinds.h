@@ -17,6 +17,7 @@ enum class ColumnId {
   T,
   A,
   a,
+  diameter,
   a_par,
   a_perp,
   major,
@@ -36,7 +37,7 @@ enum class ColumnId {
   include,
   time
 };
-inline constexpr std::size_t kColumnCount = 22;
+inline constexpr std::size_t kColumnCount = 23;
 
 struct ColumnKind {
   ColumnId id;
@@ -49,6 +50,7 @@ inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
     {ColumnId::T, "T", dimension::force},
     {ColumnId::A, "A", dimension::area},
     {ColumnId::a, "a", dimension::length},
+    {ColumnId::diameter, "diameter", dimension::length},
     {ColumnId::a_par, "a_par", dimension::length},
     {ColumnId::a_perp, "a_perp", dimension::length},
     {ColumnId::major, "major", dimension::length},
@@ -76,6 +78,26 @@ inline std::optional<ColumnId> column_named(std::string_view name) {
   for (const ColumnKind& kind : kColumnKinds)
     if (kind.name == name) return kind.id;
   return std::nullopt;
+}
+
+/// Lengths that give a contact area, pi one other/parts; `other` is `one` for a round contact.
+struct ContactLengths {
+  ColumnId one, other;
+  double parts;
+  constexpr bool round() const { return one == other; }
+};
+inline constexpr std::array<ContactLengths, 4> kContactLengths{{
+    {ColumnId::a, ColumnId::a, 1},
+    {ColumnId::diameter, ColumnId::diameter, 4},
+    {ColumnId::a_par, ColumnId::a_perp, 1},
+    {ColumnId::major, ColumnId::minor, 4},
+}};
+/// The first of them of which a table has a column; null if it has none. `has`: whether it has a column.
+template <class Has>
+constexpr const ContactLengths* contact_lengths(Has has) {
+  for (const ContactLengths& lengths : kContactLengths)
+    if (has(lengths.one) || has(lengths.other)) return &lengths;
+  return nullptr;
 }
 
 }  // namespace mixity

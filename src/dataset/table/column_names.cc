@@ -142,9 +142,12 @@ class Names {
       drop(A);
     else if (find(A) && std::none_of(headings_.begin(), headings_.end(), is_called_a))
       drop(ColumnId::a);
+    if (find(A) || find(ColumnId::a)) drop(diameter);
     // axes without a unit beside an area with one add nothing that is needed
-    const auto axes = {a_par, a_perp, major, minor};
-    if (has_unit(A) && std::any_of(axes.begin(), axes.end(), [&](ColumnId id) { return find(id) && !has_unit(id); }))
+    std::vector<ColumnId> axes;
+    for (const ContactLengths& lengths : kContactLengths)
+      if (!lengths.round()) axes.insert(axes.end(), {lengths.one, lengths.other});
+    if (has_unit(A) && std::ranges::any_of(axes, [&](ColumnId id) { return find(id) && !has_unit(id); }))
       for (const ColumnId axis : axes) drop(axis);
   }
 
@@ -165,7 +168,9 @@ class Names {
   bool is_read(ColumnId id) const { return rules_.log || id != ColumnId::time; }
   bool is_sized() const {
     using enum ColumnId;
-    return find(A) || find(ColumnId::a) || (find(a_par) && find(a_perp)) || (find(major) && find(minor));
+    return find(A) || std::ranges::any_of(kContactLengths, [&](const ContactLengths& lengths) {
+             return find(lengths.one) && find(lengths.other);
+           });
   }
 
   /// Throws for a heading that names a quantity that is still needed but has an unknown unit or one that does not fit.

@@ -144,7 +144,7 @@ void Columns::find_runs_beside(const std::vector<Heading>& headings, const std::
 void Columns::require_a_complete_set(const std::string& path, const std::vector<Heading>& headings,
                                      const ColumnRules& rules) const {
   using enum ColumnId;
-  const bool sized = has(A) || has(a) || holds_axes();
+  const bool sized = has(A) || lengths();
   const bool loads = has(P) || has(T) || sized;
   const bool toughness = has(psi) || has(mode_ratio) || has(Gc) || has(Gc_over_GIc);
   const bool energies = has(G_I) || has(G_II);
@@ -194,9 +194,9 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
       fail("column 'P' is missing", P,
            rules.vocabulary ? "; one normal load of all points is stated by " + Remedy::set_or_key("load", "5 mN")
                             : Message());
-    if (!holds_axes()) exactly_one(A, a);
-    if (has(a_par) || has(a_perp)) all_of({a_par, a_perp});
-    if (has(major) || has(minor)) all_of({major, minor});
+    if (!lengths() || lengths()->one == a) exactly_one(A, a);
+    for (const ContactLengths& one : kContactLengths)
+      if (has(one.one) || has(one.other)) all_of({one.one, one.other});
   } else if (energies) {
     all_of({G_I, G_II});
   } else {
@@ -219,8 +219,12 @@ void Columns::require_consistent_units(const std::string& path, const std::vecto
             (bare ? "has no unit while " + other + " has one" : "has a unit while " + other + " has none") + "; " +
             rule);
   };
-  for (const ColumnId id : {T, A, a, a_par, a_perp, major, minor})
+  const auto require_like_loads = [&](ColumnId id) {
     require_like(id, find(P) ? find(P) : find(T), "P, T and A are either all dimensionless or none is");
+  };
+  for (const ColumnId id : {T, A}) require_like_loads(id);
+  for (const ContactLengths& lengths : kContactLengths)
+    for (const ColumnId id : {lengths.one, lengths.other}) require_like_loads(id);
   require_like(G_II, find(G_I), "G_I and G_II either both have a unit or neither has");
   const std::string sigma_rule = "a standard error has the kind of unit of its quantity, or %";
   require_like(sigma_T, find(T), sigma_rule);

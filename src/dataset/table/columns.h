@@ -39,8 +39,10 @@ struct Columns {
   bool holds_loads() const { return has(ColumnId::T); }
   /// G_I and G_II.
   bool holds_energies() const { return has(ColumnId::G_I); }
-  /// The axes of an ellipse.
-  bool holds_axes() const { return has(ColumnId::a_par) || has(ColumnId::major); }
+  /// The lengths that give the area; null if it has none.
+  const ContactLengths* lengths() const {
+    return contact_lengths([&](ColumnId id) { return has(id); });
+  }
 
   std::array<std::optional<Column>, kColumnCount> by_id;
   std::size_t count = 0;             // fields in the header, up to the last with a name
