@@ -81,6 +81,8 @@ std::span<const Command> commands() {
       {"check", run_check, "check DATA.csv ... [flags]",
        "Shows how a data set was read, and warns of anything unusual in it. Works before its constants are known.",
        with_metadata_flags({"pool"})},
+      {"points", run_points, "points DATA.csv [--out=POINTS.csv] [flags]",
+       "Prints each point with its phase angle and toughness ratio, as CSV.", with_metadata_flags({"out"})},
       {"runs", run_runs,
        "runs LOG.csv [AREAS.csv] [--out=DIR] [--lag=L] [--drift] [--cuts=CUTS.toml] [--formats=pdf] [flags]",
        "Cuts a log of forces and areas over time into loading runs: points to fit, peaks, and figures of the cuts.",

@@ -38,6 +38,7 @@ int run_design(const Arguments& arguments);
 int run_simulate(const Arguments& arguments);
 int run_merge(const Arguments& arguments);
 int run_check(const Arguments& arguments);
+int run_points(const Arguments& arguments);
 int run_runs(const Arguments& arguments);
 int run_import(const Arguments& arguments);
 int run_help(const Arguments& arguments);
