@@ -54,10 +54,10 @@ void print_expectation(const Plan& plan, const Expectation& expected) {
               << odds_text(rival) << '\n';
 }
 
-struct Range {
+struct LoadRange {
   double least, most;
 };
-Range range_of_loads() {
+LoadRange range_of_loads() {
   const auto ends = quantities_from("load_range");
   if (ends.size() != 2 || ends[0].unit.dimension != dimension::force || !(ends[0].si() < ends[1].si()))
     throw must("load_range", "be two loads, \"0.5,10 mN\"");
@@ -93,7 +93,7 @@ void print_candidates(const Plan& plan, const std::vector<LoadCandidate>& candid
             << "; best to tell models apart: " << loads_text({best(Goal::model)}) << '\n';
 }
 
-void print_best(const Plan& plan, const Plan& chosen, const Range& range, Goal goal,
+void print_best(const Plan& plan, const Plan& chosen, const LoadRange& range, Goal goal,
                 const std::vector<std::string>& rivals, const std::string& name) {
   const std::size_t n = chosen.loads.size() - plan.loads.size();
   std::cout << "[[Best " << n << " loads for " << (goal == Goal::error ? name : "telling models apart") << "]]\n    "
@@ -106,7 +106,7 @@ void print_best(const Plan& plan, const Plan& chosen, const Range& range, Goal g
   std::cout << "    evenly spaced loads: " << error_text(plan, expect(even, {}).standard_error) << '\n';
 }
 
-void print_runs_needed(const Plan& plan, const Range& range, const std::vector<std::string>& rivals) {
+void print_runs_needed(const Plan& plan, const LoadRange& range, const std::vector<std::string>& rivals) {
   const Quantity wanted = quantity_from("wanted", "be an error such as 2% or 0.0001", [](const Quantity& one) {
     return one.unit.dimension == dimension::none && one.value > 0;
   });
@@ -147,7 +147,7 @@ int run_design(const Arguments& arguments) {
   const Goal goal = FLAGS_goal == "error" ? Goal::error : Goal::model;
   if ((is_set("runs") || is_set("wanted")) && !searches)
     throw UsageError("flag '--load_range' is missing: between which loads runs may be, \"0.5,10 mN\"");
-  const Range range = searches ? range_of_loads() : Range{0, 0};
+  const LoadRange range = searches ? range_of_loads() : LoadRange{0, 0};
   std::vector<LoadCandidate> candidates;
   if (searches) candidates = next_loads(plan, range.least, range.most, kCandidates, rivals);
   if (FLAGS_format == "csv") return print_as_csv(candidates), kFine;

@@ -133,33 +133,33 @@ std::string with_powers(std::string text) {
 
 std::vector<std::string> findings(const Analysis& result) {
   std::vector<std::string> sentences;
-  std::vector<ComparedModel> by_error, by_weight;
+  std::vector<const ComparedModel*> by_error, by_weight;
   for (const ComparedModel& entry : result.comparison) {
-    if (entry.left_out) by_error.push_back(entry);
-    if (entry.weight) by_weight.push_back(entry);
+    if (entry.left_out) by_error.push_back(&entry);
+    if (entry.weight) by_weight.push_back(&entry);
   }
-  std::stable_sort(by_error.begin(), by_error.end(), [](const ComparedModel& one, const ComparedModel& other) {
-    return one.left_out->rmse_area < other.left_out->rmse_area;
+  std::stable_sort(by_error.begin(), by_error.end(), [](const ComparedModel* one, const ComparedModel* other) {
+    return one->left_out->rmse_area < other->left_out->rmse_area;
   });
   std::stable_sort(by_weight.begin(), by_weight.end(),
-                   [](const ComparedModel& one, const ComparedModel& other) { return *one.weight > *other.weight; });
+                   [](const ComparedModel* one, const ComparedModel* other) { return *one->weight > *other->weight; });
   const std::string no_winner = no_best_model(result);
   if (!no_winner.empty()) sentences.push_back("Here " + no_winner + ".");
-  if (no_winner.empty() && by_error.size() > 1 && by_error[0].left_out->rmse_area > 0) {
-    const double least = by_error[0].left_out->rmse_area;
+  if (no_winner.empty() && by_error.size() > 1 && by_error[0]->left_out->rmse_area > 0) {
+    const double least = by_error[0]->left_out->rmse_area;
     std::vector<std::string> others;
     for (std::size_t i = 1; i < by_error.size(); ++i)
-      others.push_back(by_error[i].model + " errs " + rounded(by_error[i].left_out->rmse_area / least, 2) +
+      others.push_back(by_error[i]->model + " errs " + rounded(by_error[i]->left_out->rmse_area / least, 2) +
                        " times as much");
-    sentences.push_back("Model " + by_error[0].model +
+    sentences.push_back("Model " + by_error[0]->model +
                         " predicts the areas at loads left out of the fit best (RMS error " + rounded(least, 3) +
                         unit_text(result.data.display.area) + ")" + joined(others, ", ", "; ") + ".");
   }
   if (no_winner.empty() && by_weight.size() > 1) {
-    const double weight = *by_weight[0].weight;
-    sentences.push_back(weight > 0.95 ? "AICc prefers model " + by_weight[0].model + " (weight " +
+    const double weight = *by_weight[0]->weight;
+    sentences.push_back(weight > 0.95 ? "AICc prefers model " + by_weight[0]->model + " (weight " +
                                             (weight > 0.9999 ? "> 0.9999" : rounded(weight, 3)) + ")."
-                                      : "AICc does not decide between the models (weight of " + by_weight[0].model +
+                                      : "AICc does not decide between the models (weight of " + by_weight[0]->model +
                                             " " + rounded(weight, 2) + ").");
   }
   for (const FitResult& fit : result.fits)
