@@ -79,8 +79,15 @@ class Reader {
   void read_data(const toml::node& node, FitRequest& request) const {
     const toml::array* const list = node.as_array();
     std::vector<std::string> files;
-    for (std::size_t i = 0, n = list ? list->size() : 1; i < n; ++i)
-      for (std::string& file : files_of(beside(list ? *list->get(i) : node, "data"))) files.push_back(std::move(file));
+    for (std::size_t i = 0, n = list ? list->size() : 1; i < n; ++i) {
+      const toml::node& pattern = list ? *list->get(i) : node;
+      const std::string path = beside(pattern, "data");
+      try {
+        for (std::string& file : files_of(path)) files.push_back(std::move(file));
+      } catch (const InputError& no_file) {
+        fail(pattern, std::string("data: ") + no_file.what());
+      }
+    }
     if (files.empty()) fail(node, "data names no file");
     request.data_path = files.front();
     if (list || files.size() > 1)

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "base/units.h"
 #include "dataset/dataset.h"
 
@@ -18,7 +19,7 @@ using StatedError = Quantity;
 enum class ErrorSource { columns, stated, scatter, assumed, exact };
 constexpr std::string_view to_string(ErrorSource source) {
   constexpr std::string_view kNames[] = {"columns", "stated", "scatter", "assumed", "exact"};
-  return kNames[static_cast<std::size_t>(source)];
+  return name_among(kNames, source);
 }
 
 struct StandardErrors {

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/enum_names.h"
 #include "mechanics/base/law.h"
 #include "mechanics/contact.h"
 
@@ -25,7 +26,7 @@ enum class EquilibriumStatus : unsigned char { ok, no_equilibrium, invalid };
 /// The name of a status in every output format.
 inline std::string_view to_string(EquilibriumStatus status) {
   constexpr std::string_view kNames[]{"ok", "no_equilibrium", "invalid"};
-  return kNames[static_cast<std::size_t>(status)];
+  return name_among(kNames, status);
 }
 
 struct Equilibrium {
@@ -97,13 +98,13 @@ struct Control {
 };
 inline std::string_view to_string(Control::Kind kind) {
   constexpr std::string_view kNames[]{"load", "displacement", "stiffness"};
-  return kNames[static_cast<std::size_t>(kind)];
+  return name_among(kNames, kind);
 }
 
 enum class Jump { hertz, lower_branch, upper_branch, off_contact };
 inline std::string_view to_string(Jump jump) {
   constexpr std::string_view kNames[]{"hertz", "lower_branch", "upper_branch", "off_contact"};
-  return kNames[static_cast<std::size_t>(jump)];
+  return name_among(kNames, jump);
 }
 
 /// Where the driving quantity has an extremum along the curve.

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/enum_names.h"
+
 namespace mixity {
 
 /// suspect: found, but a test shows that the interval is not reliable; the solver itself has no such test.
@@ -17,7 +19,7 @@ enum class FitStatus { ok, suspect, at_bound, not_identifiable, multimodal, not_
 constexpr std::string_view to_string(FitStatus status) {
   constexpr std::string_view kNames[] = {"ok",         "suspect",      "at_bound", "not_identifiable",
                                          "multimodal", "not_converged"};
-  return kNames[static_cast<std::size_t>(status)];
+  return name_among(kNames, status);
 }
 
 /// Where a descent ended.

@@ -68,7 +68,7 @@ class Drawing {
  public:
   /// Of the stable branch (as far as T_most, if it ends in no fold), or of the whole curve.
   Drawing(const Parameters<Model>& p, double P, double T_most, bool whole)
-      : p_(p), P_(P), curve_(p, P), contact_(p, P), whole_(whole) {
+      : p_(p), P_(P), curve_(Model{}, p, P), contact_(Model{}, p, P), whole_(whole) {
     const StableBranch& branch = contact_.first_branch();
     T_last_ = std::min(branch.T_bottom, T_most);
     y_last_ = branch.T_bottom <= T_most ? branch.y_bottom : contact_.at(T_most).y;

@@ -71,7 +71,7 @@ void add_ours(const Case<Model>& c, std::vector<Row>& rows) {
   // Steps of the search; a closed form: one. What a new contact looks for its folds by shows in the time alone.
   const int steps = std::max(LoadedContact(Model{}, p, P).at(T).iterations, 1);
 
-  const auto contact = std::make_shared<LoadedContact<Model>>(p, P);
+  const auto contact = std::make_shared<LoadedContact<Model>>(Model{}, p, P);
   const double A = area_at(*contact, P, T);
   rows.push_back(c.row("mixity", 0, A, steps, std::isfinite(A)));
   rows.back().run = [contact, P, T] { sink = area_at(*contact, P, T); };
