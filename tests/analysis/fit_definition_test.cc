@@ -28,6 +28,19 @@ TEST(FitDefinition, NamesNoModelThatDoesNotExist) {
         << line;
 }
 
+TEST(FitDefinition, IsNamedWhereNoFileMatchesItsPattern) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("fit.toml", "\ndata = \"none_*.csv\"\n");
+  try {
+    read_fit_definition(path);
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_TRUE(text.starts_with(path + ":2:8: data: ")) << text;
+    EXPECT_TRUE(text.ends_with("none_*.csv: no file has such a name")) << text;
+  }
+}
+
 /// The published values of these were found as the paper does it.
 TEST(FitDefinition, EveryShippedOneStatesThePapersObjective) {
   for (const char* name : {"as4_peek_mmb", "mergel2018", "waters_guduru2010"}) {
