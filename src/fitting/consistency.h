@@ -1,4 +1,4 @@
-// Tests of a fit's residuals (consistency.cc), which of them fails (failed_test.cc), and why (diagnosis.cc).
+// Tests of a fit's residuals (consistency.cc), which of them fails (failures.cc), and why (diagnosis.cc).
 #pragma once
 
 #include <functional>
