@@ -119,7 +119,7 @@ class LogReader {
   }
 
   const Channel* channel(ColumnId id) const {
-    const auto found = std::ranges::find(channels_, id, &Channel::id);
+    const auto found = std::find_if(channels_.begin(), channels_.end(), [&](const Channel& one) { return one.id == id; });
     return found == channels_.end() ? nullptr : &*found;
   }
   bool has(ColumnId id) const { return channel(id); }

@@ -147,19 +147,21 @@ class Names {
     std::vector<ColumnId> axes;
     for (const ContactLengths& lengths : kContactLengths)
       if (!lengths.round()) axes.insert(axes.end(), {lengths.one, lengths.other});
-    if (has_unit(A) && std::ranges::any_of(axes, [&](ColumnId id) { return find(id) && !has_unit(id); }))
+    if (has_unit(A) && std::any_of(axes.begin(), axes.end(), [&](ColumnId id) { return find(id) && !has_unit(id); }))
       for (const ColumnId axis : axes) drop(axis);
   }
 
   std::vector<NamedColumn> sorted() && {
-    std::ranges::sort(columns_, {}, &NamedColumn::index);
+    std::sort(columns_.begin(), columns_.end(),
+              [](const NamedColumn& one, const NamedColumn& other) { return one.index < other.index; });
     return std::move(columns_);
   }
 
  private:
   template <class Value>
   const NamedColumn* column_with(Value NamedColumn::*member, Value value) const {
-    const auto found = std::ranges::find(columns_, value, member);
+    const auto found = std::find_if(columns_.begin(), columns_.end(),
+                                    [&](const NamedColumn& column) { return column.*member == value; });
     return found == columns_.end() ? nullptr : &*found;
   }
   const NamedColumn* find(ColumnId id) const { return column_with(&NamedColumn::id, id); }
@@ -168,7 +170,7 @@ class Names {
   bool is_read(ColumnId id) const { return rules_.log || id != ColumnId::time; }
   bool is_sized() const {
     using enum ColumnId;
-    return find(A) || std::ranges::any_of(kContactLengths, [&](const ContactLengths& lengths) {
+    return find(A) || std::any_of(kContactLengths.begin(), kContactLengths.end(), [&](const ContactLengths& lengths) {
              return find(lengths.one) && find(lengths.other);
            });
   }
