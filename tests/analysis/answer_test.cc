@@ -9,7 +9,7 @@
 #include "report/example_results.h"
 
 namespace mixity {
-namespace {
+namespace answer_test {
 
 bool says(const Answer& answer, const std::string& part) {
   return std::any_of(answer.cannot_say.begin(), answer.cannot_say.end(),
@@ -48,5 +48,5 @@ TEST(Answer, PutsModelsThatAreFarBehindInTheOrderOfTheirAicc) {
   for (std::size_t i = 1; i < order.size(); ++i) EXPECT_LT(aicc(order[i - 1]), aicc(order[i]));
 }
 
-}  // namespace
+}  // namespace answer_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace fit_definition_test {
 
 TEST(FitDefinition, StatesItsObjectiveOrLeavesItToTheData) {
   const TemporaryFolder folder;
@@ -50,5 +50,5 @@ TEST(FitDefinition, EveryShippedOneStatesThePapersObjective) {
   }
 }
 
-}  // namespace
+}  // namespace fit_definition_test
 }  // namespace mixity

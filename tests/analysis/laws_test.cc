@@ -13,7 +13,7 @@
 #include "mechanics/laws/known_laws.h"
 
 namespace mixity {
-namespace {
+namespace laws_test {
 
 std::string refusal_of(const std::string& text) {
   try {
@@ -166,5 +166,5 @@ TEST(ShippedLaws, HaveTheirPublishedLimits) {
               (1 + std::pow(std::tan(0.8 * 1.0), 2)) / (1 + std::pow(std::tan(0.8 * 0.1), 2)), 1e-14);
 }
 
-}  // namespace
+}  // namespace laws_test
 }  // namespace mixity

@@ -11,7 +11,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace predicted_peaks_test {
 
 constexpr double kLambda = 0.15;
 
@@ -62,5 +62,5 @@ TEST(PredictedPeaks, OfPeaksInOtherUnitsThanTheDataAreNone) {
   EXPECT_TRUE(predict_peaks(run(request), forces).empty());
 }
 
-}  // namespace
+}  // namespace predicted_peaks_test
 }  // namespace mixity

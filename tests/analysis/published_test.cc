@@ -10,7 +10,7 @@
 #include "analysis/run.h"
 
 namespace mixity {
-namespace {
+namespace published_test {
 
 std::vector<std::string> definitions() {
   std::vector<std::string> paths;
@@ -48,5 +48,5 @@ TEST(Published, EveryShippedDataSetHasADefinition) {
     }
 }
 
-}  // namespace
+}  // namespace published_test
 }  // namespace mixity

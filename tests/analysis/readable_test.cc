@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 namespace mixity {
-namespace {
+namespace readable_test {
 
 TEST(Readable, ForeignTextLosesItsMarkup) { EXPECT_EQ(plain("run_1^{x}@&~"), "run\\_1\\^\\{x\\}\\@\\&\\~"); }
 
-}  // namespace
+}  // namespace readable_test
 }  // namespace mixity

@@ -9,7 +9,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace run_test {
 
 /// Two loads, three models.
 FitRequest request_in(const TemporaryFolder& folder) {
@@ -59,5 +59,5 @@ TEST(Run, NamesEveryFileThatItReads) {
   EXPECT_EQ(files_read(request), (std::vector<std::string>{"a.csv", "a.toml", "p.csv", "p.toml", "fit.toml"}));
 }
 
-}  // namespace
+}  // namespace run_test
 }  // namespace mixity

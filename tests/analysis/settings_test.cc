@@ -10,7 +10,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace settings_test {
 
 /// A text that each option takes, none of them its default.
 const std::map<std::string_view, std::string_view> kTexts{
@@ -132,5 +132,5 @@ TEST(Settings, ThatDoNotGoTogetherAreNamed) {
   EXPECT_EQ(named({{"confidence", "0.9"}, {"interval", "none"}}), "confidence");
 }
 
-}  // namespace
+}  // namespace settings_test
 }  // namespace mixity

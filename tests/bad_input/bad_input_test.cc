@@ -12,7 +12,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
-namespace {
+namespace bad_input_test {
 
 const std::string kFolder = MIXITY_ROOT "/tests/bad_input";
 
@@ -105,5 +105,5 @@ TEST_F(BadInput, EveryFileOfTheFolderIsUsed) {
   }
 }
 
-}  // namespace
+}  // namespace bad_input_test
 }  // namespace mixity::cli

@@ -13,7 +13,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace files_test {
 
 std::size_t files_in(const std::filesystem::path& folder) {
   std::size_t n = 0;
@@ -193,5 +193,5 @@ TEST(OutputFile, IsNeverOneOfTheInputs) {
   }
 }
 
-}  // namespace
+}  // namespace files_test
 }  // namespace mixity

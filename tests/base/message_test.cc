@@ -5,7 +5,7 @@
 #include "base/input_error.h"
 
 namespace mixity {
-namespace {
+namespace message_test {
 
 std::string short_words(const Remedy& remedy) { return "<" + remedy.choices[0].option + ">"; }
 
@@ -29,5 +29,5 @@ TEST(InputError, IsWordedByTheDoorThatShowsIt) {
   EXPECT_STREQ(InputError("a.csv", "is empty").what(), "a.csv: is empty");
 }
 
-}  // namespace
+}  // namespace message_test
 }  // namespace mixity

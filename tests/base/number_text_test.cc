@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 namespace mixity {
-namespace {
+namespace number_text_test {
 
 TEST(NumberText, RoundedAvoidsExponentsAReaderDoesNotNeed) {
   EXPECT_EQ(rounded(1696.4, 2), "1700");
@@ -69,5 +69,5 @@ TEST(RoundedToError, LeavesWhatNoErrorRounds) {
   EXPECT_EQ(shown(1e-20, 1e-21), "1e-20 +/- 1e-21");
 }
 
-}  // namespace
+}  // namespace number_text_test
 }  // namespace mixity

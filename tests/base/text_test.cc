@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace mixity {
-namespace {
+namespace text_test {
 
 TEST(Printable, LeavesTextAsItIs) {
   for (const char* text : {"", "a.csv:1:2: wrong", "µm² ≤ 90°", "\U0001F600"}) EXPECT_EQ(printable(text), text);
@@ -55,5 +55,5 @@ TEST(Padded, LeavesABlankAfterALongText) {
   EXPECT_EQ(padded("abcd", 4), "abcd ");
 }
 
-}  // namespace
+}  // namespace text_test
 }  // namespace mixity

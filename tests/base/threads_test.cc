@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace mixity {
-namespace {
+namespace threads_test {
 
 TEST(ParallelFor, CallsEachIndexOnce) {
   for (const std::size_t n : {0, 1, 2, 1000}) {
@@ -29,5 +29,5 @@ TEST(RunOnThreads, CallsAsManyTimesAsThereAreThreadsAndOnceAtLeast) {
   }
 }
 
-}  // namespace
+}  // namespace threads_test
 }  // namespace mixity

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace mixity {
-namespace {
+namespace units_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -186,5 +186,5 @@ TEST(Units, ADimensionIsDescribedByAnExample) {
   EXPECT_EQ(describe({2, -3, 0}), "N^2 m^-3");
 }
 
-}  // namespace
+}  // namespace units_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_check_import_test {
 
 TEST(Program, CheckSaysWhatItUnderstood) {
   const TemporaryFolder folder;
@@ -106,5 +106,5 @@ TEST(Program, APathThatIsTooLongIsBadInput) {
   EXPECT_EQ(lines_of(result.err).size(), 1) << result.err;
 }
 
-}  // namespace
+}  // namespace command_check_import_test
 }  // namespace mixity::cli

@@ -10,7 +10,7 @@
 #include "cli/run_program.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_curve_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -109,5 +109,5 @@ TEST(CurveCommand, PrintsDimensionalColumnsWithTheirUnits) {
   }
 }
 
-}  // namespace
+}  // namespace command_curve_test
 }  // namespace mixity::cli

@@ -5,7 +5,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_design_test {
 
 Words with_plan(Words words, const std::string& loads = "--loads=1,4 mN") {
   words.insert(words.end(), {"--model=c", "--lambda=0.01", "--radius=9.42 mm", "--modulus=2.133 MPa +/- 3%",
@@ -58,5 +58,5 @@ TEST(SimulateCommand, WritesAnExperimentThatCanBeFitted) {
   EXPECT_NE(run_program(with_plan({"simulate", "--seed=4"})).out, content_of(path));
 }
 
-}  // namespace
+}  // namespace command_design_test
 }  // namespace mixity::cli

@@ -7,7 +7,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_figures_test {
 
 TEST(Figures, OfThePaperAreListedAndThere) {
   const TemporaryFolder folder;
@@ -59,5 +59,5 @@ TEST(Figures, InAFolderThatCannotBeWrittenEndWithFour) {
   EXPECT_EQ(run_program({"figures", "--paper", "--out", file + "/below"}).exit_code, 4);
 }
 
-}  // namespace
+}  // namespace command_figures_test
 }  // namespace mixity::cli

@@ -9,7 +9,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_fit_statistics_test {
 
 using Json = nlohmann::json;
 
@@ -237,5 +237,5 @@ TEST(FitStatistics, WhatTheFileCannotGiveIsOneLineAndExitThree) {
                  loads + ": sigma_A is '0.1 mm^2'; it must be a number without a unit, or a percentage such as 1%");
 }
 
-}  // namespace
+}  // namespace command_fit_statistics_test
 }  // namespace mixity::cli

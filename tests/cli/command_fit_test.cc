@@ -11,7 +11,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_fit_test {
 
 using Json = nlohmann::json;
 
@@ -206,5 +206,5 @@ TEST(Program, FilesAreWrittenWithoutLeftovers) {
   EXPECT_EQ(names, (Words{"a_curves.csv", "a_residuals.csv", "fits.csv", "fits.json", "fits.txt"}));
 }
 
-}  // namespace
+}  // namespace command_fit_test
 }  // namespace mixity::cli

@@ -14,7 +14,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_instability_test {
 
 using Json = nlohmann::json;
 
@@ -161,5 +161,5 @@ TEST(InstabilityCommand, SaysWhereTheInterfaceSlidesBeforeItJumps) {
   EXPECT_EQ(strong["slides_first"], nlohmann::json::array());
 }
 
-}  // namespace
+}  // namespace command_instability_test
 }  // namespace mixity::cli

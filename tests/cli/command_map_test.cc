@@ -9,7 +9,7 @@
 #include "cli/run_program.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_map_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -94,5 +94,5 @@ TEST(MapCommand, PrintsTheExactBoundaries) {
   EXPECT_GE(off, 1);
 }
 
-}  // namespace
+}  // namespace command_map_test
 }  // namespace mixity::cli

@@ -8,7 +8,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_merge_test {
 
 class Shards : public testing::Test {
  protected:
@@ -112,5 +112,5 @@ TEST_F(Shards, ThatCannotBeAreRefused) {
   EXPECT_EQ(run_program({"merge", files_[0]}).exit_code, 3);
 }
 
-}  // namespace
+}  // namespace command_merge_test
 }  // namespace mixity::cli

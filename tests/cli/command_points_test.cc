@@ -6,7 +6,7 @@
 #include "cli/run_program.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_points_test {
 
 TEST(PointsCommand, PrintsPhaseAngleAndToughnessRatioOfEachPoint) {
   const TemporaryFolder folder;
@@ -30,5 +30,5 @@ TEST(PointsCommand, NeedsOneFile) {
   EXPECT_EQ(result.complaint(), "mixity: points needs one data CSV (see mixity help points)");
 }
 
-}  // namespace
+}  // namespace command_points_test
 }  // namespace mixity::cli

@@ -8,7 +8,7 @@
 #include "cli/run_program.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_predict_test {
 
 Words predict(const std::string& model, const std::string& lambda, const std::string& load, const std::string& shear) {
   return {"predict", "--model=" + model, "--lambda=" + lambda, "--load=" + load, "--shear=" + shear};
@@ -81,5 +81,5 @@ TEST(Program, PredictNeverPrintsNan) {
       }
 }
 
-}  // namespace
+}  // namespace command_predict_test
 }  // namespace mixity::cli

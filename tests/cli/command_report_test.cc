@@ -10,7 +10,7 @@
 #include "report/without_programs.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_report_test {
 
 const std::string kDefinition = MIXITY_ROOT "/fits/as4_peek_mmb.toml";
 
@@ -171,5 +171,5 @@ TEST(Report, InAFolderThatCannotBeWrittenEndsWithFour) {
   EXPECT_EQ(run_program({"report", kDefinition, "--out", file + "/below"}).exit_code, 4);
 }
 
-}  // namespace
+}  // namespace command_report_test
 }  // namespace mixity::cli

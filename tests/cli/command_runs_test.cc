@@ -6,7 +6,7 @@
 #include "cli/run_program.h"
 
 namespace mixity::cli {
-namespace {
+namespace command_runs_test {
 
 const std::string kLog = MIXITY_ROOT "/data/shear_log.csv";
 
@@ -128,5 +128,5 @@ TEST(PooledFiles, GiveTheNumbersOfOneFileAndOfTheDefinitionThatIsSaved) {
     }
 }
 
-}  // namespace
+}  // namespace command_runs_test
 }  // namespace mixity::cli

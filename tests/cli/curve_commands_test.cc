@@ -7,7 +7,7 @@
 #include "cli/run_program.h"
 
 namespace mixity::cli {
-namespace {
+namespace curve_commands_test {
 
 /// No output at any input holds anything that is no finite number.
 TEST(CurveCommands, NeverPrintNanOrInfinity) {
@@ -100,5 +100,5 @@ TEST(CurveCommands, RefuseBadUsageInOneLineWithExitTwo) {
   }
 }
 
-}  // namespace
+}  // namespace curve_commands_test
 }  // namespace mixity::cli

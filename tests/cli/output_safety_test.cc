@@ -23,7 +23,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
-namespace {
+namespace output_safety_test {
 
 using Contents = std::map<std::string, std::string>;  // of a folder's files, by path within it
 
@@ -373,5 +373,5 @@ TEST_P(Killed, WhoIsAskedToEndWhileFilesTakeTheirNamesLeavesOneRunOrTheOther) {
 INSTANTIATE_TEST_SUITE_P(OutputSafety, Killed, testing::Values("fit", "report"),
                          [](const auto& command) { return std::string(command.param); });
 
-}  // namespace
+}  // namespace output_safety_test
 }  // namespace mixity::cli

@@ -9,7 +9,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
-namespace {
+namespace program_test {
 
 TEST(Program, HelpNamesEveryCommand) {
   for (const char* word : {"help", "--help", "-h"}) {
@@ -122,5 +122,5 @@ TEST(Program, AComplaintIsOneLineWhateverItQuotes) {
   }
 }
 
-}  // namespace
+}  // namespace program_test
 }  // namespace mixity::cli

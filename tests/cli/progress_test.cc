@@ -13,7 +13,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
-namespace {
+namespace progress_test {
 
 /// The program with a terminal for its standard error; ended when this goes.
 class AtATerminal {
@@ -91,5 +91,5 @@ TEST(Progress, IsNotShownWhereNothingTakesASecond) {
   EXPECT_EQ(quick.said(), "");
 }
 
-}  // namespace
+}  // namespace progress_test
 }  // namespace mixity::cli

@@ -7,7 +7,7 @@
 #include "python/keyword_words.h"
 
 namespace mixity {
-namespace {
+namespace words_of_doors_test {
 
 struct Worded {
   Message message;
@@ -52,5 +52,5 @@ TEST(WordsOfDoors, AreFlagsKeywordsAndFields) {
   }
 }
 
-}  // namespace
+}  // namespace words_of_doors_test
 }  // namespace mixity

@@ -13,7 +13,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace arrays_test {
 
 struct Columns {
   std::vector<std::string> headings;
@@ -110,5 +110,5 @@ TEST(Arrays, MayNameTheirRuns) {
   EXPECT_EQ(make_dataset("mine", {{"P", P}, {"T", T}, {"A", A}, {"curve", numbers}}, Overrides{}).curves, by_number);
 }
 
-}  // namespace
+}  // namespace arrays_test
 }  // namespace mixity

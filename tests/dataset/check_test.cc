@@ -6,7 +6,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace check_test {
 
 using Lines = std::vector<std::string>;
 
@@ -180,5 +180,5 @@ TEST(Check, UnusedColumnsAndUnstatedProvenanceAreMentioned) {
             "column 'temperature' is not used\nthe provenance of the data is not stated\n");
 }
 
-}  // namespace
+}  // namespace check_test
 }  // namespace mixity

@@ -10,7 +10,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace dataset_refusals_test {
 
 TEST(Dataset, WhatIsNeededAndNotStatedIsNamed) {
   const std::string csv = "P [mN],T [mN],A [mm^2]\n1,0.5,0.24\n";
@@ -138,5 +138,5 @@ TEST(Dataset, FilesThatAreNotThereAreNamed) {
   EXPECT_NO_THROW(EXPECT_NE(input_error([&] { load_dataset(too_long); }), ""));
 }
 
-}  // namespace
+}  // namespace dataset_refusals_test
 }  // namespace mixity

@@ -15,7 +15,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace dataset_test {
 
 const std::string kMergel = "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n";
 
@@ -265,5 +265,5 @@ TEST(Dataset, AMillionRowsAreRead) {
   EXPECT_EQ(data.curves.size(), 1);
 }
 
-}  // namespace
+}  // namespace dataset_test
 }  // namespace mixity

@@ -9,7 +9,7 @@
 #include "dataset/load_text.h"
 
 namespace mixity {
-namespace {
+namespace energies_test {
 
 void near(double value, double wanted) {
   EXPECT_NEAR(value, wanted, 1e-15 * std::abs(wanted));  // a few roundings of 1.1e-16
@@ -166,5 +166,5 @@ TEST(Energies, AndOtherSetsOfColumnsAreNotMixed) {
             "a.csv: the unit of G_I is out of range beside the toughness");
 }
 
-}  // namespace
+}  // namespace energies_test
 }  // namespace mixity

@@ -5,7 +5,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace exclusion_test {
 
 constexpr const char* kRuns =
     "P [mN],T [mN],A [mm^2],sigma_A [mm^2],curve\n"
@@ -60,5 +60,5 @@ TEST(Exclusion, TakesLinesAsTheyAreWritten) {
     EXPECT_FALSE(parse_lines(text)) << text;
 }
 
-}  // namespace
+}  // namespace exclusion_test
 }  // namespace mixity

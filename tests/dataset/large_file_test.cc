@@ -4,7 +4,7 @@
 #include "dataset/load_text.h"
 
 namespace mixity {
-namespace {
+namespace large_file_test {
 
 constexpr std::size_t kRows = 60000;  // some 1 MB: several blocks
 
@@ -84,5 +84,5 @@ TEST(LargeFile, TheHeaderMayComeAfterManyComments) {
   EXPECT_EQ(data.points[0].line, 40002);
 }
 
-}  // namespace
+}  // namespace large_file_test
 }  // namespace mixity

@@ -9,7 +9,7 @@
 #include "mechanics/contact.h"
 
 namespace mixity {
-namespace {
+namespace load_sign_test {
 
 /// JKR's areas at these loads, less as T grows; `sign` of P, `size` of the areas.
 std::string contacts(const std::vector<double>& loads, double sign, double size = 1) {
@@ -54,5 +54,5 @@ TEST(LoadSign, IsOneOfAllFilesOfADataSet) {
   EXPECT_EQ(pooled.curve_loads, (std::vector<double>{30, 1}));
 }
 
-}  // namespace
+}  // namespace load_sign_test
 }  // namespace mixity

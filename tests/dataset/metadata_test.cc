@@ -7,7 +7,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace metadata_test {
 
 Metadata metadata_of(std::string_view toml) {
   const TemporaryFolder folder;
@@ -197,5 +197,5 @@ TEST(Metadata, PathsThatCannotBeLookedUpAreInputErrors) {
   }
 }
 
-}  // namespace
+}  // namespace metadata_test
 }  // namespace mixity

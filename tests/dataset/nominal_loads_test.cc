@@ -9,7 +9,7 @@
 #include "dataset/unnamed_runs.h"
 
 namespace mixity {
-namespace {
+namespace nominal_loads_test {
 
 using Levels = std::vector<std::size_t>;
 
@@ -121,5 +121,5 @@ TEST(RunLoads, AreTheMeanOfWhatWasReadInWhateverOrder) {
   EXPECT_EQ(falling.curve_loads[1], 0.1);  // to the bit where all read the same
 }
 
-}  // namespace
+}  // namespace nominal_loads_test
 }  // namespace mixity

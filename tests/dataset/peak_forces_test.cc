@@ -8,7 +8,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace peak_forces_test {
 
 PeakForces load(const std::string& csv, const std::string& toml = {}) {
   const TemporaryFolder folder;
@@ -66,5 +66,5 @@ TEST(PeakForces, ThatCannotBeUsedAreRefusedWithTheirPlace) {
   expect_refused("P [mN],T_min [mN]\n1,2\n", "radius = \"2 mm\"\n", "needs modulus for the area of Hertz");
 }
 
-}  // namespace
+}  // namespace peak_forces_test
 }  // namespace mixity

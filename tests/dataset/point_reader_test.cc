@@ -7,7 +7,7 @@
 #include "dataset/load_text.h"
 
 namespace mixity {
-namespace {
+namespace point_reader_test {
 
 constexpr std::size_t kRows = 3000;
 
@@ -71,5 +71,5 @@ TEST(PointReader, AColumnThatIncludesEachRowChangesNothing) {
   EXPECT_GT(turned, 0);
 }
 
-}  // namespace
+}  // namespace point_reader_test
 }  // namespace mixity

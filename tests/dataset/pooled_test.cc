@@ -7,7 +7,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace pooled_test {
 
 const std::string kConstants = "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n";
 
@@ -119,5 +119,5 @@ TEST(Pooled, FilesThatContradictEachOtherAreRefused) {
             "nothing_*.csv: no file has such a name");
 }
 
-}  // namespace
+}  // namespace pooled_test
 }  // namespace mixity

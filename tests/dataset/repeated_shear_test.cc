@@ -5,7 +5,7 @@
 #include "dataset/unnamed_runs.h"
 
 namespace mixity {
-namespace {
+namespace repeated_shear_test {
 
 /// The runs of points at one load with these T.
 std::vector<std::string> runs_of(const std::vector<double>& T) {
@@ -54,5 +54,5 @@ TEST(RepeatedShear, OfAFileThatNamesItsRunsOrStatesOneLoadIsLeftAsItIs) {
       1u);
 }
 
-}  // namespace
+}  // namespace repeated_shear_test
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include "dataset/signs.h"
 
 namespace mixity {
-namespace {
+namespace shear_sign_test {
 
 using Notes = std::vector<std::string>;
 
@@ -102,5 +102,5 @@ TEST(ShearSign, TheAreaToCompareWithJkrIsThatNearestToZero) {
   EXPECT_NEAR(curves[0].area_over_jkr.value(), 1, 1e-14);
 }
 
-}  // namespace
+}  // namespace shear_sign_test
 }  // namespace mixity

@@ -9,7 +9,7 @@
 #include "fitting/measured_runs.h"
 
 namespace mixity {
-namespace {
+namespace budget_test {
 
 /// As measured, with these standard errors of the constants.
 Dataset measured(std::map<std::string, double, std::less<>> errors = {}) { return measured_runs(3, std::move(errors)); }
@@ -96,5 +96,5 @@ TEST(Budget, ScoreIsWhatChiSquareFallsByIfTheConstantIsFree) {
   }
 }
 
-}  // namespace
+}  // namespace budget_test
 }  // namespace mixity

@@ -9,7 +9,7 @@
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
-namespace {
+namespace comparison_test {
 
 FitResult finished(std::size_t n, std::size_t parameters, double sum_of_squares, bool known) {
   FitResult fit;
@@ -343,5 +343,5 @@ TEST(PerCurve, TakesAnUncertainConstantForOneOfAllRuns) {
   EXPECT_GE(rejected_exact, 15);
 }
 
-}  // namespace
+}  // namespace comparison_test
 }  // namespace mixity

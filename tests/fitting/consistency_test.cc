@@ -9,7 +9,7 @@
 #include "fitting/measured_runs.h"
 
 namespace mixity {
-namespace {
+namespace consistency_test {
 
 /// A fit that says no more than these residuals, of runs of `points` points.
 FitResult fit_with(const std::vector<double>& residuals) {
@@ -107,5 +107,5 @@ TEST(Consistency, TakesNoiseOfOtherProportionsForNoise) {
   EXPECT_LE(suspect, 3);  // of which one in a hundred would make four in 3 of 1000 runs of this test
 }
 
-}  // namespace
+}  // namespace consistency_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
-namespace {
+namespace coverage_test {
 
 #if defined(__SANITIZE_ADDRESS__)
 constexpr unsigned kSeeds = 16;  // slow under sanitizers
@@ -92,5 +92,5 @@ TEST(Coverage, OfErrorsThatAreUnderstatedIsTooLow) {
   expect_share(found.interval, 0.673);  // within 0.98 standard errors of a Gaussian
 }
 
-}  // namespace
+}  // namespace coverage_test
 }  // namespace mixity

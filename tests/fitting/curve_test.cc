@@ -7,7 +7,7 @@
 #include "fitting/problem_checks.h"
 
 namespace mixity {
-namespace {
+namespace curve_test {
 
 class CurveOf : public OfModel {};
 INSTANTIATE_TEST_SUITE_P(EachModel, CurveOf, ::testing::ValuesIn(published_keys()));
@@ -132,5 +132,5 @@ TEST(CurveObjective, IsNotFiniteWhereALoadHasNoCurve) {
   EXPECT_FALSE(problem.evaluate({&lambda, 1}, residuals, {}));
 }
 
-}  // namespace
+}  // namespace curve_test
 }  // namespace mixity

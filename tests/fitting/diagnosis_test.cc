@@ -7,7 +7,7 @@
 #include "fitting/measured_runs.h"
 
 namespace mixity {
-namespace {
+namespace diagnosis_test {
 
 constexpr double kTruth = 0.15;
 
@@ -106,5 +106,5 @@ TEST(Diagnosis, OfDataWithoutScatterIsSilent) {
   EXPECT_EQ(fit_model(data, "c").status, FitStatus::ok);
 }
 
-}  // namespace
+}  // namespace diagnosis_test
 }  // namespace mixity

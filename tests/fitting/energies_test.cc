@@ -13,7 +13,7 @@
 #include "fitting/models.h"
 
 namespace mixity {
-namespace {
+namespace energies_test {
 
 /// Pearson's (1901) data with York's (1966) weights, w = 1/sigma^2: G_I against G_II.
 Dataset pearson_and_york() {
@@ -140,5 +140,5 @@ TEST(Energies, RefuseConstantsThatOnlyLoadsHave) {
   EXPECT_THROW(fit_model(pearson_and_york(), "c", {.free = {kToughness, kModulus}}), InputError);
 }
 
-}  // namespace
+}  // namespace energies_test
 }  // namespace mixity

@@ -12,7 +12,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace evidence_test {
 
 /// ln of the integral of exp(-cost/2) over all parameters, by the trapezoidal rule in the principal axes of the
 /// covariance, +-7 standard errors in steps of a half: exact to rounding where the cost is smooth.
@@ -76,5 +76,5 @@ TEST(EvidenceOfAFit, OverTwoConstantsIsThatOfTheTripleIntegral) {
   EXPECT_NEAR(found->standard_deviation, all.standard_deviation, 2e-3 * all.standard_deviation);
 }
 
-}  // namespace
+}  // namespace evidence_test
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include "fitting/unit_cases.h"
 
 namespace mixity {
-namespace {
+namespace false_convergence_test {
 
 constexpr int kScanned = 1200;
 
@@ -86,5 +86,5 @@ TEST(RunsUpToTheFold, AreOkAtTheLowestCost) {
   EXPECT_EQ(tally.ok, 16);
 }
 
-}  // namespace
+}  // namespace false_convergence_test
 }  // namespace mixity

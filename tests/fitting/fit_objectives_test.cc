@@ -12,7 +12,7 @@
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
-namespace {
+namespace fit_objectives_test {
 
 const std::vector<Objective> kObjectives{Objective::toughness, Objective::curve};
 
@@ -245,5 +245,5 @@ TEST(ExactRunsOfModel, ThatEndAtTheFoldAreExactUnderCurve) {
   }
 }
 
-}  // namespace
+}  // namespace fit_objectives_test
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include "fitting/synthetic.h"
 
 namespace mixity {
-namespace {
+namespace fit_test {
 
 class Recovery : public OfModel {};
 INSTANTIATE_TEST_SUITE_P(OfLambda, Recovery, ::testing::Values("a", "b", "c"));
@@ -126,5 +126,5 @@ TEST(Fit, FindsBothParametersOfTheTwoParameterLaw) {
   EXPECT_NEAR(*fit.parameters[1].value, 1.6, 1e-11);
 }
 
-}  // namespace
+}  // namespace fit_test
 }  // namespace mixity

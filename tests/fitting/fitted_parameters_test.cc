@@ -12,7 +12,7 @@
 #include "solver/interval.h"
 
 namespace mixity {
-namespace {
+namespace fitted_parameters_test {
 
 double cost_at(const Problem& problem, const std::vector<double>& x) {
   std::vector<double> residuals(problem.residual_count());
@@ -149,5 +149,5 @@ TEST(DrawnProfile, IsLeftOutUnlessAskedFor) {
   EXPECT_FALSE(fit_model(data, "c").parameters[0].profile);
 }
 
-}  // namespace
+}  // namespace fitted_parameters_test
 }  // namespace mixity

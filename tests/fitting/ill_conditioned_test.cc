@@ -9,7 +9,7 @@
 #include "many_digits.h"
 
 namespace mixity {
-namespace {
+namespace ill_conditioned_test {
 
 /// d(ln f)/d(lambda) = psi^2: a solver that takes small slopes for none stays where it started.
 TEST(IllConditioned, LambdaIsFoundAtSmallAngles) {
@@ -86,5 +86,5 @@ TEST(IllConditioned, LambdaNextToOneIsFoundToItsLastDigits) {
   }
 }
 
-}  // namespace
+}  // namespace ill_conditioned_test
 }  // namespace mixity

@@ -10,7 +10,7 @@
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
-namespace {
+namespace narrow_basins_test {
 
 double bk_cost(const Dataset& data, const FitOptions& options, const ParameterValues& p) {
   const auto problem =
@@ -136,5 +136,5 @@ TEST(FitOfCurves, OfTwoParametersStartsFromWeightedToughness) {
   EXPECT_LT(fit.sum_of_squares, 17.61);  // two other minima, far away, have 19.97 and 20.27
 }
 
-}  // namespace
+}  // namespace narrow_basins_test
 }  // namespace mixity

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace mixity {
-namespace {
+namespace options_test {
 
 TEST(Options, KnowTheObjectivesByNameAndTheOldOneNoMore) {
   for (const Objective objective : {Objective::toughness, Objective::curve})
@@ -34,5 +34,5 @@ TEST(Options, ForTheValueAloneAskForNothingThatIsOnlyShown) {
   EXPECT_EQ(value.loss, Loss::huber);
 }
 
-}  // namespace
+}  // namespace options_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "fitting/toughness_objective.h"
 
 namespace mixity {
-namespace {
+namespace packed_toughness_test {
 
 class PackedCost : public OfModel {};
 INSTANTIATE_TEST_SUITE_P(OfLambda, PackedCost, ::testing::Values("a", "b", "c"));
@@ -45,5 +45,5 @@ TEST_P(PackedCost, IsTheGeneralOne) {
     }
 }
 
-}  // namespace
+}  // namespace packed_toughness_test
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include "fitting/models.h"
 
 namespace mixity {
-namespace {
+namespace predicted_area_test {
 
 TEST(PredictedAreas, HaveAPointWithinRoundingsOfTheFoldAtTheFold) {
   for (const double P : {-3.0, 0.5, 30.0}) {
@@ -81,5 +81,5 @@ TEST(PredictedAreas, AndTheirGoodnessDoNotDependOnTheUnit) {
   }
 }
 
-}  // namespace
+}  // namespace predicted_area_test
 }  // namespace mixity

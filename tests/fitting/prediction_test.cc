@@ -7,7 +7,7 @@
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
-namespace {
+namespace prediction_test {
 
 const std::vector<Control> kControls{{Control::Kind::load}, {Control::Kind::displacement}};
 
@@ -59,5 +59,5 @@ TEST(FoldPredictions, HoldTheTruthAsOftenAsTheyClaim) {
   EXPECT_NEAR(A_held, 190, 12);
 }
 
-}  // namespace
+}  // namespace prediction_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
-namespace {
+namespace robust_fit_test {
 
 Dataset scattered(unsigned seed) {
   SeededNoise noise(seed, 0.01);
@@ -63,5 +63,5 @@ TEST(RobustFit, ScaleFollowsTheSpreadWhereErrorsAreNotKnown) {
   EXPECT_EQ(fit_model(data, "c", curve_with(Loss::huber)).loss_scale, 1.345);
 }
 
-}  // namespace
+}  // namespace robust_fit_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "fitting/models.h"
 
 namespace mixity {
-namespace {
+namespace sahli_test {
 
 /// Runs of model c at these loads, T up to a fraction of the instability.
 Dataset runs(double lambda, const std::vector<double>& loads, double fraction) {
@@ -75,5 +75,5 @@ TEST(Sahli, RunsWithoutShearAreNamed) {
   EXPECT_FALSE(result.power_law);
 }
 
-}  // namespace
+}  // namespace sahli_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
-namespace {
+namespace shear_sign_test {
 
 Dataset runs() {
   SeededNoise noise(7, 0.005);
@@ -98,5 +98,5 @@ TEST(Fit, OfToughnessListsPointsWithoutAPhaseAngle) {
   }
 }
 
-}  // namespace
+}  // namespace shear_sign_test
 }  // namespace mixity

@@ -9,7 +9,7 @@
 #include "fitting/synthetic_runs.h"
 
 namespace mixity {
-namespace {
+namespace standard_errors_test {
 
 constexpr const char* kMetadata =
     "radius = \"10 mm\"\nmodulus = \"2 MPa\"\ntoughness = \"30 mJ/m^2\"\nprovenance = \"measured\"\n";
@@ -223,5 +223,5 @@ TEST(StandardErrors, ThatAreAShareOfAShearOfZeroAreRaisedInSilence) {
   EXPECT_EQ(errors.raised_T, 0u);
 }
 
-}  // namespace
+}  // namespace standard_errors_test
 }  // namespace mixity

@@ -13,7 +13,7 @@
 #include "solver/robust.h"
 
 namespace mixity {
-namespace {
+namespace status_test {
 
 FitOptions with(Objective objective, const char* sigma_A) {
   return {.objective = objective, .sigma_T = *parse_quantity("0.01%"), .sigma_A = *parse_quantity(sigma_A)};
@@ -262,5 +262,5 @@ TEST(Status, OfAValueWhoseErrorExceedsItsRangeIsNotOk) {
   EXPECT_NE(fit.message.text().find("exceeds its whole range"), std::string::npos) << fit.message.text();
 }
 
-}  // namespace
+}  // namespace status_test
 }  // namespace mixity

@@ -5,7 +5,7 @@
 #include "stress/short_run.h"
 
 namespace mixity::stress {
-namespace {
+namespace stress_test {
 
 TEST(Stress, NoRandomFitClaimsWhatThePrintedCostContradicts) {
   constexpr std::size_t kCases = short_run(600, 60);
@@ -41,5 +41,5 @@ TEST(Stress, TheJudgeOfFitsFindsWhatIsWrong) {
   EXPECT_NE(wrong_with_fit(drawn.data, fit, error), "");
 }
 
-}  // namespace
+}  // namespace stress_test
 }  // namespace mixity::stress

@@ -8,7 +8,7 @@
 #include "mechanics/model_types.h"
 
 namespace mixity {
-namespace {
+namespace toughness_test {
 
 std::vector<ToughnessPoint> points() {
   std::vector<ToughnessPoint> list;
@@ -124,5 +124,5 @@ TEST(ToughnessObjective, ReportsAnInfiniteValueInsteadOfReturningIt) {
   EXPECT_TRUE(objective.evaluate({&small, 1}, residual, {}));
 }
 
-}  // namespace
+}  // namespace toughness_test
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include "fitting/measured_runs.h"
 
 namespace mixity {
-namespace {
+namespace unsheared_test {
 
 TEST(Unsheared, AgreesWithJkrWhereTheConstantsAreRight) {
   const auto test = test_unsheared(measured_runs(2), stated_errors());
@@ -42,5 +42,5 @@ TEST(Unsheared, IsSilentWithoutLoadsOrWithoutUnshearedPoints) {
   EXPECT_FALSE(test_unsheared(data, stated_errors()));
 }
 
-}  // namespace
+}  // namespace unsheared_test
 }  // namespace mixity

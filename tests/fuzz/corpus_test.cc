@@ -10,7 +10,7 @@
 #include "fuzz/promise.h"
 
 namespace mixity::fuzz {
-namespace {
+namespace corpus_test {
 
 TEST(Fuzz, EveryReaderKeepsItsPromisesOnTheWholeCorpus) {
   std::set<char> readers;
@@ -33,5 +33,5 @@ TEST(FuzzDeathTest, ABrokenPromiseEndsTheProgram) {
   EXPECT_TRUE(is_one_printable_line("µm²"));
 }
 
-}  // namespace
+}  // namespace corpus_test
 }  // namespace mixity::fuzz

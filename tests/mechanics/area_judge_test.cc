@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace mixity {
-namespace {
+namespace area_judge_test {
 
 template <class Model>
 std::string verdict(const Parameters<Model>& p, double P, double T) {
@@ -106,5 +106,5 @@ TEST(AreaRegressions, AtFoldsOfASmallExponent) {
   EXPECT_EQ(verdict<Bk>({0.09725924626008292, 0.022515796723066264}, -4.712388980384678, fold), "");
 }
 
-}  // namespace
+}  // namespace area_judge_test
 }  // namespace mixity

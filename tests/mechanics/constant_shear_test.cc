@@ -11,7 +11,7 @@
 #include "mechanics/printed_equation.h"
 
 namespace mixity {
-namespace {
+namespace constant_shear_test {
 
 using truth::Digits50;
 using truth::kEps;
@@ -128,5 +128,5 @@ TYPED_TEST(ConstantShear, IsFiniteAtAnyExtreme) {
       }
 }
 
-}  // namespace
+}  // namespace constant_shear_test
 }  // namespace mixity

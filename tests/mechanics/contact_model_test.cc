@@ -11,7 +11,7 @@
 #include "mechanics/states.h"
 
 namespace mixity {
-namespace {
+namespace contact_model_test {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -143,5 +143,5 @@ TEST(AnyModel, HasFoldsRegimesAndCurvesOrAReason) {
   EXPECT_FALSE(model.regime(p, -5));
 }
 
-}  // namespace
+}  // namespace contact_model_test
 }  // namespace mixity

@@ -10,7 +10,7 @@
 #include "mechanics/printed_equation.h"
 
 namespace mixity {
-namespace {
+namespace contact_test {
 
 using truth::Digits50;
 
@@ -95,5 +95,5 @@ TEST(Mixity, OfAnEnergyBelowZeroIsThatOfAPureMode) {
   EXPECT_EQ(mixity_from_energies(0.3, -0.1).sin, 0);
 }
 
-}  // namespace
+}  // namespace contact_test
 }  // namespace mixity

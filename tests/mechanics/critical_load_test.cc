@@ -11,7 +11,7 @@
 #include "mechanics/regimes.h"
 
 namespace mixity {
-namespace {
+namespace critical_load_test {
 
 constexpr double kPullOff = -4.71238898038469;
 
@@ -98,5 +98,5 @@ TEST(CriticalLoad, PartsTheRegimesOfLawsThatAreTyped) {
                 model_b_critical_load(lambda), 1e-9 * model_b_critical_load(lambda));  // psi is rounded
 }
 
-}  // namespace
+}  // namespace critical_load_test
 }  // namespace mixity

@@ -12,7 +12,7 @@
 #include "mechanics/true_distance.h"
 
 namespace mixity {
-namespace {
+namespace curve_distance_test {
 
 using Point = truth::Measured<double>;
 
@@ -280,5 +280,5 @@ TEST(CurveDistanceAtACorner, APointAboveTheCornerOfASmallExponentIsAsFarAsTheCor
   }
 }
 
-}  // namespace
+}  // namespace curve_distance_test
 }  // namespace mixity

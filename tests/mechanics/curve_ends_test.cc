@@ -9,7 +9,7 @@
 #include "mechanics/registry.h"
 
 namespace mixity {
-namespace {
+namespace curve_ends_test {
 
 using truth::Digits50;
 using truth::kEps;
@@ -118,5 +118,5 @@ TEST(CurveEnds, ModelAHasTwoPiecesBelowTheClosingLine) {
   EXPECT_EQ(EquilibriumCurve(Johnson{}, {0.5}, 0).pieces().size(), 1u);
 }
 
-}  // namespace
+}  // namespace curve_ends_test
 }  // namespace mixity

@@ -10,7 +10,7 @@
 #include "mechanics/whole_curve.h"
 
 namespace mixity {
-namespace {
+namespace curve_extremes_test {
 
 TYPED_TEST_SUITE(WholeCurve, ModelTypes);
 
@@ -72,5 +72,5 @@ TYPED_TEST(WholeCurve, IsFiniteWhereLambdaIsNearlyZero) {
                              {1e-9, 1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 0.999});
 }
 
-}  // namespace
+}  // namespace curve_extremes_test
 }  // namespace mixity

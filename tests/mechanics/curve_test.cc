@@ -13,7 +13,7 @@
 #include "mechanics/whole_curve.h"
 
 namespace mixity {
-namespace {
+namespace curve_test {
 
 using truth::Digits50;
 using truth::kEps;
@@ -172,5 +172,5 @@ TYPED_TEST(WholeCurve, WithoutShearOnTheAreaIsOnePoint) {
   }
 }
 
-}  // namespace
+}  // namespace curve_test
 }  // namespace mixity

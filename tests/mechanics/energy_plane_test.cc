@@ -9,7 +9,7 @@
 #include "mechanics/model_types.h"
 
 namespace mixity {
-namespace {
+namespace energy_plane_test {
 
 template <class Model>
 std::vector<Parameters<Model>> cases() {
@@ -114,5 +114,5 @@ TEST(EnergyPlane, OfModelCIsAStraightLineOnBothSidesOfModeI) {
   }
 }
 
-}  // namespace
+}  // namespace energy_plane_test
 }  // namespace mixity

@@ -9,7 +9,7 @@
 #include "mechanics/states.h"
 
 namespace mixity {
-namespace {
+namespace equilibrium_test {
 
 using truth::Digits50;
 const double kPi = pi<double>();
@@ -151,5 +151,5 @@ TEST(Equilibrium, SaysWhatCannotBeAnswered) {
   EXPECT_EQ((LoadedContact(BenzeggaghKenane{}, {9, 2}, 0).at(0).status), EquilibriumStatus::invalid);
 }
 
-}  // namespace
+}  // namespace equilibrium_test
 }  // namespace mixity

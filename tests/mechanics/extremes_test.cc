@@ -10,7 +10,7 @@
 #include "mechanics/states.h"
 
 namespace mixity {
-namespace {
+namespace extremes_test {
 
 using truth::Digits50;
 
@@ -156,5 +156,5 @@ TEST(Extremes, BatchAndSinglePredictionsAgree) {
   });
 }
 
-}  // namespace
+}  // namespace extremes_test
 }  // namespace mixity

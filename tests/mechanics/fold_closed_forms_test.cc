@@ -13,7 +13,7 @@
 #include "mechanics/registry.h"
 
 namespace mixity {
-namespace {
+namespace fold_closed_forms_test {
 
 using truth::Digits50;
 
@@ -85,5 +85,5 @@ TEST(ModelCFolds, TheDisplacementFoldLiesOnTheMinusBranchNotOnThePrintedOne) {
     }
 }
 
-}  // namespace
+}  // namespace fold_closed_forms_test
 }  // namespace mixity

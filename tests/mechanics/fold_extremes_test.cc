@@ -9,7 +9,7 @@
 #include "mechanics/printed_equation.h"
 
 namespace mixity {
-namespace {
+namespace fold_extremes_test {
 
 using Number = truth::Digits<100>;
 
@@ -131,5 +131,5 @@ TEST(FoldExtremes, AreFiniteAtAnyExtreme) {
   EXPECT_GE(defined, 18);
 }
 
-}  // namespace
+}  // namespace fold_extremes_test
 }  // namespace mixity

@@ -11,7 +11,7 @@
 #include "mechanics/registry.h"
 
 namespace mixity {
-namespace {
+namespace fold_jumps_test {
 
 using truth::Digits50;
 
@@ -76,5 +76,5 @@ TEST(Jumps, LeadToTheNextStateAtTheSameControl) {
     EXPECT_GT(seen[static_cast<int>(jump)], 20) << to_string(jump);
 }
 
-}  // namespace
+}  // namespace fold_jumps_test
 }  // namespace mixity

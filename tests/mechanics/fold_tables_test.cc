@@ -12,7 +12,7 @@
 #include "mechanics/registry.h"
 
 namespace mixity {
-namespace {
+namespace fold_tables_test {
 
 /// Calls visit(model, p) for a model by name.
 template <class Visit>
@@ -145,5 +145,5 @@ TEST(Folds, AreAsManyAsBruteForceFinds) {
     }
 }
 
-}  // namespace
+}  // namespace fold_tables_test
 }  // namespace mixity

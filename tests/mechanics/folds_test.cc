@@ -14,7 +14,7 @@
 #include "mechanics/roots.h"
 
 namespace mixity {
-namespace {
+namespace folds_test {
 
 using truth::Digits50;
 
@@ -144,5 +144,5 @@ TEST(Folds, ThroughASpringTendToLoadAndDisplacementControl) {
   }
 }
 
-}  // namespace
+}  // namespace folds_test
 }  // namespace mixity

@@ -11,7 +11,7 @@
 #include "mechanics/states.h"
 
 namespace mixity {
-namespace {
+namespace limits_test {
 
 using truth::Digits50;
 
@@ -162,5 +162,5 @@ TEST(SavkoorBriggs, RefusesWhatIsNoLoad) {
   EXPECT_EQ(brittle(0, -1e10), EquilibriumStatus::invalid);
 }
 
-}  // namespace
+}  // namespace limits_test
 }  // namespace mixity

@@ -9,7 +9,7 @@
 #include "mechanics/registry.h"
 
 namespace mixity {
-namespace {
+namespace load_folds_test {
 
 using truth::Digits50;
 
@@ -126,5 +126,5 @@ TEST(TangentialLoad, IsFoundAtTheEdgeOfTheDomainOfModelBk) {
   }
 }
 
-}  // namespace
+}  // namespace load_folds_test
 }  // namespace mixity

@@ -11,7 +11,7 @@
 #include "mechanics/printed_equation.h"
 
 namespace mixity {
-namespace {
+namespace models_test {
 
 using truth::kEps;
 
@@ -135,5 +135,5 @@ TEST(Registry, HoldsTheFourModelsInOrder) {
   EXPECT_FALSE(ContactModel::find("d"));
 }
 
-}  // namespace
+}  // namespace models_test
 }  // namespace mixity

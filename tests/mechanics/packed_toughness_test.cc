@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace mixity {
-namespace {
+namespace packed_toughness_test {
 
 template <class Model>
 void expect_same_law() {
@@ -51,5 +51,5 @@ TEST(PackedToughness, HasTheSameValuesAndDerivativesAsTheLaw) {
   EXPECT_EQ(with_packed_form, 3);  // a, b, c
 }
 
-}  // namespace
+}  // namespace packed_toughness_test
 }  // namespace mixity

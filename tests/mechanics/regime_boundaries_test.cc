@@ -7,7 +7,7 @@
 #include "mechanics/regimes.h"
 
 namespace mixity {
-namespace {
+namespace regime_boundaries_test {
 
 using truth::Digits50;
 
@@ -82,5 +82,5 @@ TEST(ModelAJumpBoundary, RisesWithTheLoadAndKeepsItsComplement) {
   }
 }
 
-}  // namespace
+}  // namespace regime_boundaries_test
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 namespace mixity {
-namespace {
+namespace regime_map_test {
 
 using Outline = std::vector<std::pair<double, double>>;
 
@@ -81,5 +81,5 @@ TEST(RegimeMap, NeedsAModelItsParametersAndRisingEnds) {
   EXPECT_THROW(RegimeMap(c, one, {0, 0, 1, true, 0, 1}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace regime_map_test
 }  // namespace mixity

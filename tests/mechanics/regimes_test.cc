@@ -13,7 +13,7 @@
 #include "mechanics/registry.h"
 
 namespace mixity {
-namespace {
+namespace regimes_test {
 
 using truth::Digits50;
 
@@ -181,5 +181,5 @@ TEST(Regimes, AreNumbersAtAnyExtreme) {
     expect_numbers<BenzeggaghKenane>(p);
 }
 
-}  // namespace
+}  // namespace regimes_test
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include <string>
 
 namespace mixity {
-namespace {
+namespace sampling_test {
 
 struct Place {
   double x, y;
@@ -224,5 +224,5 @@ TEST(AdaptiveSampling, EndsAtAnyExtreme) {
     }
 }
 
-}  // namespace
+}  // namespace sampling_test
 }  // namespace mixity

@@ -12,7 +12,7 @@
 #include "mechanics/printed_equation.h"
 
 namespace mixity {
-namespace {
+namespace sensitivity_test {
 
 using truth::Digits50;
 
@@ -135,5 +135,5 @@ TYPED_TEST(Sensitivity, AreasChangeWithShearAndParametersAsTheGradientSays) {
       }
 }
 
-}  // namespace
+}  // namespace sensitivity_test
 }  // namespace mixity

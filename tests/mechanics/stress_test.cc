@@ -4,7 +4,7 @@
 #include "stress/short_run.h"
 
 namespace mixity::stress {
-namespace {
+namespace stress_test {
 
 TEST(Stress, EveryRandomAreaFulfilsThePrintedEquation) {
   constexpr std::size_t kCases = short_run(8000, 400);
@@ -14,5 +14,5 @@ TEST(Stress, EveryRandomAreaFulfilsThePrintedEquation) {
   EXPECT_GT(tally.answered, kCases / 2);
 }
 
-}  // namespace
+}  // namespace stress_test
 }  // namespace mixity::stress

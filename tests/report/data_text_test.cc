@@ -6,7 +6,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace data_text_test {
 
 TEST(CheckText, ListsTenExcludedRowsOfEachReasonAndCountsTheOthers) {
   const TemporaryFolder folder;
@@ -19,5 +19,5 @@ TEST(CheckText, ListsTenExcludedRowsOfEachReasonAndCountsTheOthers) {
   EXPECT_EQ(shown.find("more: A <= 0"), std::string::npos) << shown;
 }
 
-}  // namespace
+}  // namespace data_text_test
 }  // namespace mixity

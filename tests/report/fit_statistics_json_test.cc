@@ -7,7 +7,7 @@
 #include "report/fit_json.h"
 
 namespace mixity {
-namespace {
+namespace fit_statistics_json_test {
 
 /// Keys of an object, sorted.
 std::vector<std::string> keys(const Json& object) {
@@ -121,5 +121,5 @@ TEST(FitStatisticsJson, LeavesOutHeldParametersFromCorrelations) {
             Json::parse(R"([{"parameters": ["eta", "modulus"], "value": -0.25}])"));
 }
 
-}  // namespace
+}  // namespace fit_statistics_json_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "report/golden_file.h"
 
 namespace mixity {
-namespace {
+namespace fit_statistics_text_test {
 
 ShownInterval found(double low, double high) {
   return {"profile", 0.95, low, high, EndStatus::found, EndStatus::found};
@@ -143,5 +143,5 @@ TEST(FitStatisticsText, SaysWhenTheScatterIsLargerThanTheErrors) {
   EXPECT_EQ(errors_text(fit, {}, in_neutral_words).find("chi^2"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace fit_statistics_text_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "report/example_results.h"
 
 namespace mixity {
-namespace {
+namespace fit_table_test {
 
 std::string cell(const FitTable& table, std::size_t row, const std::string& heading) {
   const auto found = std::find(table.headings.begin(), table.headings.end(), heading);
@@ -118,5 +118,5 @@ TEST(Assumptions, OfTheCurveNameThePapersFitAndErrorsThatWereRaised) {
   EXPECT_EQ(all.find("largest A"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace fit_table_test
 }  // namespace mixity

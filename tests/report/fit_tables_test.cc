@@ -12,7 +12,7 @@
 #include "report/fit_json.h"
 
 namespace mixity {
-namespace {
+namespace fit_tables_test {
 
 const Analysis& mergel() {
   static const Analysis result = run(read_fit_definition(MIXITY_ROOT "/fits/mergel2018.toml"));
@@ -145,5 +145,5 @@ TEST(FitCsv, CurvesEndAtTheInstabilityOfModelC) {
   EXPECT_NEAR(T_last, expected, 1e-9 * expected);  // the last point is the fold itself, printed to all digits
 }
 
-}  // namespace
+}  // namespace fit_tables_test
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include "report/golden_file.h"
 
 namespace mixity {
-namespace {
+namespace fit_text_test {
 
 TEST(FitText, Ok) { expect_golden(example(FitStatus::ok), "ok.txt"); }
 
@@ -37,5 +37,5 @@ TEST(FitText, ListsTheFirstOfThePointsThatAModelLeavesOut) {
   EXPECT_NE(text.find("    and 12 more (all of them with --format=json)\n"), std::string::npos) << text;
 }
 
-}  // namespace
+}  // namespace fit_text_test
 }  // namespace mixity

@@ -15,7 +15,7 @@
 #include "report/fit_json.h"
 
 namespace mixity {
-namespace {
+namespace report_test {
 
 using Json = nlohmann::json;
 
@@ -158,5 +158,5 @@ TEST(ReportFolder, ThatCannotBeWrittenIsSaid) {
   EXPECT_THROW(write_report(results, {reported_data(results[0], "x")}, file + "/below", {}), OutputError);
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace mixity

@@ -5,7 +5,7 @@
 #include "dataset/load_text.h"
 
 namespace mixity {
-namespace {
+namespace sahli_text_test {
 
 TEST(SahliText, NamesTheRowsLeftOutAndTheRunsWithoutAParabola) {
   const Dataset data =
@@ -31,5 +31,5 @@ TEST(SahliText, AsCsvIsInTheUnitsOfTheFile) {
   EXPECT_NEAR(std::stod(csv.substr(alpha)), 0.05, 1e-13);
 }
 
-}  // namespace
+}  // namespace sahli_text_test
 }  // namespace mixity

@@ -5,7 +5,7 @@
 #include "report/golden_file.h"
 
 namespace mixity {
-namespace {
+namespace schema_test {
 
 std::string on_one_line(const Json& json) {
   if (!json.is_structured()) return json.dump();
@@ -40,5 +40,5 @@ TEST(Schema, OfReportsIsWhatItsDescriptionSays) {
   expect_schema("results.json of mixity report, schema mixity-report-1", report_schema(), "results.schema.json");
 }
 
-}  // namespace
+}  // namespace schema_test
 }  // namespace mixity

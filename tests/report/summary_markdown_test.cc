@@ -9,7 +9,7 @@
 #include "report/golden_file.h"
 
 namespace mixity {
-namespace {
+namespace summary_markdown_test {
 
 /// Without the last line, which names versions.
 std::string summary(const Analysis& result) {
@@ -46,5 +46,5 @@ TEST(SummaryMarkdown, ForeignTextDoesNotBreakTheTable) {
   EXPECT_NE(text.find("c; x\\|y |"), std::string::npos) << text;
 }
 
-}  // namespace
+}  // namespace summary_markdown_test
 }  // namespace mixity

@@ -11,7 +11,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace basins_test {
 
 const SolverOptions kWithKernel{.engine = Engine::kernel};
 
@@ -78,5 +78,5 @@ TEST_P(BasinsOf, AreThoseOfAGridWithoutExactCurvature) {
   EXPECT_GT(compared, 25);
 }
 
-}  // namespace
+}  // namespace basins_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "solver/line.h"
 
 namespace mixity {
-namespace {
+namespace covariance_test {
 
 constexpr double kRounding = 1e-14;  // of a triangle of condition 5
 
@@ -84,5 +84,5 @@ TEST(Covariance, HasNoErrorsWithoutScatter) {
   EXPECT_EQ(exact.unconstrained, "");
 }
 
-}  // namespace
+}  // namespace covariance_test
 }  // namespace mixity

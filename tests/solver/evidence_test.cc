@@ -11,7 +11,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace evidence_test {
 
 /// A straight line through ten points with errors of 0.1: slope in a range, and an offset with or without a prior.
 class Line final : public Problem {
@@ -152,5 +152,5 @@ TEST(Evidence, NeedsAFiniteRange) {
   EXPECT_FALSE(evidence(line, verdict.best, verdict.standard_errors[0], {}));
 }
 
-}  // namespace
+}  // namespace evidence_test
 }  // namespace mixity

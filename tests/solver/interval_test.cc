@@ -8,7 +8,7 @@
 #include "solver/jet_problem.h"
 
 namespace mixity {
-namespace {
+namespace interval_test {
 
 using std::exp;
 
@@ -156,5 +156,5 @@ TEST(DrawnProfile, OfAParabolaIsASquare) {
     EXPECT_NEAR(rise, 28 * std::pow(x - fit.best.x[1], 2), 1e-12);  // costs of up to 10
 }
 
-}  // namespace
+}  // namespace interval_test
 }  // namespace mixity

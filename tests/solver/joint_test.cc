@@ -7,7 +7,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace joint_test {
 
 /// y = slope t + offset.
 class OffsetLine final : public Problem {
@@ -63,5 +63,5 @@ TEST(JointProblem, FindsWhatTheNormalEquationsSay) {
     for (int k = 0; k < 3; ++k) EXPECT_EQ(jacobian[static_cast<std::size_t>(3 * i + k)], J(i, k));
 }
 
-}  // namespace
+}  // namespace joint_test
 }  // namespace mixity

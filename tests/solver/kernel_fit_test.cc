@@ -11,7 +11,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace kernel_fit_test {
 
 const SolverOptions kWithKernel{.engine = Engine::kernel};
 
@@ -99,5 +99,5 @@ TEST_P(OneParameter, ProfileEndsLieWhereTheCostHasRisenByTheAllowance) {
     EXPECT_NEAR(sum_of_squares(problem, {&end, 1}, residuals).value(), least + allowance, 1e-9 * least);
 }
 
-}  // namespace
+}  // namespace kernel_fit_test
 }  // namespace mixity

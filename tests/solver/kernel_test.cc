@@ -7,7 +7,7 @@
 #include "solver/jet_problem.h"
 
 namespace mixity {
-namespace {
+namespace kernel_test {
 
 using std::exp, std::sqrt;
 
@@ -128,5 +128,5 @@ TEST(Kernel, IsNotStationaryWhereStepsAreDampedToNothing) {
   EXPECT_FALSE(minimum->stationary) << minimum->x[0] << " " << minimum->stationarity;
 }
 
-}  // namespace
+}  // namespace kernel_test
 }  // namespace mixity

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace mixity {
-namespace {
+namespace linear_algebra_test {
 
 constexpr double kRounding = 1e-14;
 
@@ -85,5 +85,5 @@ TEST(LinearAlgebra, ProjectionSolvesInTheSenseOfLeastSquares) {
   EXPECT_NEAR(found.along.norm(), (J * found.solution).norm(), 10 * kRounding);
 }
 
-}  // namespace
+}  // namespace linear_algebra_test
 }  // namespace mixity

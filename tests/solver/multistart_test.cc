@@ -12,7 +12,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace multistart_test {
 
 using std::sin;
 
@@ -159,5 +159,5 @@ TEST(LowestAtBound, SeesWhatAZeroSlopeHides) {
   EXPECT_TRUE(lowest_at_bound(cosine(-1), 0));
 }
 
-}  // namespace
+}  // namespace multistart_test
 }  // namespace mixity

@@ -10,7 +10,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace nist_test {
 
 using nist::Set;
 using truth::Digits50;
@@ -101,5 +101,5 @@ TEST_P(Nist, OkIsCertifiedFromBothStarts) {
 INSTANTIATE_TEST_SUITE_P(Engines, Nist, ::testing::Values(Engine::ceres, Engine::kernel),
                          [](const auto& of) { return of.param == Engine::ceres ? "Ceres" : "Kernel"; });
 
-}  // namespace
+}  // namespace nist_test
 }  // namespace mixity

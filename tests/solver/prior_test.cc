@@ -8,7 +8,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace prior_test {
 
 /// (X'X + P) b = X'y + P mean, of level and slope.
 struct Posterior {
@@ -82,5 +82,5 @@ TEST(Prior, MakesKnownWhatTheDataDoNotConstrain) {
   EXPECT_NEAR(verdict.standard_errors[1].value(), std::sqrt(4 + 1.0 / 3), kRounding);
 }
 
-}  // namespace
+}  // namespace prior_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace profile_interval_test {
 
 double sum_of_squares(const std::vector<double>& r) {
   double sum = 0;
@@ -136,5 +136,5 @@ TEST(ProfileOfALine, IsOpenWhereOnlyTheSearchEnds) {
   EXPECT_EQ(interval.low_status, EndStatus::found);
 }
 
-}  // namespace
+}  // namespace profile_interval_test
 }  // namespace mixity

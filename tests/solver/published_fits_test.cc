@@ -8,7 +8,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace published_fits_test {
 
 // The minima are to their last digits, and these cost a few of condition; an interval's end promises 1e-9.
 constexpr double kValue = 1e-10, kEnd = 1e-9;
@@ -152,5 +152,5 @@ TEST_P(Published, OdrpacksFirstDriverHasErrorsInMostAbscissas) {
 INSTANTIATE_TEST_SUITE_P(Engines, Published, ::testing::Values(Engine::ceres, Engine::kernel),
                          [](const auto& of) { return of.param == Engine::ceres ? "Ceres" : "Kernel"; });
 
-}  // namespace
+}  // namespace published_fits_test
 }  // namespace mixity

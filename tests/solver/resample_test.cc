@@ -9,7 +9,7 @@
 #include "solver/prior.h"
 
 namespace mixity {
-namespace {
+namespace resample_test {
 
 /// Straight line through the origin, y = slope t: everything about it is known in closed form.
 class Line final : public Problem {
@@ -153,5 +153,5 @@ TEST(Resampling, IsOfWhatAReaderSeesHoweverTheSolverCounts) {
   EXPECT_GT(std::abs(expected.runs[2].at(0)), 0.5 * slope);
 }
 
-}  // namespace
+}  // namespace resample_test
 }  // namespace mixity

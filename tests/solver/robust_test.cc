@@ -7,7 +7,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace robust_test {
 
 /// Residuals x^2 + 2 y - d_i: enough to see each by itself.
 class Differences final : public Problem {
@@ -123,5 +123,5 @@ TEST(Robust, ResidualsOfZeroStayWhatTheyAre) {
   }
 }
 
-}  // namespace
+}  // namespace robust_test
 }  // namespace mixity

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace mixity {
-namespace {
+namespace solve_test {
 
 /// Two groups of points that want different lambdas leave two equal minima.
 TEST(Solve, SaysMultimodalWhenTwoMinimaFitAlike) {
@@ -65,5 +65,5 @@ TEST(Solve, DoesNotCallTheStartAMinimumWhenResidualsAreTiny) {
   }
 }
 
-}  // namespace
+}  // namespace solve_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "solver/solve.h"
 
 namespace mixity {
-namespace {
+namespace verdict_test {
 
 using std::cos, std::exp, std::sqrt;
 
@@ -162,5 +162,5 @@ TEST(FitTolerance, IsChiSquareOfOneParameterInUnitsOfTheErrors) {
   }
 }
 
-}  // namespace
+}  // namespace verdict_test
 }  // namespace mixity

@@ -10,7 +10,7 @@
 #include "statistics/noise.h"
 
 namespace mixity {
-namespace {
+namespace change_points_test {
 
 using Values = std::vector<double>;
 
@@ -116,5 +116,5 @@ TEST(ChangePoints, AFallBeginsWhereItDoesThoughNoiseHidesThatItTakesTime) {
   EXPECT_LT(held_by_the_middle, 20);
 }
 
-}  // namespace
+}  // namespace change_points_test
 }  // namespace mixity

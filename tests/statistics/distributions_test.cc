@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace mixity {
-namespace {
+namespace distributions_test {
 
 // Closed forms: chi^2 of two degrees of freedom is exponential, Student's t of one is Cauchy's, F(2, 2) is F/(1 + F).
 TEST(Distributions, KnowTheirClosedForms) {
@@ -45,5 +45,5 @@ TEST(Distributions, NoChiSquaredIsNoSurprise) {
   EXPECT_EQ(chi_squared_p_value(std::numeric_limits<double>::quiet_NaN(), 3), 1);
 }
 
-}  // namespace
+}  // namespace distributions_test
 }  // namespace mixity

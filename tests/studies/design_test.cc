@@ -11,7 +11,7 @@
 #include "studies/simulate.h"
 
 namespace mixity {
-namespace {
+namespace design_test {
 
 StatedError stated(const std::string& text) { return *parse_quantity(text); }
 
@@ -119,5 +119,5 @@ TEST(Design, MoreRunsTellModelsApart) {
   EXPECT_NEAR(expect(plan, {"a", "b"}).least_chi2() / two, 2, 0.2);  // but for what is known beforehand
 }
 
-}  // namespace
+}  // namespace design_test
 }  // namespace mixity

@@ -10,7 +10,7 @@
 #include "statistics/noise.h"
 
 namespace mixity {
-namespace {
+namespace cycles_test {
 
 /// A ramp to 60, falls to 40 and rises to 55 three times, at last where T goes back to 0, which may be steady sliding
 /// before that. In s and mN.
@@ -130,5 +130,5 @@ TEST(Cycles, OfANoiselessLogAreItsOwn) {
   EXPECT_NEAR(cycles[0].T_peak, 60, 0.05);
 }
 
-}  // namespace
+}  // namespace cycles_test
 }  // namespace mixity

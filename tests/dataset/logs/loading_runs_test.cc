@@ -13,7 +13,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace loading_runs_test {
 
 /// What an apparatus sees of one contact under each load, in N and m^2, and when it was sheared and slid.
 struct Simulated {
@@ -315,5 +315,5 @@ TEST(Cuts, ThatCannotBeUnderstoodAreRefusedWithTheirPlace) {
             "cuts.toml:1:1: the onset is not later than the start of the shear");
 }
 
-}  // namespace
+}  // namespace loading_runs_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace recording_test {
 
 Recording read(const std::string& text, const std::string& columns = "") {
   const TemporaryFolder folder;
@@ -57,5 +57,5 @@ TEST(Recordings, OfLabVIEWHaveALabelBeforeTheirUnits) {
   }
 }
 
-}  // namespace
+}  // namespace recording_test
 }  // namespace mixity

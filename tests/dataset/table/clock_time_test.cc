@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace mixity {
-namespace {
+namespace clock_time_test {
 
 TEST(ClockTimes, AreReadToTheFractionOfASecond) {
   const auto time = parse_clock("10:05:07.250");
@@ -23,5 +23,5 @@ TEST(ClockTimes, AreNothingElse) {
     EXPECT_FALSE(parse_clock(text)) << text;
 }
 
-}  // namespace
+}  // namespace clock_time_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include "dataset/logs/recording.h"
 
 namespace mixity {
-namespace {
+namespace column_names_test {
 
 const Overrides kConstants{{"radius", "9.42 mm"}, {"modulus", "2.133 MPa"}, {"toughness", "27 mJ/m^2"}};
 
@@ -111,5 +111,5 @@ TEST(ColumnNames, OfRunsBesideEachOtherAreSaidWhereOneIsRead) {
   EXPECT_EQ(notes("P1 [mN],T1 [mN],A1 [mm^2],P2 [mN],x,y", "P=P1,T=T1,A=A1").size(), 0u);
 }
 
-}  // namespace
+}  // namespace column_names_test
 }  // namespace mixity

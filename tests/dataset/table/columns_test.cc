@@ -6,7 +6,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace columns_test {
 
 /// The columns of a header; throws what Columns throws.
 Columns columns_of(const std::string& header) {
@@ -149,5 +149,5 @@ TEST(Columns, AreNamedAsInTheHeader) {
   EXPECT_EQ(to_string(ColumnId::include), "include");
 }
 
-}  // namespace
+}  // namespace columns_test
 }  // namespace mixity

@@ -10,7 +10,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace csv_blocks_test {
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -179,5 +179,5 @@ TEST(CsvBlocks, NoMoreOfAFileIsHeldThanABlock) {
   EXPECT_EQ(progress, 1);
 }
 
-}  // namespace
+}  // namespace csv_blocks_test
 }  // namespace mixity

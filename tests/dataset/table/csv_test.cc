@@ -7,7 +7,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace csv_test {
 
 using Fields = std::vector<std::string>;
 
@@ -180,5 +180,5 @@ TEST(Csv, AWrittenFieldIsReadBackAsOne) {
   }
 }
 
-}  // namespace
+}  // namespace csv_test
 }  // namespace mixity

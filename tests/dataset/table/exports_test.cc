@@ -12,7 +12,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace exports_test {
 
 using Row = std::array<double, 3>;  // P and T in mN, A in mm^2
 
@@ -393,5 +393,5 @@ TEST(Exports, WithStretchedContactsSaySo) {
       "circle, and around such an edge the energy release rate varies by about 20%");
 }
 
-}  // namespace
+}  // namespace exports_test
 }  // namespace mixity

@@ -13,7 +13,7 @@
 #include "dataset/table/csv_file.h"
 
 namespace mixity {
-namespace {
+namespace number_test {
 
 /// Compared with the C library's own conversion.
 TEST(Number, IsTheNearestDoubleInEverySpelling) {
@@ -96,5 +96,5 @@ TEST(Number, IsReadOnlyOfAWholeField) {
   EXPECT_EQ(value, 0);
 }
 
-}  // namespace
+}  // namespace number_test
 }  // namespace mixity

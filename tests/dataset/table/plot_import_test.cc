@@ -6,7 +6,7 @@
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
-namespace {
+namespace plot_import_test {
 
 // Two data sets as WebPlotDigitizer exports them: the shorter one is padded.
 constexpr const char* kExport =
@@ -138,5 +138,5 @@ TEST(PlotImport, AFileThatIsNotThereIsNamed) {
             path + ": cannot be opened: No such file or directory");
 }
 
-}  // namespace
+}  // namespace plot_import_test
 }  // namespace mixity

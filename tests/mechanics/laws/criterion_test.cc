@@ -13,7 +13,7 @@
 #include "mechanics/registry.h"
 
 namespace mixity {
-namespace {
+namespace criterion_test {
 
 TEST(Criteria, InPowersTakeThreeEvaluations) {
   int asked = 0, roots = 0;
@@ -136,5 +136,5 @@ TEST(Criteria, DoNotRememberWhatWasAsked) {
     }
 }
 
-}  // namespace
+}  // namespace criterion_test
 }  // namespace mixity

@@ -13,7 +13,7 @@
 #include "mechanics/laws/user_law_view.h"
 
 namespace mixity {
-namespace {
+namespace law_lifetime_test {
 
 std::shared_ptr<const UserLaw> made(const LawDefinition& definition) {
   LawError error;
@@ -118,5 +118,5 @@ TEST(LawLifetime, IsSharedByThreads) {
   EXPECT_EQ(found, alone);
 }
 
-}  // namespace
+}  // namespace law_lifetime_test
 }  // namespace mixity

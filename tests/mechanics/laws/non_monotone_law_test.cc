@@ -15,7 +15,7 @@
 #include "mechanics/true_distance.h"
 
 namespace mixity {
-namespace {
+namespace non_monotone_law_test {
 
 using truth::Digits50;
 using Pair = ParameterValues;
@@ -216,5 +216,5 @@ TEST(NonMonotoneLaws, HaveTheDistancesOfTheirPrintedCurve) {
   EXPECT_GT(compared, 500);
 }
 
-}  // namespace
+}  // namespace non_monotone_law_test
 }  // namespace mixity

@@ -14,7 +14,7 @@
 #include "mechanics/registry.h"
 
 namespace mixity {
-namespace {
+namespace sampled_law_test {
 
 using Parameter = std::span<const double>;
 using Law = double (*)(double psi, Parameter p);
@@ -203,5 +203,5 @@ TEST(SampledLaws, LetOutWhatTheirFunctionThrows) {
   EXPECT_EQ(f_at(0.4), 1);
 }
 
-}  // namespace
+}  // namespace sampled_law_test
 }  // namespace mixity

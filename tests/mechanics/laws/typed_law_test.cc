@@ -16,7 +16,7 @@
 #include "mechanics/registry.h"
 
 namespace mixity {
-namespace {
+namespace typed_law_test {
 
 std::shared_ptr<const UserLaw> defined(const LawDefinition& definition) {
   LawError error;
@@ -358,5 +358,5 @@ TEST(TypedLaws, AreTheSameOnEveryThread) {
   EXPECT_EQ(here, there);
 }
 
-}  // namespace
+}  // namespace typed_law_test
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include "mechanics/registry.h"
 
 namespace mixity {
-namespace {
+namespace printed_laws_test {
 
 using truth::Digits50;
 
@@ -92,5 +92,5 @@ TEST(Models, AgreeInTheSavkoorBriggsLimit) {
   }
 }
 
-}  // namespace
+}  // namespace printed_laws_test
 }  // namespace mixity

@@ -11,7 +11,7 @@
 #include "report/figures/read_back.h"
 
 namespace mixity {
-namespace {
+namespace area_figures_test {
 
 const double kPi = std::acos(-1.0);
 // Mergel et al. (2018): units of the figures in dimensionless ones
@@ -198,5 +198,5 @@ TEST(BehaviourFigures, RadiiAtConstantShearAreInEquilibrium) {
         }
 }
 
-}  // namespace
+}  // namespace area_figures_test
 }  // namespace mixity

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace mixity {
-namespace {
+namespace axis_test {
 
 /// "0.0 0.5 1.0": labels in order, a dot for each tick without one.
 std::string labels(double low, double high, bool logarithmic, int most = 6) {
@@ -48,5 +48,5 @@ TEST(Axis, EndsThatAreNotStatedLieBeyondThePointsAndTheirBars) {
   EXPECT_FALSE(axis_range(figure, true));
 }
 
-}  // namespace
+}  // namespace axis_test
 }  // namespace mixity

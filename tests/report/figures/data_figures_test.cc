@@ -9,7 +9,7 @@
 #include "report/example_results.h"
 
 namespace mixity {
-namespace {
+namespace data_figures_test {
 
 std::set<std::string> names(const DataFigures& figures) {
   std::set<std::string> all;
@@ -103,5 +103,5 @@ TEST(DataFigures, OfManyRunsAndPointsShowAShareThatHoldsBothEnds) {
   EXPECT_EQ(shown_note(5, 5), "");
 }
 
-}  // namespace
+}  // namespace data_figures_test
 }  // namespace mixity

@@ -12,7 +12,7 @@
 #include "report/without_programs.h"
 
 namespace mixity {
-namespace {
+namespace drawn_figures_test {
 
 Figure example(const std::string& name) {
   return {
@@ -113,5 +113,5 @@ TEST(DrawnFigures, DrawsWhatHasNoExtent) {
   }
 }
 
-}  // namespace
+}  // namespace drawn_figures_test
 }  // namespace mixity

@@ -5,7 +5,7 @@
 #include "analysis/readable.h"
 
 namespace mixity {
-namespace {
+namespace figure_test {
 
 TEST(Figure, ModelsKeepThePapersLinesAndDifferInSymbolAndColour) {
   EXPECT_EQ(model_line("a"), Look::dash_dot);
@@ -20,5 +20,5 @@ TEST(Figure, ModelsKeepThePapersLinesAndDifferInSymbolAndColour) {
       }
 }
 
-}  // namespace
+}  // namespace figure_test
 }  // namespace mixity

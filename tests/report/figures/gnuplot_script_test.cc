@@ -7,7 +7,7 @@
 #include "report/figures/read_back.h"
 
 namespace mixity {
-namespace {
+namespace gnuplot_script_test {
 
 Figure example() {
   return {"example",
@@ -71,5 +71,5 @@ TEST(GnuplotScript, LogarithmicAxesOfLessThanTwoDecadesAreLabelledWithinThem) {
   EXPECT_NE(figure_script(figure).find("set format x \"10^{%T}\""), std::string::npos);
 }
 
-}  // namespace
+}  // namespace gnuplot_script_test
 }  // namespace mixity

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace mixity {
-namespace {
+namespace kept_svg_test {
 
 constexpr const char* kDrawn =
     "<?xml version=\"1.0\"?><svg viewBox=\"0 0 4 3\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"><g id=\"canvas\">"
@@ -38,5 +38,5 @@ TEST(KeptSvg, IsKeptWithoutWhatRunsOrIsLookedUpElsewhere) {
   EXPECT_FALSE(kept_figure("", "x"));
 }
 
-}  // namespace
+}  // namespace kept_svg_test
 }  // namespace mixity

@@ -9,7 +9,7 @@
 #include "report/figures/svg_text.h"
 
 namespace mixity {
-namespace {
+namespace layout_test {
 
 struct Box {
   double left, right, top, bottom;
@@ -78,5 +78,5 @@ TEST(Layout, TellsTheKeyOfAPhonesFigureAboveIt) {
   EXPECT_EQ(narrow.width, 430);
 }
 
-}  // namespace
+}  // namespace layout_test
 }  // namespace mixity

@@ -7,7 +7,7 @@
 #include <set>
 
 namespace mixity {
-namespace {
+namespace paper_figures_test {
 
 const double kPi = std::acos(-1.0);
 
@@ -140,5 +140,5 @@ TEST(PaperFigures, HaveDistinctNamesAndNamedAxes) {
   }
 }
 
-}  // namespace
+}  // namespace paper_figures_test
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include "report/figures/read_back.h"
 
 namespace mixity {
-namespace {
+namespace parameter_figures_test {
 
 const FitResult& fit_of(const std::string& data, const std::string& model) {
   for (const FitResult& fit : shipped(data).fits)
@@ -171,5 +171,5 @@ TEST(PeakFigures, CompareTheFirstCycleOfEachLoadAndShowLaterOnesApart) {
   EXPECT_NE(figure.caption.find("first maximum of each load it varies by a factor of 1.5."), std::string::npos);
 }
 
-}  // namespace
+}  // namespace parameter_figures_test
 }  // namespace mixity

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace mixity {
-namespace {
+namespace polyline_test {
 
 std::vector<Polyline> cut(const Polyline& line, bool closed) { return cut_to_frame(line, closed, {0, 0}, {10, 10}); }
 
@@ -55,5 +55,5 @@ TEST(Polyline, SimplifiedStaysWithinItsTolerance) {
   EXPECT_EQ(simplified({{0, 0}, {3, 0}, {2, 0}}, 0.1).size(), 3u);  // it turns back
 }
 
-}  // namespace
+}  // namespace polyline_test
 }  // namespace mixity

@@ -8,7 +8,7 @@
 #include "report/figures/layout.h"
 
 namespace mixity {
-namespace {
+namespace svg_test {
 
 Figure example() {
   return {
@@ -151,5 +151,5 @@ TEST(Svg, OfWhatHasNoExtentOrIsEmptyIsDrawn) {
   }
 }
 
-}  // namespace
+}  // namespace svg_test
 }  // namespace mixity

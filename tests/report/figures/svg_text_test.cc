@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace mixity {
-namespace {
+namespace svg_text_test {
 
 TEST(SvgText, RoundsNumbersToHundredths) {
   SvgText text;
@@ -28,5 +28,5 @@ TEST(SvgText, MeasuresWhatIsSetAndNotItsMarkup) {
   EXPECT_NEAR(label_width("n", 20), 2 * label_width("n", 10), 1e-12);
 }
 
-}  // namespace
+}  // namespace svg_text_test
 }  // namespace mixity

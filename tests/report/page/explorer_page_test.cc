@@ -13,7 +13,7 @@
 #include "report/example_results.h"
 
 namespace mixity {
-namespace {
+namespace explorer_page_test {
 
 constexpr char kShell[] = "<p>before</p><script type=\"application/json\" id=\"data\">null</script><p>behind</p>";
 
@@ -68,5 +68,5 @@ TEST(ExplorerPage, IsNoneWithoutAPlaceForData) {
   EXPECT_EQ(explorer_page("<p>something else</p>", {{}, {{&data, {}}}, {}}), "");
 }
 
-}  // namespace
+}  // namespace explorer_page_test
 }  // namespace mixity

@@ -10,7 +10,7 @@
 #include "report/fit_table.h"
 
 namespace mixity {
-namespace {
+namespace report_page_test {
 
 /// The page as XML: HTML but for the line that says so and meta, which nothing closes.
 class Parsed {
@@ -159,5 +159,5 @@ TEST(ReportPage, SaysHowToMakeItAgain) {
     EXPECT_NE(footer.find(part), std::string::npos) << part;
 }
 
-}  // namespace
+}  // namespace report_page_test
 }  // namespace mixity
