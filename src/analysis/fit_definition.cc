@@ -7,6 +7,7 @@
 #include "analysis/laws.h"
 #include "analysis/settings.h"
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "base/toml_file.h"
 
 namespace mixity {
@@ -135,11 +136,7 @@ class Reader {
     return node.as_string()->get();
   }
 
-  static std::string names_of_options() {
-    std::string names;
-    for (const Setting& one : settings()) names += (names.empty() ? "" : ", ") + one.name;
-    return names;
-  }
+  static std::string names_of_options() { return joined(texts_of(settings(), &Setting::name)); }
 
   /// The value as the text of an option: a list becomes comma-separated.
   std::string flag_text(const toml::node& node, const std::string& key) const {

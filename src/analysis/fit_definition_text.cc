@@ -6,6 +6,7 @@
 #include "analysis/laws.h"
 #include "analysis/settings.h"
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "base/toml_file.h"
 #include "mechanics/laws/known_laws.h"
 
@@ -23,9 +24,8 @@ std::string stated_if_any(std::string_view key, const std::string& text) {
 
 /// KEY = ["text", "text"].
 std::string stated(std::string_view key, const std::vector<std::string>& texts) {
-  std::string list;
-  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + toml_text(text);
-  return std::string(key) + " = [" + list + "]\n";
+  return std::string(key) + " = [" + joined(texts_of(texts, [](const std::string& one) { return toml_text(one); })) +
+         "]\n";
 }
 
 /// A file as seen from the folder of `definition`.
@@ -72,8 +72,9 @@ std::string fit_definition_text(const FitRequest& request, const Dataset& data, 
   for (const auto& [name, value] : request.constants) out << stated(name, value);
   if (told_apart)
     for (const RunFile& run : request.runs)
-      out << "\n[[runs]]\n" << stated("file", from_there(run.path)) << stated_if_any("name", run.name)
-          << stated_if_any("load", run.load) << stated_if_any("sphere", run.sphere);
+      out << "\n[[runs]]\n"
+          << stated("file", from_there(run.path)) << stated_if_any("name", run.name) << stated_if_any("load", run.load)
+          << stated_if_any("sphere", run.sphere);
   for (const std::string& model : request.models)
     if (const auto law = find_law(model); law && !is_shipped(*law)) out << '\n' << law_toml(law->definition());
   for (const auto& [model, numbers] : request.published) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "base/text.h"
 #include "base/units.h"
 
@@ -25,14 +26,6 @@ inline Complaint must_be(std::string_view text, const std::string& what) {
   return "is " + in_quotes(text) + "; it must be " + what;
 }
 
-/// "a, b, c".
-std::string listed(const auto& names, const char* separator = ", ", const char* last = nullptr) {
-  std::string list;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    list += (i == 0 ? "" : last && i + 1 == names.size() ? last : separator) + std::string(names[i]);
-  return list;
-}
-
 /// One of the values of an enumeration, by its to_string(). An optional without a value has the first.
 template <class Enum>
 struct Choice {
@@ -44,7 +37,7 @@ struct Choice {
       names.push_back(to_string(one));
       if (text == names.back()) return value = one, Complaint();
     }
-    return must_be(text, listed(names, ", ", " or "));
+    return must_be(text, alternatives(names));
   }
   std::string write(Enum value) const { return std::string(to_string(value)); }
   std::string write(const std::optional<Enum>& value) const { return write(value.value_or(values.front())); }
@@ -137,7 +130,7 @@ struct ListOf {
   static std::string write(const auto& list) {
     std::vector<std::string> items;
     for (const auto& one : list) items.push_back(Item::write(one));
-    return listed(items, ",");
+    return joined(items, ",");
   }
 };
 

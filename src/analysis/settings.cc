@@ -39,7 +39,7 @@ struct Model : Name {
   static Complaint read(const std::string& model, std::vector<std::string>& models) {
     provide_law(model);
     if (is_model(model)) return Name::read(model, models);
-    return "names the unknown model " + in_quotes(model) + " (known: " + listed(known_models()) + ")";
+    return "names the unknown model " + in_quotes(model) + " (known: " + joined(known_models()) + ")";
   }
 };
 
@@ -79,7 +79,7 @@ struct Free {
       else if (has_parameter(model_keys(), name))
         request.free_parameters.push_back(name);
       else
-        return "names " + in_quotes(name) + ", which cannot be fitted (known: " + listed(kConstantNames) +
+        return "names " + in_quotes(name) + ", which cannot be fitted (known: " + joined(kConstantNames) +
                ", model parameters)";
       return {};
     });
@@ -88,7 +88,7 @@ struct Free {
     std::vector<std::string> names;
     for (const Constant constant : request.options.free) names.emplace_back(kConstantNames[constant]);
     names.insert(names.end(), request.free_parameters.begin(), request.free_parameters.end());
-    return listed(names, ",");
+    return joined(names, ",");
   }
 };
 
@@ -124,7 +124,7 @@ struct Formats {
     if (formats.pdf) names.emplace_back("pdf");
     if (formats.png) names.emplace_back("png");
     if (formats.gnuplot) names.emplace_back("gnuplot");
-    return names.empty() ? "none" : listed(names, ",");
+    return names.empty() ? "none" : joined(names, ",");
   }
 };
 

@@ -1,18 +1,16 @@
 #include "base/phrases.h"
 
 #include <algorithm>
+#include <span>
 
 #include "base/number_text.h"
 
 namespace mixity {
 
-std::string joined(const std::vector<std::string>& texts, std::string_view separator, std::string_view before) {
-  std::string all;
-  for (const std::string& text : texts) {
-    all += &text == &texts.front() ? before : separator;
-    all += text;
-  }
-  return all;
+std::string alternatives(const std::vector<std::string_view>& texts) {
+  if (texts.empty()) return {};
+  const std::string others = joined(std::span(texts).first(texts.size() - 1));
+  return others + (others.empty() ? "" : " or ") + std::string(texts.back());
 }
 
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::string_view indent) {

@@ -134,7 +134,7 @@ FigureFormats figure_formats() {
   return request.formats;
 }
 
-std::string formats_text(const Command& command) { return listed(command.formats, ", ", " or "); }
+std::string formats_text(const Command& command) { return alternatives(command.formats); }
 
 Overrides data_overrides() {
   Overrides overrides = metadata_overrides();
@@ -153,8 +153,8 @@ Overrides metadata_overrides() {
 void require_model(const std::string& flag, const std::string& key) {
   provide_law(key);
   if (is_model(key)) return;
-  throw refused(flag, (key.empty() ? "no model" : "unknown model '" + key + "'") +
-                          " (known: " + listed(known_models()) + ")");
+  throw refused(
+      flag, (key.empty() ? "no model" : "unknown model '" + key + "'") + " (known: " + joined(known_models()) + ")");
 }
 
 void define_laws_of_flags() {

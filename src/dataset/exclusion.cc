@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/phrases.h"
 #include "base/units.h"
 
 namespace mixity {
@@ -97,10 +98,8 @@ void exclude(Dataset& data, const Exclusion& which) {
   for (const std::string& name : which.runs) {
     const std::vector<std::size_t> runs = runs_named(data, name);
     if (runs.empty()) {
-      std::string known;
-      for (const std::string& run : data.curves) known += (known.empty() ? "" : ", ") + run;
       throw InputError(data.path, "has no run '" + printable(name, std::string::npos) + "' to leave out (it has " +
-                                      printable(known, 200) + ")");
+                                      printable(joined(data.curves), 200) + ")");
     }
     for (std::size_t i = 0; i < data.points.size(); ++i)
       if (std::find(runs.begin(), runs.end(), data.points[i].curve) != runs.end())

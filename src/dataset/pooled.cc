@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "dataset/signs.h"
 #include "dataset/table/number.h"
 
@@ -96,11 +97,8 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
   for (const Message& note : part.notes) whole.notes.push_back(name + ": " + note);
   if (part.reading != whole.reading)
     whole.notes.push_back(name + ": read as " + (part.reading.empty() ? "plain CSV" : part.reading));
-  if (part.taken != whole.taken) {
-    std::string taken;
-    for (const std::string& one : part.taken) taken += (taken.empty() ? "" : ", ") + one;
-    whole.notes.push_back(name + ": " + (taken.empty() ? "columns by their own names" : taken));
-  }
+  if (part.taken != whole.taken)
+    whole.notes.push_back(name + ": " + (part.taken.empty() ? "columns by their own names" : joined(part.taken)));
   for (const std::string& column : part.ignored_columns)
     if (std::find(whole.ignored_columns.begin(), whole.ignored_columns.end(), column) == whole.ignored_columns.end())
       whole.ignored_columns.push_back(column);

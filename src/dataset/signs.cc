@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <string>
 
+#include "base/phrases.h"
 #include "base/text.h"
 #include "mechanics/contact.h"
 
@@ -38,10 +40,8 @@ std::vector<ShearRange> shear_ranges(const Dataset& data) {
 
 /// The names of the first few of these runs.
 std::string names_of(const Dataset& data, const std::vector<std::size_t>& runs, std::size_t few) {
-  std::string names;
-  for (std::size_t i = 0; i < std::min(few, runs.size()); ++i)
-    names += (i == 0 ? "" : ", ") + printable(data.curves[runs[i]], 40);
-  return names;
+  return joined(texts_of(std::span(runs).first(std::min(few, runs.size())),
+                         [&](std::size_t run) { return printable(data.curves[run], 40); }));
 }
 
 /// Returns how many points of the reversed runs are below zero afterwards.

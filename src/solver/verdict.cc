@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "solver/covariance.h"
 
 namespace mixity {
@@ -60,9 +61,7 @@ Finding every_value_fits(const Judgement& judgement) {
   }
   for (const auto& x : judgement.found.dearest)
     if (const auto cost = judgement.cost_at(x); cost && !judgement.fits_as_well(*cost)) return {};
-  std::string names;
-  for (const FreeParameter& parameter : judgement.problem.parameters())
-    names += (names.empty() ? "" : ", ") + parameter.name;
+  const std::string names = joined(texts_of(judgement.problem.parameters(), &FreeParameter::name));
   return {{FitStatus::not_identifiable, "the data do not constrain " + names + ": every value in the range fits"}};
 }
 

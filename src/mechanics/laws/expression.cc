@@ -4,6 +4,7 @@
 #include <charconv>
 #include <mutex>
 
+#include "base/phrases.h"
 #include "mechanics/laws/exprtk_taylor.h"
 
 namespace mixity {
@@ -19,17 +20,11 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 /// Errors that ExprTk does not find, or does not explain.
 std::optional<LawError> problem_of(std::string_view text, const std::vector<std::string>& variables) {
   if (text.size() > Expression::kLongest)
     return LawError{Expression::kLongest, "an expression has " + std::to_string(Expression::kLongest) +
-                                                     " characters at most, this one " + std::to_string(text.size())};
+                                              " characters at most, this one " + std::to_string(text.size())};
   std::vector<std::size_t> open;
   bool anything = false;
   bool behind_operand = false;  // from which ExprTk would read on, and drop what came before
@@ -52,8 +47,8 @@ std::optional<LawError> problem_of(std::string_view text, const std::vector<std:
       if (contains(expression_functions(), name)) {
         if (!called) return LawError{i, "function '" + name + "' needs its argument in brackets"};
       } else if (!contains(variables, name) && name != "pi") {
-        return LawError{i, "'" + name + "' is not known; there are " + listed(variables) + ", pi and " +
-                                      listed(expression_functions())};
+        return LawError{i, "'" + name + "' is not known; there are " + joined(variables) + ", pi and " +
+                               joined(expression_functions())};
       } else if (called) {
         return LawError{i, "'" + name + "' is no function: a * is missing behind it"};
       } else {
@@ -70,8 +65,7 @@ std::optional<LawError> problem_of(std::string_view text, const std::vector<std:
     } else if (c == '(') {
       open.push_back(i);
       if (open.size() > Expression::kDeepest)
-        return LawError{
-            i, "brackets stand in one another " + std::to_string(Expression::kDeepest) + " times at most"};
+        return LawError{i, "brackets stand in one another " + std::to_string(Expression::kDeepest) + " times at most"};
     } else if (c == ')') {
       if (open.empty()) return LawError{i, "this bracket closes none"};
       open.pop_back();
@@ -79,7 +73,7 @@ std::optional<LawError> problem_of(std::string_view text, const std::vector<std:
     } else if (std::string_view("+-*/^,").find(c) == std::string_view::npos) {
       const bool printable = static_cast<unsigned char>(c) > ' ' && static_cast<unsigned char>(c) < 127;
       return LawError{i, printable ? std::string("'") + c + "' has no place in an expression"
-                                          : "an expression is made of letters, digits and + - * / ^ ( ) , alone"};
+                                   : "an expression is made of letters, digits and + - * / ^ ( ) , alone"};
     }
     i = end;
   }
