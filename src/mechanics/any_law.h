@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "mechanics/contact_model.h"
+#include "mechanics/equilibrium.h"
 #include "mechanics/registry.h"
 
 namespace mixity {
@@ -44,6 +45,15 @@ auto with_law(const AnyLaw& any, const Visit& visit) {
 template <class Visit>
 auto with_law(const AnyLaw& any, ParameterSpan p, const Visit& visit) {
   return with_law(any, [&]<class Law>(const Law& law) { return visit(law, parameters_from<Law>(p)); });
+}
+
+/// Returns visit(law, p) where there is a contact with these parameters under the load P, else `otherwise`.
+template <class Result, class Visit>
+Result with_contact(const AnyLaw& any, ParameterSpan p, double P, Result otherwise, const Visit& visit) {
+  return with_law(any, p, [&](const auto& law, const auto& values) -> Result {
+    if (!contact_obstacle(law, values, P).empty() || above_pull_off(P) < 0) return std::move(otherwise);
+    return visit(law, values);
+  });
 }
 
 /// The parameters of point i.

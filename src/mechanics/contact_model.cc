@@ -40,10 +40,6 @@ std::string_view ContactModel::obstacle(ParameterSpan p, double P) const {
   return with_law(*law_, p, [&](const auto& law, const auto& values) { return contact_obstacle(law, values, P); });
 }
 
-bool ContactModel::in_contact(ParameterSpan p, double P) const {
-  return obstacle(p, P).empty() && !(above_pull_off(P) < 0);
-}
-
 std::string ContactModel::problem(ParameterSpan p, double P) const {
   const std::size_t n = parameters().size();
   if (p.size() != n)

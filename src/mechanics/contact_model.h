@@ -153,7 +153,6 @@ class ContactModel {
 
  private:
   explicit ContactModel(std::shared_ptr<const AnyLaw> law);
-  bool in_contact(std::span<const double> p, double P) const;
 
   std::shared_ptr<const AnyLaw> law_;
 };

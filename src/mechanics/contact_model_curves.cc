@@ -9,27 +9,24 @@
 namespace mixity {
 
 double ContactModel::first_stable_end(ParameterSpan p, double P) const {
-  if (!in_contact(p, P)) return 0;
-  return with_law(*law_, p, [&](const auto& law, const auto& values) {
+  return with_contact(*law_, p, P, 0.0, [&](const auto& law, const auto& values) {
     return LoadedContact(law, values, P).branches().front().T_bottom;
   });
 }
 
 std::vector<Fold> ContactModel::folds(ParameterSpan p, double P, Control control) const {
-  if (!in_contact(p, P)) return {};
-  return with_law(*law_, p, [&](const auto& law, const auto& values) {
+  return with_contact(*law_, p, P, std::vector<Fold>(), [&](const auto& law, const auto& values) {
     return find_folds(EquilibriumCurve(law, values, P), control);
   });
 }
 
 std::optional<RegimeReport> ContactModel::regime(ParameterSpan p, double P, std::optional<double> tau0) const {
-  if (!in_contact(p, P)) return std::nullopt;
-  return with_law(*law_, p, [&](const auto& law, const auto& values) { return classify(law, values, P, tau0); });
+  return with_contact(*law_, p, P, std::optional<RegimeReport>(),
+                      [&](const auto& law, const auto& values) { return classify(law, values, P, tau0); });
 }
 
 SampledCurve ContactModel::curve(ParameterSpan p, double P, const CurveSampling& sampling) const {
-  if (!in_contact(p, P)) return {{}, false};
-  return with_law(*law_, p, [&](const auto& law, const auto& values) -> SampledCurve {
+  return with_contact(*law_, p, P, SampledCurve{{}, false}, [&](const auto& law, const auto& values) -> SampledCurve {
     const EquilibriumCurve curve(law, values, P);
     if (curve.uncoupled()) return {{curve.point(0)}, true};
     auto ranges = drawable_ranges(curve, sampling.T_most ? *sampling.T_most : kFarthestDrawn * shear_scale(curve));
@@ -68,9 +65,8 @@ std::optional<std::span<const RegimeBoundary>> ContactModel::regime_boundaries()
 std::optional<double> ContactModel::shear_sensitivity(ParameterSpan p, double A0) const {
   const std::optional<double> P = jkr_load(A0);
   if (!P) return std::nullopt;
-  return with_law(*law_, p, [&](const auto& law, const auto& values) {
-    return mixity::shear_sensitivity(law, values, *P);
-  });
+  return with_law(*law_, p,
+                  [&](const auto& law, const auto& values) { return mixity::shear_sensitivity(law, values, *P); });
 }
 
 }  // namespace mixity

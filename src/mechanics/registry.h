@@ -39,7 +39,7 @@ void for_each_model(Visit&& visit) {
 
 namespace registry_detail {
 template <class... Law>
-std::tuple<Law..., UserLawView> with_typed(std::tuple<Law...>);
+std::tuple<Law..., UserLawView> with_user_laws(std::tuple<Law...>);
 
 template <class Entry, class... Law>
 constexpr auto each_of(Entry entry, std::type_identity<std::tuple<Law...>>) {
@@ -54,7 +54,7 @@ constexpr auto each_of(Entry entry, std::type_identity<std::tuple<Law...>>) {
 /// where taking the addresses makes the instances that other files link with.
 template <class Entry>
 constexpr auto each_law(Entry entry) {
-  return registry_detail::each_of(entry, std::type_identity<decltype(registry_detail::with_typed(Models{}))>{});
+  return registry_detail::each_of(entry, std::type_identity<decltype(registry_detail::with_user_laws(Models{}))>{});
 }
 
 }  // namespace mixity
