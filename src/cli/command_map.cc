@@ -109,8 +109,7 @@ int run_map(const Arguments& arguments) {
   const bool usual = info.name == "lambda" || is_set("lambda_range");
   const Range values = usual ? range_from("lambda_range", info.lower, info.upper) : Range{info.lower, info.upper};
   const auto boundaries = model.regime_boundaries();
-  if (FLAGS_boundaries && !boundaries)
-    throw refused("boundaries", "those of model " + key + " have no closed form");
+  if (FLAGS_boundaries && !boundaries) throw refused("boundaries", "those of model " + key + " have no closed form");
   if (FLAGS_boundaries)
     print_boundaries(*boundaries, loads, values, units);
   else

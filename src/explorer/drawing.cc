@@ -47,8 +47,12 @@ Json curve(const DrawnCurve& drawn) {
 }
 
 Json fold(const DrawnFold& drawn) {
-  return {{"control", to_string(drawn.control)}, {"T", drawn.T}, {"A", drawn.A}, {"u", drawn.u},
-          {"jumps_to", drawn.jumps_to},          {"area_after", drawn.area_after}};
+  return {{"control", to_string(drawn.control)},
+          {"T", drawn.T},
+          {"A", drawn.A},
+          {"u", drawn.u},
+          {"jumps_to", drawn.jumps_to},
+          {"area_after", drawn.area_after}};
 }
 
 /// The stable state at the load and shear.

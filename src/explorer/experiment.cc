@@ -115,12 +115,8 @@ Json as_read(const Dataset& data) {
 }
 
 Json as_told(const Answer& answer, const Dataset& data) {
-  return {{"result", answer.result},
-          {"model", answer.model},
-          {"interval", answer.interval},
-          {"doubt", answer.doubt},
-          {"budget", answer.budget},
-          {"jumps", jump_table(answer, data)},
+  return {{"result", answer.result},        {"model", answer.model},   {"interval", answer.interval},
+          {"doubt", answer.doubt},          {"budget", answer.budget}, {"jumps", jump_table(answer, data)},
           {"cannot_say", answer.cannot_say}};
 }
 

@@ -42,8 +42,7 @@ struct FoldPrediction {
 
 /// A fold of given parameters, without standard errors.
 inline FoldPrediction as_prediction(const Fold& fold) {
-  return {fold.control,  fold.place.maximum, {fold.T}, {fold.u}, {fold.A}, fold.psi,
-          fold.jumps_to, fold.area_after};
+  return {fold.control, fold.place.maximum, {fold.T}, {fold.u}, {fold.A}, fold.psi, fold.jumps_to, fold.area_after};
 }
 
 /// Folds at a load as measured, under each of the controls, in the order in which they are met (find_folds). The

@@ -27,7 +27,7 @@ enum class CurveEnd { hertz, asymptote, unstable_jkr };
 /// P < 0; the contact cannot pass from one to the other.
 struct CurvePiece {
   double y_top, y_end;
-  double width;  // y_top - y_end without cancellation; under a non-monotone law the range of s
+  double width;               // y_top - y_end without cancellation; under a non-monotone law the range of s
   double sin2_top, cos2_end;  // sin^2(phi/2) at the top, cos^2(phi/2) at the end
   CurveEnd end;
   bool from_asymptote;  // T -> infinity at the top, too

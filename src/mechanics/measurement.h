@@ -17,9 +17,7 @@ struct ToughnessPoint {
 };
 
 /// f at the edge load y = edge_load(a, P).
-inline double toughness_ratio(double y, double T, double a) {
-  return (y * y + T * T) / (8 * pi<double>() * a * a * a);
-}
+inline double toughness_ratio(double y, double T, double a) { return (y * y + T * T) / (8 * pi<double>() * a * a * a); }
 
 /// Dimensionless load P, shear T of either sign (equilibrium depends on T^2) and area A > 0. Null where the edge load
 /// is y <= 0: the contact then carries no adhesive edge load, and psi is not defined.

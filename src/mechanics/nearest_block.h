@@ -114,8 +114,7 @@ Place known_place(const CurveFamily<Law>& family, const Block& block, std::size_
       return best;
     }
   }
-  const double end = std::max(edge_load(radius_from_area(block.A_end[slot]), P), 0.0),
-               least = end + 1e-3 * (jkr - end);
+  const double end = std::max(edge_load(radius_from_area(block.A_end[slot]), P), 0.0), least = end + 1e-3 * (jkr - end);
   const double y = std::max(edge_load(radius_from_area(A), P), least), v = y - centre;
   const double tau2 = std::max(family.law.shear_term(family.p, y, T).value, 0.0), radius = std::sqrt(v * v + tau2);
   const double y_radial = std::max(centre + v * S0 / radius, least), v_radial = y_radial - centre;

@@ -186,8 +186,9 @@ std::vector<RegimeRegion> RegimeMap::regions(bool slivers) const {
   std::vector<RegimeRegion> regions = connected_regions(places, lines);
   if (!slivers)
     std::erase_if(regions, [](const RegimeRegion& region) {
-      const auto [first, last] = std::minmax_element(region.outline.begin(), region.outline.end(),
-                                                       [](const auto& one, const auto& other) { return one.second < other.second; });
+      const auto [first, last] =
+          std::minmax_element(region.outline.begin(), region.outline.end(),
+                              [](const auto& one, const auto& other) { return one.second < other.second; });
       return last->second - first->second <= 2 * kFinest;
     });
   for (RegimeRegion& region : regions)

@@ -1,5 +1,3 @@
-#include "report/fit_text.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +5,7 @@
 #include "base/phrases.h"
 #include "base/units.h"
 #include "fitting/consistency.h"
+#include "report/fit_text.h"
 
 namespace mixity {
 namespace {
@@ -89,9 +88,9 @@ std::string points_beyond(const FitResult& fit, const Dataset& data) {
   Texts runs;
   for (const BeyondEquilibrium& run : fit.consistency->beyond) {
     const Point& first = data.points[run.first];
-    runs.push_back(counted(run.points, "point") + " of run " + run.curve + " from T = " +
-                   rounded(first.T * data.display.force_scale, 4) + unit_text(data.display.force) + " (" +
-                   data.line_text(first.line) + ")");
+    runs.push_back(counted(run.points, "point") + " of run " + run.curve +
+                   " from T = " + rounded(first.T * data.display.force_scale, 4) + unit_text(data.display.force) +
+                   " (" + data.line_text(first.line) + ")");
   }
   return joined(runs, ", ", "beyond the last equilibrium: ");
 }

@@ -94,14 +94,11 @@ std::vector<std::pair<std::string, std::string>> shown_constants(const Dataset& 
   return list;
 }
 
-std::string data_heading(const Dataset& data) {
-  return "[[Data]]\n    " + data.name + "  (" + data.shown_path() + ")";
-}
+std::string data_heading(const Dataset& data) { return "[[Data]]\n    " + data.name + "  (" + data.shown_path() + ")"; }
 
 std::string reconstructed_note(const Dataset& data) {
-  return data.metadata.provenance == Provenance::reconstructed
-             ? "    NOTE: " + std::string(kReconstructedNotice) + "\n"
-             : std::string();
+  return data.metadata.provenance == Provenance::reconstructed ? "    NOTE: " + std::string(kReconstructedNotice) + "\n"
+                                                               : std::string();
 }
 
 std::string data_notes(const Dataset& data, Wording words) {
@@ -126,8 +123,7 @@ std::string first_excluded(const Dataset& data, const std::vector<Excluded>& lis
 }
 
 std::string excluded_text(const Dataset& data, const std::string& elsewhere) {
-  return data.excluded.empty() ? std::string()
-                               : "[[Excluded]]\n" + first_excluded(data, data.excluded, "", elsewhere);
+  return data.excluded.empty() ? std::string() : "[[Excluded]]\n" + first_excluded(data, data.excluded, "", elsewhere);
 }
 
 std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared, Wording words) {

@@ -1,5 +1,3 @@
-#include "report/fit_text.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +11,7 @@
 #include "base/text.h"
 #include "fitting/predicted_curves.h"
 #include "report/fit_fields.h"
+#include "report/fit_text.h"
 
 namespace mixity {
 

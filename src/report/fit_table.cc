@@ -18,8 +18,8 @@ std::string parameter_text(const FittedParameter& fitted) {
   const auto& interval = parameter.interval;
   const double width = interval && interval->low && interval->high ? *interval->high - *interval->low
                                                                    : 4 * parameter.stderr_.value_or(0);
-  text += parameter.stderr_ ? with_error(*parameter.value, *parameter.stderr_, " ± ")
-                            : resolved(*parameter.value, width);
+  text +=
+      parameter.stderr_ ? with_error(*parameter.value, *parameter.stderr_, " ± ") : resolved(*parameter.value, width);
   if (interval)
     text += " (" + ends_text(*interval, width, "open", " bound") + ")";
   else if (parameter.held)

@@ -84,8 +84,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& 
     out << "    ";
     if (fit.area->predicted > 0)
       out << "R^2 = " << shown_r2(fit.area->r2) << " in predicted A(T), RMS " << rounded(fit.area->rmse, 3)
-          << unit_text(data.display.area) << ", largest residual "
-          << rounded(fit.area->max_abs_residual, 3);
+          << unit_text(data.display.area) << ", largest residual " << rounded(fit.area->max_abs_residual, 3);
     else
       out << "no predicted A(T)";
     if (!fit.area->obstacle.empty())

@@ -34,9 +34,9 @@ std::string to_text(const InstabilityReport& report);
 
 /// Of given parameters: {model, lambda (or the model's own parameters), units (if there are some), load, folds:
 /// [{control, stiffness (if that is the control), met_on ("loading" or "reversal"), T, u, A, psi, jumps_to,
-/// area_lost}]}. Of a fit: {model, source, parameters: {name: {value, stderr}}, units, slides_first: [loads] (if a shear
-/// strength is stated), loads: [{load, folds, problem (if there are no folds)}]}, with T_stderr, u_stderr and A_stderr
-/// in the folds, null where they are not known. Full precision.
+/// area_lost}]}. Of a fit: {model, source, parameters: {name: {value, stderr}}, units, slides_first: [loads] (if a
+/// shear strength is stated), loads: [{load, folds, problem (if there are no folds)}]}, with T_stderr, u_stderr and
+/// A_stderr in the folds, null where they are not known. Full precision.
 std::string to_json(const InstabilityReport& report);
 
 }  // namespace mixity

@@ -34,7 +34,8 @@ Message flag_text(const Json& flags, const std::string& name) {
                               : "without " + Remedy::set(name);
 }
 
-/// The first difference of a campaign from another one, as the end of a sentence that begins with its file; empty: none.
+/// The first difference of a campaign from another one, as the end of a sentence that begins with its file; empty:
+/// none.
 Message difference(const Json& one, const Json& other, const std::string& other_path) {
   const Json &files = one["files"], &others = other["files"];
   if (files.size() != others.size())

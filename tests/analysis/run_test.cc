@@ -1,11 +1,12 @@
 // A whole request: what stops it, and its progress.
+#include "analysis/run.h"
+
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <vector>
 
 #include "analysis/request.h"
-#include "analysis/run.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {

@@ -68,8 +68,9 @@ TEST(Energies, BelowZeroAreNoiseAboutIt) {
   EXPECT_EQ(data.energies[0].G_II, -0.01);
   EXPECT_EQ(data.energies[1].G_I, -0.02);
   EXPECT_EQ(excluded_lines(data), "5 G_I + G_II <= 0\n6 G_I + G_II <= 0\n7 G_I + G_II <= 0\n");
-  EXPECT_EQ(texts_of(data.notes), std::vector<std::string>{"2 of 3 points have G_I or G_II < 0, noise about zero: used as pure "
-                                                 "mode II or I of toughness G_I + G_II"});
+  EXPECT_EQ(texts_of(data.notes),
+            std::vector<std::string>{"2 of 3 points have G_I or G_II < 0, noise about zero: used as pure "
+                                     "mode II or I of toughness G_I + G_II"});
 }
 
 TEST(Energies, ThatCannotBeUsedAreListed) {
@@ -85,8 +86,9 @@ TEST(Energies, WithoutAUnitAreThoseOverTheToughness) {
   EXPECT_EQ(data.toughness(0)->ratio, 2);
   EXPECT_EQ(data.display.energy, "");
   EXPECT_EQ(data.display.energy_scale, 1);
-  EXPECT_EQ(texts_of(data.notes), std::vector<std::string>{"G_I and G_II have no unit and are taken for G_I/GIc and G_II/GIc: "
-                                                 "toughness (stated) not used"});
+  EXPECT_EQ(texts_of(data.notes),
+            std::vector<std::string>{"G_I and G_II have no unit and are taken for G_I/GIc and G_II/GIc: "
+                                     "toughness (stated) not used"});
 }
 
 TEST(Energies, TakeTheLargestOfModeOneForAToughnessThatIsNotStated) {

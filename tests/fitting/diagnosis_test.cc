@@ -43,7 +43,8 @@ TEST(Diagnosis, NamesAWrongModulus) {
   for (const double factor : {0.95, 1.05}) {
     const FitResult fit = fitted(with_constants(factor, 1));
     EXPECT_EQ(fit.status, FitStatus::suspect);
-    EXPECT_TRUE(fit.message.text().starts_with("modulus (or area_scale, which acts like it) looks wrong")) << fit.message.text();
+    EXPECT_TRUE(fit.message.text().starts_with("modulus (or area_scale, which acts like it) looks wrong"))
+        << fit.message.text();
   }
 }
 
@@ -71,7 +72,8 @@ TEST(Diagnosis, NamesPointsPastTheOnsetOfSliding) {
     }
   const FitResult fit = fitted(data);
   EXPECT_EQ(fit.status, FitStatus::suspect);
-  EXPECT_TRUE(fit.message.text().starts_with("12 points lie past the onset of sliding, the first in line 25")) << fit.message.text();
+  EXPECT_TRUE(fit.message.text().starts_with("12 points lie past the onset of sliding, the first in line 25"))
+      << fit.message.text();
 }
 
 TEST(Diagnosis, SaysThatErrorsAreUnderstated) {

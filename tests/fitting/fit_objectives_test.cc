@@ -122,7 +122,8 @@ TEST(ExactRunsOfModel, OfOneLoadDoNotIdentifyEveryConstantAtOnce) {
   // P = 0, model c: A(T) = A0 g(lambda (T/G)^2), A0 ~ (G/E)^(2/3), so that lambda and toughness act as one with E free
   const FitResult fit = fit_model(data, "c", with(Objective::curve, {kToughness, kModulus}));
   EXPECT_EQ(fit.status, FitStatus::not_identifiable);
-  EXPECT_NE(fit.message.text().find("lambda and toughness and modulus independently"), std::string::npos) << fit.message.text();
+  EXPECT_NE(fit.message.text().find("lambda and toughness and modulus independently"), std::string::npos)
+      << fit.message.text();
   for (const FittedParameter& parameter : fit.parameters) EXPECT_FALSE(parameter.value);
 }
 

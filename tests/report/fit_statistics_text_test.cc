@@ -1,9 +1,8 @@
 // The statistics of a fit as text. After a deliberate change of the text, run the test once with
 // MIXITY_UPDATE_GOLDEN=1 and read the difference before committing it.
-#include "report/fit_text.h"
-
 #include <gtest/gtest.h>
 
+#include "report/fit_text.h"
 #include "report/golden_file.h"
 
 namespace mixity {

@@ -1,12 +1,11 @@
 // The summary for a lab book, one golden file for each status and one of a shipped data set; MIXITY_UPDATE_GOLDEN=1
 // writes them anew.
-#include "report/report.h"
-
 #include <gtest/gtest.h>
 
 #include "analysis/run.h"
 #include "report/example_results.h"
 #include "report/golden_file.h"
+#include "report/report.h"
 
 namespace mixity {
 namespace summary_markdown_test {
@@ -14,8 +13,7 @@ namespace summary_markdown_test {
 /// Without the last line, which names versions.
 std::string summary(const Analysis& result) {
   const ReportedData data = without_figures(result, "example");
-  const std::string text =
-      summary_markdown({{"mixity report example.toml", {}}, {{&data, {}}}, {}});
+  const std::string text = summary_markdown({{"mixity report example.toml", {}}, {{&data, {}}}, {}});
   return text.substr(0, text.rfind("with "));
 }
 

@@ -119,7 +119,8 @@ class LogReader {
   }
 
   const Channel* channel(ColumnId id) const {
-    const auto found = std::find_if(channels_.begin(), channels_.end(), [&](const Channel& one) { return one.id == id; });
+    const auto found =
+        std::find_if(channels_.begin(), channels_.end(), [&](const Channel& one) { return one.id == id; });
     return found == channels_.end() ? nullptr : &*found;
   }
   bool has(ColumnId id) const { return channel(id); }

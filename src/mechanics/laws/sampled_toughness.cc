@@ -47,7 +47,7 @@ Taylor SampledToughness::Piece::at(double psi) const {
 }
 
 SampledToughness::Piece SampledToughness::piece_through(double begin, double end, std::span<const double> psi,
-                                            std::span<const double> f) const {
+                                                        std::span<const double> f) const {
   static const std::array<std::array<double, kNodes>, kNodes> cosines = [] {
     std::array<std::array<double, kNodes>, kNodes> all;
     for (std::size_t k = 0; k < kNodes; ++k)

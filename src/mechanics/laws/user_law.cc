@@ -122,8 +122,7 @@ std::shared_ptr<const UserLaw> UserLaw::make(LawDefinition definition, LawError&
   return nullptr;
 }
 
-UserLaw::UserLaw(LawDefinition definition, LawForm form)
-    : definition_(std::move(definition)), form_(std::move(form)) {
+UserLaw::UserLaw(LawDefinition definition, LawForm form) : definition_(std::move(definition)), form_(std::move(form)) {
   const bool stated_as_equation = !definition_.sampler && definition_.text.find('=') != std::string::npos;
   shown_ = (stated_as_equation ? "" : "f = ") + definition_.text + (definition_.normalised ? kNormalised : "");
   info_ = {definition_.key, definition_.name.empty() ? definition_.key : definition_.name, shown_};

@@ -1,11 +1,10 @@
-#include "report/figures/layout.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "base/number_text.h"
+#include "report/figures/layout.h"
 
 namespace mixity {
 namespace {

@@ -56,10 +56,9 @@ Figure radii_figure(const ReportedData& reported) {
   const DrawnUnits units(data);
   const FiguredModels& figured = reported.figured;
   const double least = *std::min_element(data.curve_loads.begin(), data.curve_loads.end());
-  Figure figure =
-      beside_key(reported, "_a_P", "Contact radius against normal load at constant tangential load",
-                 {units.P(), std::min(least * units.force, 0.0), figured.P_most * units.force}, {units.a(), 0.0, {}},
-                 units.T());
+  Figure figure = beside_key(reported, "_a_P", "Contact radius against normal load at constant tangential load",
+                             {units.P(), std::min(least * units.force, 0.0), figured.P_most * units.force},
+                             {units.a(), 0.0, {}}, units.T());
   for (const ModelCurves& curves : figured.models)
     for (std::size_t k = 0; k < curves.radii.size(); ++k) {
       const std::string shear = rounded(figured.shears[k] * units.force, 4);

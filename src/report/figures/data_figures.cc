@@ -90,9 +90,9 @@ DataFigures data_figures(const ReportedData& reported) {
   group("Other laws");
   keep_or_say_why(sahli_figures(reported), "alpha against A0",
                   data.has_loads ? "fewer than two runs have a falling parabola" : no_loads);
-  keep_or_say_why(peak_figures(reported), "mean shear stress at peak and minimum",
-                  reported.peaks ? "no row has P > 0"
-                                 : "the fit definition names no file of peak forces (peaks = ...)");
+  keep_or_say_why(
+      peak_figures(reported), "mean shear stress at peak and minimum",
+      reported.peaks ? "no row has P > 0" : "the fit definition names no file of peak forces (peaks = ...)");
   std::erase_if(figures.groups, [](const FigureGroup& one) { return one.figures.empty(); });
   return figures;
 }

@@ -1,10 +1,9 @@
-#include "report/figures/gnuplot.h"
-
 #include <array>
 #include <sstream>
 
 #include "base/number_text.h"
 #include "base/phrases.h"
+#include "report/figures/gnuplot.h"
 #include "report/figures/layout.h"
 
 namespace mixity {
@@ -15,7 +14,9 @@ std::string script_string(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
-    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c == '`' ? '\'' : c;  // gnuplot runs text in backquotes as a command
+    out += static_cast<unsigned char>(c) < ' ' ? ' '
+           : c == '`'                          ? '\''
+                                               : c;  // gnuplot runs text in backquotes as a command
   }
   return out + '"';
 }

@@ -1,8 +1,8 @@
-#include "report/figures/svg.h"
-
 #include <cstdio>
 #include <pugixml.hpp>
 #include <sstream>
+
+#include "report/figures/svg.h"
 
 namespace mixity {
 namespace {

@@ -21,8 +21,9 @@ Figure fig4(const std::string& key, const std::vector<double>& shears) {
       .y = {"a ξ/R", 0.0, 4.5},
       .key = {{"unstable", Look::dotted}},
       .key_place = KeyPlace::beside,
-      .caption = "Equilibrium y^2 + T^2 = 8 pi a^3 f(psi) at constant T, beside JKR (no shear) and Hertz (no "
-                 "adhesion). Stable where P rises with a."};
+      .caption =
+          "Equilibrium y^2 + T^2 = 8 pi a^3 f(psi) at constant T, beside JKR (no shear) and Hertz (no "
+          "adhesion). Stable where P rises with a."};
   for (std::size_t k = 0; k < shears.size(); ++k) {
     Series unstable{"", Look::dotted, color(k)}, stable{"T = " + shortest(shears[k]), model_line(key), color(k)};
     const double largest = 40 * pi<double>() + shears[k];
@@ -56,8 +57,9 @@ Figure toughness_figure(const std::string& name, const std::string& title, doubl
                 .x = {"ψ [rad]", 0.0, last_psi},
                 .y = std::move(f),
                 .key_place = KeyPlace::top_left,
-                .caption = "f = 1 + (1 - lambda) tan^2(psi) of model a, 1 + tan^2((1 - lambda/2) psi) of b, "
-                           "1/(1 + (lambda - 1) sin^2(psi)) of c."};
+                .caption =
+                    "f = 1 + (1 - lambda) tan^2(psi) of model a, 1 + tan^2((1 - lambda/2) psi) of b, "
+                    "1/(1 + (lambda - 1) sin^2(psi)) of c."};
   for (const auto& [key, lambda] : lambdas)
     figure.series.push_back(
         {"model " + key + ", λ = " + rounded(lambda, 4), model_line(key), model_color(key),

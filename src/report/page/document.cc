@@ -36,7 +36,7 @@ std::string definitions_of(const std::vector<std::pair<std::string, std::string>
 }
 
 std::string table_of(const char* css_class, const std::vector<std::string>& headings, const std::string& rows,
-                  const std::string& caption) {
+                     const std::string& caption) {
   std::string head;
   for (const std::string& heading : headings)
     head += element("th", xml_escaped(with_powers(heading)), {{"scope", "col"}});

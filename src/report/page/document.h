@@ -22,7 +22,7 @@ std::string list_of(const std::vector<std::string>& items);
 std::string definitions_of(const std::vector<std::pair<std::string, std::string>>& items);
 /// `rows`: markup, each with as many cells as there are headings.
 std::string table_of(const char* css_class, const std::vector<std::string>& headings, const std::string& rows,
-                  const std::string& caption = {});
+                     const std::string& caption = {});
 /// A section that a reader opens.
 std::string folded_section(const std::string& title, const std::string& content);
 

@@ -15,12 +15,12 @@ namespace {
 
 std::string provenance_banner(const Metadata& metadata) {
   const Provenance provenance = metadata.provenance;
-  const std::string_view note =
-      provenance == Provenance::reconstructed ? kReconstructedNotice
-      : provenance == Provenance::unstated
-          ? "Nothing says where these data come from; state it in the TOML beside the file."
-      : provenance == Provenance::digitised ? "Read off a figure: errors of reading are part of the scatter."
-                                            : "";
+  const std::string_view note = provenance == Provenance::reconstructed ? kReconstructedNotice
+                                : provenance == Provenance::unstated
+                                    ? "Nothing says where these data come from; state it in the TOML beside the file."
+                                : provenance == Provenance::digitised
+                                    ? "Read off a figure: errors of reading are part of the scatter."
+                                    : "";
   return element("p",
                  text_element("strong", "Provenance: " + std::string(to_string(provenance)) + ". ") + std::string(note),
                  {{"class", provenance == Provenance::measured ? "soft" : "banner"}});
@@ -29,8 +29,7 @@ std::string provenance_banner(const Metadata& metadata) {
 std::string source_of_data(const Dataset& data) {
   const std::string counts =
       row_counts(data) + (data.has_loads ? ", in " + counted(data.curves.size(), "loading run") : std::string());
-  std::string text =
-      element("p", counts + ". File: " + text_element("code", data.shown_path()), {{"class", "soft"}});
+  std::string text = element("p", counts + ". File: " + text_element("code", data.shown_path()), {{"class", "soft"}});
   if (!data.metadata.source.empty()) text += text_element("p", "Source: " + data.metadata.source, "soft");
   if (!data.metadata.note.empty()) text += text_element("p", data.metadata.note, "soft");
   return text;
@@ -118,10 +117,10 @@ std::string excluded_points(const Analysis& result) {
   for (const FitResult& fit : result.fits)
     for (const Excluded& point : fit.excluded) models[{point.line, point.reason}].push_back(fit.model);
   for (const auto& [point, without] : models)
-    lines.push_back(result.data.line_text(point.first) +
-                    (without.size() == 1 ? ", model " + without.front() + " only: "
-                                         : ", models " + joined(without) + ": ") +
-                    std::string(point.second));
+    lines.push_back(
+        result.data.line_text(point.first) +
+        (without.size() == 1 ? ", model " + without.front() + " only: " : ", models " + joined(without) + ": ") +
+        std::string(point.second));
   return lines.empty() ? text_element("p", "None.") : list_of(lines);
 }
 
@@ -156,8 +155,8 @@ std::string data_set_section(const ReportContent& content, const ReportEntry& en
     if (!figures.empty()) text += folded_section(group.title, element("div", figures, {{"class", "figures"}}));
   }
   text += folded_section("Points left out", excluded_points(result)) +
-          folded_section("Data, assumptions and settings",
-                 source_of_data(result.data) + list_of(assumptions(result)) + definitions_of(fit_settings(result)));
+          folded_section("Data, assumptions and settings", source_of_data(result.data) + list_of(assumptions(result)) +
+                                                               definitions_of(fit_settings(result)));
   std::vector<std::string> reasons;
   for (const MissingFigure& figure : entry.figures.left_out) reasons.push_back(figure.what + ": " + figure.why);
   if (!reasons.empty()) text += folded_section("Figures left out", list_of(reasons));
@@ -194,7 +193,7 @@ std::string report_page(const ReportContent& content) {
                       {{"class", "files"}});
   if (!content.drawn.missing.empty()) header += text_element("p", content.drawn.missing, "banner");
   return html_page(title, element("header", header) + element("main", sections) +
-                         element("footer", reproduction(content.settings.command)));
+                              element("footer", reproduction(content.settings.command)));
 }
 
 }  // namespace mixity

@@ -1,6 +1,6 @@
-#include "dataset/table/number.h"
-
 #include <gtest/gtest.h>
+
+#include "dataset/table/number.h"
 
 namespace mixity {
 namespace clock_time_test {

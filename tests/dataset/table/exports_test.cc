@@ -380,7 +380,8 @@ TEST(Exports, ThatAreLogsSaySo) {
   const TemporaryFolder folder;
   const std::string path =
       folder.write("a.csv", "Zeit (s);P [mN];T [mN];A [mm^2]\n0;1;0;\n1;1;0;0,2\n2;1;0;\n3;1;1;\n4;1;1;0,19\n");
-  EXPECT_NE(texts_of(load_dataset(path, kConstants).notes).at(0).find("mixity runs makes loading runs of it"), std::string::npos);
+  EXPECT_NE(texts_of(load_dataset(path, kConstants).notes).at(0).find("mixity runs makes loading runs of it"),
+            std::string::npos);
 }
 
 TEST(Exports, WithStretchedContactsSaySo) {

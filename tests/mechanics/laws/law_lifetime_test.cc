@@ -52,7 +52,7 @@ TEST(LawLifetime, EndsWithTheLastUser) {
 TEST(LawLifetime, EndsForAllThatAreForgotten) {
   LawError error;
   const std::weak_ptr<const UserLaw> one = define_law({"forgotten_1", "1 + p*t^2", {{"p", 0, 1, 0.5}}}, error),
-                                           two = define_law({"forgotten_2", "1 + p*t^2", {{"p", 0, 1, 0.5}}}, error);
+                                     two = define_law({"forgotten_2", "1 + p*t^2", {{"p", 0, 1, 0.5}}}, error);
   EXPECT_FALSE(one.expired());
   forget_laws();
   EXPECT_TRUE(one.expired());

@@ -1,6 +1,4 @@
 // A law that is a function, sampled: where it is a published one it gives its areas, and what is lost is told.
-#include "mechanics/laws/sampled_toughness.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "mechanics/laws/area_of.h"
 #include "mechanics/laws/known_laws.h"
 #include "mechanics/laws/law_check.h"
+#include "mechanics/laws/sampled_toughness.h"
 #include "mechanics/registry.h"
 
 namespace mixity {
@@ -145,8 +144,7 @@ TEST(SampledLaws, TellWhatSamplesDoNot) {
 
 LawCheck checked(Law law, bool normalised = false) {
   LawError error;
-  const auto made =
-      UserLaw::make({"key", "law(psi, p)", {{"p", 0, 1, 0.5}}, "", normalised, sampler_of(law)}, error);
+  const auto made = UserLaw::make({"key", "law(psi, p)", {{"p", 0, 1, 0.5}}, "", normalised, sampler_of(law)}, error);
   EXPECT_TRUE(made) << error.message;
   return check_law(*made);
 }

@@ -1,6 +1,6 @@
-#include "report/figures/layout.h"
-
 #include <gtest/gtest.h>
+
+#include "report/figures/layout.h"
 
 namespace mixity {
 namespace axis_test {

@@ -1,9 +1,8 @@
-#include "report/figures/gnuplot.h"
-
 #include <gtest/gtest.h>
 
 #include <sstream>
 
+#include "report/figures/gnuplot.h"
 #include "report/figures/read_back.h"
 
 namespace mixity {

@@ -1,6 +1,6 @@
-#include "report/figures/svg.h"
-
 #include <gtest/gtest.h>
+
+#include "report/figures/svg.h"
 
 namespace mixity {
 namespace kept_svg_test {

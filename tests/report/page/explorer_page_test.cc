@@ -1,6 +1,4 @@
 // What of a report's data the explorer is given.
-#include "report/report.h"
-
 #include <gtest/gtest.h>
 
 #include <boost/archive/iterators/binary_from_base64.hpp>
@@ -11,6 +9,7 @@
 #include "analysis/settings.h"
 #include "base/files.h"
 #include "report/example_results.h"
+#include "report/report.h"
 
 namespace mixity {
 namespace explorer_page_test {

@@ -1,6 +1,4 @@
 // What stands on the page, read back from its HTML.
-#include "report/report.h"
-
 #include <gtest/gtest.h>
 
 #include <pugixml.hpp>
@@ -8,6 +6,7 @@
 
 #include "report/example_results.h"
 #include "report/fit_table.h"
+#include "report/report.h"
 
 namespace mixity {
 namespace report_page_test {
@@ -37,9 +36,7 @@ std::string text_of(const pugi::xml_node& node) {
   return text;
 }
 
-ReportContent content_of(const ReportedData& data) {
-  return {{"mixity report x.toml", {}}, {{&data, {}}}, {}};
-}
+ReportContent content_of(const ReportedData& data) { return {{"mixity report x.toml", {}}, {{&data, {}}}, {}}; }
 
 TEST(ReportPage, SaysFirstWhereTheDataComeFrom) {
   const ReportedData data = without_figures(shipped("mergel2018"), "mergel2018");
@@ -89,7 +86,8 @@ TEST(ReportPage, MarksEveryStatusThatIsNotOk) {
                                                                                                : 1u)
         << to_string(status);
     if (status == FitStatus::ok) continue;
-    EXPECT_NE(text_of(page.first("//section")).find(result.fits[0].message.text()), std::string::npos) << to_string(status);
+    EXPECT_NE(text_of(page.first("//section")).find(result.fits[0].message.text()), std::string::npos)
+        << to_string(status);
   }
 }
 
