@@ -104,6 +104,19 @@ struct Lines {
   }
 };
 
+/// Names with commas come in parts, which may repeat ("0,5 mN, 1,5 mN"); exclude() knows the runs and joins the parts.
+struct Runs {
+  static Complaint read(std::string_view text, std::vector<std::string>& runs) {
+    runs.clear();
+    for (const std::string_view name : split(text)) {
+      if (name.empty()) return "has an empty entry, number " + std::to_string(runs.size() + 1);
+      runs.emplace_back(name);
+    }
+    return {};
+  }
+  static std::string write(const std::vector<std::string>& runs) { return joined(runs, ","); }
+};
+
 struct Formats {
   static Complaint read(std::string_view text, FigureFormats& formats) {
     FigureFormats wanted;
@@ -157,7 +170,7 @@ const std::vector<Setting>& settings() {
               "constants to fit as well, common to all loads: toughness, modulus, radius, area_scale, load_offset, "
               "shear_offset, area_offset"),
       setting("exclude", &Exclusion::lines, ListOf<Lines>{}, "lines of the data file to leave out: \"17,40-58\""),
-      setting("leave_out", &Exclusion::runs, ListOf<Name>{}, "runs to leave out, by name or load: \"4.68 mN\""),
+      setting("leave_out", &Exclusion::runs, Runs{}, "runs to leave out, by name or load: \"4.68 mN\""),
       setting("interval", &FitOptions::intervals, Word{"profile", "none"}, "confidence intervals: profile or none"),
       setting("confidence", &FitOptions::confidence, PositiveNumber{1}, "confidence of intervals, above 0 and below 1"),
       setting("checks", &FitOptions::checks, Switch{},

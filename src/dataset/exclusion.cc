@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <span>
 
 #include "base/phrases.h"
 #include "base/units.h"
@@ -11,11 +12,11 @@ namespace {
 
 std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-/// The runs of this name or load.
+/// The runs of this name or load. The name has no blanks around its commas.
 std::vector<std::size_t> runs_named(const Dataset& data, const std::string& name) {
   std::vector<std::size_t> runs;
   for (std::size_t i = 0; i < data.curves.size(); ++i)
-    if (data.curves[i] == name) runs.push_back(i);
+    if (joined(split(data.curves[i]), ",") == name) runs.push_back(i);
   if (!runs.empty() || !data.has_loads) return runs;
   const auto load = parse_quantity(name);
   const auto force = parse_unit(data.display.force);
@@ -28,6 +29,15 @@ std::vector<std::size_t> runs_named(const Dataset& data, const std::string& name
     if (std::abs(data.curve_loads[i] - wanted) <= kRounding * (wanted == 0 ? largest : std::abs(wanted)))
       runs.push_back(i);
   return runs;
+}
+
+/// Runs that the first of these texts name, and how many texts: a name with commas, such as "0,5 mN", takes several.
+std::pair<std::vector<std::size_t>, std::size_t> first_named(const Dataset& data, std::span<const std::string> names) {
+  std::size_t most = 1;
+  for (const std::string& name : data.curves) most = std::max(most, split(name).size());
+  for (std::size_t n = std::min(most, names.size()); n > 0; --n)
+    if (auto runs = runs_named(data, joined(names.first(n), ",")); !runs.empty()) return {std::move(runs), n};
+  return {};
 }
 
 /// Removes all elements but those to keep; a list may also be empty.
@@ -95,12 +105,14 @@ void exclude(Dataset& data, const Exclusion& which) {
                                       (range.last > range.first ? " to " + std::to_string(range.last) : "") +
                                       " (the header is line 1)");
   }
-  for (const std::string& name : which.runs) {
-    const std::vector<std::size_t> runs = runs_named(data, name);
-    if (runs.empty()) {
-      throw InputError(data.path, "has no run '" + printable(name, std::string::npos) + "' to leave out (it has " +
-                                      printable(joined(data.curves), 200) + ")");
-    }
+  if (!which.runs.empty() && joined(data.curves, "").empty())
+    throw InputError(data.path, "has no run with a name to leave out (a column 'curve' names the run of each point)");
+  for (std::span<const std::string> names = which.runs; !names.empty();) {
+    const auto [runs, taken] = first_named(data, names);
+    if (runs.empty())
+      throw InputError(data.path, "has no run '" + printable(names.front(), std::string::npos) +
+                                      "' to leave out (it has " + printable(joined(data.curves), 200) + ")");
+    names = names.subspan(taken);
     for (std::size_t i = 0; i < data.points.size(); ++i)
       if (std::find(runs.begin(), runs.end(), data.points[i].curve) != runs.end())
         reasons[i] = "its run is named in leave_out";

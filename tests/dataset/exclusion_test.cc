@@ -45,6 +45,26 @@ TEST(Exclusion, OfARunGoesByItsNameOrItsLoad) {
   EXPECT_EQ(runs_without({}).points.size(), 5U);
 }
 
+/// A list between commas reaches exclude() in parts.
+TEST(Exclusion, OfARunWhoseNameHasCommas) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write(
+      "runs.csv",
+      "P [mN];T [mN];A [mm^2];curve\n5;0;0.40;0,5 mN\n5;20;0.39;0,5 mN\n8;0;0.45;1,5 mN\n9;0;0.46;left,  wet, old\n"
+      "9;1;0.44;left\n");
+  const auto left_after = [&](const std::vector<std::string>& names) {
+    Dataset data = load_dataset(path, kConstants);
+    exclude(data, {.runs = names});
+    return data.curves;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(left_after({"0", "5 mN"}), (Names{"1,5 mN", "left,  wet, old", "left"}));
+  EXPECT_EQ(left_after({"0", "5 mN", "1", "5 mN"}), (Names{"left,  wet, old", "left"}));
+  EXPECT_EQ(left_after({"left", "wet", "old"}), (Names{"0,5 mN", "1,5 mN", "left"}));
+  EXPECT_EQ(left_after({"left", "0", "5 mN"}), (Names{"1,5 mN", "left,  wet, old"}));
+  EXPECT_THROW(left_after({"left", "wet"}), InputError);
+}
+
 TEST(Exclusion, OfWhatIsNotThereIsRefused) {
   for (const char* run : {"third", "5", "5 mm", "5.02 mN"})
     EXPECT_THROW(runs_without({.runs = {run}}), InputError) << run;
