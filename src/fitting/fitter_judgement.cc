@@ -7,8 +7,28 @@
 #include "fitting/fitter.h"
 #include "fitting/predicted_area.h"
 #include "solver/evidence.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
+namespace {
+
+/// Points whose residual has a chance below 1 % to be so large in any of them, so that one clean fit in 100 names one.
+/// An error that the median estimates from few points is itself uncertain, about as one from half as many degrees of
+/// freedom: with the normal distribution every tenth clean fit of ten points would name one.
+std::vector<Outlier> outliers_of(const FitResult& fit, bool known_errors) {
+  constexpr double kChanceOfAny = 0.01;
+  std::vector<Outlier> outliers;
+  if (fit.freedom() == 0 || !(fit.standard_error > 0)) return outliers;
+  const auto points = static_cast<double>(fit.used.size()), freedom = static_cast<double>(fit.freedom());
+  for (std::size_t i = 0; i < fit.used.size(); ++i) {
+    const double size = fit.residuals[i] / fit.standard_error;
+    const double chance = known_errors ? 2 * normal_below(-std::abs(size)) : student_p_value(size, 0.5 * freedom);
+    if (chance * points < kChanceOfAny) outliers.push_back({fit.used[i], size});
+  }
+  return outliers;
+}
+
+}  // namespace
 
 /// A robust loss is no likelihood.
 void Fitter::add_evidence(const Verdict& verdict) {
@@ -66,6 +86,7 @@ void Fitter::add_goodness(const std::vector<double>& x) {
   result_.r2 = fit.r2;
   result_.rmse = fit.rmse;
   result_.max_abs_residual = fit.max_abs_residual;
+  result_.standard_error = problem_->known_errors() ? 1 : spread(*problem_, x);
   if (data_.has_loads && purpose_ == Purpose::shown)
     result_.area = area_goodness(data_, result_.used, prepared_.model, problem_->candidate(x));
 }
@@ -77,6 +98,7 @@ void Fitter::test_residuals() {
                       result_.status == FitStatus::multimodal;
   if (!judged || result_.residuals.empty() || !(result_.sum_of_squares > rounding * rounding)) return;
   result_.consistency = test_consistency(data_, result_);
+  result_.outliers = outliers_of(result_, problem_->known_errors());
   if (result_.status == FitStatus::ok && !failed_test(result_).empty()) result_.status = FitStatus::suspect;
 }
 

@@ -128,6 +128,12 @@ struct BeyondEquilibrium {
   std::size_t points, first;  // how many; the index of the first, into Dataset::points
 };
 
+/// A used point that lies farther from the fit than chance allows.
+struct Outlier {
+  std::size_t point;  // index into Dataset::points
+  double size;        // of its residual, model minus data, in standard errors
+};
+
 /// Tests of the assumptions of the fit.
 struct Consistency {
   std::optional<double> chi2_per_freedom, chi2_p;  // of known errors, without a robust loss
@@ -155,9 +161,13 @@ struct FitResult {
   std::shared_ptr<const std::string> excluded_reason{};  // a text to which `excluded` refers
   std::optional<double> r2;                              // in the fitted space; null without scatter or without a fit
   std::optional<double> rmse, max_abs_residual;
-  std::vector<double> residuals;         // per used point, model minus data; empty without a fit
-  std::optional<AreaGoodness> area;      // null without loads or without a fit
-  std::optional<PaperFit> paper;         // beside the objective curve of loads
+  std::vector<double> residuals;     // per used point, model minus data; empty without a fit
+  std::optional<AreaGoodness> area;  // null without loads or without a fit
+  std::optional<PaperFit> paper;     // beside the objective curve of loads
+  /// A standard error, in the unit of the residuals: 1 where errors are known, else estimated so that outliers hardly
+  /// enlarge it. 0 without a fit.
+  double standard_error = 0;
+  std::vector<Outlier> outliers;         // in the order of the file; of reported fits
   bool known_errors = false;             // the residuals are in units of known standard errors
   std::optional<StandardErrors> errors;  // of the points, where the objective uses them
   std::vector<double> correlations;      // [p x p] of the free parameters in order; empty for one

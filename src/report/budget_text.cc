@@ -95,6 +95,26 @@ std::string points_beyond(const FitResult& fit, const Dataset& data) {
   return joined(runs, ", ", "beyond the last equilibrium: ");
 }
 
+/// The farthest first.
+std::string outliers_text(const FitResult& fit, const Dataset& data) {
+  constexpr std::size_t kMost = 5;
+  std::vector<Outlier> list = fit.outliers;
+  std::stable_sort(list.begin(), list.end(),
+                   [](const Outlier& one, const Outlier& other) { return std::abs(one.size) > std::abs(other.size); });
+  Texts points;
+  for (std::size_t i = 0; i < std::min(kMost, list.size()); ++i) {
+    const Point& point = data.points[list[i].point];
+    const std::string& run = data.curves[point.curve];
+    points.push_back(data.line_text(point.line) + (run.empty() ? "" : " of run " + run) + " (" +
+                     rounded(std::abs(list[i].size), 2) + (i == 0 ? " standard errors off)" : ")"));
+  }
+  if (list.empty()) return {};
+  if (list.size() > kMost) points.push_back(std::to_string(list.size() - kMost) + " more");
+  const bool weighted = fit.known_errors || fit.objective == Objective::curve;
+  return counted(list.size(), "outlier") + ": " + joined(points) + "; one clean fit in 100 has any" +
+         (weighted ? "" : " where all points scatter alike");
+}
+
 Texts without_empty(Texts lines) {
   std::erase(lines, "");
   return lines;
@@ -156,7 +176,7 @@ std::string unsheared_sentence(const UnshearedTest& test) {
 
 std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& data) {
   if (!fit.consistency) return {};
-  return without_empty({residual_tests(fit), score_tests(fit), points_beyond(fit, data)});
+  return without_empty({residual_tests(fit), score_tests(fit), points_beyond(fit, data), outliers_text(fit, data)});
 }
 
 }  // namespace mixity

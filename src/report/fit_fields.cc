@@ -116,6 +116,21 @@ void describe(Fields<PaperFit>& field) {
   field("points", "points with a phase angle", &PaperFit::points);
 }
 
+void describe(Fields<Outlier>& field) {
+  const auto point = [](const Outlier& one, const Within& in) -> const Point& {
+    return in.result->data.points[one.point];
+  };
+  field("line", "line in the file, from 1",
+        [=](auto& one, auto& in) { return in.result->data.line_in_file(point(one, in).line); });
+  field("file", "path, of a data set of several files", [=](auto& one, auto& in) {
+    const Dataset& data = in.result->data;
+    return IfAny<std::string>{data.files.empty() ? std::nullopt : std::optional(data.file_of(point(one, in).line))};
+  });
+  field("curve", "name of the run", [=](auto& one, auto& in) { return in.result->data.curves[point(one, in).curve]; });
+  field("size", "of the residual, model minus data, in standard errors; where none are known, in the robust scatter",
+        &Outlier::size);
+}
+
 void describe(Fields<Agreement>& field) {
   field("value", "published value", [](auto& one) { return one.published.value; });
   field("tolerance", "what its printed digits allow", [](auto& one) { return one.published.tolerance; });
@@ -141,6 +156,11 @@ void describe(Fields<FitResult>& field) {
   field("r2", "coefficient of determination in the fitted space; null if the data do not vary", &FitResult::r2);
   field("rmse", "root mean square residual in the fitted space", &FitResult::rmse);
   field("max_abs_residual", "largest residual in the fitted space", &FitResult::max_abs_residual);
+  field(
+      "outliers",
+      "used points that lie farther from the fit than chance allows: 1 % of fits of clean data have any, more where an "
+      "unweighted toughness scatters unequally",
+      &FitResult::outliers);
   field("errors", "standard errors of the points; null if the objective does not use them", &FitResult::errors);
   field("loss_scale", "residual at which a robust loss bends; null without one",
         [](auto& fit) { return fit.loss_scale > 0 ? std::optional(fit.loss_scale) : std::nullopt; });

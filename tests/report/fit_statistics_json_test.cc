@@ -36,6 +36,16 @@ Analysis whole_request() {
   return result;
 }
 
+TEST(FitStatisticsJson, OutliersHaveTheirLineRunAndSize) {
+  Analysis result = whole_request();
+  result.fits[0].outliers = {{12, -5.25}};
+  EXPECT_EQ(Json::parse(to_json({result}))["datasets"][0]["fits"][0]["outliers"],
+            Json::parse(R"([{"line": 14, "curve": "run 2", "size": -5.25}])"));
+  result.data.files = {{"one.csv", 0}, {"two.csv", 10}};
+  EXPECT_EQ(Json::parse(to_json({result}))["datasets"][0]["fits"][0]["outliers"],
+            Json::parse(R"([{"line": 4, "file": "two.csv", "curve": "run 2", "size": -5.25}])"));
+}
+
 TEST(FitStatisticsJson, HasTheKeysOfItsSchema) {
   const Json data = Json::parse(to_json({whole_request()}))["datasets"][0];
   ASSERT_EQ(data["fits"].size(), 2);

@@ -142,5 +142,28 @@ TEST(FitStatisticsText, SaysWhenTheScatterIsLargerThanTheErrors) {
   EXPECT_EQ(errors_text(fit, {}, in_neutral_words).find("chi^2"), std::string::npos);
 }
 
+TEST(FitStatisticsText, NamesTheFarthestOutliersFirst) {
+  Analysis result = example();
+  FitResult& fit = result.fits[0];
+  for (std::size_t i = 0; i < 40; ++i) result.data.points[i].line = i + 2;
+  fit.consistency.emplace();
+  EXPECT_TRUE(consistency_lines(fit, result.data).empty());
+  fit.outliers = {{3, -4.26}, {10, 17.3}};
+  result.data.points[10].curve = 2;
+  EXPECT_EQ(
+      consistency_lines(fit, result.data).back(),
+      "2 outliers: line 12 of run P=9 (17 standard errors off), line 5 of run P=1 (4.3); one clean fit in 100 has "
+      "any");
+  fit.outliers.assign(6, {4, 5.0});
+  EXPECT_NE(consistency_lines(fit, result.data).back().find("line 6 of run P=1 (5), 1 more; one clean"),
+            std::string::npos);
+  result.data.curves[0] = "";
+  fit.outliers.resize(1);
+  EXPECT_EQ(consistency_lines(fit, result.data).back(),
+            "1 outlier: line 6 (5 standard errors off); one clean fit in 100 has any");
+  fit.objective = Objective::toughness;
+  EXPECT_TRUE(consistency_lines(fit, result.data).back().ends_with("has any where all points scatter alike"));
+}
+
 }  // namespace fit_statistics_text_test
 }  // namespace mixity

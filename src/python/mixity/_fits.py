@@ -79,6 +79,7 @@ class Fit(_Described):
     r2: float | None
     rmse: float | None
     max_abs_residual: float | None
+    outliers: list[dict[str, Any]]
     errors: dict[str, Any] | None
     loss_scale: float | None
     correlations: list[dict[str, Any]]
