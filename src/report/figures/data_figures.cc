@@ -80,6 +80,8 @@ DataFigures data_figures(const ReportedData& reported) {
                   load_reason("it needs several models, two runs or more, and fits that succeed without each of them"));
   group("Residuals");
   keep_or_say_why(residual_figures(reported), "residuals", no_value);
+  keep_or_say_why(normal_figures(reported), "normal probability plot of the residuals",
+                  any_value ? "it needs 8 points or more, which scatter" : no_value);
   group("What the models predict");
   keep_or_say_why(behaviour_figures(reported), "displacement and radius curves",
                   load_reason("no tangential load is above 0"));

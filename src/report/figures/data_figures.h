@@ -39,8 +39,11 @@ std::string shown_note(std::size_t shown, std::size_t all);
 std::vector<Figure> toughness_figures(const ReportedData& data);
 /// A(T) of all models at once, then of each with both branches, instabilities and strength (Fig. 8, 10).
 std::vector<Figure> area_figures(const ReportedData& data);
-/// Residuals against psi, T and load, and their quantiles against those of a normal distribution.
+/// Residuals against psi, T and load.
 std::vector<Figure> residual_figures(const ReportedData& data);
+/// Quantiles of the residuals against those of a normal distribution; of 8 points or more, without models that another
+/// one leaves far behind.
+std::vector<Figure> normal_figures(const ReportedData& data);
 /// The cost profiled along each free parameter.
 std::vector<Figure> profile_figures(const ReportedData& data);
 /// The parameter of each run by itself, beside the pooled value.

@@ -20,6 +20,8 @@ std::vector<std::reference_wrapper<const FitResult>> last_first(const Analysis& 
   return {result.fits.rbegin(), result.fits.rend()};
 }
 
+constexpr std::size_t kLeastOfNormalFigure = 8;  // points: fewer lie on any line
+
 std::string residuals_note(const ReportedData& reported) {
   std::size_t shown = 0, all = 0;
   for (const FitResult& fit : reported.result.fits) {
@@ -57,32 +59,14 @@ Figure residuals_against(const ReportedData& reported, const std::string& name, 
   return figure;
 }
 
-/// Sorted residuals in units of their RMS against the quantiles (i - 1/2)/n of a normal distribution.
-Figure quantiles(const ReportedData& reported) {
-  Figure figure{.name = reported.stem + "_residuals_qq",
-                .title = "Quantiles of the residuals against those of a normal distribution",
-                .x = {"normal quantile"},
-                .y = {"residual/RMS"},
-                .caption = "On the dotted line the scatter is normal, which standard errors and intervals presume." +
-                           residuals_note(reported)};
-  double most = 0;
-  for (const FitResult& fit : last_first(reported.result)) {
-    if (fit.residuals.empty() || !fit.rmse || !(*fit.rmse > 0)) continue;
-    std::vector<std::size_t> order = first_indices(fit.residuals.size());
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t i, std::size_t j) { return fit.residuals[i] < fit.residuals[j]; });
-    Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model)};
-    for (const std::size_t rank : shown_points(first_indices(order.size()), reported.result.fits.size())) {
-      const double q = normal_quantile((static_cast<double>(rank) + 0.5) / static_cast<double>(order.size()));
-      series.points.emplace_back(q, fit.residuals[order[rank]] / *fit.rmse);
-      series.hover.push_back("model " + fit.model + ", " + point_hover(reported.result.data, fit.used[order[rank]]));
-      most = std::max(most, std::abs(q));
-    }
-    figure.series.push_back(std::move(series));
-  }
-  if (figure.series.empty()) return figure;
-  figure.series.insert(figure.series.begin(), {"", Look::dotted, color(0), {{-most, -most}, {most, most}}});
-  return figure;
+/// Where the k-th of n sorted normal numbers lies with a probability of 95 %.
+std::pair<double, double> usual_range(std::size_t k, std::size_t n) {
+  const auto below = static_cast<double>(k), from_it_on = static_cast<double>(n + 1 - k);
+  const auto at = [&](double p) {
+    const double F = below / from_it_on * fisher_quantile(p, 2 * below, 2 * from_it_on);
+    return normal_quantile(F / (1 + F));
+  };
+  return {at(0.025), at(0.975)};
 }
 
 }  // namespace
@@ -107,8 +91,51 @@ std::vector<Figure> residual_figures(const ReportedData& reported) {
       figures.push_back(residuals_against(reported, "P", "Residuals against normal load", units.P(),
                                           [&](std::size_t i) { return data.points[i].P * units.force; }));
   }
-  if (Figure qq = quantiles(reported); !qq.series.empty()) figures.push_back(std::move(qq));
   return figures;
+}
+
+/// Sorted residuals against the quantiles (i - 1/2)/n of a normal distribution.
+std::vector<Figure> normal_figures(const ReportedData& reported) {
+  Figure figure{.name = reported.stem + "_residuals_qq",
+                .title = "Normal probability plot of the residuals",
+                .x = {"normal quantile"},
+                .y = {"residual [standard errors]"}};
+  std::size_t shown = 0, all = 0, most = 0;
+  for (const FitResult& fit : last_first(reported.result)) {
+    const std::size_t n = fit.residuals.size();
+    if (n < kLeastOfNormalFigure || !(fit.standard_error > 0) || !fit.outdone_by.empty()) continue;
+    std::vector<std::size_t> order = first_indices(n);
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t i, std::size_t j) { return fit.residuals[i] < fit.residuals[j]; });
+    Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model)};
+    for (const std::size_t rank : shown_points(first_indices(n), reported.result.fits.size())) {
+      const double size = fit.residuals[order[rank]] / fit.standard_error;
+      series.points.emplace_back(normal_quantile((static_cast<double>(rank) + 0.5) / static_cast<double>(n)), size);
+      series.hover.push_back("model " + fit.model + ", residual of " + rounded(size, 2) + " standard errors, " +
+                             point_hover(reported.result.data, fit.used[order[rank]]));
+    }
+    shown += series.points.size();
+    all += n;
+    most = std::max(most, n);
+    figure.series.push_back(std::move(series));
+  }
+  if (figure.series.empty()) return {};
+  Points low, high, line;
+  for (const std::size_t rank : shown_points(first_indices(most))) {
+    const double q = normal_quantile((static_cast<double>(rank) + 0.5) / static_cast<double>(most));
+    const auto [least, largest] = usual_range(rank + 1, most);
+    low.emplace_back(q, least);
+    high.emplace_back(q, largest);
+    line.emplace_back(q, q);
+  }
+  figure.series.insert(figure.series.begin(), {band("95 % of clean points", color(7), low, high),
+                                               {"", Look::dotted, color(0), {line.front(), line.back()}}});
+  figure.caption =
+      "On the dotted line the scatter is normal, which standard errors and intervals presume. Of clean data, each "
+      "point "
+      "lies within the band with a probability of 95 %. Single points far off at the ends are outliers." +
+      shown_note(shown, all);
+  return {figure};
 }
 
 }  // namespace mixity

@@ -1,11 +1,13 @@
 // Profiles, single runs, residuals and laws against the numbers of the fits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "report/example_results.h"
 #include "report/figures/data_figures.h"
 #include "report/figures/read_back.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace parameter_figures_test {
@@ -77,13 +79,40 @@ TEST(ResidualFigures, ShowTheResidualsOfTheFits) {
       EXPECT_EQ(series.points[i].second, fit.residuals[i]);
       EXPECT_EQ(series.points[i].first, reported.result.data.toughness(fit.used[i])->psi());
     }
-    const Series& qq = series_named(figure_named(drawn, "w_residuals_qq"), "model " + fit.model);
-    EXPECT_TRUE(std::is_sorted(qq.points.begin(), qq.points.end()));
-    // symmetric ranks: the standard normal quantile of 1 - p is minus that of p
-    EXPECT_NEAR(qq.points.front().first, -qq.points.back().first, 1e-12);
-    // n = 60: quantile of 0.5/60, from tables of the normal distribution
-    EXPECT_NEAR(qq.points.front().first, -2.39398, 1e-5);
   }
+}
+
+TEST(NormalFigures, ShowTheSortedResidualsInStandardErrors) {
+  const ReportedData reported = reported_data(shipped("mergel2018"), "m");
+  const Figure figure = normal_figures(reported).at(0);
+  EXPECT_EQ(figure.name, "m_residuals_qq");
+  const FitResult& fit = fit_of("mergel2018", "c");
+  const Points& points = series_named(figure, "model c").points;
+  ASSERT_EQ(points.size(), 200U);
+  EXPECT_TRUE(std::is_sorted(points.begin(), points.end()));
+  EXPECT_EQ(points.front().second, *std::ranges::min_element(fit.residuals) / fit.standard_error);
+  // quantile of 0.5/200, from tables of the normal distribution
+  EXPECT_NEAR(points.front().first, -2.80703, 1e-5);
+  EXPECT_NEAR(points.back().first, 2.80703, 1e-5);
+}
+
+/// The largest of 200 normal numbers is below x with probability Phi(x)^200.
+TEST(NormalFigures, HaveABandThatHoldsMostOfCleanPoints) {
+  const Figure figure = normal_figures(reported_data(shipped("mergel2018"), "m")).at(0);
+  const Series& band = figure.series.front();
+  ASSERT_EQ(band.look, Look::band);
+  ASSERT_EQ(band.points.size(), 400U);
+  // the upper line runs back from the last point
+  EXPECT_NEAR(band.points[200].second, normal_quantile(std::pow(0.975, 1 / 200.0)), 1e-9);
+  EXPECT_NEAR(band.points[199].second, normal_quantile(std::pow(0.025, 1 / 200.0)), 1e-9);
+}
+
+TEST(NormalFigures, LeaveOutModelsThatAnotherLeavesFarBehind) {
+  Analysis result = shipped("mergel2018");
+  for (FitResult& fit : result.fits) fit.outdone_by = fit.model == "c" ? "" : "c";
+  EXPECT_EQ(normal_figures(reported_data(result, "m")).at(0).series.size(), 3U);  // with band and line
+  for (FitResult& fit : result.fits) fit.residuals.resize(7);
+  EXPECT_TRUE(normal_figures(reported_data(result, "m")).empty());
 }
 
 TEST(ToughnessFigures, FollowThePrintedLawAndBandsTheIntervals) {
