@@ -98,7 +98,9 @@ void Fitter::test_residuals() {
                       result_.status == FitStatus::multimodal;
   if (!judged || result_.residuals.empty() || !(result_.sum_of_squares > rounding * rounding)) return;
   result_.consistency = test_consistency(data_, result_);
-  result_.outliers = outliers_of(result_, problem_->known_errors());
+  // The scatter of ln f differs from point to point where it comes from loads and areas.
+  const bool common_scale = prepared_.objective == Objective::curve || options_.weighted || !data_.has_loads;
+  if (common_scale) result_.outliers = outliers_of(result_, problem_->known_errors());
   if (result_.status == FitStatus::ok && !failed_test(result_).empty()) result_.status = FitStatus::suspect;
 }
 

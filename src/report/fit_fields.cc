@@ -156,11 +156,10 @@ void describe(Fields<FitResult>& field) {
   field("r2", "coefficient of determination in the fitted space; null if the data do not vary", &FitResult::r2);
   field("rmse", "root mean square residual in the fitted space", &FitResult::rmse);
   field("max_abs_residual", "largest residual in the fitted space", &FitResult::max_abs_residual);
-  field(
-      "outliers",
-      "used points that lie farther from the fit than chance allows: 1 % of fits of clean data have any, more where an "
-      "unweighted toughness scatters unequally",
-      &FitResult::outliers);
+  field("outliers",
+        "used points that lie farther from the fit than chance allows: 1 % of fits of clean data have any. None of an "
+        "unweighted toughness from loads, whose points scatter unequally",
+        &FitResult::outliers);
   field("errors", "standard errors of the points; null if the objective does not use them", &FitResult::errors);
   field("loss_scale", "residual at which a robust loss bends; null without one",
         [](auto& fit) { return fit.loss_scale > 0 ? std::optional(fit.loss_scale) : std::nullopt; });

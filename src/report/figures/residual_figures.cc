@@ -132,8 +132,7 @@ std::vector<Figure> normal_figures(const ReportedData& reported) {
                                                {"", Look::dotted, color(0), {line.front(), line.back()}}});
   figure.caption =
       "On the dotted line the scatter is normal, which standard errors and intervals presume. Of clean data, each "
-      "point "
-      "lies within the band with a probability of 95 %. Single points far off at the ends are outliers." +
+      "point lies within the band with a probability of 95 %. Single points far off at the ends are outliers." +
       shown_note(shown, all);
   return {figure};
 }

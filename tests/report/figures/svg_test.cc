@@ -34,7 +34,8 @@ pugi::xml_document parsed(const Figure& figure, Medium medium = Medium::file, bo
 /// The series drawn as lines and areas, in order; a key follows them.
 std::vector<std::string> paths_of(const Figure& figure) {
   std::vector<std::string> paths;
-  for (const pugi::xpath_node& node : parsed(figure).select_nodes("/svg/g/path"))
+  const pugi::xml_document document = parsed(figure);  // its nodes live as long as it does
+  for (const pugi::xpath_node& node : document.select_nodes("/svg/g/path"))
     paths.emplace_back(node.node().attribute("d").value());
   paths.erase(paths.begin(), paths.begin() + 2);  // grid and axes
   return paths;
