@@ -199,6 +199,7 @@ void check_toughness(const Dataset& data, Lines& odd) {
 
 std::vector<CurveSummary> summarise_curves(const Dataset& data) {
   if (!data.has_loads) return {};
+  if (data.stated_constants() != Constants{}) return summarise_curves(corrected(data));
   std::vector<CurveSummary> curves(data.curves.size());
   std::vector<const Point*> unsheared(data.curves.size());  // the point with the smallest |T| of each run
   for (const Point& point : data.points) {
@@ -225,6 +226,7 @@ std::vector<CurveSummary> summarise_curves(const Dataset& data) {
 }
 
 std::vector<std::string> find_oddities(const Dataset& data, Wording words) {
+  if (data.stated_constants() != Constants{}) return find_oddities(corrected(data), words);
   Lines odd;
   check_usable(data, odd);
   if (data.has_loads) {

@@ -20,7 +20,7 @@ struct CurveSummary {
   std::optional<double> area_over_jkr;
 };
 
-/// One for each run; empty for data without loads.
+/// One for each run, of readings corrected by the stated constants; empty for data without loads.
 std::vector<CurveSummary> summarise_curves(const Dataset& data);
 
 /// One sentence per oddity, with line numbers where they apply; empty if nothing is odd.

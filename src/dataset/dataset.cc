@@ -1,7 +1,9 @@
 #include "dataset/dataset.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "base/input_error.h"
 #include "dataset/collector.h"
@@ -48,6 +50,22 @@ void read_table(const std::string& metadata_path, Dataset& data) {
 
 }  // namespace
 
+double Dataset::offset_unit(Constant offset) const {
+  if (!contact) return 0;
+  return offset == kAreaOffset ? contact->area_unit() : contact->force_unit();
+}
+
+Constants Dataset::stated_constants() const {
+  Constants stated{};
+  if (!has_loads) return stated;
+  if (metadata.area_scale) stated[kAreaScale] = std::log(*metadata.area_scale);
+  for (const auto& [constant, value] :
+       {std::pair(kLoadOffset, metadata.load_offset), std::pair(kShearOffset, metadata.shear_offset),
+        std::pair(kAreaOffset, metadata.area_offset)})
+    if (value && contact) stated[constant] = *value / offset_unit(constant);
+  return stated;
+}
+
 void refuse_value(const Dataset& data, const Point& point, std::string_view column, const std::string& message) {
   const std::string& path = data.file_of(point.line);
   FilePlace place{data.line_in_file(point.line), 0};
@@ -77,6 +95,17 @@ std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
   std::vector<std::vector<std::size_t>> runs(data.curves.size());
   for (std::size_t i = 0; i < data.points.size(); ++i) runs[data.points[i].curve].push_back(i);
   return runs;
+}
+
+Dataset corrected(Dataset data) {
+  const ConstantsScale by(data.stated_constants());
+  for (std::size_t i = 0; i < data.points.size(); ++i) data.points[i] = data.corrected(i, by);
+  for (double& load : data.curve_loads) load = by.load(load);
+  Metadata& metadata = data.metadata;
+  for (std::optional<double>* const constant :
+       {&metadata.area_scale, &metadata.load_offset, &metadata.shear_offset, &metadata.area_offset})
+    constant->reset();
+  return data;
 }
 
 Dataset load_dataset(const std::string& path, const Overrides& overrides) {

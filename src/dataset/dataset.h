@@ -10,6 +10,7 @@
 
 #include "base/input_error.h"
 #include "base/text.h"
+#include "dataset/constants.h"
 #include "dataset/metadata.h"
 #include "mechanics/contact.h"
 #include "mechanics/measurement.h"
@@ -98,15 +99,34 @@ struct Dataset {
   std::vector<Message> notes;      // on what was skipped or changed: sentences that every fit shows
   DisplayUnits display;
 
-  /// Toughness and phase angle of point i; null if its area does not exceed that of Hertz (kNoPhaseAngle).
+  /// Offsets and area_scale as the metadata state them; 0 for toughness, modulus and radius, which are relative to the
+  /// data set's own. Without loads all are 0.
+  Constants stated_constants() const;
+  /// The SI unit of an offset; 0 where the data are dimensionless.
+  double offset_unit(Constant offset) const;
+  /// Point i with its readings corrected by these constants.
+  Point corrected(std::size_t i, const ConstantsScale& by) const {
+    Point point = points[i];
+    point.P = by.load(point.P);
+    point.T = sign_of_shear(point.curve) * by.shear(shear_as_read(i));
+    point.A = by.true_area(point.A);
+    return point;
+  }
+  /// Toughness and phase angle of point i, corrected by the stated constants; null if its area does not exceed that of
+  /// Hertz (kNoPhaseAngle).
   std::optional<ToughnessPoint> toughness(std::size_t i) const {
+    return toughness(i, ConstantsScale(stated_constants()));
+  }
+  /// The same with other constants.
+  std::optional<ToughnessPoint> toughness(std::size_t i, const ConstantsScale& by) const {
     if (!has_loads) return converted[i];
-    return toughness_of_area(points[i].P, points[i].T, points[i].A);
+    const Point point = corrected(i, by);
+    return toughness_of_area(point.P, point.T, point.A);
   }
+  /// -1 for a run that was reversed, else 1.
+  double sign_of_shear(std::size_t run) const { return !shear_reversed.empty() && shear_reversed[run] ? -1 : 1; }
   /// T of point i with the sign in the file, to which an offset of the load cell is added.
-  double shear_as_read(std::size_t i) const {
-    return !shear_reversed.empty() && shear_reversed[points[i].curve] ? -points[i].T : points[i].T;
-  }
+  double shear_as_read(std::size_t i) const { return sign_of_shear(points[i].curve) * points[i].T; }
   std::string shown_path() const {
     const std::string more = files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "";
     return printable(path, std::string::npos) + more;
@@ -140,6 +160,9 @@ std::string distinct_name(const std::string& wanted, const std::vector<std::stri
 
 /// Indices into Dataset::points, by run.
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
+
+/// The data set with its readings corrected by the stated constants, which it then states no longer.
+Dataset corrected(Dataset data);
 
 /// Reads PATH.csv and PATH.toml beside it. Throws InputError, with file, line and column, for anything that cannot be
 /// understood, and MissingConstants for constants that this kind of data needs. Energies do not need G_Ic if one G_I is

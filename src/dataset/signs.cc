@@ -26,14 +26,17 @@ struct ShearRange {
   bool is_negative() const { return points >= 3 && least < 0 && most <= -0.1 * least; }
 };
 
+/// Of T with the stated offset.
 std::vector<ShearRange> shear_ranges(const Dataset& data) {
   std::vector<ShearRange> ranges(data.curves.size());
-  for (const Point& point : data.points) {
-    ShearRange& range = ranges[point.curve];
-    range.least = std::min(range.least, point.T);
-    range.most = std::max(range.most, point.T);
+  const ConstantsScale by(data.stated_constants());
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const auto [line, run, P, T, A] = data.corrected(i, by);
+    ShearRange& range = ranges[run];
+    range.least = std::min(range.least, T);
+    range.most = std::max(range.most, T);
     ++range.points;
-    range.below += point.T < 0;
+    range.below += T < 0;
   }
   return ranges;
 }
@@ -44,24 +47,19 @@ std::string names_of(const Dataset& data, const std::vector<std::size_t>& runs, 
                          [&](std::size_t run) { return printable(data.curves[run], 40); }));
 }
 
-/// Returns how many points of the reversed runs are below zero afterwards.
-std::size_t reverse_negative_runs(const std::vector<ShearRange>& ranges, Dataset& data) {
+void reverse_negative_runs(Dataset& data) {
   constexpr std::size_t kFew = 4;
+  const std::vector<ShearRange> ranges = shear_ranges(data);
   std::vector<std::size_t> runs;
   for (std::size_t i = 0; i < ranges.size(); ++i)
     if (ranges[i].is_negative()) runs.push_back(i);
-  if (runs.empty()) return 0;
+  if (runs.empty()) return;
   for (const ShearRange& range : ranges) data.shear_reversed.push_back(range.is_negative());
-  std::size_t below = 0;
-  for (Point& point : data.points) {
-    if (!data.shear_reversed[point.curve]) continue;
-    point.T = reversed(point.T);
-    below += point.T < 0;
-  }
+  for (Point& point : data.points)
+    if (data.shear_reversed[point.curve]) point.T = reversed(point.T);
   data.notes.push_back((runs.size() == 1 ? "a run is" : std::to_string(runs.size()) + " runs are") +
                        " sheared the other way and turned round (T -> -T): " + names_of(data, runs, kFew) +
                        (runs.size() > kFew ? " and " + std::to_string(runs.size() - kFew) + " more" : ""));
-  return below;
 }
 
 /// Notes runs that rise through zero from well below it. In noise, four rising readings in a row are one in 400.
@@ -71,11 +69,12 @@ void ask_for_zero(Dataset& data) {
   std::vector<std::size_t> rising(data.curves.size());  // readings below zero, each above the last, from the first on
   std::vector<double> last(data.curves.size(),
                            -kInfinity);  // kInfinity: the readings rise no longer, or are above zero
-  for (const Point& point : data.points) {
-    double& before = last[point.curve];
-    const bool rises = point.T < 0 && point.T > before;
-    rising[point.curve] += rises;
-    before = rises ? point.T : kInfinity;
+  const ConstantsScale by(data.stated_constants());
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const auto [line, run, P, T, A] = data.corrected(i, by);
+    const bool rises = T < 0 && T > last[run];
+    rising[run] += rises;
+    last[run] = rises ? T : kInfinity;
   }
   std::vector<std::size_t> runs;
   for (std::size_t i = 0; i < rising.size(); ++i)
@@ -139,9 +138,9 @@ void reverse_loads_alike(std::vector<Dataset>& parts) {
 }
 
 void finish_shear(Dataset& data) {
-  const std::vector<ShearRange> ranges = shear_ranges(data);
-  std::size_t below = reverse_negative_runs(ranges, data);
-  for (const ShearRange& range : ranges) below += range.is_negative() ? 0 : range.below;
+  reverse_negative_runs(data);
+  std::size_t below = 0;
+  for (const ShearRange& range : shear_ranges(data)) below += range.below;
   if (below == 0) return;
   ask_for_zero(data);
   data.notes.push_back(std::to_string(below) + " of " + std::to_string(data.points.size()) +

@@ -24,6 +24,19 @@ std::vector<MeasuredPoint> measured_points(const Dataset& data, const PreparedFi
   return points;
 }
 
+/// Points as the constants that are not fitted correct them, with ratios to the data set's own toughness.
+std::vector<ToughnessPoint> toughness_points(const Dataset& data, const PreparedFit& prepared) {
+  const ConstantsScale scale(prepared.constants);
+  const double own = data.has_loads ? std::exp(prepared.constants[kToughness]) : 1;
+  std::vector<ToughnessPoint> points;
+  points.reserve(prepared.used.size());
+  for (const std::size_t i : prepared.used) {
+    points.push_back(*data.toughness(i, scale));
+    points.back().ratio *= own;
+  }
+  return points;
+}
+
 FreeChoice choice_of_model(const PreparedFit& prepared) {
   return FreeChoice(prepared.model, {prepared.base, prepared.constants}, prepared.held);
 }
@@ -58,10 +71,12 @@ std::vector<double> errors_of_loads(const Dataset& data, Scale scale, const Prep
   const std::vector<std::size_t>& used = prepared.used;
   const std::size_t n = used.size();
   std::vector<double> P, T, A, value(n), by_P(n), by_T(n), by_A(n), by_parameter(n * p.size()), found;
+  const ConstantsScale constants(prepared.constants);
   for (const std::size_t i : used) {
-    P.push_back(data.points[i].P);
-    T.push_back(data.points[i].shear());
-    A.push_back(data.points[i].A);
+    const Point point = data.corrected(i, constants);
+    P.push_back(point.P);
+    T.push_back(point.shear());
+    A.push_back(point.A);
   }
   prepared.model.toughness_residuals(p, P, T, A, {value, by_P, by_T, by_A, by_parameter});
   for (std::size_t i = 0; i < n; ++i) {
@@ -72,7 +87,8 @@ std::vector<double> errors_of_loads(const Dataset& data, Scale scale, const Prep
       by_T[i] = (1 + growth) * by_T[i] + growth * 2 * T[i] / square;
       by_A[i] = (1 + growth) * by_A[i] + growth * y_A * (2 * y / square - 1 / (y + P[i]));
     }
-    found.push_back(std::hypot(by_T[i] * prepared.errors->T[used[i]], by_A[i] * prepared.errors->A[used[i]]));
+    found.push_back(std::hypot(by_T[i] * constants.force * prepared.errors->T[used[i]],
+                               by_A[i] * constants.area * prepared.errors->A[used[i]]));
   }
   return found;
 }
@@ -81,7 +97,6 @@ std::vector<double> errors_of_loads(const Dataset& data, Scale scale, const Prep
 
 std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
                                            std::vector<double> weights) {
-  const bool corrected = !prepared.fitted.empty() || prepared.constants != Constants{};
   const bool weighted = prepared.objective == Objective::curve || !weights.empty();
   std::unique_ptr<ModelProblem> problem;
   if (prepared.objective == Objective::curve && data.has_energies) {
@@ -91,15 +106,12 @@ std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions
     problem = std::make_unique<EnergyObjective>(points, choice_of_model(prepared), toughness);
   } else if (prepared.objective == Objective::curve) {
     problem = std::make_unique<CurveObjective>(measured_points(data, prepared), free_choice(data, prepared));
-  } else if (corrected && data.has_loads) {
+  } else if (!prepared.fitted.empty() && data.has_loads) {
     problem = std::make_unique<ToughnessOfLoads>(measured_points(data, prepared), free_choice(data, prepared),
                                                  std::move(weights));
   } else {
-    std::vector<ToughnessPoint> points;
-    points.reserve(prepared.used.size());
-    for (const std::size_t i : prepared.used) points.push_back(*data.toughness(i));
-    problem = std::make_unique<ToughnessObjective>(points, scale_of(options), free_choice(data, prepared),
-                                                   std::move(weights));
+    problem = std::make_unique<ToughnessObjective>(toughness_points(data, prepared), scale_of(options),
+                                                   free_choice(data, prepared), std::move(weights));
   }
   // a file of psi and Gc can only be weighted by its sigma_Gc
   const bool energies_without = data.has_energies && data.errors.empty();
@@ -116,8 +128,9 @@ std::vector<double> toughness_weights(const Dataset& data, const FitOptions& opt
                                     " to weigh its points by");
   std::vector<double> of_loads, weights;
   if (data.has_loads) of_loads = errors_of_loads(data, scale, prepared, p);
+  const std::vector<ToughnessPoint> points = toughness_points(data, prepared);
   for (const std::size_t i : prepared.used) {
-    const double ratio = data.toughness(i)->ratio;
+    const double ratio = points[weights.size()].ratio;
     const double error = data.has_loads ? of_loads[weights.size()] : data.errors_of(i).ratio / ratio;
     if (!(error > 0))
       refuse_value(data, data.points[i], data.has_energies ? "sigma_GI" : "sigma_Gc",
@@ -132,9 +145,11 @@ std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, co
   std::vector<double> start;
   for (const FittedConstant& constant : prepared.fitted) start.push_back(constant.mean);
   double largest = 0, pull = 0;
+  const ConstantsScale scale(prepared.constants);
   for (const std::size_t i : prepared.used) {
-    largest = std::max(largest, data.points[i].shear());
-    pull = std::max(pull, -data.points[i].P);
+    const Point point = data.corrected(i, scale);
+    largest = std::max(largest, point.shear());
+    pull = std::max(pull, -point.P);
   }
   const std::size_t free = options.free.size();
   // if a load is below pull-off, a toughness at which the lowest load is 0.85 of pull-off
@@ -144,7 +159,7 @@ std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, co
   unsheared.objective = Objective::curve;
   std::fill(unsheared.held.begin(), unsheared.held.end(), true);
   unsheared.fitted.resize(free);
-  std::erase_if(unsheared.used, [&](std::size_t i) { return data.points[i].shear() > 0.01 * largest; });
+  std::erase_if(unsheared.used, [&](std::size_t i) { return data.corrected(i, scale).shear() > 0.01 * largest; });
   if (free == 0 || unsheared.used.size() < free) return start;
   SolverOptions solver;
   solver.engine = Engine::kernel;

@@ -34,6 +34,7 @@ class FreeChoice {
   const std::vector<Constant>& constants() const { return constants_; }   // after them
   std::size_t size() const { return parameters_.size(); }
 
+  const Constants& fixed_constants() const { return base_.constants; }  // those that are not free
   Candidate candidate(std::span<const double> x) const;
 
   /// Fills a row of the Jacobian. `by_parameter`: the residual's derivatives in all of the model's parameters;

@@ -75,7 +75,7 @@ void choose_points(const Dataset& data, const std::vector<std::size_t>* points, 
   std::optional<bool> infinite;
   const auto obstacle = [&](std::size_t i) -> std::string_view {
     if (prepared.objective == Objective::toughness) {
-      const auto toughness = data.toughness(i);
+      const auto toughness = data.toughness(i, scale);
       if (!toughness) return kNoPhaseAngle;
       if (toughness->mixity.cos > 0) return {};
       if (!infinite) infinite = is_infinite_in_mode_II(prepared.model);
@@ -121,7 +121,7 @@ void hold_parameters(const Dataset& data, const FitOptions& options, PreparedFit
 }  // namespace
 
 std::vector<FittedConstant> fitted_constants(const Dataset& data, const FitOptions& options) {
-  const Constants stated = stated_constants(data);
+  const Constants stated = data.stated_constants();
   std::vector<FittedConstant> list;
   for (const Constant constant : options.free) list.push_back({constant, stated[constant], 0});
   if (options.constants) return list;

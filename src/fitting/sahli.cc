@@ -53,6 +53,7 @@ std::optional<PowerLaw> fit_power_law(const std::vector<SahliRun>& runs, bool pr
 }  // namespace
 
 SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model, const std::vector<double>& parameters) {
+  if (data.stated_constants() != Constants{}) return fit_sahli(corrected(data), upto, model, parameters);
   const auto predicting = ContactModel::find(model);
   SahliResult result;
   const auto runs = points_by_curve(data);

@@ -33,8 +33,9 @@ struct SahliResult {
   std::optional<PowerLaw> power_law, predicted_power_law;
 };
 
-/// Unweighted least squares in T^2 over the points of each run up to `upto` (0..1] of its largest T. `model` with its
-/// parameter values in order predicts alpha; empty: no prediction. The data set must have loads.
+/// Of readings corrected by the stated constants. Unweighted least squares in T^2 over the points of each run up to
+/// `upto` (0..1] of its largest T. `model` with its parameter values in order predicts alpha; empty: no prediction. The
+/// data set must have loads.
 SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model = {},
                       const std::vector<double>& parameters = {});
 

@@ -1,17 +1,9 @@
 #include "fitting/stated_constants.h"
 
-#include <cmath>
-
 #include "fitting/options.h"
 
 namespace mixity {
 namespace {
-
-/// The unit of an offset; 0 where the data are dimensionless.
-double offset_unit(const Dataset& data, Constant constant) {
-  if (!data.contact) return 0;
-  return constant == kAreaOffset ? data.contact->area_unit() : data.contact->force_unit();
-}
 
 /// Whether toughness ratios are of a toughness that is stated in J/m^2.
 bool states_toughness(const Dataset& data) {
@@ -32,26 +24,14 @@ double stated_error(const Dataset& data, Constant constant) {
     case kAreaScale:
       return metadata.area_scale ? error / *metadata.area_scale : 0;
     default:
-      return offset_unit(data, constant) > 0 ? error / offset_unit(data, constant) : 0;
+      return data.offset_unit(constant) > 0 ? error / data.offset_unit(constant) : 0;
   }
 }
 
 }  // namespace
 
-Constants stated_constants(const Dataset& data) {
-  Constants stated{};
-  if (!data.has_loads) return stated;
-  const Metadata& metadata = data.metadata;
-  if (metadata.area_scale) stated[kAreaScale] = std::log(*metadata.area_scale);
-  for (const auto& [constant, value] :
-       {std::pair(kLoadOffset, metadata.load_offset), std::pair(kShearOffset, metadata.shear_offset),
-        std::pair(kAreaOffset, metadata.area_offset)})
-    if (value && data.contact) stated[constant] = *value / offset_unit(data, constant);
-  return stated;
-}
-
 Constants constants_of(const Dataset& data, const FitOptions& options) {
-  return options.constants.value_or(stated_constants(data));
+  return options.constants.value_or(data.stated_constants());
 }
 
 ConstantUnit unit_of(const Dataset& data, Constant c) {
@@ -77,7 +57,7 @@ ConstantUnit unit_of(const Dataset& data, Constant c) {
 
 std::vector<FittedConstant> uncertain_constants(const Dataset& data) {
   std::vector<FittedConstant> list;
-  const Constants stated = stated_constants(data);
+  const Constants stated = data.stated_constants();
   for (const Constant constant : kAllConstants) {
     const bool needed = data.has_loads ? constant == kAreaScale || data.contact.has_value() : constant == kToughness;
     const double error = needed ? stated_error(data, constant) : 0;

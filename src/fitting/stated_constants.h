@@ -17,9 +17,6 @@ struct FittedConstant {
   double mean, prior;  // standard error of the prior about the mean; 0: no prior
 };
 
-/// The stated values: 0 for toughness, modulus and radius, which are relative to the data set's own.
-Constants stated_constants(const Dataset& data);
-
 /// The constants of a fit that are not fitted: those of the options, else as stated.
 Constants constants_of(const Dataset& data, const FitOptions& options);
 

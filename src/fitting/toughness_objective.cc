@@ -135,9 +135,12 @@ ToughnessOfLoads::ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice
     : ModelProblem(std::move(choice)), points_(std::move(points)) {
   weights_ = std::move(weights);
   weights_.resize(points_.size(), 1.0);
-  for (std::size_t i = 0; i < points_.size(); ++i)
+  const ConstantsScale scale(choice_.fixed_constants());
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const auto& [P, T, A, sigma_T, sigma_A] = points_[i];
     targets_.push_back(weights_[i] *
-                       std::log(toughness_of_area(points_[i].P, std::abs(points_[i].T), points_[i].A)->ratio));
+                       std::log(toughness_of_area(scale.load(P), scale.shear(T), scale.true_area(A))->ratio));
+  }
 }
 
 double ToughnessOfLoads::data_norm() const {

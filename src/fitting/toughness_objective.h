@@ -36,7 +36,8 @@ class ToughnessObjective final : public ModelProblem {
 /// The same in ln f, with constants of the experiment free, on which the points' psi and f depend.
 class ToughnessOfLoads final : public ModelProblem {
  public:
-  /// `weights`: 1/standard error of each point's ln f, or empty: 1.
+  /// `weights`: 1/standard error of each point's ln f, or empty: 1. Targets are those of the constants that are not
+  /// free.
   ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice choice, std::vector<double> weights = {});
 
   double data_norm() const override;

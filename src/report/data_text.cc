@@ -34,7 +34,8 @@ void write_curves(std::ostringstream& out, const Dataset& data, bool against_jkr
   if (curves.empty()) return;
   const DisplayUnits& units = data.display;
   out << "[[Loading runs]]  P, " << bracketed("T", units.force) << ", " << bracketed("A", units.area)
-      << (against_jkr ? "; last column: area at the smallest T over JKR's\n" : "\n");
+      << (against_jkr ? "; last column: area at the smallest T over JKR's" : "")
+      << (data.stated_constants() == Constants{} ? "\n" : "; corrected by the stated offsets and area_scale\n");
   for (const CurveSummary& curve : curves) {
     out << "    " << std::left << std::setw(14) << curve.name << "  P = " << std::setw(10)
         << rounded(curve.P * units.force_scale, 5) << ' ' << std::setw(4) << curve.points

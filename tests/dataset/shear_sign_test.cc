@@ -93,6 +93,14 @@ TEST(ShearSign, NoiseAboutZeroIsNoFallOfShear) {
             "run x: T changes its sign, from -0.5 to 3; are runs of both directions mixed?\n");
 }
 
+TEST(ShearSign, IsThatOfReadingsWithTheStatedOffset) {
+  const std::string units = "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n",
+                    rows = "P [mN],T [mN],A [mm^2]\n1,-3,0.3\n1,-2,0.3\n1,-1,0.3\n1,0,0.3\n1,5,0.3\n";
+  EXPECT_EQ(texts_of(load_text(rows, units).notes).size(), 1);
+  EXPECT_EQ(texts_of(load_text(rows, units + "shear_offset = \"3 mN\"").notes), Notes{});
+  EXPECT_TRUE(texts_of(load_text(rows, units + "shear_offset = \"-6 mN\"").notes)[0].starts_with("a run is sheared"));
+}
+
 TEST(ShearSign, TheAreaToCompareWithJkrIsThatNearestToZero) {
   const auto curves = summarise_curves(load_text("P,T,A\n1,-3,19\n1,0.1,19.614936466006521\n1,-0.2,19.3\n1,4,18\n"));
   ASSERT_EQ(curves.size(), 1);

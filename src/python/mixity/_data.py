@@ -148,7 +148,8 @@ class Dataset:
 
     @property
     def psi(self) -> FloatArray:
-        """Phase angles [rad], shape (n,); NaN where the area does not exceed that of Hertz."""
+        """Phase angles [rad] of readings corrected by stated offsets and area_scale, shape (n,); NaN where the area does
+        not exceed that of Hertz."""
         return self._core.column("psi")
 
     @property
