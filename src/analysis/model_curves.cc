@@ -68,7 +68,8 @@ ModelCurves curves_of(const Analysis& result, const FiguredModels& figured, cons
   if (!data.has_loads || data.curve_loads.empty()) return curves;
   for (const std::size_t run : figured.runs) {
     const auto curve = [&](const FitResult& one) {
-      return drawn_curve(data, options, one, data.curve_loads[run], kWidestArea * figured.T_data);
+      return drawn_curve(data, options, one, data.curve_loads[run], kWidestArea * figured.T_data,
+                         data.sign_of_shear(run));
     };
     curves.areas.push_back(curve(fit));
     if (low && high) curves.area_band.emplace_back(curve(*low), curve(*high));

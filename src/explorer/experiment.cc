@@ -30,17 +30,18 @@ Json runs_of(const Dataset& data) {
   return runs;
 }
 
-/// The model's areas at a run's load up to a tangential load, with a band of one standard error.
-Json band_of(const Analysis& result, const FitResult& fit, double load, double T_most) {
+/// The model's areas at the load of a run up to a tangential load, with a band of one standard error.
+Json band_of(const Analysis& result, const FitResult& fit, std::size_t run, double T_most) {
   constexpr int kSteps = 40;
-  std::vector<double> P(kSteps + 1, load), T;
-  for (int i = 0; i <= kSteps; ++i) T.push_back(T_most * i / kSteps);
+  const double sign = result.data.sign_of_shear(run);
+  std::vector<double> P(kSteps + 1, result.data.curve_loads[run]), T;
+  for (int i = 0; i <= kSteps; ++i) T.push_back(sign * T_most * i / kSteps);
   Json band = Json::array();
   const DisplayUnits& units = result.data.display;
   const auto areas = predict_areas_of(result.data, fit, result.request.options, P, T);
   for (std::size_t i = 0; i < areas.size(); ++i)
     if (areas[i].standard_error)
-      band.push_back({T[i] * units.force_scale, (areas[i].A - *areas[i].standard_error) * units.area_scale,
+      band.push_back({sign * T[i] * units.force_scale, (areas[i].A - *areas[i].standard_error) * units.area_scale,
                       (areas[i].A + *areas[i].standard_error) * units.area_scale});
   return band;
 }
@@ -55,8 +56,8 @@ Json model_of(const Analysis& result, const FitResult& fit, bool best) {
   for (std::size_t run = 0; run < by_run.size(); ++run) {
     double largest = 0;
     for (const std::size_t i : by_run[run]) largest = std::max(largest, data.points[i].shear());
-    const DrawnCurve curve =
-        drawn_curve(result.data, result.request.options, fit, data.curve_loads[run], 1.4 * largest);
+    const DrawnCurve curve = drawn_curve(result.data, result.request.options, fit, data.curve_loads[run], 1.4 * largest,
+                                         data.sign_of_shear(run));
     Json stable = Json::array(), unstable = Json::array(), folds = Json::array();
     for (const DrawnPoint& q : curve.points) (q.stable && unstable.empty() ? stable : unstable).push_back({q.T, q.A});
     for (const DrawnFold& fold : curve.folds)
@@ -64,7 +65,7 @@ Json model_of(const Analysis& result, const FitResult& fit, bool best) {
     runs.push_back({{"P", data.curve_loads[run] * data.display.force_scale},
                     {"curve", stable},
                     {"unstable", unstable},
-                    {"band", best ? band_of(result, fit, data.curve_loads[run], 1.4 * largest) : Json::array()},
+                    {"band", best ? band_of(result, fit, run, 1.4 * largest) : Json::array()},
                     {"folds", folds}});
   }
   drawn["runs"] = std::move(runs);

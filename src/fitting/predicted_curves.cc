@@ -14,27 +14,32 @@ constexpr double kChord = 2e-4;  // of the curve's size: a hundredth of a line's
 /// Converts the model's numbers to those of the axes.
 class Shown {
  public:
-  Shown(const Dataset& data, const Constants& constants) : units_(data), scale_(constants) {}
+  Shown(const Dataset& data, const Constants& constants, double sign_of_shear = 1)
+      : units_(data), scale_(constants), sign_(sign_of_shear) {}
   const ConstantsScale& scale() const { return scale_; }
-  double P(double value) const { return (value / scale_.force - scale_.load_offset) * units_.force; }
-  double T(double value) const { return value / scale_.force * units_.force; }
+  double shear(double measured) const { return std::abs(scale_.shear(sign_ * measured)); }
+  double P(double value) const { return scale_.measured_load(value) * units_.force; }
+  double T(double value) const { return sign_ * scale_.measured_shear(sign_ * value) * units_.force; }
   double A(double value) const { return scale_.measured_area(value) * units_.area; }
-  double a(double value) const { return value / std::sqrt(scale_.area) * units_.radius; }
-  double u(double value) const { return value / scale_.area * units_.displacement; }
+  double a(double value) const {
+    return std::sqrt(std::max(value * value / scale_.area - scale_.area_offset / pi<double>(), 0.0)) * units_.radius;
+  }
+  double u(double value) const { return value / scale_.displacement * units_.displacement; }
 
  private:
   DrawnUnits units_;
   ConstantsScale scale_;
+  double sign_;
 };
 
 }  // namespace
 
-DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load,
-                       double T_most) {
+DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load, double T_most,
+                       double sign_of_shear) {
   const ContactModel model = model_of(fit);
   const Candidate candidate = fitted_candidate(data, model, fit, options);
-  const Shown shown(data, candidate.constants);
-  const double P = shown.scale().load(load), most = shown.scale().shear(T_most);
+  const Shown shown(data, candidate.constants, sign_of_shear);
+  const double P = shown.scale().load(load), most = shown.shear(T_most);
   const CurveSampling sampling{
       .rule = CurveSampling::Rule::soonest, .chord = kChord, .T_most = most, .first_range_only = true};
   const SampledCurve curve = model.curve(candidate.parameters, P, sampling);
@@ -64,7 +69,7 @@ std::vector<StableState> stable_states(const Dataset& data, const FitOptions& op
   const double P = scale.load(data.curve_loads[run]);
   double measured = 0;
   for (const Point& point : data.points)
-    if (point.curve == run) measured = std::max(measured, scale.shear(point.shear()));
+    if (point.curve == run) measured = std::max(measured, std::abs(scale.shear(data.sign_of_shear(run) * point.T)));
   double end = model.first_stable_end(candidate.parameters, P);
   if (std::isinf(end)) end = 1.2 * measured;
   std::vector<double> shears;
@@ -77,7 +82,8 @@ std::vector<StableState> stable_states(const Dataset& data, const FitOptions& op
   for (std::size_t i = 0; i < points; ++i) {
     if (found.at[i].status != EquilibriumStatus::ok) continue;
     const ContactState state = contact_state(P, shears[i], found.at[i].y);
-    states.push_back({state.T / scale.force, scale.measured_area(state.A), state.psi, state.f});
+    const double sign = data.sign_of_shear(run);
+    states.push_back({sign * scale.measured_shear(sign * state.T), scale.measured_area(state.A), state.psi, state.f});
   }
   return states;
 }
@@ -97,8 +103,7 @@ DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const Fit
     const double part = static_cast<double>(i) / static_cast<double>(points);
     edge_loads.push_back(largest * part * part);
   }
-  for (const ConstantShearPoint& q :
-       model.at_constant_shear(candidate.parameters, shown.scale().shear(T), edge_loads)) {
+  for (const ConstantShearPoint& q : model.at_constant_shear(candidate.parameters, shown.shear(T), edge_loads)) {
     if (!std::isfinite(q.P) || q.P > load) continue;
     const bool stable = q.dP_dy > 0;
     // the two parts share the point where they meet

@@ -35,9 +35,9 @@ struct DrawnCurve {
 };
 
 /// A fit's curve at the normal load `load`, up to T_most (both as measured, dimensionless), within 2e-4 of the curve's
-/// size. The fit must have values.
-DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load,
-                       double T_most);
+/// size. The fit must have values. `sign_of_shear`: of the run, Dataset::sign_of_shear.
+DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load, double T_most,
+                       double sign_of_shear = 1);
 
 /// States of the stable branch at a run's load from T = 0 to the instability, or to 1.2 times the largest measured T of
 /// the run, denser towards the fold. T and A as measured, dimensionless; empty where there is no contact.

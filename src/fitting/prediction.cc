@@ -72,9 +72,9 @@ std::vector<Derived> propagate(const FitResult& fit, const Follows& follows) {
 /// A fold of the contact as measured, where constants were fitted.
 Fold measured(Fold fold, const Constants& c) {
   const ConstantsScale scale(c);
-  fold.T = fold.T / scale.force - scale.shear_offset;
+  fold.T = scale.measured_shear(fold.T);
   fold.A = scale.measured_area(fold.A);
-  fold.u *= std::exp(c[kRadius] + 2.0 / 3 * (c[kToughness] - c[kModulus] - c[kRadius]));  // R/xi^2
+  fold.u /= scale.displacement;
   fold.area_after = fold.area_after > 0 ? scale.measured_area(fold.area_after) : 0;
   return fold;
 }
