@@ -60,7 +60,7 @@ ModelCurves curves_of(const Analysis& result, const FiguredModels& figured, cons
   const Dataset& data = result.data;
   const FitOptions& options = result.request.options;
   const auto toughness = [&](const FitResult& one) {
-    return drawn_toughness(data, one, figured.toughness.last_psi, figured.toughness.most);
+    return drawn_toughness(data, one, figured.toughness.last_psi, 10 * figured.toughness.most);
   };
   ModelCurves curves{&fit, {}, {}, {}, toughness(fit)};
   const auto low = at_interval_end(fit, false), high = at_interval_end(fit, true);

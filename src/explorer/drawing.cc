@@ -89,7 +89,7 @@ Json drawn_models(const Json& request) {
     const ContactModel model = model_of(key);
     const auto parameters = one.at("parameters").get<std::vector<double>>();
     const FitResult fit = as_chosen(model, parameters);
-    const Json toughness = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e3, kPoints);
+    const Json toughness = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e4, kPoints);
     if (const std::string problem = model.problem(parameters, P); !problem.empty()) {
       all.push_back({{"model", key}, {"problem", problem}, {"toughness", toughness}});
       continue;

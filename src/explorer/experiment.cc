@@ -49,7 +49,7 @@ Json band_of(const Analysis& result, const FitResult& fit, std::size_t run, doub
 Json model_of(const Analysis& result, const FitResult& fit, bool best) {
   const Dataset& data = result.data;
   Json drawn{{"model", fit.model}};
-  drawn["toughness"] = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e3, 120);
+  drawn["toughness"] = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e4, 120);
   if (!data.has_loads) return drawn;
   const auto by_run = points_by_curve(data);
   Json runs = Json::array();

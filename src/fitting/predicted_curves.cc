@@ -124,7 +124,7 @@ std::vector<std::pair<double, double>> toughness_curve(const ContactModel& model
   model.log_toughness(p, at, log_f, {});
   std::vector<std::pair<double, double>> points;
   for (std::size_t i = 0; i <= steps; ++i)
-    if (const double f = std::exp(log_f[i]); f <= most) points.emplace_back(psi[i], f);
+    if (!std::isnan(log_f[i])) points.emplace_back(psi[i], std::min(std::exp(log_f[i]), most));
   return points;
 }
 

@@ -55,7 +55,7 @@ struct DrawnRadii {
 DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const FitResult& fit, double T, double P_most,
                        std::size_t points = 400);
 
-/// f(psi) at even steps of psi from 0 to last_psi, where it does not exceed `most`.
+/// f(psi) at even steps of psi from 0 to last_psi; where it exceeds `most`, a number beyond the frame, that.
 std::vector<std::pair<double, double>> toughness_curve(const ContactModel& model, std::span<const double> p,
                                                        double last_psi, double most, std::size_t steps);
 /// The same of a fit.

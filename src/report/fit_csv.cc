@@ -132,10 +132,10 @@ void add_curves(CsvTable<CurveRow>& table, const Analysis& result, const FitResu
   constexpr std::size_t kPoints = 101;
   const Dataset& data = result.data;
   const DisplayUnits& units = data.display;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (!data.has_loads)
-    for (const auto& [psi, f] :
-         drawn_toughness(data, fit, 0.5 * pi<double>(), std::numeric_limits<double>::max(), kPoints - 1))
-      table.add({&data, &fit, 0, {}, {}, {}, psi, f});
+    for (const auto& [psi, f] : drawn_toughness(data, fit, 0.5 * pi<double>(), kInfinity, kPoints - 1))
+      if (f < kInfinity) table.add({&data, &fit, 0, {}, {}, {}, psi, f});
   for (std::size_t curve = 0; data.has_loads && curve < data.curves.size(); ++curve)
     for (const StableState& state : stable_states(data, result.request.options, fit, curve, kPoints))
       table.add({&data, &fit, curve, data.curve_loads[curve] * units.force_scale, state.T * units.force_scale,
