@@ -14,7 +14,7 @@ std::vector<Figure> sahli_figures(const ReportedData& reported) {
   const DrawnUnits units(data);
   const double alpha_scale = units.area / (units.force * units.force);
   Series measured{"each run", Look::circles, color(0)},
-      model{"model " + reported.sahli_model, model_line(reported.sahli_model), color(2)};
+      model{"model " + reported.sahli_model, model_line(reported.sahli_model), model_color(reported.sahli_model)};
   double log_A = 0, log_alpha = 0;
   for (const SahliRun& run : reported.sahli->runs) {
     if (!(run.alpha > 0 && run.A0 > 0)) continue;
@@ -88,6 +88,7 @@ std::vector<Figure> peak_figures(const ReportedData& reported) {
                       rounded(high->second / low->second, 3) + ".";
   }
   for (const PredictedPeaks& model : reported.predicted_peaks) {
+    if (model.loads.size() < 2) continue;  // no line
     Points jump, lower, upper;
     for (const PredictedPeak& load : model.loads) {
       jump.emplace_back(load.P, load.stress);

@@ -107,8 +107,9 @@ Figure behaviours() {
   const auto add = [&](const PaperModel& model, const char* label, std::size_t i) {
     Series series{label, model.look(), color(i)};
     for (const CurvePoint& q : model.curve(kLoad, kMost)) {
-      if (q.dT < 0 || q.T > kMost) break;
+      if (q.dT < 0) break;
       series.points.emplace_back(q.T, q.A);
+      if (q.T > kMost) break;
     }
     figure.series.push_back(std::move(series));
   };
@@ -143,8 +144,9 @@ Figure fig8(const std::string& key, const std::vector<Dataset>& data) {
     const CurvePoint* last = nullptr;
     const auto points = model.curve(kMergelLoads[k], kMost);
     for (const CurvePoint& q : points) {
-      if (q.dT < 0 || q.T > kMost) break;
+      if (q.dT < 0) break;
       series.points.emplace_back(q.T, q.A);
+      if (q.T > kMost) break;
       const double wanted = 0.375 * pi<double>();
       if (last && last->psi < wanted && q.psi >= wanted) angle.points.emplace_back(q.T, q.A);
       last = &q;

@@ -56,14 +56,18 @@ Figure toughness_figure(const std::string& name, const std::string& title, doubl
                 .title = title,
                 .x = {"ψ [rad]", 0.0, last_psi},
                 .y = std::move(f),
-                .key_place = KeyPlace::top_left,
-                .caption =
-                    "f = 1 + (1 - lambda) tan^2(psi) of model a, 1 + tan^2((1 - lambda/2) psi) of b, "
-                    "1/(1 + (lambda - 1) sin^2(psi)) of c."};
-  for (const auto& [key, lambda] : lambdas)
+                .key_place = KeyPlace::top_left};
+  for (const auto& [key, lambda] : lambdas) {
     figure.series.push_back(
         {"model " + key + ", λ = " + rounded(lambda, 4), model_line(key), model_color(key),
          toughness_curve(ContactModel::find(key).value(), ParameterValues{lambda}, drawn_psi, 1e6, kPaperPoints)});
+    figure.caption += (figure.caption.empty() ? "f = " : ", ") +
+                      std::string(key == "a"   ? "1 + (1 - lambda) tan^2(psi)"
+                                  : key == "b" ? "1 + tan^2((1 - lambda/2) psi)"
+                                               : "1/(1 + (lambda - 1) sin^2(psi))") +
+                      (figure.caption.empty() ? " of model " : " of ") + key;
+  }
+  figure.caption += ".";
   return figure;
 }
 

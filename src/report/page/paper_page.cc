@@ -14,11 +14,12 @@ std::string paper_page(const std::vector<Figure>& figures, const DrawnFigures& d
                    "under shear load in soft materials, J. Mech. Phys. Solids (2019); drawn by mixity " MIXITY_VERSION
                    " from the equations below each figure.",
                    "soft") +
-      text_element("p",
-                   "All quantities are dimensionless, with ξ = (E* R/G_Ic)^(1/3): a = ξ a/R, A = π a², u = ξ² u/R, "
-                   "P = P/(R G_Ic), T = T/(R G_Ic), τ0 = ξ τ0/E*. The paper's numbers of the equations are not known "
-                   "here.",
-                   "soft");
+      text_element(
+          "p",
+          "All quantities are dimensionless: a is in units of R/ξ with ξ = (E* R/G_Ic)^(1/3), A = π a² of "
+          "(R/ξ)², u of R/ξ², P and T of R G_Ic, τ0 of E*/ξ. The paper's numbers of the equations are not known "
+          "here.",
+          "soft");
   if (!drawn.missing.empty()) header += text_element("p", drawn.missing, "banner");
   std::string content;
   for (const Figure& figure : figures) {

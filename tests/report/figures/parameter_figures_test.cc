@@ -200,5 +200,27 @@ TEST(PeakFigures, CompareTheFirstCycleOfEachLoadAndShowLaterOnesApart) {
   EXPECT_NE(figure.caption.find("first maximum of each load it varies by a factor of 1.5."), std::string::npos);
 }
 
+TEST(PeakFigures, LeaveOutAModelThatJumpsAtOneLoadOnly) {
+  const Analysis no_fits;
+  ReportedData reported{no_fits, "w"};
+  reported.peaks = PeakForces{};
+  reported.peaks->rows = {{2, 1.0, 30.0, 10.0}, {4, 4.0, 20.0, 10.1}};
+  reported.predicted_peaks.push_back({"b", {PredictedPeak{4.0, 1700, 1600, 1800}}});
+  reported.predicted_peaks.push_back({"c", {PredictedPeak{1.0, 31, 30, 32}, PredictedPeak{4.0, 21, 20, 22}}});
+  const Figure figure = peak_figures(reported).at(0);
+  std::vector<std::string> labels;
+  for (const Series& series : figure.series) labels.push_back(series.label);
+  EXPECT_EQ(labels, (std::vector<std::string>{"", "jump of model c", "first maximum", "following minimum"}));
+}
+
+TEST(SahliFigures, DrawAModelInItsColour) {
+  const Analysis no_fits;
+  ReportedData reported{no_fits, "w"};
+  reported.sahli_model = "a";
+  reported.sahli =
+      SahliResult{{{"1", 1, 9, 20, 0.01, {}, {}, 0.011}, {"2", 3, 9, 25, 0.02, {}, {}, 0.021}}, {}, {}, {}};
+  EXPECT_EQ(series_named(sahli_figures(reported).at(0), "model a").color, model_color("a"));
+}
+
 }  // namespace parameter_figures_test
 }  // namespace mixity
