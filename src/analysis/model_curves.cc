@@ -34,10 +34,14 @@ ToughnessRange toughness_range(const Dataset& data) {
   return range;
 }
 
-ModelMap map_of(const Dataset& data, const ContactModel& model, const FittedParameter& lambda) {
+/// Computed in the loads of the contact, given in those of the readings.
+ModelMap map_of(const Dataset& data, const ContactModel& model, const FittedParameter& lambda,
+                const ConstantsScale& scale) {
   ModelMap map;
+  std::vector<double> loads;
+  for (const double P : data.curve_loads) loads.push_back(scale.load(P));
   const ParameterInfo& info = model.parameters()[0];
-  const auto [least, most] = std::minmax_element(data.curve_loads.begin(), data.curve_loads.end());
+  const auto [least, most] = std::minmax_element(loads.begin(), loads.end());
   const double margin = 0.1 * (*most - *least) + 0.5;
   map.frame.P_low = std::max(*least - margin, -1.5 * pi<double>() * 0.999);
   map.frame.P_high = *most + margin;
@@ -49,7 +53,10 @@ ModelMap map_of(const Dataset& data, const ContactModel& model, const FittedPara
   RegimeMap regimes(model, fitted, map.frame, tau0);
   while (regimes.add_line()) continue;
   map.regions = regimes.regions();
-  for (const double P : data.curve_loads) {
+  for (RegimeRegion& region : map.regions)
+    for (auto& [P, value] : region.outline) P = scale.measured_load(P);
+  for (double* const end : {&map.frame.P_low, &map.frame.P_high}) *end = scale.measured_load(*end);
+  for (const double P : loads) {
     const auto report = model.regime(fitted, P, tau0);
     map.runs.push_back(report ? std::optional(report->regime) : std::nullopt);
   }
@@ -77,7 +84,9 @@ ModelCurves curves_of(const Analysis& result, const FiguredModels& figured, cons
   for (const double T : figured.shears)
     if (T > 0) curves.radii.push_back(drawn_radii(data, options, fit, T, figured.P_most));
   const ContactModel model = model_of(fit);
-  if (model.parameters().size() == 1) curves.map = map_of(data, model, fit.parameters.front());
+  if (model.parameters().size() == 1)
+    curves.map = map_of(data, model, fit.parameters.front(),
+                        ConstantsScale(fitted_candidate(data, model, fit, options).constants));
   return curves;
 }
 

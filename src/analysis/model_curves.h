@@ -14,7 +14,7 @@ namespace mixity {
 /// Over the load and the one parameter of a model, with the stated shear strength if there is one.
 struct ModelMap {
   RegimeMapFrame frame;
-  std::vector<RegimeRegion> regions;        // outlines in dimensionless loads
+  std::vector<RegimeRegion> regions;        // outlines in dimensionless loads, as measured
   std::vector<std::optional<Regime>> runs;  // at the fitted parameter and the load of each run
 };
 

@@ -7,6 +7,7 @@
 
 #include "analysis/request.h"
 #include "analysis/run.h"
+#include "fitting/misread_data.h"
 
 namespace mixity {
 namespace model_curves_test {
@@ -30,6 +31,25 @@ TEST(ModelCurves, EndsOfABandRunToTheSamePsiAboveTheFrameToo) {
   }
   EXPECT_GT(bands, 0);
   EXPECT_GT(beyond, 0);
+}
+
+/// Loads that are read 4 mN too large, which the metadata state.
+TEST(ModelCurves, MapsOfRegimesAreOfTheLoadsAsCorrected) {
+  FitRequest request;
+  request.models = {"c"};
+  request.options.objective = Objective::toughness;
+  const Misread misread = misread_mergel().at(0);
+  ASSERT_EQ(misread.constant, "load_offset");
+  const Analysis right = run(request, mergel()), other = run(request, misread.data);
+  const FiguredModels one = figured_models(right), two = figured_models(other);
+  const ModelMap &map = *one.models.at(0).map, &shifted = *two.models.at(0).map;
+  const double offset = misread.data.stated_constants()[kLoadOffset];
+  EXPECT_EQ(shifted.runs, map.runs);
+  EXPECT_NEAR(shifted.frame.P_low + offset, map.frame.P_low, 1e-9);
+  EXPECT_NEAR(shifted.frame.P_high + offset, map.frame.P_high, 1e-9);
+  ASSERT_EQ(shifted.regions.size(), map.regions.size());
+  for (std::size_t i = 0; i < map.regions.size(); ++i)
+    EXPECT_NEAR(shifted.regions[i].outline.at(0).first + offset, map.regions[i].outline.at(0).first, 1e-6);
 }
 
 }  // namespace model_curves_test

@@ -156,7 +156,7 @@ Figure fig8(const std::string& key, const std::vector<Dataset>& data) {
   for (const Dataset& one : data) {
     if (!one.has_loads || !one.contact) continue;
     Series points{data_label(one), Look::squares, color(0)};
-    for (const Point& point : one.points) points.points.emplace_back(point.shear(), point.A);
+    for (const Point& point : corrected(one).points) points.points.emplace_back(point.shear(), point.A);
     figure.series.push_back(std::move(points));
   }
   Series locus{"locus of the jump", Look::dotted, color(0)};
