@@ -96,6 +96,7 @@ struct ErrorSize {
   static Complaint read(std::string_view text, std::optional<Quantity>& value) {
     auto quantity = parse_quantity(text);
     if (!quantity || !(quantity->value >= 0)) return must_be(text, "a percentage or a quantity of 0 or more");
+    if (quantity->value == 0 && quantity->unit.text.empty()) quantity = parse_quantity("0%");  // needs no unit
     value = std::move(quantity);
     return {};
   }
