@@ -59,6 +59,20 @@ void reject_for_unsheared_areas(Analysis& result) {
     }
 }
 
+void name_misfit_of_units(Analysis& result) {
+  const Dataset& data = result.data;
+  std::size_t below_hertz = 0;
+  for (std::size_t i = 0; i < data.points.size(); ++i) below_hertz += !data.toughness(i);
+  if (2 * below_hertz <= data.rows) return;  // as find_oddities does
+  for (FitResult& fit : result.fits)
+    if (fit.status != FitStatus::ok)
+      fit.message +=
+          (fit.message.empty() ? "" : "; ") +
+          std::string(
+              "most areas do not exceed that of Hertz at their load: a unit is probably off by a power of ten, and "
+              "mixity check says which");
+}
+
 void reject_for_better_model(Analysis& result) {
   constexpr double kNearlyNone = 1e-6;  // AICc weight
   constexpr double kMuchBetter = 10;    // in AICc

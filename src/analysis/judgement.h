@@ -23,6 +23,9 @@ const ComparedModel* winner(const Analysis& result);
 /// do not depend on the model. Only for constants that are taken as stated, and objective curve without a loss.
 void reject_for_unsheared_areas(Analysis& result);
 
+/// Adds to the messages of fits that are not ok that most areas do not exceed that of Hertz, if that is so.
+void name_misfit_of_units(Analysis& result);
+
 /// Sets fits to suspect, with the winner's name as the cause, if they are suspect already or have an AICc weight below
 /// 1e-6. Exempt are fits that a wrong constant would bring close to the winner.
 void reject_for_better_model(Analysis& result);

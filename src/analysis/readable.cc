@@ -1,14 +1,16 @@
 #include "analysis/readable.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/units.h"
 
 namespace mixity {
 
 FittedParameter readable(FittedParameter parameter) {
-  if (!parameter.value || parameter.unit.empty()) return parameter;
-  const ReadableUnit shown = readable_unit(*parameter.value, parameter.unit);
+  if (parameter.unit.empty()) return parameter;
+  const double size = parameter.value.value_or(std::sqrt(std::abs(parameter.lower * parameter.upper)));
+  const ReadableUnit shown = readable_unit(size, parameter.unit);
   const auto scale = [&](std::optional<double>& value) {
     if (value) *value *= shown.factor;
   };

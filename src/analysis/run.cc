@@ -88,6 +88,7 @@ Analysis run(const FitRequest& request, Dataset data, const Progress& progress) 
   });
   if (request.options.checks) result.unsheared = test_unsheared(result.data, request.options);
   reject_for_unsheared_areas(result);
+  name_misfit_of_units(result);
   reject_for_better_model(result);
   if (request.per_curve) {
     result.per_curve.resize(models);

@@ -52,7 +52,8 @@ void write_parameter(std::ostringstream& out, const FittedParameter& parameter, 
   out << interval_text(parameter);
   if (parameter.prior) out << "   " << prior_text(parameter, budget);
   if (!parameter.held && !parameter.prior)
-    out << "   range " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4);
+    out << "   range " << rounded(parameter.lower, 4) << ".." << rounded(parameter.upper, 4)
+        << (parameter.value ? "" : unit_text(parameter.unit));
   out << '\n';
 }
 

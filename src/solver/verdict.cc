@@ -62,7 +62,8 @@ Finding every_value_fits(const Judgement& judgement) {
   for (const auto& x : judgement.found.dearest)
     if (const auto cost = judgement.cost_at(x); cost && !judgement.fits_as_well(*cost)) return {};
   const std::string names = joined(texts_of(judgement.problem.parameters(), &FreeParameter::name));
-  return {{FitStatus::not_identifiable, "the data do not constrain " + names + ": every value in the range fits"}};
+  return {{FitStatus::not_identifiable,
+           "the data do not constrain " + names + ": no value in the range fits better than another"}};
 }
 
 Finding nothing_found(const Judgement& judgement) {

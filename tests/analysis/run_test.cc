@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/request.h"
+#include "analysis/settings.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -50,6 +51,33 @@ TEST(Run, TellsOfItsProgressInSmallStepsThatNeverFall) {
     ASSERT_FALSE(told.empty());
     EXPECT_EQ(told.back(), 1);
   }
+}
+
+/// P in N where the heading says mN.
+TEST(Run, OfAreasBelowHertzSaysThatAUnitIsOff) {
+  const TemporaryFolder folder;
+  FitRequest request = request_in(folder);
+  request.data_path =
+      folder.write("b.csv", "P,T,A\n1000,0,19.6\n1000,5,19.2\n1000,8,18.7\n1000,10,18\n5000,0,23.9\n5000,8,23.3\n");
+  for (const FitResult& fit : run(request).fits) {
+    EXPECT_NE(fit.status, FitStatus::ok);
+    EXPECT_NE(fit.message.text().find("most areas do not exceed that of Hertz at their load: a unit is probably off"),
+              std::string::npos)
+        << fit.message.text();
+  }
+  for (const FitResult& fit : run(request_in(folder)).fits)
+    EXPECT_EQ(fit.message.text().find("Hertz"), std::string::npos);
+}
+
+TEST(Run, TakesAStandardErrorOfZeroWithoutAUnit) {
+  FitRequest request;
+  request.data_path = MIXITY_ROOT "/data/mergel2018.csv";
+  request.models = {"c"};
+  ASSERT_EQ(set_option(request, "sigma_T", "0"), "");
+  ASSERT_EQ(set_option(request, "sigma_A", "0.004 mm^2"), "");
+  const FitResult fit = run(request).fits.at(0);
+  EXPECT_TRUE(fit.parameters[0].value);
+  EXPECT_EQ(fit.errors->source_T, ErrorSource::stated);
 }
 
 TEST(Run, NamesEveryFileThatItReads) {

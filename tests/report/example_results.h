@@ -47,7 +47,7 @@ inline Analysis example(FitStatus status) {
     fit.parameters[0].stderr_.reset();
   }
   if (status == FitStatus::not_identifiable) {
-    fit.message = "the data do not constrain lambda: every value in the range fits";
+    fit.message = "the data do not constrain lambda: no value in the range fits better than another";
     fit.parameters[0].value.reset();
     fit.parameters[0].stderr_.reset();
     fit.r2.reset();

@@ -27,6 +27,13 @@ TEST(FitText, ReconstructedWithManyExclusionsAndAHeldParameter) {
   expect_golden(result, "reconstructed.txt");
 }
 
+TEST(FitText, TheRangeOfAnUndeterminedConstantIsInAReadableUnit) {
+  Analysis result = example(FitStatus::not_identifiable);
+  result.fits[0].parameters.push_back({"toughness", {}, {}, 2.7e-5, 27, false, false, {}, {}, "J/m^2"});
+  const std::string text = to_text(result);
+  EXPECT_NE(text.find("not determined   range 0.027..27000 mJ/m^2\n"), std::string::npos) << text;
+}
+
 TEST(FitText, ListsTheFirstOfThePointsThatAModelLeavesOut) {
   Analysis result = example(FitStatus::ok);
   result.request.words = cli::in_flags;

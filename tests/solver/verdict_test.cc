@@ -37,7 +37,8 @@ TEST_P(Findings, NowhereFinite) {
 TEST_P(Findings, EveryValueFits) {
   const auto problem = problem_of<1>(
       4, {{"x", 0, 1}}, {}, [](const auto* b, std::size_t i) { return 0.1 * b[0] * static_cast<double>(i) + sign(i); });
-  EXPECT_EQ(text(judge(problem)), "not_identifiable: the data do not constrain x: every value in the range fits");
+  EXPECT_EQ(text(judge(problem)),
+            "not_identifiable: the data do not constrain x: no value in the range fits better than another");
 }
 
 TEST_P(Findings, NothingFound) {
