@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "fitting/consistency.h"
 
 namespace mixity {
@@ -103,18 +104,19 @@ bool can_be_believed(const Analysis& result) {
 std::string no_best_model(const Analysis& result) {
   const Preferences preferred = preferences(result.comparison);
   for (const FitResult& fit : result.fits) {
-    const bool named =
-        fit.model == preferred.aicc || fit.model == preferred.evidence || fit.model == preferred.left_out;
+    bool named = false;
+    for (const auto* models : {&preferred.aicc, &preferred.evidence, &preferred.left_out})
+      named |= std::find(models->begin(), models->end(), fit.model) != models->end();
     if (named && fit.status == FitStatus::suspect && fit.outdone_by.empty())
       return "the fit of " + fit.model + " is suspect, and no model is named best until that is resolved";
   }
   if (preferred.agree()) return {};
   std::string text, separator = "the criteria disagree, and no model is named best: ";
-  for (const auto& [criterion, model] :
+  for (const auto& [criterion, models] :
        {std::pair("AICc prefers ", preferred.aicc), std::pair("the evidence ", preferred.evidence),
         std::pair("the loads left out ", preferred.left_out)}) {
-    if (model.empty()) continue;
-    text += separator + criterion + model;
+    if (models.empty()) continue;
+    text += separator + criterion + joined(models, " and ") + (models.size() > 1 ? " alike" : "");
     separator = ", ";
   }
   return text;

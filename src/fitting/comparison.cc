@@ -148,26 +148,33 @@ std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector
 }
 
 bool Preferences::agree() const {
-  std::string preferred;
-  for (const std::string& one : {aicc, evidence, left_out}) {
-    if (one.empty()) continue;
-    if (preferred.empty()) preferred = one;
-    if (one != preferred) return false;
-  }
-  return true;
+  const auto lists = {&aicc, &evidence, &left_out};
+  const auto in_all = [&](const std::string& model) {
+    return std::all_of(lists.begin(), lists.end(), [&](const std::vector<std::string>* list) {
+      return list->empty() || std::find(list->begin(), list->end(), model) != list->end();
+    });
+  };
+  return std::all_of(lists.begin(), lists.end(), [&](const std::vector<std::string>* list) {
+    return list->empty() || std::any_of(list->begin(), list->end(), in_all);
+  });
 }
 
 Preferences preferences(const std::vector<ComparedModel>& compared) {
-  // the model that a number is largest of; empty unless two models have it
+  constexpr double kTie = 1e-3;  // relative
+  // the models that a number is largest of; none unless two models have it
   const auto largest = [&](auto number_of) {
-    const ComparedModel* best = nullptr;
+    std::optional<double> best;
     std::size_t known = 0;
     for (const ComparedModel& one : compared) {
       const std::optional<double> number = number_of(one);
       known += number.has_value();
-      if (number && (!best || *number > *number_of(*best))) best = &one;
+      if (number && (!best || *number > *best)) best = number;
     }
-    return known > 1 ? best->model : std::string();
+    std::vector<std::string> models;
+    for (const ComparedModel& one : compared)
+      if (const std::optional<double> number = number_of(one); known > 1 && number)
+        if (*best - *number <= kTie * std::abs(*best)) models.push_back(one.model);
+    return models;
   };
   return {largest([](const ComparedModel& one) { return one.weight; }),
           largest([](const ComparedModel& one) { return one.probability; }), largest([](const ComparedModel& one) {

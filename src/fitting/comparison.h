@@ -56,10 +56,11 @@ struct ComparedModel {
 std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector<FitResult>& fits,
                                           const FitOptions& options);
 
-/// The model that each criterion prefers; empty where it has nothing to compare.
+/// The model that each criterion prefers, or those that tie (weights, probabilities or errors equal to 1e-3); empty
+/// where it has nothing to compare.
 struct Preferences {
-  std::string aicc, evidence, left_out;
-  bool agree() const;  // those that prefer a model prefer the same
+  std::vector<std::string> aicc, evidence, left_out;
+  bool agree() const;  // those that prefer a model prefer the same, or one of those that tie
 };
 Preferences preferences(const std::vector<ComparedModel>& compared);
 

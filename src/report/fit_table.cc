@@ -147,20 +147,25 @@ std::vector<std::string> findings(const Analysis& result) {
   if (!no_winner.empty()) sentences.push_back("Here " + no_winner + ".");
   if (no_winner.empty() && by_error.size() > 1 && by_error[0]->left_out->rmse_area > 0) {
     const double least = by_error[0]->left_out->rmse_area;
+    const std::vector<std::string> best = preferences(result.comparison).left_out;
     std::vector<std::string> others;
-    for (std::size_t i = 1; i < by_error.size(); ++i)
+    for (std::size_t i = best.size(); i < by_error.size(); ++i)
       others.push_back(by_error[i]->model + " errs " + rounded(by_error[i]->left_out->rmse_area / least, 2) +
                        " times as much");
-    sentences.push_back("Model " + by_error[0]->model +
-                        " predicts the areas at loads left out of the fit best (RMS error " + rounded(least, 3) +
-                        unit_text(result.data.display.area) + ")" + joined(others, ", ", "; ") + ".");
+    sentences.push_back(
+        (best.size() > 1 ? "Models " + joined(best, " and ") + " predict" : "Model " + best[0] + " predicts") +
+        " the areas at loads left out of the fit best (RMS error " + rounded(least, 3) +
+        unit_text(result.data.display.area) + ")" + joined(others, ", ", "; ") + ".");
   }
   if (no_winner.empty() && by_weight.size() > 1) {
     const double weight = *by_weight[0]->weight;
+    const std::vector<std::string> tied = preferences(result.comparison).aicc;
     sentences.push_back(weight > 0.95 ? "AICc prefers model " + by_weight[0]->model + " (weight " +
                                             (weight > 0.9999 ? "> 0.9999" : rounded(weight, 3)) + ")."
-                                      : "AICc does not decide between the models (weight of " + by_weight[0]->model +
-                                            " " + rounded(weight, 2) + ").");
+                        : tied.size() > 1 ? "AICc finds models " + joined(tied, " and ") + " equal (weight " +
+                                                rounded(weight, 2) + " each)."
+                                          : "AICc does not decide between the models (weight of " +
+                                                by_weight[0]->model + " " + rounded(weight, 2) + ").");
   }
   for (const FitResult& fit : result.fits)
     if (fit.status != FitStatus::ok && fit.outdone_by.empty())

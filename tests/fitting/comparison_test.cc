@@ -166,10 +166,26 @@ TEST(Preferences, AgreeOnlyWhereEachCriterionNamesTheSameModel) {
   EXPECT_TRUE(preferences({b, c}).agree());
   b.probability = 0.2;
   c.probability = 0.8;
-  EXPECT_EQ(preferences({b, c}).evidence, "c");
+  EXPECT_EQ(preferences({b, c}).evidence, std::vector<std::string>{"c"});
   EXPECT_FALSE(preferences({b, c}).agree());
   c.left_out.reset();  // one alone is no comparison
-  EXPECT_EQ(preferences({b, c}).left_out, "");
+  EXPECT_TRUE(preferences({b, c}).left_out.empty());
+}
+
+/// One law under two names, its numbers equal but for rounding.
+TEST(Preferences, OfEqualModelsAreTies) {
+  const ComparedModel a{"a", 40.0, {}, 1e-9, LeftOut{9, 0, {}}, 1e-9},
+      c{"c", 10.0, {}, 0.5, LeftOut{2, 0, {}}, 0.5 + 1e-9},
+      linear{"linear", 10.0, {}, 0.5 + 1e-12, LeftOut{2 + 1e-12, 0, {}}, 0.5};
+  const Preferences tied = preferences({a, c, linear});
+  for (const auto& models : {tied.aicc, tied.evidence, tied.left_out})
+    EXPECT_EQ(models, (std::vector<std::string>{"c", "linear"}));
+  EXPECT_TRUE(tied.agree());
+  ComparedModel better = c;
+  better.left_out->rmse_area = 1;
+  EXPECT_TRUE(preferences({a, better, linear}).agree());  // c is one of those that tie elsewhere
+  better.probability = 0.1;
+  EXPECT_FALSE(preferences({a, better, linear}).agree());
 }
 
 TEST(LeaveOneLoadOut, NeedsTwoRunsWithLoads) {

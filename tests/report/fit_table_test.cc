@@ -87,6 +87,22 @@ TEST(Findings, NameTheBestPredictionAndWhatDidNotEndOk) {
   EXPECT_TRUE(findings(example(FitStatus::ok)).empty());
 }
 
+/// The same law under two names.
+TEST(Findings, CallATieATie) {
+  Analysis result = example(FitStatus::ok);
+  result.comparison = {{"b", 90.0, {}, 1e-9, LeftOut{0.02, 0, {}}, {}},
+                       {"c", 50.0, {}, 0.5, LeftOut{0.01, 0, {}}, {}},
+                       {"linear", 50.0, {}, 0.5 + 1e-12, LeftOut{0.01, 0, {}}, {}}};
+  EXPECT_EQ(findings(result), (std::vector<std::string>{
+                                  "Models c and linear predict the areas at loads left out of the fit best (RMS error "
+                                  "0.01 mm^2); b errs 2 times as much.",
+                                  "AICc finds models c and linear equal (weight 0.5 each)."}));
+  result.comparison[0].left_out->rmse_area = 0.001;
+  EXPECT_EQ(findings(result), std::vector<std::string>{
+                                  "Here the criteria disagree, and no model is named best: AICc prefers c and linear "
+                                  "alike, the loads left out b."});
+}
+
 TEST(Findings, SayWhenAiccDoesNotDecide) {
   EXPECT_EQ(findings(shipped("waters_guduru2010")),
             std::vector<std::string>{"AICc does not decide between the models (weight of b 0.95)."});
