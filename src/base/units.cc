@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 namespace mixity {
 namespace {
@@ -138,6 +140,27 @@ std::optional<Unit> parse_unit(std::string_view text) {
   }
 }
 
+std::string with_other_capitals(std::string_view unit, const Dimension& wanted) {
+  constexpr std::size_t kMost = 8;  // letters
+  std::vector<std::size_t> letters;
+  for (std::size_t i = 0; i < unit.size(); ++i)
+    if (std::isalpha(static_cast<unsigned char>(unit[i]))) letters.push_back(i);
+  if (letters.size() > kMost) return {};
+  std::string found;
+  std::size_t least = kMost + 1;  // letters changed
+  for (unsigned choice = 1; choice < 1U << letters.size(); ++choice) {
+    std::string other(unit);
+    const auto changed = static_cast<std::size_t>(std::popcount(choice));
+    for (std::size_t k = 0; k < letters.size(); ++k)
+      if (choice >> k & 1U) other[letters[k]] = static_cast<char>(other[letters[k]] ^ ('a' ^ 'A'));
+    const auto parsed = changed <= least ? parse_unit(other) : std::nullopt;
+    if (!parsed || parsed->dimension != wanted) continue;
+    found = changed < least ? other : std::string();
+    least = changed;
+  }
+  return found;
+}
+
 bool parse_number(std::string_view text, double& value) {
   text = trim(text);
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
@@ -213,6 +236,21 @@ std::optional<UncertainQuantity> parse_uncertain(std::string_view text) {
   result.standard_error = other->si();
   const bool finite = std::isfinite(result.quantity.si()) && std::isfinite(result.standard_error);
   return finite ? std::optional(result) : std::nullopt;
+}
+
+std::string_view unknown_unit(std::string_view text) {
+  const std::string_view sign = sign_of_error(text);
+  const std::size_t end = sign.empty() ? text.size() : text.find(sign);
+  for (std::string_view part : {text.substr(0, end), text.substr(std::min(end + sign.size(), text.size()))}) {
+    part = trim(part);
+    double value = 0;
+    const auto [rest, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    part.remove_prefix(static_cast<std::size_t>(rest - part.data()));
+    part = trim(part.substr(part.starts_with(')')));
+    if (error == std::errc() && !part.empty() && part.find_first_of(".,:;+-0123456789") != 0 && !parse_unit(part))
+      return part;
+  }
+  return {};
 }
 
 ReadableUnit readable_unit(double value, const std::string& unit) {

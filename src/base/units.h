@@ -31,6 +31,10 @@ struct Unit {
 /// powers as ^2, 2 or ²; products by space, '*' or '·'; '/' divides by the one unit that follows it.
 std::optional<Unit> parse_unit(std::string_view text);
 
+/// The unit of this dimension that a text names with other capitals: "MPa" for "Mpa". Of several the one with the
+/// fewest changes. Empty if there is none, or two such.
+std::string with_other_capitals(std::string_view unit, const Dimension& wanted);
+
 struct Quantity {
   double value = 0;  // in `unit`
   Unit unit;
@@ -54,6 +58,9 @@ bool states_error(std::string_view text);
 /// "+/-". Null if the text is none of these or a plain quantity, the error is negative or not finite, or is a
 /// percentage of 0.
 std::optional<UncertainQuantity> parse_uncertain(std::string_view text);
+
+/// The text that stands for the unit of the value or of the error but is none. Empty if there is no such text.
+std::string_view unknown_unit(std::string_view text);
 
 /// A unit for readers, and the factor from SI to it.
 struct ReadableUnit {

@@ -158,6 +158,12 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
   const MetadataField* const field = find_field(name);
   if (!field) return "unknown key " + quoted(name) + " (known: " + known_names() + ")";
   const auto uncertain = parse_uncertain(text);
+  if (const std::string_view unit = unknown_unit(text); !uncertain && !unit.empty()) {
+    const std::string meant = with_other_capitals(unit, field->dimension);
+    return given + "the unit " + quoted(unit) + " is not known" +
+           (meant.empty() ? "; it must be " + describe(field->dimension)
+                          : "; " + quoted(std::string_view(meant)) + " is");
+  }
   if (!uncertain)
     return given + "it must be a number with a unit, such as " +
            (states_error(text) ? "\"1 mm +/- 2%\" or \"1 +/- 0.02 mm\"" : quoted(field->example));

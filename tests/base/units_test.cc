@@ -180,6 +180,31 @@ TEST(Numbers, AFieldThatIsNotWhollyANumberIsRefused) {
     EXPECT_FALSE(parse_number(text)) << text;
 }
 
+TEST(Units, OfOtherCapitalsAreRecognised) {
+  EXPECT_EQ(with_other_capitals("Mpa", dimension::stress), "MPa");
+  EXPECT_EQ(with_other_capitals("MJ/M^2", dimension::energy_per_area), "MJ/m^2");
+  EXPECT_EQ(with_other_capitals("KPA", dimension::stress), "kPa");
+  EXPECT_EQ(with_other_capitals("Mpa", dimension::length), "");
+  EXPECT_EQ(with_other_capitals("furlong", dimension::length), "");
+  EXPECT_EQ(with_other_capitals("", dimension::none), "");
+}
+
+TEST(Units, WhatIsNoneIsFoundInAText) {
+  for (const auto& [text, unit] : std::vector<std::pair<std::string, std::string>>{{"2.133 Mpa", "Mpa"},
+                                                                                   {"2 Mpa +/- 1 MPa", "Mpa"},
+                                                                                   {"2 +/- 1 Mpa", "Mpa"},
+                                                                                   {"(2 +/- 1) Mpa", "Mpa"},
+                                                                                   {"2.133 MPa", ""},
+                                                                                   {"wide", ""},
+                                                                                   {"9,42 mm", ""},
+                                                                                   {"9 1 mm", ""},
+                                                                                   {"2 +/- 5%", ""},
+                                                                                   {"1e999 MPa", ""},
+                                                                                   {"", ""},
+                                                                                   {"+/-", ""}})
+    EXPECT_EQ(unknown_unit(text), unit) << text;
+}
+
 TEST(Units, ADimensionIsDescribedByAnExample) {
   EXPECT_EQ(describe(dimension::force), "a force such as mN");
   EXPECT_EQ(describe(dimension::none), "a plain number");
