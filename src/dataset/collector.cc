@@ -97,7 +97,7 @@ void Collector::row(const CsvRow& row) {
 
 void Collector::leave_out(const CsvRow& row) {
   ++data_.rows;
-  data_.excluded.push_back({row.line(), "a summary of the rows above: words where they have numbers"});
+  data_.excluded.push_back({row.line(), "summary row (text where the rows above have numbers)"});
 }
 
 void Collector::comment(const CsvRow& row) {

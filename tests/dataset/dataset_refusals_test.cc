@@ -101,8 +101,8 @@ TEST(Dataset, ABrokenFileIsRefusedWithItsPlace) {
            {"P,T,A\n", "2:1: has a header but no data rows"},
            {"P,T\n1,2\n", "1:1: column 'A' or 'a' is missing"},
            {"P,T,A,T\n1,2,3,4\n",
-            "1:7: column 'T' stands twice, in columns 2 and 4; --columns=\"T=4\" says which; runs beside each other "
-            "are to stand below each other"},
+            "1:7: column 'T' stands twice, in columns 2 and 4; --columns=\"T=4\" says which; if these are runs side "
+            "by side, put them below one another with a column 'curve'"},
            {"P [mN],T [mm],A [mm^2]\n1,2,3\n",
             "1:8: unit 'mm' of column 'T' does not fit; wanted a force such as mN, or no unit if dimensionless"},
            {"P,T,A\n1,0,20\n1,abc,20\n", "3:3: column 'T': 'abc' is not a number"},

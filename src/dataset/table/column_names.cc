@@ -85,7 +85,8 @@ class Names {
                 (rules_.vocabulary
                      ? ", in columns " + std::to_string(before->index + 1) + " and " + std::to_string(i + 1) + "; " +
                            Remedy::set("columns", headings_[i].name + "=" + std::to_string(i + 1)) +
-                           " says which; runs beside each other are to stand below each other"
+                           " says which; if these are runs side by side, put them below one another with a column "
+                           "'curve'"
                      : Message()));
       columns_.push_back({*id, i, headings_[i]});
     }
@@ -130,7 +131,8 @@ class Names {
     return loads || ((find(psi) || find(mode_ratio)) && (find(Gc) || find(Gc_over_GIc))) || (find(G_I) && find(G_II));
   }
 
-  /// Removes radii or axes beside the areas that were computed from them, or the other way round.
+  /// Removes radii or axes beside the areas that were computed from them, or the other way round; of two names of one
+  /// quantity the one that is not mapped, if the other is.
   void drop_redundant_sizes() {
     using enum ColumnId;
     const auto drop = [&](ColumnId id) {
@@ -138,10 +140,12 @@ class Names {
     };
     const auto has_unit = [&](ColumnId id) { return find(id) && find(id)->heading.unit; };
     const auto is_called_a = [](const Heading& heading) { return column_named(heading.name) == ColumnId::a; };
-    if (find(A) && is_mapped(ColumnId::a))
-      drop(A);
-    else if (find(A) && std::none_of(headings_.begin(), headings_.end(), is_called_a))
-      drop(ColumnId::a);
+    for (const auto& [one, other] :
+         {std::pair(A, ColumnId::a), std::pair(psi, mode_ratio), std::pair(Gc, Gc_over_GIc)}) {
+      if (is_mapped(other)) drop(one);
+      if (is_mapped(one)) drop(other);
+    }
+    if (find(A) && std::none_of(headings_.begin(), headings_.end(), is_called_a)) drop(ColumnId::a);
     if (find(A) || find(ColumnId::a)) drop(diameter);
     // axes without a unit beside an area with one add nothing that is needed
     std::vector<ColumnId> axes;

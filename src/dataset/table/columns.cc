@@ -172,7 +172,12 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   const auto exactly_one = [&](ColumnId one, ColumnId other) {
     const std::string names = "'" + std::string(to_string(one)) + "' or '" + std::string(to_string(other)) + "'";
     if (!has(one) && !has(other)) fail("column " + names + " is missing", one);
-    if (has(one) && has(other)) fail("columns " + names + ": one of them, not both");
+    if (has(one) && has(other))
+      throw InputError(path, headings.at(0).place.line, 1,
+                       "columns " + names + ": one of them, not both" +
+                           (rules.vocabulary ? "; " + mapping(one, headings, find(one)->index) + " or " +
+                                                   mapping(other, headings, find(other)->index) + " chooses"
+                                             : Message()));
   };
   const auto all_of = [&](std::initializer_list<ColumnId> ids) {
     for (const ColumnId id : ids)

@@ -64,7 +64,7 @@ bool names_a_summary(std::string_view text) {
 }
 
 /// The line of the first row of the summary at the end: rows with such a label, as ImageJ's "Mean" below its results,
-/// or with words where all other rows have numbers. 0 if there are no such rows, or more than a few.
+/// or with words where all other rows have numbers that are not read. 0 if there are no such rows, or more than a few.
 std::size_t find_summary(const Lines& lines, std::size_t first_row, const Indices& columns, const Table& table) {
   constexpr std::size_t kMostRows = 8, kLeastRows = 3;
   std::optional<std::size_t> runs;  // the column of names of runs, which may be any word
@@ -79,10 +79,9 @@ std::size_t find_summary(const Lines& lines, std::size_t first_row, const Indice
   const auto is_summary = [&](const CsvRow& line) {
     for (std::size_t k = 0; k < line.size() && is_row_of_numbers(line); ++k) {
       const std::string_view text = line[k];
-      if (k == runs || std::count(columns.begin(), columns.end(), k) > 0 || text.empty() || is_missing(text) ||
-          is_number(text))
-        continue;
-      if (names_a_summary(text) || numbers_above(k)) return true;
+      if (k == runs || text.empty() || is_missing(text) || is_number(text)) continue;
+      const bool is_read = std::count(columns.begin(), columns.end(), k) > 0;
+      if (names_a_summary(text) || (!is_read && numbers_above(k))) return true;
     }
     return false;
   };
@@ -107,7 +106,7 @@ struct Candidate {
 /// 3. The row of units: a word is a unit only if it fits the heading of its column.
 /// 4. The columns again: with its unit a heading may mean another quantity; "T" in degrees is not a force.
 /// 5. The first row: a line with numbers that is neither headings nor units is data, so that no data are lost.
-/// 6. The summary at the end: it has words in columns of numbers that are not read, so these must be known.
+/// 6. The summary at the end: it has labels, or words in columns of numbers that are not read, so these must be known.
 /// 7. The decimal sign: only numbers that are read count, as dates or versions beside them would mislead.
 ///
 /// Null if there are no rows or no headings.

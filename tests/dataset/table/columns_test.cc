@@ -95,6 +95,25 @@ TEST(Columns, AStandardErrorHasAUnitExactlyIfItsQuantityHasOne) {
     EXPECT_NE(error_of(header), "") << header;
 }
 
+TEST(Columns, AMappingChoosesBetweenTwoNamesOfAQuantity) {
+  const auto chosen = [](const std::string& header, const std::map<std::string, std::string>& mapping) {
+    std::vector<Heading> headings;
+    std::size_t place = 0;
+    for (const std::string_view text : split(header))
+      headings.push_back(split_heading(std::string(text), {1, ++place}));
+    const Columns columns("a.csv", headings, {mapping});
+    std::string names;
+    for (const auto& column : columns.by_id)
+      if (column) names += std::string(to_string(column->id)) + std::to_string(column->index) + " ";
+    return names;
+  };
+  EXPECT_EQ(chosen("P,T,A,a", {{"A", "3"}}), "P0 T1 A2 ");
+  EXPECT_EQ(chosen("P,T,A,a", {{"a", "4"}}), "P0 T1 a3 ");
+  EXPECT_EQ(chosen("psi,mode_ratio,Gc", {{"psi", "psi"}}), "psi0 Gc2 ");
+  EXPECT_EQ(chosen("psi,mode_ratio,Gc", {{"mode_ratio", "mode_ratio"}}), "mode_ratio1 Gc2 ");
+  EXPECT_EQ(chosen("psi,Gc,Gc_over_GIc", {{"Gc_over_GIc", "3"}}), "psi0 Gc_over_GIc2 ");
+}
+
 TEST(Columns, AHeaderThatCannotBeUsedIsRefusedWithItsPlace) {
   const std::string force = "a force such as mN, or no unit if dimensionless";
   for (const auto& [header, error] : std::vector<std::pair<std::string, std::string>>{
@@ -111,15 +130,18 @@ TEST(Columns, AHeaderThatCannotBeUsedIsRefusedWithItsPlace) {
            {"P,T", "1:1: column 'A' or 'a' is missing"},
            {"psi", "1:1: column 'Gc' or 'Gc_over_GIc' is missing"},
            {"Gc", "1:1: column 'psi' or 'mode_ratio' is missing"},
-           {"P,T,A,a", "1:1: columns 'A' or 'a': one of them, not both"},
-           {"psi,mode_ratio,Gc", "1:1: columns 'psi' or 'mode_ratio': one of them, not both"},
+           {"P,T,A,a",
+            "1:1: columns 'A' or 'a': one of them, not both; --columns=\"A=3\" or --columns=\"a=4\" chooses"},
+           {"psi,mode_ratio,Gc",
+            "1:1: columns 'psi' or 'mode_ratio': one of them, not both; --columns=\"psi=psi\" or "
+            "--columns=\"mode_ratio=mode_ratio\" chooses"},
            {"P,T,A,psi", "1:1: the header mixes loads (P, T, A) with toughness (psi, Gc); give one set"},
            {"P,T,T,A",
-            "1:5: column 'T' stands twice, in columns 2 and 3; --columns=\"T=3\" says which; runs beside each other "
-            "are to stand below each other"},
+            "1:5: column 'T' stands twice, in columns 2 and 3; --columns=\"T=3\" says which; if these are runs side "
+            "by side, put them below one another with a column 'curve'"},
            {"P [N],T [N],A [m^2],P (mN)",
-            "1:21: column 'P' stands twice, in columns 1 and 4; --columns=\"P=4\" says which; runs beside each other "
-            "are to stand below each other"},
+            "1:21: column 'P' stands twice, in columns 1 and 4; --columns=\"P=4\" says which; if these are runs side "
+            "by side, put them below one another with a column 'curve'"},
            {"P [N],T [mm],A [m^2]", "1:7: unit 'mm' of column 'T' does not fit; wanted " + force},
            {"P [foo],T,A", "1:1: 'foo' of column 'P' is no unit; wanted " + force},
            {"P [],T,A", "1:1: '' of column 'P' is no unit; wanted " + force},

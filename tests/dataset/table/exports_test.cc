@@ -199,7 +199,20 @@ TEST(Exports, WithASummaryBelowHaveItLeftOut) {
   EXPECT_EQ(
       load_dataset(folder.write("b.csv", labelled + "Mean,2.6,3.4,0.34\nMax,4,7,0.4\n"), kConstants).points.size(),
       number);
-  EXPECT_EQ(data.excluded[0].reason, "a summary of the rows above: words where they have numbers");
+  EXPECT_EQ(data.excluded[0].reason, "summary row (text where the rows above have numbers)");
+}
+
+TEST(Exports, WithTheLabelOfASummaryInAColumnOfNumbersHaveItLeftOut) {
+  const TemporaryFolder folder;
+  const Dataset data = load_dataset(
+      folder.write("a.csv", "P (mN),T (mN),Area (mm^2)\n" + lines({','}) + "Mean,50,0.4\nSD,1,0.1\n"), kConstants);
+  ASSERT_EQ(data.excluded.size(), 2u);
+  EXPECT_EQ(data.excluded[0].reason, "summary row (text where the rows above have numbers)");
+  EXPECT_NE(input_error([&] {
+              load_dataset(folder.write("b.csv", "P (mN),T (mN),Area (mm^2)\n" + lines({','}) + "Maen,50,0.4\n"),
+                           kConstants);
+            }).find("'Maen' is not a number"),
+            std::string::npos);
 }
 
 TEST(Exports, WithSignsForNoValueHaveTheseRowsExcluded) {
