@@ -163,7 +163,7 @@ const std::vector<Setting>& settings() {
       setting("loss", &FitOptions::loss, Choice<Loss>{{Loss::none, Loss::huber, Loss::cauchy}},
               "none, or a loss that limits the influence of outliers: huber or cauchy"),
       setting("loss_scale", &FitOptions::loss_scale, PositiveNumber{},
-              "residual at which the loss starts to bend, in standard errors (default 1.345 huber, 2.385 cauchy)"),
+              "residual beyond which points are down-weighted, in standard errors (default 1.345 huber, 2.385 cauchy)"),
       setting("hold", &FitOptions::hold, ListOf<Held>{},
               "parameters to hold fixed, comma-separated: NAME=VALUE, or NAME for the data set's own value"),
       setting("free", WholeRequest{}, Free{},
@@ -190,7 +190,7 @@ const std::vector<Setting>& settings() {
       setting("compare", &FitRequest::compare, Switch{},
               "compare the models: AICc, weights, error on loads left out of the fit"),
       setting("per", &FitRequest::per_curve, Word{"curve", ""},
-              "curve: also fit each loading run by itself, and test one value for all runs against one for each"),
+              "curve: also fit each run separately, and test whether one value describes all runs"),
       setting(
           "formats", &FitRequest::formats, Formats{},
           "further formats of the figures, made by gnuplot: pdf, png, gnuplot (script and data), comma-separated, or "

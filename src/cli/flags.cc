@@ -179,7 +179,7 @@ void define_laws_of_flags() {
 const std::vector<std::string>& laws_of_flags() { return keys_of_laws(); }
 
 void keep_former_files(std::vector<OutputFile>& files) {
-  for (const std::string& kept : keep_former(files)) warn("what was there is kept as " + kept);
+  for (const std::string& kept : keep_former(files)) warn("the previous file was saved as " + kept);
 }
 
 void print_or_write(const std::string& text, const std::vector<std::string>& inputs) {

@@ -1,4 +1,4 @@
-// Makes a data set of the rows of a file or of arrays.
+// Builds a data set from the rows of a file, or from arrays.
 #pragma once
 
 #include <cstddef>

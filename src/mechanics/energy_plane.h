@@ -31,9 +31,9 @@ class EnergyCurve {
  public:
   EnergyCurve(const Law& law, const Parameters<Law>& p) : law_(law), p_(p), slope_at_mode_I_(-law.small_shear(p)) {}
 
-  /// Of the point (G_I, G_II) with standard errors > 0 and `toughness` = G_Ic > 0, all in one unit of energy per area.
-  /// A measured G_II below zero is compared with the tangent that continues the law beyond psi = 0. Derivatives in the
-  /// parameters only if `slopes`.
+  /// Distance of the point (G_I, G_II) from the law, with standard errors > 0 and `toughness` = G_Ic > 0, all in one
+  /// unit of energy per area. A measured G_II below zero is compared with the tangent that continues the law beyond psi
+  /// = 0. Derivatives in the parameters only if `slopes`.
   EnergyDistance<Law> distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness,
                                bool slopes = true) const {
     const Target target{G_I / toughness, G_II / toughness, sigma_I / toughness, sigma_II / toughness};

@@ -1,4 +1,4 @@
-// ln f of a law with one parameter at arrays of points: the packed form of model.h in a vectorised loop.
+// Evaluates ln f of a one-parameter law for arrays of points in one vectorised loop.
 #pragma once
 
 #include <cstddef>

@@ -41,7 +41,7 @@ std::string effects_of_exact_constants(const Budget& budget) {
     effects.push_back((*one.effect < 0 ? "" : "+") + rounded(*one.effect * shown.factor, 2) + unit_text(shown.unit) +
                       " (" + one.constant + " +" + step + ")");
   }
-  return joined(effects, ", ", "taken as exact; " + budget.parameter + " would move by ");
+  return joined(effects, ", ", "constants taken as exact; an error in them would shift " + budget.parameter + " by ");
 }
 
 /// Constants that the data ask to be free, the one with the largest fall of chi^2 first.

@@ -60,9 +60,9 @@ std::string paper_text(const FitResult& fit) {
 std::string errors_text(const FitResult& fit, const Dataset& data, Wording words) {
   std::ostringstream out;
   if (!fit.errors && !fit.known_errors && !data.errors.empty())
-    out << "    errors: every point has the same weight; the file's standard errors count with "
-        << words(Remedy::set("weighted", "true"))
-        << (data.has_loads ? " or " + words(Remedy::set("objective", "curve")) + "\n" : "\n");
+    out << "    errors: every point has the same weight; " << words(Remedy::set("weighted", "true"))
+        << (data.has_loads ? " or " + words(Remedy::set("objective", "curve")) : "")
+        << " uses the file's standard errors\n";
   if (fit.errors) {
     out << "    errors: ";
     const auto source = [&](ErrorSource of) -> std::string {

@@ -24,7 +24,7 @@ std::string paper_text(const FitResult& fit);
 std::string resampling_text(const FitResult& fit, const Dataset& data);
 /// The source of relative errors that are not stated: "estimated from ...".
 std::string origin_of_scatter(const StandardErrors& errors);
-/// The standard errors in place of those of 0: a clause for T and one for A.
+/// Says how many standard errors of 0 were replaced, and by what: a clause for T and one for A.
 std::vector<std::string> raised_errors(const StandardErrors& errors);
 /// The source of the standard errors, correlations and the loss: a line each.
 std::string errors_text(const FitResult& fit, const Dataset& data, Wording words);

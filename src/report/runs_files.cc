@@ -146,8 +146,9 @@ std::string runs_text(const ReducedLog& log, Wording words) {
       << rounded(frames.samples, 3) << " samples of the force in each; lag of the clocks " << rounded(frames.lag, 4)
       << " s (" << frames.lag_source << ")\n";
   if (frames.spikes > 0)
-    out << "    " << frames.spikes << (frames.spikes == 1 ? " sample of a force lies" : " samples of forces lie")
-        << " far from those beside and took their median\n";
+    out << "    " << frames.spikes
+        << (frames.spikes == 1 ? " force sample was an outlier and was" : " force samples were outliers and were")
+        << " replaced by the median of " << (frames.spikes == 1 ? "its" : "their") << " neighbours\n";
   if (found.zero_P_error > 0)
     out << "    P reads " << force(log.load_turned ? 0 - found.zero_P : found.zero_P, 3)
         << " out of contact; taken off\n";

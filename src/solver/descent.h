@@ -40,7 +40,7 @@ struct Linearised {
 /// Fills `at`, whose memory is used again. False if a value is not finite.
 bool linearise(const Problem& problem, const Eigen::VectorXd& x, const SolverOptions& options, Linearised& at);
 
-/// The first-order condition, within rounding; `rounding` is that of |r|.
+/// True if the first-order optimality condition holds to rounding error; `rounding` is that of |r|.
 bool is_stationary(const Linearised& at, double rounding, const SolverOptions& options);
 
 /// Newton steps on the gradient from x, linearised there, to the last digits of a minimum close by.

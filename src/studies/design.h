@@ -14,9 +14,9 @@ enum class Goal { error, model };  // the smallest error of the parameter; the l
 
 /// The expected results of a plan.
 struct Expectation {
-  /// Of the model's first parameter, from the Fisher information of all points and the priors of the constants
-  /// (nuisance constants: Ds-optimality, Silvey 1980): the error of a fit to the plan without noise. Null where the
-  /// plan does not determine it.
+  /// Expected standard error of the model's first parameter, from the Fisher information of all points and the priors
+  /// of the constants (nuisance constants: Ds-optimality, Silvey 1980): the error of a fit to the plan without noise.
+  /// Null where the plan does not determine it.
   std::optional<double> standard_error;
   /// chi^2 of each rival's best fit to the plan without noise: the T-criterion of Atkinson & Fedorov 1975 (Biometrika
   /// 62, 57). Twice the expected logarithm of the odds against it, without the penalty for free parameters.

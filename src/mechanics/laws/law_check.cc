@@ -111,13 +111,13 @@ LawCheck check_law(const UserLaw& law) {
       check.error = "f is not a positive number at psi = " + degrees(*traits.undefined_at) + there +
                     (law.form().equation && law.definition().text.find('=') == std::string::npos
                          ? ": an equation in K_I and K_II says what they are equal to, such as = 1"
-                         : ": narrow the ranges of the parameters, or mend the law");
+                         : ": narrow the ranges of the parameters, or correct the expression");
       return check;
     }
     if (const auto psi = unseen(workspace, p)) {
-      check.error = "f turns, or is no positive and finite number, within less than 3 deg near psi = " + degrees(*psi) +
-                    there +
-                    ", which is too narrow to be followed: narrow the ranges of the parameters, or mend the law";
+      check.error =
+          "f turns, or is no positive and finite number, within less than 3 deg near psi = " + degrees(*psi) + there +
+          ", which is too narrow to be followed: narrow the ranges of the parameters, or correct the expression";
       return check;
     }
     ++tried;

@@ -91,7 +91,7 @@ DataFigures data_figures(const ReportedData& reported) {
   keep(kept_log_figures(reported, figures.left_out));
   group("Other laws");
   keep_or_say_why(sahli_figures(reported), "alpha against A0",
-                  data.has_loads ? "fewer than two runs have a falling parabola" : no_loads);
+                  data.has_loads ? "fewer than two runs in which A falls with T²" : no_loads);
   keep_or_say_why(
       peak_figures(reported), "mean shear stress at peak and minimum",
       reported.peaks ? "no row has P > 0" : "the fit definition names no file of peak forces (peaks = ...)");

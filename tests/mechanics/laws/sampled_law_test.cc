@@ -157,7 +157,8 @@ TEST(SampledLaws, AreCheckedAsTypedOnesAre) {
       checked([](double psi, Parameter p) { return 1 - 2 * p[0] * square(std::sin(psi)); }).error;
   ASSERT_TRUE(below);  // at a sample behind 70.5 degrees
   EXPECT_TRUE(below->starts_with("f is not a positive number at psi = 7")) << *below;
-  EXPECT_TRUE(below->ends_with("deg with p = 0.562: narrow the ranges of the parameters, or mend the law")) << *below;
+  EXPECT_TRUE(below->ends_with("deg with p = 0.562: narrow the ranges of the parameters, or correct the expression"))
+      << *below;
   const LawCheck turns = checked([](double psi, Parameter p) { return 1 + (3 + p[0]) * square(std::tan(psi)); });
   ASSERT_EQ(turns.warnings.size(), 1u);
   EXPECT_TRUE(turns.warnings[0].starts_with("one area stands for several T in 18 of 18 parts")) << turns.warnings[0];

@@ -251,8 +251,8 @@ TEST(TypedLaws, AreCheckedBeforeTheyAreUsed) {
   EXPECT_FALSE(checked("2 + p*t^2", {{"p", 0, 1, 0.5}}, true).error);
   EXPECT_EQ(
       checked("1 - 2*p*B", {{"p", 0, 1, 0.2}}).error,
-      "f is not a positive number at psi = 72.39 deg with p = 0.562: narrow the ranges of the parameters, or mend "
-      "the law");
+      "f is not a positive number at psi = 72.39 deg with p = 0.562: narrow the ranges of the parameters, or correct "
+      "the expression");
   const LawCheck partly = checked("1 + (r-1)*B^n", {{"r", 1, 20, 2}, {"n", 1, 4, 2}});
   EXPECT_FALSE(partly.error);
   ASSERT_EQ(partly.warnings.size(), 1u);
