@@ -7,6 +7,7 @@
 
 #include "base/number_text.h"
 #include "base/phrases.h"
+#include "dataset/check.h"
 #include "fitting/consistency.h"
 
 namespace mixity {
@@ -61,17 +62,15 @@ void reject_for_unsheared_areas(Analysis& result) {
 }
 
 void name_misfit_of_units(Analysis& result) {
-  const Dataset& data = result.data;
-  std::size_t below_hertz = 0;
-  for (std::size_t i = 0; i < data.points.size(); ++i) below_hertz += !data.toughness(i);
-  if (2 * below_hertz <= data.rows) return;  // as find_oddities does
+  const auto fails = [](const FitResult& fit) { return fit.status != FitStatus::ok; };
+  if (std::none_of(result.fits.begin(), result.fits.end(), fails) || !BelowHertz(result.data).most()) return;
   for (FitResult& fit : result.fits)
-    if (fit.status != FitStatus::ok)
+    if (fails(fit))
       fit.message +=
           (fit.message.empty() ? "" : "; ") +
           std::string(
-              "most areas do not exceed that of Hertz at their load: a unit is probably off by a power of ten, and "
-              "mixity check says which");
+              "most areas do not exceed that of Hertz at their load: a unit is probably off by a power of ten, that of "
+              "A, P, radius, modulus or toughness");
 }
 
 void reject_for_better_model(Analysis& result) {

@@ -37,16 +37,14 @@ void check_units(const Curves& curves, Lines& odd) {
 
 void check_usable(const Dataset& data, Lines& odd) {
   if (data.points.empty()) odd.push_back("no usable point is left");
-  std::size_t below_hertz = 0, first = 0;
-  for (std::size_t i = 0; i < data.points.size(); ++i)
-    if (!data.toughness(i) && ++below_hertz == 1) first = data.points[i].line;
-  if (below_hertz == 0) return;
-  if (2 * below_hertz <= data.rows)
-    odd.push_back("areas that do not exceed that of Hertz at their load (y <= 0): " + std::to_string(below_hertz) +
-                  " of " + std::to_string(data.rows) + ", first in " + data.line_text(first) +
+  const BelowHertz below(data);
+  if (below.points == 0) return;
+  if (!below.most())
+    odd.push_back("areas that do not exceed that of Hertz at their load (y <= 0): " + std::to_string(below.points) +
+                  " of " + std::to_string(data.rows) + ", first in " + data.line_text(below.first_line) +
                   "; objective toughness leaves such points out");
   else
-    odd.push_back("units: " + std::to_string(below_hertz) + " of " + std::to_string(data.rows) +
+    odd.push_back("units: " + std::to_string(below.points) + " of " + std::to_string(data.rows) +
                   " areas do not exceed that of Hertz at their load; a unit of A, P, radius, modulus or toughness is "
                   "probably off by a power of ten");
 }

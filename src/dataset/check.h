@@ -1,6 +1,7 @@
 // Oddities of a data set: the questions that an experienced colleague would ask.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,16 @@ struct CurveSummary {
 
 /// One for each run, of readings corrected by the stated constants; empty for data without loads.
 std::vector<CurveSummary> summarise_curves(const Dataset& data);
+
+/// Areas that do not exceed that of Hertz at their load.
+struct BelowHertz {
+  explicit BelowHertz(const Dataset& data) : rows(data.rows) {
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+      if (!data.toughness(i) && ++points == 1) first_line = data.points[i].line;
+  }
+  std::size_t points = 0, first_line = 0, rows;
+  bool most() const { return 2 * points > rows; }  // then a unit is off
+};
 
 /// One sentence per oddity, with line numbers where they apply; empty if nothing is odd.
 std::vector<std::string> find_oddities(const Dataset& data, Wording words = in_neutral_words);
