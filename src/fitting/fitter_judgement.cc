@@ -86,9 +86,9 @@ void Fitter::add_goodness(const std::vector<double>& x) {
   result_.r2 = fit.r2;
   result_.rmse = fit.rmse;
   result_.max_abs_residual = fit.max_abs_residual;
-  result_.standard_error = problem_->known_errors() ? 1 : spread(*problem_, x);
-  if (data_.has_loads && purpose_ == Purpose::shown)
-    result_.area = area_goodness(data_, result_.used, prepared_.model, problem_->candidate(x));
+  if (purpose_ != Purpose::shown) return;
+  result_.standard_error = problem_->known_errors() ? 1 : spread(result_.residuals);
+  if (data_.has_loads) result_.area = area_goodness(data_, result_.used, prepared_.model, problem_->candidate(x));
 }
 
 /// Tests the assumptions of the fit, unless its residuals are rounding only.

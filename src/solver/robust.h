@@ -55,12 +55,16 @@ class RobustProblem final : public WrappedProblem {
   double scale_;
 };
 
-/// Standard error of residuals of unknown size, from the median of their absolute values.
+/// Standard error of residuals of unknown size, one at least, from the median of their absolute values.
+inline double spread(std::vector<double> residuals) {
+  for (double& r : residuals) r = std::abs(r);
+  return kOfMedian * median(std::move(residuals));
+}
+/// Of the residuals at x; 0 where there are none, or where one is not finite.
 inline double spread(const Problem& problem, const std::vector<double>& x) {
   std::vector<double> residuals(problem.residual_count());
   if (residuals.empty() || !problem.evaluate(x, residuals, {})) return 0;
-  for (double& r : residuals) r = std::abs(r);
-  return kOfMedian * median(std::move(residuals));
+  return spread(std::move(residuals));
 }
 
 /// The value of the only parameter with the least spread: outliers may hide every minimum of the squares.
