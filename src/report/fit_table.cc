@@ -145,9 +145,10 @@ std::vector<std::string> findings(const Analysis& result) {
                    [](const ComparedModel* one, const ComparedModel* other) { return *one->weight > *other->weight; });
   const std::string no_winner = no_best_model(result);
   if (!no_winner.empty()) sentences.push_back("Here " + no_winner + ".");
+  const Preferences preferred = preferences(result.comparison);
   if (no_winner.empty() && by_error.size() > 1 && by_error[0]->left_out->rmse_area > 0) {
     const double least = by_error[0]->left_out->rmse_area;
-    const std::vector<std::string> best = preferences(result.comparison).left_out;
+    const std::vector<std::string>& best = preferred.left_out;
     std::vector<std::string> others;
     for (std::size_t i = best.size(); i < by_error.size(); ++i)
       others.push_back(by_error[i]->model + " errs " + rounded(by_error[i]->left_out->rmse_area / least, 2) +
@@ -159,7 +160,7 @@ std::vector<std::string> findings(const Analysis& result) {
   }
   if (no_winner.empty() && by_weight.size() > 1) {
     const double weight = *by_weight[0]->weight;
-    const std::vector<std::string> tied = preferences(result.comparison).aicc;
+    const std::vector<std::string>& tied = preferred.aicc;
     sentences.push_back(weight > 0.95 ? "AICc prefers model " + by_weight[0]->model + " (weight " +
                                             (weight > 0.9999 ? "> 0.9999" : rounded(weight, 3)) + ")."
                         : tied.size() > 1 ? "AICc finds models " + joined(tied, " and ") + " equal (weight " +
