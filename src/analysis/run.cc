@@ -1,11 +1,14 @@
 #include "analysis/run.h"
 
 #include <algorithm>
+#include <limits>
+#include <memory>
 #include <mutex>
 #include <numeric>
 
 #include "analysis/judgement.h"
 #include "base/threads.h"
+#include "fitting/comparison.h"
 #include "fitting/consistency.h"
 
 namespace mixity {
@@ -59,6 +62,19 @@ Analysis run(const FitRequest& request, const Progress& progress) {
              progress);
 }
 
+/// The options, with the errors of the points as the fit of the least AICc has found them.
+FitOptions with_errors_of_best(const Analysis& result) {
+  FitOptions options = result.request.options;
+  double least = std::numeric_limits<double>::infinity();
+  for (const FitResult& fit : result.fits) {
+    const auto criteria = fit.errors && fit.objective == Objective::curve ? information(fit) : std::nullopt;
+    if (!criteria || !(criteria->aic < least)) continue;
+    least = criteria->aic;
+    options.errors = std::make_shared<StandardErrors>(*fit.errors);
+  }
+  return options;
+}
+
 Analysis run(const FitRequest& request, Dataset data, const Progress& progress) {
   Analysis result{request, std::move(data), {}, {}, {}};
   exclude(result.data, request.exclusion);
@@ -86,7 +102,7 @@ Analysis run(const FitRequest& request, Dataset data, const Progress& progress) 
     find_cause(result.data, result.fits[i], request.options, decided);
     part(i, [](const FitOptions&) {});  // lets the callback stop the analysis
   });
-  if (request.options.checks) result.unsheared = test_unsheared(result.data, request.options);
+  if (request.options.checks) result.unsheared = test_unsheared(result.data, with_errors_of_best(result));
   reject_for_unsheared_areas(result);
   name_misfit_of_units(result);
   reject_for_better_model(result);

@@ -160,6 +160,9 @@ const std::vector<Setting>& settings() {
               "standard error of T for all points: \"0.5%\", or \"0.2 mN\""),
       setting("sigma_A", &FitOptions::sigma_A, ErrorSize{},
               "standard error of A for all points: \"1%\", or \"0.002 mm^2\""),
+      setting("fitted_errors", &FitOptions::fitted_errors, Switch{},
+              "curve: errors at the fitted curve, estimated with it where none are stated; false: at the readings, "
+              "independent, as ODRPACK takes them"),
       setting("loss", &FitOptions::loss, Choice<Loss>{{Loss::none, Loss::huber, Loss::cauchy}},
               "none, or a loss that limits the influence of outliers: huber or cauchy"),
       setting("loss_scale", &FitOptions::loss_scale, PositiveNumber{},

@@ -75,11 +75,11 @@ Information information(double sum_of_squares, std::size_t n, std::size_t parame
 std::optional<Information> information(const FitResult& fit) {
   if (!has_all_values(fit) || fit.residuals.empty() || !(fit.sum_of_squares > 0)) return std::nullopt;
   if (fit.loss_scale > 0 && !fit.known_errors) return std::nullopt;
-  return information(fit.sum_of_squares, fit.used.size(), fit.free_parameters, fit.known_errors);
+  return information(comparable_squares(fit), fit.used.size(), fit.free_parameters, fit.known_errors);
 }
 
 std::optional<Information> information_explained(const FitResult& fit) {
-  if (!fit.explained || !(*fit.explained > 0)) return std::nullopt;
+  if (!fit.explained) return std::nullopt;
   return information(*fit.explained, fit.used.size(), fit.free_parameters + 1, fit.known_errors);
 }
 

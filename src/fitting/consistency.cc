@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
+#include "fitting/course.h"
+#include "fitting/fitted_errors.h"
 #include "statistics/distributions.h"
 
 namespace mixity {
@@ -92,8 +95,23 @@ std::vector<std::vector<std::size_t>> used_by_run(const Dataset& data, const Fit
   return runs;
 }
 
+/// Residuals less what noise leads one to expect.
+std::vector<double> unexpected(const FitResult& fit) {
+  std::vector<double> r = fit.residuals;
+  if (fit.errors && !fit.errors->expected.empty())
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] -= fit.errors->expected[fit.used[i]];
+  return r;
+}
+
 ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   ResidualTests tests;
+  if (const auto course = data.has_loads ? test_course(data, fit.used, unexpected(fit)) : std::nullopt) {
+    tests.course = course->F;
+    tests.course_p = course->p_value;
+  }
+  // Of one or two runs nothing tells correlated noise from a wrong model.
+  const bool independent = tests.course && fit.innovations.size() == fit.residuals.size();
+  const std::vector<double> residuals = independent ? fit.innovations : unexpected(fit);
   const auto runs = used_by_run(data, fit);
   double z = 0, trend = 0, squares = 0, product = 0, of_products = 0;
   EndsTest ends;
@@ -103,7 +121,7 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
     double square = 0;
     for (const std::size_t i : runs[c]) {
       const std::size_t point = fit.used[i];
-      r.push_back(fit.residuals[i]);
+      r.push_back(residuals[i]);
       t.push_back(data.has_loads ? data.points[point].T : std::asin(data.converted[point].mixity.sin));
       square += r.back() * r.back();
     }
@@ -137,8 +155,9 @@ std::optional<double> over_neighbours(const Dataset& data, const FitResult& fit)
     std::stable_sort(run.begin(), run.end(), [&](std::size_t one, std::size_t other) {
       return data.points[fit.used[one]].shear() < data.points[fit.used[other]].shear();
     });
+    const std::vector<double>& r = fit.innovations.empty() ? fit.residuals : fit.innovations;
     for (std::size_t i = 1; i + 1 < run.size(); ++i) {
-      const double before = fit.residuals[run[i - 1]], here = fit.residuals[run[i]], behind = fit.residuals[run[i + 1]];
+      const double before = r[run[i - 1]], here = r[run[i]], behind = r[run[i + 1]];
       squares += (before * before + 4 * here * here + behind * behind) / 6;  // weighted like the differences
       differences += std::pow(before - 2 * here + behind, 2) / 6;
       ++triples;
@@ -146,6 +165,14 @@ std::optional<double> over_neighbours(const Dataset& data, const FitResult& fit)
   }
   if (triples < kEnough || !(differences > 0)) return std::nullopt;
   return std::sqrt(squares / differences);
+}
+
+/// Root mean square residual in the scatter of neighbouring points.
+double over_scatter(const Dataset& data, const FitResult& fit) {
+  const std::vector<double> ratios = variance_ratios(data, fit.used, *fit.errors);
+  double squares = 0;
+  for (std::size_t i = 0; i < fit.residuals.size(); ++i) squares += fit.residuals[i] * fit.residuals[i] * ratios[i];
+  return fit.freedom() > 0 ? std::sqrt(squares / static_cast<double>(fit.freedom())) : 0;
 }
 
 /// Runs with points that the fitted model gives no area, and the first of them.
@@ -168,6 +195,20 @@ double residual_unit(const FitResult& fit) {
   return std::sqrt(fit.sum_of_squares / static_cast<double>(fit.freedom()));
 }
 
+double mean_correlation(const FitResult& fit) {
+  if (!fit.errors || !fit.errors->correlations.any() || fit.used.empty()) return 0;
+  double sum = 0;
+  for (const std::size_t i : fit.used)
+    sum += std::pow(fit.errors->load_A[i], 2) * fit.errors->correlations.first +
+           std::pow(fit.errors->load_T[i], 2) * fit.errors->correlations.second;
+  return sum / static_cast<double>(fit.used.size());
+}
+
+double independent_points(const FitResult& fit) {
+  const double r = mean_correlation(fit);
+  return static_cast<double>(fit.used.size()) * (1 - r) / (1 + r);
+}
+
 Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   Consistency result;
   if (fit.known_errors && fit.loss_scale == 0 && fit.freedom() > 0) {
@@ -179,8 +220,18 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   // The errors are from the scatter of neighbours, independent of the fit; residuals are in units of these.
   if (!fit.known_errors && fit.objective == Objective::curve && fit.errors && fit.loss_scale == 0 &&
       fit.errors->source_A == ErrorSource::scatter && fit.errors->source_T == ErrorSource::scatter)
-    result.residuals.over_scatter = residual_unit(fit);
+    result.residuals.over_scatter = over_scatter(data, fit);
   result.residuals.over_neighbours = over_neighbours(data, fit);
+  if (fit.errors && !fit.used.empty()) {
+    const auto coarse =
+        std::count_if(fit.used.begin(), fit.used.end(), [&](std::size_t i) { return fit.errors->coarse(i); });
+    result.residuals.coarse = 2 * static_cast<std::size_t>(coarse) > fit.used.size();
+  }
+  constexpr double kFew = 3;
+  std::set<std::size_t> runs;
+  for (const std::size_t i : fit.used) runs.insert(data.points[i].curve);
+  result.residuals.together =
+      mean_correlation(fit) > 0 && independent_points(fit) < kFew * static_cast<double>(runs.size());
   result.beyond = beyond_equilibrium(data, fit);
   return result;
 }

@@ -28,6 +28,10 @@ bool slides(const FitResult& fit);
 /// Whether the residuals are far larger than the scatter of neighbours.
 bool is_far(const ResidualTests& tests);
 
+/// The mean correlation of neighbouring residuals by the estimate of the errors; 0 without one.
+double mean_correlation(const FitResult& fit);
+/// How many independent points the points of the fit are worth: n (1 - r)/(1 + r), r the mean correlation.
+double independent_points(const FitResult& fit);
 /// The first test that fails, as a sentence with a remedy; empty if none does.
 Message failed_test(const FitResult& fit);
 

@@ -23,8 +23,16 @@ struct CurveObjective::Workspace {
   std::size_t size;
 };
 
-CurveObjective::CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice)
-    : ModelProblem(std::move(choice)), order_(points.size()) {
+CurveObjective::CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice,
+                               std::vector<double> expected, std::shared_ptr<const Decorrelation> decorrelation)
+    : ModelProblem(std::move(choice)),
+      order_(points.size()),
+      expected_(std::move(expected)),
+      decorrelation_(std::move(decorrelation)) {
+  // The normal of the curve is taken at the place next to a reading, which noise along the curve has moved. As far as
+  // the points before predict that noise, the prediction of the residual is off by -2 times the expected distance.
+  if (decorrelation_)
+    for (std::size_t i = 0; i < expected_.size(); ++i) expected_[i] *= 1 - 2 * decorrelation_->predicted_across()[i];
   // by load, so that the points of one curve are processed together
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   std::stable_sort(order_.begin(), order_.end(),
@@ -49,13 +57,13 @@ double CurveObjective::data_norm() const {
 
 bool CurveObjective::evaluate(std::span<const double> x, std::span<double> residuals,
                               std::span<double> jacobian) const {
-  return all_blocks(x, Search::global, residuals, jacobian, {});
+  return residuals_of(x, residuals, jacobian, {});
 }
 
 bool CurveObjective::evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                                     std::vector<double>& memory) const {
   memory.resize(2 * points_.size(), 0.0);
-  return all_blocks(x, Search::global, residuals, jacobian, memory);
+  return residuals_of(x, residuals, jacobian, memory);
 }
 
 bool CurveObjective::evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
@@ -64,8 +72,56 @@ bool CurveObjective::evaluate_roughly(std::span<const double> x, std::span<doubl
   return sample_->evaluate_roughly(x, residuals.first(sample_->residual_count()));
 }
 
+bool CurveObjective::residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
+                                  std::span<double> places) const {
+  if (!all_blocks(x, Search::global, residuals, jacobian, places)) return false;
+  for (std::size_t i = 0; i < expected_.size(); ++i) residuals[i] -= expected_[i];
+  if (!decorrelation_) return true;
+  decorrelation_->apply(residuals);
+  const std::size_t width = choice_.size();
+  if (!jacobian.empty())
+    for (std::size_t k = 0; k < width; ++k) decorrelation_->apply(jacobian.subspan(k), width);
+  return true;
+}
+
+std::optional<NearestPlaces> CurveObjective::nearest(std::span<const double> x) const {
+  const std::size_t n = points_.size();
+  const std::vector<double> of_n(n);
+  NearestPlaces found{of_n, of_n, of_n, of_n, of_n};
+  std::vector<double> places(2 * n, 0.0), loads(2 * n);
+  if (!all_blocks(x, Search::global, found.residuals, {}, places, loads)) return std::nullopt;
+  const ConstantsScale scale(candidate(x).constants);
+  for (std::size_t i = 0; i < n; ++i) {
+    found.T[order_[i]] = places[i] / scale.force - scale.shear_offset;
+    found.A[order_[i]] = scale.measured_area(places[n + i]);
+    const double size = std::hypot(loads[i], loads[n + i]);
+    found.load_T[order_[i]] = loads[i] / size;
+    found.load_A[order_[i]] = loads[n + i] / size;
+  }
+  return found;
+}
+
+std::optional<std::vector<double>> CurveObjective::expected(std::span<const double> x,
+                                                            const NearestPlaces& places) const {
+  const std::size_t n = points_.size();
+  std::vector<double> mean(n, 0.0), distances(n);
+  std::vector<MeasuredPoint> beside(n);
+  const double root = 1.0;
+  for (const double side : {-root, root}) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = order_[k];
+      MeasuredPoint& point = beside[i] = points_[k];
+      point.T = places.T[i] + side * places.load_A[i] * point.sigma_T;
+      point.A = std::max(places.A[i] - side * places.load_T[i] * point.sigma_A, 0.5 * places.A[i]);
+    }
+    if (!CurveObjective(beside, choice_).evaluate(x, distances, {})) return std::nullopt;
+    for (std::size_t i = 0; i < n; ++i) mean[i] += distances[i] / 2;
+  }
+  return mean;
+}
+
 bool CurveObjective::all_blocks(std::span<const double> x, Search search, std::span<double> residuals,
-                                std::span<double> jacobian, std::span<double> places) const {
+                                std::span<double> jacobian, std::span<double> places, std::span<double> loads) const {
   Candidate at = candidate(x);
   model().make_continuous(at.parameters);
   const std::size_t n = points_.size(), blocks = (n + kBlock - 1) / kBlock;
@@ -75,7 +131,7 @@ bool CurveObjective::all_blocks(std::span<const double> x, Search search, std::s
     Workspace workspace(std::min(n, kBlock), model_parameters());
     for (std::size_t block; defined && (block = next++) < blocks;)
       if (!one_block(at, block * kBlock, std::min(n, (block + 1) * kBlock), search, workspace, residuals, jacobian,
-                     places))
+                     places, loads))
         defined = false;
   };
   run_on_threads(std::clamp<std::size_t>(n / kPointsOfAThread, 1, processors()), work);
@@ -84,7 +140,7 @@ bool CurveObjective::all_blocks(std::span<const double> x, Search search, std::s
 
 bool CurveObjective::one_block(const Candidate& at, std::size_t begin, std::size_t end, Search search,
                                Workspace& workspace, std::span<double> residuals, std::span<double> jacobian,
-                               std::span<double> places) const {
+                               std::span<double> places, std::span<double> loads) const {
   const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
   const ConstantsScale scale(at.constants);
   const auto array = [&](std::size_t which) { return workspace.array(which, n); };
@@ -103,11 +159,16 @@ bool CurveObjective::one_block(const Candidate& at, std::size_t begin, std::size
     out.place_T = places.subspan(begin, n);
     out.place_A = places.subspan(points_.size() + begin, n);
   }
-  if (!model().curve_distances(at.parameters, {P, T, A, sigma_T, sigma_A}, search, !jacobian.empty(), out))
+  if (!model().curve_distances(at.parameters, {P, T, A, sigma_T, sigma_A}, search, !jacobian.empty() || !loads.empty(),
+                               out))
     return false;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t to = order_[begin + i];
     residuals[to] = out.r[i];
+    if (!loads.empty()) {
+      loads[begin + i] = std::copysign(out.dT[i], out.dT[i] * T[i]) * sigma_T[i];  // equilibrium knows |T| alone
+      loads[points_.size() + begin + i] = out.dA[i] * sigma_A[i];
+    }
     if (jacobian.empty()) continue;
     const auto of_error = [&](double slope, double sigma) { return -out.r[i] * slope * slope * sigma * sigma; };
     const ResidualSlopes slopes{out.dP[i], out.dT[i], out.dA[i], of_error(out.dT[i], sigma_T[i]),

@@ -4,14 +4,17 @@
 
 #include <memory>
 
+#include "fitting/error_model.h"
 #include "fitting/model_problem.h"
 
 namespace mixity {
 
 class CurveObjective final : public ModelProblem {
  public:
-  /// Standard errors > 0. The targets, which the reported R^2 compares with, are the areas.
-  CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice);
+  /// Standard errors > 0. The targets, which the reported R^2 compares with, are the areas. A residual is the distance
+  /// less the one that is expected (empty: 0), less what its neighbours predict (null: nothing).
+  CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice, std::vector<double> expected = {},
+                 std::shared_ptr<const Decorrelation> decorrelation = {});
 
   /// Includes T.
   double data_norm() const override;
@@ -25,15 +28,27 @@ class CurveObjective final : public ModelProblem {
   /// To first order, at a sample of the points.
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
 
+  /// The distances, and where the nearest points of the curve lie. Null where a value is not finite.
+  std::optional<NearestPlaces> nearest(std::span<const double> x) const;
+  /// The mean distance of readings whose true values are these places and whose noise is as the standard errors say: by
+  /// Gauss-Hermite quadrature of order 3 over the noise along the curve, whose middle node counts 0. Null where a value
+  /// is not finite.
+  std::optional<std::vector<double>> expected(std::span<const double> x, const NearestPlaces& places) const;
+
  private:
   struct Workspace;
+  bool residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
+                    std::span<double> places) const;
   bool all_blocks(std::span<const double> x, Search search, std::span<double> residuals, std::span<double> jacobian,
-                  std::span<double> places) const;
+                  std::span<double> places, std::span<double> loads = {}) const;
   bool one_block(const Candidate& at, std::size_t begin, std::size_t end, Search search, Workspace& workspace,
-                 std::span<double> residuals, std::span<double> jacobian, std::span<double> places) const;
+                 std::span<double> residuals, std::span<double> jacobian, std::span<double> places,
+                 std::span<double> loads) const;
 
-  std::vector<MeasuredPoint> points_;       // by load
-  std::vector<std::size_t> order_;          // of each in points_: the index of its residual
+  std::vector<MeasuredPoint> points_;  // by load
+  std::vector<std::size_t> order_;     // of each in points_: the index of its residual
+  std::vector<double> expected_;
+  std::shared_ptr<const Decorrelation> decorrelation_;
   std::unique_ptr<CurveObjective> sample_;  // of some of the points, evenly over the loads; null of few points
 };
 

@@ -100,7 +100,7 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
   const std::vector<Freed> list = freed_one_by_one(of, tried.constants, points);
   const Freed* const freed = best_of(list);
   if (freed && explains(data, freed->fit) && is_better(whole, freed->fit, fit.budget->independent))
-    return {constant_text(*freed, whole), all_points ? std::optional(freed->fit.sum_of_squares) : std::nullopt};
+    return {constant_text(*freed, whole), all_points ? std::optional(comparable_squares(freed->fit)) : std::nullopt};
   if (left_behind) return {failed};
   const auto cut = tried.sliding ? before_sliding(of, points, kFew) : std::nullopt;
   if (cut && explains(data, cut->fit)) return {sliding_text(of, whole, *cut, points.size())};

@@ -35,6 +35,7 @@ std::optional<std::vector<bool>> far_off(const Case& of, const FitResult& fit, c
   for (const FittedParameter& one : fit.parameters) as_found.hold.push_back({one.name, one.value});
   as_found.constants = constants_of(of.data, of.options, fit.parameters);
   as_found.free.clear();
+  if (fit.errors) as_found.errors = std::make_shared<StandardErrors>(*fit.errors);
   const FitResult all = of.refit(as_found, points, nullptr);
   if (all.residuals.empty()) return std::nullopt;
   std::vector<bool> off(of.data.points.size(), false);
@@ -61,7 +62,7 @@ std::size_t onset(const Points& run, const std::vector<bool>& off) {
 
 bool is_found(const FitResult& fit) { return has_minimum(fit) && fit.freedom() > 0; }
 
-double per_freedom(const FitResult& fit) { return fit.sum_of_squares / static_cast<double>(fit.freedom()); }
+double per_freedom(const FitResult& fit) { return comparable_squares(fit) / static_cast<double>(fit.freedom()); }
 
 std::vector<Freed> freed_one_by_one(const Case& of, const std::vector<Constant>& constants, const Points& points) {
   std::vector<Freed> list;
@@ -77,7 +78,7 @@ std::vector<Freed> freed_one_by_one(const Case& of, const std::vector<Constant>&
 const Freed* best_of(const std::vector<Freed>& list) {
   const Freed* best = nullptr;
   for (const Freed& one : list)
-    if (!best || one.fit.sum_of_squares < (1 - 1e-6) * best->fit.sum_of_squares) best = &one;
+    if (!best || comparable_squares(one.fit) < (1 - 1e-6) * comparable_squares(best->fit)) best = &one;
   return best;
 }
 
@@ -125,12 +126,14 @@ bool explains(const Dataset& data, const FitResult& fit) {
   constexpr double kHardly = 1e-5;
   if (fit.residuals.empty()) return false;
   const auto [chi2, chi2_p, tests, beyond] = test_consistency(data, fit);
-  return chi2_p.value_or(1) > kHardly && !is_far(tests) && tests.runs_p > kHardly && tests.correlation_p > kHardly &&
-         tests.trend_p > kHardly && tests.ends_p > kHardly;
+  return chi2_p.value_or(1) > kHardly && !is_far(tests) && tests.course_p > kHardly && !tests.together &&
+         (tests.coarse || (tests.runs_p > kHardly && tests.correlation_p > kHardly)) && tests.trend_p > kHardly &&
+         tests.ends_p > kHardly;
 }
 
 bool is_better(const FitResult& fit, const FitResult& freed, double constants) {
-  const double fall = (fit.sum_of_squares - freed.sum_of_squares) / (fit.known_errors ? 1 : per_freedom(freed));
+  const double fall =
+      (comparable_squares(fit) - comparable_squares(freed)) / (fit.known_errors ? 1 : per_freedom(freed));
   return fall > 0 && chi_squared_p_value(fall, 1) * constants < kChance;
 }
 

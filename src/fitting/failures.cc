@@ -57,10 +57,16 @@ Message failed_test(const FitResult& fit) {
   if (is_far(tests.residuals))
     return "the points lie " + rounded(*tests.residuals.over_scatter, 2) +
            " times as far from the curve as neighbours scatter: the model or a constant is wrong";
+  if (tests.residuals.course_p < kChance)
+    return "the residuals take the same course over T in all runs (F = " + rounded(*tests.residuals.course, 3) +
+           "): the model or a constant is wrong";
+  if (tests.residuals.together)
+    return "the points of a run lie off the curve together (neighbours correlate by " +
+           rounded(mean_correlation(fit), 2) + "): the runs differ, or the model or a constant is wrong";
   if (tests.residuals.ends_p < kChance)
     return "the ends of the runs lie off the curve (z = " + rounded(tests.residuals.ends, 2) +
            "): points past the onset of sliding?";
-  if (tests.residuals.runs_p < kChance || tests.residuals.correlation_p < kChance)
+  if (!tests.residuals.coarse && (tests.residuals.runs_p < kChance || tests.residuals.correlation_p < kChance))
     return "residuals of neighbouring points resemble each other (correlation " +
            rounded(tests.residuals.correlation, 2) +
            "): the model or a constant is wrong, or the points are not independent (" + Remedy::set("bootstrap") +

@@ -28,7 +28,10 @@ void find_cause(const Dataset& data, FitResult& result, const FitOptions& option
                           const std::vector<FittedParameter>* near) {
     return fit(data, result.model, with, Purpose::tried, &points, near);
   };
-  const auto [reason, explained] = diagnose(data, result, value_only(options), refit, left_behind);
+  FitOptions values = value_only(options);
+  // Errors that are not estimated with the fit are the same for each explanation.
+  values.fitted_errors &= result.errors && result.errors->freedom > 0;
+  const auto [reason, explained] = diagnose(data, result, values, refit, left_behind);
   if (reason.empty()) return;
   result.explained = explained;
   result.message += (result.message.empty() ? "" : "; ") + reason;
@@ -43,7 +46,8 @@ FitResult fit_model(const Dataset& data, std::string_view model, const FitOption
 
 FitResult refit_model(const Dataset& data, const FitResult& whole, const FitOptions& options,
                       const std::vector<std::size_t>& points) {
-  const FitOptions values = value_only(options);
+  FitOptions values = value_only(options);
+  if (whole.errors) values.errors = std::make_shared<StandardErrors>(*whole.errors);
   // Only with a curvature at its minimum the fit to fewer data has its minimum nearby.
   const bool smooth = std::all_of(whole.parameters.begin(), whole.parameters.end(), [](const FittedParameter& one) {
     return one.value && (one.held || one.at_bound || one.stderr_);

@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "fitting/fitted_errors.h"
 #include "fitting/fitted_parameters.h"
 #include "solver/verdict.h"
 
@@ -79,6 +80,7 @@ FitResult Fitter::run() {
       result_.known_errors = problem_->known_errors();
       result_.free_parameters = unknown;  // each of the others has a residual of its own
       result_.sum_of_squares *= unit_ * unit_;
+      if (result_.errors) result_.log_variances = log_variances(data_, prepared_.used, *result_.errors);
       if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
       if (deeper.empty() && checked()) add_evidence(verdict);
       if (deeper.empty() || again == kMostRestarts) break;
@@ -141,7 +143,8 @@ void Fitter::fit_as_the_paper() {
 Verdict Fitter::find_minimum() {
   cost_.reset();  // they refer to the previous problem
   robust_.reset();
-  Verdict verdict = minimum_of(*problem_);
+  const bool fitted_errors = prepared_.objective == Objective::curve && data_.has_loads && options_.fitted_errors;
+  Verdict verdict = fitted_errors && !options_.errors ? minimum_with_its_errors() : minimum_of(*problem_);
   const bool reweighted = prepared_.objective == Objective::toughness && options_.weighted;
   if (reweighted && !settle_weights(verdict)) return verdict;
   return options_.loss == Loss::none ? verdict : find_robust_minimum(std::move(verdict));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "fitting/error_model.h"
 #include "fitting/prepare.h"
 #include "solver/prior.h"
 #include "solver/robust.h"
@@ -31,6 +32,12 @@ class Fitter {
   void describe();
   void fit_as_the_paper();
   Verdict find_minimum();
+  Verdict minimum_with_its_errors();
+  bool settle_errors(std::vector<double>& x);
+  double take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest);
+  std::vector<double> leverages_of_data(const Problem& cost, const std::vector<double>& x) const;
+  std::optional<ErrorModels> estimated_errors(const NearestPlaces& nearest, const std::vector<double>& leverage,
+                                              const ErrorModels& before, Stage stage) const;
   bool settle_weights(Verdict& verdict);
   Verdict find_robust_minimum(Verdict verdict);
   Verdict minimum_of(const Problem& data);

@@ -4,6 +4,7 @@
 
 #include "fitting/budget.h"
 #include "fitting/consistency.h"
+#include "fitting/curve_objective.h"
 #include "fitting/fitter.h"
 #include "fitting/predicted_area.h"
 #include "solver/evidence.h"
@@ -21,7 +22,7 @@ std::vector<Outlier> outliers_of(const FitResult& fit, bool known_errors) {
   if (fit.freedom() == 0 || !(fit.standard_error > 0)) return outliers;
   const auto points = static_cast<double>(fit.used.size()), freedom = static_cast<double>(fit.freedom());
   for (std::size_t i = 0; i < fit.used.size(); ++i) {
-    const double size = fit.residuals[i] / fit.standard_error;
+    const double size = fit.innovations[i] / fit.standard_error;
     const double chance = known_errors ? 2 * normal_below(-std::abs(size)) : student_p_value(size, 0.5 * freedom);
     if (chance * points < kChanceOfAny) outliers.push_back({fit.used[i], size});
   }
@@ -37,8 +38,10 @@ void Fitter::add_evidence(const Verdict& verdict) {
   const FreeParameter& first = cost_->parameters()[0];
   if (!wanted || first.start || verdict.best.x.empty() || verdict.status == FitStatus::not_converged) return;
   const EvidenceOptions choice{options_.lambda_prior, options_.confidence, problem_->known_errors() ? 0 : unit_};
-  if (const auto found = evidence(*cost_, verdict.best, verdict.standard_errors[0], choice))
+  if (const auto found = evidence(*cost_, verdict.best, verdict.standard_errors[0], choice)) {
     result_.evidence = {first.name, options_.lambda_prior, options_.confidence, *found};
+    result_.evidence->evidence.log_evidence -= result_.log_variances / 2;
+  }
 }
 
 /// The effect of the constants of the experiment on the parameter.
@@ -82,6 +85,10 @@ void Fitter::add_goodness(const std::vector<double>& x) {
     result_.message = "the model is not finite at the used points";
     return;
   }
+  result_.innovations = result_.residuals;
+  if (prepared_.objective == Objective::curve && data_.has_loads)
+    if (const auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x))
+      result_.residuals = nearest->residuals;
   const Goodness fit = goodness(result_.residuals, problem_->targets(), problem_->weights());
   result_.r2 = fit.r2;
   result_.rmse = fit.rmse;

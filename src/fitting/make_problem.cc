@@ -5,6 +5,7 @@
 #include "base/input_error.h"
 #include "fitting/curve_objective.h"
 #include "fitting/energy_objective.h"
+#include "fitting/fitted_errors.h"
 #include "fitting/prepare.h"
 #include "fitting/toughness_objective.h"
 #include "solver/descent.h"
@@ -105,7 +106,10 @@ std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions
     if (!prepared.fitted.empty()) toughness = series_toughness(data, points, prepared.used, prepared.fitted[0].prior);
     problem = std::make_unique<EnergyObjective>(points, choice_of_model(prepared), toughness);
   } else if (prepared.objective == Objective::curve) {
-    problem = std::make_unique<CurveObjective>(measured_points(data, prepared), free_choice(data, prepared));
+    const StandardErrors errors = prepared.errors.value_or(StandardErrors{});
+    problem = std::make_unique<CurveObjective>(measured_points(data, prepared), free_choice(data, prepared),
+                                               of_points(errors.expected, prepared.used),
+                                               decorrelation_of(data, prepared.used, errors));
   } else if (!prepared.fitted.empty() && data.has_loads) {
     problem = std::make_unique<ToughnessOfLoads>(measured_points(data, prepared), free_choice(data, prepared),
                                                  std::move(weights));

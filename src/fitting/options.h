@@ -1,6 +1,7 @@
 // Options of a fit.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,6 +45,12 @@ struct FitOptions {
   /// standard error are fitted with a prior.
   std::optional<Constants> constants{};
   std::optional<StatedError> sigma_T{}, sigma_A{};
+  /// Errors are functions of the fitted value, estimated with the fit where they are not stated; neighbours may
+  /// correlate; the distance that noise leads one to expect is taken off. False: taken at the readings, independent,
+  /// one relative error where none is stated: bare orthogonal distances, as ODRPACK minimises them.
+  bool fitted_errors = true;
+  /// Of all points, as a fit of the same data has found them; null: from sigma_T, sigma_A, columns or the scatter.
+  std::shared_ptr<const StandardErrors> errors{};
   Loss loss = Loss::none;
   std::optional<double> loss_scale{};  // in standard errors; null: the loss's usual one
   bool intervals = true;

@@ -144,8 +144,10 @@ void test_runs(const FitResult& pooled, const SeparateFits& separate, PerCurve& 
 
 }  // namespace
 
-PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOptions& options) {
+PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOptions& asked) {
   PerCurve result;
+  FitOptions options = asked;
+  options.fitted_errors = false;  // one value for runs that differ would take the difference for noise
   result.model = model;
   const auto untested = [&](const char* why) {
     result.untested = why;

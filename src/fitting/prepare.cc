@@ -140,7 +140,9 @@ PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOpt
   choose_points(data, points, prepared);
   hold_parameters(data, options, prepared);
   if (data.has_loads && (objective == Objective::curve || options.weighted))
-    prepared.errors = standard_errors(data, options.sigma_T, options.sigma_A, objective == Objective::curve);
+    prepared.errors = options.errors && objective == Objective::curve
+                          ? *options.errors
+                          : standard_errors(data, options.sigma_T, options.sigma_A, objective == Objective::curve);
   return prepared;
 }
 

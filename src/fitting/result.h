@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -117,6 +118,12 @@ struct ResidualTests {
   /// Root mean square of the residuals over the scatter of neighbouring points, and over that of neighbouring
   /// residuals; null where that is not known.
   std::optional<double> over_scatter{}, over_neighbours{};
+  /// Whether a run of mean length is worth fewer than three independent points: noise with so long a memory looks like
+  /// runs that differ, and like a wrong model.
+  bool together = false;
+  bool coarse = false;             // the readings' steps make neighbours resemble each other
+  std::optional<double> course{};  // F of the same course in all runs (course.h); null of fewer than three
+  double course_p = 1;
   double ends = 0, ends_p = 1;          // z of the residuals at the ends of the runs against the points before these
   static constexpr double kEnd = 0.05;  // of a run is its end, one point at least
   static constexpr std::size_t kLeastRun = 8;
@@ -161,7 +168,10 @@ struct FitResult {
   std::shared_ptr<const std::string> excluded_reason{};  // a text to which `excluded` refers
   std::optional<double> r2;                              // in the fitted space; null without scatter or without a fit
   std::optional<double> rmse, max_abs_residual;
-  std::vector<double> residuals;     // per used point, model minus data; empty without a fit
+  std::vector<double> residuals;  // per used point, model minus data; empty without a fit
+  /// The same less what noise leads one to expect and what the points before predict, over the standard deviation of
+  /// that: independent of each other. As `residuals` where neighbours do not correlate.
+  std::vector<double> innovations{};
   std::optional<AreaGoodness> area;  // null without loads or without a fit
   std::optional<PaperFit> paper;     // beside the objective curve of loads
   /// A standard error, in the unit of the residuals: 1 where errors are known, else estimated so that outliers hardly
@@ -172,6 +182,9 @@ struct FitResult {
   std::optional<StandardErrors> errors;  // of the points, where the objective uses them
   std::vector<double> correlations;      // [p x p] of the free parameters in order; empty for one
   std::size_t free_parameters = 0;
+  /// Sum of ln(variance) of the residuals, relative to proportional errors at the readings, and of the determinant of
+  /// their correlations; 0 of known, independent errors. -2 ln L of the fit has it beside the sum of squares.
+  double log_variances = 0;
   double sum_of_squares = 0;               // of the (weighted) residuals, or of the robust loss
   std::optional<Budget> budget;            // of the first free parameter; null where there is none
   std::optional<ShownEvidence> evidence;   // null where intervals were not asked for, or it could not be found
@@ -188,6 +201,13 @@ struct FitResult {
   /// Degrees of freedom: points minus free parameters, at least 0.
   std::size_t freedom() const { return used.size() > free_parameters ? used.size() - free_parameters : 0; }
 };
+
+/// The sum of squares of a fit as if all fits of these points had the same errors: -2 ln L is n ln(S/n), or S where the
+/// errors are known.
+inline double comparable_squares(const FitResult& fit) {
+  if (fit.known_errors) return fit.sum_of_squares + fit.log_variances;
+  return fit.sum_of_squares * std::exp(fit.log_variances / static_cast<double>(fit.used.size()));
+}
 
 /// Whether each of the parameters has a value.
 inline bool has_all_values(const FitResult& fit) {

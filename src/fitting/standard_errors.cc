@@ -8,6 +8,7 @@
 #include "base/input_error.h"
 #include "base/number_text.h"
 #include "statistics/readings.h"
+#include "statistics/steps.h"
 
 namespace mixity {
 namespace {
@@ -82,15 +83,8 @@ std::optional<double> relative_scatter(const Dataset& data) {
   return std::max(std::sqrt(median(std::move(ratios)) / kMedianOfChiSquare), kLeast);
 }
 
-/// A stated error as a function of the measured value.
-struct Stated {
-  double value = 0;
-  bool relative = false;
-  double of(double x) const { return relative ? value * std::abs(x) : value; }
-};
-
-Stated understand(const Dataset& data, const std::string& name, const std::optional<StatedError>& stated,
-                  const Dimension& dimension, double unit) {
+ErrorModel understand(const Dataset& data, const std::string& name, const std::optional<StatedError>& stated,
+                      const Dimension& dimension, double unit) {
   if (!stated) return {};
   const bool relative = stated->unit.text == "%";
   const bool fits = data.contact ? stated->unit.dimension == dimension : stated->unit.dimension == dimension::none;
@@ -100,13 +94,7 @@ Stated understand(const Dataset& data, const std::string& name, const std::optio
                                     (data.contact ? describe(dimension) : "a number without a unit") +
                                     ", or a percentage such as 1%");
   if (!(stated->value >= 0)) throw InputError(data.path, name + " must not be below 0");
-  return {relative ? stated->si() : stated->si() / unit, relative};
-}
-
-double largest(const Dataset& data, double Point::*quantity) {
-  double most = 0;
-  for (const Point& point : data.points) most = std::max(most, std::abs(point.*quantity));
-  return most > 0 ? most : 1;
+  return relative ? ErrorModel{0, stated->si()} : ErrorModel{stated->si() / unit, 0};
 }
 
 /// Raises errors of 0 to kLeastError of `largest_value`; returns how many there were.
@@ -117,16 +105,35 @@ std::size_t raise_zeros(std::vector<double>& errors, double largest_value) {
   return static_cast<std::size_t>(zeros);
 }
 
+/// The share that all errors are of their readings, to the digits of a file; null if they are not.
+std::optional<ErrorModel> proportional(const Dataset& data, const std::vector<double>& sigma, double Point::*value) {
+  constexpr double kDigits = 5e-3;
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < sigma.size(); ++i)
+    if (const double reading = std::abs(data.points[i].*value); reading > 0) shares.push_back(sigma[i] / reading);
+  if (shares.empty()) return std::nullopt;
+  const double share = median(shares);
+  const bool all =
+      std::all_of(shares.begin(), shares.end(), [&](double one) { return std::abs(one - share) <= kDigits * share; });
+  return all && share > 0 ? std::optional(ErrorModel{0, share}) : std::nullopt;
+}
+
 }  // namespace
+
+double largest_value(const Dataset& data, double Point::*quantity) {
+  double most = 0;
+  for (const Point& point : data.points) most = std::max(most, std::abs(point.*quantity));
+  return most > 0 ? most : 1;
+}
 
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
                                const std::optional<StatedError>& sigma_A, bool both_axes) {
   const auto any = [&](auto says) { return std::any_of(data.errors.begin(), data.errors.end(), says); };
-  const Stated stated_T =
+  const ErrorModel stated_T =
       understand(data, "sigma_T", sigma_T, dimension::force, data.contact ? data.contact->force_unit() : 1);
-  const Stated stated_A =
+  const ErrorModel stated_A =
       understand(data, "sigma_A", sigma_A, dimension::area, data.contact ? data.contact->area_unit() : 1);
-  if (sigma_A && !both_axes && stated_A.value == 0)
+  if (sigma_A && !both_axes && stated_A.constant + stated_A.share == 0)
     throw InputError(data.path, "sigma_A must be greater than 0: objective toughness weighs its points by it");
   const bool has_A = sigma_A || any([](const PointErrors& e) { return e.A >= 0; });
   const bool has_T = sigma_T || any([](const PointErrors& e) { return e.T >= 0; });
@@ -143,10 +150,10 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
       if (!errors.scatter && *source == ErrorSource::scatter) *source = ErrorSource::assumed;
     if (!errors.scatter) errors.scatter = kAssumed;
   }
-  const auto error = [&](ErrorSource source, const Stated& stated, double value, double column) {
+  const auto error = [&](ErrorSource source, const ErrorModel& stated, double value, double column) {
     switch (source) {
       case ErrorSource::stated:
-        return stated.of(value);
+        return stated.at(value);
       case ErrorSource::columns:
         return column;
       case ErrorSource::scatter:
@@ -170,12 +177,34 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
       refuse_value(data, point, "sigma_T",
                    "this point has no standard error of its shear load (sigma_T is empty; 0 says that T is exact)");
   }
+  std::vector<std::vector<double>> T, A;
+  for (const auto& run : points_by_curve(data)) {
+    T.emplace_back();
+    A.emplace_back();
+    for (const std::size_t i : run) {
+      T.back().push_back(data.points[i].shear());
+      A.back().push_back(data.points[i].A);
+    }
+  }
+  errors.step_T = common_step(T);
+  errors.step_A = common_step(A);
+  const auto model = [&](ErrorSource source, const ErrorModel& stated, const std::vector<double>& sigma,
+                         double Point::*value) -> std::optional<ErrorModel> {
+    if (source == ErrorSource::columns) return proportional(data, sigma, value);
+    return source == ErrorSource::stated  ? stated
+           : source == ErrorSource::exact ? ErrorModel{}
+                                          : ErrorModel{0, *errors.scatter};
+  };
+  errors.model_T = model(errors.source_T, stated_T, errors.T, &Point::T);
+  errors.model_A = model(errors.source_A, stated_A, errors.A, &Point::A);
   if (both_axes) {
-    const std::size_t zeros_T = raise_zeros(errors.T, largest(data, &Point::T)),
-                      zeros_A = raise_zeros(errors.A, largest(data, &Point::A));
+    const std::size_t zeros_T = raise_zeros(errors.T, largest_value(data, &Point::T)),
+                      zeros_A = raise_zeros(errors.A, largest_value(data, &Point::A));
     // nobody states an error of 0 by a percentage of T = 0
-    if (errors.source_T == ErrorSource::columns || (sigma_T && stated_T.value == 0)) errors.raised_T = zeros_T;
-    if (errors.source_A == ErrorSource::columns || (sigma_A && stated_A.value == 0)) errors.raised_A = zeros_A;
+    if (errors.source_T == ErrorSource::columns || (sigma_T && stated_T.constant + stated_T.share == 0))
+      errors.raised_T = zeros_T;
+    if (errors.source_A == ErrorSource::columns || (sigma_A && stated_A.constant + stated_A.share == 0))
+      errors.raised_A = zeros_A;
   }
   return errors;
 }

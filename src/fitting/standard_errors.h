@@ -1,6 +1,7 @@
 // Standard errors of measured loads and areas: from the file's columns, from flags, or from the scatter of the points.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "base/enum_names.h"
 #include "base/units.h"
 #include "dataset/dataset.h"
+#include "statistics/neighbour_correlations.h"
 
 namespace mixity {
 
@@ -22,15 +24,40 @@ constexpr std::string_view to_string(ErrorSource source) {
   return name_among(kNames, source);
 }
 
+/// The standard error of a reading whose true value is x: sqrt(constant^2 + (share x)^2). constant: in the unit of x.
+struct ErrorModel {
+  double constant = 0, share = 0;
+  double at(double x) const { return std::hypot(constant, share * x); }
+};
+
 struct StandardErrors {
   std::vector<double> T, A;  // per point of the data set, dimensionless
   ErrorSource source_T = ErrorSource::scatter, source_A = ErrorSource::scatter;
   std::optional<double> scatter;  // the relative error, where it was estimated or assumed
   // How many errors of 0 were raised to kLeastError of the largest value.
   std::size_t raised_T = 0, raised_A = 0;
+  std::optional<ErrorModel> model_T{}, model_A{};  // as functions of the true value; null of a column of any numbers
+  std::vector<double> run_factors{};               // by which the errors of each run are multiplied; empty: 1
+  NeighbourCorrelations correlations{};            // of the noise of A (first) and T (second), along each run
+  double step_T = 0, step_A = 0;                   // in which T and A were read; 0: none found
+  double freedom = 0;                              // degrees of freedom of the estimate from the fit; 0: there is none
+  /// At the fitted curve, per point of the data set: NearestPlaces::load_T and load_A, and the distance from the curve
+  /// that its curvature leads one to expect. Empty before a fit.
+  std::vector<double> load_T{}, load_A{}, expected{};
 
+  /// Whether the steps of the readings are no small part of the noise: then neighbouring residuals resemble each other.
+  bool coarse(std::size_t point) const {
+    constexpr double kPart = 0.1;  // of the variance
+    const auto part = [](double step, double sigma, double load) {
+      return step * step / 12 * load * load / (sigma * sigma);
+    };
+    return !load_T.empty() && part(step_T, T[point], load_T[point]) + part(step_A, A[point], load_A[point]) > kPart;
+  }
   /// True if the size of the errors is known, not only their proportions.
-  bool absolute() const { return source_A == ErrorSource::columns || source_A == ErrorSource::stated; }
+  bool absolute() const { return is_known(source_A); }
+  static bool is_known(ErrorSource source) {
+    return source == ErrorSource::columns || source == ErrorSource::stated || source == ErrorSource::exact;
+  }
 };
 
 /// Stated errors take precedence over columns. Where neither T nor A has one, both get the same relative error,
@@ -41,5 +68,8 @@ struct StandardErrors {
 /// column of errors, for an error of A of 0 without `both_axes`, and for a stated error with a wrong unit.
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
                                const std::optional<StatedError>& sigma_A, bool both_axes = false);
+
+/// The largest modulus of this quantity; 1 where all are 0.
+double largest_value(const Dataset& data, double Point::*quantity);
 
 }  // namespace mixity

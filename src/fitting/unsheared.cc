@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "fitting/prepare.h"
 #include "fitting/stated_constants.h"
+#include "solver/prior.h"
 #include "solver/solve.h"
 #include "statistics/distributions.h"
 
@@ -23,8 +25,21 @@ std::vector<std::size_t> unsheared_points(const Dataset& data) {
   return list;
 }
 
-double beyond(double chi2, std::size_t freedom) {
-  return freedom > 0 ? chi_squared_p_value(chi2, static_cast<double>(freedom)) : 1;
+/// `of_errors`: degrees of freedom of the estimate of the errors; 0: they are known.
+double beyond(double chi2, std::size_t freedom, double of_errors) {
+  if (freedom == 0) return 1;
+  const auto n = static_cast<double>(freedom);
+  return of_errors > 0 ? fisher_p_value(chi2 / n, n, of_errors) : chi_squared_p_value(chi2, n);
+}
+
+/// Sum of the squares of the residuals at x; each counts up to nine, so that no single point decides.
+double chi_squared(const Problem& problem, std::span<const double> x) {
+  constexpr double kMost = 9;
+  std::vector<double> residuals(problem.residual_count());
+  double sum = 0;
+  if (!problem.evaluate(x, residuals, {})) return std::numeric_limits<double>::infinity();
+  for (const double r : residuals) sum += std::min(r * r, kMost);
+  return sum;
 }
 
 std::unique_ptr<ModelProblem> problem_of(const Dataset& data, const PreparedFit& prepared) {
@@ -41,7 +56,9 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
   FitOptions as_stated;
   as_stated.sigma_T = options.sigma_T;
   as_stated.sigma_A = options.sigma_A;
+  as_stated.errors = options.errors;
   as_stated.constants = constants_of(data, options);
+  const double of_errors = options.errors ? options.errors->freedom : 0;
   const ContactModel any_model = ContactModel::find("c").value();  // without shear every law is JKR's
   PreparedFit prepared = prepare(data, any_model, as_stated, Objective::curve, &points);
   prepared.held.assign(prepared.held.size(), true);
@@ -54,16 +71,16 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
   for (const std::size_t i : points) loads.insert(data.curve_loads[data.points[i].curve]);
   test.points = points.size();
   test.loads = loads.size();
-  for (const double r : residuals) test.chi2 += r * r;
+  test.chi2 = chi_squared(*stated, {});
   // Uncertain constants may differ from what was stated: the minimum with their priors.
   if (const auto known = options.constants ? std::vector<FittedConstant>{} : uncertain_constants(data);
       !known.empty()) {
     prepared.fitted = known;
     const auto uncertain = problem_of(data, prepared);
     const Verdict verdict = solve_with_priors(*uncertain).verdict;
-    if (verdict.status == FitStatus::ok) test.chi2 = verdict.best.sum_of_squares;
+    if (verdict.status == FitStatus::ok) test.chi2 = chi_squared(ProblemWithPriors(*uncertain), verdict.best.x);
   }
-  test.p_value = beyond(test.chi2, test.points);
+  test.p_value = beyond(test.chi2, test.points, of_errors);
   for (const Constant constant : {kModulus, kToughness, kLoadOffset}) {
     FitOptions freed = as_stated;
     freed.free = {constant};
@@ -72,10 +89,10 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
     const Verdict verdict = solve(*problem, {}, {});
     if (verdict.status != FitStatus::ok || !verdict.standard_errors[0]) continue;
     const FreeParameter& parameter = problem->parameters()[0];
-    const double x = verdict.best.x[0];
+    const double x = verdict.best.x[0], chi2 = chi_squared(*problem, verdict.best.x);
     test.implied.push_back({parameter.name, parameter.unit, parameter.shown((*as_stated.constants)[constant]),
-                            parameter.shown(x), *verdict.standard_errors[0] * std::abs(parameter.shown_slope(x)),
-                            verdict.best.sum_of_squares, beyond(verdict.best.sum_of_squares, test.points - 1)});
+                            parameter.shown(x), *verdict.standard_errors[0] * std::abs(parameter.shown_slope(x)), chi2,
+                            beyond(chi2, test.points - 1, of_errors)});
   }
   return test;
 }

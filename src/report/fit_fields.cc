@@ -1,5 +1,7 @@
 #include "report/fit_fields.h"
 
+#include <array>
+
 #include "analysis/judgement.h"
 
 namespace mixity {
@@ -77,13 +79,53 @@ void describe(Fields<FittedParameter>& field) {
   field("prior", "of a constant that was stated with a standard error; else null", &FittedParameter::prior);
 }
 
+/// The standard error of one axis as a function of the true value.
+template <class Correlation>
+void describe_axis(Fields<StandardErrors>& field, const std::array<const char*, 4>& names,
+                   std::optional<ErrorModel> StandardErrors::*model, double StandardErrors::*step,
+                   double DisplayUnits::*scale, const Correlation& correlation) {
+  const auto unit = [scale](const Within& in) { return in.result->data.display.*scale; };
+  field(names[0], "constant part of the standard error, in the unit of the file; null of a column",
+        [=](const StandardErrors& errors, const Within& in) {
+          const auto& found = errors.*model;
+          return found ? std::optional(found->constant * unit(in)) : std::nullopt;
+        });
+  field(names[1], "part that is proportional to the true value; null of a column", [=](const StandardErrors& errors) {
+    const auto& found = errors.*model;
+    return found ? std::optional(found->share) : std::nullopt;
+  });
+  field(names[2], "of the noise of neighbouring points; 0 where there is none", correlation);
+  field(names[3], "in which it was read, in the unit of the file; null where none is found",
+        [=](const StandardErrors& errors, const Within& in) {
+          return errors.*step > 0 ? std::optional(errors.*step * unit(in)) : std::nullopt;
+        });
+}
+
 void describe(Fields<StandardErrors>& field) {
   const char* const kSource =
       "where the standard errors come from: columns of the file, stated for all points, the scatter of neighbouring "
       "points, assumed (too few points for an estimate), or exact (none)";
   field("sigma_T", kSource, &StandardErrors::source_T);
   field("sigma_A", kSource, &StandardErrors::source_A);
-  field("relative_scatter", "relative error that was estimated or assumed; else null", &StandardErrors::scatter);
+  field("relative_scatter",
+        "relative error of T and A by the scatter of neighbouring points, from which an estimate starts, or assumed; "
+        "else null",
+        &StandardErrors::scatter);
+  describe_axis(field, {"constant_T", "share_T", "correlation_T", "step_T"}, &StandardErrors::model_T,
+                &StandardErrors::step_T, &DisplayUnits::force_scale,
+                [](const StandardErrors& errors) { return errors.correlations.second; });
+  describe_axis(field, {"constant_A", "share_A", "correlation_A", "step_A"}, &StandardErrors::model_A,
+                &StandardErrors::step_A, &DisplayUnits::area_scale,
+                [](const StandardErrors& errors) { return errors.correlations.first; });
+  field("run_factors", "by which the errors of each run are multiplied, by its name; null where runs do not differ",
+        [](const StandardErrors& errors, const Within& in) {
+          std::optional<Named<double>> factors;
+          if (errors.run_factors.empty()) return factors;
+          factors.emplace();
+          for (std::size_t run = 0; run < errors.run_factors.size(); ++run)
+            factors->emplace_back(in.result->data.curves[run], errors.run_factors[run]);
+          return factors;
+        });
   const char* const kRaised =
       "points whose standard error of 0 was raised to 1e-4 of the largest value, as a distance needs errors in both "
       "axes";

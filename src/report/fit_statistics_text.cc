@@ -9,6 +9,7 @@
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "base/text.h"
+#include "fitting/consistency.h"
 #include "fitting/predicted_curves.h"
 #include "report/fit_fields.h"
 #include "report/fit_text.h"
@@ -31,10 +32,34 @@ std::string interval_text(const FittedParameter& parameter) {
   return "   " + rounded(100 * interval.confidence, 4) + "% " + ends_text(interval, width, "?", " (bound)");
 }
 
-std::string origin_of_scatter(const StandardErrors& errors) {
+std::string estimated_errors(const StandardErrors& errors, const DisplayUnits& units) {
+  const auto size = [](const char* name, ErrorSource source, const std::optional<ErrorModel>& model, double scale,
+                       const std::string& unit) {
+    if (StandardErrors::is_known(source) || !model) return std::string();
+    std::vector<std::string> parts;
+    if (model->constant > 0) parts.push_back(rounded(model->constant * scale, 2) + (unit.empty() ? "" : " " + unit));
+    if (model->share > 0) parts.push_back(rounded(100 * model->share, 2) + " %");
+    return std::string(name) + " " + (parts.empty() ? "0" : joined(parts, " + "));
+  };
+  std::vector<std::string> axes{size("A", errors.source_A, errors.model_A, units.area_scale, units.area),
+                                size("T", errors.source_T, errors.model_T, units.force_scale, units.force)};
+  std::erase(axes, "");
+  if (axes.empty()) return {};
   const bool assumed = errors.source_A == ErrorSource::assumed || errors.source_T == ErrorSource::assumed;
-  return assumed ? "assumed: too few neighbouring points to estimate them"
-                 : "estimated from the scatter of neighbouring points";
+  std::vector<std::string> list{joined(axes),
+                                assumed ? "assumed: too few neighbouring points to estimate them" : "from scatter"};
+  if (!errors.run_factors.empty()) {
+    const auto [least, most] = std::minmax_element(errors.run_factors.begin(), errors.run_factors.end());
+    list.push_back("times " + rounded(*least, 2) + " to " + rounded(*most, 2) + " in the runs");
+  }
+  return joined(list);
+}
+
+std::string correlation_text(const FitResult& fit) {
+  const double r = mean_correlation(fit);
+  if (!(r > 0)) return {};
+  return "neighbours correlate by " + rounded(r, 2) + ": as good as " +
+         rounded(std::round(independent_points(fit)), 6) + " of " + std::to_string(fit.used.size()) + " points";
 }
 
 std::vector<std::string> raised_errors(const StandardErrors& errors) {
@@ -70,15 +95,15 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
              : of == ErrorSource::columns ? "from the file"
                                           : "as stated";
     };
-    const std::string scatter = fit.errors->scatter ? rounded(100 * *fit.errors->scatter, 2) + "% in " : std::string();
-    if (fit.errors->absolute())
-      out << "sigma_A " << source(fit.errors->source_A) << ", "
-          << (fit.errors->scatter ? scatter + "T (none given), " + origin_of_scatter(*fit.errors)
-                                  : std::string("sigma_T ") + source(fit.errors->source_T));
-    else
-      out << scatter << (fit.errors->source_T == fit.errors->source_A ? "A and T, " : "A, ")
-          << origin_of_scatter(*fit.errors);
+    const auto stated = [&](const char* name, ErrorSource of) {
+      return StandardErrors::is_known(of) ? name + (" " + source(of)) : std::string();
+    };
+    std::vector<std::string> parts{stated("sigma_A", fit.errors->source_A), stated("sigma_T", fit.errors->source_T)};
+    parts.push_back(estimated_errors(*fit.errors, data.display));
+    std::erase(parts, "");
+    out << joined(parts);
     for (const std::string& raised : raised_errors(*fit.errors)) out << "; " << raised;
+    if (const std::string text = correlation_text(fit); !text.empty()) out << "\n    " << text;
     out << '\n';
     if (fit.errors->absolute() && fit.rmse && fit.used.size() > fit.free_parameters && fit.loss_scale == 0) {
       const double freedom = static_cast<double>(fit.used.size() - fit.free_parameters);

@@ -218,10 +218,10 @@ std::vector<std::string> assumptions(const Analysis& result) {
   const auto with_errors = std::find_if(result.fits.begin(), result.fits.end(), [](const auto& f) { return f.errors; });
   if (with_errors != result.fits.end()) {
     const StandardErrors& errors = *with_errors->errors;
-    if (errors.scatter)
-      list.push_back("Standard errors of " + rounded(100 * *errors.scatter, 2) + " %" +
-                     (errors.absolute() ? " in T, for which none are stated, were " : " were ") +
-                     origin_of_scatter(errors) + ".");
+    if (const std::string text = estimated_errors(errors, data.display); !text.empty())
+      list.push_back("Standard errors: " + text + ".");
+    if (const std::string text = correlation_text(*with_errors); !text.empty())
+      list.push_back("The noise has a memory: " + text + ".");
     for (const std::string& raised : raised_errors(errors))
       list.push_back("A distance needs errors in both axes: " + raised + ".");
   }

@@ -22,8 +22,10 @@ std::string shown_r2(const std::optional<double>& r2);
 std::string paper_text(const FitResult& fit);
 /// Bootstrap intervals and what moves the fit most: a few lines.
 std::string resampling_text(const FitResult& fit, const Dataset& data);
-/// The source of relative errors that are not stated: "estimated from ...".
-std::string origin_of_scatter(const StandardErrors& errors);
+/// The errors that are not stated: "A 0.0041 mm^2 + 0.3 %, T 0.21 mN, from scatter"; empty if all are.
+std::string estimated_errors(const StandardErrors& errors, const DisplayUnits& units);
+/// What correlation of neighbours costs: "neighbours correlate by 0.6: as good as 100 of 400 points"; empty without it.
+std::string correlation_text(const FitResult& fit);
 /// Says how many standard errors of 0 were replaced, and by what: a clause for T and one for A.
 std::vector<std::string> raised_errors(const StandardErrors& errors);
 /// The source of the standard errors, correlations and the loss: a line each.

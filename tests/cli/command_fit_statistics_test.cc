@@ -109,7 +109,8 @@ TEST(FitStatistics, StatedErrorsAreKnownErrors) {
   EXPECT_TRUE(one["errors"]["relative_scatter"].is_null());
   // Twice the errors, twice the standard error, the same lambda: the cost is a quarter, but for rounding.
   const auto value = [](const Json& fit, const char* key) { return fit["parameters"]["lambda"][key].get<double>(); };
-  EXPECT_NEAR(value(two, "value"), value(one, "value"), 1e-10);
+  // The mean distances that come from noise are known to 1e-8, as the nearest points of the curve are.
+  EXPECT_NEAR(value(two, "value"), value(one, "value"), 1e-7 * value(one, "stderr"));
   EXPECT_NEAR(value(two, "stderr"), 2 * value(one, "stderr"), 1e-8 * value(one, "stderr"));
 }
 

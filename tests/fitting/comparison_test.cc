@@ -102,6 +102,7 @@ TEST(LeaveOneLoadOut, IsRefittingWithoutEachRun) {
   for (const Objective objective : {Objective::toughness, Objective::curve}) {
     FitOptions options = curve_options();
     options.objective = objective;
+    options.fitted_errors = false;  // those of the whole fit would go with the refits
     const auto found = leave_one_load_out(data, fit_model(data, "c", options), options);
     ASSERT_TRUE(found);
     double squares = 0;
@@ -245,7 +246,7 @@ TEST(PerCurve, TellsTwoLambdasFromOne) {
 TEST(PerCurve, TestIsThatOfItsFormula) {
   const Dataset data = runs_of(0.15, 0.16, 3);
   for (const bool known : {true, false}) {
-    FitOptions options{.objective = Objective::curve, .intervals = false};
+    FitOptions options{.objective = Objective::curve, .fitted_errors = false, .intervals = false};
     if (known) options.sigma_A = *parse_quantity("0.5%");
     const PerCurve found = fit_per_curve(data, "c", options);
     ASSERT_EQ(found.curves.size(), 4u);
@@ -311,6 +312,7 @@ TEST(PerCurve, SharesTheConstantsThatAreFree) {
   options.sigma_A = *parse_quantity("0.5%");
   options.free = {kAreaOffset};
   options.intervals = true;
+  options.fitted_errors = false;
   const PerCurve found = fit_per_curve(data, "c", options);
   ASSERT_TRUE(found.test);
   double at = -0.5, h = 0.05;
@@ -324,6 +326,7 @@ TEST(PerCurve, SharesTheConstantsThatAreFree) {
   EXPECT_EQ(found.test->freedom, 3);
   FitOptions fixed = curve_options();
   fixed.sigma_A = options.sigma_A;
+  fixed.fitted_errors = false;
   fixed.constants = Constants{};
   (*fixed.constants)[kAreaOffset] = at;
   for (std::size_t c = 0; c < 4; ++c) {

@@ -38,6 +38,7 @@ void expect_right_or_not_ok(const UnitCase& at, FitOptions options, const std::v
   const BestValue best = truth_of(at, options);
   for (const AreaUnit& unit : units) {
     const Dataset data = at.in(unit);
+    options.fitted_errors = false;
     if (options.objective == Objective::curve || options.weighted) {
       options.sigma_T = parse_quantity(at.sigma_T_text());
       options.sigma_A = parse_quantity(at.sigma_A_in(unit));

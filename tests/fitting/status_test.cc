@@ -118,6 +118,7 @@ void expect_global_under_cauchy(const std::string& model, unsigned seed) {
   const FitOptions options{.objective = Objective::curve,
                            .sigma_T = *parse_quantity("1%"),
                            .sigma_A = *parse_quantity("1%"),
+                           .fitted_errors = false,
                            .loss = Loss::cauchy,
                            .intervals = false};
   const FitResult fit = fit_model(data, model, options);
@@ -186,8 +187,10 @@ void expect_least_distance_below_hertz(const std::string& model) {
     p.A = (0.97 + 0.01 * static_cast<double>(i - 8)) * area_from_radius(hertz_radius(p.P));
     p.T *= i == 9 ? 1.1 : 1;
   }
-  const FitOptions options{
-      .objective = Objective::curve, .sigma_T = *parse_quantity("2%"), .sigma_A = *parse_quantity("2%")};
+  const FitOptions options{.objective = Objective::curve,
+                           .sigma_T = *parse_quantity("2%"),
+                           .sigma_A = *parse_quantity("2%"),
+                           .fitted_errors = false};
   const FitResult fit = fit_model(data, model, options);
   // the points below Hertz do not agree with the rest, and that is said
   ASSERT_EQ(fit.status, FitStatus::suspect) << model << ' ' << fit.message.text();

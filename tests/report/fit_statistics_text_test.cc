@@ -76,6 +76,8 @@ TEST(FitStatisticsText, EstimatedErrorsWithARobustLossAndOneEndedIntervals) {
   fit.status = FitStatus::at_bound;
   fit.message = "lambda is at its lower bound 0";
   fit.errors = StandardErrors{{}, {}, ErrorSource::scatter, ErrorSource::scatter, 0.00721};
+  fit.errors->model_A = {0.25, 0.00721};
+  fit.errors->model_T = {0, 0.0123};
   fit.loss_scale = 1.345;
   fit.parameters[0] = {"lambda", 0.0, {}, 0, 1, true};
   fit.parameters[0].interval = ShownInterval{"profile", 0.95, 0.0, 0.000123456, EndStatus::at_bound, EndStatus::found};

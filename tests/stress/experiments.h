@@ -58,6 +58,7 @@ Experiment random_experiment(Random& random) {
   }
   data.rows = data.points.size();
   result.options.objective = Objective::curve;
+  result.options.fitted_errors = false;  // the scan is of bare distances
   // with a constant freed the condition number of the normal matrix goes up: factor and lambda move areas alike
   if (p.size() == 1 && chance(random, 0.2)) result.options.free = {kToughness};
   result.truth.assign(p.begin(), p.end());

@@ -102,14 +102,15 @@ std::vector<Figure> normal_figures(const ReportedData& reported) {
                 .y = {"residual [standard errors]"}};
   std::size_t shown = 0, all = 0, most = 0;
   for (const FitResult& fit : last_first(reported.result)) {
-    const std::size_t n = fit.residuals.size();
-    if (n < kLeastOfNormalFigure || !(fit.standard_error > 0) || !fit.outdone_by.empty()) continue;
+    const std::size_t n = fit.innovations.size();
+    if (n < kLeastOfNormalFigure || fit.residuals.empty() || !(fit.standard_error > 0) || !fit.outdone_by.empty())
+      continue;
     std::vector<std::size_t> order = first_indices(n);
     std::sort(order.begin(), order.end(),
-              [&](std::size_t i, std::size_t j) { return fit.residuals[i] < fit.residuals[j]; });
+              [&](std::size_t i, std::size_t j) { return fit.innovations[i] < fit.innovations[j]; });
     Series series{"model " + fit.model, model_symbol(fit.model), model_color(fit.model)};
     for (const std::size_t rank : shown_points(first_indices(n), reported.result.fits.size())) {
-      const double size = fit.residuals[order[rank]] / fit.standard_error;
+      const double size = fit.innovations[order[rank]] / fit.standard_error;
       series.points.emplace_back(normal_quantile((static_cast<double>(rank) + 0.5) / static_cast<double>(n)), size);
       series.hover.push_back("model " + fit.model + ", residual of " + rounded(size, 2) + " standard errors, " +
                              point_hover(reported.result.data, fit.used[order[rank]]));

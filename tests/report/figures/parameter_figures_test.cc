@@ -111,7 +111,7 @@ TEST(NormalFigures, LeaveOutModelsThatAnotherLeavesFarBehind) {
   Analysis result = shipped("mergel2018");
   for (FitResult& fit : result.fits) fit.outdone_by = fit.model == "c" ? "" : "c";
   EXPECT_EQ(normal_figures(reported_data(result, "m")).at(0).series.size(), 3U);  // with band and line
-  for (FitResult& fit : result.fits) fit.residuals.resize(7);
+  for (FitResult& fit : result.fits) fit.innovations.resize(7);
   EXPECT_TRUE(normal_figures(reported_data(result, "m")).empty());
 }
 

@@ -1,0 +1,72 @@
+#include "fitting/course.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "statistics/distributions.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kParts = 5, kLeastRuns = 3;
+
+struct Part {
+  double points = 0, sum = 0;
+};
+using Run = std::array<Part, kParts>;
+
+/// The parts of the runs that are long enough.
+std::vector<Run> parts_of(const Dataset& data, std::span<const std::size_t> used, std::span<const double> residuals) {
+  std::vector<double> largest(data.curves.size());
+  std::vector<std::size_t> points(data.curves.size());
+  for (const std::size_t i : used) {
+    const std::size_t run = data.points[i].curve;
+    largest[run] = std::max(largest[run], data.points[i].shear());
+    ++points[run];
+  }
+  std::vector<Run> runs(data.curves.size());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const std::size_t run = data.points[used[i]].curve;
+    if (points[run] < 2 * kParts || !(largest[run] > 0)) continue;
+    const double place = data.points[used[i]].shear() / largest[run] * kParts;
+    Part& part = runs[run][std::min(static_cast<std::size_t>(place), kParts - 1)];
+    ++part.points;
+    part.sum += residuals[i];
+  }
+  std::erase_if(runs, [](const Run& run) {
+    return std::all_of(run.begin(), run.end(), [](const Part& part) { return part.points == 0; });
+  });
+  return runs;
+}
+
+}  // namespace
+
+std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used,
+                                      std::span<const double> residuals) {
+  const std::vector<Run> runs = parts_of(data, used, residuals);
+  if (runs.size() < kLeastRuns) return std::nullopt;
+  double course = 0, differences = 0, parts = 0, freedom = 0;
+  for (std::size_t k = 0; k < kParts; ++k) {
+    Part all;
+    for (const Run& run : runs) {
+      all.points += run[k].points;
+      all.sum += run[k].sum;
+    }
+    if (all.points == 0) continue;
+    const double mean = all.sum / all.points;
+    course += all.points * mean * mean;
+    ++parts;
+    --freedom;
+    for (const Run& run : runs)
+      if (run[k].points > 0) {
+        differences += run[k].points * std::pow(run[k].sum / run[k].points - mean, 2);
+        ++freedom;
+      }
+  }
+  if (!(freedom > 0 && differences > 0)) return std::nullopt;
+  const double F = course / parts / (differences / freedom);
+  return CourseTest{F, fisher_p_value(F, parts, freedom)};
+}
+
+}  // namespace mixity

@@ -1,0 +1,228 @@
+#include "fitting/error_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "statistics/distributions.h"
+#include "statistics/variance_components.h"
+
+namespace mixity {
+namespace {
+
+// Components of the variance, as bits of a choice.
+enum : std::uint32_t { kConstantA = 1, kShareA = 2, kConstantT = 4, kShareT = 8 };
+constexpr std::uint32_t kOfA = kConstantA | kShareA, kOfT = kConstantT | kShareT;
+
+double square(double x) { return x * x; }
+
+Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+                         std::span<const double> leverages, const AxisErrors& T, const AxisErrors& A,
+                         const ErrorModels& before) {
+  constexpr double kMostLeverage = 0.9;  // beyond it a residual says little about its error
+  Deviations rows(4);
+  for (std::size_t i = 0; i < nearest.residuals.size(); ++i) {
+    const double share = 1 - leverages[i], r = nearest.residuals[i];
+    if (share < 1 - kMostLeverage) continue;
+    const double alone = square(nearest.load_A[i]) * independence(before.correlations.first) +
+                         square(nearest.load_T[i]) * independence(before.correlations.second);
+    const double factor = square(before.factor(data.points[used[i]].curve));
+    const double by_T = square(nearest.load_T[i] / T.sigma[i]), by_A = square(nearest.load_A[i] / A.sigma[i]);
+    const double fixed = by_T * square(T.known ? T.sigma[i] : T.least) + by_A * square(A.known ? A.sigma[i] : A.least);
+    const std::array<double, 4> shape{factor * by_A, factor * by_A * square(nearest.A[i]), factor * by_T,
+                                      factor * by_T * square(nearest.T[i])};
+    rows.add(r * r / share, share * alone, fixed, shape);
+  }
+  return rows;
+}
+
+/// The share that is left of the variance of second differences where neighbours correlate.
+double kept(double rho) { return (6 - 8 * rho + 2 * rho * rho) / 6; }
+
+/// Second differences of the readings of T in each run.
+void add_differences_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+                          double least, const ErrorModels& before, Deviations& rows) {
+  constexpr double kShare = 0.5;  // neighbouring second differences of white noise correlate by -2/3 and 1/6
+  for (std::size_t i = 2; i < used.size(); ++i) {
+    const std::size_t curve = data.points[used[i]].curve;
+    if (data.points[used[i - 1]].curve != curve || data.points[used[i - 2]].curve != curve) continue;
+    const auto T = [&](std::size_t k) { return data.points[used[k]].shear(); };
+    const double d = T(i) - 2 * T(i - 1) + T(i - 2);
+    const double factor = kept(before.correlations.second) * square(before.factor(curve));
+    const double squares = square(nearest.T[i]) + 4 * square(nearest.T[i - 1]) + square(nearest.T[i - 2]);
+    rows.add(d * d, kShare, 6 * least * least, std::array<double, 4>{0, 0, 6 * factor, squares * factor});
+  }
+}
+
+/// The squares of the second differences of T over their variances with these errors and without correlation; how many
+/// independent ones they are worth.
+struct ReadingsOfT {
+  double squares = 0, rows = 0;
+};
+
+ReadingsOfT readings_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+                          const AxisErrors& T, ErrorModels models) {
+  ReadingsOfT sum;
+  models.correlations = {};
+  Deviations differences(4);
+  add_differences_of_T(data, used, nearest, T.least, models, differences);
+  const ErrorModel now = models.T.value_or(ErrorModel{});
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    const double variance = differences.fixed[i] + differences.shapes[4 * i + 2] * square(now.constant) +
+                            differences.shapes[4 * i + 3] * square(now.share);
+    sum.squares += differences.shares[i] * differences.squares[i] / variance;
+    sum.rows += differences.shares[i];
+  }
+  return sum;
+}
+
+/// Improves the sizes of the errors that are not known, and all correlations, by the likelihood of the correlated
+/// residuals and of the second differences of T.
+void improve_correlated(const NearestPlaces& nearest, const TwoProcesses& processes, const ReadingsOfT& readings,
+                        bool T_known, bool A_known, ErrorModels& models) {
+  const auto [squares, rows] = models.differences ? readings : ReadingsOfT{};
+  const auto of_readings = [&, squares = squares, rows = rows](const ScaledCorrelations& at) {
+    const double variance = square(at.second) * kept(at.correlations.second);
+    return -(rows * std::log(variance) + squares / variance) / 2;
+  };
+  ScaledCorrelations found = improve(processes, nearest.residuals, models.correlations, of_readings);
+  models.correlations = found.correlations;
+  const auto scale = [](std::optional<ErrorModel>& model, bool known, double factor) {
+    if (model && !known) *model = {model->constant * factor, model->share * factor};
+  };
+  scale(models.A, A_known, found.first);
+  scale(models.T, T_known, found.second);
+}
+
+/// Every choice of at least one part for each axis that is not known; of none for T, too, if `may_be_exact`.
+std::vector<std::uint32_t> choices(bool T_known, bool A_known, bool may_be_exact) {
+  std::vector<std::uint32_t> list;
+  for (std::uint32_t one = 0; one < 16; ++one) {
+    const bool some_A = one & kOfA, some_T = one & kOfT;
+    if (some_A != A_known && (T_known ? !some_T : some_T || may_be_exact)) list.push_back(one);
+  }
+  return list;
+}
+
+/// Factors of the runs' errors, relative to the geometric mean; empty where they agree. `innovations`: of variance 1
+/// if all is as estimated.
+std::vector<double> run_factors(const Dataset& data, std::span<const std::size_t> used,
+                                std::span<const double> innovations, std::span<const double> leverages,
+                                const ErrorModels& before) {
+  constexpr double kChance = 1e-3, kFewest = 4;
+  std::vector<double> squares(data.curves.size()), freedom(data.curves.size());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const std::size_t run = data.points[used[i]].curve;
+    squares[run] += square(innovations[i] * before.factor(run));
+    freedom[run] += 1 - leverages[i];
+  }
+  // Bartlett's statistic with his correction
+  double total = 0, sum = 0, logarithms = 0, inverses = 0, runs = 0;
+  for (std::size_t k = 0; k < squares.size(); ++k) {
+    if (!(freedom[k] >= kFewest && squares[k] > 0)) continue;
+    total += freedom[k];
+    sum += squares[k];
+    logarithms += freedom[k] * std::log(squares[k] / freedom[k]);
+    inverses += 1 / freedom[k];
+    ++runs;
+  }
+  if (runs < 2) return {};
+  const double statistic =
+      (total * std::log(sum / total) - logarithms) / (1 + (inverses - 1 / total) / (3 * (runs - 1)));
+  if (!(chi_squared_p_value(statistic, runs - 1) < kChance)) return {};
+  // ln s^2 of each run has the variance 2/freedom; the runs' own spread is what exceeds that.
+  double mean = 0, spread = 0, noise = 0;
+  for (std::size_t k = 0; k < squares.size(); ++k)
+    if (freedom[k] >= kFewest && squares[k] > 0) mean += std::log(squares[k] / freedom[k]) / runs;
+  for (std::size_t k = 0; k < squares.size(); ++k)
+    if (freedom[k] >= kFewest && squares[k] > 0) {
+      spread += square(std::log(squares[k] / freedom[k]) - mean) / (runs - 1);
+      noise += 2 / freedom[k] / runs;
+    }
+  const double own = std::max(spread - noise, 0.0);
+  std::vector<double> factors(squares.size(), 1.0);
+  for (std::size_t k = 0; k < squares.size(); ++k)
+    if (freedom[k] >= kFewest && squares[k] > 0)
+      factors[k] = std::exp(0.5 * own / (own + 2 / freedom[k]) * (std::log(squares[k] / freedom[k]) - mean));
+  return factors;
+}
+
+/// In the order of the bits of `parts`.
+std::array<double, 4> components_of(const ErrorModels& models) {
+  const ErrorModel A = models.A.value_or(ErrorModel{}), T = models.T.value_or(ErrorModel{});
+  return {square(A.constant), square(A.share), square(T.constant), square(T.share)};
+}
+
+}  // namespace
+
+TwoProcesses processes_of(const Dataset& data, std::span<const std::size_t> used, std::span<const double> load_T,
+                          std::span<const double> load_A) {
+  TwoProcesses processes{std::vector<std::vector<std::size_t>>(data.curves.size()), {}, {}, {}};
+  std::vector<std::size_t> passed(data.curves.size());
+  std::vector<double> places(data.points.size());
+  for (std::size_t i = 0; i < data.points.size(); ++i) places[i] = static_cast<double>(passed[data.points[i].curve]++);
+  processes.places.reserve(used.size());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    processes.runs[data.points[used[i]].curve].push_back(i);
+    processes.places.push_back(places[used[i]]);
+  }
+  processes.first.assign(load_A.begin(), load_A.end());
+  processes.second.assign(load_T.begin(), load_T.end());
+  return processes;
+}
+
+std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const std::size_t> used,
+                                           const NearestPlaces& nearest, std::span<const double> leverages,
+                                           const AxisErrors& T, const AxisErrors& A, const ErrorModels& before,
+                                           Stage stage) {
+  constexpr double kContradicted = 6;  // fall of ln L of the residuals where the differences of T are counted
+  ErrorModels models = before;
+  const TwoProcesses processes = processes_of(data, used, nearest.load_T, nearest.load_A);
+  constexpr std::size_t kFewest = 12;  // residuals from which a correlation can be told
+  constexpr double kScatter = 0.5;
+  const bool choose = stage == Stage::weighting || stage == Stage::choosing, ends = stage == Stage::ending;
+  const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(data, used, nearest, T, models);
+  // Points that scatter far less than their stated errors say tell nothing of these errors.
+  double squares = 0;
+  for (const double r : nearest.residuals) squares += r * r;
+  const bool scatter = !(T.known && A.known) || squares > kScatter * static_cast<double>(used.size());
+  if (stage == Stage::choosing && scatter && used.size() >= kFewest)
+    models.correlations = choose_correlations(processes, nearest.residuals, [&](double rho) {
+      return rho > 0 && readings.rows > 0 ? std::sqrt(readings.squares / readings.rows / kept(rho)) : 1.0;
+    });
+  if (models.correlations.any() && !choose) {
+    if (!ends) improve_correlated(nearest, processes, readings, T.known, A.known, models);
+  } else if (!T.known || !A.known) {
+    const Deviations residuals = residual_rows(data, used, nearest, leverages, T, A, models);
+    Deviations all = residuals;
+    if (!T.known && (choose || before.differences)) add_differences_of_T(data, used, nearest, T.least, models, all);
+    std::optional<VarianceComponents> found;
+    models.differences = all.size() > residuals.size();
+    if (choose) {
+      found = choose_variances(residuals, choices(T.known, A.known, true));
+      if (models.differences) {
+        auto with = choose_variances(all, choices(T.known, A.known, false));
+        models.differences =
+            with && (!found || found->log_likelihood - log_likelihood(residuals, with->theta) < kContradicted);
+        if (models.differences) found = std::move(with);
+      }
+    } else {
+      found = fit_variances(all, before.parts, components_of(before));
+    }
+    if (!found) return std::nullopt;
+    models.parts = 0;
+    for (std::uint32_t k = 0; k < 4; ++k) models.parts |= (found->theta[k] > 0 ? 1u : 0u) << k;
+    if (!A.known) models.A = {std::sqrt(found->theta[0]), std::sqrt(found->theta[1])};
+    if (!T.known) models.T = {std::sqrt(found->theta[2]), std::sqrt(found->theta[3])};
+  }
+  // While parts are chosen, factors would stand for them: areas of different runs differ.
+  if (!choose && !T.known && !A.known) {
+    std::vector<double> innovations = nearest.residuals;
+    Decorrelation(processes, models.correlations).apply(innovations);
+    models.run_factors = run_factors(data, used, innovations, leverages, before);
+  }
+  return models;
+}
+
+}  // namespace mixity

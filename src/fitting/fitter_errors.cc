@@ -1,0 +1,168 @@
+// Standard errors that depend on the fit: a fit and its errors are found in turn.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fitting/consistency.h"
+#include "fitting/course.h"
+#include "fitting/curve_objective.h"
+#include "fitting/fitted_errors.h"
+#include "fitting/fitter.h"
+#include "solver/descent.h"
+#include "solver/verdict.h"
+
+namespace mixity {
+
+/// The minimum with errors that belong to it.
+Verdict Fitter::minimum_with_its_errors() {
+  constexpr int kMost = 3;
+  const StandardErrors at_first = *prepared_.errors;
+  std::vector<double> x = !starting_.near.empty()      ? starting_.near
+                          : !starting_.guesses.empty() ? starting_.guesses.back()
+                                                       : std::vector<double>();
+  for (int again = 1;; ++again) {
+    if (x.empty() && !problem_->parameters().empty()) x = minimum_of(*problem_).best.x;
+    const bool described = settle_errors(x);
+    Verdict verdict = minimum_of(*problem_);
+    if (!described) return verdict;
+    // The errors may have been found in another basin than the lowest.
+    std::vector<double> residuals(cost_->residual_count());
+    const auto settled = x.empty() ? std::nullopt : sum_of_squares(*cost_, x, residuals);
+    const bool elsewhere = settled && !verdict.best.x.empty() && verdict.best.sum_of_squares < *settled * (1 - 1e-6);
+    if (!elsewhere || again == kMost) return verdict;
+    x = verdict.best.x;
+    *prepared_.errors = at_first;
+    problem_ = make_problem(data_, options_, prepared_);
+  }
+}
+
+/// Errors, expected distances and correlations that depend on the fit: from x on, evaluates them at the fitted curve,
+/// and estimates those that come from the scatter, until nothing changes. x: the minimum with them. False, with the
+/// errors as before, where the model does not describe the data.
+bool Fitter::settle_errors(std::vector<double>& x) {
+  constexpr int kRounds = 40, kRoundsOfTrial = 12, kWeighting = 2, kChoosing = 4, kRefining = 12, kNextIterations = 15;
+  constexpr double kSettled = 1e-9;  // of an error or a residual: an interval changes by as much
+  constexpr double kSurely = 1e-6;   // of the fit with the first errors, whose weights may be wrong
+  StandardErrors& errors = *prepared_.errors;
+  const StandardErrors by_neighbours = errors;
+  SolverOptions quick;
+  quick.engine = Engine::kernel;
+  quick.last_digits = false;
+  quick.most_iterations_shown = quick.most_iterations;  // the rest is for the next round
+  const bool free = !problem_->parameters().empty();
+  if (free && x.empty()) return true;
+  ErrorModels models;
+  if (errors.source_T == ErrorSource::scatter) models.T = errors.model_T;
+  if (errors.source_A == ErrorSource::scatter) models.A = errors.model_A;
+  const int most = purpose_ == Purpose::tried ? kRoundsOfTrial : kRounds;
+  for (int round = 0; round < most; ++round) {
+    const ProblemWithPriors cost(*problem_);
+    if (free) {
+      const auto minimum = descend(cost, x, quick);
+      if (!minimum) return true;
+      x = minimum->x;
+      quick.most_iterations = quick.most_iterations_shown = kNextIterations;
+    }
+    const auto& objective = static_cast<const CurveObjective&>(*problem_);
+    auto nearest = objective.nearest(x);
+    const auto expected = nearest ? objective.expected(x, *nearest) : std::nullopt;
+    const std::vector<double> leverage = nearest ? leverages_of_data(cost, x) : std::vector<double>();
+    if (!expected || leverage.empty()) return true;
+    double freedom = 0;
+    for (const double one : leverage) freedom += 1 - one;
+    double change = take_expected_off(*expected, freedom, *nearest);
+    // A model that does not describe the data tells nothing of their errors. Of few runs nothing tells correlated
+    // noise from a wrong model.
+    const auto course = round == 0 || round == kWeighting || round == kChoosing
+                            ? test_course(data_, prepared_.used, nearest->residuals)
+                            : std::nullopt;
+    const bool off = round < kChoosing ? course && course->p_value < (round == 0 ? kSurely : kChance)
+                                       : round == kChoosing && !course && models.correlations.any();
+    if (off) {
+      errors = by_neighbours;
+      problem_ = make_problem(data_, options_, prepared_);
+      result_.errors = errors;
+      return false;
+    }
+    const auto found = estimated_errors(*nearest, leverage, models,
+                                        round < kWeighting  ? Stage::weighting
+                                        : round < kChoosing ? Stage::choosing
+                                        : round < kRefining ? Stage::refining
+                                                            : Stage::ending);
+    if (!found) return true;
+    change = std::max({change, std::abs(found->correlations.first - models.correlations.first),
+                       std::abs(found->correlations.second - models.correlations.second)});
+    models = *found;
+    if (models.T) errors.model_T = models.T;
+    if (models.A) errors.model_A = models.A;
+    errors.run_factors = models.run_factors;
+    errors.correlations = models.correlations;
+    const bool known = StandardErrors::is_known(errors.source_A) && StandardErrors::is_known(errors.source_T);
+    errors.freedom = known ? 0 : freedom * independence(models.correlations);
+    change = std::max(change, evaluate_errors(data_, prepared_.used, *nearest, errors));
+    problem_ = make_problem(data_, options_, prepared_);
+    if (change <= kSettled && round > kChoosing) break;
+  }
+  if (free && starting_.near.empty()) starting_.guesses.push_back(x);
+  result_.errors = errors;
+  return true;
+}
+
+/// Takes the distances that noise leads one to expect off the residuals. They are of the size of the noise that there
+/// is, not of the errors that were stated, up to twice these. Returns the largest change since the last call.
+double Fitter::take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest) {
+  constexpr double kMost = 4;
+  std::vector<double>& list = prepared_.errors->expected;
+  std::vector<double> before = std::exchange(list, std::vector<double>(data_.points.size(), 0.0));
+  before.resize(list.size(), 0.0);
+  double squares = 0, change = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    squares += std::pow(nearest.residuals[i] - before[prepared_.used[i]], 2);
+  const double noise = freedom > 0 ? std::min(kMost, squares / freedom) : 1;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const std::size_t point = prepared_.used[i];
+    list[point] = noise * expected[i];
+    nearest.residuals[i] -= list[point];
+    change = std::max(change, std::abs(list[point] - before[point]));
+  }
+  return change;
+}
+
+/// Of the residuals of the data; empty if the cost cannot be linearised.
+std::vector<double> Fitter::leverages_of_data(const Problem& cost, const std::vector<double>& x) const {
+  std::vector<double> list(prepared_.used.size(), 0.0);
+  if (x.empty()) return list;
+  Linearised at;
+  if (!linearise(cost, Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())), {}, at))
+    return {};
+  const Eigen::VectorXd all = leverages(at.J);
+  std::copy_n(all.begin(), list.size(), list.begin());
+  return list;
+}
+
+std::optional<ErrorModels> Fitter::estimated_errors(const NearestPlaces& nearest, const std::vector<double>& leverage,
+                                                    const ErrorModels& before, Stage stage) const {
+  constexpr double kLeast = 1e-9;      // of the largest reading: less than any noise
+  constexpr std::size_t kFewest = 12;  // points: the parts of their errors cannot be told apart from fewer
+  const std::vector<std::size_t>& used = prepared_.used;
+  const StandardErrors& errors = *prepared_.errors;
+  std::vector<double> sigma_T, sigma_A;
+  double T = 0, A = 0;
+  for (const std::size_t i : used) {
+    sigma_T.push_back(errors.T[i]);
+    sigma_A.push_back(errors.A[i]);
+    T = std::max(T, data_.points[i].shear());
+    A = std::max(A, data_.points[i].A);
+  }
+  const bool few = used.size() < kFewest;
+  const auto known = [&](ErrorSource source) {
+    return few || StandardErrors::is_known(source) || source == ErrorSource::assumed;
+  };
+  const auto rounding = [](double step) { return step / std::sqrt(12.0); };
+  return estimate_errors(data_, used, nearest, leverage,
+                         {sigma_T, known(errors.source_T), std::max(kLeastError * T, rounding(errors.step_T))},
+                         {sigma_A, known(errors.source_A), std::max(kLeast * A, rounding(errors.step_A))}, before,
+                         stage);
+}
+
+}  // namespace mixity

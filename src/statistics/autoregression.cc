@@ -1,0 +1,219 @@
+#include "statistics/autoregression.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mixity {
+namespace {
+
+constexpr double kClosest = 0.98;  // a correlation beyond it is a drift
+
+/// The runs up to about `enough` deviations.
+TwoProcesses beginning(const TwoProcesses& all, std::size_t enough) {
+  TwoProcesses some{{}, all.places, all.first, all.second};
+  std::size_t count = 0;
+  for (const auto& run : all.runs) {
+    const std::size_t n = std::min(run.size(), enough - std::min(enough, count));
+    some.runs.emplace_back(run.begin(), run.begin() + static_cast<std::ptrdiff_t>(n));
+    count += n;
+  }
+  return some;
+}
+
+constexpr std::size_t kEnough = 20000;  // deviations that decide
+
+/// x in [low, high] of the largest f(x), by a golden section.
+template <class Function>
+double highest_between(const Function& f, double low, double high, double digits) {
+  constexpr double kGolden = 0.618033988749895;
+  double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
+  double at_left = f(left), at_right = f(right);
+  while (high - low > digits) {
+    if (at_left > at_right) {
+      high = right;
+      right = left;
+      at_right = at_left;
+      left = high - kGolden * (high - low);
+      at_left = f(left);
+    } else {
+      low = left;
+      left = right;
+      at_left = at_right;
+      right = low + kGolden * (high - low);
+      at_right = f(right);
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+/// x in [0, kClosest] of the largest f(x), which may have several maxima.
+template <class Function>
+double highest(const Function& f) {
+  constexpr std::array kTried{0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.85, 0.93, 0.97, kClosest};
+  std::size_t best = 0;
+  double most = f(kTried[0]);
+  for (std::size_t i = 1; i < kTried.size(); ++i)
+    if (const double value = f(kTried[i]); value > most) {
+      most = value;
+      best = i;
+    }
+  return highest_between(f, kTried[best > 0 ? best - 1 : 0], kTried[std::min(best + 1, kTried.size() - 1)], 1e-4);
+}
+
+TwoProcesses scaled(TwoProcesses processes, double first, double second) {
+  for (double& one : processes.first) one *= first;
+  for (double& one : processes.second) one *= second;
+  return processes;
+}
+
+}  // namespace
+
+Decorrelation::Decorrelation(const TwoProcesses& processes, const NeighbourCorrelations& correlations)
+    : predicted_across_(processes.places.size()) {
+  for (const auto& run : processes.runs) {
+    double p11 = 1, p12 = 0, p22 = 1;  // the covariance of u and v as predicted
+    for (std::size_t k = 0; k < run.size(); ++k) {
+      const std::size_t i = run[k];
+      double d1 = 1, d2 = 1;
+      if (k > 0) {
+        const double apart = processes.places[i] - processes.places[run[k - 1]];
+        d1 = std::pow(correlations.first, apart);
+        d2 = std::pow(correlations.second, apart);
+        p11 = d1 * d1 * p11 + 1 - d1 * d1;
+        p22 = d2 * d2 * p22 + 1 - d2 * d2;
+        p12 *= d1 * d2;
+      }
+      const double l1 = processes.first[i], l2 = processes.second[i];
+      const double u = p11 * l1 + p12 * l2, v = p12 * l1 + p22 * l2, variance = l1 * u + l2 * v;
+      predicted_across_[i] = 1 - (l2 * l2 * p11 - 2 * l1 * l2 * p12 + l1 * l1 * p22) / (l1 * l1 + l2 * l2);
+      steps_.push_back({i, k == 0, d1, d2, l1, l2, u / variance, v / variance, 1 / std::sqrt(variance)});
+      p11 -= u * u / variance;
+      p12 -= u * v / variance;
+      p22 -= v * v / variance;
+      log_determinant_ += std::log(variance);
+    }
+  }
+}
+
+void Decorrelation::apply(std::span<double> values, std::size_t stride) const {
+  double u = 0, v = 0;
+  for (const Step& step : steps_) {
+    u = step.begins ? 0 : u * step.decay_1;
+    v = step.begins ? 0 : v * step.decay_2;
+    double& value = values[step.row * stride];
+    const double innovation = value - step.first * u - step.second * v;
+    u += step.gain_1 * innovation;
+    v += step.gain_2 * innovation;
+    value = innovation * step.per_sd;
+  }
+}
+
+namespace {
+
+/// The sum of squares of the independent deviations, how many there are, and ln of the determinant.
+struct Independent {
+  double squares = 0, n = 0, log_determinant = 0;
+};
+
+Independent independent(const TwoProcesses& processes, std::span<const double> deviations,
+                        const NeighbourCorrelations& correlations) {
+  const Decorrelation decorrelation(processes, correlations);
+  std::vector<double> values(deviations.begin(), deviations.end());
+  decorrelation.apply(values);
+  Independent result{.log_determinant = decorrelation.log_determinant()};
+  for (const auto& run : processes.runs)
+    for (const std::size_t i : run) {
+      result.squares += values[i] * values[i];
+      ++result.n;
+    }
+  return result;
+}
+
+/// ln L with the unit of the deviations of greatest likelihood.
+double log_likelihood_of_any_unit(const TwoProcesses& processes, std::span<const double> deviations,
+                                  const NeighbourCorrelations& correlations) {
+  const auto [squares, n, log_determinant] = independent(processes, deviations, correlations);
+  return squares > 0 ? -(n * std::log(squares / n) + log_determinant) / 2 : 0;
+}
+
+}  // namespace
+
+double log_likelihood(const TwoProcesses& processes, std::span<const double> deviations,
+                      const NeighbourCorrelations& correlations) {
+  const auto [squares, n, log_determinant] = independent(processes, deviations, correlations);
+  return -(squares + log_determinant) / 2;
+}
+
+NeighbourCorrelations choose_correlations(const TwoProcesses& processes, std::span<const double> deviations,
+                                          const std::function<double(double)>& second_factor) {
+  constexpr int kRounds = 3;   // in turn
+  constexpr double kNear = 2;  // by which ln L at the next of a few values is short of its maximum
+  const TwoProcesses some = beginning(processes, kEnough);
+  std::size_t n = 0;
+  for (const auto& run : some.runs) n += run.size();
+  const auto value = [&](double first, double second) {
+    return log_likelihood_of_any_unit(scaled(some, 1, second_factor(second)), deviations, {first, second});
+  };
+  const double price = 0.5 * std::log(static_cast<double>(std::max<std::size_t>(n, 2)));
+  NeighbourCorrelations best{};
+  double most = value(0, 0);
+  bool promising = false;
+  for (const double tried : {0.3, 0.7, 0.92})
+    promising |= std::max(value(tried, 0), value(0, tried)) > most + price - kNear;
+  if (!promising) return best;
+  const auto consider = [&](NeighbourCorrelations one) {
+    const double gain = value(one.first, one.second) - price * ((one.first > 0) + (one.second > 0));
+    if (!(gain > most)) return;
+    most = gain;
+    best = one;
+  };
+  const double first = highest([&](double x) { return value(x, 0); }),
+               second = highest([&](double x) { return value(0, x); });
+  consider({first, 0});
+  consider({0, second});
+  if (!best.any()) return best;
+  NeighbourCorrelations both{first, second};
+  for (int round = 0; round < kRounds; ++round) {
+    both.second = highest([&](double x) { return value(both.first, x); });
+    both.first = highest([&](double x) { return value(x, both.second); });
+  }
+  consider(both);
+  return best;
+}
+
+ScaledCorrelations improve(const TwoProcesses& processes, std::span<const double> deviations,
+                           const NeighbourCorrelations& from,
+                           const std::function<double(const ScaledCorrelations&)>& more) {
+  constexpr double kReach = 0.25, kDigits = 1e-5;  // of ln(factor) and atanh(correlation)
+  const TwoProcesses some = beginning(processes, kEnough);
+  ScaledCorrelations best{from};
+  const auto value = [&](const ScaledCorrelations& at) {
+    return log_likelihood(scaled(some, at.first, at.second), deviations, at.correlations) + more(at);
+  };
+  const auto change = [&](auto&& set) {
+    const ScaledCorrelations before = best;
+    const double step = highest_between(
+        [&](double x) {
+          ScaledCorrelations at = before;
+          set(at, x);
+          return value(at);
+        },
+        -kReach, kReach, kDigits);
+    set(best, step);
+  };
+  for (const auto& [factor, correlation] : {std::pair(&ScaledCorrelations::first, &NeighbourCorrelations::first),
+                                            std::pair(&ScaledCorrelations::second, &NeighbourCorrelations::second)}) {
+    change([&, factor = factor](ScaledCorrelations& at, double x) { at.*factor *= std::exp(x); });
+    if (!(best.correlations.*correlation > 0)) continue;
+    change([&, factor = factor, correlation = correlation](ScaledCorrelations& at, double x) {
+      double& rho = at.correlations.*correlation;
+      const double innovation = 1 - rho * rho;
+      rho = std::clamp(std::tanh(std::atanh(rho) + x), 0.0, kClosest);
+      at.*factor *= std::sqrt(innovation / (1 - rho * rho));
+    });
+  }
+  return best;
+}
+
+}  // namespace mixity
