@@ -88,7 +88,9 @@ std::string exact_constants(const FitResult& fit) {
   std::string names;
   const ExactConstant* worst = nullptr;
   for (const ExactConstant& one : fit.budget->exact) {
-    if (!one.effect || one.constant.ends_with("_offset") || !(std::abs(*one.effect) > *parameter->stderr_)) continue;
+    if (!one.effect || one.constant.ends_with("_offset") || is_change(one.constant) ||
+        !(std::abs(*one.effect) > *parameter->stderr_))
+      continue;
     names += (names.empty() ? "" : ", ") + one.constant;
     if (!worst || std::abs(*one.effect) > std::abs(*worst->effect)) worst = &one;
   }

@@ -34,6 +34,7 @@ struct FitRequest {
   std::vector<std::string> models{"a", "b", "c"};  // in the order of the report
   FitOptions options;
   std::vector<std::string> free_parameters;  // model parameters named as free; so are all that are not held
+  std::vector<Constant> drift;               // modulus, toughness: their drifts are free, too
   Exclusion exclusion;
   Overrides constants;     // override those beside the data; each name once
   bool compare = true;     // compare the models: information criteria, error on loads left out

@@ -62,9 +62,20 @@ Analysis run(const FitRequest& request, const Progress& progress) {
              progress);
 }
 
+/// With what drift and unsheared add to the constants that are free.
+FitOptions options_of(const FitRequest& request) {
+  FitOptions options = request.options;
+  const auto add = [&](Constant c) {
+    if (std::find(options.free.begin(), options.free.end(), c) == options.free.end()) options.free.push_back(c);
+  };
+  for (const Constant c : request.drift) add(c == kModulus ? kModulusDrift : kToughnessDrift);
+  if (request.exclusion.unsheared == Unsheared::own) add(kHysteresis);
+  return options;
+}
+
 /// The options, with the errors of the points as the fit of the least AICc has found them.
 FitOptions with_errors_of_best(const Analysis& result) {
-  FitOptions options = result.request.options;
+  FitOptions options = options_of(result.request);
   double least = std::numeric_limits<double>::infinity();
   for (const FitResult& fit : result.fits) {
     const auto criteria = fit.errors && fit.objective == Objective::curve ? information(fit) : std::nullopt;
@@ -75,8 +86,10 @@ FitOptions with_errors_of_best(const Analysis& result) {
   return options;
 }
 
-Analysis run(const FitRequest& request, Dataset data, const Progress& progress) {
-  Analysis result{request, std::move(data), {}, {}, {}};
+Analysis run(const FitRequest& asked, Dataset data, const Progress& progress) {
+  Analysis result{asked, std::move(data), {}, {}, {}};
+  FitRequest request = asked;
+  request.options = options_of(asked);
   exclude(result.data, request.exclusion);
   const std::size_t models = request.models.size();
   Meter meter(progress, costs(request, result.data));

@@ -92,6 +92,31 @@ struct Free {
   }
 };
 
+/// Constants whose drift is fitted.
+struct Drift {
+  static Complaint read(const std::string& name, std::vector<Constant>& drift) {
+    if (name != "modulus" && name != "toughness")
+      return "names " + in_quotes(name) + ", which has no drift (known: modulus, toughness)";
+    drift.push_back(name == "modulus" ? kModulus : kToughness);
+    return {};
+  }
+  static std::string write(Constant constant) { return std::string(kConstantNames[constant]); }
+};
+
+/// What may differ from run to run.
+struct RunQuantity {
+  static Complaint read(const std::string& name, std::vector<std::string>& names) {
+    const auto found = std::find(kConstantNames.begin(), kConstantNames.end(), name);
+    const bool constant = found != kConstantNames.end() && !is_change(name);
+    if (!constant && !has_parameter(model_keys(), name))
+      return "names " + in_quotes(name) +
+             ", which cannot differ from run to run (known: " + joined(std::span(kConstantNames).first(kModulusDrift)) +
+             ", model parameters)";
+    return names.push_back(name), Complaint();
+  }
+  static std::string write(const std::string& name) { return name; }
+};
+
 struct Lines {
   static Complaint read(const std::string& item, std::vector<LineRange>& lines) {
     const auto range = parse_lines(item);
@@ -170,8 +195,15 @@ const std::vector<Setting>& settings() {
       setting("hold", &FitOptions::hold, ListOf<Held>{},
               "parameters to hold fixed, comma-separated: NAME=VALUE, or NAME for the data set's own value"),
       setting("free", WholeRequest{}, Free{},
-              "constants to fit as well, common to all loads: toughness, modulus, radius, area_scale, load_offset, "
-              "shear_offset, area_offset"),
+              "constants to fit as well, common to all loads: toughness, modulus, radius, area_scale, force_gain, "
+              "load_offset, shear_offset, area_offset, modulus_drift, toughness_drift, shape, hysteresis"),
+      setting("by_run", &FitOptions::by_run, ListOf<RunQuantity>{},
+              "what differs from run to run by chance: toughness, modulus, area_scale, load_offset, lambda; its spread "
+              "is fitted"),
+      setting("drift", &FitRequest::drift, ListOf<Drift>{},
+              "what changes in the order of the runs: modulus, toughness; the change is fitted"),
+      setting("unsheared", &Exclusion::unsheared, Choice<Unsheared>{{Unsheared::in, Unsheared::own, Unsheared::out}},
+              "points without shear: in, own (with a toughness of their own) or out"),
       setting("exclude", &Exclusion::lines, ListOf<Lines>{}, "lines of the data file to leave out: \"17,40-58\""),
       setting("leave_out", &Exclusion::runs, Runs{}, "runs to leave out, by name or load: \"4.68 mN\""),
       setting("interval", &FitOptions::intervals, Word{"profile", "none"}, "confidence intervals: profile or none"),

@@ -14,7 +14,7 @@
 DEFINE_string(lag, "",
               "how far the clock of the areas is ahead of the clock of the forces, such as \"0.12 s\"; by default "
               "found from events that both show");
-DEFINE_bool(drift, false,
+DEFINE_bool(zero_drift, false,
             "subtract from T a straight line through the zeros of all runs; by default only if the drift is certain");
 DEFINE_string(cuts, "", "a TOML file of cuts, such as the cuts.toml that runs writes");
 
@@ -34,7 +34,7 @@ int run_runs(const Arguments& arguments) {
     throw UsageError("runs needs a log, or one of forces and one of areas (see mixity help runs)");
   const ReducedLog log =
       reduce_log(arguments, data_overrides(),
-                 {seconds("lag"), is_set("drift") ? std::optional(FLAGS_drift) : std::nullopt, FLAGS_cuts});
+                 {seconds("lag"), is_set("zero_drift") ? std::optional(FLAGS_zero_drift) : std::nullopt, FLAGS_cuts});
   if (log.runs.runs.empty()) {
     std::cout << runs_text(log, in_flags);
     throw InputError(arguments[0], "holds no loading run: no contact under one load in which T rises");

@@ -84,9 +84,9 @@ std::span<const Command> commands() {
       {"points", run_points, "points DATA.csv [--out=POINTS.csv] [flags]",
        "Prints each point with its phase angle and toughness ratio, as CSV.", with_metadata_flags({"out"})},
       {"runs", run_runs,
-       "runs LOG.csv [AREAS.csv] [--out=DIR] [--lag=L] [--drift] [--cuts=CUTS.toml] [--formats=pdf] [flags]",
+       "runs LOG.csv [AREAS.csv] [--out=DIR] [--lag=L] [--zero_drift] [--cuts=CUTS.toml] [--formats=pdf] [flags]",
        "Cuts a log of forces and areas over time into loading runs: points to fit, peaks, and figures of the cuts.",
-       with_metadata_flags({"out", "lag", "drift", "cuts", "formats"})},
+       with_metadata_flags({"out", "lag", "zero_drift", "cuts", "formats"})},
       {"design",
        run_design,
        "design --model=KEY --lambda=L [--loads=P1,P2] [--load_range=P1,P2] [--runs=N] [--wanted=2%] [--experiments=N] "

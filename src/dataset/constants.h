@@ -9,29 +9,87 @@
 namespace mixity {
 
 /// Constants of the experiment that may be fitted with a model's parameters, with or without a prior. Factors
-/// (toughness, modulus and radius on the data set's own values, area_scale on the areas) are logarithms; offsets,
-/// dimensionless, are added to the readings.
-enum Constant : std::size_t { kToughness, kModulus, kRadius, kAreaScale, kLoadOffset, kShearOffset, kAreaOffset };
-inline constexpr std::array<std::string_view, 7> kConstantNames{
-    "toughness", "modulus", "radius", "area_scale", "load_offset", "shear_offset", "area_offset"};
+/// (toughness, modulus and radius on the data set's own values, area_scale on the areas, force_gain on loads and
+/// shears) are logarithms; offsets, dimensionless, are added to the readings. Changes are numbers about 0 that act on
+/// some points more than on others, see PointPlace: modulus_drift and toughness_drift, the change of the logarithm from
+/// the first to the last run; shape, the share by which the radius is read too large at the largest shear of a run, as
+/// the contact is no circle; hysteresis, by which the logarithm of the toughness differs without shear.
+enum Constant : std::size_t {
+  kToughness,
+  kModulus,
+  kRadius,
+  kAreaScale,
+  kForceGain,
+  kLoadOffset,
+  kShearOffset,
+  kAreaOffset,
+  kModulusDrift,
+  kToughnessDrift,
+  kShape,
+  kHysteresis
+};
+inline constexpr std::array<std::string_view, 12> kConstantNames{
+    "toughness",    "modulus",     "radius",        "area_scale",      "force_gain", "load_offset",
+    "shear_offset", "area_offset", "modulus_drift", "toughness_drift", "shape",      "hysteresis"};
 using Constants = std::array<double, kConstantNames.size()>;
 inline constexpr std::array<Constant, kConstantNames.size()> kAllConstants{
-    kToughness, kModulus, kRadius, kAreaScale, kLoadOffset, kShearOffset, kAreaOffset};
+    kToughness,   kModulus,    kRadius,       kAreaScale,      kForceGain, kLoadOffset,
+    kShearOffset, kAreaOffset, kModulusDrift, kToughnessDrift, kShape,     kHysteresis};
 
-constexpr bool is_factor(Constant c) { return c <= kAreaScale; }
+constexpr bool is_factor(Constant c) { return c <= kForceGain; }
+constexpr bool is_change(Constant c) { return c >= kModulusDrift; }
+constexpr bool is_change(std::string_view name) {
+  for (const Constant c : kAllConstants)
+    if (is_change(c) && kConstantNames[c] == name) return true;
+  return false;
+}
+
+/// Whether a constant that acts on some points more than on others is not 0.
+constexpr bool has_changes(const Constants& c) {
+  return c[kModulusDrift] != 0 || c[kToughnessDrift] != 0 || c[kShape] != 0 || c[kHysteresis] != 0;
+}
+
+/// Where a point lies in its experiment.
+struct PointPlace {
+  double order = 0;        // of its run: -1/2 for the first of the file to 1/2 for the last
+  double stretch = 0;      // (T over the largest of its run)^2, 0..1
+  bool unsheared = false;  // T up to 1 % of the largest of its run
+  /// How far the constants of its run are from those of all: what is multiplied, as logarithms, and what is added.
+  double log_force = 0, log_area = 0, load_offset = 0, shear_offset = 0, area_offset = 0;
+
+  bool has_own_constants() const {
+    return log_force != 0 || log_area != 0 || load_offset != 0 || shear_offset != 0 || area_offset != 0;
+  }
+  /// Adds `by` to a constant of its run. A factor or an offset.
+  void shift(Constant c, double by) {
+    if (c == kToughness || c == kRadius) log_force -= by;
+    if (c == kForceGain) log_force += by;
+    if (c == kLoadOffset) load_offset += by;
+    if (c == kShearOffset) shear_offset += by;
+    if (c == kAreaOffset) area_offset += by;
+    if (c == kToughness) log_area -= 2.0 / 3 * by;
+    if (c == kModulus) log_area += 2.0 / 3 * by;
+    if (c == kRadius) log_area -= 4.0 / 3 * by;
+    if (c == kAreaScale) log_area += by;
+  }
+};
 
 /// Measured values in the dimensionless units of the contact with these constants: forces by 1/(R G), areas by
 /// (E R/G)^(2/3)/R^2, displacements by (E R/G)^(2/3)/R.
 struct ConstantsScale {
   double force, area, displacement, load_offset, shear_offset, area_offset;
 
-  explicit ConstantsScale(const Constants& c)
-      : force(std::exp(-c[kToughness] - c[kRadius])),
-        area(std::exp(2.0 / 3 * (c[kModulus] - c[kToughness] - 2 * c[kRadius]) + c[kAreaScale])),
-        displacement(std::exp(2.0 / 3 * (c[kModulus] - c[kToughness] + c[kRadius]) - c[kRadius])),
-        load_offset(c[kLoadOffset]),
-        shear_offset(c[kShearOffset]),
-        area_offset(c[kAreaOffset]) {}
+  explicit ConstantsScale(const Constants& c, const PointPlace& place = {})
+      : load_offset(c[kLoadOffset] + place.load_offset),
+        shear_offset(c[kShearOffset] + place.shear_offset),
+        area_offset(c[kAreaOffset] + place.area_offset) {
+    const double modulus = c[kModulus] + place.order * c[kModulusDrift],
+                 toughness = c[kToughness] + place.order * c[kToughnessDrift] + (place.unsheared ? c[kHysteresis] : 0);
+    force = std::exp(c[kForceGain] - toughness - c[kRadius] + place.log_force);
+    area = std::exp(2.0 / 3 * (modulus - toughness - 2 * c[kRadius]) + c[kAreaScale] - 2 * place.stretch * c[kShape] +
+                    place.log_area);
+    displacement = std::exp(2.0 / 3 * (modulus - toughness + c[kRadius]) - c[kRadius]);
+  }
 
   double load(double P) const { return (P + load_offset) * force; }
   double shear(double T) const { return (T + shear_offset) * force; }

@@ -59,6 +59,7 @@ Constants Dataset::stated_constants() const {
   Constants stated{};
   if (!has_loads) return stated;
   if (metadata.area_scale) stated[kAreaScale] = std::log(*metadata.area_scale);
+  if (metadata.force_gain) stated[kForceGain] = std::log(*metadata.force_gain);
   for (const auto& [constant, value] :
        {std::pair(kLoadOffset, metadata.load_offset), std::pair(kShearOffset, metadata.shear_offset),
         std::pair(kAreaOffset, metadata.area_offset)})
@@ -97,13 +98,29 @@ std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
   return runs;
 }
 
+std::vector<PointPlace> places(const Dataset& data, const std::vector<double>& T) {
+  constexpr double kNoShear = 0.01;
+  std::vector<double> largest(data.curves.size());
+  for (const Point& point : data.points) largest[point.curve] = std::max(largest[point.curve], point.shear());
+  const double last = static_cast<double>(data.curves.size()) - 1;
+  std::vector<PointPlace> list;
+  list.reserve(data.points.size());
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const Point& point = data.points[i];
+    const double most = largest[point.curve], order = last > 0 ? static_cast<double>(point.curve) / last - 0.5 : 0,
+                 stretch = std::pow((T.empty() ? point.shear() : std::abs(T[i])) / most, 2);
+    list.push_back({order, most > 0 ? stretch : 0, !(point.shear() > kNoShear * most)});
+  }
+  return list;
+}
+
 Dataset corrected(Dataset data) {
   const ConstantsScale by(data.stated_constants());
   for (std::size_t i = 0; i < data.points.size(); ++i) data.points[i] = data.corrected(i, by);
   for (double& load : data.curve_loads) load = by.load(load);
   Metadata& metadata = data.metadata;
-  for (std::optional<double>* const constant :
-       {&metadata.area_scale, &metadata.load_offset, &metadata.shear_offset, &metadata.area_offset})
+  for (std::optional<double>* const constant : {&metadata.area_scale, &metadata.force_gain, &metadata.load_offset,
+                                                &metadata.shear_offset, &metadata.area_offset})
     constant->reset();
   return data;
 }

@@ -99,8 +99,8 @@ struct Dataset {
   std::vector<Message> notes;      // on what was skipped or changed: sentences that every fit shows
   DisplayUnits display;
 
-  /// Offsets and area_scale as the metadata state them; 0 for toughness, modulus and radius, which are relative to the
-  /// data set's own. Without loads all are 0.
+  /// Offsets, area_scale and force_gain as the metadata state them; 0 for toughness, modulus and radius, which are
+  /// relative to the data set's own, and for changes, of which errors alone are stated. Without loads all are 0.
   Constants stated_constants() const;
   /// The SI unit of an offset; 0 where the data are dimensionless.
   double offset_unit(Constant offset) const;
@@ -160,6 +160,9 @@ std::string distinct_name(const std::string& wanted, const std::vector<std::stri
 
 /// Indices into Dataset::points, by run.
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
+
+/// Of each point. Needs loads. `T`: of each point, without noise; empty: the readings.
+std::vector<PointPlace> places(const Dataset& data, const std::vector<double>& T = {});
 
 /// The data set with its readings corrected by the stated constants, which it then states no longer.
 Dataset corrected(Dataset data);

@@ -86,7 +86,7 @@ std::optional<LineRange> parse_lines(std::string_view text) {
 }
 
 void exclude(Dataset& data, const Exclusion& which) {
-  if (which.lines.empty() && which.runs.empty()) return;
+  if (which.lines.empty() && which.runs.empty() && which.unsheared != Unsheared::out) return;
   std::vector<std::string_view> reasons(data.points.size());
   for (const LineRange& range : which.lines) {
     bool any = false;
@@ -116,6 +116,11 @@ void exclude(Dataset& data, const Exclusion& which) {
     for (std::size_t i = 0; i < data.points.size(); ++i)
       if (std::find(runs.begin(), runs.end(), data.points[i].curve) != runs.end())
         reasons[i] = "its run is named in leave_out";
+  }
+  if (which.unsheared == Unsheared::out && data.has_loads) {
+    const std::vector<PointPlace> at = places(data);
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (at[i].unsheared) reasons[i] = "it is without shear (unsheared=out)";
   }
   exclude_points(reasons, data);
   if (data.points.empty()) throw InputError(data.path, "has no point left after exclude and leave_out");

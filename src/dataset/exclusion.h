@@ -18,10 +18,18 @@ struct LineRange {
 /// "17", "40-58" or "run_3.csv:17". Null for other texts.
 std::optional<LineRange> parse_lines(std::string_view text);
 
+/// What becomes of points without shear (PointPlace): fitted as the others, fitted with a toughness of their own, or
+/// left out.
+enum class Unsheared { in, own, out };
+constexpr std::string_view to_string(Unsheared unsheared) {
+  return unsheared == Unsheared::in ? "in" : unsheared == Unsheared::own ? "own" : "out";
+}
+
 struct Exclusion {
   std::vector<LineRange> lines{};
   /// Runs by their name as outputs show it, or by their load ("4.68 mN") to 0.1 %, as readers may round it.
   std::vector<std::string> runs{};
+  Unsheared unsheared = Unsheared::in;
 };
 
 /// Moves these points to Dataset::excluded, and removes runs without points. Throws InputError for lines without a

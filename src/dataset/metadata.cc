@@ -6,13 +6,14 @@
 #include "base/input_error.h"
 #include "base/number_text.h"
 #include "base/text.h"
+#include "dataset/constants.h"
 #include "dataset/table/column_names.h"
 #include "mechanics/contact.h"
 
 namespace mixity {
 namespace {
 
-constexpr std::array<MetadataField, 20> kFields{{
+constexpr std::array<MetadataField, 25> kFields{{
     {"radius", "radius of the sphere, such as \"9.42 mm\"", true, &Metadata::radius, dimension::length, "9.42 mm"},
     {"modulus", "plane-strain modulus E*, such as \"2.133 MPa\"", true, &Metadata::modulus, dimension::stress,
      "2.133 MPa"},
@@ -34,6 +35,16 @@ constexpr std::array<MetadataField, 20> kFields{{
      dimension::area, "0 +/- 0.01 mm^2"},
     {"area_scale", "what readings of A are to be multiplied by, such as \"1 +/- 2%\"", true, &Metadata::area_scale,
      dimension::none, "1 +/- 2%"},
+    {"force_gain", "what readings of P and T are to be multiplied by, such as \"1 +/- 1%\"", true,
+     &Metadata::force_gain, dimension::none, "1 +/- 1%"},
+    {"modulus_drift", "how far the modulus may change from the first to the last run: \"0 +/- 0.03\"", true,
+     &Metadata::modulus_drift, dimension::none, "0 +/- 0.03"},
+    {"toughness_drift", "how far the toughness may change from the first to the last run: \"0 +/- 0.03\"", true,
+     &Metadata::toughness_drift, dimension::none, "0 +/- 0.03"},
+    {"shape", "by which share the radius of a contact that is no circle may be read too large: \"0 +/- 0.01\"", true,
+     &Metadata::shape, dimension::none, "0 +/- 0.01"},
+    {"hysteresis", "by which share the toughness without shear may differ: \"0 +/- 0.1\"", true, &Metadata::hysteresis,
+     dimension::none, "0 +/- 0.1"},
     {"provenance", "measured, digitised or reconstructed", true},
     {"source", "where the data come from", true},
     {"note", "a note on the data", true},
@@ -172,6 +183,10 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
   const double value = uncertain->quantity.si();
   if (name == "poisson_ratio") {
     if (!(value >= 0 && value <= 0.5)) return given + "it must lie between 0 and 0.5";
+  } else if (is_change(name)) {
+    if (value != 0)
+      return given + "a change is about 0: state \"0 +/- " + shortest(std::abs(value)) +
+             "\", and correct readings for one that is known";
   } else if (!name.ends_with("_offset") && name != "load" && !(value > 0)) {
     return given + "it must be positive";
   }

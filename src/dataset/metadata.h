@@ -30,18 +30,19 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 
 /// Constants in SI; null if not stated. Offsets are added to readings; areas are multiplied by area_scale.
 struct Metadata {
-  std::optional<double> radius;                                // m, > 0
-  std::optional<double> modulus;                               // plane-strain E*, Pa, > 0
-  std::optional<double> youngs_modulus, poisson_ratio;         // Pa, > 0; 0..0.5: an alternative to modulus
-  std::optional<double> toughness;                             // G_Ic, J/m^2, > 0
-  std::optional<double> toughness_II;                          // G_IIc, J/m^2, > 0
-  std::optional<double> shear_strength;                        // tau0, Pa, > 0
-  std::optional<double> load_offset, shear_offset;             // N
-  std::optional<double> area_offset;                           // m^2
-  std::optional<double> area_scale;                            // > 0
-  std::optional<double> pixel;                                 // m, the side of a pixel, > 0
-  std::optional<double> load;                                  // N, of all points, if no column states it
-  std::map<std::string, double, std::less<>> standard_errors;  // by the name of a constant, in its unit
+  std::optional<double> radius;                         // m, > 0
+  std::optional<double> modulus;                        // plane-strain E*, Pa, > 0
+  std::optional<double> youngs_modulus, poisson_ratio;  // Pa, > 0; 0..0.5: an alternative to modulus
+  std::optional<double> toughness;                      // G_Ic, J/m^2, > 0
+  std::optional<double> toughness_II;                   // G_IIc, J/m^2, > 0
+  std::optional<double> shear_strength;                 // tau0, Pa, > 0
+  std::optional<double> load_offset, shear_offset;      // N
+  std::optional<double> area_offset;                    // m^2
+  std::optional<double> area_scale, force_gain;         // > 0
+  std::optional<double> modulus_drift, toughness_drift, shape, hysteresis;  // 0, as a name for their standard errors
+  std::optional<double> pixel;                                              // m, the side of a pixel, > 0
+  std::optional<double> load;                                               // N, of all points, if no column states it
+  std::map<std::string, double, std::less<>> standard_errors;               // by the name of a constant, in its unit
   Provenance provenance = Provenance::unstated;
   std::string source, note;
   // How to read the file.

@@ -101,6 +101,11 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
                       : 1;
       }
       constant.score = {fall, parameter.shown(at - slope / left), p_value};
+      if (moves) {
+        const double variance = solve(Eigen::VectorXd::Unit(m, 0))[0];
+        constant.score->change = moved[0] * slope / left / std::sqrt(variance);
+        constant.score->widening = std::sqrt(1 + moved[0] * moved[0] / left / variance);
+      }
     }
     budget.exact.push_back(std::move(constant));
   }

@@ -95,23 +95,28 @@ std::vector<std::vector<std::size_t>> used_by_run(const Dataset& data, const Fit
   return runs;
 }
 
-/// Residuals less what noise leads one to expect.
-std::vector<double> unexpected(const FitResult& fit) {
+/// Residuals less what noise leads one to expect, and with the deviations of the runs that are fitted.
+std::vector<double> unexpected(const Dataset& data, const FitResult& fit) {
   std::vector<double> r = fit.residuals;
   if (fit.errors && !fit.errors->expected.empty())
     for (std::size_t i = 0; i < r.size(); ++i) r[i] -= fit.errors->expected[fit.used[i]];
+  if (fit.errors)
+    for (std::size_t q = 0; q < fit.errors->runs.columns.size(); ++q)
+      for (std::size_t i = 0; i < r.size() && !constant_named(fit.errors->runs.names[q]); ++i)
+        r[i] +=
+            fit.errors->runs.columns[q][fit.used[i]] * fit.errors->runs.deviations[q][data.points[fit.used[i]].curve];
   return r;
 }
 
 ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   ResidualTests tests;
-  if (const auto course = data.has_loads ? test_course(data, fit.used, unexpected(fit)) : std::nullopt) {
+  if (const auto course = data.has_loads ? test_course(data, fit.used, unexpected(data, fit)) : std::nullopt) {
     tests.course = course->F;
     tests.course_p = course->p_value;
   }
   // Of one or two runs nothing tells correlated noise from a wrong model.
   const bool independent = tests.course && fit.innovations.size() == fit.residuals.size();
-  const std::vector<double> residuals = independent ? fit.innovations : unexpected(fit);
+  const std::vector<double> residuals = independent ? fit.innovations : unexpected(data, fit);
   const auto runs = used_by_run(data, fit);
   double z = 0, trend = 0, squares = 0, product = 0, of_products = 0;
   EndsTest ends;
@@ -171,7 +176,8 @@ std::optional<double> over_neighbours(const Dataset& data, const FitResult& fit)
 double over_scatter(const Dataset& data, const FitResult& fit) {
   const std::vector<double> ratios = variance_ratios(data, fit.used, *fit.errors);
   double squares = 0;
-  for (std::size_t i = 0; i < fit.residuals.size(); ++i) squares += fit.residuals[i] * fit.residuals[i] * ratios[i];
+  const std::vector<double> residuals = unexpected(data, fit);
+  for (std::size_t i = 0; i < residuals.size(); ++i) squares += residuals[i] * residuals[i] * ratios[i];
   return fit.freedom() > 0 ? std::sqrt(squares / static_cast<double>(fit.freedom())) : 0;
 }
 

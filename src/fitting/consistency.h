@@ -44,7 +44,8 @@ using Refit = std::function<FitResult(const FitOptions& options, const std::vect
 /// `left_behind`: another model fits far better, so only a constant that explains everything is considered.
 struct Diagnosis {
   Message reason;
-  std::optional<double> explained{};  // the cost with that constant free which explains everything
+  std::optional<double> explained{};  // the cost with the best cause that explains everything
+  std::vector<Explanation> explanations{};
 };
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
                    bool left_behind);

@@ -24,15 +24,15 @@ struct CurveObjective::Workspace {
 };
 
 CurveObjective::CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice,
-                               std::vector<double> expected, std::shared_ptr<const Decorrelation> decorrelation)
+                               std::vector<double> expected, std::shared_ptr<const Whitening> whitening)
     : ModelProblem(std::move(choice)),
       order_(points.size()),
       expected_(std::move(expected)),
-      decorrelation_(std::move(decorrelation)) {
+      whitening_(std::move(whitening)) {
   // The normal of the curve is taken at the place next to a reading, which noise along the curve has moved. As far as
   // the points before predict that noise, the prediction of the residual is off by -2 times the expected distance.
-  if (decorrelation_)
-    for (std::size_t i = 0; i < expected_.size(); ++i) expected_[i] *= 1 - 2 * decorrelation_->predicted_across()[i];
+  if (whitening_ && !whitening_->predicted_across().empty())
+    for (std::size_t i = 0; i < expected_.size(); ++i) expected_[i] *= 1 - 2 * whitening_->predicted_across()[i];
   // by load, so that the points of one curve are processed together
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   std::stable_sort(order_.begin(), order_.end(),
@@ -40,6 +40,7 @@ CurveObjective::CurveObjective(const std::vector<MeasuredPoint>& points, FreeCho
   points_.reserve(points.size());
   for (const std::size_t i : order_) points_.push_back(points[i]);
   for (const MeasuredPoint& point : points) {
+    varies_ |= point.place.has_own_constants();
     targets_.push_back(point.A / point.sigma_A);
     weights_.push_back(1 / point.sigma_A);
   }
@@ -76,11 +77,11 @@ bool CurveObjective::residuals_of(std::span<const double> x, std::span<double> r
                                   std::span<double> places) const {
   if (!all_blocks(x, Search::global, residuals, jacobian, places)) return false;
   for (std::size_t i = 0; i < expected_.size(); ++i) residuals[i] -= expected_[i];
-  if (!decorrelation_) return true;
-  decorrelation_->apply(residuals);
+  if (!whitening_) return true;
+  whitening_->apply(residuals);
   const std::size_t width = choice_.size();
   if (!jacobian.empty())
-    for (std::size_t k = 0; k < width; ++k) decorrelation_->apply(jacobian.subspan(k), width);
+    for (std::size_t k = 0; k < width; ++k) whitening_->apply(jacobian.subspan(k), width);
   return true;
 }
 
@@ -90,8 +91,11 @@ std::optional<NearestPlaces> CurveObjective::nearest(std::span<const double> x) 
   NearestPlaces found{of_n, of_n, of_n, of_n, of_n};
   std::vector<double> places(2 * n, 0.0), loads(2 * n);
   if (!all_blocks(x, Search::global, found.residuals, {}, places, loads)) return std::nullopt;
-  const ConstantsScale scale(candidate(x).constants);
+  const Constants constants = candidate(x).constants;
+  const bool varies = varies_ || has_changes(constants);
+  ConstantsScale scale(constants);
   for (std::size_t i = 0; i < n; ++i) {
+    if (varies) scale = ConstantsScale(constants, points_[i].place);
     found.T[order_[i]] = places[i] / scale.force - scale.shear_offset;
     found.A[order_[i]] = scale.measured_area(places[n + i]);
     const double size = std::hypot(loads[i], loads[n + i]);
@@ -142,11 +146,13 @@ bool CurveObjective::one_block(const Candidate& at, std::size_t begin, std::size
                                Workspace& workspace, std::span<double> residuals, std::span<double> jacobian,
                                std::span<double> places, std::span<double> loads) const {
   const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
-  const ConstantsScale scale(at.constants);
+  const bool varies = varies_ || has_changes(at.constants);
+  ConstantsScale scale(at.constants);
   const auto array = [&](std::size_t which) { return workspace.array(which, n); };
   const auto P = array(0), T = array(1), A = array(2), sigma_T = array(3), sigma_A = array(4);
   for (std::size_t i = 0; i < n; ++i) {
     const MeasuredPoint& point = points_[begin + i];
+    if (varies) scale = ConstantsScale(at.constants, point.place);
     P[i] = scale.load(point.P);
     T[i] = scale.shear(point.T);
     A[i] = scale.true_area(point.A);
@@ -170,11 +176,13 @@ bool CurveObjective::one_block(const Candidate& at, std::size_t begin, std::size
       loads[points_.size() + begin + i] = out.dA[i] * sigma_A[i];
     }
     if (jacobian.empty()) continue;
+    const PointPlace& place = points_[begin + i].place;
+    if (varies) scale = ConstantsScale(at.constants, place);
     const auto of_error = [&](double slope, double sigma) { return -out.r[i] * slope * slope * sigma * sigma; };
     const ResidualSlopes slopes{out.dP[i], out.dT[i], out.dA[i], of_error(out.dT[i], sigma_T[i]),
                                 of_error(out.dA[i], sigma_A[i])};
     choice_.fill_row(jacobian.subspan(to * width, width), out.parameters.data() + i * p, slopes,
-                     {P[i], T[i], A[i], 0, 0}, scale);
+                     {P[i], T[i], A[i], 0, 0, place}, scale);
   }
   return true;
 }

@@ -6,15 +6,16 @@
 
 #include "fitting/error_model.h"
 #include "fitting/model_problem.h"
+#include "fitting/whitening.h"
 
 namespace mixity {
 
 class CurveObjective final : public ModelProblem {
  public:
   /// Standard errors > 0. The targets, which the reported R^2 compares with, are the areas. A residual is the distance
-  /// less the one that is expected (empty: 0), less what its neighbours predict (null: nothing).
+  /// less the one that is expected (empty: 0), made independent of the others (null: as it is).
   CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice, std::vector<double> expected = {},
-                 std::shared_ptr<const Decorrelation> decorrelation = {});
+                 std::shared_ptr<const Whitening> whitening = {});
 
   /// Includes T.
   double data_norm() const override;
@@ -48,7 +49,8 @@ class CurveObjective final : public ModelProblem {
   std::vector<MeasuredPoint> points_;  // by load
   std::vector<std::size_t> order_;     // of each in points_: the index of its residual
   std::vector<double> expected_;
-  std::shared_ptr<const Decorrelation> decorrelation_;
+  std::shared_ptr<const Whitening> whitening_;
+  bool varies_ = false;                     // runs have constants of their own
   std::unique_ptr<CurveObjective> sample_;  // of some of the points, evenly over the loads; null of few points
 };
 

@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "base/number_text.h"
-#include "base/units.h"
-#include "fitting/explanations.h"
+#include "base/phrases.h"
+#include "fitting/causes.h"
 
 namespace mixity {
 namespace {
@@ -16,18 +16,15 @@ Points thinned(const Points& points, std::size_t enough) {
   return some;
 }
 
-/// The constants of the fit that are taken as exact and that have a score test.
-std::vector<Constant> exact_constants(const FitResult& fit) {
-  std::vector<Constant> list;
-  for (const ExactConstant& one : fit.budget->exact)
-    for (const Constant c : kAllConstants)
-      if (one.score && one.constant == kConstantNames[c]) list.push_back(c);
-  return list;
-}
-
 std::string lambda_text(const FitResult& fit) {
   for (const FittedParameter& one : fit.parameters)
     if (!one.held && one.value && !one.prior) return one.name + " = " + rounded(*one.value, 4);
+  return {};
+}
+
+FittedParameter first_free(const FitResult& fit) {
+  for (const FittedParameter& one : fit.parameters)
+    if (!one.held) return one;
   return {};
 }
 
@@ -37,16 +34,29 @@ std::string before_and_after(const FitResult& fit, const FitResult& after) {
                           : "the squares of the residuals fall to " + rounded(100 * now / before, 2) + "%";
 }
 
-Message constant_text(const Freed& freed, const FitResult& fit) {
-  const FittedParameter& constant = *find_parameter(freed.fit.parameters, kConstantNames[freed.constant]);
-  const ReadableUnit shown = readable_unit(*constant.value, constant.unit);
-  const std::string value =
-      rounded(*constant.value * shown.factor, 4) + (constant.unit.empty() ? "" : " " + shown.unit);
-  const char* const alike = freed.constant == kModulus     ? " (or area_scale, which acts like it)"
-                            : freed.constant == kAreaScale ? " (or modulus, which acts like it)"
-                                                           : "";
-  return constant.name + alike + " looks wrong: at " + value + ", " + before_and_after(fit, freed.fit) + " and " +
-         lambda_text(freed.fit) + "; check it, state its standard error, or " + Remedy::set("free", constant.name);
+Message explained_text(const Cause& cause, const FitResult& fit) {
+  return cause.size + ", " + before_and_after(fit, cause.fit) + " and " + lambda_text(cause.fit) + "; " + cause.remedy;
+}
+
+/// Which experiment would decide between them.
+std::string deciding_experiment(const std::vector<Cause>& list) {
+  std::vector<std::string> constants;
+  for (const Cause& one : list) {
+    if (one.kind != Cause::Kind::constant || one.name.ends_with("_drift"))
+      return "the first load repeated at the end would tell, as it tells a drift from a dependence on the load";
+    constants.push_back(one.name);
+  }
+  return "a separate measurement of " + joined(constants, " or ") + " would tell";
+}
+
+/// All that do about as well, with their values.
+Message all_text(const std::vector<Cause>& list, const FitResult& fit) {
+  if (list.size() == 1) return explained_text(list.front(), fit);
+  Message text = std::to_string(list.size()) + " causes explain the points about as well: ";
+  for (std::size_t i = 0; i < list.size(); ++i)
+    text +=
+        Message(i == 0 ? "" : "; or ") + list[i].size + " (" + lambda_text(list[i].fit) + "; " + list[i].remedy + ")";
+  return text + "; " + deciding_experiment(list);
 }
 
 /// `used`: how many points were tried.
@@ -57,31 +67,12 @@ Message sliding_text(const Case& of, const FitResult& whole, const Cut& cut, std
          ": cut the runs there; without them " + lambda_text(cut.fit) + " and " + before_and_after(whole, cut.fit);
 }
 
-/// What may be the cause.
-struct Suspects {
-  std::vector<Constant> constants;
-  bool sliding;
-};
-
-/// Tries the causes on some of many points first: a cause that does not explain these does not explain all, except in
-/// one case of ten thousand.
-Suspects suspects(const Case& of, const Points& points) {
+bool sliding_is_tried(const Case& of, const Points& points) {
   constexpr std::size_t kSome = 50;
-  Suspects all{exact_constants(of.fit), of.data.has_loads && !of.left_behind};
-  if (points.size() < 2 * kSome) return all;
-  const Points some = thinned(points, kSome);
-  if (const FitResult whole = of.refit(of.options, some, &of.fit.parameters);
-      !is_found(whole) || explains(of.data, whole))
-    return all;
-  const std::vector<Freed> tried = freed_one_by_one(of, all.constants, some);
-  Suspects left{{}, false};
-  for (const Freed& one : tried)
-    if (explains(of.data, one.fit)) left.constants.push_back(one.constant);
-  if (left.constants.empty() && !tried.empty() && !of.left_behind) left.constants.push_back(best_of(tried)->constant);
-  if (!all.sliding) return left;
-  const std::optional<Cut> cut = before_sliding(of, some, 1);
-  left.sliding = cut && explains(of.data, cut->fit);
-  return left;
+  if (!of.data.has_loads || of.left_behind) return false;
+  if (points.size() < 2 * kSome) return true;
+  const std::optional<Cut> cut = before_sliding(of, thinned(points, kSome), 1);
+  return cut && explains(of.data, cut->fit);
 }
 
 }  // namespace
@@ -89,27 +80,33 @@ Suspects suspects(const Case& of, const Points& points) {
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
                    bool left_behind) {
   const Message failed = failed_test(fit);
-  if (failed.empty() || !fit.budget || fit.loss_scale > 0) return {failed};
+  if (failed.empty() || !fit.budget || fit.loss_scale > 0) return {failed, {}, {}};
   constexpr std::size_t kEnough = 5000;  // points to distinguish causes
+  constexpr double kAboutAsWell = 6;     // in -2 ln L
   const Case of{data, fit, options, refit, left_behind};
   const Points points = thinned(fit.used, kEnough);
   const bool all_points = points.size() == fit.used.size();
   const FitResult whole = all_points ? fit : refit(options, points, &fit.parameters);
-  if (!is_found(whole)) return {failed};
-  const Suspects tried = suspects(of, points);
-  const std::vector<Freed> list = freed_one_by_one(of, tried.constants, points);
-  const Freed* const freed = best_of(list);
-  if (freed && explains(data, freed->fit) && is_better(whole, freed->fit, fit.budget->independent))
-    return {constant_text(*freed, whole), all_points ? std::optional(comparable_squares(freed->fit)) : std::nullopt};
-  if (left_behind) return {failed};
-  const auto cut = tried.sliding ? before_sliding(of, points, kFew) : std::nullopt;
-  if (cut && explains(data, cut->fit)) return {sliding_text(of, whole, *cut, points.size())};
+  if (!is_found(whole)) return {failed, {}, {}};
+  std::vector<Cause> found = causes(of, points, kAboutAsWell);
+  std::erase_if(found, [&](const Cause& one) { return !(misfit(whole) - one.misfit > kAboutAsWell); });
+  if (!found.empty()) {
+    Diagnosis diagnosis{all_text(found, whole), {}, {}};
+    if (all_points) diagnosis.explained = comparable_squares(found.front().fit);
+    for (const Cause& one : found)
+      diagnosis.explanations.push_back(
+          {one.name, one.run, one.size, one.remedy, first_free(one.fit), one.misfit - found.front().misfit});
+    return diagnosis;
+  }
+  if (left_behind) return {failed, {}, {}};
+  const auto cut = sliding_is_tried(of, points) ? before_sliding(of, points, kFew) : std::nullopt;
+  if (cut && explains(data, cut->fit)) return {sliding_text(of, whole, *cut, points.size()), {}, {}};
   if (data.has_loads && fit.consistency && fit.consistency->residuals.ends_p < kChance)
     if (const FitResult without = without_ends(of, whole, points); is_found(without) && explains(data, without))
-      return {failed + " without the last tenth of each run " + lambda_text(without)};
-  if (!wrong_constant(fit) || !freed) return {failed};
-  return {"the model or more than one constant is wrong: freeing " + std::string(kConstantNames[freed->constant]) +
-          " helps most (" + before_and_after(whole, freed->fit) + ") and does not explain the rest"};
+      return {failed + " without the last tenth of each run " + lambda_text(without), {}, {}};
+  if (!wrong_constant(fit) && !runs_differ(fit, kChance)) return {failed, {}, {}};
+  return {
+      "no single cause among constants and runs explains the points: the model is wrong, or several of them", {}, {}};
 }
 
 }  // namespace mixity

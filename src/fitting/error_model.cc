@@ -175,10 +175,11 @@ TwoProcesses processes_of(const Dataset& data, std::span<const std::size_t> used
 std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const std::size_t> used,
                                            const NearestPlaces& nearest, std::span<const double> leverages,
                                            const AxisErrors& T, const AxisErrors& A, const ErrorModels& before,
-                                           Stage stage) {
+                                           Stage stage, const std::vector<std::vector<double>>& own) {
   constexpr double kContradicted = 6;  // fall of ln L of the residuals where the differences of T are counted
   ErrorModels models = before;
-  const TwoProcesses processes = processes_of(data, used, nearest.load_T, nearest.load_A);
+  TwoProcesses processes = processes_of(data, used, nearest.load_T, nearest.load_A);
+  processes.own = own;
   constexpr std::size_t kFewest = 12;  // residuals from which a correlation can be told
   constexpr double kScatter = 0.5;
   const bool choose = stage == Stage::weighting || stage == Stage::choosing, ends = stage == Stage::ending;
@@ -187,10 +188,13 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   double squares = 0;
   for (const double r : nearest.residuals) squares += r * r;
   const bool scatter = !(T.known && A.known) || squares > kScatter * static_cast<double>(used.size());
-  if (stage == Stage::choosing && scatter && used.size() >= kFewest)
-    models.correlations = choose_correlations(processes, nearest.residuals, [&](double rho) {
+  if (stage == Stage::choosing && scatter && used.size() >= kFewest) {
+    const ChosenCorrelations chosen = choose_correlations(processes, nearest.residuals, [&](double rho) {
       return rho > 0 && readings.rows > 0 ? std::sqrt(readings.squares / readings.rows / kept(rho)) : 1.0;
     });
+    models.correlations = chosen.correlations;
+    models.log_likelihood = chosen.log_likelihood;
+  }
   if (models.correlations.any() && !choose) {
     if (!ends) improve_correlated(nearest, processes, readings, T.known, A.known, models);
   } else if (!T.known || !A.known) {

@@ -35,6 +35,7 @@ struct ErrorModels {
   bool differences = true;               // whether T's readings count
   std::vector<double> run_factors{};     // by which the errors of each run are multiplied; empty: 1
   NeighbourCorrelations correlations{};  // of the noise of A (first) and T (second)
+  double log_likelihood = 0;             // of the residuals with them when they were chosen, in any unit
 
   double factor(std::size_t run) const { return run_factors.empty() ? 1 : run_factors[run]; }
 };
@@ -48,11 +49,12 @@ enum class Stage { weighting, choosing, refining, ending };
 /// the areas contradict these (Carroll & Ruppert 1988, Transformation and Weighting in Regression, chapter 3); a factor
 /// for each run where they differ beyond chance (Bartlett 1937), shrunk as far as it is uncertain; and the correlation
 /// of neighbours in each axis. `used`: indices of the points; `leverages`: of their residuals in the fit, 0..1;
-/// `before`: the estimate so far. Null where the residuals are all 0.
+/// `before`: the estimate so far; `own`: columns of which each run has a multiple of its own that is no noise, and that
+/// is taken off the residuals. Null where the residuals are all 0.
 std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const std::size_t> used,
                                            const NearestPlaces& nearest, std::span<const double> leverages,
                                            const AxisErrors& T, const AxisErrors& A, const ErrorModels& before,
-                                           Stage stage);
+                                           Stage stage, const std::vector<std::vector<double>>& own);
 
 /// The share of squares that are independent of each other: those of neighbours correlate by rho^2.
 inline double independence(double rho) { return (1 - rho * rho) / (1 + rho * rho); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting/causes.h"
 #include "fitting/predicted_area.h"
 #include "statistics/distributions.h"
 
@@ -126,7 +127,8 @@ bool explains(const Dataset& data, const FitResult& fit) {
   constexpr double kHardly = 1e-5;
   if (fit.residuals.empty()) return false;
   const auto [chi2, chi2_p, tests, beyond] = test_consistency(data, fit);
-  return chi2_p.value_or(1) > kHardly && !is_far(tests) && tests.course_p > kHardly && !tests.together &&
+  return !runs_differ(fit, kHardly) && !wrong_constant(fit) && chi2_p.value_or(1) > kHardly && !is_far(tests) &&
+         tests.course_p > kHardly && !tests.together &&
          (tests.coarse || (tests.runs_p > kHardly && tests.correlation_p > kHardly)) && tests.trend_p > kHardly &&
          tests.ends_p > kHardly;
 }

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 
 #include "base/number_text.h"
+#include "fitting/causes.h"
 #include "fitting/consistency.h"
 #include "statistics/distributions.h"
 
@@ -10,7 +12,7 @@ const ExactConstant* wrong_constant(const FitResult& fit) {
   if (!fit.budget) return nullptr;
   const ExactConstant* worst = nullptr;
   for (const ExactConstant& one : fit.budget->exact)
-    if (one.score && (!worst || one.score->p_value < worst->score->p_value)) worst = &one;
+    if (one.score && one.score->matters() && (!worst || one.score->p_value < worst->score->p_value)) worst = &one;
   if (!worst || !(worst->score->p_value * fit.budget->independent < kChance)) return nullptr;
   // If the stated errors are too small whatever the constant, falls of chi^2 count less.
   const bool too_small = fit.known_errors && fit.consistency && fit.consistency->chi2_p.value_or(1) < kChance;
@@ -49,9 +51,15 @@ Message failed_test(const FitResult& fit) {
   if (const ExactConstant* wrong = wrong_constant(fit))
     return wrong->constant + " looks wrong: check it, state its standard error, or " +
            Remedy::set("free", wrong->constant);
+  if (runs_differ(fit, kChance)) {
+    const RunTest& most = *std::min_element(fit.run_tests.begin(), fit.run_tests.end(),
+                                            [](const auto& x, const auto& y) { return x.all.p_value < y.all.p_value; });
+    return most.quantity + " differs between the runs (p = " + rounded(most.all.p_value, 2) + "): fit it with " +
+           Remedy::set("by_run", most.quantity);
+  }
   if (!fit.consistency) return {};
   const Consistency& tests = *fit.consistency;
-  if (tests.chi2_p && *tests.chi2_p < kChance)
+  if (tests.chi2_p && *tests.chi2_p < kChance && moves_or_widens(0, std::sqrt(*tests.chi2_per_freedom)))
     return "the scatter is larger than the stated errors (chi^2 per degree of freedom " +
            rounded(*tests.chi2_per_freedom, 3) + "): check sigma_T and sigma_A";
   if (is_far(tests.residuals))

@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "fitting/consistency.h"
 #include "fitting/fit.h"
 #include "fitting/fitter.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
@@ -13,6 +16,30 @@ FitResult fit(const Dataset& data, std::string_view model, const FitOptions& opt
   const auto found = ContactModel::find(model);
   if (!found) throw std::invalid_argument("there is no model '" + std::string(model) + "'");
   return Fitter(data, *found, options, purpose, points, near).run();
+}
+
+/// Where several explanations do about as well, the interval holds the value of each.
+void show_union(FitResult& fit) {
+  if (fit.explanations.size() < 2) return;
+  const auto first = std::find_if(fit.parameters.begin(), fit.parameters.end(), [&](const FittedParameter& one) {
+    return one.name == fit.explanations[0].first.name;
+  });
+  if (first == fit.parameters.end() || !first->interval || !first->stderr_) return;
+  const double quantile = std::sqrt(chi_squared_quantile(first->interval->confidence, 1));
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Explanation& one : fit.explanations) {
+    if (!one.first.value) continue;
+    const double half = quantile * one.first.stderr_.value_or(0);
+    low = std::min(low, *one.first.value - half);
+    high = std::max(high, *one.first.value + half);
+  }
+  if (low < high)
+    first->interval = {"explanations",
+                       first->interval->confidence,
+                       std::max(low, first->lower),
+                       std::min(high, first->upper),
+                       EndStatus::found,
+                       EndStatus::found};
 }
 
 }  // namespace
@@ -28,12 +55,11 @@ void find_cause(const Dataset& data, FitResult& result, const FitOptions& option
                           const std::vector<FittedParameter>* near) {
     return fit(data, result.model, with, Purpose::tried, &points, near);
   };
-  FitOptions values = value_only(options);
-  // Errors that are not estimated with the fit are the same for each explanation.
-  values.fitted_errors &= result.errors && result.errors->freedom > 0;
-  const auto [reason, explained] = diagnose(data, result, values, refit, left_behind);
+  const auto [reason, explained, explanations] = diagnose(data, result, value_only(options), refit, left_behind);
   if (reason.empty()) return;
   result.explained = explained;
+  result.explanations = explanations;
+  show_union(result);
   result.message += (result.message.empty() ? "" : "; ") + reason;
 }
 

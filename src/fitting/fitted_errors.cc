@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting/run_differences.h"
+#include "fitting/whitening.h"
+
 namespace mixity {
 std::vector<double> of_points(const std::vector<double>& all, std::span<const std::size_t> used) {
   std::vector<double> some;
@@ -37,7 +40,9 @@ double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, c
            kLeastError * largest_value(data, &Point::A), errors.A);
   errors.load_T.resize(data.points.size());
   errors.load_A.resize(data.points.size(), 1.0);
+  errors.place_T.resize(data.points.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
+    errors.place_T[used[i]] = nearest.T[i];
     errors.load_T[used[i]] = nearest.load_T[i];
     errors.load_A[used[i]] = nearest.load_A[i];
   }
@@ -60,18 +65,47 @@ std::vector<double> variance_ratios(const Dataset& data, std::span<const std::si
   return ratios;
 }
 
-std::shared_ptr<const Decorrelation> decorrelation_of(const Dataset& data, std::span<const std::size_t> used,
-                                                      const StandardErrors& errors) {
-  if (!errors.correlations.any()) return nullptr;
-  return std::make_shared<Decorrelation>(
-      processes_of(data, used, of_points(errors.load_T, used), of_points(errors.load_A, used)), errors.correlations);
+std::vector<double> taken_off(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors) {
+  std::vector<double> list = of_points(errors.expected, used);
+  const RunDifferences& runs = errors.runs;
+  for (std::size_t q = 0; q < runs.spreads.size(); ++q) {
+    if (!constant_named(runs.names[q])) continue;
+    list.resize(used.size(), 0.0);
+    for (std::size_t i = 0; i < used.size(); ++i)
+      list[i] += runs.columns[q][used[i]] * runs.deviations[q][data.points[used[i]].curve];
+  }
+  return list;
+}
+
+std::optional<Decorrelation> neighbours_of(const Dataset& data, std::span<const std::size_t> used,
+                                           const StandardErrors& errors) {
+  if (!errors.correlations.any()) return std::nullopt;
+  return Decorrelation(processes_of(data, used, of_points(errors.load_T, used), of_points(errors.load_A, used)),
+                       errors.correlations);
+}
+
+std::shared_ptr<const Whitening> whitening_of(const Dataset& data, std::span<const std::size_t> used,
+                                              const StandardErrors& errors) {
+  auto neighbours = neighbours_of(data, used, errors);
+  std::optional<GroupWhitening> runs;
+  if (!errors.runs.spreads.empty()) {
+    Eigen::MatrixXd Z(static_cast<Eigen::Index>(used.size()), static_cast<Eigen::Index>(errors.runs.columns.size()));
+    for (std::size_t q = 0; q < errors.runs.columns.size(); ++q) {
+      std::vector<double> column = of_points(errors.runs.columns[q], used);
+      if (neighbours) neighbours->apply(column);
+      Z.col(static_cast<Eigen::Index>(q)) = as_vector(column);
+    }
+    runs.emplace(std::move(Z), as_vector(errors.runs.spreads), used_runs(data, used).groups);
+  }
+  if (!neighbours && !runs) return nullptr;
+  return std::make_shared<Whitening>(std::move(neighbours), std::move(runs));
 }
 
 double log_variances(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors) {
   double sum = 0;
   for (const double ratio : variance_ratios(data, used, errors)) sum += std::log(ratio);
-  const auto decorrelation = decorrelation_of(data, used, errors);
-  return decorrelation ? sum + decorrelation->log_determinant() : sum;
+  const auto whitening = whitening_of(data, used, errors);
+  return whitening ? sum + whitening->log_determinant() : sum;
 }
 
 }  // namespace mixity

@@ -26,7 +26,11 @@ std::vector<double> of_points(const std::vector<double>& all, std::span<const st
 double log_variances(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors);
 
 /// What makes the residuals of these points independent; null where their neighbours do not correlate.
-std::shared_ptr<const Decorrelation> decorrelation_of(const Dataset& data, std::span<const std::size_t> used,
-                                                      const StandardErrors& errors);
+/// What is taken off the residuals before they are made independent: the expected distances, and what the runs' own
+/// constants change, about which they are linearised. Empty: nothing.
+std::vector<double> taken_off(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors);
+
+std::optional<Decorrelation> neighbours_of(const Dataset& data, std::span<const std::size_t> used,
+                                           const StandardErrors& errors);
 
 }  // namespace mixity

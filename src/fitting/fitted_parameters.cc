@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "base/input_error.h"
@@ -54,7 +55,10 @@ std::vector<double> add_parameters(const Problem& cost, const Verdict& verdict, 
   fit.correlations = verdict.correlations;
   const bool known = fit.known_errors = cost.known_errors();
   const std::size_t n = cost.residual_count(), p = cost.parameters().size();
-  const double allowance = n > p ? cost_allowance(options.confidence, verdict.best.sum_of_squares, n, p, known) : 0;
+  const double freedom =
+      fit.errors && fit.errors->runs.any() ? fit.errors->runs.freedom : std::numeric_limits<double>::infinity();
+  const double allowance =
+      n > p ? cost_allowance(options.confidence, verdict.best.sum_of_squares, n, p, known, freedom) : 0;
   const bool judged = verdict.status != FitStatus::not_converged && n > p && allowance > 0;
   const std::vector<FittedParameter*> fitted = free_parameters(fit);
   std::vector<Interval> intervals;

@@ -82,6 +82,7 @@ FitResult Fitter::run() {
       result_.sum_of_squares *= unit_ * unit_;
       if (result_.errors) result_.log_variances = log_variances(data_, prepared_.used, *result_.errors);
       if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
+      if (deeper.empty() && (checked() || purpose_ == Purpose::tried)) test_runs(x);
       if (deeper.empty() && checked()) add_evidence(verdict);
       if (deeper.empty() || again == kMostRestarts) break;
       starting_.guesses.push_back(deeper);

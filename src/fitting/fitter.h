@@ -7,6 +7,7 @@
 
 #include "fitting/error_model.h"
 #include "fitting/prepare.h"
+#include "fitting/run_differences.h"
 #include "solver/prior.h"
 #include "solver/robust.h"
 #include "solver/solve.h"
@@ -37,7 +38,19 @@ class Fitter {
   double take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest);
   std::vector<double> leverages_of_data(const Problem& cost, const std::vector<double>& x) const;
   std::optional<ErrorModels> estimated_errors(const NearestPlaces& nearest, const std::vector<double>& leverage,
-                                              const ErrorModels& before, Stage stage) const;
+                                              const ErrorModels& before, Stage stage,
+                                              const std::vector<std::vector<double>>& own) const;
+  std::vector<std::vector<double>> take_runs_apart(const std::vector<double>& x, NearestPlaces& nearest,
+                                                   std::vector<double>& leverage, const ErrorModels& models,
+                                                   bool& apart) const;
+  bool find_run_differences(const std::vector<double>& x, NearestPlaces& nearest, std::vector<double>& leverage,
+                            double& change);
+  bool differ_more_than_neighbours(const RunRows& rows, const Groups& groups, const NearestPlaces& nearest,
+                                   const std::vector<double>& leverage, const ErrorModels& models) const;
+  void widen_by_jackknife(const RunRows& rows, const Groups& groups);
+  bool refresh_columns(const std::vector<double>& x);
+  void shorten_steps(const std::vector<double>& x, const RunDifferences& before, const std::vector<double>& residuals);
+  void test_runs(const std::vector<double>& x);
   bool settle_weights(Verdict& verdict);
   Verdict find_robust_minimum(Verdict verdict);
   Verdict minimum_of(const Problem& data);

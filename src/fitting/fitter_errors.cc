@@ -40,9 +40,12 @@ Verdict Fitter::minimum_with_its_errors() {
 /// and estimates those that come from the scatter, until nothing changes. x: the minimum with them. False, with the
 /// errors as before, where the model does not describe the data.
 bool Fitter::settle_errors(std::vector<double>& x) {
-  constexpr int kRounds = 40, kRoundsOfTrial = 12, kWeighting = 2, kChoosing = 4, kRefining = 12, kNextIterations = 15;
-  constexpr double kSettled = 1e-9;  // of an error or a residual: an interval changes by as much
-  constexpr double kSurely = 1e-6;   // of the fit with the first errors, whose weights may be wrong
+  constexpr int kRounds = 40, kRoundsOfTrial = 12, kNextIterations = 15;
+  // The rounds of each stage. Runs that differ are linearised at a first fit that may be far off.
+  const bool by_run = !options_.by_run.empty();
+  const int more = by_run ? 6 : 0, weighting = 2 + more, choosing = 4 + more, refining = 12 + more;
+  constexpr double kSettled = 1e-10;  // of an error or a residual: an interval changes by as much
+  constexpr double kSurely = 1e-6;    // of the fit with the first errors, whose weights may be wrong
   StandardErrors& errors = *prepared_.errors;
   const StandardErrors by_neighbours = errors;
   SolverOptions quick;
@@ -54,7 +57,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   ErrorModels models;
   if (errors.source_T == ErrorSource::scatter) models.T = errors.model_T;
   if (errors.source_A == ErrorSource::scatter) models.A = errors.model_A;
-  const int most = purpose_ == Purpose::tried ? kRoundsOfTrial : kRounds;
+  bool apart = false;  // the runs differ, so that each tells of the errors beside a level of its own
+  const int most = (purpose_ == Purpose::tried ? kRoundsOfTrial : kRounds) + more;
   for (int round = 0; round < most; ++round) {
     const ProblemWithPriors cost(*problem_);
     if (free) {
@@ -66,29 +70,38 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     const auto& objective = static_cast<const CurveObjective&>(*problem_);
     auto nearest = objective.nearest(x);
     const auto expected = nearest ? objective.expected(x, *nearest) : std::nullopt;
-    const std::vector<double> leverage = nearest ? leverages_of_data(cost, x) : std::vector<double>();
+    std::vector<double> leverage = nearest ? leverages_of_data(cost, x) : std::vector<double>();
     if (!expected || leverage.empty()) return true;
     double freedom = 0;
     for (const double one : leverage) freedom += 1 - one;
     double change = take_expected_off(*expected, freedom, *nearest);
+    if (by_run && !find_run_differences(x, *nearest, leverage, change)) return true;
     // A model that does not describe the data tells nothing of their errors. Of few runs nothing tells correlated
     // noise from a wrong model.
-    const auto course = round == 0 || round == kWeighting || round == kChoosing
-                            ? test_course(data_, prepared_.used, nearest->residuals)
-                            : std::nullopt;
-    const bool off = round < kChoosing ? course && course->p_value < (round == 0 ? kSurely : kChance)
-                                       : round == kChoosing && !course && models.correlations.any();
+    const bool first = round == 0 && !by_run, last = round == weighting;
+    const auto course =
+        first || last || round == choosing ? test_course(data_, prepared_.used, nearest->residuals) : std::nullopt;
+    const bool off = ((first || last) && course && course->p_value < (first ? kSurely : kChance)) ||
+                     (round == choosing && !course && models.correlations.any());
     if (off) {
       errors = by_neighbours;
       problem_ = make_problem(data_, options_, prepared_);
       result_.errors = errors;
       return false;
     }
+    if (round < more) {  // by the errors of neighbours, until the runs are found
+      if (!refresh_columns(x)) return true;
+      problem_ = make_problem(data_, options_, prepared_);
+      continue;
+    }
+    std::vector<std::vector<double>> own;
+    if (!by_run && (apart || round < choosing)) own = take_runs_apart(x, *nearest, leverage, models, apart);
     const auto found = estimated_errors(*nearest, leverage, models,
-                                        round < kWeighting  ? Stage::weighting
-                                        : round < kChoosing ? Stage::choosing
-                                        : round < kRefining ? Stage::refining
-                                                            : Stage::ending);
+                                        round < weighting  ? Stage::weighting
+                                        : round < choosing ? Stage::choosing
+                                        : round < refining ? Stage::refining
+                                                           : Stage::ending,
+                                        own);
     if (!found) return true;
     change = std::max({change, std::abs(found->correlations.first - models.correlations.first),
                        std::abs(found->correlations.second - models.correlations.second)});
@@ -100,8 +113,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     const bool known = StandardErrors::is_known(errors.source_A) && StandardErrors::is_known(errors.source_T);
     errors.freedom = known ? 0 : freedom * independence(models.correlations);
     change = std::max(change, evaluate_errors(data_, prepared_.used, *nearest, errors));
+    if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
-    if (change <= kSettled && round > kChoosing) break;
+    if (change <= kSettled && round > choosing) break;
   }
   if (free && starting_.near.empty()) starting_.guesses.push_back(x);
   result_.errors = errors;
@@ -141,7 +155,8 @@ std::vector<double> Fitter::leverages_of_data(const Problem& cost, const std::ve
 }
 
 std::optional<ErrorModels> Fitter::estimated_errors(const NearestPlaces& nearest, const std::vector<double>& leverage,
-                                                    const ErrorModels& before, Stage stage) const {
+                                                    const ErrorModels& before, Stage stage,
+                                                    const std::vector<std::vector<double>>& own) const {
   constexpr double kLeast = 1e-9;      // of the largest reading: less than any noise
   constexpr std::size_t kFewest = 12;  // points: the parts of their errors cannot be told apart from fewer
   const std::vector<std::size_t>& used = prepared_.used;
@@ -162,7 +177,7 @@ std::optional<ErrorModels> Fitter::estimated_errors(const NearestPlaces& nearest
   return estimate_errors(data_, used, nearest, leverage,
                          {sigma_T, known(errors.source_T), std::max(kLeastError * T, rounding(errors.step_T))},
                          {sigma_A, known(errors.source_A), std::max(kLeast * A, rounding(errors.step_A))}, before,
-                         stage);
+                         stage, own);
 }
 
 }  // namespace mixity

@@ -58,13 +58,21 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
     shear = std::max(shear, data_.points[i].shear());
     area = std::max(area, data_.points[i].A);
   }
+  // A drift shows from three runs on, hysteresis where there are areas with and without shear.
+  bool with = false, without = false;
+  for (const PointPlace& place : data_.has_loads ? places(data_) : std::vector<PointPlace>())
+    (place.unsheared ? without : with) = true;
+  const auto acts = [&](Constant c) {
+    if (c == kModulusDrift || c == kToughnessDrift) return data_.curves.size() >= 3;
+    return c != kHysteresis || (with && without);
+  };
   for (const Constant c : kAllConstants) {
     const bool fitted = std::any_of(prepared_.fitted.begin(), prepared_.fitted.end(),
                                     [&](const FittedConstant& one) { return one.constant == c; });
-    if (fitted || (!data_.has_loads && c != kToughness)) continue;
+    if (fitted || (!data_.has_loads && c != kToughness) || !acts(c)) continue;
     all.fitted.push_back({c, prepared_.constants[c], 0});
     const double size = c == kLoadOffset ? load : c == kShearOffset ? shear : area;
-    exact.push_back({beside.size(), is_factor(c) ? std::log(1.05) : 0.01 * size});
+    exact.push_back({beside.size(), is_factor(c) ? std::log(1.05) : is_change(c) ? 0.01 : 0.01 * size});
     beside.push_back(prepared_.constants[c]);
   }
   all.start.clear();

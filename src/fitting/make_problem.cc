@@ -8,6 +8,7 @@
 #include "fitting/fitted_errors.h"
 #include "fitting/prepare.h"
 #include "fitting/toughness_objective.h"
+#include "fitting/whitening.h"
 #include "solver/descent.h"
 
 namespace mixity {
@@ -17,22 +18,32 @@ namespace {
 std::vector<MeasuredPoint> measured_points(const Dataset& data, const PreparedFit& prepared) {
   std::vector<MeasuredPoint> points;
   points.reserve(prepared.used.size());
+  const bool varies =
+      has_changes(prepared.constants) || std::any_of(prepared.fitted.begin(), prepared.fitted.end(),
+                                                     [](const FittedConstant& one) { return is_change(one.constant); });
+  std::vector<PointPlace> at = varies ? places(data, prepared.errors ? prepared.errors->place_T : std::vector<double>())
+                                      : std::vector<PointPlace>(data.points.size());
+  if (prepared.errors)
+    for (std::size_t q = 0; q < prepared.errors->runs.names.size(); ++q)
+      if (const auto constant = constant_named(prepared.errors->runs.names[q]))
+        for (std::size_t i = 0; i < at.size(); ++i)
+          at[i].shift(*constant, prepared.errors->runs.deviations[q][data.points[i].curve]);
   for (const std::size_t i : prepared.used) {
     const Point& p = data.points[i];
     points.push_back({p.P, data.shear_as_read(i), p.A, prepared.errors ? prepared.errors->T[i] : 1.0,
-                      prepared.errors ? prepared.errors->A[i] : 1.0});
+                      prepared.errors ? prepared.errors->A[i] : 1.0, at[i]});
   }
   return points;
 }
 
 /// Points as the constants that are not fitted correct them, with ratios to the data set's own toughness.
 std::vector<ToughnessPoint> toughness_points(const Dataset& data, const PreparedFit& prepared) {
-  const ConstantsScale scale(prepared.constants);
+  const Scales scales(data, prepared.constants);
   const double own = data.has_loads ? std::exp(prepared.constants[kToughness]) : 1;
   std::vector<ToughnessPoint> points;
   points.reserve(prepared.used.size());
   for (const std::size_t i : prepared.used) {
-    points.push_back(*data.toughness(i, scale));
+    points.push_back(*data.toughness(i, scales.of(i)));
     points.back().ratio *= own;
   }
   return points;
@@ -56,6 +67,7 @@ FreeChoice free_choice(const Dataset& data, const PreparedFit& prepared) {
   const double factor = std::log(1000.0);
   for (const auto& [constant, mean, prior] : prepared.fitted) {
     const double reach = is_factor(constant)       ? factor
+                         : is_change(constant)     ? 1
                          : constant == kAreaOffset ? 0.9 * smallest_area
                                                    : 10 * (constant == kShearOffset ? largest_shear : largest_load);
     const double start = prepared.start.empty() ? mean : prepared.start[choice.constants().size()];
@@ -72,9 +84,9 @@ std::vector<double> errors_of_loads(const Dataset& data, Scale scale, const Prep
   const std::vector<std::size_t>& used = prepared.used;
   const std::size_t n = used.size();
   std::vector<double> P, T, A, value(n), by_P(n), by_T(n), by_A(n), by_parameter(n * p.size()), found;
-  const ConstantsScale constants(prepared.constants);
+  const Scales scales(data, prepared.constants);
   for (const std::size_t i : used) {
-    const Point point = data.corrected(i, constants);
+    const Point point = data.corrected(i, scales.of(i));
     P.push_back(point.P);
     T.push_back(point.shear());
     A.push_back(point.A);
@@ -88,6 +100,7 @@ std::vector<double> errors_of_loads(const Dataset& data, Scale scale, const Prep
       by_T[i] = (1 + growth) * by_T[i] + growth * 2 * T[i] / square;
       by_A[i] = (1 + growth) * by_A[i] + growth * y_A * (2 * y / square - 1 / (y + P[i]));
     }
+    const ConstantsScale constants = scales.of(used[i]);
     found.push_back(std::hypot(by_T[i] * constants.force * prepared.errors->T[used[i]],
                                by_A[i] * constants.area * prepared.errors->A[used[i]]));
   }
@@ -108,8 +121,8 @@ std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions
   } else if (prepared.objective == Objective::curve) {
     const StandardErrors errors = prepared.errors.value_or(StandardErrors{});
     problem = std::make_unique<CurveObjective>(measured_points(data, prepared), free_choice(data, prepared),
-                                               of_points(errors.expected, prepared.used),
-                                               decorrelation_of(data, prepared.used, errors));
+                                               taken_off(data, prepared.used, errors),
+                                               whitening_of(data, prepared.used, errors));
   } else if (!prepared.fitted.empty() && data.has_loads) {
     problem = std::make_unique<ToughnessOfLoads>(measured_points(data, prepared), free_choice(data, prepared),
                                                  std::move(weights));
@@ -149,9 +162,9 @@ std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, co
   std::vector<double> start;
   for (const FittedConstant& constant : prepared.fitted) start.push_back(constant.mean);
   double largest = 0, pull = 0;
-  const ConstantsScale scale(prepared.constants);
+  const Scales scales(data, prepared.constants);
   for (const std::size_t i : prepared.used) {
-    const Point point = data.corrected(i, scale);
+    const Point point = data.corrected(i, scales.of(i));
     largest = std::max(largest, point.shear());
     pull = std::max(pull, -point.P);
   }
@@ -163,7 +176,8 @@ std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, co
   unsheared.objective = Objective::curve;
   std::fill(unsheared.held.begin(), unsheared.held.end(), true);
   unsheared.fitted.resize(free);
-  std::erase_if(unsheared.used, [&](std::size_t i) { return data.corrected(i, scale).shear() > 0.01 * largest; });
+  std::erase_if(unsheared.used,
+                [&](std::size_t i) { return data.corrected(i, scales.of(i)).shear() > 0.01 * largest; });
   if (free == 0 || unsheared.used.size() < free) return start;
   SolverOptions solver;
   solver.engine = Engine::kernel;

@@ -19,6 +19,7 @@ struct Candidate {
 /// A measured point and its standard errors, dimensionless.
 struct MeasuredPoint {
   double P, T, A, sigma_T, sigma_A;
+  PointPlace place{};
 };
 
 /// Which parameters are free, in the solver's order, and where the others are held.
@@ -43,7 +44,8 @@ class FreeChoice {
                 const MeasuredPoint& scaled, const ConstantsScale& scale) const {
     std::size_t k = 0;
     for (const std::size_t parameter : of_model_) row[k++] = by_parameter[parameter];
-    for (const Constant constant : constants_) row[k++] = slopes.in(constant, scaled.P, scaled.T, scaled.A, scale);
+    for (const Constant constant : constants_)
+      row[k++] = slopes.in(constant, scaled.P, scaled.T, scaled.A, scale, scaled.place);
   }
 
  private:

@@ -41,6 +41,8 @@ struct FitOptions {
   bool weighted = false;                 // toughness: by each point's standard error, which curve always uses
   std::vector<HeldParameter> hold{};     // names a model does not have are ignored for that model
   std::vector<Constant> free{};          // constants of the experiment that are fitted without a prior
+  /// What differs from run to run by chance: the model's first parameter, or constants, by name.
+  std::vector<std::string> by_run{};
   /// Constants that are not free, taken as exact. Null: as the data set states them; those that it states with a
   /// standard error are fitted with a prior.
   std::optional<Constants> constants{};

@@ -11,23 +11,26 @@ namespace {
 /// Relative. A measured load that equals that of the fold lies on either side by rounding alone.
 constexpr double kFoldWidth = 1e-9;
 
-/// Appends the areas of one contact, at shears that are not negative.
-void add_areas(const ContactModel& model, std::span<const double> p, const ConstantsScale& scale, double load,
-               std::span<const double> shears, std::vector<PredictedArea>& areas) {
+/// Appends the areas of one contact, at shears that are not negative. `scales`: one for each.
+void add_areas(const ContactModel& model, std::span<const double> p, std::span<const ConstantsScale> scales,
+               double load, std::span<const double> shears, std::vector<PredictedArea>& areas) {
   if (!model.obstacle(p, load).empty())
     return areas.resize(areas.size() + shears.size(), {PredictedArea::State::undefined, 0});
   if (above_pull_off(load) < 0)
-    return areas.resize(areas.size() + shears.size(), {PredictedArea::State::below_pull_off, scale.measured_area(0)});
-  const auto measured = [&](double y) { return scale.measured_area(area_from_radius(radius_from_edge_load(y, load))); };
+    return areas.resize(areas.size() + shears.size(),
+                        {PredictedArea::State::below_pull_off, scales[0].measured_area(0)});
+  const auto measured = [&](std::size_t i, double y) {
+    return scales[i].measured_area(area_from_radius(radius_from_edge_load(y, load)));
+  };
   const Equilibria found = model.equilibria(p, load, shears);
   for (std::size_t i = 0; i < shears.size(); ++i) {
     if (found.at[i].status == EquilibriumStatus::ok) {
-      areas.push_back({PredictedArea::State::equilibrium, measured(found.at[i].y)});
+      areas.push_back({PredictedArea::State::equilibrium, measured(i, found.at[i].y)});
       continue;
     }
     areas.push_back({shears[i] <= (1 + kFoldWidth) * found.last->T_bottom ? PredictedArea::State::equilibrium
                                                                           : PredictedArea::State::beyond_fold,
-                     measured(found.last->y_bottom)});
+                     measured(i, found.last->y_bottom)});
   }
 }
 
@@ -58,32 +61,43 @@ Candidate fitted_candidate(const Dataset& data, const ContactModel& model, const
   return {values, constants_of(data, options, fit.parameters)};
 }
 
-std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate,
-                                           std::span<const double> P, std::span<const double> T) {
-  const ConstantsScale scale(candidate.constants);
+namespace {
+
+std::vector<PredictedArea> areas_of(const ContactModel& model, const Candidate& candidate, std::span<const double> P,
+                                    std::span<const double> T, std::span<const ConstantsScale> scales) {
   std::vector<PredictedArea> areas;
   areas.reserve(P.size());
   std::vector<double> shears;
   for (std::size_t begin = 0; begin < P.size();) {
-    const double load = scale.load(P[begin]);
+    const double load = scales[begin].load(P[begin]);
     shears.clear();
     std::size_t end = begin;
-    for (; end < P.size() && (end == begin || scale.load(P[end]) == load); ++end)
-      shears.push_back(std::abs(scale.shear(T[end])));
-    add_areas(model, candidate.parameters, scale, load, shears, areas);
+    for (; end < P.size() && (end == begin || scales[end].load(P[end]) == load); ++end)
+      shears.push_back(std::abs(scales[end].shear(T[end])));
+    add_areas(model, candidate.parameters, scales.subspan(begin, end - begin), load, shears, areas);
     begin = end;
   }
   return areas;
 }
 
+}  // namespace
+
+std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate,
+                                           std::span<const double> P, std::span<const double> T) {
+  return areas_of(model, candidate, P, T, std::vector(P.size(), ConstantsScale(candidate.constants)));
+}
+
 std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate, const Dataset& data,
                                            const std::vector<std::size_t>& points) {
   std::vector<double> P, T;
+  std::vector<ConstantsScale> scales;
+  const Scales of(data, candidate.constants);
   for (const std::size_t i : points) {
+    scales.push_back(of.of(i));
     P.push_back(data.points[i].P);
     T.push_back(data.shear_as_read(i));
   }
-  return predicted_areas(model, candidate, P, T);
+  return areas_of(model, candidate, P, T, scales);
 }
 
 Goodness goodness(std::span<const double> residuals, std::span<const double> targets, std::span<const double> weights) {

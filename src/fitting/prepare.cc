@@ -31,6 +31,8 @@ void require_what_is_asked(const Dataset& data, const FitOptions& options, Objec
   const bool uncertain = fitted_constants(data, options).size() > options.free.size();
   const std::string columns = data.has_energies ? "G_I and G_II" : "psi and Gc";
   const bool curve = objective == Objective::curve, energies = curve && data.has_energies;
+  if (!options.by_run.empty() && !(curve && data.has_loads))
+    refuse("what differs by run is fitted under objective curve, to loads and areas (columns P, T, A)");
   if (curve && !data.has_loads && !energies)
     refuse("objective curve needs loads and areas (columns P, T, A), or energies (G_I, G_II); this file has " +
            columns);
@@ -40,8 +42,8 @@ void require_what_is_asked(const Dataset& data, const FitOptions& options, Objec
       std::any_of(options.free.begin(), options.free.end(), [](Constant c) { return c != kToughness; }))
     refuse("the toughness is the only constant that can be free without loads and areas (columns P, T, A); this file " +
            std::string("has ") + columns);
-  if (data.several_spheres &&
-      std::any_of(options.free.begin(), options.free.end(), [](Constant c) { return c >= kLoadOffset; }))
+  if (data.several_spheres && std::any_of(options.free.begin(), options.free.end(),
+                                          [](Constant c) { return c >= kLoadOffset && c <= kAreaOffset; }))
     refuse(kNoOffsets);
   if (data.has_energies && !curve && !options.free.empty())
     refuse("with energies (G_I, G_II), the toughness can be free under " + Remedy::set("objective", "curve"));
@@ -71,11 +73,11 @@ bool is_infinite_in_mode_II(const ContactModel& model) {
 
 /// The points that the model can describe, and why it cannot describe the others.
 void choose_points(const Dataset& data, const std::vector<std::size_t>* points, PreparedFit& prepared) {
-  const ConstantsScale scale(prepared.constants);
+  const Scales scales(data, prepared.constants);
   std::optional<bool> infinite;
   const auto obstacle = [&](std::size_t i) -> std::string_view {
     if (prepared.objective == Objective::toughness) {
-      const auto toughness = data.toughness(i, scale);
+      const auto toughness = data.toughness(i, scales.of(i));
       if (!toughness) return kNoPhaseAngle;
       if (toughness->mixity.cos > 0) return {};
       if (!infinite) infinite = is_infinite_in_mode_II(prepared.model);
@@ -87,7 +89,7 @@ void choose_points(const Dataset& data, const std::vector<std::size_t>* points, 
     }
     if (data.has_energies) return {};
     // with another value of a constant there may be a contact
-    const bool contact = !prepared.fitted.empty() || above_pull_off(scale.load(data.points[i].P)) >= 0;
+    const bool contact = !prepared.fitted.empty() || above_pull_off(scales.of(i).load(data.points[i].P)) >= 0;
     return contact ? std::string_view() : kBelowPullOff;
   };
   const auto consider = [&](std::size_t i) {

@@ -18,7 +18,8 @@ namespace mixity {
 
 /// An interval in the user's unit. A null end is open.
 struct ShownInterval {
-  std::string method;  // profile
+  std::string method;  // profile; jackknife: of the runs, Student's with one degree of freedom less than runs;
+                       // explanations: the union of those of causes that explain failed tests about as well
   double confidence;
   std::optional<double> low, high;
   EndStatus low_status, high_status;
@@ -74,6 +75,10 @@ struct PaperFit {
   }
 };
 
+/// Whether what a test finds would move a parameter, or widen its 95 % interval, by more than a quarter of the
+/// interval. With many points everything is significant. `change`: in standard errors.
+inline bool moves_or_widens(double change, double widening) { return std::abs(change) > 1 || widening > 1.25; }
+
 /// A constant that was fitted with a prior.
 struct BudgetPart {
   std::string constant;
@@ -85,11 +90,14 @@ struct BudgetPart {
 struct ExactConstant {
   std::string constant, unit;    // the user's unit
   std::optional<double> effect;  // change of the parameter for this step
-  double step;  // 5 % of the constant; of an offset, 1 % of the largest load, shear or area; in the user's unit
+  double step;  // 5 % of the constant; of an offset, 1 % of the largest load, shear or area, in the user's unit; of a
+                // change 0.01
   /// Score test: by how much chi^2 would fall if the constant were free, its value then, and the probability of so
   /// large a fall by chance. Null where the residuals do not depend on it.
   struct Score {
     double fall, value, p_value;
+    double change = 0, widening = 1;  // of the first parameter then, in its standard errors; factor on that error
+    bool matters() const { return moves_or_widens(change, widening); }
   };
   std::optional<Score> score;
 };
@@ -148,6 +156,30 @@ struct Consistency {
   std::vector<BeyondEquilibrium> beyond;  // runs that have such points
 };
 
+/// Score test of a quantity that may differ between the runs, from the fit's own derivatives.
+struct RunTest {
+  std::string quantity, unit;  // the first parameter, or a constant of the experiment
+  bool relative;               // its deviations are shares of it
+  double directions;           // in which the runs may differ
+  /// One way to differ: by how much chi^2 would fall, its probability by chance, the size in `unit`, and by how much
+  /// the first parameter would change, in standard errors, and its standard error grow.
+  struct Way {
+    double fall = 0, p_value = 1, size = 0, change = 0, widening = 1;
+    bool matters() const { return moves_or_widens(change, widening); }
+  };
+  Way all{};            // each run by chance; size: standard deviation
+  Way odd{}, drift{};   // one run alone, p_value of the best of all; in the order of the runs, size from first to last
+  std::size_t run = 0;  // the odd one, index into Dataset::curves
+};
+
+/// What may be the cause of failed tests, and the fit with it.
+struct Explanation {
+  std::string cause, run;   // a constant, or a quantity that differs between runs; the run, if one alone differs
+  Message size, remedy;     // what it would be; the options that fit it
+  FittedParameter first{};  // the first free parameter then
+  double misfit;            // -2 ln L above that of the best
+};
+
 /// The model's evidence, and posterior mean, standard deviation and credible interval of its first free parameter.
 struct ShownEvidence {
   std::string parameter;
@@ -189,6 +221,8 @@ struct FitResult {
   std::optional<Budget> budget;            // of the first free parameter; null where there is none
   std::optional<ShownEvidence> evidence;   // null where intervals were not asked for, or it could not be found
   std::optional<Consistency> consistency;  // of reported fits
+  std::vector<RunTest> run_tests;          // of curves with loads, of two runs or more
+  std::vector<Explanation> explanations;   // of a suspect fit: those that do about as well as the best
   /// The cost with that constant free which explains why tests fail, if there is one.
   std::optional<double> explained{};
   std::string outdone_by{};  // of a suspect fit: the model that describes the same points far better

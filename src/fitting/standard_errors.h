@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,16 @@ struct ErrorModel {
   double at(double x) const { return std::hypot(constant, share * x); }
 };
 
+/// Quantities that differ from run to run by chance, by their names: the model's first parameter, or constants.
+struct RunDifferences {
+  std::vector<std::string> names;
+  std::vector<double> spreads;                  // standard deviations, in the solver's numbers
+  std::vector<std::vector<double>> columns;     // of each: the residuals' derivatives, per point of the data set
+  std::vector<std::vector<double>> deviations;  // of each: per run of the data set, 0 where it has no points
+  double freedom = 0;                           // of the variance of the first parameter
+  bool any() const { return !names.empty(); }
+};
+
 struct StandardErrors {
   std::vector<double> T, A;  // per point of the data set, dimensionless
   ErrorSource source_T = ErrorSource::scatter, source_A = ErrorSource::scatter;
@@ -39,11 +50,12 @@ struct StandardErrors {
   std::optional<ErrorModel> model_T{}, model_A{};  // as functions of the true value; null of a column of any numbers
   std::vector<double> run_factors{};               // by which the errors of each run are multiplied; empty: 1
   NeighbourCorrelations correlations{};            // of the noise of A (first) and T (second), along each run
+  RunDifferences runs{};                           // as far as they were asked for
   double step_T = 0, step_A = 0;                   // in which T and A were read; 0: none found
   double freedom = 0;                              // degrees of freedom of the estimate from the fit; 0: there is none
-  /// At the fitted curve, per point of the data set: NearestPlaces::load_T and load_A, and the distance from the curve
-  /// that its curvature leads one to expect. Empty before a fit.
-  std::vector<double> load_T{}, load_A{}, expected{};
+  /// At the fitted curve, per point of the data set: its T, NearestPlaces::load_T and load_A, and the distance from the
+  /// curve that its curvature leads one to expect. Empty before a fit.
+  std::vector<double> place_T{}, load_T{}, load_A{}, expected{};
 
   /// Whether the steps of the readings are no small part of the noise: then neighbouring residuals resemble each other.
   bool coarse(std::size_t point) const {

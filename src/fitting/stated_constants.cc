@@ -23,6 +23,13 @@ double stated_error(const Dataset& data, Constant constant) {
       return metadata.radius ? error / *metadata.radius : 0;
     case kAreaScale:
       return metadata.area_scale ? error / *metadata.area_scale : 0;
+    case kForceGain:
+      return metadata.force_gain ? error / *metadata.force_gain : 0;
+    case kModulusDrift:
+    case kToughnessDrift:
+    case kShape:
+    case kHysteresis:
+      return error;
     default:
       return data.offset_unit(constant) > 0 ? error / data.offset_unit(constant) : 0;
   }
@@ -45,6 +52,11 @@ ConstantUnit unit_of(const Dataset& data, Constant c) {
     case kRadius:
       return contact ? ConstantUnit{contact->radius, "m"} : ConstantUnit{};
     case kAreaScale:
+    case kForceGain:
+    case kModulusDrift:
+    case kToughnessDrift:
+    case kShape:
+    case kHysteresis:
       return {};
     case kLoadOffset:
     case kShearOffset:
@@ -55,11 +67,18 @@ ConstantUnit unit_of(const Dataset& data, Constant c) {
   return {data.display.area_scale, contact ? data.display.area : ""};
 }
 
+ConstantUnit shown_deviation(const Dataset& data, std::string_view quantity) {
+  const auto constant = constant_named(quantity);
+  return constant && !is_factor(*constant) ? unit_of(data, *constant) : ConstantUnit{};
+}
+
 std::vector<FittedConstant> uncertain_constants(const Dataset& data) {
   std::vector<FittedConstant> list;
   const Constants stated = data.stated_constants();
   for (const Constant constant : kAllConstants) {
-    const bool needed = data.has_loads ? constant == kAreaScale || data.contact.has_value() : constant == kToughness;
+    const bool needed = data.has_loads ? constant == kAreaScale || constant == kForceGain || is_change(constant) ||
+                                             data.contact.has_value()
+                                       : constant == kToughness;
     const double error = needed ? stated_error(data, constant) : 0;
     if (error > 0) list.push_back({constant, stated[constant], error});
   }

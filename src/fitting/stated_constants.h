@@ -28,6 +28,26 @@ struct ConstantUnit {
 };
 ConstantUnit unit_of(const Dataset& data, Constant c);
 
+/// Of a deviation from run to run of this constant or parameter: a share of a factor, in the file's unit of an offset.
+ConstantUnit shown_deviation(const Dataset& data, std::string_view quantity);
+
+/// The scales of the points of a data set with these constants.
+class Scales {
+ public:
+  Scales(const Dataset& data, const Constants& constants)
+      : constants_(constants),
+        same_(constants),
+        places_(has_changes(constants) ? places(data) : std::vector<PointPlace>()) {}
+  ConstantsScale of(std::size_t point) const {
+    return places_.empty() ? same_ : ConstantsScale(constants_, places_[point]);
+  }
+
+ private:
+  Constants constants_;
+  ConstantsScale same_;
+  std::vector<PointPlace> places_;  // empty where all are alike
+};
+
 /// Constants that are stated with a standard error, normal for offsets, else log-normal, if this kind of data needs
 /// them.
 std::vector<FittedConstant> uncertain_constants(const Dataset& data);

@@ -135,9 +135,9 @@ ToughnessOfLoads::ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice
     : ModelProblem(std::move(choice)), points_(std::move(points)) {
   weights_ = std::move(weights);
   weights_.resize(points_.size(), 1.0);
-  const ConstantsScale scale(choice_.fixed_constants());
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const auto& [P, T, A, sigma_T, sigma_A] = points_[i];
+    const auto& [P, T, A, sigma_T, sigma_A, place] = points_[i];
+    const ConstantsScale scale(choice_.fixed_constants(), place);
     targets_.push_back(weights_[i] *
                        std::log(toughness_of_area(scale.load(P), scale.shear(T), scale.true_area(A))->ratio));
   }
@@ -150,7 +150,8 @@ double ToughnessOfLoads::data_norm() const {
 bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> residuals,
                                 std::span<double> jacobian) const {
   const Candidate at = candidate(x);
-  const ConstantsScale scale(at.constants);
+  const bool varies = has_changes(at.constants);
+  ConstantsScale scale(at.constants);
   const std::size_t p = model_parameters(), width = choice_.size();
   std::array<double, kChunk> P, T, A, by_P, by_T, by_A;
   std::array<double, kChunk * ParameterValues::kMost> by_parameter;
@@ -159,6 +160,7 @@ bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> res
     const std::size_t n = std::min(kChunk, points_.size() - begin);
     for (std::size_t j = 0; j < n; ++j) {
       const MeasuredPoint& point = points_[begin + j];
+      if (varies) scale = ConstantsScale(at.constants, point.place);
       P[j] = scale.load(point.P);
       T[j] = scale.shear(point.T);
       A[j] = scale.true_area(point.A);
@@ -171,8 +173,11 @@ bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> res
       residuals[i] *= weights_[i];
       finite &= std::isfinite(residuals[i]);
       if (jacobian.empty()) continue;
+      const PointPlace& place = points_[i].place;
+      if (varies) scale = ConstantsScale(at.constants, place);
       const std::span<double> row = jacobian.subspan(i * width, width);
-      choice_.fill_row(row, by_parameter.data() + j * p, {by_P[j], by_T[j], by_A[j]}, {P[j], T[j], A[j], 0, 0}, scale);
+      choice_.fill_row(row, by_parameter.data() + j * p, {by_P[j], by_T[j], by_A[j]}, {P[j], T[j], A[j], 0, 0, place},
+                       scale);
       for (double& slope : row) {
         slope *= weights_[i];
         finite &= std::isfinite(slope);

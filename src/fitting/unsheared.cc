@@ -14,14 +14,11 @@
 namespace mixity {
 namespace {
 
-/// Points with T up to 1 % of the largest of their run.
 std::vector<std::size_t> unsheared_points(const Dataset& data) {
-  constexpr double kNoShear = 0.01;
-  std::vector<double> largest(data.curves.size());
-  for (const Point& point : data.points) largest[point.curve] = std::max(largest[point.curve], point.shear());
+  const std::vector<PointPlace> at = places(data);
   std::vector<std::size_t> list;
-  for (std::size_t i = 0; i < data.points.size(); ++i)
-    if (data.points[i].shear() <= kNoShear * largest[data.points[i].curve]) list.push_back(i);
+  for (std::size_t i = 0; i < at.size(); ++i)
+    if (at[i].unsheared) list.push_back(i);
   return list;
 }
 

@@ -4,6 +4,7 @@
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "base/units.h"
+#include "dataset/constants.h"
 #include "fitting/consistency.h"
 #include "report/fit_text.h"
 
@@ -31,13 +32,15 @@ std::string variance_shares(const Budget& budget) {
 }
 
 /// How the parameter would move with the constants that were taken as exact; in a unit that suits each change.
-std::string effects_of_exact_constants(const Budget& budget) {
+std::string effects_of_exact_constants(const Budget& budget, double standard_error) {
+  constexpr double kHardly = 0.1;  // of a standard error: of a change no more is said
   Texts effects;
   for (const ExactConstant& one : budget.exact) {
-    if (!one.effect) continue;
+    if (!one.effect || (is_change(one.constant) && std::abs(*one.effect) < kHardly * standard_error)) continue;
     const ReadableUnit shown = readable_unit(*one.effect, budget.unit);
-    const std::string step =
-        one.constant.ends_with("_offset") ? rounded(one.step, 2) + unit_text(one.unit) : std::string("5%");
+    const std::string step = one.constant.ends_with("_offset") ? rounded(one.step, 2) + unit_text(one.unit)
+                             : is_change(one.constant)         ? std::string("1%")
+                                                               : std::string("5%");
     effects.push_back((*one.effect < 0 ? "" : "+") + rounded(*one.effect * shown.factor, 2) + unit_text(shown.unit) +
                       " (" + one.constant + " +" + step + ")");
   }
@@ -125,8 +128,10 @@ Texts without_empty(Texts lines) {
 std::vector<std::string> budget_lines(const FitResult& fit) {
   if (!fit.budget) return {};
   const bool has_shares = !fit.budget->parts.empty() && fit.budget->scatter;
+  const FittedParameter* const first = find_parameter(fit.parameters, fit.budget->parameter);
+  const double error = first && first->stderr_ ? *first->stderr_ : 0;
   return without_empty(
-      {has_shares ? variance_shares(*fit.budget) : std::string(), effects_of_exact_constants(*fit.budget)});
+      {has_shares ? variance_shares(*fit.budget) : std::string(), effects_of_exact_constants(*fit.budget, error)});
 }
 
 std::string prior_text(const FittedParameter& parameter, const std::optional<Budget>& budget) {

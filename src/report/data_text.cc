@@ -72,9 +72,14 @@ std::vector<StatedConstant> stated_constants(const Metadata& metadata) {
   add("toughness_II", "toughness G_IIc", metadata.toughness_II, "J/m^2");
   add("shear_strength", "shear strength", metadata.shear_strength, "Pa");
   add("area_scale", "area_scale", metadata.area_scale, "");
+  add("force_gain", "force_gain", metadata.force_gain, "");
   add("load_offset", "load_offset", metadata.load_offset, "N");
   add("shear_offset", "shear_offset", metadata.shear_offset, "N");
   add("area_offset", "area_offset", metadata.area_offset, "m^2");
+  add("modulus_drift", "modulus_drift", metadata.modulus_drift, "");
+  add("toughness_drift", "toughness_drift", metadata.toughness_drift, "");
+  add("shape", "shape", metadata.shape, "");
+  add("hysteresis", "hysteresis", metadata.hysteresis, "");
   return list;
 }
 

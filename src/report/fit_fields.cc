@@ -3,6 +3,7 @@
 #include <array>
 
 #include "analysis/judgement.h"
+#include "fitting/stated_constants.h"
 
 namespace mixity {
 namespace {
@@ -33,7 +34,11 @@ void describe(Fields<ExcludedLine>& field) {
 }
 
 void describe(Fields<ShownInterval>& field) {
-  field("method", "profile likelihood", R"({"const": "profile"})", &ShownInterval::method);
+  field(
+      "method",
+      "profile likelihood; a jackknife of the runs with Student's distribution, where that is wider by more than half; "
+      "or the union of the intervals of explanations that do about as well",
+      R"({"enum": ["profile", "jackknife", "explanations"]})", &ShownInterval::method);
   field("confidence", "of the interval", R"({"exclusiveMinimum": 0, "exclusiveMaximum": 1})",
         &ShownInterval::confidence);
   field("low", "lower end; null if open", &ShownInterval::low);
@@ -126,6 +131,24 @@ void describe(Fields<StandardErrors>& field) {
             factors->emplace_back(in.result->data.curves[run], errors.run_factors[run]);
           return factors;
         });
+  field(
+      "by_run",
+      "quantities that differ from run to run, by name: standard deviation and most probable deviations, as shares of "
+      "factors and in the unit of the file of offsets; null unless asked for",
+      [](const StandardErrors& errors, const Within& in) {
+        std::optional<Named<Named<double>>> quantities;
+        if (!errors.runs.any()) return quantities;
+        quantities.emplace();
+        for (std::size_t q = 0; q < errors.runs.spreads.size(); ++q) {
+          const Dataset& data = in.result->data;
+          const double unit = shown_deviation(data, errors.runs.names[q]).scale;
+          Named<double> numbers{{"standard_deviation", errors.runs.spreads[q] * unit}};
+          for (std::size_t run = 0; run < data.curves.size(); ++run)
+            numbers.emplace_back(data.curves[run], errors.runs.deviations[q][run] * unit);
+          quantities->emplace_back(errors.runs.names[q], std::move(numbers));
+        }
+        return quantities;
+      });
   const char* const kRaised =
       "points whose standard error of 0 was raised to 1e-4 of the largest value, as a distance needs errors in both "
       "axes";
@@ -215,6 +238,10 @@ void describe(Fields<FitResult>& field) {
   field("evidence", "evidence of the model and posterior of its first free parameter", &FitResult::evidence);
   field("budget", "what the variance of the first free parameter is made of", &FitResult::budget);
   field("consistency", "whether the residuals are what the fit assumes", &FitResult::consistency);
+  field("explanations", "causes that explain why tests fail about as well as the best; empty without one",
+        &FitResult::explanations);
+  field("run_tests", "whether quantities differ between the runs; empty without loads or of a single run",
+        &FitResult::run_tests);
   field("outdone_by", "of a suspect fit, the model that describes the data far better; else null",
         [](auto& fit) { return null_if_empty(fit.outdone_by); });
   field("published", "comparison with published values, by name", [](const FitResult& fit, const Within& in) {

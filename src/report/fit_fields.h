@@ -16,6 +16,8 @@ void describe(Fields<Influence>& field);
 void describe(Fields<ShownEvidence>& field);
 void describe(Fields<Budget>& field);
 void describe(Fields<Consistency>& field);
+void describe(Fields<RunTest>& field);
+void describe(Fields<Explanation>& field);
 
 struct Correlation {
   std::vector<std::string> parameters;  // two

@@ -117,6 +117,35 @@ void describe(Fields<Budget>& field) {
   field("independent_score_tests", "effective number of independent score tests", &Budget::independent);
 }
 
+void describe(Fields<Explanation>& field) {
+  field("cause", "a constant that is wrong, or a quantity that differs between the runs", &Explanation::cause);
+  field("run", "the run, if one alone differs; else null",
+        [](auto& one) { return one.run.empty() ? std::optional<std::string>() : std::optional(one.run); });
+  field("size", "what it would be", [](auto& one, auto& in) { return worded(one.size, in); });
+  field("remedy", "options that fit it", [](auto& one, auto& in) { return worded(one.remedy, in); });
+  field("parameter", "the first free parameter", [](auto& one) { return std::string(one.first.name); });
+  field("value", "its value then", [](auto& one) { return one.first.value; });
+  field("stderr", "its standard error then", [](auto& one) { return one.first.stderr_; });
+  field("misfit", "-2 ln L above that of the best explanation", &Explanation::misfit);
+}
+
+void describe(Fields<RunTest::Way>& field) {
+  field("chi2_fall", "by how much chi^2 would fall if the runs differed so", &RunTest::Way::fall);
+  field("p_value", "probability of so large a fall by chance", &RunTest::Way::p_value);
+  field("size", "of the difference, in `unit`, or as a share of a factor", &RunTest::Way::size);
+  field("change", "of the first parameter then, in its standard errors", &RunTest::Way::change);
+  field("widening", "factor on its standard error then", &RunTest::Way::widening);
+}
+
+void describe(Fields<RunTest>& field) {
+  field("quantity", "the first parameter that is fitted, or a constant of the experiment", &RunTest::quantity);
+  field("unit", "of the sizes; empty of a factor and of a number", &RunTest::unit);
+  field("all", "the runs differ by chance; size: standard deviation", &RunTest::all);
+  field("odd", "one run differs from the others; p_value: of the best of all runs", &RunTest::odd);
+  field("odd_run", "its name", [](auto& test, auto& in) { return in.result->data.curves[test.run]; });
+  field("drift", "a change in the order of the runs; size: from the first to the last", &RunTest::drift);
+}
+
 void describe(Fields<ResidualTests::Run>& field) {
   field("curve", "name of the run", &ResidualTests::Run::curve);
   field("points", "number of points", &ResidualTests::Run::points);

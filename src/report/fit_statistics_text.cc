@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "fitting/consistency.h"
 #include "fitting/predicted_curves.h"
+#include "fitting/stated_constants.h"
 #include "report/fit_fields.h"
 #include "report/fit_text.h"
 
@@ -71,6 +72,36 @@ std::vector<std::string> raised_errors(const StandardErrors& errors) {
   return texts;
 }
 
+/// What differs from run to run, and what the next run may have.
+std::vector<std::string> run_texts(const FitResult& fit, const Dataset& data) {
+  std::vector<std::string> texts;
+  const RunDifferences& runs = fit.errors->runs;
+  for (std::size_t q = 0; q < runs.spreads.size(); ++q) {
+    const std::string& name = runs.names[q];
+    const ConstantUnit unit = shown_deviation(data, name);
+    const auto constant = constant_named(name);
+    const auto shown = [&](double size) {
+      return constant && is_factor(*constant) ? rounded(100 * size, 2) + "%"
+                                              : rounded(size * unit.scale, 2) + unit_text(unit.text);
+    };
+    std::vector<std::string> deviations;
+    for (std::size_t run = 0; run < data.curves.size(); ++run)
+      deviations.push_back(data.curves[run] + (runs.deviations[q][run] < 0 ? ": " : ": +") +
+                           shown(runs.deviations[q][run]));
+    std::string text = name + " differs from run to run by " + shown(runs.spreads[q]) + " (standard deviation); run " +
+                       joined(deviations);
+    const FittedParameter* const first = find_parameter(fit.parameters, name);
+    if (first && first->interval && first->stderr_ && first->interval->low && first->interval->high) {
+      const double half = 0.5 * (*first->interval->high - *first->interval->low),
+                   next = half * std::hypot(1.0, runs.spreads[q] / *first->stderr_);
+      text += "; that of a further run lies within " + resolved(*first->value - next, 2 * next) + " .. " +
+              resolved(*first->value + next, 2 * next) + " (" + rounded(100 * first->interval->confidence, 4) + "%)";
+    }
+    texts.push_back(std::move(text));
+  }
+  return texts;
+}
+
 std::string paper_text(const FitResult& fit) {
   if (!fit.paper) return {};
   std::vector<std::string> parameters;
@@ -104,6 +135,7 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
     out << joined(parts);
     for (const std::string& raised : raised_errors(*fit.errors)) out << "; " << raised;
     if (const std::string text = correlation_text(fit); !text.empty()) out << "\n    " << text;
+    for (const std::string& text : run_texts(fit, data)) out << "\n    " << text;
     out << '\n';
     if (fit.errors->absolute() && fit.rmse && fit.used.size() > fit.free_parameters && fit.loss_scale == 0) {
       const double freedom = static_cast<double>(fit.used.size() - fit.free_parameters);

@@ -155,7 +155,7 @@ std::string runs_text(const ReducedLog& log, Wording words) {
   else
     out << "    too little is read out of contact to tell the zero of P: it is taken as it stands\n";
   if (found.drift_removed || found.drifts) {
-    const std::string other = words(Remedy::set("drift", found.drift_removed ? "false" : "true"));
+    const std::string other = words(Remedy::set("zero_drift", found.drift_removed ? "false" : "true"));
     out << "    the zero of T drifts by " << force(found.drift_T, 2) << " a second from run to run; "
         << (found.drift_removed ? "taken off within runs, too (" + other + " leaves it)"
                                 : other + " takes that off within runs, too")

@@ -75,10 +75,12 @@ End find_end(Profile& profile, const FreeParameter& parameter, double best, doub
 
 }  // namespace
 
-double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors) {
-  if (known_errors) return chi_squared_quantile(confidence, 1);
-  const auto freedom = static_cast<double>(n - p);
-  return sum_of_squares / freedom * fisher_quantile(confidence, 1, freedom);
+double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors,
+                      double freedom) {
+  if (known_errors)
+    return std::isinf(freedom) ? chi_squared_quantile(confidence, 1) : fisher_quantile(confidence, 1, freedom);
+  const auto rest = static_cast<double>(n - p);
+  return sum_of_squares / rest * fisher_quantile(confidence, 1, std::min(rest, freedom));
 }
 
 Profile::Profile(const Problem& problem, const Minimum& best, double decrease, const SolverOptions& options)

@@ -1,6 +1,7 @@
 // Profile likelihood intervals of a fitted parameter, each end with its own validity.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "solver/kernel.h"
@@ -18,8 +19,10 @@ struct Interval {
 };
 
 /// The rise of the cost at which a value of one parameter is rejected: chi^2(1) if the standard errors are known, else
-/// F(1, n - p) times the variance from the scatter. 0 < confidence < 1, n > p.
-double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors);
+/// F(1, n - p) times the variance from the scatter. 0 < confidence < 1, n > p. `freedom`: of the variance of the
+/// parameter, if less than that.
+double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors,
+                      double freedom = std::numeric_limits<double>::infinity());
 
 /// The profile along one parameter: the cost minimised over the others.
 class Profile {

@@ -50,6 +50,11 @@ VectorXd eigenvalues(const MatrixXd& symmetric) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
+Eigenvectors eigenvectors(const MatrixXd& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solved(symmetric);
+  return {solved.eigenvalues(), solved.eigenvectors()};
+}
+
 VectorXd solve_symmetric(const MatrixXd& H, const VectorXd& b) {
   return b.size() == 0 ? b : VectorXd(H.ldlt().solve(b));
 }

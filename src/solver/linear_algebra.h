@@ -40,6 +40,13 @@ std::optional<double> log_determinant(const Eigen::MatrixXd& H);
 /// Eigenvalues of a symmetric matrix, in ascending order.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
 
+/// The same with eigenvectors in columns.
+struct Eigenvectors {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+Eigenvectors eigenvectors(const Eigen::MatrixXd& symmetric);
+
 /// H x = b for a symmetric H of any size, 0 too (LDL').
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& H, const Eigen::VectorXd& b);
 /// H x = b with full pivoting, for an H that may be singular.

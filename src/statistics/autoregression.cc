@@ -11,7 +11,7 @@ constexpr double kClosest = 0.98;  // a correlation beyond it is a drift
 
 /// The runs up to about `enough` deviations.
 TwoProcesses beginning(const TwoProcesses& all, std::size_t enough) {
-  TwoProcesses some{{}, all.places, all.first, all.second};
+  TwoProcesses some{{}, all.places, all.first, all.second, all.own};
   std::size_t count = 0;
   for (const auto& run : all.runs) {
     const std::size_t n = std::min(run.size(), enough - std::min(enough, count));
@@ -116,6 +116,35 @@ struct Independent {
   double squares = 0, n = 0, log_determinant = 0;
 };
 
+/// Takes off what multiples of independent columns explain of one run, one column after the other.
+void take_off(const std::vector<std::size_t>& run, std::vector<std::vector<double>> columns,
+              const std::vector<double>& values, Independent& result) {
+  constexpr double kNone = 1e-12;  // of a column's square: it depends on those before
+  const auto product = [&](const std::vector<double>& x, const std::vector<double>& y) {
+    double sum = 0;
+    for (const std::size_t i : run) sum += x[i] * y[i];
+    return sum;
+  };
+  for (std::size_t q = 0; q < columns.size(); ++q) {
+    const double whole = product(columns[q], columns[q]);
+    for (std::size_t before = 0; before < q; ++before) {
+      const double square = product(columns[before], columns[before]);
+      if (!(square > 0)) continue;
+      const double part = product(columns[before], columns[q]) / square;
+      for (const std::size_t i : run) columns[q][i] -= part * columns[before][i];
+    }
+    const double square = product(columns[q], columns[q]);
+    if (!(square > kNone * whole)) {
+      for (const std::size_t i : run) columns[q][i] = 0;
+      continue;
+    }
+    const double along = product(columns[q], values);
+    result.squares -= along * along / square;
+    result.log_determinant += std::log(square);
+    --result.n;
+  }
+}
+
 Independent independent(const TwoProcesses& processes, std::span<const double> deviations,
                         const NeighbourCorrelations& correlations) {
   const Decorrelation decorrelation(processes, correlations);
@@ -127,6 +156,10 @@ Independent independent(const TwoProcesses& processes, std::span<const double> d
       result.squares += values[i] * values[i];
       ++result.n;
     }
+  std::vector<std::vector<double>> own = processes.own;
+  for (auto& column : own) decorrelation.apply(column);
+  if (!own.empty())
+    for (const auto& run : processes.runs) take_off(run, own, values, result);
   return result;
 }
 
@@ -145,8 +178,8 @@ double log_likelihood(const TwoProcesses& processes, std::span<const double> dev
   return -(squares + log_determinant) / 2;
 }
 
-NeighbourCorrelations choose_correlations(const TwoProcesses& processes, std::span<const double> deviations,
-                                          const std::function<double(double)>& second_factor) {
+ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<const double> deviations,
+                                       const std::function<double(double)>& second_factor) {
   constexpr int kRounds = 3;   // in turn
   constexpr double kNear = 2;  // by which ln L at the next of a few values is short of its maximum
   const TwoProcesses some = beginning(processes, kEnough);
@@ -156,23 +189,23 @@ NeighbourCorrelations choose_correlations(const TwoProcesses& processes, std::sp
     return log_likelihood_of_any_unit(scaled(some, 1, second_factor(second)), deviations, {first, second});
   };
   const double price = 0.5 * std::log(static_cast<double>(std::max<std::size_t>(n, 2)));
-  NeighbourCorrelations best{};
-  double most = value(0, 0);
+  ChosenCorrelations best{{}, value(0, 0)};
+  double most = best.log_likelihood;
   bool promising = false;
   for (const double tried : {0.3, 0.7, 0.92})
     promising |= std::max(value(tried, 0), value(0, tried)) > most + price - kNear;
   if (!promising) return best;
   const auto consider = [&](NeighbourCorrelations one) {
-    const double gain = value(one.first, one.second) - price * ((one.first > 0) + (one.second > 0));
+    const double here = value(one.first, one.second), gain = here - price * ((one.first > 0) + (one.second > 0));
     if (!(gain > most)) return;
     most = gain;
-    best = one;
+    best = {one, here};
   };
   const double first = highest([&](double x) { return value(x, 0); }),
                second = highest([&](double x) { return value(0, x); });
   consider({first, 0});
   consider({0, second});
-  if (!best.any()) return best;
+  if (!best.correlations.any()) return best;
   NeighbourCorrelations both{first, second};
   for (int round = 0; round < kRounds; ++round) {
     both.second = highest([&](double x) { return value(both.first, x); });

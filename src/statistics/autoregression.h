@@ -16,6 +16,9 @@ struct TwoProcesses {
   std::vector<std::vector<std::size_t>> runs;  // indices of the deviations of each run, in their order
   std::vector<double> places;                  // of each deviation: its place along its run, rising
   std::vector<double> first, second;           // weights; not both 0
+  /// Columns, a number for each deviation. Each run has its own multiple of each, which is no noise: likelihoods are
+  /// restricted to what is left.
+  std::vector<std::vector<double>> own{};
 };
 
 /// Turns correlated deviations into independent ones of variance 1, one after the other: each less what those before
@@ -51,10 +54,15 @@ double log_likelihood(const TwoProcesses& processes, std::span<const double> dev
                       const NeighbourCorrelations& correlations);
 
 /// The correlations of greatest likelihood, whatever the unit of the deviations, to 1e-4; 0 where BIC does not ask for
-/// one (Schwarz 1978). Of many deviations the first 20,000 decide. `second_factor`: by which the second weights grow
-/// with their correlation, where something else than the deviations determines them.
-NeighbourCorrelations choose_correlations(const TwoProcesses& processes, std::span<const double> deviations,
-                                          const std::function<double(double)>& second_factor);
+/// one (Schwarz 1978); ln L with them in the unit of greatest likelihood, but for a constant. Of many deviations the
+/// first 20,000 decide. `second_factor`: by which the second weights grow with their correlation, where something else
+/// than the deviations determines them.
+struct ChosenCorrelations {
+  NeighbourCorrelations correlations{};
+  double log_likelihood = 0;
+};
+ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<const double> deviations,
+                                       const std::function<double(double)>& second_factor);
 
 /// Correlations, and factors of the weights.
 struct ScaledCorrelations {

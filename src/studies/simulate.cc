@@ -8,6 +8,7 @@
 
 #include "base/number_text.h"
 #include "dataset/arrays.h"
+#include "dataset/constants.h"
 #include "mechanics/contact_model.h"
 
 namespace mixity {
@@ -79,43 +80,60 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
   const ContactModel model = ContactModel::find(plan.model).value();
   const Metadata& stated = plan.constants;
   Chance chance(seed, index);
-  const auto factor = [&](std::string_view name, double value) {
-    return std::exp(stated.standard_error(name) / value * chance());
-  };
   const Contact nominal = contact_of(stated);
-  Contact true_contact = nominal;
-  true_contact.radius *= factor("radius", nominal.radius);
-  true_contact.modulus *= std::exp(stated.modulus_error() * chance());
-  true_contact.toughness *= factor("toughness", nominal.toughness);
-  // offsets to be added to a reading, and the factor on areas
-  const auto offset = [&](std::string_view name, std::optional<double> value) {
-    return value.value_or(0) + stated.standard_error(name) * chance();
+  Constants truth{};
+  const auto add_error = [&](Constant c, double size) {
+    truth[c] += stated.standard_error(kConstantNames[c]) / size * chance();
   };
-  const double load_offset = offset("load_offset", stated.load_offset),
-               shear_offset = offset("shear_offset", stated.shear_offset),
-               area_offset = offset("area_offset", stated.area_offset),
-               area_scale = stated.area_scale.value_or(1) * factor("area_scale", stated.area_scale.value_or(1));
+  if (stated.area_scale) truth[kAreaScale] = std::log(*stated.area_scale);
+  if (stated.force_gain) truth[kForceGain] = std::log(*stated.force_gain);
+  truth[kLoadOffset] = stated.load_offset.value_or(0) / nominal.force_unit();
+  truth[kShearOffset] = stated.shear_offset.value_or(0) / nominal.force_unit();
+  truth[kAreaOffset] = stated.area_offset.value_or(0) / nominal.area_unit();
+  add_error(kRadius, nominal.radius);
+  truth[kModulus] += stated.modulus_error() * chance();
+  add_error(kToughness, nominal.toughness);
+  add_error(kLoadOffset, nominal.force_unit());
+  add_error(kShearOffset, nominal.force_unit());
+  add_error(kAreaOffset, nominal.area_unit());
+  add_error(kAreaScale, stated.area_scale.value_or(1));
+  // Those without an error take no random number: plans of earlier versions keep their experiments.
+  for (const Constant c : kAllConstants)
+    if ((c == kForceGain || is_change(c)) && stated.standard_error(kConstantNames[c]) > 0)
+      add_error(c, c == kForceGain ? stated.force_gain.value_or(1) : 1);
 
   std::vector<double> P, T, A, sigma_T, sigma_A;
   std::vector<std::string> runs;
   const double mm2 = kMilli * kMilli;
   for (std::size_t k = 0; k < plan.loads.size(); ++k) {
-    // the apparatus is controlled by its readings: the true load is the planned one plus the offset
-    const double load = (plan.loads[k] + load_offset) / true_contact.force_unit();
-    const double longest =
-        plan.reach * longest_shear(model, plan, plan.loads[k] / nominal.force_unit()) * nominal.force_unit();
+    // The apparatus is controlled by its readings.
+    const double load = plan.loads[k] / nominal.force_unit(), longest = plan.reach * longest_shear(model, plan, load);
+    const std::size_t last_run = plan.loads.size() - 1;
+    const double order = last_run > 0 ? static_cast<double>(k) / static_cast<double>(last_run) - 0.5 : 0;
+    const auto scale_at = [&](std::size_t i) {
+      const double share = static_cast<double>(i) / static_cast<double>(plan.points - 1);
+      return ConstantsScale(truth, {order, share * share, i == 0});
+    };
     std::vector<double> shears(plan.points), areas_found(plan.points);
     std::vector<EquilibriumStatus> status(plan.points);
+    // T is the planned one, whatever its zero.
     for (std::size_t i = 0; i < plan.points; ++i)
-      shears[i] = longest * static_cast<double>(i) / static_cast<double>(plan.points - 1) / true_contact.force_unit();
-    model.areas_at(plan.parameters, load, shears, areas_found, status);
+      shears[i] = longest * static_cast<double>(i) / static_cast<double>(plan.points - 1) * scale_at(i).force;
+    const auto without = std::span(status).first(1), with = std::span(status).subspan(1);
+    model.areas_at(plan.parameters, scale_at(0).load(load), std::span(shears).first(1), std::span(areas_found).first(1),
+                   without);
+    model.areas_at(plan.parameters, scale_at(1).load(load), std::span(shears).subspan(1),
+                   std::span(areas_found).subspan(1), with);
     for (std::size_t i = 0; i < plan.points; ++i) {
       if (status[i] != EquilibriumStatus::ok) continue;  // the contact has jumped
-      const double shear = shears[i] * true_contact.force_unit() / kMilli - shear_offset / kMilli,
-                   area = (areas_found[i] * true_contact.area_unit() / area_scale - area_offset) / mm2;
+      const ConstantsScale scale = scale_at(i);
+      const double shear = scale.measured_shear(shears[i]) * nominal.force_unit() / kMilli,
+                   area = scale.measured_area(areas_found[i]) * nominal.area_unit() / mm2;
       // errors of the true values, so that noise does not change the weights
-      const double dT = error_of(plan.sigma_T, std::max(shear, longest / kMilli / static_cast<double>(plan.points)),
-                                 kMilli),
+      const double dT = error_of(
+                       plan.sigma_T,
+                       std::max(shear, longest * nominal.force_unit() / kMilli / static_cast<double>(plan.points)),
+                       kMilli),
                    dA = error_of(plan.sigma_A, area, mm2);
       P.push_back(plan.loads[k] / kMilli);
       T.push_back(shear + dT * chance());

@@ -93,33 +93,34 @@ TEST(Metadata, SourceAndNoteAreOnePrintableLine) {
 }
 
 TEST(Metadata, WhatCannotBeUnderstoodIsRefusedWithItsPlace) {
-  for (
-      const auto& [toml, error] : std::vector<std::pair<std::string, std::string>>{
-          {"radius = \"9.42\"", "1:10: radius is \"9.42\"; it must be a length such as mm, written \"9.42 mm\""},
-          {"radius = \"9.42 mN\"", "1:10: radius is \"9.42 mN\"; it must be a length such as mm, written \"9.42 mm\""},
-          {"radius = \"9,42 mm\"", "1:10: radius is \"9,42 mm\"; it must be a number with a unit, such as \"9.42 mm\""},
-          {"modulus = \"2.133 Mpa\"", "1:11: modulus is \"2.133 Mpa\"; the unit \"Mpa\" is not known; \"MPa\" is"},
-          {"modulus = \"2 +/- 0.1 mpsi\"",
-           "1:11: modulus is \"2 +/- 0.1 mpsi\"; the unit \"mpsi\" is not known; it must be a stress such as MPa"},
-          {"radius = \"wide\"", "1:10: radius is \"wide\"; it must be a number with a unit, such as \"9.42 mm\""},
-          {"radius = \"\"", "1:10: radius is \"\"; it must be a number with a unit, such as \"9.42 mm\""},
-          {"radius = \"9 mm +/- wide\"",
-           "1:10: radius is \"9 mm +/- wide\"; it must be a number with a unit, such as \"1 mm +/- 2%\" or \"1 +/- "
-           "0.02 mm\""},
-          {"radius = \"0 mm\"", "1:10: radius is \"0 mm\"; it must be positive"},
-          {"toughness = \"-1 J/m^2\"", "1:13: toughness is \"-1 J/m^2\"; it must be positive"},
-          {"# µ\n  radius =  9.42", "2:13: radius must be a string with a number and a unit, such as \"9.42 mm\""},
-          {"radius = [1]", "1:10: radius must be a string with a number and a unit, such as \"9.42 mm\""},
-          {"poisson_ratio = 0.6", "1:17: poisson_ratio is \"0.6\"; it must lie between 0 and 0.5"},
-          {"poisson_ratio = -0.1", "1:17: poisson_ratio is \"-0.1\"; it must lie between 0 and 0.5"},
-          {"provenance = \"measuerd\"",
-           "1:14: provenance is \"measuerd\"; it must be measured, digitised or reconstructed"},
-          {"\nraduis = \"3 mm\"",
-           "2:1: unknown key \"raduis\" (known: radius, modulus, youngs_modulus, poisson_ratio, toughness, "
-           "toughness_II, "
-           "shear_strength, load_offset, shear_offset, area_offset, area_scale, pixel, load, provenance, source, note, "
-           "columns, headings, decimal, load_from)"},
-      })
+  for (const auto& [toml, error] : std::vector<std::pair<std::string, std::string>>{
+           {"radius = \"9.42\"", "1:10: radius is \"9.42\"; it must be a length such as mm, written \"9.42 mm\""},
+           {"radius = \"9.42 mN\"", "1:10: radius is \"9.42 mN\"; it must be a length such as mm, written \"9.42 mm\""},
+           {"radius = \"9,42 mm\"",
+            "1:10: radius is \"9,42 mm\"; it must be a number with a unit, such as \"9.42 mm\""},
+           {"modulus = \"2.133 Mpa\"", "1:11: modulus is \"2.133 Mpa\"; the unit \"Mpa\" is not known; \"MPa\" is"},
+           {"modulus = \"2 +/- 0.1 mpsi\"",
+            "1:11: modulus is \"2 +/- 0.1 mpsi\"; the unit \"mpsi\" is not known; it must be a stress such as MPa"},
+           {"radius = \"wide\"", "1:10: radius is \"wide\"; it must be a number with a unit, such as \"9.42 mm\""},
+           {"radius = \"\"", "1:10: radius is \"\"; it must be a number with a unit, such as \"9.42 mm\""},
+           {"radius = \"9 mm +/- wide\"",
+            "1:10: radius is \"9 mm +/- wide\"; it must be a number with a unit, such as \"1 mm +/- 2%\" or \"1 +/- "
+            "0.02 mm\""},
+           {"radius = \"0 mm\"", "1:10: radius is \"0 mm\"; it must be positive"},
+           {"toughness = \"-1 J/m^2\"", "1:13: toughness is \"-1 J/m^2\"; it must be positive"},
+           {"# µ\n  radius =  9.42", "2:13: radius must be a string with a number and a unit, such as \"9.42 mm\""},
+           {"radius = [1]", "1:10: radius must be a string with a number and a unit, such as \"9.42 mm\""},
+           {"poisson_ratio = 0.6", "1:17: poisson_ratio is \"0.6\"; it must lie between 0 and 0.5"},
+           {"poisson_ratio = -0.1", "1:17: poisson_ratio is \"-0.1\"; it must lie between 0 and 0.5"},
+           {"provenance = \"measuerd\"",
+            "1:14: provenance is \"measuerd\"; it must be measured, digitised or reconstructed"},
+           {"\nraduis = \"3 mm\"",
+            "2:1: unknown key \"raduis\" (known: radius, modulus, youngs_modulus, poisson_ratio, toughness, "
+            "toughness_II, "
+            "shear_strength, load_offset, shear_offset, area_offset, area_scale, force_gain, modulus_drift, "
+            "toughness_drift, "
+            "shape, hysteresis, pixel, load, provenance, source, note, columns, headings, decimal, load_from)"},
+       })
     EXPECT_EQ(error_of(toml), "a.toml:" + error) << toml;
 }
 

@@ -25,8 +25,11 @@ inline std::vector<MeasuredPoint> points_off(const std::string& model, const Par
   std::vector<MeasuredPoint> list;
   SeededNoise noise(1, 0.02);
   const Dataset data = synthetic_runs(model, p, {-1, 0.5, 20}, 6, upto, [&] { return 0.03 + noise(); });
-  for (const Point& q : data.points)
-    list.push_back({q.P, q.T, q.A, sigma_T * shear_to_lose_area(model, p, q.P), 0.02 * q.A});
+  const std::vector<PointPlace> at = places(data);
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const Point& q = data.points[i];
+    list.push_back({q.P, q.T, q.A, sigma_T * shear_to_lose_area(model, p, q.P), 0.02 * q.A, at[i]});
+  }
   return list;
 }
 
@@ -43,15 +46,17 @@ inline std::vector<double> solver_point(const ParameterValues& p, const Constant
   return x;
 }
 
-inline const std::vector<Constants> kSomeConstants{{}, {0.02, -0.03, 0.01, -0.01, 0.05, 0.02, -0.01}};
-inline constexpr Constants kWrongConstants{0.1, -0.2, 0.05, -0.04, 0.3, -0.02, -0.05};
+inline const std::vector<Constants> kSomeConstants{
+    {}, {0.02, -0.03, 0.01, -0.01, 0.015, 0.05, 0.02, -0.01, 0.03, -0.02, 0.01, 0.05}};
+inline constexpr Constants kWrongConstants{0.1, -0.2, 0.05, -0.04, 0.02, 0.3, -0.02, -0.05, 0.04, -0.03, 0.02, 0.06};
 
 /// The same contact, read with constants that `c` puts right.
 inline std::vector<MeasuredPoint> misread(std::vector<MeasuredPoint> points, const Constants& c) {
-  const ConstantsScale scale(c);
-  for (MeasuredPoint& q : points)
-    q = {q.P / scale.force - c[kLoadOffset], q.T / scale.force - c[kShearOffset], scale.measured_area(q.A),
-         q.sigma_T / scale.force, q.sigma_A / scale.area};
+  for (MeasuredPoint& q : points) {
+    const ConstantsScale scale(c, q.place);
+    q = {scale.measured_load(q.P), scale.measured_shear(q.T), scale.measured_area(q.A),
+         q.sigma_T / scale.force,  q.sigma_A / scale.area,    q.place};
+  }
   return points;
 }
 

@@ -50,9 +50,9 @@ TEST(FitStatisticsJson, HasTheKeysOfItsSchema) {
   const Json data = Json::parse(to_json({whole_request()}))["datasets"][0];
   ASSERT_EQ(data["fits"].size(), 2);
   for (const Json& fit : data["fits"]) {
-    EXPECT_EQ(keys(fit["errors"]), (Names{"constant_A", "constant_T", "correlation_A", "correlation_T", "raised_A",
-                                          "raised_T", "relative_scatter", "run_factors", "share_A", "share_T",
-                                          "sigma_A", "sigma_T", "step_A", "step_T"}));
+    EXPECT_EQ(keys(fit["errors"]), (Names{"by_run", "constant_A", "constant_T", "correlation_A", "correlation_T",
+                                          "raised_A", "raised_T", "relative_scatter", "run_factors", "share_A",
+                                          "share_T", "sigma_A", "sigma_T", "step_A", "step_T"}));
     EXPECT_EQ(fit["errors"]["sigma_A"], "scatter");
     EXPECT_TRUE(fit["errors"]["relative_scatter"].is_number());
     EXPECT_EQ(fit["errors"]["raised_A"], 0);

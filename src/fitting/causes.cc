@@ -1,0 +1,207 @@
+#include "fitting/causes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.h"
+#include "base/units.h"
+#include "fitting/constants.h"
+#include "fitting/options.h"
+#include "fitting/stated_constants.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kMostConstants = 5;
+
+/// Constants that are exact and that the points ask to be free, and uncertain ones that lie far from what was stated.
+std::vector<Constant> suspected_constants(const FitResult& fit) {
+  constexpr double kFar = 3;  // standard errors of a prior
+  std::vector<std::pair<double, Constant>> list;
+  if (!fit.budget) return {};
+  for (const ExactConstant& one : fit.budget->exact)
+    if (one.score && one.score->p_value * fit.budget->independent < kChance)
+      list.emplace_back(-one.score->fall, constant_named(one.constant).value());
+  for (const BudgetPart& part : fit.budget->parts)
+    if (std::abs(part.pull) > kFar) list.emplace_back(-part.pull * part.pull, constant_named(part.constant).value());
+  std::stable_sort(list.begin(), list.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  std::vector<Constant> constants;
+  const auto has = [&](Constant c) { return std::find(constants.begin(), constants.end(), c) != constants.end(); };
+  for (const auto& [fall, constant] : list) {
+    const Constant alike = constant == kAreaScale ? kModulus : constant;  // they act alike; the modulus is named
+    const bool known = std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.second == alike; });
+    if (constants.size() < kMostConstants && !has(known ? alike : constant))
+      constants.push_back(known ? alike : constant);
+  }
+  return constants;
+}
+
+/// Quantities that differ between the runs; modulus is left out, as area_scale acts like it.
+std::vector<std::string> differing_quantities(const FitResult& fit) {
+  std::vector<std::string> list;
+  const double tests = static_cast<double>(fit.run_tests.size());
+  for (const RunTest& test : fit.run_tests) {
+    const double p = std::min({test.all.p_value, test.odd.p_value, test.drift.p_value});
+    if (p * tests < kChance && test.quantity != kConstantNames[kModulus]) list.push_back(test.quantity);
+  }
+  return list;
+}
+
+std::string percent(double share) { return rounded(100 * share, 2) + " %"; }
+
+/// The size of a deviation of this quantity, from the solver's number.
+std::string size_text(const Dataset& data, const std::string& quantity, double deviation) {
+  const auto constant = constant_named(quantity);
+  if (!constant) return rounded(deviation, 2);
+  if (is_factor(*constant)) return percent(std::expm1(std::abs(deviation)));
+  const ConstantUnit unit = unit_of(data, *constant);
+  return rounded(std::abs(deviation) * unit.scale, 2) + (unit.text.empty() ? "" : " " + unit.text);
+}
+
+Message of_constant(const Case& of, Constant constant, const FitResult& fit) {
+  const FittedParameter& found = *find_parameter(fit.parameters, kConstantNames[constant]);
+  const double value = *found.value;
+  const auto change = [&](const char* more, const char* less, const char* behind) {
+    return std::string(value > 0 ? more : less) + percent(std::abs(value)) + behind;
+  };
+  if (constant == kModulusDrift)
+    return change("modulus grows by ", "modulus falls by ", " from the first run to the last");
+  if (constant == kToughnessDrift)
+    return change("toughness grows by ", "toughness falls by ", " from the first run to the last");
+  if (constant == kShape)
+    return change("the contact is no circle: its radius reads ", "the contact is no circle: its radius reads ",
+                  value > 0 ? " too large at the largest T" : " too small at the largest T");
+  if (constant == kHysteresis)
+    return change("the toughness without shear is larger by ", "the toughness without shear is smaller by ", "");
+  const ReadableUnit shown = readable_unit(value, found.unit);
+  std::string text = found.name;
+  if (constant == kModulus) text += " (or area_scale, which acts like it)";
+  if (constant == kAreaScale) text += " (or modulus, which acts like it)";
+  text += " looks wrong: at " + rounded(value * shown.factor, 4) + (found.unit.empty() ? "" : " " + shown.unit);
+  if (is_factor(constant)) {
+    const double share =
+        value / unit_of(of.data, constant).scale / std::exp(constants_of(of.data, of.options)[constant]);
+    text += " (" + std::string(share > 1 ? "+" : "") + percent(share - 1) + ")";
+  }
+  return text;
+}
+
+Message remedy_of(Constant constant) {
+  if (constant == kModulusDrift) return Remedy::set("drift", "modulus");
+  if (constant == kToughnessDrift) return Remedy::set("drift", "toughness");
+  if (constant == kHysteresis) return Remedy::set("unsheared", "own");
+  return Remedy::set("free", std::string(kConstantNames[constant]));
+}
+
+Cause with_free(const Case& of, Constant constant, const Points& points) {
+  FitOptions options = of.options;
+  options.free.push_back(constant);
+  return {Cause::Kind::constant,
+          std::string(kConstantNames[constant]),
+          {},
+          {},
+          remedy_of(constant),
+          options,
+          points,
+          of.refit(options, points, &of.fit.parameters),
+          0};
+}
+
+Cause by_run(const Case& of, const std::string& quantity, const Points& points) {
+  FitOptions options = of.options;
+  options.by_run.push_back(quantity);
+  return {Cause::Kind::runs,
+          quantity,
+          {},
+          {},
+          Remedy::set("by_run", quantity),
+          options,
+          points,
+          of.refit(options, points, &of.fit.parameters),
+          0};
+}
+
+/// The run that alone makes up nearly all of the differences; null if there is none.
+std::optional<std::size_t> odd_run(const RunDifferences& runs, std::size_t quantity) {
+  constexpr double kNearlyAll = 0.8;  // of the squares about the median
+  constexpr std::size_t kFewest = 4;  // runs: of fewer none is the odd one
+  const std::vector<double>& all = runs.deviations[quantity];
+  if (all.size() < kFewest) return std::nullopt;
+  std::vector<double> sorted = all;
+  std::sort(sorted.begin(), sorted.end());
+  const double median = 0.5 * (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]);
+  double sum = 0, most = 0;
+  std::size_t odd = 0;
+  for (std::size_t run = 0; run < all.size(); ++run) {
+    const double square = std::pow(all[run] - median, 2);
+    sum += square;
+    if (square > most) {
+      most = square;
+      odd = run;
+    }
+  }
+  return most > kNearlyAll * sum ? std::optional(odd) : std::nullopt;
+}
+
+void describe(const Case& of, Cause& cause) {
+  if (cause.kind == Cause::Kind::constant) {
+    cause.size = of_constant(of, constant_named(cause.name).value(), cause.fit);
+    return;
+  }
+  const RunDifferences& runs = cause.fit.errors->runs;
+  const std::size_t q = runs.names.size() - 1;
+  const std::string alike = cause.name == kConstantNames[kAreaScale] ? " (or modulus, which acts like it)" : "";
+  cause.size = cause.name + alike + " differs from run to run by " + size_text(of.data, cause.name, runs.spreads[q]) +
+               " (standard deviation)";
+  const auto odd = odd_run(runs, q);
+  if (!odd) return;
+  Points others;
+  for (const std::size_t i : cause.points)
+    if (of.data.points[i].curve != *odd) others.push_back(i);
+  FitResult without = of.refit(of.options, others, &of.fit.parameters);
+  if (!is_found(without) || !explains(of.data, without)) return;
+  const std::string& name = of.data.curves[*odd];
+  cause.kind = Cause::Kind::one_run;
+  cause.run = name;
+  cause.size = cause.name + alike + " of run " + name + " differs from that of the others by " +
+               size_text(of.data, cause.name, runs.deviations[q][*odd]);
+  cause.remedy = Remedy::set("leave_out", name) + " or " + Remedy::set("by_run", cause.name);
+  cause.options = of.options;
+  cause.points = std::move(others);
+  cause.fit = std::move(without);
+}
+
+}  // namespace
+
+double misfit(const FitResult& fit) {
+  if (fit.known_errors) return comparable_squares(fit);
+  const auto n = static_cast<double>(fit.used.size());
+  return n * std::log(comparable_squares(fit) / n);
+}
+
+std::vector<Cause> causes(const Case& of, const Points& points, double range) {
+  std::vector<Cause> list;
+  for (const Constant constant : suspected_constants(of.fit)) list.push_back(with_free(of, constant, points));
+  for (const std::string& quantity : differing_quantities(of.fit)) list.push_back(by_run(of, quantity, points));
+  std::erase_if(list, [&](const Cause& one) {
+    const bool lost = one.kind == Cause::Kind::runs && !(one.fit.errors && one.fit.errors->runs.any());
+    return lost || !is_found(one.fit) || !explains(of.data, one.fit);
+  });
+  for (Cause& one : list) one.misfit = misfit(one.fit);
+  std::stable_sort(list.begin(), list.end(), [](const Cause& x, const Cause& y) { return x.misfit < y.misfit; });
+  std::erase_if(
+      list, [&, best = list.empty() ? 0 : list.front().misfit](const Cause& one) { return one.misfit > best + range; });
+  for (Cause& one : list) describe(of, one);
+  return list;
+}
+
+bool runs_differ(const FitResult& fit, double chance) {
+  const double tests = static_cast<double>(fit.run_tests.size());
+  return std::any_of(fit.run_tests.begin(), fit.run_tests.end(), [&](const RunTest& test) {
+    for (const RunTest::Way* const way : {&test.all, &test.odd, &test.drift})
+      if (way->p_value * tests < chance && way->matters()) return true;
+    return false;
+  });
+}
+
+}  // namespace mixity

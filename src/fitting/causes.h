@@ -1,0 +1,34 @@
+// What may be the cause where tests of a fit fail: constants that are wrong, quantities that differ between the runs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fitting/explanations.h"
+
+namespace mixity {
+
+/// One cause, fitted.
+struct Cause {
+  enum class Kind { constant, runs, one_run };
+  Kind kind;
+  std::string name;    // of the constant, or of the quantity that differs
+  std::string run;     // of one_run
+  Message size;        // what it would be: a clause
+  Message remedy;      // the option that fits it
+  FitOptions options;  // with it
+  Points points;       // all, or without the run
+  FitResult fit;
+  double misfit;  // -2 ln L, to be compared with that of other causes
+};
+
+/// -2 ln L of a fit, but for a constant of the points.
+double misfit(const FitResult& fit);
+
+/// The causes that explain the points, the best first, without those that are worse by more than `range`.
+std::vector<Cause> causes(const Case& of, const Points& points, double range);
+
+/// Whether a test says that the runs differ, by more than chance and by an amount that matters.
+bool runs_differ(const FitResult& fit, double chance);
+
+}  // namespace mixity

@@ -1,0 +1,183 @@
+// Whether runs differ in what is not fitted by run.
+#include <algorithm>
+#include <cmath>
+
+#include "fitting/consistency.h"
+#include "fitting/curve_objective.h"
+#include "fitting/fitted_errors.h"
+#include "fitting/fitter.h"
+#include "fitting/run_differences.h"
+#include "statistics/distributions.h"
+
+namespace mixity {
+namespace {
+
+double first_variance(const Eigen::MatrixXd& J) {
+  return solve_symmetric(J.transpose() * J, Eigen::VectorXd::Unit(J.cols(), 0))[0];
+}
+
+/// Spreads so large that they are no prior: far more than any run tells.
+Eigen::VectorXd free_spreads(const RunRows& rows, const Groups& groups) {
+  constexpr double kFree = 1e3;
+  Eigen::VectorXd spread(rows.Zw.cols());
+  for (Eigen::Index q = 0; q < spread.size(); ++q) {
+    double most = 0;
+    for (const auto& group : groups) most = std::max(most, rows.Zw(group, q).squaredNorm());
+    spread[q] = most > 0 ? kFree / std::sqrt(most) : 0;
+  }
+  return spread;
+}
+
+}  // namespace
+
+/// Where runs differ, what is left beside a first parameter and a scale of the areas that each has of its own, which
+/// would else be taken for noise with a memory. Returns the columns of these.
+std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<double>& x, NearestPlaces& nearest,
+                                                         std::vector<double>& leverage, const ErrorModels& models,
+                                                         bool& apart) const {
+  constexpr std::size_t kMostRuns = 200;
+  const Groups groups = used_runs(data_, prepared_.used).groups;
+  const bool may_be_memory = prepared_.errors->correlations.any() && !apart;
+  if (groups.size() < 2 || groups.size() > kMostRuns || may_be_memory) return {};
+  const std::vector<std::string> names{tested_quantities(data_, prepared_).front(),
+                                       std::string(kConstantNames[kAreaScale])};
+  const auto rows = run_rows(data_, options_, prepared_, x, nearest.residuals, names, 1);
+  if (!rows) return {};
+  if (!apart) apart = differ_more_than_neighbours(*rows, groups, nearest, leverage, models);
+  if (!apart) return {};
+  const Eigen::VectorXd spread = free_spreads(*rows, groups);
+  const auto deviations = most_probable(grouped_rows(rows->J, rows->r, rows->Zw, groups), spread, Fixed::no);
+  if (deviations.empty()) return {};
+  std::vector<std::vector<double>> own;
+  for (Eigen::Index q = 0; q < spread.size(); ++q) {
+    own.emplace_back(rows->Z.col(q).begin(), rows->Z.col(q).end());
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      for (const std::size_t i : groups[g])
+        nearest.residuals[i] += rows->Z(static_cast<Eigen::Index>(i), q) * deviations[g][q];
+  }
+  const Eigen::VectorXd shares = shares_of_noise(rows->J, rows->Zw, groups, spread);
+  for (std::size_t i = 0; i < leverage.size(); ++i) leverage[i] = 1 - shares[static_cast<Eigen::Index>(i)];
+  return own;
+}
+
+/// Whether a deviation of each run explains the residuals, beyond chance and better than neighbours that correlate.
+bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& groups, const NearestPlaces& nearest,
+                                         const std::vector<double>& leverage, const ErrorModels& models) const {
+  const double rest = static_cast<double>(rows.r.size() - rows.J.cols());
+  const std::vector<double> course(groups.size(), 1.0);
+  bool differ = false;
+  for (Eigen::Index q = 0; q < rows.Zw.cols(); ++q) {
+    const auto test = test_groups(grouped_rows(rows.J, rows.r, rows.Zw.col(q), groups), course);
+    if (!test || !(test->fall > 0) || !(rest > test->directions)) continue;
+    const double left = (rows.r.squaredNorm() - test->fall) / (rest - test->directions);
+    differ |= fisher_p_value(test->fall / test->directions / left, test->directions, rest - test->directions) < kChance;
+  }
+  if (!differ) return false;
+  const auto by_neighbours = estimated_errors(nearest, leverage, models, Stage::choosing, {});
+  if (!by_neighbours || !by_neighbours->correlations.any()) return true;
+  // In units of what is left within the runs.
+  const Eigen::Index n = rows.Zw.rows();
+  const GroupedRows whole = grouped_rows(rows.J, rows.r, rows.Zw, groups);
+  const auto within = most_probable(whole, free_spreads(rows, groups), Fixed::no);
+  if (within.empty()) return false;
+  Eigen::VectorXd left = rows.r.head(n);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const std::size_t i : groups[g])
+      left[static_cast<Eigen::Index>(i)] += rows.Zw.row(static_cast<Eigen::Index>(i)).dot(within[g]);
+  const double unit = left.norm() / std::sqrt(std::max(rest - static_cast<double>(2 * groups.size()), 1.0));
+  const auto spreads = restricted_spreads(grouped_rows(rows.J / unit, rows.r / unit, rows.Zw / unit, groups));
+  if (!spreads) return false;
+  const GroupWhitening whitening(rows.Zw / unit, spreads->spread, groups);
+  std::vector<double> r(rows.r.begin(), rows.r.begin() + n);
+  whitening.apply(r);
+  const double count = static_cast<double>(n),
+               of_runs = -(count * std::log(as_vector(r).squaredNorm() / count) + whitening.log_determinant()) / 2;
+  return of_runs > by_neighbours->log_likelihood;
+}
+
+/// Leaving out each run in turn tells the error of the first parameter without a model of the noise. Where that gives
+/// an interval wider by more than half, it is the one that is shown.
+void Fitter::widen_by_jackknife(const RunRows& rows, const Groups& groups) {
+  constexpr std::size_t kFewest = 4;  // runs: with fewer the estimate itself is too uncertain
+  // Where neighbours correlate, the profile rests on an estimate of that, too.
+  const double wider = prepared_.errors->correlations.any() ? 1 : 1.5;
+  const auto first = std::find_if(result_.parameters.begin(), result_.parameters.end(),
+                                  [](const FittedParameter& one) { return !one.held; });
+  if (groups.size() < kFewest || first == result_.parameters.end() || !first->interval || !first->stderr_) return;
+  ShownInterval& shown = *first->interval;
+  const auto error = jackknife_error(rows.J, rows.r, groups);
+  if (!error || !shown.low || !shown.high || problem_->parameters()[0].start) return;
+  // What constants add is the same in all runs.
+  const double scatter = result_.budget && result_.budget->scatter ? *result_.budget->scatter : 1;
+  const auto beyond = [&](double size, double freedom) {
+    return size * std::sqrt(fisher_quantile(shown.confidence, 1, freedom));
+  };
+  const double half = std::hypot(beyond(*error, static_cast<double>(groups.size() - 1)),
+                                 beyond(*first->stderr_ * std::sqrt(std::max(1 - scatter, 0.0)), 1e6));
+  if (!(2 * half > wider * (*shown.high - *shown.low))) return;
+  shown = {"jackknife",
+           shown.confidence,
+           std::max(*first->value - half, first->lower),
+           std::min(*first->value + half, first->upper),
+           EndStatus::found,
+           EndStatus::found};
+}
+
+/// Tests each quantity that is not fitted by run: whether it differs, in one run or in all, or in their order.
+void Fitter::test_runs(const std::vector<double>& x) {
+  constexpr std::size_t kMostRuns = 200;  // the cost grows with its cube
+  result_.run_tests.clear();
+  const bool curves = prepared_.objective == Objective::curve && data_.has_loads && prepared_.errors;
+  const UsedRuns in_runs = used_runs(data_, prepared_.used);
+  const Groups& groups = in_runs.groups;
+  const std::vector<std::size_t>& runs = in_runs.runs;
+  if (!curves || groups.size() < 2 || groups.size() > kMostRuns || robust_) return;
+  const auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x);
+  if (!nearest) return;
+  std::vector<double> residuals = nearest->residuals;
+  const std::vector<double> off = taken_off(data_, prepared_.used, *prepared_.errors);
+  for (std::size_t i = 0; i < off.size(); ++i) residuals[i] -= off[i];
+  const std::vector<std::string> tested = tested_quantities(data_, prepared_);
+  const bool known = problem_->known_errors();
+  const double rest = static_cast<double>(residuals.size()) - static_cast<double>(result_.free_parameters),
+               scatter = rest > 0 ? std::sqrt(result_.sum_of_squares / rest) : 1;
+  // Errors that are stated too small are no difference between the runs.
+  const double unit = known ? std::max(1.0, scatter) : scatter;
+  const bool judged_by_scatter = !known || scatter > 1;
+  if (!(unit > 0)) return;
+  auto rows = run_rows(data_, options_, prepared_, x, residuals, tested, unit);
+  if (!rows) return;
+  const double variance = first_variance(rows->J);
+  if (!(variance > 0)) return;
+  // What is fitted by run is no news.
+  if (const RunDifferences& fitted = prepared_.errors->runs; fitted.any()) {
+    const auto neighbours = neighbours_of(data_, prepared_.used, *prepared_.errors);
+    Eigen::MatrixXd Z(rows->Z.rows(), static_cast<Eigen::Index>(fitted.columns.size()));
+    for (std::size_t q = 0; q < fitted.columns.size(); ++q) {
+      std::vector<double> column = of_points(fitted.columns[q], prepared_.used);
+      if (neighbours) neighbours->apply(column);
+      Z.col(static_cast<Eigen::Index>(q)) = as_vector(column);
+    }
+    const GroupWhitening take_off(Z, as_vector(fitted.spreads), groups);
+    const auto data = static_cast<std::size_t>(rows->Z.rows());
+    take_off.apply({rows->r.data(), data});
+    for (Eigen::Index k = 0; k < rows->J.cols(); ++k) take_off.apply({rows->J.col(k).data(), data});
+    for (Eigen::Index k = 0; k < rows->Zw.cols(); ++k) take_off.apply({rows->Zw.col(k).data(), data});
+  }
+  widen_by_jackknife(*rows, groups);
+  std::vector<double> course;
+  for (const std::size_t run : runs)
+    course.push_back(static_cast<double>(run) / static_cast<double>(data_.curves.size() - 1) - 0.5);
+  for (std::size_t q = 0; q < tested.size(); ++q) {
+    const Eigen::MatrixXd column = rows->Zw.col(static_cast<Eigen::Index>(q));
+    const auto test = test_groups(grouped_rows(rows->J, rows->r, column, groups), course);
+    if (!test || !(test->directions > 0)) continue;
+    const double freedom = rest - test->directions;
+    if (!judged_by_scatter || freedom > 0)
+      result_.run_tests.push_back(run_test(data_, tested[q], *test, runs,
+                                           judged_by_scatter ? std::optional(freedom) : std::nullopt,
+                                           std::sqrt(variance)));
+  }
+}
+
+}  // namespace mixity

@@ -1,0 +1,250 @@
+#include "solver/random_effects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace mixity {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+Matrix solve_columns(const Matrix& H, const Matrix& B) {
+  Matrix X(H.rows(), B.cols());
+  for (Eigen::Index k = 0; k < B.cols(); ++k) X.col(k) = solve_symmetric(H, B.col(k));
+  return X;
+}
+
+/// The restricted likelihood at given spreads, and what follows from it. Within a group V^-1 = 1 - Z K Z'.
+struct Restricted {
+  Restricted(const GroupedRows& rows, const Vector& spread) : H(rows.J_J), g(rows.J_r) {
+    double squares = rows.r_r;
+    const Eigen::Index k = spread.size();
+    for (const auto& group : rows.groups) {
+      const auto D = spread.asDiagonal();
+      const Matrix inner = Matrix::Identity(k, k) + D * group.Z_Z * D;
+      K.push_back(D * solve_columns(inner, Matrix(D)));
+      determinant += log_determinant(inner).value_or(std::numeric_limits<double>::infinity());
+      H -= group.J_Z * K.back() * group.J_Z.transpose();
+      g -= group.J_Z * K.back() * group.Z_r;
+      squares -= group.Z_r.dot(K.back() * group.Z_r);
+    }
+    const auto of_H = log_determinant(H);
+    determined = of_H.has_value();
+    if (!determined) return;
+    step = -solve_symmetric(H, g);
+    log_likelihood = -(determinant + *of_H + squares + g.dot(step)) / 2;
+  }
+
+  /// 2 d(ln L)/d(spread^2) of effect q.
+  double score(const GroupedRows& rows, Eigen::Index q) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < rows.groups.size(); ++i) {
+      const auto& group = rows.groups[i];
+      const Vector left = Vector::Unit(K[i].rows(), q) - K[i] * group.Z_Z.col(q);  // of the effects after V^-1
+      const Vector J_z = group.J_Z * left;
+      const double z_r = left.dot(group.Z_r) + J_z.dot(step);
+      const double z_z = group.Z_Z.col(q).dot(left) - J_z.dot(solve_symmetric(H, J_z));
+      sum += z_r * z_r - z_z;
+    }
+    return sum;
+  }
+
+  Matrix H;
+  Vector g, step;
+  std::vector<Matrix> K;
+  double determinant = 0, log_likelihood = -std::numeric_limits<double>::infinity();
+  bool determined = false;
+};
+
+/// The spread of effect q of greatest likelihood, the others as in `spread`.
+double best_spread(const GroupedRows& rows, Vector spread, Eigen::Index q) {
+  constexpr double kStep = 0.5;    // of ln(spread), in which the maximum is bracketed
+  constexpr double kLeast = 1e-4;  // of what one group tells: less makes no difference
+  constexpr double kMost = 1e4;
+  double information = 0;
+  for (const auto& group : rows.groups) information = std::max(information, group.Z_Z(q, q));
+  if (!(information > 0)) return 0;
+  const double unit = 1 / std::sqrt(information);
+  const auto at = [&](double size) {
+    spread[q] = size;
+    return Restricted(rows, spread);
+  };
+  double best = 0, most = at(0).log_likelihood;
+  for (double x = std::log(kLeast); x <= std::log(kMost); x += kStep)
+    if (const double value = at(unit * std::exp(x)).log_likelihood; value > most) {
+      most = value;
+      best = unit * std::exp(x);
+    }
+  if (best == 0) return 0;
+  double low = best * std::exp(-kStep), high = best * std::exp(kStep);
+  if (!(at(low).score(rows, q) > 0) || !(at(high).score(rows, q) < 0)) return best;
+  while (high - low > 1e-11 * high) {
+    const double middle = 0.5 * (low + high);
+    (at(middle).score(rows, q) > 0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Of the first parameter's variance v(spread^2): 2 v^2 over the variance of v that the uncertain spreads give.
+double satterthwaite(const GroupedRows& rows, const Vector& spread, const Restricted& at) {
+  constexpr double kStep = 1e-3;
+  const auto variance = [&](const Restricted& one) { return solve_symmetric(one.H, Vector::Unit(one.H.rows(), 0))[0]; };
+  const double v = variance(at);
+  double of_v = 0;
+  for (Eigen::Index q = 0; q < spread.size(); ++q) {
+    if (!(spread[q] > 0)) continue;
+    Vector more = spread, less = spread;
+    more[q] *= std::sqrt(1 + kStep);
+    less[q] *= std::sqrt(1 - kStep);
+    const Restricted above(rows, more), below(rows, less);
+    const double width = 2 * kStep;  // of spread^2, in itself
+    const double slope = (variance(above) - variance(below)) / width,
+                 curvature = (above.score(rows, q) - below.score(rows, q)) / width * spread[q] * spread[q] / 2;
+    if (curvature < 0) of_v += slope * slope / -curvature;
+  }
+  return of_v > 0 ? 2 * v * v / of_v : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+GroupedRows grouped_rows(const Matrix& J, const Vector& r, const Matrix& Z, const Groups& groups) {
+  GroupedRows rows{J.transpose() * J, J.transpose() * r, r.squaredNorm(), Z.rows(), {}};
+  for (const auto& group : groups) {
+    const Matrix Z_g = Z(group, Eigen::all);
+    rows.groups.push_back({Z_g.transpose() * Z_g, J(group, Eigen::all).transpose() * Z_g, Z_g.transpose() * r(group)});
+  }
+  return rows;
+}
+
+std::optional<Spreads> restricted_spreads(const GroupedRows& rows) {
+  constexpr int kRounds = 50;
+  const Eigen::Index k = rows.groups.empty() ? 0 : rows.groups[0].Z_r.size();
+  Vector spread = Vector::Zero(k);
+  if (!Restricted(rows, spread).determined) return std::nullopt;
+  for (int round = 0; round < kRounds; ++round) {
+    double change = 0;
+    for (Eigen::Index q = 0; q < k; ++q) {
+      const double before = spread[q];
+      spread[q] = best_spread(rows, spread, q);
+      change = std::max(change, std::abs(spread[q] - before) / std::max(spread[q], 1e-300));
+    }
+    if (k == 1 || change <= 1e-9) break;
+  }
+  return Spreads{spread, most_probable(rows, spread, Fixed::no), satterthwaite(rows, spread, Restricted(rows, spread))};
+}
+
+std::vector<Eigen::VectorXd> most_probable(const GroupedRows& rows, const Vector& spread, Fixed parameters) {
+  const Restricted at(rows, spread);
+  std::vector<Vector> deviations;
+  if (!at.determined) return deviations;
+  const Vector step = parameters == Fixed::no ? at.step : Vector(Vector::Zero(at.step.size()));
+  for (std::size_t i = 0; i < rows.groups.size(); ++i)
+    deviations.push_back(-at.K[i] * (rows.groups[i].Z_r + rows.groups[i].J_Z.transpose() * step));
+  return deviations;
+}
+
+Vector shares_of_noise(const Matrix& J, const Matrix& Z, const Groups& groups, const Vector& spread) {
+  Matrix left = J;  // V^-1 J
+  Vector shares = Vector::Ones(Z.rows());
+  for (const auto& group : groups) {
+    const Matrix Z_g = Z(group, Eigen::all);
+    const auto D = spread.asDiagonal();
+    const Matrix inner = Matrix::Identity(spread.size(), spread.size()) + D * Z_g.transpose() * Z_g * D;
+    const Matrix Z_K = Z_g * (D * solve_columns(inner, Matrix(D)));
+    left(group, Eigen::all) -= Z_K * (Z_g.transpose() * J(group, Eigen::all));
+    for (std::size_t i = 0; i < group.size(); ++i)
+      shares[static_cast<Eigen::Index>(group[i])] -=
+          Z_K.row(static_cast<Eigen::Index>(i)).dot(Z_g.row(static_cast<Eigen::Index>(i)));
+  }
+  const Matrix H = J.transpose() * left, solved = solve_columns(H, left.topRows(Z.rows()).transpose());
+  for (Eigen::Index i = 0; i < shares.size(); ++i) shares[i] -= left.row(i).dot(solved.col(i));
+  return shares;
+}
+
+std::optional<GroupTest> test_groups(const GroupedRows& rows, std::span<const double> course) {
+  constexpr double kNone = 1e-9;  // of the largest: a direction that the parameters have
+  const auto n = static_cast<Eigen::Index>(rows.groups.size());
+  if (!log_determinant(rows.J_J)) return std::nullopt;
+  Matrix C(rows.J_J.rows(), n);
+  Vector d(n), u(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto& group = rows.groups[static_cast<std::size_t>(i)];
+    C.col(i) = group.J_Z.col(0);
+    d[i] = group.Z_Z(0, 0);
+    u[i] = group.Z_r[0];
+  }
+  const Matrix S = Matrix(d.asDiagonal()) - C.transpose() * solve_columns(rows.J_J, C);
+  u -= C.transpose() * solve_symmetric(rows.J_J, rows.J_r);
+  GroupTest test;
+  const double variance_of_first = solve_symmetric(rows.J_J, Vector::Unit(rows.J_J.rows(), 0))[0];
+  const auto one = [&](const Vector& c) {
+    const double slope = c.dot(u), square = c.dot(S * c), scale = c.dot(d.asDiagonal() * c);
+    if (!(square > kNone * scale)) return GroupTest::One{};
+    const double value = -slope / square, moved = solve_symmetric(rows.J_J, C * c)[0];
+    return GroupTest::One{slope * slope / square, value, -moved * value,
+                          std::sqrt(1 + moved * moved / square / variance_of_first)};
+  };
+  for (Eigen::Index i = 0; i < n; ++i) test.groups.push_back(one(Vector::Unit(n, i)));
+  test.along = one(as_vector(course));
+  const auto [values, vectors] = eigenvectors(S);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (!(values[i] > kNone * d.maxCoeff())) continue;
+    test.fall += std::pow(vectors.col(i).dot(u), 2) / values[i];
+    ++test.directions;
+  }
+  if (test.directions > 0) test.spread = std::sqrt(std::max(test.fall - test.directions, 0.0) / S.trace());
+  const Restricted without(rows, Vector::Zero(1)), with(rows, Vector::Constant(1, test.spread));
+  if (!with.determined) return test;
+  const auto variance = [](const Restricted& at) { return solve_symmetric(at.H, Vector::Unit(at.H.rows(), 0))[0]; };
+  test.change = with.step[0] - without.step[0];
+  test.widening = std::sqrt(std::max(variance(with) / variance(without), 0.0));
+  return test;
+}
+
+std::optional<double> jackknife_error(const Matrix& J, const Vector& r, const Groups& groups) {
+  if (groups.size() < 2) return std::nullopt;
+  const Matrix H = J.transpose() * J;
+  const Vector g = J.transpose() * r;
+  double sum = 0, squares = 0;
+  const auto n = static_cast<double>(groups.size());
+  for (const auto& group : groups) {
+    const Matrix of_group = J(group, Eigen::all), rest = H - of_group.transpose() * of_group;
+    if (!log_determinant(rest)) return std::nullopt;
+    const double change = solve_symmetric(rest, of_group.transpose() * r(group) - g)[0];
+    sum += change;
+    squares += change * change;
+  }
+  return std::sqrt((n - 1) / n * std::max(squares - sum * sum / n, 0.0));
+}
+
+GroupWhitening::GroupWhitening(Matrix Z, const Vector& spread, const Groups& groups) : groups_(groups) {
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    Matrix left = Z(groups[g], Eigen::all) * spread.asDiagonal();
+    // One effect after the other: (1 + z z')^-1/2 leaves those that follow with other columns.
+    for (Eigen::Index q = 0; q < left.cols(); ++q) {
+      const double square = left.col(q).squaredNorm();
+      if (!(square > 0)) continue;
+      const Direction direction{left.col(q) / std::sqrt(square), 1 / std::sqrt(1 + square) - 1, g};
+      left += direction.factor * direction.z * (direction.z.transpose() * left);
+      directions_.push_back(direction);
+      log_determinant_ += std::log1p(square);
+    }
+  }
+}
+
+void GroupWhitening::apply(std::span<double> values, std::size_t stride) const {
+  for (const Direction& direction : directions_) {
+    const auto& rows = groups_[direction.group];
+    double along = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      along += direction.z[static_cast<Eigen::Index>(i)] * values[rows[i] * stride];
+    along *= direction.factor;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      values[rows[i] * stride] += along * direction.z[static_cast<Eigen::Index>(i)];
+  }
+}
+
+}  // namespace mixity

@@ -1,0 +1,90 @@
+// Effects that differ from group to group by chance, in a linear model with noise of variance 1: the residuals of group
+// g are J t + Z_g b_g + e, with b_g normal and of a standard deviation, its spread, for each effect.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solver/linear_algebra.h"
+
+namespace mixity {
+
+/// Indices of the rows of each group.
+using Groups = std::vector<std::vector<std::size_t>>;
+
+/// Sums over the rows of one group and over all rows, with k effects and p parameters.
+struct GroupedRows {
+  struct Group {
+    Eigen::MatrixXd Z_Z;  // [k x k]
+    Eigen::MatrixXd J_Z;  // [p x k]
+    Eigen::VectorXd Z_r;  // [k]
+  };
+  Eigen::MatrixXd J_J;  // [p x p], with the priors
+  Eigen::VectorXd J_r;  // [p], with the priors
+  double r_r = 0;
+  Eigen::Index rows = 0;  // that belong to data
+  std::vector<Group> groups;
+};
+
+/// J: rows of the data, then of the priors, as in r. Z: [data x k].
+GroupedRows grouped_rows(const Eigen::MatrixXd& J, const Eigen::VectorXd& r, const Eigen::MatrixXd& Z,
+                         const Groups& groups);
+
+/// Spreads of greatest restricted likelihood (Pinheiro & Bates 2000, Mixed-Effects Models in S and S-PLUS, 2.2).
+struct Spreads {
+  Eigen::VectorXd spread;                  // [k], 0 or above, to 1e-9
+  std::vector<Eigen::VectorXd> deviation;  // of each group: the most probable b_g
+  double freedom;                          // of the variance of the first parameter (Satterthwaite 1946)
+};
+/// Null where the parameters are not determined.
+std::optional<Spreads> restricted_spreads(const GroupedRows& rows);
+/// The most probable deviations with these spreads, at the parameters of the rows or with the parameters free; empty
+/// where these are not determined.
+enum class Fixed { yes, no };
+std::vector<Eigen::VectorXd> most_probable(const GroupedRows& rows, const Eigen::VectorXd& spread, Fixed parameters);
+
+/// What is left of the residuals beside J t and Z_g b_g, all at their most probable values: 1 - leverage of each row of
+/// the data, by which the noise is estimated.
+Eigen::VectorXd shares_of_noise(const Eigen::MatrixXd& J, const Eigen::MatrixXd& Z, const Groups& groups,
+                                const Eigen::VectorXd& spread);
+
+/// Where one effect differs between the groups.
+struct GroupTest {
+  struct One {
+    double fall = 0, value = 0;       // of the sum of squares with that deviation free; the deviation
+    double change = 0, widening = 1;  // of the first parameter then, and the factor on its standard error
+  };
+  double fall = 0, directions = 0;  // with each group's deviation free; how many are not those of the parameters
+  std::vector<One> groups;          // one group alone
+  One along{};                      // of all groups, in proportion to `course`
+  double spread = 0;                // by moments (DerSimonian & Laird 1986)
+  double change = 0, widening = 1;  // as above, with deviations of that spread
+};
+/// Rows with one effect; `course`: a number for each group. Null where the parameters are not determined.
+std::optional<GroupTest> test_groups(const GroupedRows& rows, std::span<const double> course);
+
+/// Standard error of the first parameter by leaving out each group in turn, to first order (Tukey 1958); null of fewer
+/// than two groups or where the rest does not determine it.
+std::optional<double> jackknife_error(const Eigen::MatrixXd& J, const Eigen::VectorXd& r, const Groups& groups);
+
+/// Makes rows independent whose noise is e + Z_g b_g.
+class GroupWhitening {
+ public:
+  GroupWhitening(Eigen::MatrixXd Z, const Eigen::VectorXd& spread, const Groups& groups);
+  /// In place; `stride`: from one row to the next.
+  void apply(std::span<double> values, std::size_t stride = 1) const;
+  double log_determinant() const { return log_determinant_; }
+
+ private:
+  struct Direction {
+    Eigen::VectorXd z;  // of unit length
+    double factor;      // its part of a row is multiplied by 1 + factor
+    std::size_t group;
+  };
+  Groups groups_;
+  std::vector<Direction> directions_;
+  double log_determinant_ = 0;
+};
+
+}  // namespace mixity

@@ -1,0 +1,110 @@
+// Experiments whose runs differ: the difference is named, and a fit with it holds the truth.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fitting/fit.h"
+#include "fitting/measured_runs.h"
+
+namespace mixity {
+namespace run_differences_test {
+
+constexpr double kTruth = 0.15;
+
+/// Eight runs of 30 points, with 1 % of noise that is not stated.
+Dataset runs(unsigned seed) {
+  SeededNoise noise(seed, 0.01), shear(seed + 1000, 0.01);
+  Dataset data = synthetic_runs("c", {kTruth}, {5, -1, 30, 0.5, 12, 2, 20, 8}, 30, 0.9, noise);
+  for (Point& point : data.points) point.T *= 1 + shear();
+  data.contact = Contact{0.01, 2e6, 0.03};
+  data.metadata.radius = 0.01;
+  data.metadata.modulus = 2e6;
+  data.metadata.toughness = 0.03;
+  data.display.force_scale = data.contact->force_unit();
+  data.display.area_scale = data.contact->area_unit();
+  return data;
+}
+
+void scale_areas(Dataset& data, const std::vector<double>& factors) {
+  for (Point& point : data.points) point.A *= factors[point.curve];
+}
+
+void expect_truth(const FitResult& fit) {
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
+  EXPECT_NEAR(*fit.parameters[0].value, kTruth, 3.5 * *fit.parameters[0].stderr_);
+}
+
+TEST(RunDifferences, AreNotFoundWhereRunsAreAlike) {
+  int suspect = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) suspect += fit_model(runs(seed), "c").status == FitStatus::suspect;
+  EXPECT_LE(suspect, 4);  // 2 % are allowed; more than 4 of 60 have a probability of 1 % then
+}
+
+TEST(RunDifferences, AreNamedAndFittedByRun) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    Dataset data = runs(seed);
+    scale_areas(data, {1.01, 0.985, 1.012, 0.99, 0.995, 1.02, 0.99, 1.005});
+    const FitResult fit = fit_model(data, "c");
+    EXPECT_EQ(fit.status, FitStatus::suspect);
+    ASSERT_FALSE(fit.explanations.empty()) << fit.message.text();
+    EXPECT_EQ(fit.explanations[0].cause, "area_scale");
+    EXPECT_EQ(fit.explanations[0].remedy.text(), "by_run = \"area_scale\"");
+    FitOptions with;
+    with.by_run = {"area_scale"};
+    const FitResult again = fit_model(data, "c", with);
+    expect_truth(again);
+    ASSERT_TRUE(again.errors->runs.any());
+    EXPECT_NEAR(again.errors->runs.spreads[0], 0.012, 0.006);  // what eight runs tell to a quarter, as drawn above
+  }
+}
+
+TEST(RunDifferences, NameOneRunThatIsOdd) {
+  Dataset data = runs(4);
+  scale_areas(data, {1, 1, 1, 1.05, 1, 1, 1, 1});
+  const FitResult fit = fit_model(data, "c");
+  ASSERT_FALSE(fit.explanations.empty()) << fit.message.text();
+  EXPECT_EQ(fit.explanations[0].run, data.curves[3]);
+  EXPECT_TRUE(fit.explanations[0].remedy.text().starts_with("leave_out")) << fit.explanations[0].remedy.text();
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+    if (data.points[i].curve != 3) others.push_back(i);
+  expect_truth(fit_model(data, "c", {}, &others));
+}
+
+TEST(RunDifferences, NameADriftAndFitIt) {
+  Dataset data = runs(5);
+  std::vector<double> factors;
+  for (int run = 0; run < 8; ++run) factors.push_back(std::pow(1 + 0.06 * (run / 7.0 - 0.5), -2.0 / 3));
+  scale_areas(data, factors);
+  const FitResult fit = fit_model(data, "c");
+  ASSERT_FALSE(fit.explanations.empty()) << fit.message.text();
+  EXPECT_EQ(fit.explanations[0].cause, "modulus_drift");
+  FitOptions with;
+  with.free = {kModulusDrift};
+  const FitResult again = fit_model(data, "c", with);
+  expect_truth(again);
+  EXPECT_NEAR(*again.parameters[1].value, 0.06, 3.5 * *again.parameters[1].stderr_);
+}
+
+TEST(RunDifferences, NameAContactThatIsNoCircle) {
+  Dataset data = runs(6);
+  const std::vector<PointPlace> at = places(data);
+  for (std::size_t i = 0; i < at.size(); ++i) data.points[i].A *= std::exp(2 * 0.02 * at[i].stretch);
+  const FitResult fit = fit_model(data, "c");
+  ASSERT_FALSE(fit.explanations.empty()) << fit.message.text();
+  EXPECT_EQ(fit.explanations[0].cause, "shape");
+  FitOptions with;
+  with.free = {kShape};
+  expect_truth(fit_model(data, "c", with));
+}
+
+/// However certain: less than a quarter of the interval.
+TEST(RunDifferences, OfManyPointsThatDoNotMatterAreNotSuspect) {
+  RunTest::Way way{100, 1e-20, 0.001, 0.3, 1.1};
+  EXPECT_FALSE(way.matters());
+  way.change = -1.1;
+  EXPECT_TRUE(way.matters());
+}
+
+}  // namespace run_differences_test
+}  // namespace mixity
