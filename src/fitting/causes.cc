@@ -171,6 +171,14 @@ void describe(const Case& of, Cause& cause) {
   cause.fit = std::move(without);
 }
 
+/// Whether a fit is far off whatever the proportions of the errors.
+bool is_hopeless(const Dataset& data, const FitResult& fit) {
+  constexpr double kSurely = 1e-6;
+  if (!is_found(fit) || fit.residuals.empty()) return true;
+  const ResidualTests tests = test_consistency(data, fit).residuals;
+  return is_far(tests) || tests.course_p < kSurely;
+}
+
 }  // namespace
 
 double misfit(const FitResult& fit) {
@@ -180,13 +188,35 @@ double misfit(const FitResult& fit) {
 }
 
 std::vector<Cause> causes(const Case& of, const Points& points, double range) {
-  std::vector<Cause> list;
-  for (const Constant constant : suspected_constants(of.fit)) list.push_back(with_free(of, constant, points));
-  for (const std::string& quantity : differing_quantities(of.fit)) list.push_back(by_run(of, quantity, points));
-  std::erase_if(list, [&](const Cause& one) {
+  constexpr std::size_t kSome = 50;
+  // A cause that does not explain some of many points does not explain all, except in one case of ten thousand.
+  const Points some = thinned(points, kSome);
+  const bool many = points.size() >= 2 * kSome;
+  const auto explained = [&](const Cause& one) {
     const bool lost = one.kind == Cause::Kind::runs && !(one.fit.errors && one.fit.errors->runs.any());
-    return lost || !is_found(one.fit) || !explains(of.data, one.fit);
-  });
+    return !lost && is_found(one.fit) && explains(of.data, one.fit);
+  };
+  std::vector<Cause> list;
+  const auto consider = [&](const Case& with, const auto& cause) {
+    if (many && !explained(cause(with, some))) return;
+    if (Cause one = cause(with, points); explained(one)) list.push_back(std::move(one));
+  };
+  // Where another model has won, errors need not be estimated with each cause, and runs that differ set nothing right.
+  FitOptions bare = of.options;
+  bare.fitted_errors = false;
+  const Case by_readings{of.data, of.fit, bare, of.refit, of.left_behind};
+  for (const Constant constant : suspected_constants(of.fit)) {
+    const auto cause = [&](const Case& with, const Points& which) { return with_free(with, constant, which); };
+    if (of.left_behind)
+      consider(by_readings, cause);
+    else if (!is_hopeless(of.data, cause(by_readings, some).fit))
+      consider(of, cause);
+  }
+  // A course that all runs share is no difference between them.
+  const bool shared = of.fit.consistency && of.fit.consistency->residuals.course_p < kChance;
+  if (!of.left_behind && !shared)
+    for (const std::string& quantity : differing_quantities(of.fit))
+      consider(of, [&](const Case& with, const Points& which) { return by_run(with, quantity, which); });
   for (Cause& one : list) one.misfit = misfit(one.fit);
   std::stable_sort(list.begin(), list.end(), [](const Cause& x, const Cause& y) { return x.misfit < y.misfit; });
   std::erase_if(

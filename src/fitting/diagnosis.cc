@@ -8,14 +8,6 @@
 namespace mixity {
 namespace {
 
-/// Every n-th point if there are more than enough.
-Points thinned(const Points& points, std::size_t enough) {
-  const std::size_t step = points.size() / enough + 1;
-  Points some;
-  for (std::size_t i = 0; i < points.size(); i += step) some.push_back(points[i]);
-  return some;
-}
-
 std::string lambda_text(const FitResult& fit) {
   for (const FittedParameter& one : fit.parameters)
     if (!one.held && one.value && !one.prior) return one.name + " = " + rounded(*one.value, 4);

@@ -61,6 +61,13 @@ std::size_t onset(const Points& run, const std::vector<bool>& off) {
 
 }  // namespace
 
+Points thinned(const Points& points, std::size_t enough) {
+  const std::size_t step = points.size() / enough + 1;
+  Points some;
+  for (std::size_t i = 0; i < points.size(); i += step) some.push_back(points[i]);
+  return some;
+}
+
 bool is_found(const FitResult& fit) { return has_minimum(fit) && fit.freedom() > 0; }
 
 double per_freedom(const FitResult& fit) { return comparable_squares(fit) / static_cast<double>(fit.freedom()); }

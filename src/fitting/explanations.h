@@ -20,6 +20,9 @@ struct Case {
   bool left_behind;  // see diagnose
 };
 
+/// Every n-th point if there are more than enough.
+Points thinned(const Points& points, std::size_t enough);
+
 /// A refit with a minimum and more points than parameters.
 bool is_found(const FitResult& fit);
 

@@ -40,7 +40,7 @@ Verdict Fitter::minimum_with_its_errors() {
 /// and estimates those that come from the scatter, until nothing changes. x: the minimum with them. False, with the
 /// errors as before, where the model does not describe the data.
 bool Fitter::settle_errors(std::vector<double>& x) {
-  constexpr int kRounds = 40, kRoundsOfTrial = 12, kNextIterations = 15;
+  constexpr int kRounds = 40, kRoundsOfTrial = 8, kNextIterations = 15;
   // The rounds of each stage. Runs that differ are linearised at a first fit that may be far off.
   const bool by_run = !options_.by_run.empty();
   const int more = by_run ? 6 : 0, weighting = 2 + more, choosing = 4 + more, refining = 12 + more;
@@ -81,8 +81,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     const bool first = round == 0 && !by_run, last = round == weighting;
     const auto course =
         first || last || round == choosing ? test_course(data_, prepared_.used, nearest->residuals) : std::nullopt;
-    const bool off = ((first || last) && course && course->p_value < (first ? kSurely : kChance)) ||
-                     (round == choosing && !course && models.correlations.any());
+    const bool off =
+        ((first || last) && course && course->p_value < (first && purpose_ != Purpose::tried ? kSurely : kChance)) ||
+        (round == choosing && !course && models.correlations.any());
     if (off) {
       errors = by_neighbours;
       problem_ = make_problem(data_, options_, prepared_);

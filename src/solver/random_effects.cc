@@ -61,7 +61,7 @@ struct Restricted {
 
 /// The spread of effect q of greatest likelihood, the others as in `spread`.
 double best_spread(const GroupedRows& rows, Vector spread, Eigen::Index q) {
-  constexpr double kStep = 0.5;    // of ln(spread), in which the maximum is bracketed
+  constexpr double kStep = 1;      // of ln(spread), in which the maximum is bracketed
   constexpr double kLeast = 1e-4;  // of what one group tells: less makes no difference
   constexpr double kMost = 1e4;
   double information = 0;
