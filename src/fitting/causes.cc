@@ -225,6 +225,25 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
   return list;
 }
 
+std::optional<Cause> shape_instead_of_memory(const Case& of) {
+  const bool correlate = of.fit.errors && of.fit.errors->correlations.any();
+  if (!correlate || !of.fit.budget || of.fit.loss_scale > 0 || !is_found(of.fit)) return std::nullopt;
+  const bool exact = std::any_of(of.fit.budget->exact.begin(), of.fit.budget->exact.end(),
+                                 [](const ExactConstant& one) { return one.constant == kConstantNames[kShape]; });
+  if (!exact) return std::nullopt;
+  Cause cause = with_free(of, kShape, of.fit.used);
+  if (!is_found(cause.fit) || !explains(of.data, cause.fit)) return std::nullopt;
+  cause.misfit = misfit(cause.fit);
+  const FittedParameter *const before = find_parameter(of.fit.parameters, of.fit.budget->parameter),
+                               *const after = find_parameter(cause.fit.parameters, of.fit.budget->parameter);
+  if (!before || !after || !before->stderr_ || !after->value) return std::nullopt;
+  const double change = (*after->value - *before->value) / *before->stderr_;
+  const bool without = !(cause.fit.errors && cause.fit.errors->correlations.any());
+  if (!without || cause.misfit > misfit(of.fit) + kAboutAsWell || !moves_or_widens(change, 1)) return std::nullopt;
+  describe(of, cause);
+  return cause;
+}
+
 bool runs_differ(const FitResult& fit, double chance) {
   const double tests = static_cast<double>(fit.run_tests.size());
   return std::any_of(fit.run_tests.begin(), fit.run_tests.end(), [&](const RunTest& test) {

@@ -50,4 +50,8 @@ struct Diagnosis {
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
                    bool left_behind);
 
+/// Of a fit that passes its tests, the explanation that is better nevertheless (shape_instead_of_memory); no reason if
+/// there is none.
+Diagnosis second_thought(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit);
+
 }  // namespace mixity

@@ -74,7 +74,6 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
   const Message failed = failed_test(fit);
   if (failed.empty() || !fit.budget || fit.loss_scale > 0) return {failed, {}, {}};
   constexpr std::size_t kEnough = 5000;  // points to distinguish causes
-  constexpr double kAboutAsWell = 6;     // in -2 ln L
   const Case of{data, fit, options, refit, left_behind};
   const Points points = thinned(fit.used, kEnough);
   const bool all_points = points.size() == fit.used.size();
@@ -99,6 +98,19 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
   if (!wrong_constant(fit) && !runs_differ(fit, kChance)) return {failed, {}, {}};
   return {
       "no single cause among constants and runs explains the points: the model is wrong, or several of them", {}, {}};
+}
+
+Diagnosis second_thought(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit) {
+  const auto cause = shape_instead_of_memory({data, fit, options, refit, false});
+  if (!cause) return {};
+  Explanation memory{"memory", "", "noise with a memory", Message(), first_free(fit), 0};
+  Explanation shape{
+      cause->name, cause->run, cause->size, cause->remedy, first_free(cause->fit), cause->misfit - misfit(fit)};
+  return {cause->size + " (" + lambda_text(cause->fit) + "; " + cause->remedy + "), or the noise of T has a memory (" +
+              lambda_text(fit) +
+              "): both explain the points about as well; a separate measurement of the shape would tell",
+          comparable_squares(cause->fit),
+          {std::move(shape), std::move(memory)}};
 }
 
 }  // namespace mixity

@@ -55,7 +55,12 @@ void find_cause(const Dataset& data, FitResult& result, const FitOptions& option
                           const std::vector<FittedParameter>* near) {
     return fit(data, result.model, with, Purpose::tried, &points, near);
   };
-  const auto [reason, explained, explanations] = diagnose(data, result, value_only(options), refit, left_behind);
+  Diagnosis found = diagnose(data, result, value_only(options), refit, left_behind);
+  if (found.reason.empty() && result.status == FitStatus::ok && options.checks) {
+    found = second_thought(data, result, value_only(options), refit);
+    if (!found.reason.empty()) result.status = FitStatus::suspect;
+  }
+  const auto& [reason, explained, explanations] = found;
   if (reason.empty()) return;
   result.explained = explained;
   result.explanations = explanations;
