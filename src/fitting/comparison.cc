@@ -51,10 +51,12 @@ std::vector<std::optional<double>> probabilities(const std::vector<FitResult>& f
   const std::size_t most = most_points(fits);
   std::vector<std::optional<double>> logarithms;
   for (const FitResult& one : fits) {
-    const bool comparable = one.used.size() == most;
-    if (comparable && !one.evidence) return std::vector<std::optional<double>>(fits.size());
+    const bool comparable = one.used.size() == most && one.evidence;
     logarithms.push_back(comparable ? std::optional(one.evidence->evidence.log_evidence) : std::nullopt);
   }
+  const auto known =
+      std::count_if(logarithms.begin(), logarithms.end(), [](const auto& one) { return one.has_value(); });
+  if (known < 2 && fits.size() > 1) return std::vector<std::optional<double>>(fits.size());
   return shares(std::move(logarithms));
 }
 

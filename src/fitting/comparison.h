@@ -41,8 +41,8 @@ struct LeftOut {
 /// one of them has no value or no equilibrium.
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options);
 
-/// From the evidence, all models equally probable beforehand. Null for fits of fewer points than others, and for all if
-/// one of the rest has no evidence.
+/// From the evidence, all models equally probable beforehand. Null for fits of fewer points than others or
+/// without evidence, and for all if one alone of several has it.
 std::vector<std::optional<double>> probabilities(const std::vector<FitResult>& fits);
 
 struct ComparedModel {

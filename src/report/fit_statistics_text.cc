@@ -139,9 +139,15 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
     out << '\n';
     if (fit.errors->absolute() && fit.rmse && fit.used.size() > fit.free_parameters && fit.loss_scale == 0) {
       const double freedom = static_cast<double>(fit.used.size() - fit.free_parameters);
-      out << "    chi^2 per degree of freedom = " << rounded(fit.sum_of_squares / freedom, 3)
-          << (fit.sum_of_squares > 2 * freedom ? ": the scatter is larger than these errors; intervals are too narrow\n"
-                                               : "\n");
+      constexpr double kFew = 10;  // of fewer points a small chi^2 says little
+      const double part = fit.sum_of_squares / freedom;
+      out << "    chi^2 per degree of freedom = " << rounded(part, 3);
+      if (part > 2)
+        out << ": the scatter is larger than these errors; intervals are too narrow";
+      else if (part < 0.5 && freedom > kFew)
+        out << ": these errors are " << rounded(1 / std::sqrt(part), 2)
+            << " times what the points scatter; the interval is that of the errors as stated";
+      out << '\n';
     }
   }
   if (fit.loss_scale > 0)

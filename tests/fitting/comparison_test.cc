@@ -159,6 +159,10 @@ TEST(CompareModels, GivesEachAProbabilityByItsEvidence) {
   }
   EXPECT_NEAR(sum, 1, 1e-12);
   fits[1].evidence.reset();
+  const std::vector<ComparedModel> others = compare_models(data, fits, curve_options());
+  EXPECT_FALSE(others[1].probability);
+  EXPECT_NEAR(*others[0].probability + *others[2].probability, 1, 1e-12);
+  fits[2].evidence.reset();
   EXPECT_FALSE(compare_models(data, fits, curve_options())[0].probability);
 }
 
