@@ -49,7 +49,11 @@ const ComparedModel* winner(const Analysis& result) {
 
 void reject_for_unsheared_areas(Analysis& result) {
   constexpr double kLevel = 3e-4;  // keeps the false alarms of this further test below one in a hundred
-  if (!result.unsheared || !(result.unsheared->p_value < kLevel) || !result.request.options.free.empty()) return;
+  const FitRequest& request = result.request;
+  // With constants that are fitted, or that differ between runs, the areas need not agree with those that were stated.
+  const bool as_stated = request.options.free.empty() && request.options.by_run.empty() && request.drift.empty() &&
+                         request.exclusion.unsheared == Unsheared::in;
+  if (!result.unsheared || !(result.unsheared->p_value < kLevel) || !as_stated) return;
   if (objective_of(result) != Objective::curve || result.request.options.loss != Loss::none) return;
   for (FitResult& fit : result.fits)
     if (fit.status == FitStatus::ok) {
