@@ -101,7 +101,6 @@ Cause with_free(const Case& of, Constant constant, const Points& points) {
           {},
           {},
           remedy_of(constant),
-          options,
           points,
           of.refit(options, points, &of.fit.parameters),
           0};
@@ -115,7 +114,6 @@ Cause by_run(const Case& of, const std::string& quantity, const Points& points) 
           {},
           {},
           Remedy::set("by_run", quantity),
-          options,
           points,
           of.refit(options, points, &of.fit.parameters),
           0};
@@ -166,7 +164,6 @@ void describe(const Case& of, Cause& cause) {
   cause.size = cause.name + alike + " of run " + name + " differs from that of the others by " +
                size_text(of.data, cause.name, runs.deviations[q][*odd]);
   cause.remedy = Remedy::set("leave_out", name) + " or " + Remedy::set("by_run", cause.name);
-  cause.options = of.options;
   cause.points = std::move(others);
   cause.fit = std::move(without);
 }

@@ -13,12 +13,11 @@ namespace mixity {
 struct Cause {
   enum class Kind { constant, runs, one_run };
   Kind kind;
-  std::string name;    // of the constant, or of the quantity that differs
-  std::string run;     // of one_run
-  Message size;        // what it would be: a clause
-  Message remedy;      // the option that fits it
-  FitOptions options;  // with it
-  Points points;       // all, or without the run
+  std::string name;  // of the constant, or of the quantity that differs
+  std::string run;   // of one_run
+  Message size;      // what it would be: a clause
+  Message remedy;    // the option that fits it
+  Points points;     // all, or without the run
   FitResult fit;
   double misfit;  // -2 ln L, to be compared with that of other causes
 };

@@ -84,19 +84,23 @@ std::optional<Decorrelation> neighbours_of(const Dataset& data, std::span<const 
                        errors.correlations);
 }
 
+std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, std::span<const std::size_t> used,
+                                                const StandardErrors& errors,
+                                                const std::optional<Decorrelation>& neighbours) {
+  if (errors.runs.spreads.empty()) return std::nullopt;
+  Eigen::MatrixXd Z(static_cast<Eigen::Index>(used.size()), static_cast<Eigen::Index>(errors.runs.columns.size()));
+  for (std::size_t q = 0; q < errors.runs.columns.size(); ++q) {
+    std::vector<double> column = of_points(errors.runs.columns[q], used);
+    if (neighbours) neighbours->apply(column);
+    Z.col(static_cast<Eigen::Index>(q)) = as_vector(column);
+  }
+  return GroupWhitening(std::move(Z), as_vector(errors.runs.spreads), used_runs(data, used).groups);
+}
+
 std::shared_ptr<const Whitening> whitening_of(const Dataset& data, std::span<const std::size_t> used,
                                               const StandardErrors& errors) {
   auto neighbours = neighbours_of(data, used, errors);
-  std::optional<GroupWhitening> runs;
-  if (!errors.runs.spreads.empty()) {
-    Eigen::MatrixXd Z(static_cast<Eigen::Index>(used.size()), static_cast<Eigen::Index>(errors.runs.columns.size()));
-    for (std::size_t q = 0; q < errors.runs.columns.size(); ++q) {
-      std::vector<double> column = of_points(errors.runs.columns[q], used);
-      if (neighbours) neighbours->apply(column);
-      Z.col(static_cast<Eigen::Index>(q)) = as_vector(column);
-    }
-    runs.emplace(std::move(Z), as_vector(errors.runs.spreads), used_runs(data, used).groups);
-  }
+  auto runs = whitening_of_runs(data, used, errors, neighbours);
   if (!neighbours && !runs) return nullptr;
   return std::make_shared<Whitening>(std::move(neighbours), std::move(runs));
 }

@@ -12,9 +12,7 @@
 namespace mixity {
 namespace {
 
-double first_variance(const Eigen::MatrixXd& J) {
-  return solve_symmetric(J.transpose() * J, Eigen::VectorXd::Unit(J.cols(), 0))[0];
-}
+constexpr std::size_t kMostRuns = 200;  // the cost grows with its cube
 
 /// Spreads so large that they are no prior: far more than any run tells.
 Eigen::VectorXd free_spreads(const RunRows& rows, const Groups& groups) {
@@ -35,7 +33,6 @@ Eigen::VectorXd free_spreads(const RunRows& rows, const Groups& groups) {
 std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<double>& x, NearestPlaces& nearest,
                                                          std::vector<double>& leverage, const ErrorModels& models,
                                                          bool& apart) const {
-  constexpr std::size_t kMostRuns = 200;
   const Groups groups = used_runs(data_, prepared_.used).groups;
   const bool may_be_memory = prepared_.errors->correlations.any() && !apart;
   if (groups.size() < 2 || groups.size() > kMostRuns || may_be_memory) return {};
@@ -125,7 +122,6 @@ void Fitter::widen_by_jackknife(const RunRows& rows, const Groups& groups) {
 
 /// Tests each quantity that is not fitted by run: whether it differs, in one run or in all, or in their order.
 void Fitter::test_runs(const std::vector<double>& x) {
-  constexpr std::size_t kMostRuns = 200;  // the cost grows with its cube
   result_.run_tests.clear();
   const bool curves = prepared_.objective == Objective::curve && data_.has_loads && prepared_.errors;
   const UsedRuns in_runs = used_runs(data_, prepared_.used);
@@ -147,22 +143,13 @@ void Fitter::test_runs(const std::vector<double>& x) {
   if (!(unit > 0)) return;
   auto rows = run_rows(data_, options_, prepared_, x, residuals, tested, unit);
   if (!rows) return;
-  const double variance = first_variance(rows->J);
-  if (!(variance > 0)) return;
   // What is fitted by run is no news.
-  if (const RunDifferences& fitted = prepared_.errors->runs; fitted.any()) {
-    const auto neighbours = neighbours_of(data_, prepared_.used, *prepared_.errors);
-    Eigen::MatrixXd Z(rows->Z.rows(), static_cast<Eigen::Index>(fitted.columns.size()));
-    for (std::size_t q = 0; q < fitted.columns.size(); ++q) {
-      std::vector<double> column = of_points(fitted.columns[q], prepared_.used);
-      if (neighbours) neighbours->apply(column);
-      Z.col(static_cast<Eigen::Index>(q)) = as_vector(column);
-    }
-    const GroupWhitening take_off(Z, as_vector(fitted.spreads), groups);
+  const auto neighbours = neighbours_of(data_, prepared_.used, *prepared_.errors);
+  if (const auto take_off = whitening_of_runs(data_, prepared_.used, *prepared_.errors, neighbours)) {
     const auto data = static_cast<std::size_t>(rows->Z.rows());
-    take_off.apply({rows->r.data(), data});
-    for (Eigen::Index k = 0; k < rows->J.cols(); ++k) take_off.apply({rows->J.col(k).data(), data});
-    for (Eigen::Index k = 0; k < rows->Zw.cols(); ++k) take_off.apply({rows->Zw.col(k).data(), data});
+    take_off->apply({rows->r.data(), data});
+    for (Eigen::Index k = 0; k < rows->J.cols(); ++k) take_off->apply({rows->J.col(k).data(), data});
+    for (Eigen::Index k = 0; k < rows->Zw.cols(); ++k) take_off->apply({rows->Zw.col(k).data(), data});
   }
   widen_by_jackknife(*rows, groups);
   std::vector<double> course;
@@ -174,9 +161,8 @@ void Fitter::test_runs(const std::vector<double>& x) {
     if (!test || !(test->directions > 0)) continue;
     const double freedom = rest - test->directions;
     if (!judged_by_scatter || freedom > 0)
-      result_.run_tests.push_back(run_test(data_, tested[q], *test, runs,
-                                           judged_by_scatter ? std::optional(freedom) : std::nullopt,
-                                           std::sqrt(variance)));
+      result_.run_tests.push_back(
+          run_test(data_, tested[q], *test, runs, judged_by_scatter ? std::optional(freedom) : std::nullopt));
   }
 }
 

@@ -18,20 +18,20 @@ namespace {
 std::vector<MeasuredPoint> measured_points(const Dataset& data, const PreparedFit& prepared) {
   std::vector<MeasuredPoint> points;
   points.reserve(prepared.used.size());
-  const bool varies =
-      has_changes(prepared.constants) || std::any_of(prepared.fitted.begin(), prepared.fitted.end(),
-                                                     [](const FittedConstant& one) { return is_change(one.constant); });
-  std::vector<PointPlace> at = varies ? places(data, prepared.errors ? prepared.errors->place_T : std::vector<double>())
-                                      : std::vector<PointPlace>(data.points.size());
-  if (prepared.errors)
-    for (std::size_t q = 0; q < prepared.errors->runs.names.size(); ++q)
-      if (const auto constant = constant_named(prepared.errors->runs.names[q]))
-        for (std::size_t i = 0; i < at.size(); ++i)
-          at[i].shift(*constant, prepared.errors->runs.deviations[q][data.points[i].curve]);
+  const bool by_run = prepared.errors && prepared.errors->runs.any();
+  const bool varies = by_run || has_changes(prepared.constants) ||
+                      std::any_of(prepared.fitted.begin(), prepared.fitted.end(),
+                                  [](const FittedConstant& one) { return is_change(one.constant); });
+  std::vector<PointPlace> at;  // empty where all points are alike
+  if (varies) at = places(data, prepared.errors ? prepared.errors->place_T : std::vector<double>());
+  for (std::size_t q = 0; by_run && q < prepared.errors->runs.names.size(); ++q)
+    if (const auto constant = constant_named(prepared.errors->runs.names[q]))
+      for (std::size_t i = 0; i < at.size(); ++i)
+        at[i].shift(*constant, prepared.errors->runs.deviations[q][data.points[i].curve]);
   for (const std::size_t i : prepared.used) {
     const Point& p = data.points[i];
     points.push_back({p.P, data.shear_as_read(i), p.A, prepared.errors ? prepared.errors->T[i] : 1.0,
-                      prepared.errors ? prepared.errors->A[i] : 1.0, at[i]});
+                      prepared.errors ? prepared.errors->A[i] : 1.0, varies ? at[i] : PointPlace{}});
   }
   return points;
 }

@@ -90,7 +90,7 @@ std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, 
 }
 
 RunTest run_test(const Dataset& data, const std::string& quantity, const GroupTest& test,
-                 const std::vector<std::size_t>& runs, std::optional<double> freedom, double standard_error) {
+                 const std::vector<std::size_t>& runs, std::optional<double> freedom) {
   const auto chance = [&](double fall, double directions) {
     if (!(directions > 0 && fall > 0)) return 1.0;
     return freedom ? fisher_p_value(fall / directions, directions, *freedom) : chi_squared_p_value(fall, directions);
@@ -99,7 +99,7 @@ RunTest run_test(const Dataset& data, const std::string& quantity, const GroupTe
   const bool relative = constant && is_factor(*constant);
   const ConstantUnit unit = shown_deviation(data, quantity);
   const auto way = [&](const GroupTest::One& one, double size, double p_value) {
-    return RunTest::Way{one.fall, p_value, size * unit.scale, one.change / standard_error, one.widening};
+    return RunTest::Way{one.fall, p_value, size * unit.scale, one.change, one.widening};
   };
   RunTest result{quantity, unit.text, relative, test.directions};
   result.all = way({test.fall, 0, test.change, test.widening}, test.spread, chance(test.fall, test.directions));

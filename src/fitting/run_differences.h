@@ -34,8 +34,8 @@ std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, 
 /// and load_offset.
 std::vector<std::string> tested_quantities(const Dataset& data, const PreparedFit& prepared);
 
-/// `freedom`: of errors whose size comes from the fit: F; null: chi^2. `standard_error`: of the first parameter.
+/// `freedom`: of errors whose size comes from the fit: F; null: chi^2.
 RunTest run_test(const Dataset& data, const std::string& quantity, const GroupTest& test,
-                 const std::vector<std::size_t>& runs, std::optional<double> freedom, double standard_error);
+                 const std::vector<std::size_t>& runs, std::optional<double> freedom);
 
 }  // namespace mixity

@@ -33,6 +33,11 @@ class Whitening {
   std::optional<GroupWhitening> runs_;
 };
 
+/// Of the quantities that are fitted by run, their columns made independent of `neighbours`; null where there are none.
+std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, std::span<const std::size_t> used,
+                                                const StandardErrors& errors,
+                                                const std::optional<Decorrelation>& neighbours);
+
 /// Null where residuals are independent.
 std::shared_ptr<const Whitening> whitening_of(const Dataset& data, std::span<const std::size_t> used,
                                               const StandardErrors& errors);

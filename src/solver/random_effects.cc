@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace mixity {
 namespace {
@@ -111,7 +110,7 @@ double satterthwaite(const GroupedRows& rows, const Vector& spread, const Restri
 }  // namespace
 
 GroupedRows grouped_rows(const Matrix& J, const Vector& r, const Matrix& Z, const Groups& groups) {
-  GroupedRows rows{J.transpose() * J, J.transpose() * r, r.squaredNorm(), Z.rows(), {}};
+  GroupedRows rows{J.transpose() * J, J.transpose() * r, r.squaredNorm(), {}};
   for (const auto& group : groups) {
     const Matrix Z_g = Z(group, Eigen::all);
     rows.groups.push_back({Z_g.transpose() * Z_g, J(group, Eigen::all).transpose() * Z_g, Z_g.transpose() * r(group)});
@@ -133,7 +132,7 @@ std::optional<Spreads> restricted_spreads(const GroupedRows& rows) {
     }
     if (k == 1 || change <= 1e-9) break;
   }
-  return Spreads{spread, most_probable(rows, spread, Fixed::no), satterthwaite(rows, spread, Restricted(rows, spread))};
+  return Spreads{spread, satterthwaite(rows, spread, Restricted(rows, spread))};
 }
 
 std::vector<Eigen::VectorXd> most_probable(const GroupedRows& rows, const Vector& spread, Fixed parameters) {
@@ -179,13 +178,12 @@ std::optional<GroupTest> test_groups(const GroupedRows& rows, std::span<const do
   const Matrix S = Matrix(d.asDiagonal()) - C.transpose() * solve_columns(rows.J_J, C);
   u -= C.transpose() * solve_symmetric(rows.J_J, rows.J_r);
   GroupTest test;
-  const double variance_of_first = solve_symmetric(rows.J_J, Vector::Unit(rows.J_J.rows(), 0))[0];
+  const double error = std::sqrt(solve_symmetric(rows.J_J, Vector::Unit(rows.J_J.rows(), 0))[0]);
   const auto one = [&](const Vector& c) {
     const double slope = c.dot(u), square = c.dot(S * c), scale = c.dot(d.asDiagonal() * c);
     if (!(square > kNone * scale)) return GroupTest::One{};
-    const double value = -slope / square, moved = solve_symmetric(rows.J_J, C * c)[0];
-    return GroupTest::One{slope * slope / square, value, -moved * value,
-                          std::sqrt(1 + moved * moved / square / variance_of_first)};
+    const double value = -slope / square, moved = solve_symmetric(rows.J_J, C * c)[0] / error;
+    return GroupTest::One{slope * slope / square, value, -moved * value, std::sqrt(1 + moved * moved / square)};
   };
   for (Eigen::Index i = 0; i < n; ++i) test.groups.push_back(one(Vector::Unit(n, i)));
   test.along = one(as_vector(course));
@@ -198,9 +196,9 @@ std::optional<GroupTest> test_groups(const GroupedRows& rows, std::span<const do
   if (test.directions > 0) test.spread = std::sqrt(std::max(test.fall - test.directions, 0.0) / S.trace());
   const Restricted without(rows, Vector::Zero(1)), with(rows, Vector::Constant(1, test.spread));
   if (!with.determined) return test;
-  const auto variance = [](const Restricted& at) { return solve_symmetric(at.H, Vector::Unit(at.H.rows(), 0))[0]; };
-  test.change = with.step[0] - without.step[0];
-  test.widening = std::sqrt(std::max(variance(with) / variance(without), 0.0));
+  const double variance = solve_symmetric(with.H, Vector::Unit(with.H.rows(), 0))[0];
+  test.change = (with.step[0] - without.step[0]) / error;
+  test.widening = std::sqrt(std::max(variance, 0.0)) / error;
   return test;
 }
 

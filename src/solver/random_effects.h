@@ -23,7 +23,6 @@ struct GroupedRows {
   Eigen::MatrixXd J_J;  // [p x p], with the priors
   Eigen::VectorXd J_r;  // [p], with the priors
   double r_r = 0;
-  Eigen::Index rows = 0;  // that belong to data
   std::vector<Group> groups;
 };
 
@@ -33,9 +32,8 @@ GroupedRows grouped_rows(const Eigen::MatrixXd& J, const Eigen::VectorXd& r, con
 
 /// Spreads of greatest restricted likelihood (Pinheiro & Bates 2000, Mixed-Effects Models in S and S-PLUS, 2.2).
 struct Spreads {
-  Eigen::VectorXd spread;                  // [k], 0 or above, to 1e-9
-  std::vector<Eigen::VectorXd> deviation;  // of each group: the most probable b_g
-  double freedom;                          // of the variance of the first parameter (Satterthwaite 1946)
+  Eigen::VectorXd spread;  // [k], 0 or above, to 1e-9
+  double freedom;          // of the variance of the first parameter (Satterthwaite 1946)
 };
 /// Null where the parameters are not determined.
 std::optional<Spreads> restricted_spreads(const GroupedRows& rows);
@@ -53,7 +51,7 @@ Eigen::VectorXd shares_of_noise(const Eigen::MatrixXd& J, const Eigen::MatrixXd&
 struct GroupTest {
   struct One {
     double fall = 0, value = 0;       // of the sum of squares with that deviation free; the deviation
-    double change = 0, widening = 1;  // of the first parameter then, and the factor on its standard error
+    double change = 0, widening = 1;  // of the first parameter then, in standard errors; factor on these
   };
   double fall = 0, directions = 0;  // with each group's deviation free; how many are not those of the parameters
   std::vector<One> groups;          // one group alone
