@@ -185,7 +185,7 @@ double misfit(const FitResult& fit) {
 }
 
 std::vector<Cause> causes(const Case& of, const Points& points, double range) {
-  constexpr std::size_t kSome = 50;
+  constexpr std::size_t kSome = 200;
   // A cause that does not explain some of many points does not explain all, except in one case of ten thousand.
   const Points some = thinned(points, kSome);
   const bool many = points.size() >= 2 * kSome;

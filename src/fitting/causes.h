@@ -28,9 +28,6 @@ double misfit(const FitResult& fit);
 /// The causes that explain the points, the best first, without those that are worse by more than `range`.
 std::vector<Cause> causes(const Case& of, const Points& points, double range);
 
-/// Explanations do about as well up to this difference in -2 ln L.
-inline constexpr double kAboutAsWell = 6;
-
 /// A contact that is no circle leaves residuals that look like noise of T with a memory. Where neighbours correlate,
 /// the fit with the shape free, if it does about as well without correlation and moves the first parameter by an amount
 /// that matters.

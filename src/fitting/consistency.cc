@@ -239,6 +239,10 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   result.residuals.together =
       mean_correlation(fit) > 0 && independent_points(fit) < kFew * static_cast<double>(runs.size());
   result.beyond = beyond_equilibrium(data, fit);
+  const bool by_squares = fit.objective == Objective::curve && fit.loss_scale == 0;
+  if (data.has_loads && by_squares && fit.errors && !fit.errors->A.empty())
+    if (const auto excess = excess_of_constant_areas(data, fit.used, unexpected(data, fit), fit.errors->A))
+      result.constant_areas = *excess / std::pow(residual_unit(fit), 2);
   return result;
 }
 

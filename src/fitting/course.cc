@@ -69,4 +69,33 @@ std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::
   return CourseTest{F, fisher_p_value(F, parts, freedom)};
 }
 
+std::optional<double> excess_of_constant_areas(const Dataset& data, std::span<const std::size_t> used,
+                                               std::span<const double> residuals, std::span<const double> sigma_A) {
+  constexpr double kEnough = 5, kEnoughInAll = 10;  // points of a run, and degrees of freedom
+  struct Run {
+    double points = 0, weights = 0, mean = 0, excess = 0;
+  };
+  std::vector<Run> runs(data.curves.size());
+  const auto weight = [&](std::size_t i) { return 1 / (sigma_A[used[i]] * sigma_A[used[i]]); };
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const Point& point = data.points[used[i]];
+    Run& run = runs[point.curve];
+    ++run.points;
+    run.weights += weight(i);
+    run.mean += weight(i) / run.weights * (point.A - run.mean);
+  }
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const Point& point = data.points[used[i]];
+    Run& run = runs[point.curve];
+    run.excess += weight(i) * (point.A - run.mean) * (point.A - run.mean) - residuals[i] * residuals[i];
+  }
+  double freedom = 0, excess = 0;
+  for (const Run& run : runs) {
+    if (run.points < kEnough) continue;
+    freedom += run.points - 1;
+    excess += run.excess;
+  }
+  return freedom < kEnoughInAll ? std::nullopt : std::optional(excess);
+}
+
 }  // namespace mixity

@@ -1,4 +1,5 @@
-// Whether residuals take the same course over T in all runs: a model does, noise does not, whatever its memory.
+// The course of areas and residuals along the runs. A wrong model takes the same course over T in all runs; noise does
+// not, whatever its memory.
 #pragma once
 
 #include <optional>
@@ -18,5 +19,11 @@ struct CourseTest {
 /// `used`: indices of the points of `residuals`. Null of fewer than three runs of ten points or more.
 std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used,
                                       std::span<const double> residuals);
+
+/// The squares, in standard errors of A, of the areas about one constant area in each run, less the squares of the
+/// residuals; of runs with enough points. Null if there are too few. As `test_course` otherwise; `sigma_A`: of each
+/// point of the data set.
+std::optional<double> excess_of_constant_areas(const Dataset& data, std::span<const std::size_t> used,
+                                               std::span<const double> residuals, std::span<const double> sigma_A);
 
 }  // namespace mixity

@@ -89,12 +89,13 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
           {one.name, one.run, one.size, one.remedy, first_free(one.fit), one.misfit - found.front().misfit});
     return diagnosis;
   }
-  if (left_behind) return {failed, {}, {}};
   const auto cut = sliding_is_tried(of, points) ? before_sliding(of, points, kFew) : std::nullopt;
   if (cut && explains(data, cut->fit)) return {sliding_text(of, whole, *cut, points.size()), {}, {}};
-  if (data.has_loads && fit.consistency && fit.consistency->residuals.ends_p < kChance)
+  if (!left_behind && data.has_loads && fit.consistency && fit.consistency->residuals.ends_p < kChance)
     if (const FitResult without = without_ends(of, whole, points); is_found(without) && explains(data, without))
-      return {failed + " without the last tenth of each run " + lambda_text(without), {}, {}};
+      return {"the model describes the points but for the last tenth of each run; without it " + lambda_text(without),
+              {},
+              {}};
   if (!wrong_constant(fit) && !runs_differ(fit, kChance)) return {failed, {}, {}};
   return {
       "no single cause among constants and runs explains the points: the model is wrong, or several of them", {}, {}};

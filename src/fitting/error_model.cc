@@ -223,7 +223,7 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   // While parts are chosen, factors would stand for them: areas of different runs differ.
   if (!choose && !T.known && !A.known) {
     std::vector<double> innovations = nearest.residuals;
-    Decorrelation(processes, models.correlations).apply(innovations);
+    Decorrelation(processes, {models.correlations}).apply(innovations);
     models.run_factors = run_factors(data, used, innovations, leverages, before);
   }
   return models;

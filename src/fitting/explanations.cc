@@ -133,9 +133,10 @@ FitResult without_ends(const Case& of, const FitResult& whole, const Points& poi
 bool explains(const Dataset& data, const FitResult& fit) {
   constexpr double kHardly = 1e-5;
   if (fit.residuals.empty()) return false;
-  const auto [chi2, chi2_p, tests, beyond] = test_consistency(data, fit);
-  return !runs_differ(fit, kHardly) && !wrong_constant(fit) && chi2_p.value_or(1) > kHardly && !is_far(tests) &&
-         tests.course_p > kHardly && !tests.together &&
+  const Consistency consistency = test_consistency(data, fit);
+  const ResidualTests& tests = consistency.residuals;
+  return !runs_differ(fit, kHardly) && !wrong_constant(fit) && consistency.chi2_p.value_or(1) > kHardly &&
+         !consistency.pinned() && !is_far(tests) && tests.course_p > kHardly && !tests.together &&
          (tests.coarse || (tests.runs_p > kHardly && tests.correlation_p > kHardly)) && tests.trend_p > kHardly &&
          tests.ends_p > kHardly;
 }

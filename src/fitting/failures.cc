@@ -48,14 +48,14 @@ Message failed_test(const FitResult& fit) {
         return part.constant + " lies " + rounded(std::abs(part.pull), 2) + " of its standard errors " +
                (part.pull < 0 ? "below" : "above") + " what was stated: check it";
   if (slides(fit)) return "points lie beyond the last equilibrium: cut the runs at the onset of sliding";
-  if (const ExactConstant* wrong = wrong_constant(fit))
-    return wrong->constant + " looks wrong: check it, state its standard error, or " +
-           Remedy::set("free", wrong->constant);
+  if (const ExactConstant* wrong = wrong_constant(fit)) return wrong->constant + " looks wrong";
+  if (fit.consistency && fit.consistency->pinned())
+    return "the areas stay constant along each run within their errors; a pinned contact would look the same, so the "
+           "runs do not determine the parameters";
   if (runs_differ(fit, kChance)) {
     const RunTest& most = *std::min_element(fit.run_tests.begin(), fit.run_tests.end(),
                                             [](const auto& x, const auto& y) { return x.all.p_value < y.all.p_value; });
-    return most.quantity + " differs between the runs (p = " + rounded(most.all.p_value, 2) + "): fit it with " +
-           Remedy::set("by_run", most.quantity);
+    return most.quantity + " differs between the runs (p = " + rounded(most.all.p_value, 2) + ")";
   }
   if (!fit.consistency) return {};
   const Consistency& tests = *fit.consistency;

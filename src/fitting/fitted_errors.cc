@@ -81,7 +81,7 @@ std::optional<Decorrelation> neighbours_of(const Dataset& data, std::span<const 
                                            const StandardErrors& errors) {
   if (!errors.correlations.any()) return std::nullopt;
   return Decorrelation(processes_of(data, used, of_points(errors.load_T, used), of_points(errors.load_A, used)),
-                       errors.correlations);
+                       {errors.correlations});
 }
 
 std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, std::span<const std::size_t> used,

@@ -91,8 +91,8 @@ FitResult Fitter::run() {
     add_resampled(*cost_, verdict, data_, options_, stretch(options_.progress, fitted, 1), result_);
   }
   add_goodness(x);
-  if (checked() && p > 0) test_residuals();
   suspect_wide_errors();
+  if (checked() && p > 0) test_residuals();
   return result_;
 }
 

@@ -16,6 +16,7 @@ namespace mixity {
 /// The minimum with errors that belong to it.
 Verdict Fitter::minimum_with_its_errors() {
   constexpr int kMost = 3;
+  constexpr double kSamePlace = 0.01;  // of chi^2: a tenth of a standard error, where the rounds ended early
   const StandardErrors at_first = *prepared_.errors;
   std::vector<double> x = !starting_.near.empty()      ? starting_.near
                           : !starting_.guesses.empty() ? starting_.guesses.back()
@@ -28,7 +29,9 @@ Verdict Fitter::minimum_with_its_errors() {
     // The errors may have been found in another basin than the lowest.
     std::vector<double> residuals(cost_->residual_count());
     const auto settled = x.empty() ? std::nullopt : sum_of_squares(*cost_, x, residuals);
-    const bool elsewhere = settled && !verdict.best.x.empty() && verdict.best.sum_of_squares < *settled * (1 - 1e-6);
+    const double unit = verdict.best.sum_of_squares / static_cast<double>(std::max<std::size_t>(residuals.size(), 1));
+    const bool elsewhere =
+        settled && !verdict.best.x.empty() && verdict.best.sum_of_squares < *settled - kSamePlace * unit;
     if (!elsewhere || again == kMost) return verdict;
     x = verdict.best.x;
     *prepared_.errors = at_first;
@@ -78,12 +81,12 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (by_run && !find_run_differences(x, *nearest, leverage, change)) return true;
     // A model that does not describe the data tells nothing of their errors. Of few runs nothing tells correlated
     // noise from a wrong model.
-    const bool first = round == 0 && !by_run, last = round == weighting;
-    const auto course =
-        first || last || round == choosing ? test_course(data_, prepared_.used, nearest->residuals) : std::nullopt;
-    const bool off =
-        ((first || last) && course && course->p_value < (first && purpose_ != Purpose::tried ? kSurely : kChance)) ||
-        (round == choosing && !course && models.correlations.any());
+    const auto course = round <= choosing ? test_course(data_, prepared_.used, nearest->residuals) : std::nullopt;
+    const double p_value = course ? course->p_value : 1;
+    const bool shared = p_value < kChance, tried = purpose_ == Purpose::tried, first = round == 0 && !by_run;
+    const bool off = (round == weighting && shared) || (first && tried && shared) ||
+                     ((first || tried) && p_value < kSurely) ||
+                     (round == choosing && !course && models.correlations.any());
     if (off) {
       errors = by_neighbours;
       problem_ = make_problem(data_, options_, prepared_);
@@ -96,7 +99,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
       continue;
     }
     std::vector<std::vector<double>> own;
-    if (!by_run && (apart || round < choosing)) own = take_runs_apart(x, *nearest, leverage, models, apart);
+    // A course that all runs share is no difference between them.
+    if (!by_run && (apart || (round < choosing && !shared)))
+      own = take_runs_apart(x, *nearest, leverage, models, apart);
     const auto found = estimated_errors(*nearest, leverage, models,
                                         round < weighting  ? Stage::weighting
                                         : round < choosing ? Stage::choosing

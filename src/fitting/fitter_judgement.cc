@@ -110,7 +110,7 @@ void Fitter::add_goodness(const std::vector<double>& x) {
 void Fitter::test_residuals() {
   const double rounding = 100 * residual_rounding(*problem_);
   const bool judged = result_.status == FitStatus::ok || result_.status == FitStatus::at_bound ||
-                      result_.status == FitStatus::multimodal;
+                      result_.status == FitStatus::multimodal || result_.status == FitStatus::suspect;
   if (!judged || result_.residuals.empty() || !(result_.sum_of_squares > rounding * rounding)) return;
   result_.consistency = test_consistency(data_, result_);
   // The scatter of ln f differs from point to point where it comes from loads and areas.

@@ -72,6 +72,7 @@ bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& grou
   if (!differ) return false;
   const auto by_neighbours = estimated_errors(nearest, leverage, models, Stage::choosing, {});
   if (!by_neighbours || !by_neighbours->correlations.any()) return true;
+  constexpr double kEnough = 1e-3;  // of a spread: ln L, which decides, is stationary there
   // In units of what is left within the runs.
   const Eigen::Index n = rows.Zw.rows();
   const GroupedRows whole = grouped_rows(rows.J, rows.r, rows.Zw, groups);
@@ -82,7 +83,7 @@ bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& grou
     for (const std::size_t i : groups[g])
       left[static_cast<Eigen::Index>(i)] += rows.Zw.row(static_cast<Eigen::Index>(i)).dot(within[g]);
   const double unit = left.norm() / std::sqrt(std::max(rest - static_cast<double>(2 * groups.size()), 1.0));
-  const auto spreads = restricted_spreads(grouped_rows(rows.J / unit, rows.r / unit, rows.Zw / unit, groups));
+  const auto spreads = restricted_spreads(grouped_rows(rows.J / unit, rows.r / unit, rows.Zw / unit, groups), kEnough);
   if (!spreads) return false;
   const GroupWhitening whitening(rows.Zw / unit, spreads->spread, groups);
   std::vector<double> r(rows.r.begin(), rows.r.begin() + n);

@@ -149,11 +149,18 @@ struct Outlier {
   double size;        // of its residual, model minus data, in standard errors
 };
 
+/// Explanations do about as well up to this difference in -2 ln L.
+inline constexpr double kAboutAsWell = 6;
+
 /// Tests of the assumptions of the fit.
 struct Consistency {
   std::optional<double> chi2_per_freedom, chi2_p;  // of known errors, without a robust loss
   ResidualTests residuals;
   std::vector<BeyondEquilibrium> beyond;  // runs that have such points
+  /// chi^2 of one constant area for each run, in the unit of the residuals, less that of the fit.
+  std::optional<double> constant_areas{};
+  /// Whether one area for each run describes the points about as well, as of a contact that is pinned.
+  bool pinned() const { return constant_areas.value_or(kAboutAsWell) < kAboutAsWell; }
 };
 
 /// Score test of a quantity that may differ between the runs, from the fit's own derivatives.

@@ -59,6 +59,8 @@ VectorXd solve_symmetric(const MatrixXd& H, const VectorXd& b) {
   return b.size() == 0 ? b : VectorXd(H.ldlt().solve(b));
 }
 
+MatrixXd solve_columns(const MatrixXd& H, const MatrixXd& B) { return B.size() == 0 ? B : MatrixXd(H.ldlt().solve(B)); }
+
 VectorXd solve_any(const MatrixXd& H, const VectorXd& b) { return H.fullPivLu().solve(b); }
 
 Projection project(const MatrixXd& J, const VectorXd& b, double independent) {

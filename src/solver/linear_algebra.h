@@ -49,6 +49,8 @@ Eigenvectors eigenvectors(const Eigen::MatrixXd& symmetric);
 
 /// H x = b for a symmetric H of any size, 0 too (LDL').
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& H, const Eigen::VectorXd& b);
+/// The same for each column of B.
+Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& H, const Eigen::MatrixXd& B);
 /// H x = b with full pivoting, for an H that may be singular.
 Eigen::VectorXd solve_any(const Eigen::MatrixXd& H, const Eigen::VectorXd& b);
 

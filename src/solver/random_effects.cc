@@ -1,7 +1,9 @@
 #include "solver/random_effects.h"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace mixity {
@@ -9,12 +11,6 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-
-Matrix solve_columns(const Matrix& H, const Matrix& B) {
-  Matrix X(H.rows(), B.cols());
-  for (Eigen::Index k = 0; k < B.cols(); ++k) X.col(k) = solve_symmetric(H, B.col(k));
-  return X;
-}
 
 /// The restricted likelihood at given spreads, and what follows from it. Within a group V^-1 = 1 - Z K Z'.
 struct Restricted {
@@ -58,8 +54,9 @@ struct Restricted {
   bool determined = false;
 };
 
-/// The spread of effect q of greatest likelihood, the others as in `spread`.
-double best_spread(const GroupedRows& rows, Vector spread, Eigen::Index q) {
+/// The spread of effect q of greatest likelihood, the others as in `spread`. Next to the one in `spread` unless that is
+/// 0.
+double best_spread(const GroupedRows& rows, Vector spread, Eigen::Index q, double tolerance) {
   constexpr double kStep = 1;      // of ln(spread), in which the maximum is bracketed
   constexpr double kLeast = 1e-4;  // of what one group tells: less makes no difference
   constexpr double kMost = 1e4;
@@ -71,20 +68,26 @@ double best_spread(const GroupedRows& rows, Vector spread, Eigen::Index q) {
     spread[q] = size;
     return Restricted(rows, spread);
   };
-  double best = 0, most = at(0).log_likelihood;
-  for (double x = std::log(kLeast); x <= std::log(kMost); x += kStep)
-    if (const double value = at(unit * std::exp(x)).log_likelihood; value > most) {
-      most = value;
-      best = unit * std::exp(x);
-    }
-  if (best == 0) return 0;
-  double low = best * std::exp(-kStep), high = best * std::exp(kStep);
-  if (!(at(low).score(rows, q) > 0) || !(at(high).score(rows, q) < 0)) return best;
-  while (high - low > 1e-11 * high) {
-    const double middle = 0.5 * (low + high);
-    (at(middle).score(rows, q) > 0 ? low : high) = middle;
+  const auto slope = [&](double size) { return at(size).score(rows, q); };
+  const auto rises_and_falls = [&](double size) {
+    return slope(size * std::exp(-kStep)) > 0 && slope(size * std::exp(kStep)) < 0;
+  };
+  double best = spread[q];
+  if (best == 0 || !rises_and_falls(best)) {
+    best = 0;
+    double most = at(0).log_likelihood;
+    for (double x = std::log(kLeast); x <= std::log(kMost); x += kStep)
+      if (const double value = at(unit * std::exp(x)).log_likelihood; value > most) {
+        most = value;
+        best = unit * std::exp(x);
+      }
+    if (best == 0 || !rises_and_falls(best)) return best;
   }
-  return 0.5 * (low + high);
+  std::uintmax_t calls = 200;
+  const auto found = boost::math::tools::toms748_solve(
+      slope, best * std::exp(-kStep), best * std::exp(kStep),
+      [&](double low, double high) { return high - low <= tolerance * high; }, calls);
+  return 0.5 * (found.first + found.second);
 }
 
 /// Of the first parameter's variance v(spread^2): 2 v^2 over the variance of v that the uncertain spreads give.
@@ -118,7 +121,7 @@ GroupedRows grouped_rows(const Matrix& J, const Vector& r, const Matrix& Z, cons
   return rows;
 }
 
-std::optional<Spreads> restricted_spreads(const GroupedRows& rows) {
+std::optional<Spreads> restricted_spreads(const GroupedRows& rows, double tolerance) {
   constexpr int kRounds = 50;
   const Eigen::Index k = rows.groups.empty() ? 0 : rows.groups[0].Z_r.size();
   Vector spread = Vector::Zero(k);
@@ -127,10 +130,10 @@ std::optional<Spreads> restricted_spreads(const GroupedRows& rows) {
     double change = 0;
     for (Eigen::Index q = 0; q < k; ++q) {
       const double before = spread[q];
-      spread[q] = best_spread(rows, spread, q);
+      spread[q] = best_spread(rows, spread, q, 1e-2 * tolerance);
       change = std::max(change, std::abs(spread[q] - before) / std::max(spread[q], 1e-300));
     }
-    if (k == 1 || change <= 1e-9) break;
+    if (k == 1 || change <= tolerance) break;
   }
   return Spreads{spread, satterthwaite(rows, spread, Restricted(rows, spread))};
 }

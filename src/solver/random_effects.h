@@ -32,11 +32,11 @@ GroupedRows grouped_rows(const Eigen::MatrixXd& J, const Eigen::VectorXd& r, con
 
 /// Spreads of greatest restricted likelihood (Pinheiro & Bates 2000, Mixed-Effects Models in S and S-PLUS, 2.2).
 struct Spreads {
-  Eigen::VectorXd spread;  // [k], 0 or above, to 1e-9
+  Eigen::VectorXd spread;  // [k], 0 or above, to `tolerance` of itself
   double freedom;          // of the variance of the first parameter (Satterthwaite 1946)
 };
 /// Null where the parameters are not determined.
-std::optional<Spreads> restricted_spreads(const GroupedRows& rows);
+std::optional<Spreads> restricted_spreads(const GroupedRows& rows, double tolerance = 1e-9);
 /// The most probable deviations with these spreads, at the parameters of the rows or with the parameters free; empty
 /// where these are not determined.
 enum class Fixed { yes, no };

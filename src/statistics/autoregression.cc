@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 
 namespace mixity {
@@ -23,28 +24,10 @@ TwoProcesses beginning(const TwoProcesses& all, std::size_t enough) {
 
 constexpr std::size_t kEnough = 20000;  // deviations that decide
 
-/// x in [low, high] of the largest f(x), by a golden section.
+/// x in [low, high] of the largest f(x), to so many bits (Brent 1973).
 template <class Function>
-double highest_between(const Function& f, double low, double high, double digits) {
-  constexpr double kGolden = 0.618033988749895;
-  double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
-  double at_left = f(left), at_right = f(right);
-  while (high - low > digits) {
-    if (at_left > at_right) {
-      high = right;
-      right = left;
-      at_right = at_left;
-      left = high - kGolden * (high - low);
-      at_left = f(left);
-    } else {
-      low = left;
-      left = right;
-      at_left = at_right;
-      right = low + kGolden * (high - low);
-      at_right = f(right);
-    }
-  }
-  return 0.5 * (low + high);
+double highest_between(const Function& f, double low, double high, int bits) {
+  return boost::math::tools::brent_find_minima([&](double x) { return -f(x); }, low, high, bits).first;
 }
 
 /// x in [0, kClosest] of the largest f(x), which may have several maxima.
@@ -58,19 +41,18 @@ double highest(const Function& f) {
       most = value;
       best = i;
     }
-  return highest_between(f, kTried[best > 0 ? best - 1 : 0], kTried[std::min(best + 1, kTried.size() - 1)], 1e-4);
-}
-
-TwoProcesses scaled(TwoProcesses processes, double first, double second) {
-  for (double& one : processes.first) one *= first;
-  for (double& one : processes.second) one *= second;
-  return processes;
+  constexpr int kBits = 14;
+  return highest_between(f, kTried[best > 0 ? best - 1 : 0], kTried[std::min(best + 1, kTried.size() - 1)], kBits);
 }
 
 }  // namespace
 
-Decorrelation::Decorrelation(const TwoProcesses& processes, const NeighbourCorrelations& correlations)
+Decorrelation::Decorrelation(const TwoProcesses& processes, const ScaledCorrelations& at)
     : predicted_across_(processes.places.size()) {
+  steps_.reserve(processes.places.size());
+  const auto decay = [](double correlation, double apart) {
+    return apart == 1 ? correlation : std::pow(correlation, apart);
+  };
   for (const auto& run : processes.runs) {
     double p11 = 1, p12 = 0, p22 = 1;  // the covariance of u and v as predicted
     for (std::size_t k = 0; k < run.size(); ++k) {
@@ -78,13 +60,13 @@ Decorrelation::Decorrelation(const TwoProcesses& processes, const NeighbourCorre
       double d1 = 1, d2 = 1;
       if (k > 0) {
         const double apart = processes.places[i] - processes.places[run[k - 1]];
-        d1 = std::pow(correlations.first, apart);
-        d2 = std::pow(correlations.second, apart);
+        d1 = decay(at.correlations.first, apart);
+        d2 = decay(at.correlations.second, apart);
         p11 = d1 * d1 * p11 + 1 - d1 * d1;
         p22 = d2 * d2 * p22 + 1 - d2 * d2;
         p12 *= d1 * d2;
       }
-      const double l1 = processes.first[i], l2 = processes.second[i];
+      const double l1 = at.first * processes.first[i], l2 = at.second * processes.second[i];
       const double u = p11 * l1 + p12 * l2, v = p12 * l1 + p22 * l2, variance = l1 * u + l2 * v;
       predicted_across_[i] = 1 - (l2 * l2 * p11 - 2 * l1 * l2 * p12 + l1 * l1 * p22) / (l1 * l1 + l2 * l2);
       steps_.push_back({i, k == 0, d1, d2, l1, l2, u / variance, v / variance, 1 / std::sqrt(variance)});
@@ -146,8 +128,8 @@ void take_off(const std::vector<std::size_t>& run, std::vector<std::vector<doubl
 }
 
 Independent independent(const TwoProcesses& processes, std::span<const double> deviations,
-                        const NeighbourCorrelations& correlations) {
-  const Decorrelation decorrelation(processes, correlations);
+                        const ScaledCorrelations& at) {
+  const Decorrelation decorrelation(processes, at);
   std::vector<double> values(deviations.begin(), deviations.end());
   decorrelation.apply(values);
   Independent result{.log_determinant = decorrelation.log_determinant()};
@@ -165,16 +147,15 @@ Independent independent(const TwoProcesses& processes, std::span<const double> d
 
 /// ln L with the unit of the deviations of greatest likelihood.
 double log_likelihood_of_any_unit(const TwoProcesses& processes, std::span<const double> deviations,
-                                  const NeighbourCorrelations& correlations) {
-  const auto [squares, n, log_determinant] = independent(processes, deviations, correlations);
+                                  const ScaledCorrelations& at) {
+  const auto [squares, n, log_determinant] = independent(processes, deviations, at);
   return squares > 0 ? -(n * std::log(squares / n) + log_determinant) / 2 : 0;
 }
 
 }  // namespace
 
-double log_likelihood(const TwoProcesses& processes, std::span<const double> deviations,
-                      const NeighbourCorrelations& correlations) {
-  const auto [squares, n, log_determinant] = independent(processes, deviations, correlations);
+double log_likelihood(const TwoProcesses& processes, std::span<const double> deviations, const ScaledCorrelations& at) {
+  const auto [squares, n, log_determinant] = independent(processes, deviations, at);
   return -(squares + log_determinant) / 2;
 }
 
@@ -186,7 +167,7 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
   std::size_t n = 0;
   for (const auto& run : some.runs) n += run.size();
   const auto value = [&](double first, double second) {
-    return log_likelihood_of_any_unit(scaled(some, 1, second_factor(second)), deviations, {first, second});
+    return log_likelihood_of_any_unit(some, deviations, {{first, second}, 1, second_factor(second)});
   };
   const double price = 0.5 * std::log(static_cast<double>(std::max<std::size_t>(n, 2)));
   ChosenCorrelations best{{}, value(0, 0)};
@@ -218,12 +199,11 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
 ScaledCorrelations improve(const TwoProcesses& processes, std::span<const double> deviations,
                            const NeighbourCorrelations& from,
                            const std::function<double(const ScaledCorrelations&)>& more) {
-  constexpr double kReach = 0.25, kDigits = 1e-5;  // of ln(factor) and atanh(correlation)
+  constexpr double kReach = 0.25;  // of ln(factor) and atanh(correlation)
+  constexpr int kBits = 16;
   const TwoProcesses some = beginning(processes, kEnough);
   ScaledCorrelations best{from};
-  const auto value = [&](const ScaledCorrelations& at) {
-    return log_likelihood(scaled(some, at.first, at.second), deviations, at.correlations) + more(at);
-  };
+  const auto value = [&](const ScaledCorrelations& at) { return log_likelihood(some, deviations, at) + more(at); };
   const auto change = [&](auto&& set) {
     const ScaledCorrelations before = best;
     const double step = highest_between(
@@ -232,7 +212,7 @@ ScaledCorrelations improve(const TwoProcesses& processes, std::span<const double
           set(at, x);
           return value(at);
         },
-        -kReach, kReach, kDigits);
+        -kReach, kReach, kBits);
     set(best, step);
   };
   for (const auto& [factor, correlation] : {std::pair(&ScaledCorrelations::first, &NeighbourCorrelations::first),

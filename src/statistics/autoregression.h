@@ -21,12 +21,18 @@ struct TwoProcesses {
   std::vector<std::vector<double>> own{};
 };
 
+/// Correlations, and factors of the weights.
+struct ScaledCorrelations {
+  NeighbourCorrelations correlations;
+  double first = 1, second = 1;
+};
+
 /// Turns correlated deviations into independent ones of variance 1, one after the other: each less what those before
 /// it predict, over the standard deviation of that (Kalman's filter; Harvey 1989, Forecasting, Structural Time Series
 /// Models and the Kalman Filter, chapter 3).
 class Decorrelation {
  public:
-  Decorrelation(const TwoProcesses& processes, const NeighbourCorrelations& correlations);
+  Decorrelation(const TwoProcesses& processes, const ScaledCorrelations& at);
 
   /// `values`: the first deviation, then one every `stride` numbers.
   void apply(std::span<double> values, std::size_t stride = 1) const;
@@ -50,8 +56,7 @@ class Decorrelation {
 };
 
 /// ln L of the deviations, without -n/2 ln(2 pi).
-double log_likelihood(const TwoProcesses& processes, std::span<const double> deviations,
-                      const NeighbourCorrelations& correlations);
+double log_likelihood(const TwoProcesses& processes, std::span<const double> deviations, const ScaledCorrelations& at);
 
 /// The correlations of greatest likelihood, whatever the unit of the deviations, to 1e-4; 0 where BIC does not ask for
 /// one (Schwarz 1978); ln L with them in the unit of greatest likelihood, but for a constant. Of many deviations the
@@ -64,11 +69,6 @@ struct ChosenCorrelations {
 ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<const double> deviations,
                                        const std::function<double(double)>& second_factor);
 
-/// Correlations, and factors of the weights.
-struct ScaledCorrelations {
-  NeighbourCorrelations correlations;
-  double first = 1, second = 1;
-};
 /// Those of greatest likelihood next to these correlations; one that is 0 stays so. `more`: ln L of other data, such as
 /// the readings of one axis alone. Each number is changed in turn, a correlation at a fixed variance of the
 /// innovations, since otherwise it would move with the factor; repeat the call until nothing changes.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "fitting/course.h"
 #include "fitting/fit.h"
 #include "fitting/measured_runs.h"
 
@@ -92,6 +93,49 @@ TEST(Consistency, ListsRunsThatGoOnBeyondTheLastEquilibrium) {
   ASSERT_EQ(fit.consistency->beyond.size(), 1u);
   EXPECT_EQ(fit.consistency->beyond[0].curve, "run 3");
   EXPECT_EQ(fit.consistency->beyond[0].points, fit.area->unpredicted);
+}
+
+/// Areas that stay as they are fit a lambda near 0 perfectly, and say nothing of a contact that is pinned.
+TEST(Consistency, DoesNotBelieveAreasThatNeverFall) {
+  Dataset pinned = measured_runs(3), falling = measured_runs(3);
+  SeededNoise noise(5, 0.01);
+  for (Point& point : pinned.points) {
+    const double radius = radius_from_edge_load(3 * M_PI + circle_radius(point.P), point.P);
+    point.A = area_from_radius(radius) * (1 + noise());
+  }
+  const FitResult fit = fit_model(pinned, "a", {.intervals = false});
+  EXPECT_EQ(fit.status, FitStatus::suspect);
+  EXPECT_TRUE(fit.consistency->pinned());
+  EXPECT_NE(fit.message.text().find("pinned"), std::string::npos) << fit.message.text();
+  EXPECT_FALSE(fit_model(falling, "c", {.intervals = false}).consistency->pinned());
+}
+
+/// Against sums written out: squares about the weighted mean of each run, less those of the residuals.
+TEST(Consistency, CountsTheSquaresOfAreasAboutOneAreaForEachRun) {
+  Dataset data = runs_of(2, 6);
+  std::vector<double> residuals, sigma;
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    data.points[i].A = 1 + 0.01 * std::sin(static_cast<double>(7 * i));
+    residuals.push_back(std::cos(static_cast<double>(3 * i)));
+    sigma.push_back(i % 2 == 0 ? 0.01 : 0.02);
+  }
+  double expected = 0;
+  for (const std::size_t begin : {0u, 6u}) {
+    double weights = 0, sum = 0;
+    for (std::size_t i = begin; i < begin + 6; ++i) {
+      weights += 1 / (sigma[i] * sigma[i]);
+      sum += data.points[i].A / (sigma[i] * sigma[i]);
+    }
+    for (std::size_t i = begin; i < begin + 6; ++i)
+      expected += std::pow((data.points[i].A - sum / weights) / sigma[i], 2) - residuals[i] * residuals[i];
+  }
+  const FitResult fit = fit_with(residuals);
+  const auto excess = excess_of_constant_areas(data, fit.used, residuals, sigma);
+  ASSERT_TRUE(excess);
+  EXPECT_NEAR(*excess, expected, 1e-11);  // rounding of areas near 1 in errors of 0.01
+  const Dataset few = runs_of(4, 4);
+  EXPECT_FALSE(excess_of_constant_areas(few, fit_with(std::vector<double>(16, 1)).used, std::vector<double>(16, 1),
+                                        std::vector<double>(16, 1)));
 }
 
 /// Errors that nobody states are taken to be equal parts of T and A. Where T scatters ten times as much, residuals

@@ -88,7 +88,8 @@ TEST(Coverage, OfWeightedToughness) {
 
 /// Errors stated half as large as they are: the interval is half as wide, and holds the truth too rarely.
 TEST(Coverage, OfErrorsThatAreUnderstatedIsTooLow) {
-  const Count found = count({.objective = Objective::curve, .sigma_A = *parse_quantity("0.5%")}, 0.01, 0);
+  const Count found = count(
+      {.objective = Objective::curve, .sigma_T = *parse_quantity("0%"), .sigma_A = *parse_quantity("0.5%")}, 0.01, 0);
   expect_share(found.interval, 0.673);  // within 0.98 standard errors of a Gaussian
 }
 

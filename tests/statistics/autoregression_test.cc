@@ -71,7 +71,7 @@ TEST(Decorrelation, IsTheCholeskyFactorOfTheCovariance) {
   const Eigen::LLT<Eigen::MatrixXd> factors(all);
   const Eigen::VectorXd expected = factors.matrixL().solve(
       Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
-  const Decorrelation decorrelation(runs, rho);
+  const Decorrelation decorrelation(runs, {rho});
   std::vector<double> rows(3 * values.size(), 7.0);  // the second column of three
   for (std::size_t i = 0; i < values.size(); ++i) rows[3 * i + 1] = values[i];
   decorrelation.apply(values);
@@ -88,7 +88,7 @@ TEST(Decorrelation, OfUncorrelatedDeviationsChangesNothing) {
   const TwoProcesses runs = turning(1, 20);
   std::vector<double> values = drawn(runs, {}, 1);
   const std::vector<double> before = values;
-  const Decorrelation decorrelation(runs, {});
+  const Decorrelation decorrelation(runs, {{}});
   decorrelation.apply(values);
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], before[i], 1e-15);
   EXPECT_NEAR(decorrelation.log_determinant(), 0, 1e-14);
@@ -98,7 +98,7 @@ TEST(Decorrelation, OfUncorrelatedDeviationsChangesNothing) {
 TEST(Decorrelation, KnowsHowMuchOfTheNoiseAcrossItPredicts) {
   const TwoProcesses runs = turning(1, 10);
   const NeighbourCorrelations rho{0.9, 0.6};
-  const Decorrelation decorrelation(runs, rho);
+  const Decorrelation decorrelation(runs, {rho});
   const Eigen::MatrixXd all = covariance(runs, rho);
   for (std::size_t i = 1; i < 10; ++i) {
     const auto n = static_cast<Eigen::Index>(i);
