@@ -188,8 +188,9 @@ const std::vector<Setting>& settings() {
       setting("fitted_errors", &FitOptions::fitted_errors, Switch{},
               "curve: errors at the fitted curve, estimated with it where none are stated; false: at the readings, "
               "independent, as ODRPACK takes them"),
-      setting("loss", &FitOptions::loss, Choice<Loss>{{Loss::none, Loss::huber, Loss::cauchy}},
-              "none, or a loss that limits the influence of outliers: huber or cauchy"),
+      setting("loss", &FitOptions::loss, Choice<Loss>{{Loss::none, Loss::huber, Loss::cauchy, Loss::t}},
+              "none, or a loss that limits the influence of outliers: huber, cauchy, or t, Student's likelihood, which "
+              "is fitted with the rest"),
       setting("loss_scale", &FitOptions::loss_scale, PositiveNumber{},
               "residual beyond which points are down-weighted, in standard errors (default 1.345 huber, 2.385 cauchy)"),
       setting("hold", &FitOptions::hold, ListOf<Held>{},
@@ -270,7 +271,9 @@ std::optional<Contradiction> contradiction(const FitRequest& request) {
     return Contradiction{"weighted", "needs objective=toughness; curve weighs the points anyway"};
   if ((options.sigma_T || options.sigma_A) && options.objective == toughness && !options.weighted)
     return Contradiction{options.sigma_A ? "sigma_A" : "sigma_T", "needs objective=curve, or weighted"};
-  if (options.loss_scale && options.loss == Loss::none)
+  if (options.loss == Loss::t && request.per_curve)
+    return Contradiction{"loss", "is t, which each run would have of its own: with per=curve take huber or cauchy"};
+  if (options.loss_scale && (options.loss == Loss::none || options.loss == Loss::t))
     return Contradiction{"loss_scale", "needs loss=huber or cauchy"};
   const bool resampled = options.bootstrap.replicates > 0;
   for (const char* name : {"resample", "seed"})

@@ -76,7 +76,8 @@ Information information(double sum_of_squares, std::size_t n, std::size_t parame
 
 std::optional<Information> information(const FitResult& fit) {
   if (!has_all_values(fit) || fit.residuals.empty() || !(fit.sum_of_squares > 0)) return std::nullopt;
-  if (fit.loss_scale > 0 && !fit.known_errors) return std::nullopt;
+  // Each model has a loss of its own.
+  if (fit.loss_scale > 0 && (!fit.known_errors || fit.loss_freedom > 0)) return std::nullopt;
   return information(comparable_squares(fit), fit.used.size(), fit.free_parameters, fit.known_errors);
 }
 

@@ -22,6 +22,9 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit);
 /// The exact constant with the most significant score test, if that fails; else null.
 const ExactConstant* wrong_constant(const FitResult& fit);
 
+/// A constant that lies farther from what was stated than its standard error explains; else null.
+const BudgetPart* far_from_stated(const FitResult& fit);
+
 /// Whether more points lie beyond the last equilibrium than by chance.
 bool slides(const FitResult& fit);
 

@@ -40,13 +40,18 @@ bool is_far(const ResidualTests& tests) {
   return tests.over_scatter.value_or(0) > kFarOff && tests.over_neighbours.value_or(0) > kFarFromNeighbours;
 }
 
-Message failed_test(const FitResult& fit) {
+const BudgetPart* far_from_stated(const FitResult& fit) {
   constexpr double kFarFromStated = 4;  // standard errors of a prior
   if (fit.budget)
     for (const BudgetPart& part : fit.budget->parts)
-      if (std::abs(part.pull) > kFarFromStated)
-        return part.constant + " lies " + rounded(std::abs(part.pull), 2) + " of its standard errors " +
-               (part.pull < 0 ? "below" : "above") + " what was stated: check it";
+      if (std::abs(part.pull) > kFarFromStated) return &part;
+  return nullptr;
+}
+
+Message failed_test(const FitResult& fit) {
+  if (const BudgetPart* part = far_from_stated(fit))
+    return part->constant + " lies " + rounded(std::abs(part->pull), 2) + " of its standard errors " +
+           (part->pull < 0 ? "below" : "above") + " what was stated: check it";
   if (slides(fit)) return "points lie beyond the last equilibrium: cut the runs at the onset of sliding";
   if (const ExactConstant* wrong = wrong_constant(fit)) return wrong->constant + " looks wrong";
   if (fit.consistency && fit.consistency->pinned())

@@ -41,8 +41,10 @@ double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, c
   errors.load_T.resize(data.points.size());
   errors.load_A.resize(data.points.size(), 1.0);
   errors.place_T.resize(data.points.size());
+  errors.place_A.resize(data.points.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
     errors.place_T[used[i]] = nearest.T[i];
+    errors.place_A[used[i]] = nearest.A[i];
     errors.load_T[used[i]] = nearest.load_T[i];
     errors.load_A[used[i]] = nearest.load_A[i];
   }

@@ -8,6 +8,7 @@
 #include "fitting/fitted_errors.h"
 #include "fitting/fitted_parameters.h"
 #include "solver/verdict.h"
+#include "statistics/student.h"
 
 namespace mixity {
 namespace {
@@ -148,7 +149,9 @@ Verdict Fitter::find_minimum() {
   Verdict verdict = fitted_errors && !options_.errors ? minimum_with_its_errors() : minimum_of(*problem_);
   const bool reweighted = prepared_.objective == Objective::toughness && options_.weighted;
   if (reweighted && !settle_weights(verdict)) return verdict;
-  return options_.loss == Loss::none ? verdict : find_robust_minimum(std::move(verdict));
+  if (options_.loss == Loss::none) return verdict;
+  return options_.loss == Loss::t ? find_minimum_of_student(std::move(verdict))
+                                  : find_robust_minimum(std::move(verdict));
 }
 
 /// The standard errors depend on the model: refits until they no longer change. False if they do not settle.
@@ -184,6 +187,30 @@ Verdict Fitter::find_robust_minimum(Verdict verdict) {
     robust_.emplace(*problem_, options_.loss, result_.loss_scale);
     verdict = minimum_of(*robust_);
     x = verdict.best.x;
+  }
+  return verdict;
+}
+
+/// With Student's errors of greatest likelihood.
+Verdict Fitter::find_minimum_of_student(Verdict verdict) {
+  constexpr int kMost = 50;
+  constexpr double kSettled = 1e-9;  // of the scale and of the degrees of freedom
+  const bool known = problem_->known_errors();
+  std::vector<double> x = verdict.best.x;
+  if (x.empty()) x = value_of_least_spread(*problem_);
+  std::vector<double> residuals(problem_->residual_count());
+  for (int i = 0; i < kMost && !x.empty(); ++i) {
+    if (!problem_->evaluate(x, residuals, {}) || !(spread(residuals) > 0)) return verdict;  // an exact fit
+    const StudentErrors errors = student_errors(residuals, known);
+    const double scale = std::sqrt(errors.freedom) * errors.scale;
+    const bool settled = std::abs(scale / result_.loss_scale - 1) < kSettled &&
+                         std::abs(errors.freedom / result_.loss_freedom - 1) < kSettled;
+    result_.loss_scale = scale;
+    result_.loss_freedom = errors.freedom;
+    robust_.emplace(*problem_, Loss::t, scale, errors.freedom);
+    verdict = minimum_of(*robust_);
+    x = verdict.best.x;
+    if (settled) break;
   }
   return verdict;
 }

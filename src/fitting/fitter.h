@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "fitting/course.h"
 #include "fitting/error_model.h"
 #include "fitting/prepare.h"
 #include "fitting/run_differences.h"
@@ -35,7 +36,9 @@ class Fitter {
   Verdict find_minimum();
   Verdict minimum_with_its_errors();
   bool settle_errors(std::vector<double>& x);
+  void restore(const StandardErrors& errors);
   double take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest);
+  bool expects_distances(const std::vector<double>& x);
   std::vector<double> leverages_of_data(const Problem& cost, const std::vector<double>& x) const;
   std::optional<ErrorModels> estimated_errors(const NearestPlaces& nearest, const std::vector<double>& leverage,
                                               const ErrorModels& before, Stage stage,
@@ -53,6 +56,7 @@ class Fitter {
   void test_runs(const std::vector<double>& x);
   bool settle_weights(Verdict& verdict);
   Verdict find_robust_minimum(Verdict verdict);
+  Verdict find_minimum_of_student(Verdict verdict);
   Verdict minimum_of(const Problem& data);
   void add_evidence(const Verdict& verdict);
   void add_budget(const std::vector<double>& x, const Verdict& verdict);
@@ -70,7 +74,8 @@ class Fitter {
   std::unique_ptr<ModelProblem> problem_;
   std::optional<RobustProblem> robust_;
   std::optional<ProblemWithPriors> cost_;
-  double unit_ = 1;  // by which cost_ divides the residuals of the data
+  std::optional<CourseTest> off_course_;  // for which the errors of the fit were given up
+  double unit_ = 1;                       // by which cost_ divides the residuals of the data
   FitResult result_;
 };
 

@@ -9,9 +9,21 @@
 #include "fitting/fitted_errors.h"
 #include "fitting/fitter.h"
 #include "solver/descent.h"
+#include "solver/robust.h"
 #include "solver/verdict.h"
+#include "statistics/student.h"
 
 namespace mixity {
+namespace {
+
+/// Multiplies residuals by the roots of their weights in the estimate of the scale of Student's distribution.
+void weigh_as_student(std::vector<double>& residuals) {
+  if (!(spread(residuals) > 0)) return;
+  const StudentErrors errors = student_errors(residuals, false);
+  for (double& r : residuals) r *= std::sqrt((errors.freedom + 1) / (errors.freedom + std::pow(r / errors.scale, 2)));
+}
+
+}  // namespace
 
 /// The minimum with errors that belong to it.
 Verdict Fitter::minimum_with_its_errors() {
@@ -25,7 +37,7 @@ Verdict Fitter::minimum_with_its_errors() {
     if (x.empty() && !problem_->parameters().empty()) x = minimum_of(*problem_).best.x;
     const bool described = settle_errors(x);
     Verdict verdict = minimum_of(*problem_);
-    if (!described) return verdict;
+    if (!described) return expects_distances(verdict.best.x) ? minimum_of(*problem_) : verdict;
     // The errors may have been found in another basin than the lowest.
     std::vector<double> residuals(cost_->residual_count());
     const auto settled = x.empty() ? std::nullopt : sum_of_squares(*cost_, x, residuals);
@@ -34,9 +46,14 @@ Verdict Fitter::minimum_with_its_errors() {
         settled && !verdict.best.x.empty() && verdict.best.sum_of_squares < *settled - kSamePlace * unit;
     if (!elsewhere || again == kMost) return verdict;
     x = verdict.best.x;
-    *prepared_.errors = at_first;
-    problem_ = make_problem(data_, options_, prepared_);
+    restore(at_first);
   }
+}
+
+void Fitter::restore(const StandardErrors& errors) {
+  *prepared_.errors = errors;
+  result_.errors = errors;
+  problem_ = make_problem(data_, options_, prepared_);
 }
 
 /// Errors, expected distances and correlations that depend on the fit: from x on, evaluates them at the fitted curve,
@@ -78,6 +95,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     double freedom = 0;
     for (const double one : leverage) freedom += 1 - one;
     double change = take_expected_off(*expected, freedom, *nearest);
+    if (options_.loss == Loss::t) weigh_as_student(nearest->residuals);
     if (by_run && !find_run_differences(x, *nearest, leverage, change)) return true;
     // A model that does not describe the data tells nothing of their errors. Of few runs nothing tells correlated
     // noise from a wrong model.
@@ -88,9 +106,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
                      ((first || tried) && p_value < kSurely) ||
                      (round == choosing && !course && models.correlations.any());
     if (off) {
-      errors = by_neighbours;
-      problem_ = make_problem(data_, options_, prepared_);
-      result_.errors = errors;
+      off_course_ = course;
+      restore(by_neighbours);
       return false;
     }
     if (round < more) {  // by the errors of neighbours, until the runs are found
@@ -146,6 +163,31 @@ double Fitter::take_expected_off(const std::vector<double>& expected, double fre
     change = std::max(change, std::abs(list[point] - before[point]));
   }
   return change;
+}
+
+/// Of a model that does not seem to describe the data: whether that may be the curvature within the errors of T, so
+/// that the distances that noise leads one to expect are to be taken off the residuals. Sets these.
+bool Fitter::expects_distances(const std::vector<double>& x) {
+  if (x.empty() || purpose_ == Purpose::tried) return false;
+  const auto& objective = static_cast<const CurveObjective&>(*problem_);
+  const auto nearest = objective.nearest(x);
+  auto expected = nearest ? objective.expected(x, *nearest) : std::nullopt;
+  if (!expected) return false;
+  double squares = 0, of_expected = 0;
+  for (const double r : nearest->residuals) squares += r * r;
+  const double noise = std::min(1.0, squares / static_cast<double>(expected->size()));
+  for (double& one : *expected) of_expected += std::pow(one *= noise, 2);
+  if (of_expected < kCurvatureMatters) return false;
+  StandardErrors& errors = *prepared_.errors;
+  for (auto* const list : {&errors.place_T, &errors.place_A, &errors.expected}) list->resize(data_.points.size());
+  for (std::size_t i = 0; i < expected->size(); ++i) {
+    errors.place_T[prepared_.used[i]] = nearest->T[i];
+    errors.place_A[prepared_.used[i]] = nearest->A[i];
+    errors.expected[prepared_.used[i]] = (*expected)[i];
+  }
+  problem_ = make_problem(data_, options_, prepared_);
+  result_.errors = errors;
+  return true;
 }
 
 /// Of the residuals of the data; empty if the cost cannot be linearised.

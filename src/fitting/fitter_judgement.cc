@@ -79,7 +79,7 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
   const auto data = make_problem(data_, options_, all, options_.weighted ? problem_->weights() : std::vector<double>{});
   const double freedom = static_cast<double>(data->residual_count()) - static_cast<double>(result_.free_parameters);
   const double unit = cost_->known_errors() ? unit_ : std::sqrt(result_.sum_of_squares / freedom);
-  const RobustProblem robust(*data, options_.loss, result_.loss_scale);
+  const RobustProblem robust(*data, options_.loss, result_.loss_scale, result_.loss_freedom);
   result_.budget =
       error_budget(robust_ ? static_cast<const Problem&>(robust) : *data, beside, unit, verdict.at_bound, exact);
 }
@@ -113,6 +113,11 @@ void Fitter::test_residuals() {
                       result_.status == FitStatus::multimodal || result_.status == FitStatus::suspect;
   if (!judged || result_.residuals.empty() || !(result_.sum_of_squares > rounding * rounding)) return;
   result_.consistency = test_consistency(data_, result_);
+  ResidualTests& residuals = result_.consistency->residuals;
+  if (off_course_ && off_course_->p_value < residuals.course_p) {
+    residuals.course = off_course_->F;
+    residuals.course_p = off_course_->p_value;
+  }
   // The scatter of ln f differs from point to point where it comes from loads and areas.
   const bool common_scale = prepared_.objective == Objective::curve || options_.weighted || !data_.has_loads;
   if (common_scale) result_.outliers = outliers_of(result_, problem_->known_errors());

@@ -237,6 +237,7 @@ struct FitResult {
   std::optional<Influence> influence;  // changes in the user's units; points as in `used`
   std::vector<std::string> run_names;  // of Influence::runs
   double loss_scale = 0;               // in units of the residuals; 0 without a robust loss
+  double loss_freedom = 0;             // of the loss `t`; 0 without it
 
   bool has_values() const { return status != FitStatus::not_identifiable; }
   /// Degrees of freedom: points minus free parameters, at least 0.

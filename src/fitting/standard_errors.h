@@ -41,6 +41,10 @@ struct RunDifferences {
   bool any() const { return !names.empty(); }
 };
 
+/// The sum of the squares of the distances that curvature leads one to expect, in standard errors, from which it
+/// matters.
+inline constexpr double kCurvatureMatters = 1;
+
 struct StandardErrors {
   std::vector<double> T, A;  // per point of the data set, dimensionless
   ErrorSource source_T = ErrorSource::scatter, source_A = ErrorSource::scatter;
@@ -53,9 +57,9 @@ struct StandardErrors {
   RunDifferences runs{};                           // as far as they were asked for
   double step_T = 0, step_A = 0;                   // in which T and A were read; 0: none found
   double freedom = 0;                              // degrees of freedom of the estimate from the fit; 0: there is none
-  /// At the fitted curve, per point of the data set: its T, NearestPlaces::load_T and load_A, and the distance from the
-  /// curve that its curvature leads one to expect. Empty before a fit.
-  std::vector<double> place_T{}, load_T{}, load_A{}, expected{};
+  /// At the fitted curve, per point of the data set: its T and A, NearestPlaces::load_T and load_A, and the distance
+  /// from the curve that its curvature leads one to expect. Empty before a fit.
+  std::vector<double> place_T{}, place_A{}, load_T{}, load_A{}, expected{};
 
   /// Whether the steps of the readings are no small part of the noise: then neighbouring residuals resemble each other.
   bool coarse(std::size_t point) const {

@@ -228,6 +228,8 @@ void describe(Fields<FitResult>& field) {
   field("errors", "standard errors of the points; null if the objective does not use them", &FitResult::errors);
   field("loss_scale", "residual at which a robust loss bends; null without one",
         [](auto& fit) { return fit.loss_scale > 0 ? std::optional(fit.loss_scale) : std::nullopt; });
+  field("loss_freedom", "degrees of freedom of the loss t; null without it",
+        [](auto& fit) { return fit.loss_freedom > 0 ? std::optional(fit.loss_freedom) : std::nullopt; });
   field("correlations", "correlations of the free parameters", correlations);
   field("influence", "what moves the fit; null if it was not asked for", &FitResult::influence);
   field("area", "how well the areas are predicted; null for data without loads", &FitResult::area);

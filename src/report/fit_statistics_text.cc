@@ -150,7 +150,10 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
       out << '\n';
     }
   }
-  if (fit.loss_scale > 0)
+  if (fit.loss_freedom > 0)
+    out << "    robust loss: Student's t with " << rounded(fit.loss_freedom, 3) << " degrees of freedom and a scale of "
+        << rounded(fit.loss_scale / std::sqrt(fit.loss_freedom), 4) << " of the residuals' unit\n";
+  else if (fit.loss_scale > 0)
     out << "    robust loss, bends at " << rounded(fit.loss_scale, 4) << " of the residuals' unit\n";
   for (const auto& [names, c] : correlations(fit))
     if (std::abs(c) > 0.5)

@@ -59,9 +59,10 @@ struct SolverOptions {
 };
 
 /// Robust losses, see robust.h.
-enum class Loss { none, huber, cauchy };
+enum class Loss { none, huber, cauchy, t };
 constexpr std::string_view to_string(Loss loss) {
-  return loss == Loss::none ? "none" : loss == Loss::huber ? "huber" : "cauchy";
+  constexpr std::string_view kNames[] = {"none", "huber", "cauchy", "t"};
+  return kNames[static_cast<int>(loss)];
 }
 
 /// Scales, in standard errors, at which the loss keeps 95 % efficiency for Gaussian errors (Huber 1964; Holland &

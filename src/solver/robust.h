@@ -1,5 +1,6 @@
 // Robust losses: large residuals count less. A problem with the cost sum rho(r^2) is one of least squares in the
-// residuals sign(r) sqrt(rho(r^2)), so the rest of the solver needs no special case.
+// residuals sign(r) sqrt(rho(r^2)), so the rest of the solver needs no special case. With `t` the cost is -2 ln L of
+// Student's distribution, but for a constant: (nu + 1) ln(1 + r^2/scale^2), scale^2 = nu times the square of its scale.
 #pragma once
 
 #include <cmath>
@@ -15,9 +16,12 @@ namespace mixity {
 
 class RobustProblem final : public WrappedProblem {
  public:
-  /// `scale` > 0 in units of the residuals of `problem`, which must outlive this.
-  RobustProblem(const Problem& problem, Loss loss, double scale)
-      : WrappedProblem(problem), loss_(loss), scale_(scale) {}
+  /// `scale` > 0 in units of the residuals of `problem`, which must outlive this. `freedom`: nu, of `t`.
+  RobustProblem(const Problem& problem, Loss loss, double scale, double freedom = 0)
+      : WrappedProblem(problem), loss_(loss), scale_(scale), root_(loss == Loss::t ? std::sqrt(freedom + 1) : scale) {}
+
+  /// A likelihood is one whatever the unit of the residuals.
+  bool known_errors() const override { return loss_ == Loss::t || problem_.known_errors(); }
 
   /// The loss may have basins of a standard error's width, narrower than the usual steps.
   std::size_t scan_density(std::size_t searched) const override { return searched == 1 ? 512 : searched == 2 ? 16 : 8; }
@@ -40,19 +44,19 @@ class RobustProblem final : public WrappedProblem {
   void change(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
     for (std::size_t i = 0; i < residuals.size(); ++i) {
       const double r = residuals[i], size = std::abs(r) / scale_;
-      const bool outlier = loss_ == Loss::cauchy || size > 1;
+      const bool outlier = loss_ != Loss::huber || size > 1;
       if (!outlier || r == 0) continue;
       const double rho = loss_ == Loss::huber ? 2 * size - 1 : std::log1p(size * size);
       const double slope = loss_ == Loss::huber ? 1 / size : 1 / (1 + size * size);  // d rho/d(size^2)
-      residuals[i] = std::copysign(scale_ * std::sqrt(rho), r);
-      const double factor = slope * size / std::sqrt(rho);
+      residuals[i] = std::copysign(root_ * std::sqrt(rho), r);
+      const double factor = root_ / scale_ * slope * size / std::sqrt(rho);
       if (jacobian.empty()) continue;
       for (double& one : jacobian.subspan(i * x.size(), x.size())) one *= factor;
     }
   }
 
   Loss loss_;
-  double scale_;
+  double scale_, root_;  // where the loss bends; the residual where rho is 1
 };
 
 /// Standard error of residuals of unknown size, one at least, from the median of their absolute values.

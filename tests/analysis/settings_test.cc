@@ -123,6 +123,8 @@ TEST(Settings, ThatDoNotGoTogetherAreNamed) {
   EXPECT_EQ(named({{"weighted", "true"}, {"objective", "curve"}}), "weighted");
   EXPECT_EQ(named({{"sigma_A", "1%"}, {"objective", "toughness"}}), "sigma_A");
   EXPECT_EQ(named({{"loss_scale", "2"}}), "loss_scale");
+  EXPECT_EQ(named({{"loss_scale", "2"}, {"loss", "t"}}), "loss_scale");
+  EXPECT_EQ(named({{"loss", "t"}, {"per", "curve"}}), "loss");
   EXPECT_EQ(named({{"seed", "2"}}), "seed");
   EXPECT_EQ(named({{"seed", "2"}, {"bootstrap", "10"}}), "");
   EXPECT_EQ(named({{"threads", "2"}}), "threads");

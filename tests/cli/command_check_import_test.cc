@@ -69,9 +69,9 @@ TEST(Program, AnImportCanBeFitted) {
   const Words words{"import", plot, "--x=T", "--y=A", "--loads=1,5"};
   const ProgramResult shown = run_program(words);
   EXPECT_EQ(shown.exit_code, 0);
-  EXPECT_EQ(
-      shown.out,
-      "curve,P,T,A\nrun 1,1,0,19.6\nrun 1,1,5,19.3\nrun 1,1,10,18.2\nrun 2,5,0,23.9\nrun 2,5,8,23.3\nrun 2,5,12,22.5\n");
+  EXPECT_EQ(shown.out,
+            "curve,P,T,A\nrun 1,1,0,19.6\nrun 1,1,5,19.3\nrun 1,1,10,18.2\nrun 2,5,0,23.9\nrun 2,5,8,23.3\nrun "
+            "2,5,12,22.5\n");
   const std::string data = folder.path("data.csv");
   EXPECT_EQ(run_program({"import", plot, "--x=T", "--y=A", "--loads=1,5", "--out", data}).out, "");
   EXPECT_EQ(content_of(data), shown.out);

@@ -151,6 +151,9 @@ TEST(FitStatistics, RobustLossesSayWhereTheyBend) {
     words.push_back("--loss_scale=4");
     EXPECT_EQ(fit_of(words)["fits"][0]["loss_scale"], 4);
   }
+  Words student = known;
+  student.push_back("--loss=t");
+  EXPECT_GT(fit_of(student)["fits"][0]["loss_freedom"], 1);
   Words none = known;
   none.push_back("--loss=none");
   EXPECT_TRUE(fit_of(none)["fits"][0]["loss_scale"].is_null());
@@ -194,7 +197,7 @@ TEST(FitStatistics, BadFlagsAreOneLineAndExitTwo) {
   refused("--sigma_A=-1%", "flag '--sigma_A' is '-1%'; it must be a percentage or a quantity of 0 or more");
   refused("--sigma_A=much", "flag '--sigma_A' is 'much'; it must be a percentage or a quantity of 0 or more");
   refused("--sigma_T=-1", "flag '--sigma_T' is '-1'; it must be a percentage or a quantity of 0 or more");
-  refused("--loss=l1", "flag '--loss' is 'l1'; it must be none, huber or cauchy");
+  refused("--loss=l1", "flag '--loss' is 'l1'; it must be none, huber, cauchy or t");
   refused("--loss_scale=0", "flag '--loss_scale' is '0'; it must be a number above 0");
   refused(
       "--free=colour",

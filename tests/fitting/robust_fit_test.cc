@@ -52,6 +52,26 @@ TEST(RobustFit, OutliersMoveAFitLessThanLeastSquares) {
   }
 }
 
+/// Every twentieth area is off by twenty standard errors. The interval that follows from Student's likelihood holds the
+/// truth as often as it says, and the fit with none of them has hardly more degrees of freedom left.
+TEST(RobustFit, StudentsLikelihoodGivesOutliersTheirShare) {
+  constexpr unsigned kSeeds = 60;
+  unsigned covered = 0;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    Dataset data = scattered(seed);
+    for (std::size_t i = seed % 20; i < data.points.size(); i += 20) data.points[i].A *= i % 40 < 20 ? 1.2 : 0.8;
+    FitOptions options{.objective = Objective::curve, .loss = Loss::t};
+    const FitResult fit = fit_model(data, "c", options);
+    ASSERT_TRUE(fit.parameters[0].interval) << seed << fit.message.text();
+    EXPECT_LT(fit.loss_freedom, 4) << seed;
+    covered += *fit.parameters[0].interval->low <= 0.15 && 0.15 <= *fit.parameters[0].interval->high;
+  }
+  // 57 expected; four standard deviations of a binomial count are 6.8
+  EXPECT_GE(covered, 50u);
+  const FitResult clean = fit_model(scattered(1), "c", {.objective = Objective::curve, .loss = Loss::t});
+  EXPECT_GT(clean.loss_freedom, 5);
+}
+
 /// Errors of unknown size: the loss bends at so many of the residuals' own spread.
 TEST(RobustFit, ScaleFollowsTheSpreadWhereErrorsAreNotKnown) {
   const Dataset data = scattered(3);

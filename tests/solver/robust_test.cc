@@ -55,6 +55,26 @@ TEST(Robust, CostIsThePrintedLoss) {
     }
 }
 
+/// -2 ln of Student's density over that of a residual of 0.
+TEST(Robust, CostOfTIsItsLikelihood) {
+  const Differences problem(kData);
+  const double freedom = 3.2, s = 0.7;
+  const RobustProblem t(problem, Loss::t, std::sqrt(freedom) * s, freedom);
+  EXPECT_TRUE(t.known_errors());
+  std::vector<double> plain(kData.size()), robust(kData.size()), jacobian(2 * kData.size()), low(robust), high(robust);
+  const std::vector<double> x{1.2, 0.1};
+  ASSERT_TRUE(problem.evaluate(x, plain, {}));
+  ASSERT_TRUE(t.evaluate(x, robust, jacobian));
+  const double h = 1e-6;
+  ASSERT_TRUE(t.evaluate(std::vector<double>{x[0] - h, x[1]}, low, {}));
+  ASSERT_TRUE(t.evaluate(std::vector<double>{x[0] + h, x[1]}, high, {}));
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const double printed = -2 * std::log(std::pow(1 + plain[i] * plain[i] / (freedom * s * s), -(freedom + 1) / 2));
+    EXPECT_NEAR(robust[i] * robust[i], printed, 1e-13 * printed);  // the power of a large number
+    EXPECT_NEAR(jacobian[2 * i], (high[i] - low[i]) / (2 * h), 1e-8 + 1e-9 * std::abs(robust[i])) << kData[i];
+  }
+}
+
 TEST(Robust, JacobianMatchesDifferences) {
   const Differences problem(kData);
   for (const Loss loss : {Loss::huber, Loss::cauchy})

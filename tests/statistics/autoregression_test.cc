@@ -133,7 +133,8 @@ TEST(Correlations, AreFoundForEachProcess) {
 TEST(Correlations, AreNoneOfIndependentDeviations) {
   const TwoProcesses runs = turning(5, 40);
   int any = 0;
-  for (unsigned seed = 0; seed < 100; ++seed) any += choose_correlations(runs, drawn(runs, {}, seed), one).correlations.any();
+  for (unsigned seed = 0; seed < 100; ++seed)
+    any += choose_correlations(runs, drawn(runs, {}, seed), one).correlations.any();
   EXPECT_LE(any, 6);  // ln 200 = 5.3 for one parameter more: two of 100 by chance for two correlations of one sign
 }
 

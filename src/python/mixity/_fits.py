@@ -82,6 +82,7 @@ class Fit(_Described):
     outliers: list[dict[str, Any]]
     errors: dict[str, Any] | None
     loss_scale: float | None
+    loss_freedom: float | None
     correlations: list[dict[str, Any]]
     influence: dict[str, Any] | None
     paper: dict[str, Any] | None
