@@ -57,8 +57,8 @@ void describe(Fields<Bootstrapped>& field) {
   field("resampled", "points within their runs, or whole runs", R"({"enum": ["points", "curves"]})",
         [](auto&, auto& in) { return in.fit->bootstrap->of_runs ? "curves" : "points"; });
   field("seed", "seed of the random numbers", drawn(&BootstrapResult::seed));
-  field("low", "lower end of the percentile interval", &Bootstrapped::low);
-  field("high", "upper end of the percentile interval", &Bootstrapped::high);
+  field("low", "lower end of the interval: of percentiles; studentised for four whole runs or more", &Bootstrapped::low);
+  field("high", "upper end of the interval", &Bootstrapped::high);
   field("standard_deviation", "of the replicates", &Bootstrapped::standard_deviation);
   field("bias", "mean of the replicates minus the fit", &Bootstrapped::bias);
 }

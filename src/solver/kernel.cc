@@ -198,6 +198,8 @@ bool Kernel::too_long(const std::vector<double>& x, const Start& reach) const {
 Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weights, std::optional<std::size_t> held,
                              const Start* reach) {
   constexpr double kFirstDamping = 1e-4, kMostDamping = 1e16;
+  constexpr int kMostUndefined = 100;  // steps to where the problem is not defined: a descent that creeps along its edge
+  int undefined = 0;
   double damping = 0, size = stationarity(x, held);
   std::vector<double> next = x;
   for (int i = 0; i < options_.most_iterations && size > options_.kernel_stationary_of_several; ++i) {
@@ -213,6 +215,7 @@ Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weig
     if (next == x && damping == 0) return {x, here_.value, size, true};  // lost in the rounding of x
     const bool usable = step_.allFinite();
     if (usable) cost_->at(next, weights, there_);
+    if (usable && !there_.finite && ++undefined > kMostUndefined) break;
     const double roundings = 1e-14 * here_.value;  // of a sum of squares, about
     if (!usable || !there_.finite || !(there_.value <= here_.value + roundings)) {
       damping = std::max(10 * damping, kFirstDamping);

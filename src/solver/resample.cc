@@ -13,6 +13,7 @@
 #include "base/threads.h"
 #include "solver/kernel.h"
 #include "solver/linear_algebra.h"
+#include "solver/run_errors.h"
 
 namespace mixity {
 namespace {
@@ -101,9 +102,13 @@ double quantile_of(const std::vector<double>& sorted, double q) {
 BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fitted,
                           const std::vector<std::size_t>& runs, const BootstrapOptions& options, double confidence,
                           const Progress& progress) {
+  constexpr std::size_t kFewest = 4;  // runs: fewer have no error of their own
   const auto groups = members(runs);
   const auto points = static_cast<std::ptrdiff_t>(runs.size());  // the other residuals are of priors
-  std::vector<std::vector<double>> replicates(options.replicates);
+  const bool studentised = options.resample == Resample::curves && groups.size() >= kFewest;
+  const RunErrors errors(problem, fitted, studentised ? groups : std::vector<std::vector<std::size_t>>());
+  const std::vector<double> error = errors(std::vector<double>(groups.size(), 1), std::vector<double>(fitted.size()));
+  std::vector<std::vector<double>> replicates(options.replicates), ratios(options.replicates);
   const auto draw = [&](std::size_t replicate, std::vector<double>& weights, std::vector<double>& shifts) {
     // Three words of state, so that seeding one stream for each replicate costs little.
     const auto words = {low_word(options.seed), high_word(options.seed), low_word(replicate), high_word(replicate)};
@@ -126,10 +131,17 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
                  [&](std::size_t i, Refitter& refit, std::vector<double>& weights) {
                    draw(i, weights, refit.shifts());
                    replicates[i] = refit(weights);
+                   if (!studentised || replicates[i].empty()) return;
+                   std::vector<double> drawn, change;
+                   for (const auto& group : groups) drawn.push_back(weights[group.front()]);
+                   for (std::size_t k = 0; k < fitted.size(); ++k) change.push_back(replicates[i][k] - fitted[k]);
+                   ratios[i] = errors(drawn, change);
+                   for (std::size_t k = 0; k < ratios[i].size(); ++k) ratios[i][k] = change[k] / ratios[i][k];
                  });
 
   BootstrapResult result{options.replicates, options.seed, options.resample == Resample::curves, 0, {}};
   std::erase_if(replicates, [](const auto& x) { return x.empty(); });
+  std::erase_if(ratios, [](const auto& x) { return x.empty(); });
   result.failed = options.replicates - replicates.size();
   if (2 * replicates.size() < options.replicates || replicates.size() < 2) return result;
   for (std::size_t k = 0; k < fitted.size(); ++k) {
@@ -145,6 +157,18 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
     result.parameters.push_back({quantile_of(values, 0.5 * (1 - confidence)),
                                  quantile_of(values, 0.5 * (1 + confidence)), std::sqrt(square / (n - 1)),
                                  mean - parameter.shown(fitted[k])});
+    if (error.empty() || 2 * ratios.size() < options.replicates) continue;
+    std::vector<double> sorted;
+    for (const auto& one : ratios)
+      if (std::isfinite(one[k])) sorted.push_back(one[k]);
+    if (2 * sorted.size() < options.replicates) continue;
+    std::sort(sorted.begin(), sorted.end());
+    const auto end = [&](double q) {
+      return parameter.shown(
+          std::clamp(fitted[k] - quantile_of(sorted, q) * error[k], parameter.lower, parameter.upper));
+    };
+    result.parameters.back().low = end(0.5 * (1 + confidence));
+    result.parameters.back().high = end(0.5 * (1 - confidence));
   }
   return result;
 }

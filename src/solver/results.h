@@ -65,8 +65,9 @@ struct DrawnProfile {
   double level = 0;                               // the rise at an interval's end: allowance/variance
 };
 
-/// One parameter's bootstrap distribution: percentile interval, standard deviation, and bias of the estimate (mean of
-/// the replicates minus the fit).
+/// One parameter's bootstrap distribution: interval, standard deviation, and bias of the estimate (mean of the
+/// replicates minus the fit). The interval is that of percentiles; of four whole runs or more it is studentised (Efron
+/// 1979; Cameron, Gelbach & Miller 2008, Rev. Econ. Stat. 90, 414).
 struct Bootstrapped {
   double low, high, standard_deviation, bias;
 };

@@ -161,8 +161,9 @@ double log_likelihood(const TwoProcesses& processes, std::span<const double> dev
 
 ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<const double> deviations,
                                        const std::function<double(double)>& second_factor) {
-  constexpr int kRounds = 3;   // in turn
-  constexpr double kNear = 2;  // by which ln L at the next of a few values is short of its maximum
+  constexpr int kRounds = 3;        // in turn
+  constexpr double kNear = 2;       // by which ln L at the next of a few values is short of its maximum
+  constexpr double kUndecided = 2;  // of ln L
   const TwoProcesses some = beginning(processes, kEnough);
   std::size_t n = 0;
   for (const auto& run : some.runs) n += run.size();
@@ -187,6 +188,12 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
   consider({first, 0});
   consider({0, second});
   if (!best.correlations.any()) return best;
+  // One that both share is as simple as one of either. Where the data do not tell, it is what widens most.
+  const double shared = highest([&](double x) { return value(x, x); }), of_shared = value(shared, shared);
+  if (of_shared > best.log_likelihood - kUndecided) {
+    best = {{shared, shared}, of_shared};
+    most = of_shared - price;
+  }
   NeighbourCorrelations both{first, second};
   for (int round = 0; round < kRounds; ++round) {
     both.second = highest([&](double x) { return value(both.first, x); });
