@@ -103,7 +103,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     const double p_value = course ? course->p_value : 1;
     const bool shared = p_value < kChance, tried = purpose_ == Purpose::tried, first = round == 0 && !by_run;
     const bool off = (round == weighting && shared) || (first && tried && shared) ||
-                     ((first || tried) && p_value < kSurely) ||
+                     ((first || (tried && round >= more)) && p_value < kSurely) ||
                      (round == choosing && !course && models.correlations.any());
     if (off) {
       off_course_ = course;

@@ -198,7 +198,8 @@ bool Kernel::too_long(const std::vector<double>& x, const Start& reach) const {
 Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weights, std::optional<std::size_t> held,
                              const Start* reach) {
   constexpr double kFirstDamping = 1e-4, kMostDamping = 1e16;
-  constexpr int kMostUndefined = 100;  // steps to where the problem is not defined: a descent that creeps along its edge
+  // Steps to where the problem is not defined: of a descent that creeps along its edge.
+  constexpr int kMostUndefined = 200;
   int undefined = 0;
   double damping = 0, size = stationarity(x, held);
   std::vector<double> next = x;

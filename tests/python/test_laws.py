@@ -182,12 +182,14 @@ def test_what_a_function_returns_must_be_f_at_each_psi():
 
 def test_functions_are_called_from_threads(function, data):
     # the refits of a bootstrap share threads out, while Python's own run on
-    def spread(model, threads, name):
-        return next(iter(mixity.fit(data, model, bootstrap=40, threads=threads, checks=False).values())).params[name].bootstrap
+    def spread(model, threads, name, replicates=40):
+        fits = mixity.fit(data, model, bootstrap=replicates, threads=threads, checks=False)
+        return next(iter(fits.values())).params[name].bootstrap
 
     assert spread(function, 4, "lam") == spread(function, 1, "lam")
-    # of 40 resamples of ten points one may fit by the one only
-    assert spread(function, 4, "lam")["standard_deviation"] == pytest.approx(spread("c", 4, "lambda")["standard_deviation"], rel=0.05)
+    # of a hundred resamples of ten points one or two may fit by the one only
+    own, published = spread(function, 4, "lam", 400), spread("c", 4, "lambda", 400)
+    assert own["standard_deviation"] == pytest.approx(published["standard_deviation"], rel=0.05)
     found = []
 
     def work(lam):
