@@ -7,6 +7,8 @@
 #include "base/units.h"
 #include "fitting/constants.h"
 #include "fitting/options.h"
+#include "fitting/plausible_size.h"
+#include "fitting/predicted_area.h"
 #include "fitting/stated_constants.h"
 
 namespace mixity {
@@ -168,6 +170,15 @@ void describe(const Case& of, Cause& cause) {
   cause.fit = std::move(without);
 }
 
+double implausibility(const Case& of, const Cause& cause) {
+  const FittedParameter& first = cause.fit.parameters.front();
+  if (cause.kind == Cause::Kind::runs)
+    return implausibility(of.data, cause.name, cause.fit.errors->runs.spreads.back(), first.value.value_or(0));
+  const Constant constant = constant_named(cause.name).value();
+  const double found = constants_of(of.data, of.options, cause.fit.parameters)[constant];
+  return implausibility(of.data, cause.name, found - constants_of(of.data, of.options)[constant], 0);
+}
+
 /// Whether a fit is far off whatever the proportions of the errors.
 bool is_hopeless(const Dataset& data, const FitResult& fit) {
   constexpr double kSurely = 1e-6;
@@ -218,6 +229,9 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
   std::stable_sort(list.begin(), list.end(), [](const Cause& x, const Cause& y) { return x.misfit < y.misfit; });
   std::erase_if(
       list, [&, best = list.empty() ? 0 : list.front().misfit](const Cause& one) { return one.misfit > best + range; });
+  std::stable_sort(list.begin(), list.end(), [&](const Cause& x, const Cause& y) {
+    return x.misfit + implausibility(of, x) < y.misfit + implausibility(of, y);
+  });
   for (Cause& one : list) describe(of, one);
   return list;
 }

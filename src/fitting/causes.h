@@ -25,7 +25,8 @@ struct Cause {
 /// -2 ln L of a fit, but for a constant of the points.
 double misfit(const FitResult& fit);
 
-/// The causes that explain the points, the best first, without those that are worse by more than `range`.
+/// The causes that explain the points, without those that are worse than the best by more than `range`; first the one
+/// with the least sum of misfit and implausibility of its size.
 std::vector<Cause> causes(const Case& of, const Points& points, double range);
 
 /// A contact that is no circle leaves residuals that look like noise of T with a memory. Where neighbours correlate,

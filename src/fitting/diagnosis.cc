@@ -84,9 +84,11 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
   if (!found.empty()) {
     Diagnosis diagnosis{all_text(found, whole), {}, {}};
     if (all_points) diagnosis.explained = comparable_squares(found.front().fit);
+    const auto least = std::min_element(found.begin(), found.end(),
+                                        [](const Cause& x, const Cause& y) { return x.misfit < y.misfit; });
     for (const Cause& one : found)
       diagnosis.explanations.push_back(
-          {one.name, one.run, one.size, one.remedy, first_free(one.fit), one.misfit - found.front().misfit});
+          {one.name, one.run, one.size, one.remedy, first_free(one.fit), one.misfit - least->misfit});
     return diagnosis;
   }
   const auto cut = sliding_is_tried(of, points) ? before_sliding(of, points, kFew) : std::nullopt;
