@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/constants.h"
+#include "fitting/constants.h"
 
 namespace mixity {
 namespace {
