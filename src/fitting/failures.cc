@@ -53,10 +53,10 @@ Message failed_test(const FitResult& fit) {
     return part->constant + " lies " + rounded(std::abs(part->pull), 2) + " of its standard errors " +
            (part->pull < 0 ? "below" : "above") + " what was stated: check it";
   if (slides(fit)) return "points lie beyond the last equilibrium: cut the runs at the onset of sliding";
-  if (const ExactConstant* wrong = wrong_constant(fit)) return wrong->constant + " looks wrong";
   if (fit.consistency && fit.consistency->pinned())
     return "the areas stay constant along each run within their errors; a pinned contact would look the same, so the "
            "runs do not determine the parameters";
+  if (const ExactConstant* wrong = wrong_constant(fit)) return wrong->constant + " looks wrong";
   if (runs_differ(fit, kChance)) {
     const RunTest& most = *std::min_element(fit.run_tests.begin(), fit.run_tests.end(),
                                             [](const auto& x, const auto& y) { return x.all.p_value < y.all.p_value; });

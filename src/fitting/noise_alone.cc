@@ -65,11 +65,14 @@ Dataset with_other_noise(const Dataset& data, const FitResult& fit, unsigned see
 
 bool noise_alone_fails_alike(const Dataset& data, const FitResult& fit, const FitOptions& options) {
   constexpr unsigned kExperiments = 10;
-  constexpr double kAlike = 1.5;  // the largest of ten is exceeded by this factor in fewer than one of a hundred
+  constexpr double kScatter = 0.7;
+  constexpr double kAlike = 1.5;  // the largest of ten is exceeded by this factor in 1 to 3 of a hundred
   if (!fit.errors || !fit.consistency || fit.errors->expected.empty() || fit.errors->place_A.empty()) return false;
   double squares = 0;
   for (const std::size_t i : fit.used) squares += std::pow(fit.errors->expected[i], 2);
   if (squares < kCurvatureMatters || fit.loss_scale > 0 || fails_otherwise(fit)) return false;
+  // Errors that are stated larger than the points scatter excuse nothing.
+  if (fit.known_errors && fit.sum_of_squares < kScatter * static_cast<double>(fit.freedom())) return false;
   FitOptions alike = value_only(options);
   alike.checks = true;
   alike.errors = std::make_shared<StandardErrors>(*fit.errors);

@@ -102,10 +102,11 @@ double quantile_of(const std::vector<double>& sorted, double q) {
 BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fitted,
                           const std::vector<std::size_t>& runs, const BootstrapOptions& options, double confidence,
                           const Progress& progress) {
-  constexpr std::size_t kFewest = 4;  // runs: fewer have no error of their own
+  // Fewer runs do not determine an error of their own beside so many parameters.
+  const std::size_t fewest = 2 * fitted.size() + 2;
   const auto groups = members(runs);
   const auto points = static_cast<std::ptrdiff_t>(runs.size());  // the other residuals are of priors
-  const bool studentised = options.resample == Resample::curves && groups.size() >= kFewest;
+  const bool studentised = options.resample == Resample::curves && groups.size() >= fewest;
   const RunErrors errors(problem, fitted, studentised ? groups : std::vector<std::vector<std::size_t>>());
   const std::vector<double> error = errors(std::vector<double>(groups.size(), 1), std::vector<double>(fitted.size()));
   std::vector<std::vector<double>> replicates(options.replicates), ratios(options.replicates);
@@ -157,6 +158,9 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
     result.parameters.push_back({quantile_of(values, 0.5 * (1 - confidence)),
                                  quantile_of(values, 0.5 * (1 + confidence)), std::sqrt(square / (n - 1)),
                                  mean - parameter.shown(fitted[k])});
+    const auto at_bounds =
+        std::count_if(replicates.begin(), replicates.end(), [&](const auto& x) { return parameter.at_bound(x[k]); });
+    if (at_bounds > 0 || parameter.at_bound(fitted[k])) continue;  // changes to one side alone
     if (error.empty() || 2 * ratios.size() < options.replicates) continue;
     std::vector<double> sorted;
     for (const auto& one : ratios)

@@ -66,8 +66,9 @@ struct DrawnProfile {
 };
 
 /// One parameter's bootstrap distribution: interval, standard deviation, and bias of the estimate (mean of the
-/// replicates minus the fit). The interval is that of percentiles; of four whole runs or more it is studentised (Efron
-/// 1979; Cameron, Gelbach & Miller 2008, Rev. Econ. Stat. 90, 414).
+/// replicates minus the fit). The interval is that of percentiles; of whole runs, at least two for each parameter and
+/// two more, it is studentised, unless the parameter is at a bound (Efron 1979; Cameron, Gelbach & Miller 2008, Rev.
+/// Econ. Stat. 90, 414).
 struct Bootstrapped {
   double low, high, standard_deviation, bias;
 };
