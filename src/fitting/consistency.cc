@@ -254,7 +254,8 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   const bool by_squares = fit.objective == Objective::curve && fit.loss_scale == 0;
   if (data.has_loads && by_squares && fit.errors && !fit.errors->A.empty())
     if (const auto excess = excess_of_constant_areas(data, fit.used, unexpected(data, fit), fit.errors->A))
-      if (!areas_take_a_course(data, fit)) result.constant_areas = *excess / std::pow(residual_unit(fit), 2);
+      result.constant_areas = *excess / std::pow(residual_unit(fit), 2);
+  if (result.pinned() && areas_take_a_course(data, fit)) result.constant_areas.reset();
   return result;
 }
 

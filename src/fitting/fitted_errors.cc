@@ -14,6 +14,16 @@ std::vector<double> of_points(const std::vector<double>& all, std::span<const st
   return some;
 }
 
+void keep_places(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+                 StandardErrors& errors) {
+  errors.place_T.resize(data.points.size());
+  errors.place_A.resize(data.points.size());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    errors.place_T[used[i]] = nearest.T[i];
+    errors.place_A[used[i]] = nearest.A[i];
+  }
+}
+
 double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
                        StandardErrors& errors) {
   double change = 0;
@@ -40,11 +50,8 @@ double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, c
            kLeastError * largest_value(data, &Point::A), errors.A);
   errors.load_T.resize(data.points.size());
   errors.load_A.resize(data.points.size(), 1.0);
-  errors.place_T.resize(data.points.size());
-  errors.place_A.resize(data.points.size());
+  keep_places(data, used, nearest, errors);
   for (std::size_t i = 0; i < used.size(); ++i) {
-    errors.place_T[used[i]] = nearest.T[i];
-    errors.place_A[used[i]] = nearest.A[i];
     errors.load_T[used[i]] = nearest.load_T[i];
     errors.load_A[used[i]] = nearest.load_A[i];
   }

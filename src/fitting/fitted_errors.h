@@ -9,6 +9,10 @@
 
 namespace mixity {
 
+/// Sets StandardErrors::place_T and place_A of the points of the fit.
+void keep_places(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+                 StandardErrors& errors);
+
 /// Evaluates the errors at the places of a fitted curve, for the points of the fit, and at the readings for the others.
 /// Returns the largest relative change for the points of the fit.
 double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
@@ -25,11 +29,11 @@ std::vector<double> of_points(const std::vector<double>& all, std::span<const st
 /// FitResult::log_variances.
 double log_variances(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors);
 
-/// What makes the residuals of these points independent; null where their neighbours do not correlate.
 /// What is taken off the residuals before they are made independent: the expected distances, and what the runs' own
 /// constants change, about which they are linearised. Empty: nothing.
 std::vector<double> taken_off(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors);
 
+/// What makes the residuals of these points independent; null where their neighbours do not correlate.
 std::optional<Decorrelation> neighbours_of(const Dataset& data, std::span<const std::size_t> used,
                                            const StandardErrors& errors);
 

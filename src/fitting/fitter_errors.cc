@@ -179,12 +179,9 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
   for (double& one : *expected) of_expected += std::pow(one *= noise, 2);
   if (of_expected < kCurvatureMatters) return false;
   StandardErrors& errors = *prepared_.errors;
-  for (auto* const list : {&errors.place_T, &errors.place_A, &errors.expected}) list->resize(data_.points.size());
-  for (std::size_t i = 0; i < expected->size(); ++i) {
-    errors.place_T[prepared_.used[i]] = nearest->T[i];
-    errors.place_A[prepared_.used[i]] = nearest->A[i];
-    errors.expected[prepared_.used[i]] = (*expected)[i];
-  }
+  keep_places(data_, prepared_.used, *nearest, errors);
+  errors.expected.resize(data_.points.size());
+  for (std::size_t i = 0; i < expected->size(); ++i) errors.expected[prepared_.used[i]] = (*expected)[i];
   problem_ = make_problem(data_, options_, prepared_);
   result_.errors = errors;
   return true;

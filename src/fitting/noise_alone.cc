@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "fitting/causes.h"
 #include "fitting/consistency.h"
 #include "fitting/fit.h"
 
@@ -14,14 +15,9 @@ namespace {
 
 /// -ln of the least p-value of a test whose failure makes a fit suspect, times the number of such tests.
 double improbability(const FitResult& fit) {
-  double least = 1;
-  if (fit.budget)
-    for (const ExactConstant& one : fit.budget->exact)
-      if (one.score && one.score->matters()) least = std::min(least, one.score->p_value * fit.budget->independent);
-  const double tests = static_cast<double>(fit.run_tests.size());
-  for (const RunTest& test : fit.run_tests)
-    for (const RunTest::Way* const way : {&test.all, &test.odd, &test.drift})
-      if (way->matters()) least = std::min(least, way->p_value * tests);
+  double least = chance_of_runs(fit);
+  if (const ExactConstant* const worst = most_significant_constant(fit))
+    least = std::min(least, worst->score->p_value * fit.budget->independent);
   if (!fit.consistency) return -std::log(least);
   const ResidualTests& residuals = fit.consistency->residuals;
   for (const double p : {residuals.course_p, residuals.runs_p, residuals.correlation_p, residuals.trend_p,
@@ -65,8 +61,8 @@ Dataset with_other_noise(const Dataset& data, const FitResult& fit, unsigned see
 
 bool noise_alone_fails_alike(const Dataset& data, const FitResult& fit, const FitOptions& options) {
   constexpr unsigned kExperiments = 10;
-  constexpr double kScatter = 0.7;
-  constexpr double kAlike = 1.5;  // the largest of ten is exceeded by this factor in 1 to 3 of a hundred
+  constexpr double kScatter = 0.7;  // chi^2 per degree of freedom of errors that are as stated
+  constexpr double kAlike = 1.5;    // the largest of ten is exceeded by this factor in 1 to 3 of a hundred
   if (!fit.errors || !fit.consistency || fit.errors->expected.empty() || fit.errors->place_A.empty()) return false;
   double squares = 0;
   for (const std::size_t i : fit.used) squares += std::pow(fit.errors->expected[i], 2);

@@ -7,10 +7,11 @@
 
 namespace mixity {
 
-/// Whether the tests fail no more clearly than in one of ten experiments that are simulated from the fit, with its
-/// errors and correlations, and fitted alike. False, without any simulation, where the curvature within the errors does
-/// not matter, or a test fails that does not compare residuals with noise: points beyond the last equilibrium, areas
-/// that stay constant, constants far from what was stated.
+/// Whether the tests fail less clearly than 1.5 times, in -ln p, what one of ten experiments gives that are simulated
+/// from the fit and fitted with its errors and correlations. False, without any simulation, where the curvature within
+/// the errors does not matter, the points scatter far less than stated errors, or a test fails that does not compare
+/// residuals with noise: points beyond the last equilibrium, areas that stay constant, constants far from what was
+/// stated.
 bool noise_alone_fails_alike(const Dataset& data, const FitResult& fit, const FitOptions& options);
 
 }  // namespace mixity

@@ -1,18 +1,12 @@
 #include "fitting/plausible_size.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "fitting/constants.h"
+#include "fitting/standard_errors.h"
 
 namespace mixity {
 namespace {
-
-double largest(const Dataset& data, double Point::*quantity) {
-  double most = 0;
-  for (const Point& point : data.points) most = std::max(most, std::abs(point.*quantity));
-  return most;
-}
 
 /// What is usual: adhesion differs most from day to day; gauges and cameras are calibrated.
 double usual_size(const Dataset& data, Constant constant) {
@@ -27,11 +21,11 @@ double usual_size(const Dataset& data, Constant constant) {
     case kHysteresis:
       return 0.15;
     case kLoadOffset:
-      return kOfLargest * largest(data, &Point::P);
+      return kOfLargest * largest_value(data, &Point::P);
     case kShearOffset:
-      return kOfLargest * largest(data, &Point::T);
+      return kOfLargest * largest_value(data, &Point::T);
     case kAreaOffset:
-      return kOfLargest * largest(data, &Point::A);
+      return kOfLargest * largest_value(data, &Point::A);
     default:  // radius, scales, shape
       return 0.02;
   }

@@ -57,7 +57,10 @@ void describe(Fields<Bootstrapped>& field) {
   field("resampled", "points within their runs, or whole runs", R"({"enum": ["points", "curves"]})",
         [](auto&, auto& in) { return in.fit->bootstrap->of_runs ? "curves" : "points"; });
   field("seed", "seed of the random numbers", drawn(&BootstrapResult::seed));
-  field("low", "lower end of the interval: of percentiles; studentised for four whole runs or more", &Bootstrapped::low);
+  field("low",
+        "lower end of the interval: of percentiles; studentised for whole runs, at least 2 p + 2 with p parameters, "
+        "away from bounds",
+        &Bootstrapped::low);
   field("high", "upper end of the interval", &Bootstrapped::high);
   field("standard_deviation", "of the replicates", &Bootstrapped::standard_deviation);
   field("bias", "mean of the replicates minus the fit", &Bootstrapped::bias);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <random>
 
 #include "base/threads.h"
@@ -107,8 +108,11 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
   const auto groups = members(runs);
   const auto points = static_cast<std::ptrdiff_t>(runs.size());  // the other residuals are of priors
   const bool studentised = options.resample == Resample::curves && groups.size() >= fewest;
-  const RunErrors errors(problem, fitted, studentised ? groups : std::vector<std::vector<std::size_t>>());
-  const std::vector<double> error = errors(std::vector<double>(groups.size(), 1), std::vector<double>(fitted.size()));
+  std::optional<RunErrors> errors;
+  if (studentised) errors.emplace(problem, fitted, groups);
+  const std::vector<double> error =
+      errors ? (*errors)(std::vector<double>(groups.size(), 1), std::vector<double>(fitted.size()))
+             : std::vector<double>();
   std::vector<std::vector<double>> replicates(options.replicates), ratios(options.replicates);
   const auto draw = [&](std::size_t replicate, std::vector<double>& weights, std::vector<double>& shifts) {
     // Three words of state, so that seeding one stream for each replicate costs little.
@@ -132,11 +136,11 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
                  [&](std::size_t i, Refitter& refit, std::vector<double>& weights) {
                    draw(i, weights, refit.shifts());
                    replicates[i] = refit(weights);
-                   if (!studentised || replicates[i].empty()) return;
+                   if (!errors || replicates[i].empty()) return;
                    std::vector<double> drawn, change;
                    for (const auto& group : groups) drawn.push_back(weights[group.front()]);
                    for (std::size_t k = 0; k < fitted.size(); ++k) change.push_back(replicates[i][k] - fitted[k]);
-                   ratios[i] = errors(drawn, change);
+                   ratios[i] = (*errors)(drawn, change);
                    for (std::size_t k = 0; k < ratios[i].size(); ++k) ratios[i][k] = change[k] / ratios[i][k];
                  });
 
@@ -158,9 +162,9 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
     result.parameters.push_back({quantile_of(values, 0.5 * (1 - confidence)),
                                  quantile_of(values, 0.5 * (1 + confidence)), std::sqrt(square / (n - 1)),
                                  mean - parameter.shown(fitted[k])});
-    const auto at_bounds =
-        std::count_if(replicates.begin(), replicates.end(), [&](const auto& x) { return parameter.at_bound(x[k]); });
-    if (at_bounds > 0 || parameter.at_bound(fitted[k])) continue;  // changes to one side alone
+    const bool reaches_bound =
+        std::any_of(replicates.begin(), replicates.end(), [&](const auto& x) { return parameter.at_bound(x[k]); });
+    if (reaches_bound || parameter.at_bound(fitted[k])) continue;  // changes to one side alone
     if (error.empty() || 2 * ratios.size() < options.replicates) continue;
     std::vector<double> sorted;
     for (const auto& one : ratios)

@@ -53,7 +53,7 @@ TEST(RobustFit, OutliersMoveAFitLessThanLeastSquares) {
 }
 
 /// Every twentieth area is off by twenty standard errors. The interval that follows from Student's likelihood holds the
-/// truth as often as it says, and the fit with none of them has hardly more degrees of freedom left.
+/// truth about as often as it says; without outliers there are more degrees of freedom.
 TEST(RobustFit, StudentsLikelihoodGivesOutliersTheirShare) {
   constexpr unsigned kSeeds = 60;
   unsigned covered = 0;
