@@ -145,6 +145,7 @@ void Fitter::fit_as_the_paper() {
 Verdict Fitter::find_minimum() {
   cost_.reset();  // they refer to the previous problem
   robust_.reset();
+  off_course_.reset();  // of a search that starts again
   const bool fitted_errors = prepared_.objective == Objective::curve && data_.has_loads && options_.fitted_errors;
   Verdict verdict = fitted_errors && !options_.errors ? minimum_with_its_errors() : minimum_of(*problem_);
   const bool reweighted = prepared_.objective == Objective::toughness && options_.weighted;
