@@ -188,9 +188,10 @@ const std::vector<Setting>& settings() {
       setting("fitted_errors", &FitOptions::fitted_errors, Switch{},
               "curve: errors at the fitted curve, estimated with it where none are stated; false: at the readings, "
               "independent, as ODRPACK takes them"),
-      setting("loss", &FitOptions::loss, Choice<Loss>{{Loss::none, Loss::huber, Loss::cauchy, Loss::t}},
-              "none, or a loss that limits the influence of outliers: huber, cauchy, or t, Student's likelihood, which "
-              "is fitted with the rest"),
+      setting(
+          "loss", &FitOptions::loss, Choice<Loss>{{Loss::none, Loss::huber, Loss::cauchy, Loss::t}},
+          "none, or a loss that limits the influence of outliers: huber, cauchy, or t, from 20 points on, Student's "
+          "likelihood, which is fitted with the rest"),
       setting("loss_scale", &FitOptions::loss_scale, PositiveNumber{},
               "residual beyond which points are down-weighted, in standard errors (default 1.345 huber, 2.385 cauchy)"),
       setting("hold", &FitOptions::hold, ListOf<Held>{},

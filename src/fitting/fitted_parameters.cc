@@ -53,10 +53,13 @@ std::vector<double> add_parameters(const Problem& cost, const Verdict& verdict, 
   fit.free_parameters = cost.parameters().size();
   fit.sum_of_squares = verdict.best.sum_of_squares;
   fit.correlations = verdict.correlations;
-  const bool known = fit.known_errors = cost.known_errors();
+  const bool known = cost.known_errors();
   const std::size_t n = cost.residual_count(), p = cost.parameters().size();
-  const double freedom =
-      fit.errors && fit.errors->runs.any() ? fit.errors->runs.freedom : std::numeric_limits<double>::infinity();
+  double freedom = std::numeric_limits<double>::infinity();
+  if (fit.errors && fit.errors->runs.any()) freedom = fit.errors->runs.freedom;
+  // Student's likelihood is one of known errors, but for its scale and its degrees of freedom.
+  if (fit.loss_freedom > 0 && !fit.known_errors && n > p + 1)
+    freedom = std::min(freedom, static_cast<double>(n - p - 1));
   const double allowance =
       n > p ? cost_allowance(options.confidence, verdict.best.sum_of_squares, n, p, known, freedom) : 0;
   const bool judged = verdict.status != FitStatus::not_converged && n > p && allowance > 0;

@@ -8,7 +8,6 @@
 #include "fitting/fitted_errors.h"
 #include "fitting/fitted_parameters.h"
 #include "solver/verdict.h"
-#include "statistics/student.h"
 
 namespace mixity {
 namespace {
@@ -49,12 +48,8 @@ Fitter::Fitter(const Dataset& data, const ContactModel& model, const FitOptions&
 }
 
 FitResult Fitter::run() {
-  const std::size_t p = problem_->parameters().size(), unknown = p - prior_count(*problem_);
-  if (const std::size_t distinct = distinct_points(data_, prepared_.used, unknown + 1); p > 0 && distinct <= unknown) {
-    result_.status = FitStatus::not_identifiable;
-    result_.message = too_few_points(distinct, prepared_.used.size(), unknown);
-    return result_;
-  }
+  const std::size_t p = problem_->parameters().size();
+  if (p > 0 && has_too_few_points()) return result_;
   const bool as_the_paper = purpose_ == Purpose::shown || (p > 0 && starting_.near.empty());
   if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper) fit_as_the_paper();
   // rough fractions of the time: up to the minimum, and up to the resampling
@@ -76,10 +71,10 @@ FitResult Fitter::run() {
       result_.message = verdict.message;
       if (!result_.has_values() || verdict.best.x.empty()) return result_;
       x = verdict.best.x;
+      result_.known_errors = problem_->known_errors();
       const std::vector<double> deeper =
           add_parameters(*cost_, verdict, options_, stretch(options_.progress, found * fitted, fitted), result_);
-      result_.known_errors = problem_->known_errors();
-      result_.free_parameters = unknown;  // each of the others has a residual of its own
+      result_.free_parameters = unknown();  // each of the others has a residual of its own
       result_.sum_of_squares *= unit_ * unit_;
       if (result_.errors) result_.log_variances = log_variances(data_, prepared_.used, *result_.errors);
       if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
@@ -95,6 +90,24 @@ FitResult Fitter::run() {
   suspect_wide_errors();
   if (checked() && p > 0) test_residuals();
   return result_;
+}
+
+/// How many parameters have no residual of their own.
+std::size_t Fitter::unknown() const { return problem_->parameters().size() - prior_count(*problem_); }
+
+/// Sets status and message then.
+bool Fitter::has_too_few_points() {
+  constexpr std::size_t kOfStudent = 20;  // of 16 points the 95 % intervals of Student's likelihood hold 92 %
+  const std::size_t p = unknown(), few = options_.loss == Loss::t ? std::max(kOfStudent, 2 * p + 1) : p + 1;
+  const std::size_t distinct = distinct_points(data_, prepared_.used, few);
+  if (distinct >= few) return false;
+  result_.status = FitStatus::not_identifiable;
+  if (distinct <= p)
+    result_.message = too_few_points(distinct, prepared_.used.size(), p);
+  else
+    result_.message = "the loss t needs " + std::to_string(few) + " different points, here are " +
+                      std::to_string(distinct) + ": " + Remedy::set("loss", "huber");
+  return true;
 }
 
 void Fitter::report_progress(double fraction) const {
@@ -174,46 +187,6 @@ bool Fitter::settle_weights(Verdict& verdict) {
   verdict.status = FitStatus::not_converged;
   verdict.message = "the weights, which depend on the parameters, did not settle";
   return false;
-}
-
-Verdict Fitter::find_robust_minimum(Verdict verdict) {
-  const double scale = options_.loss_scale.value_or(usual_scale(options_.loss));
-  const bool known = problem_->known_errors();
-  std::vector<double> x = verdict.best.x;
-  if (x.empty() && !known) x = value_of_least_spread(*problem_);
-  for (int i = 0; i < (known ? 1 : 3) && (known || !x.empty()); ++i) {
-    const double unit = known ? 1.0 : spread(*problem_, x);
-    if (!(unit > 0)) return verdict;  // an exact fit
-    result_.loss_scale = scale * unit;
-    robust_.emplace(*problem_, options_.loss, result_.loss_scale);
-    verdict = minimum_of(*robust_);
-    x = verdict.best.x;
-  }
-  return verdict;
-}
-
-/// With Student's errors of greatest likelihood.
-Verdict Fitter::find_minimum_of_student(Verdict verdict) {
-  constexpr int kMost = 50;
-  constexpr double kSettled = 1e-9;  // of the scale and of the degrees of freedom
-  const bool known = problem_->known_errors();
-  std::vector<double> x = verdict.best.x;
-  if (x.empty()) x = value_of_least_spread(*problem_);
-  std::vector<double> residuals(problem_->residual_count());
-  for (int i = 0; i < kMost && !x.empty(); ++i) {
-    if (!problem_->evaluate(x, residuals, {}) || !(spread(residuals) > 0)) return verdict;  // an exact fit
-    const StudentErrors errors = student_errors(residuals, known);
-    const double scale = std::sqrt(errors.freedom) * errors.scale;
-    const bool settled = std::abs(scale / result_.loss_scale - 1) < kSettled &&
-                         std::abs(errors.freedom / result_.loss_freedom - 1) < kSettled;
-    result_.loss_scale = scale;
-    result_.loss_freedom = errors.freedom;
-    robust_.emplace(*problem_, Loss::t, scale, errors.freedom);
-    verdict = minimum_of(*robust_);
-    x = verdict.best.x;
-    if (settled) break;
-  }
-  return verdict;
 }
 
 /// Includes the priors of the constants.

@@ -30,6 +30,8 @@ class Fitter {
 
  private:
   bool checked() const { return purpose_ == Purpose::shown && options_.checks; }
+  std::size_t unknown() const;
+  bool has_too_few_points();
   void report_progress(double fraction) const;
   void describe();
   void fit_as_the_paper();

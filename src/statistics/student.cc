@@ -39,11 +39,11 @@ StudentErrors student_errors(std::span<const double> deviations, bool known_scal
   const auto with = [&](double freedom) {
     return StudentErrors{freedom, known_scale ? 1 : scale_of(deviations, freedom)};
   };
-  const double log_freedom =
-      boost::math::tools::brent_find_minima([&](double x) { return -log_likelihood(deviations, with(std::exp(x))); },
-                                            0.0, std::log(kMostFreedom), kBits)
-          .first;
-  return with(std::exp(log_freedom));
+  const auto improbability = [&](double log_freedom) {
+    const double freedom = std::exp(log_freedom);
+    return 0.1 * freedom - 2 * log_freedom - log_likelihood(deviations, with(freedom));
+  };
+  return with(std::exp(boost::math::tools::brent_find_minima(improbability, 0.0, std::log(kMostFreedom), kBits).first));
 }
 
 }  // namespace mixity
