@@ -116,7 +116,9 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   }
   // Of one or two runs nothing tells correlated noise from a wrong model.
   const bool independent = tests.course && fit.innovations.size() == fit.residuals.size();
-  const std::vector<double> residuals = independent ? fit.innovations : unexpected(data, fit);
+  std::vector<double> residuals = independent ? fit.innovations : unexpected(data, fit);
+  if (fit.loss_scale > 0)  // outliers count as they do in the fit: no more than points where the loss bends
+    for (double& r : residuals) r = std::clamp(r, -fit.loss_scale, fit.loss_scale);
   const auto runs = used_by_run(data, fit);
   double z = 0, trend = 0, squares = 0, product = 0, of_products = 0;
   EndsTest ends;
@@ -209,6 +211,7 @@ std::vector<BeyondEquilibrium> beyond_equilibrium(const Dataset& data, const Fit
 }  // namespace
 
 double residual_unit(const FitResult& fit) {
+  if (fit.loss_freedom > 0) return fit.loss_scale / std::sqrt(fit.loss_freedom);
   if (fit.known_errors || fit.freedom() == 0) return 1;
   return std::sqrt(fit.sum_of_squares / static_cast<double>(fit.freedom()));
 }

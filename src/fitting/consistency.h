@@ -13,7 +13,8 @@ namespace mixity {
 /// A test fails at this p-value.
 inline constexpr double kChance = 1e-3;
 
-/// Standard error of a residual: 1 where errors are known, else from the scatter about the fit.
+/// Standard error of a residual: 1 where errors are known, else from the scatter about the fit. Of Student's likelihood
+/// its scale, which is that of most points.
 double residual_unit(const FitResult& fit);
 
 /// Of a fit that has residuals.

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
+#include "fitting/consistency.h"
 #include "fitting/fit.h"
 #include "fitting/synthetic_runs.h"
 
@@ -106,6 +108,24 @@ TEST(RobustFit, OfExactDataStudentsLikelihoodIsThatOfLeastSquares) {
     EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
     EXPECT_NEAR(*fit.parameters[0].value, 0.15, 1e-9);  // the curve is found to 1e-10
     EXPECT_EQ(fit.loss_scale, 0);
+  }
+}
+
+/// By brute force: the square root of the mean square of residuals that count no more than points where the loss bends.
+/// Their unknown size is that of ln f, some 0.1, and has nothing to do with the cost of the likelihood.
+TEST(RobustFit, UnitOfStudentsResidualsIsThatOfATypicalPoint) {
+  std::mt19937_64 random(7);
+  for (const double freedom : {2.0, 4.0, 30.0}) {
+    std::student_t_distribution<double> student(freedom);
+    Dataset data = synthetic_runs("c", {0.15}, {0.5, 5, 20}, 100, 0.85);
+    for (Point& point : data.points) point.A *= std::exp(0.005 * student(random));
+    const FitResult fit = fit_model(data, "c", {.objective = Objective::toughness, .loss = Loss::t});
+    ASSERT_GT(fit.loss_freedom, 0) << fit.message.text();
+    double squares = 0;
+    for (const double r : fit.residuals) squares += std::pow(std::min(std::abs(r), fit.loss_scale), 2);
+    const double size = std::sqrt(squares / static_cast<double>(fit.residuals.size()));
+    // sqrt(E min(t^2, freedom)) is 0.97 to 1.10 for 2 to 30 degrees of freedom; of 300 points its error is 0.04
+    EXPECT_NEAR(size / residual_unit(fit), 1.05, 0.15) << freedom;
   }
 }
 
