@@ -7,6 +7,7 @@
 
 #include "fitting/course.h"
 #include "fitting/fitted_errors.h"
+#include "solver/robust.h"
 #include "statistics/distributions.h"
 
 namespace mixity {
@@ -232,10 +233,15 @@ double independent_points(const FitResult& fit) {
 
 Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   Consistency result;
-  if (fit.known_errors && fit.loss_scale == 0 && fit.freedom() > 0) {
-    const auto freedom = static_cast<double>(fit.freedom());
-    result.chi2_per_freedom = fit.sum_of_squares / freedom;
-    result.chi2_p = chi_squared_p_value(fit.sum_of_squares, freedom);
+  if (fit.known_errors && fit.freedom() > 0) {
+    // Beside a robust loss by the median, which is worth so many of the points, and which few outliers do not move.
+    constexpr double kWorth = 0.37;
+    const bool robust = fit.loss_scale > 0;
+    const double freedom = static_cast<double>(fit.freedom()), n = static_cast<double>(fit.used.size());
+    const double square = robust ? n * std::pow(spread(fit.innovations), 2) : fit.sum_of_squares;
+    result.chi2_per_freedom = square / freedom;
+    const double counted = robust ? kWorth * freedom : freedom;
+    result.chi2_p = chi_squared_p_value(square / freedom * counted, counted);
   }
   result.residuals = test_residuals(data, fit);
   // The errors are from the scatter of neighbours, independent of the fit; residuals are in units of these.

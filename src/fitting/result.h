@@ -154,7 +154,7 @@ inline constexpr double kAboutAsWell = 6;
 
 /// Tests of the assumptions of the fit.
 struct Consistency {
-  std::optional<double> chi2_per_freedom, chi2_p;  // of known errors, without a robust loss
+  std::optional<double> chi2_per_freedom, chi2_p;  // of known errors; with a robust loss by the median of the residuals
   ResidualTests residuals;
   std::vector<BeyondEquilibrium> beyond;  // runs that have such points
   /// chi^2 of one constant area for each run, in the unit of the residuals, less that of the fit.

@@ -170,7 +170,8 @@ void describe(Fields<Consistency>& field) {
   const auto of_residuals = [](const auto member) {
     return [member](const Consistency& tests) { return tests.residuals.*member; };
   };
-  field("chi2_per_freedom", "chi^2 per degree of freedom; null if errors are estimated",
+  field("chi2_per_freedom",
+        "chi^2 per degree of freedom, with a robust loss by the median residual; null if errors are estimated",
         &Consistency::chi2_per_freedom);
   field("chi2_p_value", "probability of so large a chi^2", &Consistency::chi2_p);
   field("correlation", "correlation of neighbouring residuals", of_residuals(&ResidualTests::correlation));

@@ -129,6 +129,24 @@ TEST(RobustFit, UnitOfStudentsResidualsIsThatOfATypicalPoint) {
   }
 }
 
+/// Three times too small for all points is no matter of outliers, a tenth of the points at twenty standard errors is.
+TEST(RobustFit, StatedErrorsThatAreTooSmallAreSuspectAndOutliersAreNot) {
+  for (const Loss loss : {Loss::huber, Loss::cauchy, Loss::t}) {
+    FitOptions options{.objective = Objective::curve, .loss = loss, .intervals = false};
+    options.sigma_T = parse_quantity("0.1%");
+    options.sigma_A = parse_quantity("0.33%");
+    const FitResult small = fit_model(scattered(2), "c", options);
+    EXPECT_EQ(small.status, FitStatus::suspect) << to_string(loss);
+    EXPECT_NE(small.message.text().find("larger than the stated errors"), std::string::npos) << small.message.text();
+    EXPECT_NEAR(std::sqrt(*small.consistency->chi2_per_freedom), 3, 0.9);  // the median of 90 points is known to 12 %
+    options.sigma_A = parse_quantity("1%");
+    Dataset spoilt = scattered(2);
+    for (std::size_t i = 3; i < spoilt.points.size(); i += 10) spoilt.points[i].A *= i % 20 < 10 ? 1.2 : 0.8;
+    const FitResult outliers = fit_model(spoilt, "c", options);
+    EXPECT_EQ(outliers.status, FitStatus::ok) << to_string(loss) << outliers.message.text();
+  }
+}
+
 /// Errors of unknown size: the loss bends at so many of the residuals' own spread.
 TEST(RobustFit, ScaleFollowsTheSpreadWhereErrorsAreNotKnown) {
   const Dataset data = scattered(3);
