@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <span>
 
 #include "fitting/course.h"
 #include "fitting/fitted_errors.h"
@@ -184,18 +185,6 @@ double over_scatter(const Dataset& data, const FitResult& fit) {
   return fit.freedom() > 0 ? std::sqrt(squares / static_cast<double>(fit.freedom())) : 0;
 }
 
-/// Whether the areas themselves change over T in the same way in all runs.
-bool areas_take_a_course(const Dataset& data, const FitResult& fit) {
-  std::vector<double> deviations(fit.used.size());
-  for (const auto& run : used_by_run(data, fit)) {
-    double mean = 0;
-    for (const std::size_t i : run) mean += data.points[fit.used[i]].A / static_cast<double>(run.size());
-    for (const std::size_t i : run) deviations[i] = data.points[fit.used[i]].A / mean - 1;
-  }
-  const auto course = test_course(data, fit.used, deviations);
-  return course && course->p_value < kChance;
-}
-
 /// Runs with points that the fitted model gives no area, and the first of them.
 std::vector<BeyondEquilibrium> beyond_equilibrium(const Dataset& data, const FitResult& fit) {
   std::vector<BeyondEquilibrium> list;
@@ -215,20 +204,6 @@ double residual_unit(const FitResult& fit) {
   if (fit.loss_freedom > 0) return fit.loss_scale / std::sqrt(fit.loss_freedom);
   if (fit.known_errors || fit.freedom() == 0) return 1;
   return std::sqrt(fit.sum_of_squares / static_cast<double>(fit.freedom()));
-}
-
-double mean_correlation(const FitResult& fit) {
-  if (!fit.errors || !fit.errors->correlations.any() || fit.used.empty()) return 0;
-  double sum = 0;
-  for (const std::size_t i : fit.used)
-    sum += std::pow(fit.errors->load_A[i], 2) * fit.errors->correlations.first +
-           std::pow(fit.errors->load_T[i], 2) * fit.errors->correlations.second;
-  return sum / static_cast<double>(fit.used.size());
-}
-
-double independent_points(const FitResult& fit) {
-  const double r = mean_correlation(fit);
-  return static_cast<double>(fit.used.size()) * (1 - r) / (1 + r);
 }
 
 Consistency test_consistency(const Dataset& data, const FitResult& fit) {
@@ -260,11 +235,9 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   result.residuals.together =
       mean_correlation(fit) > 0 && independent_points(fit) < kFew * static_cast<double>(runs.size());
   result.beyond = beyond_equilibrium(data, fit);
-  const bool by_squares = fit.objective == Objective::curve && fit.loss_scale == 0;
-  if (data.has_loads && by_squares && fit.errors && !fit.errors->A.empty())
-    if (const auto excess = excess_of_constant_areas(data, fit.used, unexpected(data, fit), fit.errors->A))
-      result.constant_areas = *excess / std::pow(residual_unit(fit), 2);
-  if (result.pinned() && areas_take_a_course(data, fit)) result.constant_areas.reset();
+  if (data.has_loads)
+    result.pinned =
+        areas_stay(data, fit.used, fit.errors ? std::span<const double>(fit.errors->A) : std::span<const double>());
   return result;
 }
 

@@ -20,10 +20,10 @@ struct CourseTest {
 std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used,
                                       std::span<const double> residuals);
 
-/// The squares, in standard errors of A, of the areas about one constant area in each run, less the squares of the
-/// residuals; of runs with enough points. Null if there are too few. As `test_course` otherwise; `sigma_A`: of each
-/// point of the data set.
-std::optional<double> excess_of_constant_areas(const Dataset& data, std::span<const std::size_t> used,
-                                               std::span<const double> residuals, std::span<const double> sigma_A);
+/// Whether the areas of each run are one area within their scatter, by themselves, whatever was fitted: a fall with T^2
+/// that all runs share lowers their squares by less than 6 times the variance about a line in T^2 for each run, and
+/// these lines lower them by no more than chance. Where neighbours correlate, the variance counts accordingly more.
+/// `sigma_A`: of each point of the data set, as far as is known; empty: proportional errors. False of too few points.
+bool areas_stay(const Dataset& data, std::span<const std::size_t> used, std::span<const double> sigma_A);
 
 }  // namespace mixity

@@ -72,7 +72,7 @@ bool sliding_is_tried(const Case& of, const Points& points) {
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
                    bool left_behind) {
   const Message failed = failed_test(fit);
-  const bool pinned = fit.consistency && fit.consistency->pinned();
+  const bool pinned = fit.consistency && fit.consistency->pinned;
   if (failed.empty() || !fit.budget || fit.loss_scale > 0 || pinned) return {failed, {}, {}};
   constexpr std::size_t kEnough = 5000;  // points to distinguish causes
   const Case of{data, fit, options, refit, left_behind};

@@ -2,11 +2,26 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "base/units.h"
 #include "fitting/causes.h"
 #include "fitting/consistency.h"
 #include "statistics/distributions.h"
 
 namespace mixity {
+
+double mean_correlation(const FitResult& fit) {
+  if (!fit.errors || !fit.errors->correlations.any() || fit.used.empty()) return 0;
+  double sum = 0;
+  for (const std::size_t i : fit.used)
+    sum += std::pow(fit.errors->load_A[i], 2) * fit.errors->correlations.first +
+           std::pow(fit.errors->load_T[i], 2) * fit.errors->correlations.second;
+  return sum / static_cast<double>(fit.used.size());
+}
+
+double independent_points(const FitResult& fit) {
+  const double r = mean_correlation(fit);
+  return static_cast<double>(fit.used.size()) * (1 - r) / (1 + r);
+}
 
 const ExactConstant* most_significant_constant(const FitResult& fit) {
   if (!fit.budget) return nullptr;
@@ -58,10 +73,14 @@ Message failed_test(const FitResult& fit) {
     return part->constant + " lies " + rounded(std::abs(part->pull), 2) + " of its standard errors " +
            (part->pull < 0 ? "below" : "above") + " what was stated: check it";
   if (slides(fit)) return "points lie beyond the last equilibrium: cut the runs at the onset of sliding";
-  if (fit.consistency && fit.consistency->pinned())
+  if (fit.consistency && fit.consistency->pinned)
     return "the areas stay constant along each run within their errors; a pinned contact would look the same, so the "
            "runs do not determine the parameters";
-  if (const ExactConstant* wrong = wrong_constant(fit)) return wrong->constant + " looks wrong";
+  if (const ExactConstant* wrong = wrong_constant(fit)) {
+    const ReadableUnit shown = readable_unit(wrong->score->value, wrong->unit);
+    return wrong->constant + " looks wrong: near " + rounded(wrong->score->value * shown.factor, 2) +
+           (wrong->unit.empty() ? "" : " " + shown.unit) + " the points would lie closer to the curve";
+  }
   if (runs_differ(fit, kChance)) {
     const RunTest& most = *std::min_element(fit.run_tests.begin(), fit.run_tests.end(),
                                             [](const auto& x, const auto& y) { return x.all.p_value < y.all.p_value; });

@@ -29,7 +29,7 @@ double improbability(const FitResult& fit) {
 /// Fails a test that does not compare residuals with noise.
 bool fails_otherwise(const FitResult& fit) {
   const Consistency& tests = *fit.consistency;
-  return slides(fit) || far_from_stated(fit) || tests.pinned() || tests.residuals.together || is_far(tests.residuals);
+  return slides(fit) || far_from_stated(fit) || tests.pinned || tests.residuals.together || is_far(tests.residuals);
 }
 
 /// The readings of this experiment with other noise: from the places of the fitted curve, as `errors` says.

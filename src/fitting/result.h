@@ -157,10 +157,8 @@ struct Consistency {
   std::optional<double> chi2_per_freedom, chi2_p;  // of known errors; with a robust loss by the median of the residuals
   ResidualTests residuals;
   std::vector<BeyondEquilibrium> beyond;  // runs that have such points
-  /// chi^2 of one constant area for each run, in the unit of the residuals, less that of the fit.
-  std::optional<double> constant_areas{};
-  /// Whether one area for each run describes the points about as well, as of a contact that is pinned.
-  bool pinned() const { return constant_areas.value_or(kAboutAsWell) < kAboutAsWell; }
+  /// Whether the areas stay constant along each run within their scatter, as of a contact that is pinned.
+  bool pinned = false;
 };
 
 /// Score test of a quantity that may differ between the runs, from the fit's own derivatives.

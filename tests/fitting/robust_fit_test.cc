@@ -6,7 +6,7 @@
 
 #include "fitting/consistency.h"
 #include "fitting/fit.h"
-#include "fitting/synthetic_runs.h"
+#include "fitting/measured_runs.h"
 
 namespace mixity {
 namespace robust_fit_test {
@@ -145,6 +145,17 @@ TEST(RobustFit, StatedErrorsThatAreTooSmallAreSuspectAndOutliersAreNot) {
     const FitResult outliers = fit_model(spoilt, "c", options);
     EXPECT_EQ(outliers.status, FitStatus::ok) << to_string(loss) << outliers.message.text();
   }
+}
+
+/// No cause is searched beside a robust loss: the score test says what is wrong, where it would be right, and on which
+/// side. Here the load cell reads too much.
+TEST(RobustFit, AConstantThatLooksWrongHasAValue) {
+  Dataset data = measured_runs(5);
+  for (Point& point : data.points) point.P += 1;
+  for (double& load : data.curve_loads) load += 1;
+  const FitResult fit = fit_model(data, "c", {.objective = Objective::curve, .loss = Loss::huber, .intervals = false});
+  EXPECT_EQ(fit.status, FitStatus::suspect);
+  EXPECT_TRUE(fit.message.text().starts_with("load_offset looks wrong: near -")) << fit.message.text();
 }
 
 /// Errors of unknown size: the loss bends at so many of the residuals' own spread.
