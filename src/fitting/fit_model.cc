@@ -52,7 +52,7 @@ FitResult fit_and_test(const Dataset& data, std::string_view model, const FitOpt
 
 void find_cause(const Dataset& data, FitResult& result, const FitOptions& options, bool left_behind) {
   if (!result.consistency) return;
-  if (result.status == FitStatus::suspect && noise_alone_fails_alike(data, result, options)) {
+  if (result.status == FitStatus::suspect && result.message.empty() && noise_alone_fails_alike(data, result, options)) {
     result.status = FitStatus::ok;
     result.message =
         "tests fail as they do in experiments simulated from this fit: T scatters so widely that A(T) is curved within "

@@ -171,8 +171,9 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
     return log_likelihood_of_any_unit(some, deviations, {{first, second}, 1, second_factor(second)});
   };
   const double price = 0.5 * std::log(static_cast<double>(std::max<std::size_t>(n, 2)));
-  ChosenCorrelations best{{}, value(0, 0)};
-  double most = best.log_likelihood;
+  const double without = value(0, 0);
+  ChosenCorrelations best{{}, without};
+  double most = without;
   bool promising = false;
   for (const double tried : {0.3, 0.7, 0.92})
     promising |= std::max(value(tried, 0), value(0, tried)) > most + price - kNear;
@@ -190,9 +191,9 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
   if (!best.correlations.any()) return best;
   // One that both share is as simple as one of either. Where the data do not tell, it is what widens most.
   const double shared = highest([&](double x) { return value(x, x); }), of_shared = value(shared, shared);
-  if (of_shared > best.log_likelihood - kUndecided) {
+  if (of_shared > best.log_likelihood - kUndecided && of_shared - price > without) {
     best = {{shared, shared}, of_shared};
-    most = of_shared - price;
+    most = std::max(most, of_shared - price);
   }
   NeighbourCorrelations both{first, second};
   for (int round = 0; round < kRounds; ++round) {

@@ -59,9 +59,9 @@ class Decorrelation {
 double log_likelihood(const TwoProcesses& processes, std::span<const double> deviations, const ScaledCorrelations& at);
 
 /// The correlations of greatest likelihood, whatever the unit of the deviations, to 1e-4; 0 where BIC does not ask for
-/// one (Schwarz 1978); both alike where the data do not tell which one it is; ln L with them in the unit of greatest
-/// likelihood, but for a constant. Of many deviations the first 20,000 decide. `second_factor`: by which the second
-/// weights grow with their correlation, where something else than the deviations determines them.
+/// one (Schwarz 1978); both alike where it asks for that and the data do not tell which one it is; ln L with them in
+/// the unit of greatest likelihood, but for a constant. Of many deviations the first 20,000 decide. `second_factor`: by
+/// which the second weights grow with their correlation, where something else than the deviations determines them.
 struct ChosenCorrelations {
   NeighbourCorrelations correlations{};
   double log_likelihood = 0;

@@ -153,7 +153,7 @@ TEST(Consistency, DoesNotTakeAreasThatFallForPinnedBecauseErrorsAreWide) {
   SeededNoise noise(3, 0.01);
   const Dataset data = synthetic_runs("b", {0.3}, {0.5, 12}, 25, 0.95, noise);
   for (const char* model : {"b", "c"}) {
-    FitOptions wide{.sigma_T = *parse_quantity("50%"), .sigma_A = *parse_quantity("50%"), .intervals = false};
+    FitOptions wide{.sigma_T = *parse_quantity("50%"), .sigma_A = *parse_quantity("200%"), .intervals = false};
     const FitResult fit = fit_model(data, model, wide);
     ASSERT_TRUE(fit.consistency) << model << fit.message.text();
     EXPECT_FALSE(fit.consistency->pinned) << model;

@@ -47,6 +47,20 @@ TEST(NoiseAlone, DoesNotExcuseAWrongModel) {
   }
 }
 
+TEST(NoiseAlone, ExcusesNoFindingThatHasItsOwnMessage) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const NoisyShear noisy(seed);
+    FitResult fit = fit_and_test(noisy.data, "c", noisy.options);
+    if (fit.status != FitStatus::suspect) continue;
+    fit.message = "too wide";
+    find_cause(noisy.data, fit, noisy.options);
+    EXPECT_EQ(fit.status, FitStatus::suspect);
+    EXPECT_TRUE(fit.message.text().starts_with("too wide")) << fit.message.text();
+    return;
+  }
+  FAIL() << "no fit is suspect";
+}
+
 /// Noise of 1 % bends nothing: no experiment is simulated for a fault.
 TEST(NoiseAlone, IsNotAskedWhereNoCurvatureMatters) {
   SeededNoise noise(1, 0.01);

@@ -138,6 +138,27 @@ TEST(Correlations, AreNoneOfIndependentDeviations) {
   EXPECT_LE(any, 6);  // ln 200 = 5.3 for one parameter more: two of 100 by chance for two correlations of one sign
 }
 
+/// One that both share must be worth its price itself, not only about as likely as one that is.
+TEST(Correlations, AreSharedOnlyWhereThatIsBetterThanNone) {
+  const TwoProcesses runs = turning(3, 30);
+  int any = 0, alike = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    const std::vector<double> values = drawn(runs, {0.5, 0}, seed);
+    const auto found = choose_correlations(runs, values, one);
+    const auto& [first, second] = found.correlations;
+    double squares = 0;
+    for (const double v : values) squares += v * v;
+    const auto n = static_cast<double>(values.size());
+    const double without = -0.5 * n * std::log(squares / n);
+    any += found.correlations.any();
+    if (first != second || first == 0) continue;
+    ++alike;
+    EXPECT_GT(found.log_likelihood - 0.5 * std::log(n), without) << seed;
+  }
+  EXPECT_GT(any, 100);
+  EXPECT_GT(alike, 30);
+}
+
 TEST(Correlations, AreImprovedWithTheFactorsOfTheWeights) {
   const TwoProcesses runs = turning(8, 200);
   const NeighbourCorrelations rho{0.8, 0.5};
