@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 #include <set>
-#include <span>
 
 #include "fitting/course.h"
 #include "fitting/fitted_errors.h"
@@ -185,6 +184,17 @@ double over_scatter(const Dataset& data, const FitResult& fit) {
   return fit.freedom() > 0 ? std::sqrt(squares / static_cast<double>(fit.freedom())) : 0;
 }
 
+/// The points that a robust loss counts; all without one.
+std::vector<std::size_t> counted_points(const FitResult& fit) {
+  constexpr double kFar = 4;  // standard errors of a residual
+  if (!(fit.loss_scale > 0) || fit.innovations.size() != fit.used.size()) return fit.used;
+  const double most = kFar * spread(fit.innovations);
+  std::vector<std::size_t> points;
+  for (std::size_t i = 0; i < fit.used.size(); ++i)
+    if (std::abs(fit.innovations[i]) <= most) points.push_back(fit.used[i]);
+  return points;
+}
+
 /// Runs with points that the fitted model gives no area, and the first of them.
 std::vector<BeyondEquilibrium> beyond_equilibrium(const Dataset& data, const FitResult& fit) {
   std::vector<BeyondEquilibrium> list;
@@ -199,12 +209,6 @@ std::vector<BeyondEquilibrium> beyond_equilibrium(const Dataset& data, const Fit
 }
 
 }  // namespace
-
-double residual_unit(const FitResult& fit) {
-  if (fit.loss_freedom > 0) return fit.loss_scale / std::sqrt(fit.loss_freedom);
-  if (fit.known_errors || fit.freedom() == 0) return 1;
-  return std::sqrt(fit.sum_of_squares / static_cast<double>(fit.freedom()));
-}
 
 Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   Consistency result;
@@ -235,9 +239,8 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   result.residuals.together =
       mean_correlation(fit) > 0 && independent_points(fit) < kFew * static_cast<double>(runs.size());
   result.beyond = beyond_equilibrium(data, fit);
-  if (data.has_loads)
-    result.pinned =
-        areas_stay(data, fit.used, fit.errors ? std::span<const double>(fit.errors->A) : std::span<const double>());
+  const std::vector<double> none;
+  if (data.has_loads) result.pinned = areas_stay(data, counted_points(fit), fit.errors ? fit.errors->A : none);
   return result;
 }
 

@@ -9,6 +9,12 @@
 
 namespace mixity {
 
+double residual_unit(const FitResult& fit) {
+  if (fit.loss_freedom > 0) return fit.loss_scale / std::sqrt(fit.loss_freedom);
+  if (fit.known_errors || fit.freedom() == 0) return 1;
+  return std::sqrt(fit.sum_of_squares / static_cast<double>(fit.freedom()));
+}
+
 double mean_correlation(const FitResult& fit) {
   if (!fit.errors || !fit.errors->correlations.any() || fit.used.empty()) return 0;
   double sum = 0;
