@@ -44,7 +44,12 @@ Verdict Fitter::find_minimum_of_student(Verdict verdict) {
   bool searched = false;
   for (int i = 0; i < kMost && !x.empty(); ++i) {
     const bool exact = !problem_->evaluate(x, residuals, {}) || spread(residuals) <= 100 * residual_rounding(*problem_);
-    if (exact) return verdict;
+    if (exact) {
+      if (robust_) verdict = minimum_of(*problem_);
+      robust_.reset();
+      result_.loss_scale = result_.loss_freedom = 0;
+      return verdict;
+    }
     const StudentErrors errors = student_errors(residuals, known);
     const double scale = correction * std::sqrt(errors.freedom) * errors.scale;
     const bool settled = std::abs(scale / result_.loss_scale - 1) < kSettled &&
@@ -58,7 +63,7 @@ Verdict Fitter::find_minimum_of_student(Verdict verdict) {
     if (searched) verdict = minimum_of(*robust_);
     x = next ? next->x : verdict.best.x;
   }
-  if (!robust_) return verdict;
+  if (x.empty()) return verdict;
   if (!searched) verdict = minimum_of(*robust_);
   verdict.status = FitStatus::not_converged;
   verdict.message = "the degrees of freedom of the errors, which depend on the parameters, did not settle";
