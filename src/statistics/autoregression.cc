@@ -175,7 +175,8 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
   ChosenCorrelations best{{}, without};
   double most = without;
   bool promising = false;
-  for (const double tried : {0.3, 0.7, 0.92})
+  // ln L rises by n r^2/2 at a small correlation r of the residuals: the first is the least that is worth its price.
+  for (const double tried : {std::sqrt(2 * price / static_cast<double>(n)), 0.3, 0.7, 0.92})
     promising |= std::max(value(tried, 0), value(0, tried)) > most + price - kNear;
   if (!promising) return best;
   const auto consider = [&](NeighbourCorrelations one) {

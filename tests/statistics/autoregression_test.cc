@@ -139,6 +139,15 @@ TEST(Correlations, AreNoneOfIndependentDeviations) {
 }
 
 /// One that both share must be worth its price itself, not only about as likely as one that is.
+/// Small correlations of many points: ln L is lower at 0.3 than at 0.
+TEST(Correlations, AreFoundWhereTheyAreSmall) {
+  const TwoProcesses made = turning(8, 200);
+  int found = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed)
+    found += choose_correlations(made, drawn(made, {0.12, 0.12}, seed), [](double) { return 1.0; }).correlations.any();
+  EXPECT_GE(found, 18);  // 0.12 is 4.8 standard errors; the price in ln L is one of 2.7
+}
+
 TEST(Correlations, AreSharedOnlyWhereThatIsBetterThanNone) {
   const TwoProcesses runs = turning(3, 30);
   int any = 0, alike = 0;
