@@ -201,7 +201,8 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
   const Points some = thinned(points, kSome);
   const bool many = points.size() >= 2 * kSome;
   const auto explained = [&](const Cause& one) {
-    const bool lost = one.kind == Cause::Kind::runs && !(one.fit.errors && one.fit.errors->runs.any());
+    const bool lost = one.kind == Cause::Kind::runs &&
+                      !(one.fit.errors && one.fit.errors->runs.any() && one.fit.errors->runs.spreads.back() > 0);
     return !lost && is_found(one.fit) && explains(of.data, one.fit);
   };
   std::vector<Cause> list;

@@ -49,8 +49,8 @@ std::pair<double, double> neighbour_products(const std::vector<double>& r) {
 /// Residuals at the ends of the runs against those of the points before these.
 class EndsTest {
  public:
-  /// A run with its loads T.
-  void add(const std::vector<double>& T, const std::vector<double>& r) {
+  /// A run with its loads T. `repeats`: whether a reading in steps is that of the point before, and tells nothing new.
+  void add(const std::vector<double>& T, const std::vector<double>& r, const std::vector<bool>& repeats) {
     constexpr double kBeside = 0.3;  // of a run, from its end
     std::vector<std::size_t> order(r.size());
     std::iota(order.rbegin(), order.rend(), std::size_t{0});
@@ -63,30 +63,34 @@ class EndsTest {
     const auto size = static_cast<double>(r.size());
     const auto last = std::max<std::size_t>(1, static_cast<std::size_t>(ResidualTests::kEnd * size)),
                beside = static_cast<std::size_t>(kBeside * size);
-    for (std::size_t i = 0; i < last; ++i) sum_ += r[order[i]];
-    points_ += static_cast<double>(last);
-    for (std::size_t i = last; i < beside; ++i) {
-      sum_beside_ += r[order[i]];
-      squares_beside_ += r[order[i]] * r[order[i]];
-    }
-    beside_ += static_cast<double>(std::max(beside, last) - last);
+    for (std::size_t i = 0; i < last; ++i) at_end_.add(r[order[i]], repeats[order[i]]);
+    for (std::size_t i = last; i < beside; ++i) beside_.add(r[order[i]], repeats[order[i]]);
   }
 
   void finish(const FitResult& fit, ResidualTests& tests) const {
     constexpr double kEnough = 10;  // points beside the ends
-    if (!(points_ > 0)) return;
+    if (!(at_end_.told > 0)) return;
     // Where errors are of unknown size, the scatter beside the ends measures it, which may grow with T.
-    const bool measured = !fit.known_errors && beside_ >= kEnough && squares_beside_ > 0;
-    const double unit = measured ? std::sqrt(squares_beside_ / beside_) : residual_unit(fit);
+    const bool enough = beside_.told >= kEnough, measured = !fit.known_errors && enough && beside_.squares > 0;
+    const double unit = measured ? std::sqrt(beside_.squares / beside_.points) : residual_unit(fit);
     // A fit that is pulled towards the ends moves away from the points beside them.
-    const double mean_beside = beside_ >= kEnough ? sum_beside_ / beside_ : 0;
-    const double variance = 1 / points_ + (beside_ >= kEnough ? 1 / beside_ : 0);
-    tests.ends = (sum_ / points_ - mean_beside) / std::sqrt(variance) / unit;
-    tests.ends_p = measured ? student_p_value(tests.ends, beside_) : 2 * normal_below(-std::abs(tests.ends));
+    const double mean_beside = enough ? beside_.sum / beside_.points : 0;
+    const double variance = 1 / at_end_.told + (enough ? 1 / beside_.told : 0);
+    tests.ends = (at_end_.sum / at_end_.points - mean_beside) / std::sqrt(variance) / unit;
+    tests.ends_p = measured ? student_p_value(tests.ends, beside_.told) : 2 * normal_below(-std::abs(tests.ends));
   }
 
  private:
-  double sum_ = 0, points_ = 0, sum_beside_ = 0, squares_beside_ = 0, beside_ = 0;
+  struct Part {
+    void add(double r, bool repeat) {
+      sum += r;
+      squares += r * r;
+      ++points;
+      told += repeat ? 0 : 1;
+    }
+    double sum = 0, squares = 0, points = 0, told = 0;  // told: points without those that repeat
+  };
+  Part at_end_, beside_;
 };
 
 /// Indices into FitResult::used of the points of each run, in the order of the file.
@@ -96,28 +100,23 @@ std::vector<std::vector<std::size_t>> used_by_run(const Dataset& data, const Fit
   return runs;
 }
 
-/// Residuals less what noise leads one to expect, and with the deviations of the runs that are fitted.
-std::vector<double> unexpected(const Dataset& data, const FitResult& fit) {
+/// Residuals less what noise leads one to expect.
+std::vector<double> unexpected(const FitResult& fit) {
   std::vector<double> r = fit.residuals;
   if (fit.errors && !fit.errors->expected.empty())
     for (std::size_t i = 0; i < r.size(); ++i) r[i] -= fit.errors->expected[fit.used[i]];
-  if (fit.errors)
-    for (std::size_t q = 0; q < fit.errors->runs.columns.size(); ++q)
-      for (std::size_t i = 0; i < r.size() && !constant_named(fit.errors->runs.names[q]); ++i)
-        r[i] +=
-            fit.errors->runs.columns[q][fit.used[i]] * fit.errors->runs.deviations[q][data.points[fit.used[i]].curve];
   return r;
 }
 
 ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   ResidualTests tests;
-  if (const auto course = data.has_loads ? test_course(data, fit.used, unexpected(data, fit)) : std::nullopt) {
+  if (const auto course = data.has_loads ? test_course(data, fit.used, unexpected(fit)) : std::nullopt) {
     tests.course = course->F;
     tests.course_p = course->p_value;
   }
   // Of one or two runs nothing tells correlated noise from a wrong model.
   const bool independent = tests.course && fit.innovations.size() == fit.residuals.size();
-  std::vector<double> residuals = independent ? fit.innovations : unexpected(data, fit);
+  std::vector<double> residuals = independent ? fit.innovations : unexpected(fit);
   if (fit.loss_scale > 0)  // outliers count as they do in the fit: no more than points where the loss bends
     for (double& r : residuals) r = std::clamp(r, -fit.loss_scale, fit.loss_scale);
   const auto runs = used_by_run(data, fit);
@@ -126,14 +125,19 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   for (std::size_t c = 0; c < runs.size(); ++c) {
     if (runs[c].size() < ResidualTests::kLeastRun) continue;
     std::vector<double> r, t;
+    std::vector<bool> repeats;
     double square = 0;
+    std::optional<std::size_t> before;
     for (const std::size_t i : runs[c]) {
       const std::size_t point = fit.used[i];
+      repeats.push_back(before && fit.errors && fit.errors->coarse(point) &&
+                        data.points[point].A == data.points[*before].A);
+      before = point;
       r.push_back(residuals[i]);
       t.push_back(data.has_loads ? data.points[point].T : std::asin(data.converted[point].mixity.sin));
       square += r.back() * r.back();
     }
-    if (data.has_loads) ends.add(t, r);
+    if (data.has_loads) ends.add(t, r, repeats);
     const auto [sum, of_squares] = neighbour_products(r);
     const ResidualTests::Run run{c < data.curves.size() ? data.curves[c] : std::string(), r.size(), runs_of_one_sign(r),
                                  square > 0 ? sum / square : 0, trend_of(t, r)};
@@ -179,7 +183,7 @@ std::optional<double> over_neighbours(const Dataset& data, const FitResult& fit)
 double over_scatter(const Dataset& data, const FitResult& fit) {
   const std::vector<double> ratios = variance_ratios(data, fit.used, *fit.errors);
   double squares = 0;
-  const std::vector<double> residuals = unexpected(data, fit);
+  const std::vector<double> residuals = unexpected(fit);
   for (std::size_t i = 0; i < residuals.size(); ++i) squares += residuals[i] * residuals[i] * ratios[i];
   return fit.freedom() > 0 ? std::sqrt(squares / static_cast<double>(fit.freedom())) : 0;
 }

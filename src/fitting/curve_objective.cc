@@ -24,19 +24,26 @@ struct CurveObjective::Workspace {
 };
 
 CurveObjective::CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice,
-                               std::vector<double> expected, std::shared_ptr<const Whitening> whitening)
+                               std::vector<double> expected, std::shared_ptr<const Whitening> whitening,
+                               std::vector<ParameterValues> shifts)
     : ModelProblem(std::move(choice)),
       order_(points.size()),
       expected_(std::move(expected)),
-      whitening_(std::move(whitening)) {
+      whitening_(std::move(whitening)),
+      shifts_(std::move(shifts)) {
   // The normal of the curve is taken at the place next to a reading, which noise along the curve has moved. As far as
   // the points before predict that noise, the prediction of the residual is off by -2 times the expected distance.
   if (whitening_ && !whitening_->predicted_across().empty())
     for (std::size_t i = 0; i < expected_.size(); ++i) expected_[i] *= 1 - 2 * whitening_->predicted_across()[i];
   // by load, so that the points of one curve are processed together
   std::iota(order_.begin(), order_.end(), std::size_t{0});
-  std::stable_sort(order_.begin(), order_.end(),
-                   [&](std::size_t i, std::size_t j) { return points[i].P < points[j].P; });
+  const auto run_of = [&](std::size_t i) { return shifts_.empty() ? 0 : points[i].run; };
+  std::stable_sort(order_.begin(), order_.end(), [&](std::size_t i, std::size_t j) {
+    return std::pair(run_of(i), points[i].P) < std::pair(run_of(j), points[j].P);
+  });
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (i == 0 || i - blocks_.back() == kBlock || run_of(order_[i]) != run_of(order_[i - 1])) blocks_.push_back(i);
+  blocks_.push_back(points.size());
   points_.reserve(points.size());
   for (const std::size_t i : order_) points_.push_back(points[i]);
   for (const MeasuredPoint& point : points) {
@@ -47,7 +54,7 @@ CurveObjective::CurveObjective(const std::vector<MeasuredPoint>& points, FreeCho
   if (points.size() < 2 * kSample) return;
   std::vector<MeasuredPoint> sample;
   for (std::size_t i = 0; i < kSample; ++i) sample.push_back(points_[i * points_.size() / kSample]);
-  sample_ = std::make_unique<CurveObjective>(sample, choice_);
+  sample_ = std::make_unique<CurveObjective>(sample, choice_, std::vector<double>(), nullptr, shifts_);
 }
 
 double CurveObjective::data_norm() const {
@@ -118,7 +125,7 @@ std::optional<std::vector<double>> CurveObjective::expected(std::span<const doub
       point.T = places.T[i] + side * places.load_A[i] * point.sigma_T;
       point.A = std::max(places.A[i] - side * places.load_T[i] * point.sigma_A, 0.5 * places.A[i]);
     }
-    if (!CurveObjective(beside, choice_).evaluate(x, distances, {})) return std::nullopt;
+    if (!CurveObjective(beside, choice_, {}, {}, shifts_).evaluate(x, distances, {})) return std::nullopt;
     for (std::size_t i = 0; i < n; ++i) mean[i] += distances[i] / 2;
   }
   return mean;
@@ -128,18 +135,30 @@ bool CurveObjective::all_blocks(std::span<const double> x, Search search, std::s
                                 std::span<double> jacobian, std::span<double> places, std::span<double> loads) const {
   Candidate at = candidate(x);
   model().make_continuous(at.parameters);
-  const std::size_t n = points_.size(), blocks = (n + kBlock - 1) / kBlock;
+  const std::size_t n = points_.size(), blocks = blocks_.size() - 1;
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> defined = true;
   const auto work = [&] {
     Workspace workspace(std::min(n, kBlock), model_parameters());
-    for (std::size_t block; defined && (block = next++) < blocks;)
-      if (!one_block(at, block * kBlock, std::min(n, (block + 1) * kBlock), search, workspace, residuals, jacobian,
-                     places, loads))
+    for (std::size_t block; defined && (block = next++) < blocks;) {
+      const std::size_t begin = blocks_[block], end = blocks_[block + 1];
+      if (!one_block(shifts_.empty() ? at : of_run(at, points_[begin].run), begin, end, search, workspace, residuals,
+                     jacobian, places, loads))
         defined = false;
+    }
   };
   run_on_threads(std::clamp<std::size_t>(n / kPointsOfAThread, 1, processors()), work);
   return defined;
+}
+
+Candidate CurveObjective::of_run(const Candidate& of_all, std::size_t run) const {
+  Candidate own = of_all;
+  const auto infos = model().parameters();
+  for (std::size_t k = 0; k < own.parameters.size(); ++k)
+    if (shifts_[run][k] != 0)
+      own.parameters[k] = std::clamp(own.parameters[k] + shifts_[run][k], infos[k].lower, infos[k].upper);
+  model().make_continuous(own.parameters);
+  return own;
 }
 
 bool CurveObjective::one_block(const Candidate& at, std::size_t begin, std::size_t end, Search search,

@@ -13,9 +13,10 @@ namespace mixity {
 class CurveObjective final : public ModelProblem {
  public:
   /// Standard errors > 0. The targets, which the reported R^2 compares with, are the areas. A residual is the distance
-  /// less the one that is expected (empty: 0), made independent of the others (null: as it is).
+  /// less the one that is expected (empty: 0), made independent of the others (null: as it is). `shifts`: how far the
+  /// model's parameters of each run are from those of all; empty: 0.
   CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice, std::vector<double> expected = {},
-                 std::shared_ptr<const Whitening> whitening = {});
+                 std::shared_ptr<const Whitening> whitening = {}, std::vector<ParameterValues> shifts = {});
 
   /// Includes T.
   double data_norm() const override;
@@ -42,14 +43,18 @@ class CurveObjective final : public ModelProblem {
                     std::span<double> places) const;
   bool all_blocks(std::span<const double> x, Search search, std::span<double> residuals, std::span<double> jacobian,
                   std::span<double> places, std::span<double> loads = {}) const;
+  /// The parameters of a run, within their ranges.
+  Candidate of_run(const Candidate& of_all, std::size_t run) const;
   bool one_block(const Candidate& at, std::size_t begin, std::size_t end, Search search, Workspace& workspace,
                  std::span<double> residuals, std::span<double> jacobian, std::span<double> places,
                  std::span<double> loads) const;
 
-  std::vector<MeasuredPoint> points_;  // by load
+  std::vector<MeasuredPoint> points_;  // by load, or by run where parameters are shifted
   std::vector<std::size_t> order_;     // of each in points_: the index of its residual
   std::vector<double> expected_;
   std::shared_ptr<const Whitening> whitening_;
+  std::vector<ParameterValues> shifts_;     // per run; empty: none
+  std::vector<std::size_t> blocks_;         // where each begins in points_, and their end
   bool varies_ = false;                     // runs have constants of their own
   std::unique_ptr<CurveObjective> sample_;  // of some of the points, evenly over the loads; null of few points
 };

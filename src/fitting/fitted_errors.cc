@@ -78,7 +78,6 @@ std::vector<double> taken_off(const Dataset& data, std::span<const std::size_t> 
   std::vector<double> list = of_points(errors.expected, used);
   const RunDifferences& runs = errors.runs;
   for (std::size_t q = 0; q < runs.spreads.size(); ++q) {
-    if (!constant_named(runs.names[q])) continue;
     list.resize(used.size(), 0.0);
     for (std::size_t i = 0; i < used.size(); ++i)
       list[i] += runs.columns[q][used[i]] * runs.deviations[q][data.points[used[i]].curve];

@@ -48,13 +48,13 @@ class Fitter {
   std::vector<std::vector<double>> take_runs_apart(const std::vector<double>& x, NearestPlaces& nearest,
                                                    std::vector<double>& leverage, const ErrorModels& models,
                                                    bool& apart) const;
-  bool find_run_differences(const std::vector<double>& x, NearestPlaces& nearest, std::vector<double>& leverage,
+  bool find_run_differences(std::vector<double>& x, NearestPlaces& nearest, std::vector<double>& leverage,
                             double& change);
   bool differ_more_than_neighbours(const RunRows& rows, const Groups& groups, const NearestPlaces& nearest,
                                    const std::vector<double>& leverage, const ErrorModels& models) const;
   void widen_by_jackknife(const RunRows& rows, const Groups& groups);
   bool refresh_columns(const std::vector<double>& x);
-  void shorten_steps(const std::vector<double>& x, const RunDifferences& before, const std::vector<double>& residuals);
+  bool shorten_steps(const std::vector<double>& x, const RunDifferences& start, NearestPlaces& nearest);
   void test_runs(const std::vector<double>& x);
   bool settle_weights(Verdict& verdict);
   Verdict find_robust_minimum(Verdict verdict);

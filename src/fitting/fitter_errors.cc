@@ -36,7 +36,11 @@ Verdict Fitter::minimum_with_its_errors() {
   for (int again = 1;; ++again) {
     if (x.empty() && !problem_->parameters().empty()) x = minimum_of(*problem_).best.x;
     const bool described = settle_errors(x);
+    // The deviations of the runs are linearised here: elsewhere they mean nothing.
+    const std::vector<double> near = starting_.near;
+    if (described && !options_.by_run.empty()) starting_.near = x;
     Verdict verdict = minimum_of(*problem_);
+    starting_.near = near;
     if (!described) return expects_distances(verdict.best.x) ? minimum_of(*problem_) : verdict;
     // The errors may have been found in another basin than the lowest.
     std::vector<double> residuals(cost_->residual_count());
@@ -81,7 +85,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   const int most = (purpose_ == Purpose::tried ? kRoundsOfTrial : kRounds) + more;
   for (int round = 0; round < most; ++round) {
     const ProblemWithPriors cost(*problem_);
-    if (free) {
+    if (free && (round == 0 || !by_run)) {  // else with the deviations of the runs
       const auto minimum = descend(cost, x, quick);
       if (!minimum) return true;
       x = minimum->x;
@@ -95,8 +99,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     double freedom = 0;
     for (const double one : leverage) freedom += 1 - one;
     double change = take_expected_off(*expected, freedom, *nearest);
-    if (options_.loss == Loss::t) weigh_as_student(nearest->residuals);
     if (by_run && !find_run_differences(x, *nearest, leverage, change)) return true;
+    if (options_.loss == Loss::t) weigh_as_student(nearest->residuals);
     // A model that does not describe the data tells nothing of their errors. Of few runs nothing tells correlated
     // noise from a wrong model.
     const auto course = round <= choosing ? test_course(data_, prepared_.used, nearest->residuals) : std::nullopt;

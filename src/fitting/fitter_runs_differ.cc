@@ -43,14 +43,14 @@ std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<doubl
   if (!apart) apart = differ_more_than_neighbours(*rows, groups, nearest, leverage, models);
   if (!apart) return {};
   const Eigen::VectorXd spread = free_spreads(*rows, groups);
-  const auto deviations = most_probable(grouped_rows(rows->J, rows->r, rows->Zw, groups), spread, Fixed::no);
-  if (deviations.empty()) return {};
+  const auto probable = most_probable(grouped_rows(rows->J, rows->r, rows->Zw, groups), spread);
+  if (!probable) return {};
   std::vector<std::vector<double>> own;
   for (Eigen::Index q = 0; q < spread.size(); ++q) {
     own.emplace_back(rows->Z.col(q).begin(), rows->Z.col(q).end());
     for (std::size_t g = 0; g < groups.size(); ++g)
       for (const std::size_t i : groups[g])
-        nearest.residuals[i] += rows->Z(static_cast<Eigen::Index>(i), q) * deviations[g][q];
+        nearest.residuals[i] += rows->Z(static_cast<Eigen::Index>(i), q) * probable->deviations[g][q];
   }
   const Eigen::VectorXd shares = shares_of_noise(rows->J, rows->Zw, groups, spread);
   for (std::size_t i = 0; i < leverage.size(); ++i) leverage[i] = 1 - shares[static_cast<Eigen::Index>(i)];
@@ -76,12 +76,12 @@ bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& grou
   // In units of what is left within the runs.
   const Eigen::Index n = rows.Zw.rows();
   const GroupedRows whole = grouped_rows(rows.J, rows.r, rows.Zw, groups);
-  const auto within = most_probable(whole, free_spreads(rows, groups), Fixed::no);
-  if (within.empty()) return false;
+  const auto within = most_probable(whole, free_spreads(rows, groups));
+  if (!within) return false;
   Eigen::VectorXd left = rows.r.head(n);
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (const std::size_t i : groups[g])
-      left[static_cast<Eigen::Index>(i)] += rows.Zw.row(static_cast<Eigen::Index>(i)).dot(within[g]);
+      left[static_cast<Eigen::Index>(i)] += rows.Zw.row(static_cast<Eigen::Index>(i)).dot(within->deviations[g]);
   const double unit = left.norm() / std::sqrt(std::max(rest - static_cast<double>(2 * groups.size()), 1.0));
   const auto spreads = restricted_spreads(grouped_rows(rows.J / unit, rows.r / unit, rows.Zw / unit, groups), kEnough);
   if (!spreads) return false;

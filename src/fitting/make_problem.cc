@@ -31,9 +31,23 @@ std::vector<MeasuredPoint> measured_points(const Dataset& data, const PreparedFi
   for (const std::size_t i : prepared.used) {
     const Point& p = data.points[i];
     points.push_back({p.P, data.shear_as_read(i), p.A, prepared.errors ? prepared.errors->T[i] : 1.0,
-                      prepared.errors ? prepared.errors->A[i] : 1.0, varies ? at[i] : PointPlace{}});
+                      prepared.errors ? prepared.errors->A[i] : 1.0, varies ? at[i] : PointPlace{}, p.curve});
   }
   return points;
+}
+
+/// How far the model's parameters of each run are from those of all; empty: none differ.
+std::vector<ParameterValues> shifts_of_runs(const Dataset& data, const PreparedFit& prepared,
+                                            const RunDifferences& runs) {
+  std::vector<ParameterValues> shifts;
+  const auto infos = prepared.model.parameters();
+  for (std::size_t q = 0; q < runs.names.size(); ++q)
+    for (std::size_t k = 0; k < infos.size(); ++k) {
+      if (infos[k].name != runs.names[q]) continue;
+      shifts.resize(data.curves.size(), ParameterValues::zeros(infos.size()));
+      for (std::size_t run = 0; run < shifts.size(); ++run) shifts[run][k] = runs.deviations[q][run];
+    }
+  return shifts;
 }
 
 /// Points as the constants that are not fitted correct them, with ratios to the data set's own toughness.
@@ -120,9 +134,9 @@ std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions
     problem = std::make_unique<EnergyObjective>(points, choice_of_model(prepared), toughness);
   } else if (prepared.objective == Objective::curve) {
     const StandardErrors errors = prepared.errors.value_or(StandardErrors{});
-    problem = std::make_unique<CurveObjective>(measured_points(data, prepared), free_choice(data, prepared),
-                                               taken_off(data, prepared.used, errors),
-                                               whitening_of(data, prepared.used, errors));
+    problem = std::make_unique<CurveObjective>(
+        measured_points(data, prepared), free_choice(data, prepared), taken_off(data, prepared.used, errors),
+        whitening_of(data, prepared.used, errors), shifts_of_runs(data, prepared, errors.runs));
   } else if (!prepared.fitted.empty() && data.has_loads) {
     problem = std::make_unique<ToughnessOfLoads>(measured_points(data, prepared), free_choice(data, prepared),
                                                  std::move(weights));

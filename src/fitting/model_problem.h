@@ -20,6 +20,7 @@ struct Candidate {
 struct MeasuredPoint {
   double P, T, A, sigma_T, sigma_A;
   PointPlace place{};
+  std::size_t run = 0;
 };
 
 /// Which parameters are free, in the solver's order, and where the others are held.

@@ -138,14 +138,13 @@ std::optional<Spreads> restricted_spreads(const GroupedRows& rows, double tolera
   return Spreads{spread, satterthwaite(rows, spread, Restricted(rows, spread))};
 }
 
-std::vector<Eigen::VectorXd> most_probable(const GroupedRows& rows, const Vector& spread, Fixed parameters) {
+std::optional<MostProbable> most_probable(const GroupedRows& rows, const Vector& spread) {
   const Restricted at(rows, spread);
-  std::vector<Vector> deviations;
-  if (!at.determined) return deviations;
-  const Vector step = parameters == Fixed::no ? at.step : Vector(Vector::Zero(at.step.size()));
+  if (!at.determined) return std::nullopt;
+  MostProbable found{at.step, std::sqrt(std::max(-at.g.dot(at.step), 0.0)), {}};
   for (std::size_t i = 0; i < rows.groups.size(); ++i)
-    deviations.push_back(-at.K[i] * (rows.groups[i].Z_r + rows.groups[i].J_Z.transpose() * step));
-  return deviations;
+    found.deviations.push_back(-at.K[i] * (rows.groups[i].Z_r + rows.groups[i].J_Z.transpose() * at.step));
+  return found;
 }
 
 Vector shares_of_noise(const Matrix& J, const Matrix& Z, const Groups& groups, const Vector& spread) {

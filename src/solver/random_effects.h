@@ -37,10 +37,14 @@ struct Spreads {
 };
 /// Null where the parameters are not determined.
 std::optional<Spreads> restricted_spreads(const GroupedRows& rows, double tolerance = 1e-9);
-/// The most probable deviations with these spreads, at the parameters of the rows or with the parameters free; empty
-/// where these are not determined.
-enum class Fixed { yes, no };
-std::vector<Eigen::VectorXd> most_probable(const GroupedRows& rows, const Eigen::VectorXd& spread, Fixed parameters);
+/// The most probable step of the parameters and deviations of the groups with these spreads.
+struct MostProbable {
+  Eigen::VectorXd step;                     // [p]
+  double length;                            // of the step, in standard errors
+  std::vector<Eigen::VectorXd> deviations;  // per group: [k]
+};
+/// Null where the parameters are not determined.
+std::optional<MostProbable> most_probable(const GroupedRows& rows, const Eigen::VectorXd& spread);
 
 /// What is left of the residuals beside J t and Z_g b_g, all at their most probable values: 1 - leverage of each row of
 /// the data, by which the noise is estimated.
