@@ -189,15 +189,23 @@ std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, co
   PreparedFit unsheared = prepared;
   unsheared.objective = Objective::curve;
   std::fill(unsheared.held.begin(), unsheared.held.end(), true);
-  unsheared.fitted.resize(free);
+  unsheared.fitted.clear();
+  std::vector<std::size_t> told;  // of those that are free: the others do not act without shear
+  for (std::size_t k = 0; k < free; ++k)
+    if (options.free[k] != kShape && options.free[k] != kShearOffset) {
+      told.push_back(k);
+      unsheared.fitted.push_back(prepared.fitted[k]);
+    }
   std::erase_if(unsheared.used,
                 [&](std::size_t i) { return data.corrected(i, scales.of(i)).shear() > 0.01 * largest; });
-  if (free == 0 || unsheared.used.size() < free) return start;
+  if (told.empty() || unsheared.used.size() < told.size()) return start;
   SolverOptions solver;
   solver.engine = Engine::kernel;
-  const std::vector<double> begin(start.begin(), start.begin() + static_cast<std::ptrdiff_t>(free));
+  std::vector<double> begin;
+  for (const std::size_t k : told) begin.push_back(start[k]);
   const auto minimum = descend(*make_problem(data, options, unsheared), begin, solver);
-  if (minimum && minimum->stationary) std::copy(minimum->x.begin(), minimum->x.end(), start.begin());
+  if (minimum && minimum->stationary)
+    for (std::size_t i = 0; i < told.size(); ++i) start[told[i]] = minimum->x[i];
   return start;
 }
 

@@ -46,8 +46,11 @@ class LogDensity {
   /// Minus infinity where the cost is not finite.
   double operator()(double u) {
     const double none = -std::numeric_limits<double>::infinity();
+    constexpr int kMostUnsettled = 5;  // values, each after hundreds of steps: this is no density to integrate
+    if (unsettled_ > kMostUnsettled) return none;
     const auto here = profile_(problem_.parameters()[0].clamped(outer(u)));
     if (!here) return none;
+    unsettled_ += !here->settled;
     double of_priors = 0, of_others = 0;
     const std::size_t p = problem_.parameters().size();
     for (std::size_t k = 1; k < p; ++k)
@@ -70,6 +73,7 @@ class LogDensity {
   EvidenceOptions choice_;
   Profile profile_;
   double n_ = 0, constant_ = 0, start_ = 0;
+  int unsettled_ = 0;
 };
 
 /// A function on [low, high] through its values at Chebyshev's points.
@@ -132,7 +136,7 @@ class Posterior {
   /// Interpolates the density between two of its values. False if the most points allowed are too few. `width`: of the
   /// peak, if known.
   bool sample(LogDensity& density, Value low, Value high, std::optional<double> width) {
-    constexpr std::size_t kFewest = 9, kMost = 257;
+    constexpr std::size_t kFewest = 9, kDoubtful = 65, kMost = 257;
     constexpr double kLeftOut = 1e-7;  // error of the logarithm: relative error of the density
     std::optional<Interpolated> before;
     for (std::size_t n = kFewest; n <= kMost; n = 2 * n - 1) {
@@ -146,9 +150,11 @@ class Posterior {
                                     : density(now.node(i)) - peak_;
         if (!std::isfinite(now.value(i))) return false;
       }
+      const double error = now.tail(), error_before = before ? before->tail() : 0;
       before = std::move(now);
-      if (before->tail() <= kLeftOut) break;
-      if (n == kMost) return false;
+      if (error <= kLeftOut) break;
+      // The error of a smooth density is squared each time: one that falls less is too far to arrive, or never does.
+      if (n == kMost || (n >= kDoubtful && error > 0.2 * error_before)) return false;
     }
     interpolated_ = std::move(before);
     // between ends a peak's width apart ten points are exact

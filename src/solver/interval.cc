@@ -140,7 +140,7 @@ std::optional<Profile::Value> Profile::operator()(double value, double share) {
   if (!minimum) return std::nullopt;
   last_ = std::move(here);
   x_ = last_.x;
-  return Value{minimum->cost, minimum->slope};
+  return Value{minimum->cost, minimum->slope, minimum->settled};
 }
 
 std::vector<Interval> profile_intervals(const Problem& problem, const Minimum& best, double confidence,

@@ -28,7 +28,8 @@ double cost_allowance(double confidence, double sum_of_squares, std::size_t n, s
 class Profile {
  public:
   struct Value {
-    double cost, slope;  // in that parameter; at the minimum over the others these do not contribute
+    double cost, slope;   // in that parameter; at the minimum over the others these do not contribute
+    bool settled = true;  // at that minimum, not somewhere on the way
   };
 
   /// `decrease`: the cost may be so far above the minimum over the others; a first-order correction is applied.

@@ -138,6 +138,26 @@ TEST(RunDifferences, NameAContactThatIsNoCircle) {
   expect_truth(fit_model(data, "c", with));
 }
 
+/// The points without shear tell nothing of the shape, nor of the zero of T: a search starts where these are stated.
+TEST(RunDifferences, OfTheShapeAndOfTheZeroOfTStartAtNone) {
+  for (unsigned seed = 1; seed <= 2; ++seed) {
+    SeededNoise noise(seed, 0.01);
+    Dataset data = runs(seed);
+    const Dataset of_bk = synthetic_runs("bk", {3, 2}, {5, -1, 30, 0.5, 12, 2, 20, 8}, 30, 0.9, noise);
+    data.points = of_bk.points;
+    const std::vector<PointPlace> at = places(data);
+    for (std::size_t i = 0; i < at.size(); ++i) data.points[i].A *= std::exp(2 * 0.02 * at[i].stretch);
+    for (const Constant constant : {kShape, kShearOffset}) {
+      FitOptions with;
+      with.free = {kShape};
+      if (constant == kShearOffset) with.free.push_back(constant);
+      const FitResult fit = fit_model(data, "bk", with);
+      EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
+      EXPECT_NEAR(*fit.parameters[0].value, 3, 4 * fit.parameters[0].stderr_.value_or(0)) << seed;
+    }
+  }
+}
+
 /// However certain: less than a quarter of the interval.
 TEST(RunDifferences, OfManyPointsThatDoNotMatterAreNotSuspect) {
   RunTest::Way way{100, 1e-20, 0.001, 0.3, 1.1};
