@@ -26,7 +26,7 @@ add_compile_options(-O2 -fwasm-exceptions -msimd128)
 add_compile_options($<$<COMPILE_LANGUAGE:CXX>:SHELL:-include\ ${PROJECT_SOURCE_DIR}/src/explorer/standard_library.h>)
 # Most of the time goes into headers that several files share.
 set(CMAKE_UNITY_BUILD ON)
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 6)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 add_subdirectory(src)
 
 file(GLOB engine CONFIGURE_DEPENDS src/explorer/*.cc)
@@ -35,4 +35,4 @@ target_compile_definitions(engine PRIVATE MIXITY_VERSION="${PROJECT_VERSION}")
 target_link_libraries(engine PRIVATE mixity_report nlohmann_json::nlohmann_json)
 target_include_directories(engine PRIVATE src)
 target_link_options(engine PRIVATE -O2 -fwasm-exceptions -msimd128 --bind -sSINGLE_FILE=1 -sMODULARIZE=1 -sEXPORT_NAME=mixity
-  -sALLOW_MEMORY_GROWTH=1 -sENVIRONMENT=web,worker,node -sEXPORTED_RUNTIME_METHODS=HEAPF64 -sEXPORTED_FUNCTIONS=_malloc,_free)
+  -sALLOW_MEMORY_GROWTH=1 -sDYNAMIC_EXECUTION=0 -sENVIRONMENT=web,worker,node -sEXPORTED_RUNTIME_METHODS=HEAPF64 -sEXPORTED_FUNCTIONS=_malloc,_free)

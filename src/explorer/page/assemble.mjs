@@ -1,4 +1,5 @@
 // One file of the page: node assemble.mjs ENGINE.js OUT.html, with node_modules beside OUT.html.
+import {createHash} from 'node:crypto';
 import {createRequire} from 'node:module';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {dirname, resolve} from 'node:path';
@@ -21,13 +22,19 @@ const style = /R"css\(([\s\S]*?)\)css"/.exec(text('../../report/page/style.h'))[
 // the compiled part by itself: as text within the script it would take a third more
 const script = readFileSync(engine, 'utf8'), before = 'data:application/octet-stream;base64,';
 const from = script.lastIndexOf(before) + before.length, compiled = script.slice(from, script.indexOf(script[from - before.length - 1], from));
+// Nothing runs in the page but these two scripts and what was compiled, and nothing is fetched but what it holds.
+const engineScript = script.replace(compiled, ''), pageScript = bundled.outputFiles[0].text.replaceAll('</script', '<\\/script');
+const hash = content => `'sha256-${createHash('sha256').update(content).digest('base64')}'`;
+const policy = `default-src 'none'; script-src ${hash(pageScript)} ${hash(engineScript)} 'wasm-unsafe-eval'; style-src 'unsafe-inline'; ` +
+  "img-src data: blob:; connect-src data:; base-uri 'none'; form-action 'none'";
 const packed = bytes => gzipSync(bytes, {level: 9}).toString('base64');
 const parts = {
   STYLE: style,
-  SCRIPT: bundled.outputFiles[0].text.replaceAll('</script', '<\\/script'),
-  ENGINE: packed(script.replace(compiled, '')),
+  SCRIPT: pageScript,
+  ENGINE: packed(engineScript),
+  POLICY: policy,
   COMPILED: packed(Buffer.from(compiled, 'base64')),
 };
-const page = text('index.html').replace(/\/\*(STYLE|SCRIPT|ENGINE|COMPILED)\*\//g, (_, name) => parts[name]);
+const page = text('index.html').replace(/\/\*(STYLE|SCRIPT|ENGINE|COMPILED|POLICY)\*\//g, (_, name) => parts[name]);
 writeFileSync(out, page);
 console.log(`${out}: ${(page.length / 1e6).toFixed(2)} MB`);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/files.h"
+#include "base/phrases.h"
 #include "report/figures/svg.h"
 
 namespace mixity {
@@ -34,16 +35,21 @@ std::vector<Figure> kept_log_figures(const ReportedData& reported, std::vector<M
   const auto& paths = reported.result.request.log_figures;
   for (const std::size_t i : spread(first_indices(paths.size()), kMostLogs)) {
     const std::filesystem::path path = paths[i];
-    const auto leave_out = [&](const char* why) { left_out.push_back({"the log's " + path.filename().string(), why}); };
+    const auto leave_out = [&](const std::string& why) {
+      left_out.push_back({"the log's " + path.filename().string(), why});
+    };
     std::error_code unread;
     if (!std::filesystem::is_regular_file(path, unread)) {
       leave_out("the file that the fit definition names is not there");
       continue;
     }
-    if (auto kept = kept_figure(read_file(path.string()), reported.stem + "_log_" + std::to_string(i + 1)))
-      figures.push_back(std::move(*kept));
+    auto [figure, reason, dropped] =
+        kept_figure(read_file(path.string()), reported.stem + "_log_" + std::to_string(i + 1));
+    if (figure)
+      figures.push_back(std::move(*figure));
     else
-      leave_out("the file that the fit definition names is no SVG");
+      leave_out("the file that the fit definition names " + reason);
+    if (!dropped.empty()) leave_out("of its drawing, what mixity's own drawings do not use: " + joined(dropped));
   }
   return figures;
 }

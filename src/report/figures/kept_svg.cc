@@ -1,7 +1,13 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cstdio>
 #include <pugixml.hpp>
+#include <set>
+#include <span>
 #include <sstream>
 
+#include "base/text.h"
 #include "report/figures/svg.h"
 
 namespace mixity {
@@ -39,41 +45,121 @@ std::string hexadecimal(std::string value) {
   return value;
 }
 
+// What our own drawings consist of.
+constexpr std::array kElements{"circle",   "desc", "g",   "line", "path",  "polygon",
+                               "polyline", "rect", "svg", "text", "title", "tspan"};
+constexpr std::array kAttributes{"cx",
+                                 "cy",
+                                 "d",
+                                 "dx",
+                                 "dy",
+                                 "fill",
+                                 "fill-opacity",
+                                 "font-family",
+                                 "font-size",
+                                 "font-style",
+                                 "font-weight",
+                                 "height",
+                                 "lengthAdjust",
+                                 "points",
+                                 "r",
+                                 "rx",
+                                 "ry",
+                                 "stroke",
+                                 "stroke-dasharray",
+                                 "stroke-linecap",
+                                 "stroke-linejoin",
+                                 "stroke-opacity",
+                                 "stroke-width",
+                                 "text-anchor",
+                                 "textLength",
+                                 "transform",
+                                 "viewBox",
+                                 "width",
+                                 "x",
+                                 "x1",
+                                 "x2",
+                                 "y",
+                                 "y1",
+                                 "y2"};
+
+bool is_one_of(std::span<const char* const> list, std::string_view name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// Numbers, names, colours and lists of them, but no address of anything else.
+bool is_plain(std::string_view value) {
+  const bool plain = std::all_of(value.begin(), value.end(), [](unsigned char c) {
+    return std::isalnum(c) || std::isspace(c) ||
+           std::string_view("#.,()%+-").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  const auto same = [](char x, char y) { return std::tolower(static_cast<unsigned char>(x)) == y; };
+  constexpr std::string_view kAddress = "url";
+  return plain && std::search(value.begin(), value.end(), kAddress.begin(), kAddress.end(), same) == value.end();
+}
+
+/// Copies what is allowed of an element and of those in it.
+class Copier {
+ public:
+  /// False where elements are nested more deeply than those of a drawing.
+  bool copy(const pugi::xml_node& from, pugi::xml_node to, int depth = 0) {
+    constexpr int kDeepest = 32;  // ours have 5 levels
+    if (depth == kDeepest) return false;
+    for (const pugi::xml_attribute& attribute : from.attributes()) copy(attribute, to, depth == 0);
+    const std::string_view name = from.name();
+    const bool holds_text = name == "text" || name == "tspan" || name == "title" || name == "desc";
+    for (const pugi::xml_node& child : from.children()) {
+      if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
+        if (holds_text) to.append_child(pugi::node_pcdata).set_value(child.value());
+      } else if (child.type() != pugi::node_element) {
+        continue;
+      } else if (!is_one_of(kElements, child.name()) || child.name() == std::string_view("svg")) {
+        dropped_.insert(quoted(child.name()));
+      } else if (!copy(child, to.append_child(child.name()), depth + 1)) {
+        return false;
+      }
+    }
+    return true;
+  }
+  const std::set<std::string>& dropped() const { return dropped_; }
+
+ private:
+  static std::string quoted(std::string_view name) { return "'" + shortened(name) + "'"; }
+  static std::string shortened(std::string_view name) {
+    constexpr std::size_t kMost = 40;
+    return std::string(name.substr(0, kMost)) + (name.size() > kMost ? "..." : "");
+  }
+  void copy(const pugi::xml_attribute& attribute, pugi::xml_node& to, bool outermost) {
+    const std::string_view name = attribute.name();
+    // The page gives the drawing its size; its name and its text alternative are ours.
+    if (outermost && (name == "width" || name == "height" || name == "role" || name == "aria-label" || name == "xmlns"))
+      return;
+    if (is_one_of(kAttributes, name) && is_plain(attribute.value()))
+      to.append_attribute(attribute.name()).set_value(attribute.value());
+    else
+      dropped_.insert(quoted(name));
+  }
+
+  std::set<std::string> dropped_;
+};
+
 }  // namespace
 
-std::optional<Figure> kept_figure(const std::string& text, const std::string& name) {
-  pugi::xml_document document;
-  if (!document.load_string(text.c_str()) || !document.child("svg")) return std::nullopt;
-  pugi::xml_node svg = document.child("svg");
+KeptFigure kept_figure(const std::string& text, const std::string& name) {
+  pugi::xml_document document, rebuilt;
+  if (!document.load_string(text.c_str()) || !document.child("svg")) return {{}, "is no SVG", {}};
+  const pugi::xml_node from = document.child("svg");
+  if (!from.attribute("viewBox")) return {{}, "has no viewBox", {}};
+  pugi::xml_node svg = rebuilt.append_child("svg");
+  svg.append_attribute("xmlns").set_value("http://www.w3.org/2000/svg");
+  Copier copier;
+  if (!copier.copy(from, svg)) return {{}, "is nested more deeply than a drawing", {}};
   Figure figure{name, svg.child("title").text().get(), {}, {}, {}};
   figure.caption = svg.child("desc").text().get();
-  for_each_element(svg, [&](pugi::xml_node node) {
-    const std::string_view element = node.name();
-    if (element == "script" || element == "foreignObject" || element == "image" || element == "style" ||
-        element == "a") {
-      node.parent().remove_child(node);
-      return;
-    }
-    for (pugi::xml_attribute attribute = node.first_attribute(); attribute;) {
-      const pugi::xml_attribute next = attribute.next_attribute();
-      const std::string_view key = attribute.name();
-      std::string value = attribute.value();
-      const std::size_t hash = value.find('#');
-      if (key.starts_with("on") || (key.ends_with("href") && hash != 0)) {
-        node.remove_attribute(attribute);
-      } else if (key == "id") {
-        attribute.set_value((name + '-' + value).c_str());
-      } else if (key.ends_with("href") || (key == "clip-path" && hash != std::string::npos)) {
-        attribute.set_value(value.insert(hash + 1, name + '-').c_str());
-      }
-      attribute = next;
-    }
-  });
-  for (const char* own : {"role", "aria-label"}) svg.remove_attribute(own);
   svg.append_attribute("role").set_value("img");
   svg.append_attribute("aria-label").set_value((figure.title + ". " + figure.caption).c_str());
   figure.drawn = text_of(svg);
-  return figure;
+  return {std::move(figure), {}, {copier.dropped().begin(), copier.dropped().end()}};
 }
 
 std::string themed(const std::string& value) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "report/figures/figure.h"
 
@@ -16,9 +17,15 @@ enum class Medium { file, page };
 /// one is 890 by 400, others and, for phones, `narrow` ones are 430 wide. One that is already drawn stays as it is.
 std::string svg(const Figure& figure, Medium medium, bool narrow = false);
 
-/// An SVG file as a figure: without scripts, styles and references to elsewhere, with its title and caption, and with
-/// ids that begin with the figure's name. Null if the text is no SVG.
-std::optional<Figure> kept_figure(const std::string& svg, const std::string& name);
+/// A figure that somebody else drew, or why there is none.
+struct KeptFigure {
+  std::optional<Figure> figure;
+  std::string reason;                // "is no SVG"
+  std::vector<std::string> dropped;  // names of elements and attributes that our own drawings do not use, each once
+};
+/// An SVG file as a figure with its title and caption, rebuilt from the elements and attributes that our own drawings
+/// use: nothing in it runs, looks anything up or has an id.
+KeptFigure kept_figure(const std::string& svg, const std::string& name);
 
 /// "var(--ink)" for black, "var(--color-N)" for color(N), "var(--paper)" for white; other colours stay.
 std::string themed(const std::string& color);

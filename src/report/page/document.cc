@@ -67,7 +67,10 @@ std::string figure_element(const Figure& figure, const std::vector<std::string>&
 
 std::string html_page(const std::string& title, const std::string& body) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">" +
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+         // a page of text and drawings: nothing in it runs or is fetched
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+         "base-uri 'none'; form-action 'none'\">" +
          text_element("title", title) + element("style", kPageStyle) + "</head>" + element("body", body) + "</html>\n";
 }
 
