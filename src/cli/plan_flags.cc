@@ -1,5 +1,8 @@
 #include "cli/plan_flags.h"
 
+#include <algorithm>
+
+#include "base/number_text.h"
 #include "cli/contact_flags.h"
 #include "cli/flags.h"
 
@@ -13,9 +16,17 @@ StatedError error_from(const std::string& flag) {
   return quantity_from(flag, "be \"1%\" or a quantity", [](const Quantity&) { return true; });
 }
 
+void require_affordable(const Plan& plan, const PointCost& cost) {
+  const double runs = static_cast<double>(std::max<std::size_t>(plan.loads.size(), 1));
+  const double all = runs * static_cast<double>(plan.points);
+  if (all <= static_cast<double>(cost.most)) return;
+  throw refused("points", shortest(all) + " points of all runs would take some " + rounded(1e-9 * cost.bytes * all, 2) +
+                              " GB; at most " + std::to_string(cost.most));
+}
+
 }  // namespace
 
-Plan plan_from_flags(bool needs_loads) {
+Plan plan_from_flags(bool needs_loads, const PointCost& cost) {
   Plan plan;
   const ParameterValues p = parameters_from_flags(model_from(FLAGS_model));
   plan.model = FLAGS_model;
@@ -29,6 +40,7 @@ Plan plan_from_flags(bool needs_loads) {
   else if (needs_loads)
     throw UsageError("flag '--loads' is missing: the normal load of each run, \"1,2,4 mN\"");
   if (is_set("points")) plan.points = count_from("points", 3);
+  require_affordable(plan, cost);
   const auto reach = parse_quantity(value_of("reach"));
   plan.reach = reach && reach->unit.dimension == dimension::none ? reach->si() : 0;
   plan.sigma_T = error_from("sigma_T");

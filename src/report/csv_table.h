@@ -25,7 +25,7 @@ std::string csv_cell(const Value& value) {
   else if constexpr (std::is_enum_v<Value>)
     return std::string(to_string(value));
   else if constexpr (std::is_convertible_v<Value, std::string_view>)
-    return csv_field(std::string(value));
+    return spreadsheet_field(std::string(value));
   else
     return value ? csv_cell(*value) : std::string();
 }

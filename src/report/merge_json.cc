@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
 
 #include "base/files.h"
 #include "base/input_error.h"
@@ -15,6 +15,17 @@ struct ShardFile {
   unsigned part = 0, of = 0;
 };
 
+constexpr unsigned kMostShards = 1000000;
+
+/// "i/n". False if it is anything else, or a number is too large.
+bool read_part(const std::string& text, ShardFile& shard) {
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, shard.part);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != '/') return false;
+  const auto second = std::from_chars(first.ptr + 1, end, shard.of);
+  return second.ec == std::errc() && second.ptr == end;
+}
+
 ShardFile read_shard(const std::string& path) {
   ShardFile shard{path, Json::parse(read_file(path), nullptr, false)};
   const Json& document = shard.document;
@@ -22,8 +33,8 @@ ShardFile read_shard(const std::string& path) {
       !document.contains("datasets") || !document["datasets"].is_array())
     throw InputError(path, "is no JSON of mixity fit (schema mixity-fit-1)");
   const Json text = document.value("shard", Json());
-  if (!text.is_string() || std::sscanf(text.get<std::string>().c_str(), "%u/%u", &shard.part, &shard.of) != 2 ||
-      shard.part < 1 || shard.part > shard.of)
+  if (!text.is_string() || !read_part(text.get<std::string>(), shard) || shard.part < 1 || shard.part > shard.of ||
+      shard.of > kMostShards)
     throw InputError(path, "does not say which shard it is: it was not made by `mixity fit " +
                                Remedy::fill_in("shard", "i/n") + "`");
   return shard;

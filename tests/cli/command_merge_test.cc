@@ -51,6 +51,12 @@ TEST_F(Shards, MergedAreTheDocumentOfAll) {
   EXPECT_NE(refused({parts[1], folder_.write("other.json", fit("2/2").out)}).find("is one of 2 shards"),
             std::string::npos);
   EXPECT_NE(refused({folder_.write("whole.json", whole)}).find("does not say which shard it is"), std::string::npos);
+  // 2^32 + 1 is not 1
+  std::string wrapped = fit("1/3").out;
+  wrapped.replace(wrapped.find("\"1/3\""), 5, "\"4294967297/4294967299\"");
+  EXPECT_NE(
+      refused({folder_.write("wrapped.json", wrapped), parts[2], parts[3]}).find("does not say which shard it is"),
+      std::string::npos);
 }
 
 TEST_F(Shards, ThatDoNotBelongTogetherAreRefused) {

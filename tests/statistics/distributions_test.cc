@@ -39,6 +39,21 @@ TEST(Distributions, TailsAreSymmetricAndQuantilesInvertThem) {
   }
 }
 
+/// Any size of sample, from exact data to residuals that overflow.
+TEST(Distributions, AreProbabilitiesWhateverTheArguments) {
+  const double none = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (const double x : {0.0, 1e-300, 1e-20, 1e-3, 1.0, 1e3, 1e20, 1e300, infinity, none})
+    for (const double freedom : {1.0, 3.0, 3511.0, 1e5, 1e7}) {
+      for (const double p : {chi_squared_p_value(x, freedom), student_p_value(x, freedom),
+                             fisher_p_value(x, 3, freedom), fisher_p_value(x, freedom, 7)})
+        EXPECT_TRUE(p >= 0 && p <= 1) << x << ' ' << freedom << ' ' << p;
+    }
+  EXPECT_EQ(chi_squared_p_value(1e-20, 4000), 1);
+  // where the bound takes over, what is missing from 1 is below its rounding
+  EXPECT_EQ(chi_squared_p_value(3000, 4000), 1);
+  EXPECT_LT(chi_squared_p_value(3500, 4000), 1);
+}
+
 TEST(Distributions, NoChiSquaredIsNoSurprise) {
   EXPECT_EQ(chi_squared_p_value(0, 3), 1);
   EXPECT_EQ(chi_squared_p_value(-1e-18, 3), 1);

@@ -87,4 +87,8 @@ bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format
 /// Text as a CSV field, in quotes if it would not be read back as one field without them.
 std::string csv_field(const std::string& text);
 
+/// The same for tables that are opened in spreadsheets: an apostrophe before a text that these would take for a formula
+/// (= + - @, a tab or a return first), unless it is a number.
+std::string spreadsheet_field(const std::string& text);
+
 }  // namespace mixity

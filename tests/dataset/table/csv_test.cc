@@ -180,5 +180,15 @@ TEST(Csv, AWrittenFieldIsReadBackAsOne) {
   }
 }
 
+TEST(SpreadsheetField, IsNoFormula) {
+  EXPECT_EQ(spreadsheet_field("=1+1"), "'=1+1");
+  EXPECT_EQ(spreadsheet_field("+run"), "'+run");
+  EXPECT_EQ(spreadsheet_field("-run"), "'-run");
+  EXPECT_EQ(spreadsheet_field("@run"), "'@run");
+  EXPECT_EQ(spreadsheet_field("\trun"), "\"'\trun\"");
+  EXPECT_EQ(spreadsheet_field("=a,b"), "\"'=a,b\"");
+  for (const char* plain : {"-1.79", "+3e-2", "run 1", "a=b", ""}) EXPECT_EQ(spreadsheet_field(plain), plain);
+}
+
 }  // namespace csv_test
 }  // namespace mixity
