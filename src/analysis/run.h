@@ -12,7 +12,7 @@ Analysis run(const FitRequest& request, const Progress& progress = {});
 /// The same for data in memory; ignores the request's paths and constants.
 Analysis run(const FitRequest& request, Dataset data, const Progress& progress = {});
 
-/// Every file that the request reads, existing or not. Results must not overwrite them.
-std::vector<std::string> files_read(const FitRequest& request);
+/// Every file that an analysis read, existing or not. Results must not overwrite them.
+std::vector<std::string> files_read(const Analysis& analysis);
 
 }  // namespace mixity

@@ -218,6 +218,19 @@ void write_files(const std::vector<OutputFile>& files, const std::vector<std::st
   for (StagedFile& file : staged) file.put_in_place();
 }
 
+namespace {
+
+/// The name, with a number behind it if a file of other content has it: no former edit is lost.
+std::string free_name(const std::string& name, const std::string& content) {
+  std::string free = name;
+  std::error_code unread;
+  for (int number = 2; std::filesystem::exists(free, unread) && read_file(free) != content; ++number)
+    free = name + "." + std::to_string(number);
+  return free;
+}
+
+}  // namespace
+
 std::vector<std::string> keep_former(std::vector<OutputFile>& files) {
   std::vector<std::string> kept;
   for (std::size_t i = 0, n = files.size(); i < n; ++i) {
@@ -225,7 +238,7 @@ std::vector<std::string> keep_former(std::vector<OutputFile>& files) {
     if (!files[i].path.ends_with(".toml") || !std::filesystem::is_regular_file(files[i].path, unread)) continue;
     std::string former = read_file(files[i].path);
     if (former == files[i].content) continue;
-    kept.push_back(files[i].path + ".old");
+    kept.push_back(free_name(files[i].path + ".old", former));
     files.push_back({kept.back(), std::move(former)});
   }
   return kept;

@@ -37,8 +37,8 @@ struct OutputFile {
 void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs = {});
 void write_file(const std::string& path, const std::string& content);
 
-/// Adds NAME.old, with the present content, for each TOML file that would change, as a user may have edited it. Returns
-/// the names.
+/// Adds NAME.old, with the present content, for each TOML file that would change, as a user may have edited it;
+/// NAME.old.2 and so on where others have these names. Returns the names.
 std::vector<std::string> keep_former(std::vector<OutputFile>& files);
 
 }  // namespace mixity

@@ -40,16 +40,14 @@ Arguments shard_of(const Arguments& arguments) {
   return mine;
 }
 
-void write_folder(const std::string& folder, const std::vector<Analysis>& results, const std::string& text,
-                  const Shard& shard) {
+std::vector<OutputFile> files_of(const std::string& folder, const std::vector<Analysis>& results,
+                                 const std::string& text, const Shard& shard) {
   std::set<std::string> taken;
-  std::vector<std::string> inputs;
   std::vector<OutputFile> files;
   const auto add = [&](const std::string& name, std::string content) {
     files.push_back({folder + "/" + name, std::move(content)});
   };
   for (const Analysis& result : results) {
-    for (std::string& input : files_read(result.request)) inputs.push_back(std::move(input));
     const std::string stem = file_stem(result, taken);
     add(stem + "_residuals.csv", residuals_csv(result));
     add(stem + "_curves.csv", curves_csv(result));
@@ -57,7 +55,7 @@ void write_folder(const std::string& folder, const std::vector<Analysis>& result
   add("fits.csv", fits_csv(results));
   add("fits.json", to_json(results, shard));
   add("fits.txt", text);
-  write_files(files, inputs);
+  return files;
 }
 
 /// What parts of a list must have in common to be merged: everything that affects results.
@@ -91,20 +89,24 @@ int run_fit(const Arguments& arguments) {
   std::vector<Analysis> results;
   bool all_ok = true;
   const Progress progress = progress_line("fit");
-  const auto files = static_cast<double>(requests.size());
+  const auto all = static_cast<double>(requests.size());
   for (const FitRequest& request : requests) {
     const auto before = static_cast<double>(results.size());
-    results.push_back(run(request, stretch(progress, before / files, (before + 1) / files)));
+    results.push_back(run(request, stretch(progress, before / all, (before + 1) / all)));
     all_ok &= can_be_believed(results.back());
   }
   if (progress) progress(1);
   make_names_unique(results);
   std::string text;
   for (const Analysis& result : results) text += (text.empty() ? "" : "\n") + to_text(result);
-  if (!FLAGS_out.empty()) write_folder(FLAGS_out, results, text, shard);
+  std::vector<OutputFile> files;
+  std::vector<std::string> inputs;
+  for (const Analysis& result : results)
+    for (std::string& input : files_read(result)) inputs.push_back(std::move(input));
+  if (!FLAGS_out.empty()) files = files_of(FLAGS_out, results, text, shard);
   if (!FLAGS_save.empty())
-    write_files({{FLAGS_save, fit_definition_text(results[0].request, results[0].data, FLAGS_save)}},
-                files_read(results[0].request));
+    files.push_back({FLAGS_save, fit_definition_text(results[0].request, results[0].data, FLAGS_save)});
+  write_outputs(files, inputs);
   std::cout << (FLAGS_format == "json" ? to_json(results, shard) : FLAGS_format == "csv" ? fits_csv(results) : text);
   return all_ok ? kFine : kFitNotOk;
 }

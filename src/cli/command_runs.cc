@@ -55,7 +55,7 @@ int run_runs(const Arguments& arguments) {
     std::vector<std::string> inputs(arguments.begin(), arguments.end());
     for (const std::string& path : arguments) inputs.push_back(metadata_path(path));
     keep_former_files(files);
-    write_files(files, inputs);
+    write_outputs(files, inputs);
     if (!drawn.missing.empty()) warn(drawn.missing);
   }
   std::cout << runs_text(log, in_flags);

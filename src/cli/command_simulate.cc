@@ -39,7 +39,7 @@ int run_simulate(const Arguments& arguments) {
   constants += "provenance = \"reconstructed\"\nsource = " + toml_text(command_line()) + "\n";
   std::vector<OutputFile> files{{FLAGS_out, table.str()}, {metadata_path(FLAGS_out), constants}};
   keep_former_files(files);
-  write_files(files);
+  write_outputs(files, {});
   std::cout << "Written to " << FLAGS_out << " and " << metadata_path(FLAGS_out) << '\n';
   return kFine;
 }

@@ -182,11 +182,24 @@ void keep_former_files(std::vector<OutputFile>& files) {
   for (const std::string& kept : keep_former(files)) warn("the previous file was saved as " + kept);
 }
 
+std::vector<std::string> files_of_flags() {
+  std::vector<std::string> files;
+  if (!FLAGS_laws.empty()) files.push_back(FLAGS_laws);
+  if (is_set("headings")) files.push_back(value_of("headings"));
+  return files;
+}
+
+void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {
+  std::vector<std::string> all = files_of_flags();
+  all.insert(all.end(), inputs.begin(), inputs.end());
+  write_files(files, all);
+}
+
 void print_or_write(const std::string& text, const std::vector<std::string>& inputs) {
   if (FLAGS_out.empty())
     std::cout << text;
   else
-    write_files({{FLAGS_out, text}}, inputs);
+    write_outputs({{FLAGS_out, text}}, inputs);
 }
 
 }  // namespace mixity::cli

@@ -54,6 +54,12 @@ const std::vector<std::string>& laws_of_flags();
 /// Adds NAME.old for each TOML file that would change (base/files.h), and says so.
 void keep_former_files(std::vector<OutputFile>& files);
 
+/// Writes all of the files or none (base/files.h), and none over one of the inputs or over a file that --laws or
+/// --headings names.
+void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs);
+/// The files that --laws and --headings name.
+std::vector<std::string> files_of_flags();
+
 /// Writes a text to the file --out, which must not be one of the inputs, or prints it if there is no --out.
 void print_or_write(const std::string& text, const std::vector<std::string>& inputs);
 

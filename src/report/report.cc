@@ -9,11 +9,11 @@ namespace mixity {
 WrittenReport write_report(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
                            const std::string& folder, const ReportSettings& settings) {
   ReportContent content{settings, {}};
-  std::vector<std::string> inputs;
+  std::vector<std::string> inputs = settings.inputs;
   const double share = 0.9 / static_cast<double>(data.size());  // of the time
   for (const ReportedData& one : data) {
     const double before = share * static_cast<double>(content.entries.size());
-    const std::vector<std::string> read = files_read(one.result.request);
+    const std::vector<std::string> read = files_read(one.result);
     inputs.insert(inputs.end(), read.begin(), read.end());
     content.entries.push_back({&one, data_figures(one)});
     std::vector<Figure> figures;

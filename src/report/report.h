@@ -15,6 +15,7 @@ struct ReportSettings {
   std::string command;  // that makes this report again
   Progress progress{};
   std::string explorer{};  // path of the explorer's page, of which the report gets a copy with its data; empty: none
+  std::vector<std::string> inputs{};  // read beside those of the analyses: no file of the report is one of them
 };
 
 /// One data set with its figures.

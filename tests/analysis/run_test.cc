@@ -81,11 +81,13 @@ TEST(Run, TakesAStandardErrorOfZeroWithoutAUnit) {
 }
 
 TEST(Run, NamesEveryFileThatItReads) {
-  FitRequest request;
-  request.path = "fit.toml";
-  request.data_path = "a.csv";
-  request.peaks_path = "p.csv";
-  EXPECT_EQ(files_read(request), (std::vector<std::string>{"a.csv", "a.toml", "p.csv", "p.toml", "fit.toml"}));
+  Analysis analysis;
+  analysis.request.path = "fit.toml";
+  analysis.request.data_path = "a.csv";
+  analysis.request.peaks_path = "p.csv";
+  analysis.data.metadata.headings = "names.toml";
+  EXPECT_EQ(files_read(analysis),
+            (std::vector<std::string>{"a.csv", "a.toml", "p.csv", "p.toml", "fit.toml", "names.toml"}));
 }
 
 }  // namespace run_test

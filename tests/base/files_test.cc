@@ -58,6 +58,12 @@ TEST(OutputFile, ATomlThatSomebodyMayHaveEditedIsKept) {
   EXPECT_EQ(read_file(edited), "modulus = \"2.1 MPa\"\n");
   files.resize(2);
   EXPECT_TRUE(keep_former(files).empty());  // as it is to be
+  // a second edit leaves the first where it is
+  folder.write("runs.toml", "modulus = \"2.2 MPa\"\n");
+  EXPECT_EQ(keep_former(files), std::vector<std::string>{edited + ".old.2"});
+  write_files(files);
+  EXPECT_EQ(read_file(edited + ".old"), "modulus = \"2.1 MPa +/- 5%\"\n");
+  EXPECT_EQ(read_file(edited + ".old.2"), "modulus = \"2.2 MPa\"\n");
 }
 
 TEST(OutputFile, KeepsItsPermissions) {

@@ -124,6 +124,33 @@ TEST(OutputSafety, AFileThatDoesNotFitLeavesTheEarlierResults) {
   }
 }
 
+TEST(OutputSafety, FilesOfLawsAndHeadingsAreNotWrittenOver) {
+  const TemporaryFolder folder;
+  const std::string law = "[mine]\nf = \"1 + (1-l)*tan(psi)^2\"\nl = [0, 1]\n", laws = folder.write("laws.toml", law);
+  const std::string name = "[T]\nnames = [\"Querkraft\"]\n", headings = folder.write("headings.toml", name);
+  for (const Words& words : std::vector<Words>{
+           {"fit", MIXITY_ROOT "/data/mergel2018.csv", "--models=c", "--laws", laws, "--save", laws},
+           {"fit", MIXITY_ROOT "/data/mergel2018.csv", "--models=c", "--headings", headings, "--save", headings},
+           {"simulate", "--model=c", "--lambda=0.1", "--loads=1mN", "--radius=9mm", "--modulus=2MPa",
+            "--toughness=30mJ/m^2", "--laws", laws, "--out", folder.path("laws.csv")}}) {
+    const ProgramResult result = run_program(words);
+    EXPECT_NE(result.exit_code, 0) << joined(words);
+    EXPECT_NE(result.complaint().find("is an input and is not written over"), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(content_of(laws), law);
+  EXPECT_EQ(content_of(headings), name);
+}
+
+/// Results of one run and the definition that another run saved do not stand side by side.
+TEST(OutputSafety, ResultsAndTheSavedDefinitionAreWrittenTogether) {
+  const TemporaryFolder folder;
+  const std::string saved = folder.write("fit.toml", "old"), out = folder.write("out", "a file, no folder");
+  EXPECT_EQ(
+      run_program({"fit", MIXITY_ROOT "/data/mergel2018.csv", "--models=c", "--out", out, "--save", saved}).exit_code,
+      4);
+  EXPECT_EQ(content_of(saved), "old");
+}
+
 TEST(OutputSafety, AnImportThatDoesNotFitLeavesTheEarlierOne) {
   const TemporaryFolder folder;
   std::string plot = "run 1,\nX,Y\n";
