@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,13 +10,14 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <random>
+#include <utility>
 
 #include "base/input_error.h"
 #include "base/text.h"
@@ -23,22 +25,62 @@
 namespace mixity {
 namespace {
 
-constexpr const char* kTemporary = ".mixity-tmp";  // then the process
+constexpr const char* kTemporary = ".mixity-tmp";  // then letters drawn at random
+constexpr std::size_t kLetters = 8;
 
-/// Removes temporary files of this file, PATH.mixity-tmpPID, whose processes no longer exist.
+std::string random_letters() {
+  std::random_device random;
+  std::string letters;
+  for (std::size_t i = 0; i < kLetters; ++i) letters += static_cast<char>('a' + random() % 26);
+  return letters;
+}
+
+bool is_temporary_of(const std::string& name, const std::string& file) {
+  const std::string beginning = file + kTemporary;
+  return name.size() == beginning.size() + kLetters && name.starts_with(beginning) &&
+         std::all_of(name.end() - kLetters, name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
+/// Holds folders against other programs that write to them, wherever these run: a lock belongs to the folder itself,
+/// not to a process number, which programs in two containers may share. Given up where the file system has none.
+class LockedFolders {
+ public:
+  LockedFolders() = default;
+  LockedFolders(const LockedFolders&) = delete;
+  LockedFolders& operator=(const LockedFolders&) = delete;
+  ~LockedFolders() {
+    for (const auto& [folder, file] : files_) ::close(file);
+  }
+
+  /// Throws OutputError if another program holds the folder for a minute.
+  void add(const std::filesystem::path& folder) {
+    constexpr int kTries = 1200;
+    constexpr useconds_t kPause = 50000;
+    const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    struct stat about {};
+    if (file < 0) return;
+    if (::fstat(file, &about) != 0 || !files_.emplace(std::pair(about.st_dev, about.st_ino), file).second) {
+      ::close(file);
+      return;
+    }
+    for (int i = 0; ::flock(file, LOCK_EX | LOCK_NB) != 0; ++i) {
+      if (errno != EWOULDBLOCK && errno != EINTR) return;
+      if (i == kTries)
+        throw OutputError(folder.string() + ": another program writes to this folder; try again when it has ended");
+      ::usleep(kPause);
+    }
+  }
+
+ private:
+  std::map<std::pair<dev_t, ino_t>, int> files_;
+};
+
+/// Removes temporary files of this file: its folder is locked, so that they are of killed programs.
 void remove_leftovers(const std::filesystem::path& path) {
-  const std::string beginning = path.filename().string() + kTemporary;
   std::error_code error;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (!name.starts_with(beginning)) continue;
-    pid_t process = 0;
-    const char *begin = name.data() + beginning.size(), *stop = name.data() + name.size();
-    const auto [read, failure] = std::from_chars(begin, stop, process);
-    if (failure == std::errc() && read == stop && process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
-      ::unlink(entry->path().c_str());
-  }
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (is_temporary_of(entry->path().filename().string(), path.filename().string())) ::unlink(entry->path().c_str());
 }
 
 /// A pipe or device, which is written in place.
@@ -80,7 +122,8 @@ std::filesystem::path end_of_links(const std::string& path) {
 /// A file that is written under a temporary name, and removed unless it is put in place.
 class StagedFile {
  public:
-  explicit StagedFile(const OutputFile& file) : file_(file) {
+  StagedFile(const OutputFile& file, LockedFolders& locked) : file_(file) {
+    constexpr int kTries = 100;
     const std::string& path = file.path;
     std::error_code unknown;
     const auto kind = std::filesystem::status(path, unknown).type();
@@ -94,20 +137,23 @@ class StagedFile {
     if (!folder.empty()) std::filesystem::create_directories(folder, error);
     if (error) throw OutputError(folder.string() + ": cannot be created: " + error.message());
 
+    locked.add(folder.empty() ? "." : folder);
     remove_leftovers(target_);
-    temporary_ = target_ + kTemporary + std::to_string(::getpid());
-    ::unlink(temporary_.c_str());
-    const int opened = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+    int opened = -1, reason = EEXIST;
+    for (int i = 0; i < kTries && opened < 0 && reason == EEXIST; ++i) {
+      temporary_ = target_ + kTemporary + random_letters();
+      opened = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+      reason = errno;
+    }
     if (opened < 0) {
-      const int reason = errno;
       temporary_.clear();
       check(reason);
     }
     struct stat old {};
     if (::stat(target_.c_str(), &old) == 0) ::fchmod(opened, old.st_mode & 0777);  // the permissions stay
-    if (const int reason = write_and_close(opened, file.content, true); reason != 0) {
+    if (const int failed = write_and_close(opened, file.content, true); failed != 0) {
       discard();
-      check(reason);
+      check(failed);
     }
   }
   StagedFile(const StagedFile&) = delete;
@@ -211,8 +257,9 @@ std::string plain_file_name(std::string_view name) {
 void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {
   spare_inputs(inputs, files);
   tell_apart(files);
+  LockedFolders locked;
   std::deque<StagedFile> staged;
-  for (const OutputFile& file : files) staged.emplace_back(file);
+  for (const OutputFile& file : files) staged.emplace_back(file, locked);
   for (const StagedFile& file : staged) file.write_if_direct();
   const Uninterrupted renaming;
   for (StagedFile& file : staged) file.put_in_place();

@@ -2,12 +2,16 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "dataset/temporary_folder.h"
@@ -149,20 +153,63 @@ TEST(OutputFile, ReplacesWhatWasThere) {
 
 TEST(OutputFile, RemovesWhatAKilledProcessLeftOfItAndNothingElse) {
   const TemporaryFolder folder;
-  const pid_t gone = ::fork();
-  if (gone == 0) ::_exit(0);
-  ASSERT_EQ(::waitpid(gone, nullptr, 0), gone);
-  folder.write("file.mixity-tmp" + std::to_string(gone), "half");
-  const std::vector<std::string> kept{"file.mixity-tmp" + std::to_string(::getppid()),
-                                      "file.mixity-tmpx",
-                                      "file.mixity-tmp",
-                                      "file.mixity-tmp1x",
-                                      "file.tmp" + std::to_string(gone),
-                                      "other.mixity-tmp" + std::to_string(gone)};
+  folder.write("file.mixity-tmpabcdefgh", "half");
+  const std::vector<std::string> kept{"file.mixity-tmpx", "file.mixity-tmp",          "file.mixity-tmpabcdefg1",
+                                      "file.tmpabcdefgh", "file.mixity-tmpabcdefghi", "other.mixity-tmpabcdefgh"};
   for (const std::string& name : kept) folder.write(name, "not ours");
   write_file(folder.path("file"), "whole");
   EXPECT_EQ(files_in(folder.path()), kept.size() + 1);
   for (const std::string& name : kept) EXPECT_EQ(read_file(folder.path(name)), "not ours") << name;
+}
+
+/// Whoever comes second waits, also from another container, where it may have the same process number.
+TEST(OutputFile, OfTwoProgramsAreOfOneOfThem) {
+  const TemporaryFolder folder;
+  constexpr int kWriters = 6, kTimes = 30, kFiles = 4;
+  std::vector<pid_t> writers;
+  for (int writer = 0; writer < kWriters; ++writer) {
+    writers.push_back(::fork());
+    if (writers.back() != 0) continue;
+    int code = 0;
+    try {
+      for (int time = 0; time < kTimes; ++time) {
+        std::vector<OutputFile> files;
+        for (int i = 0; i < kFiles; ++i)
+          files.push_back(
+              {folder.path("file" + std::to_string(i)), std::to_string(writer) + " " + std::to_string(time)});
+        write_files(files);
+      }
+    } catch (const OutputError&) {
+      code = 1;
+    }
+    ::_exit(code);
+  }
+  for (const pid_t writer : writers) {
+    int ended = 0;
+    ASSERT_EQ(::waitpid(writer, &ended, 0), writer);
+    EXPECT_EQ(ended, 0);
+  }
+  EXPECT_EQ(files_in(folder.path()), std::size_t{kFiles});
+  for (int i = 1; i < kFiles; ++i)
+    EXPECT_EQ(read_file(folder.path("file" + std::to_string(i))), read_file(folder.path("file0")));
+}
+
+/// Another program holds the folder: its lock ends with it.
+TEST(OutputFile, WaitsForWhoeverHoldsTheFolder) {
+  const TemporaryFolder folder;
+  const int held = ::open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(held, LOCK_EX), 0);
+  std::atomic<bool> written = false;
+  std::thread other([&] {
+    write_file(folder.path("file"), "x");
+    written = true;
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_FALSE(written);
+  EXPECT_EQ(files_in(folder.path()), 0u);
+  ::close(held);
+  other.join();
+  EXPECT_EQ(read_file(folder.path("file")), "x");
 }
 
 TEST(OutputFile, LeavesTheOldFileWhereTheNewOneCannotBeWritten) {
