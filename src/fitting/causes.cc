@@ -22,7 +22,7 @@ std::vector<Constant> suspected_constants(const FitResult& fit) {
   std::vector<std::pair<double, Constant>> list;
   if (!fit.budget) return {};
   for (const ExactConstant& one : fit.budget->exact)
-    if (one.score && one.score->p_value * fit.budget->independent < kChance)
+    if (one.score && asks_to_be_free(*one.score, fit.budget->independent))
       list.emplace_back(-one.score->fall, constant_named(one.constant).value());
   for (const BudgetPart& part : fit.budget->parts)
     if (std::abs(part.pull) > kFar) list.emplace_back(-part.pull * part.pull, constant_named(part.constant).value());

@@ -13,6 +13,13 @@ namespace mixity {
 /// A test fails at this p-value.
 inline constexpr double kChance = 1e-3;
 
+/// Whether a constant asks to be free, of so many tests. Less evidence is enough against one that would move the first
+/// parameter far beyond its interval: by as much the fit is wrong if it is believed.
+inline bool asks_to_be_free(const ExactConstant::Score& score, double tests) {
+  constexpr double kFar = 6, kLess = 1e-2;  // standard errors; a chance
+  return score.p_value * tests < (std::abs(score.change) > kFar ? kLess : kChance);
+}
+
 /// Standard error of a residual: 1 where errors are known, else from the scatter about the fit. Of Student's likelihood
 /// its scale, which is that of most points.
 double residual_unit(const FitResult& fit);

@@ -39,7 +39,7 @@ const ExactConstant* most_significant_constant(const FitResult& fit) {
 
 const ExactConstant* wrong_constant(const FitResult& fit) {
   const ExactConstant* const worst = most_significant_constant(fit);
-  if (!worst || !(worst->score->p_value * fit.budget->independent < kChance)) return nullptr;
+  if (!worst || !asks_to_be_free(*worst->score, fit.budget->independent)) return nullptr;
   // If the stated errors are too small whatever the constant, falls of chi^2 count less.
   const bool too_small = fit.known_errors && fit.consistency && fit.consistency->chi2_p.value_or(1) < kChance;
   if (too_small &&
