@@ -61,16 +61,24 @@ bool has_a_row(std::string_view text, const CsvFormat& format) {
 
 }  // namespace
 
-FilePlace CsvRow::place(std::size_t i) const {
-  if (!numbers_.empty()) return {line_, i + 1};
+std::vector<FilePlace> CsvRow::places() const {
+  std::vector<FilePlace> found;
+  found.reserve(size() + 1);
+  if (!numbers_.empty()) {
+    for (std::size_t i = 0; i <= size(); ++i) found.push_back({line_, i + 1});
+    return found;
+  }
   FilePlace place{line_, 1};
   std::size_t field = 0;
   bool quoted = false;
-  const char* const stop = format_.delimiter != kBlanks ? nullptr
-                           : i < fields_.size()         ? fields_[i].data()
-                                                        : raw_.data() + raw_.size();
+  const auto begins = [&](std::size_t next, const char* at) {
+    if (format_.delimiter != kBlanks) return field == next;
+    const char* const begin = fields_[next].data();
+    const bool elsewhere = begin < raw_.data() || begin > raw_.data() + raw_.size();  // unquoted
+    return begin == at || elsewhere;
+  };
   for (const char& c : raw_) {
-    if (stop ? &c == stop : field == i) break;
+    if (found.size() < size() && begins(found.size(), &c)) found.push_back(place);
     if (c == '"') quoted = !quoted;
     if (c == format_.delimiter && !quoted) ++field;
     if (c == format_.line_end)
@@ -78,8 +86,11 @@ FilePlace CsvRow::place(std::size_t i) const {
     else if ((c & 0xC0) != 0x80)
       ++place.column;  // count characters, not the later bytes of UTF-8
   }
-  return place;
+  found.resize(size() + 1, place);
+  return found;
 }
+
+FilePlace CsvRow::place(std::size_t i) const { return places()[std::min(i, size())]; }
 
 bool CsvRow::number(std::size_t i, double& value) const {
   if (!numbers_.empty()) {

@@ -33,6 +33,8 @@ class CsvRow {
   bool blank() const { return fields_.empty() || (fields_.size() == 1 && fields_[0].empty()); }
   /// Where field i starts in the file; beyond the last field, the end of the row.
   FilePlace place(std::size_t i) const;
+  /// Those of all fields and of the end.
+  std::vector<FilePlace> places() const;
   /// The lines of the row as they are in the file.
   std::string_view raw() const { return raw_; }
   char delimiter() const { return format_.delimiter; }

@@ -27,8 +27,9 @@ std::vector<std::vector<Heading>> split_headings(const CsvRow& line) {
   };
   std::vector<std::pair<std::string, std::size_t>> pieces;
   if (line.delimiter() != kBlanks) {
+    const std::vector<FilePlace> places = line.places();
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const FilePlace place = line.place(i);
+      const FilePlace& place = places[i];
       pieces.emplace_back(line[i], place.line == line.line() ? place.column : 1);
     }
     add(pieces);

@@ -44,7 +44,8 @@ Heading split_heading(std::string_view whole, FilePlace place) {
 
 std::vector<Heading> headings_of(const CsvRow& header) {
   std::vector<Heading> headings;
-  for (std::size_t i = 0; i < header.size(); ++i) headings.push_back(split_heading(header[i], header.place(i)));
+  const std::vector<FilePlace> places = header.places();
+  for (std::size_t i = 0; i < header.size(); ++i) headings.push_back(split_heading(header[i], places[i]));
   return headings;
 }
 
