@@ -34,7 +34,10 @@ Verdict Fitter::minimum_with_its_errors() {
                           : !starting_.guesses.empty() ? starting_.guesses.back()
                                                        : std::vector<double>();
   for (int again = 1;; ++again) {
-    if (x.empty() && !problem_->parameters().empty()) x = minimum_of(*problem_).best.x;
+    // A guess may be where the model is not defined: no descent begins there.
+    std::vector<double> at_guess(problem_->residual_count());
+    const bool defined = !x.empty() && sum_of_squares(*problem_, x, at_guess).has_value();
+    if (!defined && !problem_->parameters().empty()) x = minimum_of(*problem_).best.x;
     const bool described = settle_errors(x);
     // The deviations of the runs are linearised here: elsewhere they mean nothing.
     const std::vector<double> near = starting_.near;
