@@ -7,6 +7,7 @@
 
 #include "fitting/course.h"
 #include "fitting/fitted_errors.h"
+#include "fitting/pinned.h"
 #include "solver/robust.h"
 #include "statistics/distributions.h"
 
@@ -188,17 +189,6 @@ double over_scatter(const Dataset& data, const FitResult& fit) {
   return fit.freedom() > 0 ? std::sqrt(squares / static_cast<double>(fit.freedom())) : 0;
 }
 
-/// The points that a robust loss counts; all without one.
-std::vector<std::size_t> counted_points(const FitResult& fit) {
-  constexpr double kFar = 4;  // standard errors of a residual
-  if (!(fit.loss_scale > 0) || fit.innovations.size() != fit.used.size()) return fit.used;
-  const double most = kFar * spread(fit.innovations);
-  std::vector<std::size_t> points;
-  for (std::size_t i = 0; i < fit.used.size(); ++i)
-    if (std::abs(fit.innovations[i]) <= most) points.push_back(fit.used[i]);
-  return points;
-}
-
 /// Runs with points that the fitted model gives no area, and the first of them.
 std::vector<BeyondEquilibrium> beyond_equilibrium(const Dataset& data, const FitResult& fit) {
   std::vector<BeyondEquilibrium> list;
@@ -210,26 +200,6 @@ std::vector<BeyondEquilibrium> beyond_equilibrium(const Dataset& data, const Fit
     ++list.back().points;
   }
   return list;
-}
-
-/// Whether the fitted curves describe the areas better than one area for each run does, by more than noise with this
-/// memory makes up. The fall is steepest next to the jump, where no simple course finds it.
-bool fall_as_fitted(const Dataset& data, const FitResult& fit) {
-  if (fit.objective != Objective::curve || !fit.errors || fit.errors->A.empty()) return false;
-  const std::vector<double> residuals = unexpected(fit);
-  const auto weight = [&](std::size_t i) { return 1 / std::pow(fit.errors->A[fit.used[i]], 2); };
-  double excess = 0;
-  for (const auto& run : used_by_run(data, fit)) {
-    double weights = 0, mean = 0;
-    for (const std::size_t i : run) {
-      weights += weight(i);
-      mean += weight(i) / weights * (data.points[fit.used[i]].A - mean);
-    }
-    for (const std::size_t i : run)
-      excess += weight(i) * std::pow(data.points[fit.used[i]].A - mean, 2) - residuals[i] * residuals[i];
-  }
-  const double worth = independent_points(fit) / static_cast<double>(fit.used.size());
-  return excess / std::pow(residual_unit(fit), 2) * worth > kAboutAsWell;
 }
 
 }  // namespace
@@ -263,10 +233,7 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   result.residuals.together =
       mean_correlation(fit) > 0 && independent_points(fit) < kFew * static_cast<double>(runs.size());
   result.beyond = beyond_equilibrium(data, fit);
-  const std::vector<double> none;
-  if (data.has_loads)
-    result.pinned =
-        areas_stay(data, counted_points(fit), fit.errors ? fit.errors->A : none) && !fall_as_fitted(data, fit);
+  result.pinned = data.has_loads && is_pinned(data, fit, unexpected(fit));
   return result;
 }
 

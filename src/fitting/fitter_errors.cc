@@ -34,11 +34,12 @@ Verdict Fitter::minimum_with_its_errors() {
                           : !starting_.guesses.empty() ? starting_.guesses.back()
                                                        : std::vector<double>();
   for (int again = 1;; ++again) {
-    // A guess may be where the model is not defined: no descent begins there.
-    std::vector<double> at_guess(problem_->residual_count());
-    const bool defined = !x.empty() && sum_of_squares(*problem_, x, at_guess).has_value();
-    if (!defined && !problem_->parameters().empty()) x = minimum_of(*problem_).best.x;
-    const bool described = settle_errors(x);
+    if (x.empty() && !problem_->parameters().empty()) x = minimum_of(*problem_).best.x;
+    bool described = settle_errors(x);
+    if (x.empty() && !problem_->parameters().empty()) {  // the guess was where the model is not defined
+      x = minimum_of(*problem_).best.x;
+      described = settle_errors(x);
+    }
     // The deviations of the runs are linearised here: elsewhere they mean nothing.
     const std::vector<double> near = starting_.near;
     if (described && !options_.by_run.empty()) starting_.near = x;
@@ -64,8 +65,8 @@ void Fitter::restore(const StandardErrors& errors) {
 }
 
 /// Errors, expected distances and correlations that depend on the fit: from x on, evaluates them at the fitted curve,
-/// and estimates those that come from the scatter, until nothing changes. x: the minimum with them. False, with the
-/// errors as before, where the model does not describe the data.
+/// and estimates those that come from the scatter, until nothing changes. x: the minimum with them; emptied if the
+/// model is not defined there. False, with the errors as before, where the model does not describe the data.
 bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr int kRounds = 40, kRoundsOfTrial = 8, kNextIterations = 15;
   // The rounds of each stage. Runs that differ are linearised at a first fit that may be far off.
@@ -90,7 +91,10 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     const ProblemWithPriors cost(*problem_);
     if (free && (round == 0 || !by_run)) {  // else with the deviations of the runs
       const auto minimum = descend(cost, x, quick);
-      if (!minimum) return true;
+      if (!minimum) {
+        if (round == 0) x.clear();
+        return true;
+      }
       x = minimum->x;
       quick.most_iterations = quick.most_iterations_shown = kNextIterations;
     }

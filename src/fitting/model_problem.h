@@ -20,7 +20,7 @@ struct Candidate {
 struct MeasuredPoint {
   double P, T, A, sigma_T, sigma_A;
   PointPlace place{};
-  std::size_t run = 0;
+  std::size_t run = 0;  // whose parameters it has, where these differ
 };
 
 /// Which parameters are free, in the solver's order, and where the others are held.

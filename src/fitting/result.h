@@ -157,7 +157,7 @@ struct Consistency {
   std::optional<double> chi2_per_freedom, chi2_p;  // of known errors; with a robust loss by the median of the residuals
   ResidualTests residuals;
   std::vector<BeyondEquilibrium> beyond;  // runs that have such points
-  /// Whether the areas stay constant along each run within their scatter, as of a contact that is pinned.
+  /// Whether the areas stay constant along each run within their scatter, as of a contact that is pinned (pinned.h).
   bool pinned = false;
 };
 

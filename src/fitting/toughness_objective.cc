@@ -136,10 +136,10 @@ ToughnessOfLoads::ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice
   weights_ = std::move(weights);
   weights_.resize(points_.size(), 1.0);
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const auto& [P, T, A, sigma_T, sigma_A, place, run] = points_[i];
-    const ConstantsScale scale(choice_.fixed_constants(), place);
+    const MeasuredPoint& p = points_[i];
+    const ConstantsScale scale(choice_.fixed_constants(), p.place);
     targets_.push_back(weights_[i] *
-                       std::log(toughness_of_area(scale.load(P), scale.shear(T), scale.true_area(A))->ratio));
+                       std::log(toughness_of_area(scale.load(p.P), scale.shear(p.T), scale.true_area(p.A))->ratio));
   }
 }
 
