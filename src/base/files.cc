@@ -49,30 +49,34 @@ class LockedFolders {
   LockedFolders(const LockedFolders&) = delete;
   LockedFolders& operator=(const LockedFolders&) = delete;
   ~LockedFolders() {
-    for (const auto& [folder, file] : files_) ::close(file);
+    for (const auto& [key, folder] : files_) ::close(folder.file);
   }
 
-  /// Throws OutputError if another program holds the folder for a minute.
-  void add(const std::filesystem::path& folder) {
+  /// False where the folder cannot be locked. Throws OutputError if another program holds it for a minute.
+  bool add(const std::filesystem::path& folder) {
     constexpr int kTries = 1200;
     constexpr useconds_t kPause = 50000;
     const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     struct stat about {};
-    if (file < 0) return;
-    if (::fstat(file, &about) != 0 || !files_.emplace(std::pair(about.st_dev, about.st_ino), file).second) {
-      ::close(file);
-      return;
-    }
+    if (file < 0) return false;
+    if (::fstat(file, &about) != 0) return ::close(file), false;
+    const auto [known, is_new] = files_.try_emplace({about.st_dev, about.st_ino}, Folder{file, false});
+    if (!is_new) return ::close(file), known->second.held;
     for (int i = 0; ::flock(file, LOCK_EX | LOCK_NB) != 0; ++i) {
-      if (errno != EWOULDBLOCK && errno != EINTR) return;
+      if (errno != EWOULDBLOCK && errno != EINTR) return false;
       if (i == kTries)
         throw OutputError(folder.string() + ": another program writes to this folder; try again when it has ended");
       ::usleep(kPause);
     }
+    return known->second.held = true;
   }
 
  private:
-  std::map<std::pair<dev_t, ino_t>, int> files_;
+  struct Folder {
+    int file;
+    bool held;
+  };
+  std::map<std::pair<dev_t, ino_t>, Folder> files_;
 };
 
 /// Removes temporary files of this file: its folder is locked, so that they are of killed programs.
@@ -137,8 +141,7 @@ class StagedFile {
     if (!folder.empty()) std::filesystem::create_directories(folder, error);
     if (error) throw OutputError(folder.string() + ": cannot be created: " + error.message());
 
-    locked.add(folder.empty() ? "." : folder);
-    remove_leftovers(target_);
+    if (locked.add(folder.empty() ? "." : folder)) remove_leftovers(target_);
     int opened = -1, reason = EEXIST;
     for (int i = 0; i < kTries && opened < 0 && reason == EEXIST; ++i) {
       temporary_ = target_ + kTemporary + random_letters();
@@ -227,6 +230,15 @@ void spare_inputs(const std::vector<std::string>& inputs, const std::vector<Outp
     }
 }
 
+/// The name, with a number behind it if a file of other content has it: no former edit is lost.
+std::string free_name(const std::string& name, const std::string& content) {
+  std::string free = name;
+  std::error_code unread;
+  for (int number = 2; std::filesystem::exists(free, unread) && read_file(free) != content; ++number)
+    free = name + "." + std::to_string(number);
+  return free;
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
@@ -264,19 +276,6 @@ void write_files(const std::vector<OutputFile>& files, const std::vector<std::st
   const Uninterrupted renaming;
   for (StagedFile& file : staged) file.put_in_place();
 }
-
-namespace {
-
-/// The name, with a number behind it if a file of other content has it: no former edit is lost.
-std::string free_name(const std::string& name, const std::string& content) {
-  std::string free = name;
-  std::error_code unread;
-  for (int number = 2; std::filesystem::exists(free, unread) && read_file(free) != content; ++number)
-    free = name + "." + std::to_string(number);
-  return free;
-}
-
-}  // namespace
 
 std::vector<std::string> keep_former(std::vector<OutputFile>& files) {
   std::vector<std::string> kept;

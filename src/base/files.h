@@ -32,9 +32,9 @@ struct OutputFile {
 /// are renamed. A reader finds old files or new ones, and if one file cannot be written, all old ones stay. Pipes and
 /// devices are written before the renames. Signals that end the process wait for the renames; only SIGKILL or a power
 /// cut between two renames leaves files of two runs side by side, each of them whole. Files keep their permissions,
-/// links stay links. Creates missing folders, and removes temporary files of killed processes. Waits for other programs
-/// that write to the same folders, up to a minute each. Throws OutputError, and
-/// leaves nothing behind, also if one of the files is one of `inputs` under any name, or if two of them are the same.
+/// links stay links. Creates missing folders, and removes temporary files of killed processes from those that it can
+/// lock. Waits for other programs that write to the same folders, up to a minute each. Throws OutputError, and leaves
+/// nothing behind, also if one of the files is one of `inputs` under any name, or if two of them are the same.
 void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs = {});
 void write_file(const std::string& path, const std::string& content);
 
