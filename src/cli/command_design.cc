@@ -140,7 +140,7 @@ void print_outcome(const Plan& plan, const std::vector<std::string>& rivals, con
 int run_design(const Arguments& arguments) {
   require_flags_only("design", arguments);
   const bool searches = is_set("load_range");
-  const Plan plan = plan_from_flags(!searches, {1000, 1000000});
+  const Plan plan = plan_from_flags(!searches, {.bytes = 1000, .most = 1000000});
   const std::vector<std::string> rivals = list_from("models");
   for (const std::string& model : rivals) require_model("models", model);
   if (FLAGS_goal != "error" && FLAGS_goal != "model") throw must("goal", "be error or model");

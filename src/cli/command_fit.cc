@@ -27,16 +27,10 @@ namespace {
 /// With --shard=i/n every n-th argument, starting with the i-th; `mixity merge` restores the order. Throws UsageError.
 Arguments shard_of(const Arguments& arguments) {
   if (FLAGS_shard.empty()) return arguments;
-  const std::size_t slash = FLAGS_shard.find('/');
-  const auto part = parse_number(FLAGS_shard.substr(0, slash)),
-             parts = slash == std::string::npos ? std::nullopt : parse_number(FLAGS_shard.substr(slash + 1));
-  const auto whole = [](double value) {
-    return value >= 1 && value <= 1e6 && value == static_cast<double>(static_cast<std::size_t>(value));
-  };
-  if (!part || !parts || !whole(*part) || !whole(*parts) || *part > *parts) throw must("shard", "be i/n, such as 2/10");
+  const auto shard = shard_number(FLAGS_shard);
+  if (!shard) throw must("shard", "be i/n, such as 2/10");
   Arguments mine;
-  for (auto i = static_cast<std::size_t>(*part) - 1; i < arguments.size(); i += static_cast<std::size_t>(*parts))
-    mine.push_back(arguments[i]);
+  for (std::size_t i = shard->part - 1; i < arguments.size(); i += shard->of) mine.push_back(arguments[i]);
   return mine;
 }
 

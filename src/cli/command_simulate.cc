@@ -17,7 +17,7 @@ namespace mixity::cli {
 
 int run_simulate(const Arguments& arguments) {
   require_flags_only("simulate", arguments);
-  const Plan plan = plan_from_flags(true, {300, 10000000});
+  const Plan plan = plan_from_flags(true, {.bytes = 300, .most = 10000000});
   const Dataset data = simulate(plan, count_from("seed", 0), count_from("index", 0));
   std::ostringstream table;
   table << "curve,P [mN],T [mN],A [mm^2],sigma_T [mN],sigma_A [mm^2]\n";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,13 @@ struct Shard {
   std::vector<std::string> files{};            // the whole list, as it was given
   std::map<std::string, std::string> flags{};  // that were given and affect the results, by name
 };
+
+/// Part i of n, as "i/n" says.
+struct ShardNumber {
+  std::size_t part, of;  // 1 <= part <= of <= 10^6
+};
+/// Null if the text is anything else.
+std::optional<ShardNumber> shard_number(const std::string& text);
 
 /// {schema, version, datasets: [...]}, indented, with a final newline.
 std::string to_json(const std::vector<Analysis>& results, const Shard& shard = {});

@@ -1,8 +1,9 @@
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 
 #include "base/files.h"
 #include "base/input_error.h"
+#include "base/units.h"
 #include "report/fit_json.h"
 
 namespace mixity {
@@ -12,19 +13,8 @@ namespace {
 struct ShardFile {
   std::string path;
   Json document;
-  unsigned part = 0, of = 0;
+  ShardNumber number{};
 };
-
-constexpr unsigned kMostShards = 1000000;
-
-/// "i/n". False if it is anything else, or a number is too large.
-bool read_part(const std::string& text, ShardFile& shard) {
-  const char* const end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, shard.part);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != '/') return false;
-  const auto second = std::from_chars(first.ptr + 1, end, shard.of);
-  return second.ec == std::errc() && second.ptr == end;
-}
 
 ShardFile read_shard(const std::string& path) {
   ShardFile shard{path, Json::parse(read_file(path), nullptr, false)};
@@ -33,10 +23,11 @@ ShardFile read_shard(const std::string& path) {
       !document.contains("datasets") || !document["datasets"].is_array())
     throw InputError(path, "is no JSON of mixity fit (schema mixity-fit-1)");
   const Json text = document.value("shard", Json());
-  if (!text.is_string() || !read_part(text.get<std::string>(), shard) || shard.part < 1 || shard.part > shard.of ||
-      shard.of > kMostShards)
+  const auto number = text.is_string() ? shard_number(text.get<std::string>()) : std::nullopt;
+  if (!number)
     throw InputError(path, "does not say which shard it is: it was not made by `mixity fit " +
                                Remedy::fill_in("shard", "i/n") + "`");
+  shard.number = *number;
   return shard;
 }
 
@@ -81,7 +72,7 @@ void require_one_campaign(const std::vector<ShardFile>& parts) {
       throw InputError(part.path, "does not say which files and flags its campaign has: make it once more");
     if (const Message other = difference(campaign, parts[0].document["campaign"], parts[0].path); !other.empty())
       throw InputError(part.path, other);
-    const std::size_t share = (campaign["files"].size() + part.of - part.part) / part.of,
+    const std::size_t share = (campaign["files"].size() + part.number.of - part.number.part) / part.number.of,
                       has = part.document["datasets"].size();
     if (has != share)
       throw InputError(part.path,
@@ -91,29 +82,39 @@ void require_one_campaign(const std::vector<ShardFile>& parts) {
 
 }  // namespace
 
+std::optional<ShardNumber> shard_number(const std::string& text) {
+  constexpr double kMost = 1e6;
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const auto part = parse_number(text.substr(0, slash)), of = parse_number(text.substr(slash + 1));
+  const auto whole = [](double value) { return value >= 1 && value <= kMost && value == std::floor(value); };
+  if (!part || !of || !whole(*part) || !whole(*of) || *part > *of) return std::nullopt;
+  return ShardNumber{static_cast<std::size_t>(*part), static_cast<std::size_t>(*of)};
+}
+
 std::string merge_json(const std::vector<std::string>& paths) {
   std::vector<ShardFile> parts;
   for (const std::string& path : paths) {
     parts.push_back(read_shard(path));
     if (parts.back().document["version"] != parts[0].document["version"])
       throw InputError(path, "was made by another version of mixity than " + paths[0]);
-    if (parts.back().of != parts[0].of)
-      throw InputError(path, "is one of " + std::to_string(parts.back().of) + " shards, " + paths[0] + " one of " +
-                                 std::to_string(parts[0].of));
+    if (parts.back().number.of != parts[0].number.of)
+      throw InputError(path, "is one of " + std::to_string(parts.back().number.of) + " shards, " + paths[0] +
+                                 " one of " + std::to_string(parts[0].number.of));
   }
   require_one_campaign(parts);
   std::sort(parts.begin(), parts.end(),
-            [](const ShardFile& one, const ShardFile& other) { return one.part < other.part; });
+            [](const ShardFile& one, const ShardFile& other) { return one.number.part < other.number.part; });
   std::size_t most = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0 && parts[i].part == parts[i - 1].part)
+    if (i > 0 && parts[i].number.part == parts[i - 1].number.part)
       throw InputError(parts[i].path,
-                       "is shard " + std::to_string(parts[i].part) + ", as " + parts[i - 1].path + " is");
+                       "is shard " + std::to_string(parts[i].number.part) + ", as " + parts[i - 1].path + " is");
     most = std::max(most, parts[i].document["datasets"].size());
   }
-  for (unsigned part = 1; part <= parts[0].of; ++part)
-    if (part > parts.size() || parts[part - 1].part != part)
-      throw InputError("shard " + std::to_string(part) + "/" + std::to_string(parts[0].of), "is missing");
+  for (std::size_t part = 1; part <= parts[0].number.of; ++part)
+    if (part > parts.size() || parts[part - 1].number.part != part)
+      throw InputError("shard " + std::to_string(part) + "/" + std::to_string(parts[0].number.of), "is missing");
   Json whole = parts[0].document;
   whole.erase("shard");
   whole.erase("campaign");

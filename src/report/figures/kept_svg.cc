@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstdio>
 #include <pugixml.hpp>
 #include <set>
-#include <span>
 #include <sstream>
+#include <string_view>
 
 #include "base/text.h"
 #include "report/figures/svg.h"
@@ -46,45 +45,15 @@ std::string hexadecimal(std::string value) {
 }
 
 // What our own drawings consist of.
-constexpr std::array kElements{"circle",   "desc", "g",   "line", "path",  "polygon",
-                               "polyline", "rect", "svg", "text", "title", "tspan"};
-constexpr std::array kAttributes{"cx",
-                                 "cy",
-                                 "d",
-                                 "dx",
-                                 "dy",
-                                 "fill",
-                                 "fill-opacity",
-                                 "font-family",
-                                 "font-size",
-                                 "font-style",
-                                 "font-weight",
-                                 "height",
-                                 "lengthAdjust",
-                                 "points",
-                                 "r",
-                                 "rx",
-                                 "ry",
-                                 "stroke",
-                                 "stroke-dasharray",
-                                 "stroke-linecap",
-                                 "stroke-linejoin",
-                                 "stroke-opacity",
-                                 "stroke-width",
-                                 "text-anchor",
-                                 "textLength",
-                                 "transform",
-                                 "viewBox",
-                                 "width",
-                                 "x",
-                                 "x1",
-                                 "x2",
-                                 "y",
-                                 "y1",
-                                 "y2"};
+constexpr std::string_view kElements = " circle desc g line path polygon polyline rect svg text title tspan ";
+constexpr std::string_view kAttributes =
+    " cx cy d dx dy fill fill-opacity font-family font-size font-style font-weight height lengthAdjust points r rx ry "
+    "stroke stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity stroke-width text-anchor textLength "
+    "transform viewBox width x x1 x2 y y1 y2 ";
 
-bool is_one_of(std::span<const char* const> list, std::string_view name) {
-  return std::find(list.begin(), list.end(), name) != list.end();
+/// `name`: of XML, which has no blanks.
+bool is_one_of(std::string_view list, const std::string& name) {
+  return list.find(' ' + name + ' ') != std::string_view::npos;
 }
 
 /// Numbers, names, colours and lists of them, but no address of anything else.
@@ -130,7 +99,7 @@ class Copier {
     return std::string(name.substr(0, kMost)) + (name.size() > kMost ? "..." : "");
   }
   void copy(const pugi::xml_attribute& attribute, pugi::xml_node& to, bool outermost) {
-    const std::string_view name = attribute.name();
+    const std::string name = attribute.name();
     // The page gives the drawing its size; its name and its text alternative are ours.
     if (outermost && (name == "width" || name == "height" || name == "role" || name == "aria-label" || name == "xmlns"))
       return;
