@@ -30,6 +30,8 @@ class CurveObjective final : public ModelProblem {
   /// To first order, at a sample of the points.
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
 
+  /// Whether the residuals are the distances themselves: nothing is taken off them, and they are not made independent.
+  bool are_distances() const { return expected_.empty() && !whitening_; }
   /// The distances, and where the nearest points of the curve lie. Null where a value is not finite.
   std::optional<NearestPlaces> nearest(std::span<const double> x) const;
   /// The mean distance of readings whose true values are these places and whose noise is as the standard errors say: by

@@ -86,6 +86,8 @@ FitResult Fitter::run() {
     report_progress(fitted);
     add_resampled(*cost_, verdict, data_, options_, stretch(options_.progress, fitted, 1), result_);
   }
+  // Of a refit for its values nothing else is used.
+  if (purpose_ == Purpose::values && prepared_.objective == Objective::curve) return result_;
   add_goodness(x);
   suspect_wide_errors();
   if (checked() && p > 0) test_residuals();

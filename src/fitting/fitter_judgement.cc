@@ -17,12 +17,13 @@ namespace {
 /// An error that the median estimates from few points is itself uncertain, about as one from half as many degrees of
 /// freedom: with the normal distribution every tenth clean fit of ten points would name one.
 std::vector<Outlier> outliers_of(const FitResult& fit, bool known_errors) {
-  constexpr double kChanceOfAny = 0.01;
+  constexpr double kChanceOfAny = 0.01, kNever = 2.5;  // 2.5 standard errors: a chance above 1 % even of one point
   std::vector<Outlier> outliers;
   if (fit.freedom() == 0 || !(fit.standard_error > 0)) return outliers;
   const auto points = static_cast<double>(fit.used.size()), freedom = static_cast<double>(fit.freedom());
   for (std::size_t i = 0; i < fit.used.size(); ++i) {
     const double size = fit.innovations[i] / fit.standard_error;
+    if (std::abs(size) < kNever) continue;
     const double chance = known_errors ? 2 * normal_below(-std::abs(size)) : student_p_value(size, 0.5 * freedom);
     if (chance * points < kChanceOfAny) outliers.push_back({fit.used[i], size});
   }
@@ -94,9 +95,11 @@ void Fitter::add_goodness(const std::vector<double>& x) {
     return;
   }
   result_.innovations = result_.residuals;
-  if (prepared_.objective == Objective::curve && data_.has_loads)
-    if (const auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x))
+  if (prepared_.objective == Objective::curve && data_.has_loads) {
+    const auto& objective = static_cast<const CurveObjective&>(*problem_);
+    if (const auto nearest = objective.are_distances() ? std::nullopt : objective.nearest(x))
       result_.residuals = nearest->residuals;
+  }
   const Goodness fit = goodness(result_.residuals, problem_->targets(), problem_->weights());
   result_.r2 = fit.r2;
   result_.rmse = fit.rmse;
