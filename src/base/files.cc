@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -16,76 +15,16 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <random>
+#include <set>
 #include <utility>
 
+#include "base/content_hash.h"
 #include "base/input_error.h"
+#include "base/output_folders.h"
 #include "base/text.h"
 
 namespace mixity {
 namespace {
-
-constexpr const char* kTemporary = ".mixity-tmp";  // then letters drawn at random
-constexpr std::size_t kLetters = 8;
-
-std::string random_letters() {
-  std::random_device random;
-  std::string letters;
-  for (std::size_t i = 0; i < kLetters; ++i) letters += static_cast<char>('a' + random() % 26);
-  return letters;
-}
-
-bool is_temporary_of(const std::string& name, const std::string& file) {
-  const std::string beginning = file + kTemporary;
-  return name.size() == beginning.size() + kLetters && name.starts_with(beginning) &&
-         std::all_of(name.end() - kLetters, name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
-}
-
-/// Holds folders against other programs that write to them, wherever these run: a lock belongs to the folder itself,
-/// not to a process number, which programs in two containers may share. Given up where the file system has none.
-class LockedFolders {
- public:
-  LockedFolders() = default;
-  LockedFolders(const LockedFolders&) = delete;
-  LockedFolders& operator=(const LockedFolders&) = delete;
-  ~LockedFolders() {
-    for (const auto& [key, folder] : files_) ::close(folder.file);
-  }
-
-  /// False where the folder cannot be locked. Throws OutputError if another program holds it for a minute.
-  bool add(const std::filesystem::path& folder) {
-    constexpr int kTries = 1200;
-    constexpr useconds_t kPause = 50000;
-    const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    struct stat about {};
-    if (file < 0) return false;
-    if (::fstat(file, &about) != 0) return ::close(file), false;
-    const auto [known, is_new] = files_.try_emplace({about.st_dev, about.st_ino}, Folder{file, false});
-    if (!is_new) return ::close(file), known->second.held;
-    for (int i = 0; ::flock(file, LOCK_EX | LOCK_NB) != 0; ++i) {
-      if (errno != EWOULDBLOCK && errno != EINTR) return false;
-      if (i == kTries)
-        throw OutputError(folder.string() + ": another program writes to this folder; try again when it has ended");
-      ::usleep(kPause);
-    }
-    return known->second.held = true;
-  }
-
- private:
-  struct Folder {
-    int file;
-    bool held;
-  };
-  std::map<std::pair<dev_t, ino_t>, Folder> files_;
-};
-
-/// Removes temporary files of this file: its folder is locked, so that they are of killed programs.
-void remove_leftovers(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    if (is_temporary_of(entry->path().filename().string(), path.filename().string())) ::unlink(entry->path().c_str());
-}
 
 /// A pipe or device, which is written in place.
 bool is_direct(std::filesystem::file_type kind) {
@@ -126,25 +65,49 @@ std::filesystem::path end_of_links(const std::string& path) {
 /// A file that is written under a temporary name, and removed unless it is put in place.
 class StagedFile {
  public:
-  StagedFile(const OutputFile& file, LockedFolders& locked) : file_(file) {
-    constexpr int kTries = 100;
+  /// Creates and locks its folder.
+  StagedFile(const OutputFile& file, OutputFolders& folders) : file_(file) {
     const std::string& path = file.path;
     std::error_code unknown;
     const auto kind = std::filesystem::status(path, unknown).type();
-    direct_ = is_direct(kind);
-    if (direct_) return;
+    if (is_direct(kind)) return;
     if (kind == std::filesystem::file_type::directory || path.ends_with('/')) check(EISDIR);
     if (kind == std::filesystem::file_type::regular && ::access(path.c_str(), W_OK) != 0) check(errno);
-    target_ = end_of_links(path).string();
-    const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
+    target_ = end_of_links(path);
+    const std::filesystem::path parent = target_.parent_path();
     std::error_code error;
-    if (!folder.empty()) std::filesystem::create_directories(folder, error);
-    if (error) throw OutputError(folder.string() + ": cannot be created: " + error.message());
+    if (!parent.empty()) std::filesystem::create_directories(parent, error);
+    if (error) throw OutputError(parent.string() + ": cannot be created: " + error.message());
+    folder_ = &folders.at(parent.empty() ? "." : parent);
+    hash_ = content_hash(file.content);
+  }
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+  ~StagedFile() { discard(); }
 
-    if (locked.add(folder.empty() ? "." : folder)) remove_leftovers(target_);
+  OutputFolders::Folder* folder() const { return folder_; }  // null of a pipe or device
+  std::string name() const { return target_.filename().string(); }
+  const std::string& hash() const { return hash_; }
+
+  /// Throws OutputError if there is a file that this program did not write, and whose content would be lost. `kept`:
+  /// hashes of all contents that are written.
+  void spare_others(const std::set<std::string>& kept) const {
+    std::error_code not_there;
+    if (!folder_ || !std::filesystem::is_regular_file(target_, not_there)) return;
+    if (std::filesystem::file_size(target_, not_there) == 0) return;
+    const std::string present = file_hash(target_.string());
+    const OutputRecord& record = folder_->record;
+    if (present == hash_ || record.wrote(name(), present) || (record.knows(name()) && kept.count(present) > 0)) return;
+    throw OutputError(Message(file_.path) +
+                      (record.knows(name()) ? ": was edited since mixity wrote it" : ": was not written by mixity") +
+                      " and is not replaced: take another name, or " + Remedy::set("force"));
+  }
+  void write_temporary() {
+    constexpr int kTries = 100;
+    if (!folder_) return;
     int opened = -1, reason = EEXIST;
     for (int i = 0; i < kTries && opened < 0 && reason == EEXIST; ++i) {
-      temporary_ = target_ + kTemporary + random_letters();
+      temporary_ = temporary_name(target_.string());
       opened = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
       reason = errno;
     }
@@ -154,23 +117,19 @@ class StagedFile {
     }
     struct stat old {};
     if (::stat(target_.c_str(), &old) == 0) ::fchmod(opened, old.st_mode & 0777);  // the permissions stay
-    if (const int failed = write_and_close(opened, file.content, true); failed != 0) {
+    if (const int failed = write_and_close(opened, file_.content, true); failed != 0) {
       discard();
       check(failed);
     }
   }
-  StagedFile(const StagedFile&) = delete;
-  StagedFile& operator=(const StagedFile&) = delete;
-  ~StagedFile() { discard(); }
-
   /// Writes a pipe or device; may take as long as its reader does.
   void write_if_direct() const {
-    if (!direct_) return;
+    if (folder_) return;
     const int opened = ::open(file_.path.c_str(), O_WRONLY | O_CLOEXEC);
     check(opened < 0 ? errno : write_and_close(opened, file_.content, false));
   }
   void put_in_place() {
-    if (direct_) return;
+    if (!folder_) return;
     check(::rename(temporary_.c_str(), target_.c_str()) != 0 ? errno : 0);
     temporary_.clear();
   }
@@ -185,8 +144,9 @@ class StagedFile {
   }
 
   const OutputFile& file_;
-  std::string target_, temporary_;
-  bool direct_ = false;  // a pipe or device
+  std::filesystem::path target_;
+  std::string temporary_, hash_;
+  OutputFolders::Folder* folder_ = nullptr;
 };
 
 /// Blocks the signals that end the process while it exists, so that all files of a run are put in place or none.
@@ -266,15 +226,61 @@ std::string plain_file_name(std::string_view name) {
   return result;
 }
 
-void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {
-  spare_inputs(inputs, files);
+namespace {
+
+/// Files that this program wrote into these folders and does not write again; those that were edited since stay.
+std::vector<std::filesystem::path> left_from_former_runs(const std::vector<std::string>& renewed,
+                                                         const std::deque<StagedFile>& staged, OutputFolders& folders) {
+  std::vector<std::filesystem::path> list;
+  for (const std::string& path : renewed) {
+    std::error_code none;
+    if (!std::filesystem::is_directory(path, none)) continue;
+    const OutputFolders::Folder& folder = folders.at(path);
+    std::set<std::string> again;
+    for (const StagedFile& file : staged)
+      if (file.folder() == &folder) again.insert(file.name());
+    for (const std::string& name : folder.record.names())
+      if (again.count(name) == 0 && folder.record.wrote(name, file_hash((folder.path / name).string())))
+        list.push_back(folder.path / name);
+  }
+  return list;
+}
+
+/// The records of the folders with what is written now.
+std::deque<OutputFile> records(const std::deque<StagedFile>& staged, OutputFolders& folders) {
+  std::deque<OutputFile> files;
+  for (auto& [key, folder] : folders) {
+    folder.record.forget_missing(folder.path);
+    for (const StagedFile& file : staged)
+      if (file.folder() == &folder) folder.record.add(file.name(), file.hash());
+    files.push_back({(folder.path / OutputRecord::kName).string(), folder.record.text()});
+  }
+  return files;
+}
+
+}  // namespace
+
+void write_files(const std::vector<OutputFile>& files, const OutputRules& rules) {
+  spare_inputs(rules.inputs, files);
   tell_apart(files);
-  LockedFolders locked;
+  OutputFolders folders;
   std::deque<StagedFile> staged;
-  for (const OutputFile& file : files) staged.emplace_back(file, locked);
+  std::set<std::string> hashes;
+  for (const OutputFile& file : files) hashes.insert(staged.emplace_back(file, folders).hash());
+  if (!rules.force)
+    for (const StagedFile& file : staged) file.spare_others(hashes);
+  const std::vector<std::filesystem::path> outdated = left_from_former_runs(rules.renewed, staged, folders);
+  const std::deque<OutputFile> of_records = records(staged, folders);
+  // Records come first: with either file in place they know that it is theirs.
+  std::deque<StagedFile> recorded;
+  for (const OutputFile& file : of_records) recorded.emplace_back(file, folders);
+  for (auto* const list : {&recorded, &staged})
+    for (StagedFile& file : *list) file.write_temporary();
   for (const StagedFile& file : staged) file.write_if_direct();
   const Uninterrupted renaming;
-  for (StagedFile& file : staged) file.put_in_place();
+  for (auto* const list : {&recorded, &staged})
+    for (StagedFile& file : *list) file.put_in_place();
+  for (const std::filesystem::path& path : outdated) ::unlink(path.c_str());
 }
 
 std::vector<std::string> keep_former(std::vector<OutputFile>& files) {
@@ -290,6 +296,10 @@ std::vector<std::string> keep_former(std::vector<OutputFile>& files) {
   return kept;
 }
 
-void write_file(const std::string& path, const std::string& content) { write_files({{path, content}}); }
+void write_scratch_file(const std::string& path, const std::string& content) {
+  const int opened = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (const int reason = opened < 0 ? errno : write_and_close(opened, content, false); reason != 0)
+    cannot_be_written(path, reason);
+}
 
 }  // namespace mixity

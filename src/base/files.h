@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
+
 namespace mixity {
 
 /// Limit in bytes of a file that is read whole, and of one row of a table.
@@ -15,9 +17,15 @@ inline constexpr std::size_t kMostText = std::size_t{1} << 28;
 /// The file's bytes. Throws InputError if it cannot be read or holds more than kMostText bytes.
 std::string read_file(const std::string& path);
 
-/// A file that could not be written; what() reads "path: reason".
+/// A file that could not be written, or is not to be; the message reads "path: reason", what() in neutral words.
 class OutputError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+ public:
+  explicit OutputError(const Message& message) : std::runtime_error(message.text()), message_(message) {}
+
+  std::string text(Wording words) const { return message_.text(words); }
+
+ private:
+  Message message_;
 };
 
 /// A file name without a special meaning for the system, a shell or gnuplot: keeps letters, digits, blanks and
@@ -28,15 +36,26 @@ struct OutputFile {
   std::string path, content;
 };
 
+struct OutputRules {
+  std::vector<std::string> inputs{};   // never written over, under any name
+  bool force = false;                  // also replaces files that this program did not write, or that were edited since
+  std::vector<std::string> renewed{};  // folders: what former runs wrote there and this one does not is removed
+};
+
 /// Writes all of the files or none. Each is written under a temporary name in its folder and flushed to disk; then all
 /// are renamed. A reader finds old files or new ones, and if one file cannot be written, all old ones stay. Pipes and
 /// devices are written before the renames. Signals that end the process wait for the renames; only SIGKILL or a power
 /// cut between two renames leaves files of two runs side by side, each of them whole. Files keep their permissions,
 /// links stay links. Creates missing folders, and removes temporary files of killed processes from those that it can
-/// lock. Waits for other programs that write to the same folders, up to a minute each. Throws OutputError, and leaves
-/// nothing behind, also if one of the files is one of `inputs` under any name, or if two of them are the same.
-void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs = {});
-void write_file(const std::string& path, const std::string& content);
+/// lock. Waits for other programs that write to the same folders, up to a minute each.
+///
+/// The record of each folder (output_record.h) tells what this program wrote. Another file is replaced only if it is
+/// empty, if it is the same, or if what was written before and edited is among the files (keep_former). Throws
+/// OutputError, and leaves nothing behind, for any other, if one of the files is an input, or if two are the same.
+void write_files(const std::vector<OutputFile>& files, const OutputRules& rules = {});
+
+/// Writes a file of a temporary folder. Throws OutputError.
+void write_scratch_file(const std::string& path, const std::string& content);
 
 /// Adds NAME.old, with the present content, for each TOML file that would change, as a user may have edited it;
 /// NAME.old.2 and so on where others have these names. Returns the names.

@@ -47,8 +47,9 @@ int run_report(const Arguments& arguments) {
   data.reserve(results.size());
   std::set<std::string> taken;
   for (const Analysis& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
-  const WrittenReport written = write_report(
-      results, data, FLAGS_out, {command_line(), stretch(progress, kFits, 1), explorer(), files_of_flags()});
+  const WrittenReport written =
+      write_report(results, data, FLAGS_out,
+                   {command_line(), stretch(progress, kFits, 1), explorer(), {files_of_flags(), FLAGS_force, {}}});
   if (!written.missing.empty()) warn(written.missing);
   std::cout << written.page << '\n';
   for (const Analysis& result : results)

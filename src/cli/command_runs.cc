@@ -54,7 +54,6 @@ int run_runs(const Arguments& arguments) {
                                {folder + "fit.toml", runs_definition(figures)}});
     std::vector<std::string> inputs(arguments.begin(), arguments.end());
     for (const std::string& path : arguments) inputs.push_back(metadata_path(path));
-    keep_former_files(files);
     write_outputs(files, inputs);
     if (!drawn.missing.empty()) warn(drawn.missing);
   }

@@ -11,6 +11,7 @@
 
 DEFINE_string(format, "text", "output format");
 DEFINE_string(out, "", "output folder (fit, report, runs, figures) or file (import, merge, simulate)");
+DEFINE_bool(force, false, "replace files that mixity did not write, or that were edited since");
 DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(
     load, "",
@@ -178,10 +179,6 @@ void define_laws_of_flags() {
 
 const std::vector<std::string>& laws_of_flags() { return keys_of_laws(); }
 
-void keep_former_files(std::vector<OutputFile>& files) {
-  for (const std::string& kept : keep_former(files)) warn("the previous file was saved as " + kept);
-}
-
 std::vector<std::string> files_of_flags() {
   std::vector<std::string> files;
   if (!FLAGS_laws.empty()) files.push_back(FLAGS_laws);
@@ -189,10 +186,12 @@ std::vector<std::string> files_of_flags() {
   return files;
 }
 
-void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {
+void write_outputs(std::vector<OutputFile> files, const std::vector<std::string>& inputs) {
   std::vector<std::string> all = files_of_flags();
   all.insert(all.end(), inputs.begin(), inputs.end());
-  write_files(files, all);
+  const std::vector<std::string> former = keep_former(files);
+  write_files(files, {all, FLAGS_force, {}});
+  for (const std::string& kept : former) warn("the previous file was saved as " + kept);
 }
 
 void print_or_write(const std::string& text, const std::vector<std::string>& inputs) {

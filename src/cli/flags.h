@@ -14,6 +14,7 @@
 // Flags of several commands. Those of one command are defined in its file.
 DECLARE_string(format);
 DECLARE_string(out);
+DECLARE_bool(force);
 DECLARE_string(model);
 DECLARE_int32(points);
 
@@ -51,12 +52,10 @@ void define_laws_of_flags();
 /// Keys of these laws.
 const std::vector<std::string>& laws_of_flags();
 
-/// Adds NAME.old for each TOML file that would change (base/files.h), and says so.
-void keep_former_files(std::vector<OutputFile>& files);
-
-/// Writes all of the files or none (base/files.h), and none over one of the inputs or over a file that --laws or
-/// --headings names.
-void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs);
+/// Writes all of the files or none (base/files.h), and none over one of the inputs, over a file that --laws or
+/// --headings names, or, without --force, over one that this program did not write. Keeps each TOML file that changes as
+/// NAME.old, and says so.
+void write_outputs(std::vector<OutputFile> files, const std::vector<std::string>& inputs);
 /// The files that --laws and --headings name.
 std::vector<std::string> files_of_flags();
 

@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     code = fail(error.text(in_flags), kBadInput);
   } catch (const OutputError& error) {
-    code = fail(error.what(), kCannotWrite);
+    code = fail(error.text(in_flags), kCannotWrite);
   } catch (const std::bad_alloc&) {
     code = fail("not enough memory", kBadInput);
   } catch (const std::exception& error) {

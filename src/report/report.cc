@@ -9,12 +9,13 @@ namespace mixity {
 WrittenReport write_report(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
                            const std::string& folder, const ReportSettings& settings) {
   ReportContent content{settings, {}};
-  std::vector<std::string> inputs = settings.inputs;
+  OutputRules rules = settings.outputs;
+  rules.renewed.push_back(folder + "/figures");
   const double share = 0.9 / static_cast<double>(data.size());  // of the time
   for (const ReportedData& one : data) {
     const double before = share * static_cast<double>(content.entries.size());
     const std::vector<std::string> read = files_read(one.result);
-    inputs.insert(inputs.end(), read.begin(), read.end());
+    rules.inputs.insert(rules.inputs.end(), read.begin(), read.end());
     content.entries.push_back({&one, data_figures(one)});
     std::vector<Figure> figures;
     for (const FigureGroup& group : content.entries.back().figures.groups)
@@ -35,7 +36,7 @@ WrittenReport write_report(const std::vector<Analysis>& results, const std::vect
   if (!settings.explorer.empty())
     files.push_back({folder + "/explorer.html", explorer_page(read_file(settings.explorer), content)});
   files.push_back({folder + "/report.html", report_page(content)});
-  write_files(files, inputs);
+  write_files(files, rules);
   if (settings.progress) settings.progress(1);
   return {files.back().path, content.drawn.missing};
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/reported_data.h"
+#include "base/files.h"
 #include "report/figures/data_figures.h"
 #include "report/figures/drawn_figures.h"
 
@@ -15,7 +16,7 @@ struct ReportSettings {
   std::string command;  // that makes this report again
   Progress progress{};
   std::string explorer{};  // path of the explorer's page, of which the report gets a copy with its data; empty: none
-  std::vector<std::string> inputs{};  // read beside those of the analyses: no file of the report is one of them
+  OutputRules outputs{};   // inputs: those beside the inputs of the analyses; figures of former reports are removed
 };
 
 /// One data set with its figures.

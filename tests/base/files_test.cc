@@ -19,11 +19,16 @@
 namespace mixity {
 namespace files_test {
 
+/// Without the record of what was written.
 std::size_t files_in(const std::filesystem::path& folder) {
   std::size_t n = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++n;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) n += entry.path().filename() != ".mixity-files";
   return n;
 }
+
+const OutputRules kForce{{}, true, {}};
+
+void write_file(const std::string& path, const std::string& content) { write_files({{path, content}}, kForce); }
 
 TEST(OutputFile, APlainNameIsNothingElseToAnyone) {
   EXPECT_EQ(plain_file_name("mergel2018"), "mergel2018");
@@ -46,7 +51,7 @@ TEST(OutputFile, ANameWithoutAFolderIsOneHere) {
 TEST(OutputFile, ADeviceThatIsFullLeavesTheOthersAsTheyWere) {
   const TemporaryFolder folder;
   const std::string first = folder.write("first", "old");
-  EXPECT_THROW(write_files({{first, "new"}, {"/dev/full", "new"}}), OutputError);
+  EXPECT_THROW(write_files({{first, "new"}, {"/dev/full", "new"}}, kForce), OutputError);
   EXPECT_EQ(read_file(first), "old");
   EXPECT_EQ(files_in(folder.path()), 1u);
 }
@@ -57,7 +62,7 @@ TEST(OutputFile, ATomlThatSomebodyMayHaveEditedIsKept) {
   folder.write("runs.csv", "old\n");
   std::vector<OutputFile> files{{edited, "modulus = \"2.1 MPa\"\n"}, {folder.path("runs.csv"), "new\n"}};
   EXPECT_EQ(keep_former(files), std::vector<std::string>{edited + ".old"});
-  write_files(files);
+  write_files(files, kForce);
   EXPECT_EQ(read_file(edited + ".old"), "modulus = \"2.1 MPa +/- 5%\"\n");
   EXPECT_EQ(read_file(edited), "modulus = \"2.1 MPa\"\n");
   files.resize(2);
@@ -124,13 +129,13 @@ TEST(OutputFile, TwoThatLeadToOneAreRefusedBeforeAnyIsWritten) {
   std::filesystem::create_symlink("target", link);
   std::filesystem::create_symlink("link", other);
   try {
-    write_files({{first, "new"}, {link, "new"}, {other, "newer"}});
+    write_files({{first, "new"}, {link, "new"}, {other, "newer"}}, kForce);
     FAIL();
   } catch (const OutputError& error) {
     EXPECT_EQ(error.what(), other + ": leads to the same file as " + link);
   }
-  EXPECT_THROW(write_files({{target, "new"}, {link, "new"}}), OutputError);
-  EXPECT_THROW(write_files({{first, "new"}, {folder.path("./first"), "new"}}), OutputError);
+  EXPECT_THROW(write_files({{target, "new"}, {link, "new"}}, kForce), OutputError);
+  EXPECT_THROW(write_files({{first, "new"}, {folder.path("./first"), "new"}}, kForce), OutputError);
   EXPECT_EQ(read_file(first), "old");
   EXPECT_EQ(read_file(target), "old");
   EXPECT_NO_THROW(write_files({{"/dev/null", "new"}, {"/dev/null", "new"}}));
@@ -151,11 +156,12 @@ TEST(OutputFile, ReplacesWhatWasThere) {
   EXPECT_EQ(read_file(path), "short");
 }
 
-TEST(OutputFile, RemovesWhatAKilledProcessLeftOfItAndNothingElse) {
+TEST(OutputFile, RemovesWhatKilledProgramsLeftInItsFolderAndNothingElse) {
   const TemporaryFolder folder;
   folder.write("file.mixity-tmpabcdefgh", "half");
+  folder.write("figure of another run.svg.mixity-tmpabcdefgh", "half");
   const std::vector<std::string> kept{"file.mixity-tmpx", "file.mixity-tmp",          "file.mixity-tmpabcdefg1",
-                                      "file.tmpabcdefgh", "file.mixity-tmpabcdefghi", "other.mixity-tmpabcdefgh"};
+                                      "file.tmpabcdefgh", "file.mixity-tmpabcdefghi", ".mixity-tmpabcdefgh"};
   for (const std::string& name : kept) folder.write(name, "not ours");
   write_file(folder.path("file"), "whole");
   EXPECT_EQ(files_in(folder.path()), kept.size() + 1);
@@ -226,12 +232,13 @@ TEST(OutputFile, OfSeveralAllAreOldOrAllAreNew) {
   const TemporaryFolder folder;
   folder.write("one", "old");
   std::filesystem::create_directory(folder.path("three"));
-  EXPECT_THROW(write_files({{folder.path("one"), "new"}, {folder.path("two"), "new"}, {folder.path("three"), "new"}}),
-               OutputError);
+  const std::vector<OutputFile> files{
+      {folder.path("one"), "new"}, {folder.path("two"), "new"}, {folder.path("three"), "new"}};
+  EXPECT_THROW(write_files(files, kForce), OutputError);
   EXPECT_EQ(read_file(folder.path("one")), "old");
   EXPECT_EQ(files_in(folder.path()), 2u);
   std::filesystem::remove(folder.path("three"));
-  write_files({{folder.path("one"), "new"}, {folder.path("two"), "new"}, {folder.path("three"), "new"}});
+  write_files(files, kForce);
   for (const char* name : {"one", "two", "three"}) EXPECT_EQ(read_file(folder.path(name)), "new");
 }
 
@@ -240,7 +247,8 @@ TEST(OutputFile, IsNeverOneOfTheInputs) {
   const std::string input = folder.write("data", "1");
   std::filesystem::create_symlink(input, folder.path("link"));
   for (const char* name : {"data", "link", "./data"}) {
-    EXPECT_THROW(write_files({{folder.path("other"), "2"}, {folder.path(name), "2"}}, {input}), OutputError) << name;
+    EXPECT_THROW(write_files({{folder.path("other"), "2"}, {folder.path(name), "2"}}, {{input}, true, {}}), OutputError)
+        << name;
     EXPECT_EQ(read_file(input), "1");
     EXPECT_EQ(files_in(folder.path()), 2u);
   }

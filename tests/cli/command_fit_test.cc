@@ -203,7 +203,7 @@ TEST(Program, FilesAreWrittenWithoutLeftovers) {
     EXPECT_GT(entry.file_size(), 0) << names.back();
   }
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (Words{"a_curves.csv", "a_residuals.csv", "fits.csv", "fits.json", "fits.txt"}));
+  EXPECT_EQ(names, (Words{".mixity-files", "a_curves.csv", "a_residuals.csv", "fits.csv", "fits.json", "fits.txt"}));
 }
 
 }  // namespace command_fit_test

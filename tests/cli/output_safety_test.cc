@@ -92,6 +92,51 @@ TEST(OutputSafety, FilesOfLawsAndHeadingsAreNotWrittenOver) {
   EXPECT_EQ(content_of(headings), name);
 }
 
+TEST(OutputSafety, AFileOfSomebodyElseIsReplacedByForceAlone) {
+  const std::string data = MIXITY_ROOT "/data/mergel2018.csv";
+  const TemporaryFolder folder;
+  const std::string out = folder.path("out"), plot = folder.write("plot.csv", "run 1,\nX,Y\n0,19.6\n5,19.2\n");
+  std::filesystem::create_directory(out);
+  const auto check = [&](const std::string& name, Words words) {
+    const std::string file = folder.write("out/" + name, "theirs");
+    const ProgramResult refused = run_program(words);
+    EXPECT_EQ(refused.exit_code, 4) << joined(words);
+    EXPECT_EQ(refused.complaint(),
+              "mixity: " + file + ": was not written by mixity and is not replaced: take another name, or --force")
+        << joined(words);
+    EXPECT_EQ(content_of(file), "theirs") << joined(words);
+    words.push_back("--force");
+    EXPECT_EQ(run_program(words).exit_code, 0) << joined(words);
+    EXPECT_NE(content_of(file), "theirs") << joined(words);
+    words.pop_back();
+    EXPECT_EQ(run_program(words).exit_code, 0) << "its own file: " << joined(words);
+    folder.write("out/" + name, "edited");
+    words.push_back("--force");
+    EXPECT_EQ(run_program(words).exit_code, 0) << joined(words);
+  };
+  check("fits.csv", {"fit", data, "--models=c", "--out", out});
+  check("fit.toml", {"fit", data, "--models=c", "--save", out + "/fit.toml"});
+  check("report.html", {"report", data, "--models=c", "--out", out});
+  check("runs.csv", {"runs", MIXITY_ROOT "/data/shear_log.csv", "--out", out});
+  check("points.csv", {"points", data, "--out", out + "/points.csv"});
+  check("import.csv", {"import", plot, "--x=T", "--y=A", "--loads=1", "--out", out + "/import.csv"});
+  check("simulated.csv", {"simulate", "--model=c", "--lambda=0.1", "--loads=1mN", "--radius=9mm", "--modulus=2MPa",
+                          "--toughness=30mJ/m^2", "--out", out + "/simulated.csv"});
+  check("figures.html", {"figures", "--paper", "--out", out});
+}
+
+TEST(OutputSafety, FiguresThatAReportNoLongerMakesAreRemoved) {
+  const TemporaryFolder folder;
+  const std::string data = MIXITY_ROOT "/data/mergel2018.csv", out = folder.path("out");
+  ASSERT_EQ(run_program({"report", data, "--models=a,c", "--out", out}).exit_code, 0);
+  ASSERT_TRUE(std::filesystem::exists(out + "/figures/mergel2018_area_a.svg"));
+  folder.write("out/figures/mine.svg", "<svg/>");
+  ASSERT_EQ(run_program({"report", data, "--models=c", "--out", out}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(out + "/figures/mergel2018_area_a.svg"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/figures/mergel2018_area_c.svg"));
+  EXPECT_EQ(content_of(folder.path("out/figures/mine.svg")), "<svg/>");
+}
+
 /// Results of one run and the definition that another run saved do not stand side by side.
 TEST(OutputSafety, ResultsAndTheSavedDefinitionAreWrittenTogether) {
   const TemporaryFolder folder;

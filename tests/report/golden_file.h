@@ -14,7 +14,7 @@ namespace mixity {
 
 inline void expect_text_of_file(const std::string& text, const std::string& name) {
   const std::string path = MIXITY_ROOT "/" + name;
-  if (std::getenv("MIXITY_UPDATE_GOLDEN")) write_file(path, text);
+  if (std::getenv("MIXITY_UPDATE_GOLDEN")) write_scratch_file(path, text);
   EXPECT_EQ(text, read_file(path)) << name;
 }
 

@@ -46,8 +46,8 @@ TEST_F(Report, HasAPageASummaryAndTables) {
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder_->path()))
     names.insert(entry.path().filename().string());
-  EXPECT_EQ(names, (std::set<std::string>{"report.html", "summary.md", "results.json", "fits.csv", "residuals.csv",
-                                          "curves.csv", "figures"}));
+  EXPECT_EQ(names, (std::set<std::string>{".mixity-files", "report.html", "summary.md", "results.json", "fits.csv",
+                                          "residuals.csv", "curves.csv", "figures"}));
 }
 
 TEST_F(Report, HasTheExplorerBesideItAndALinkWhereThereIsOne) {
@@ -92,6 +92,7 @@ TEST_F(Report, JsonNamesEveryFigureAndItsFiles) {
       for (const Json& file : figure["files"]) listed.insert(file.get<std::string>());
   for (const auto& entry : std::filesystem::directory_iterator(folder_->path("figures")))
     there.insert("figures/" + entry.path().filename().string());
+  there.erase("figures/.mixity-files");
   EXPECT_EQ(listed, there);
 }
 

@@ -3,7 +3,7 @@
 set(MIXITY_UTF8PROC_SOURCE "" CACHE PATH "Folder that holds utf8proc.c")
 set(headers ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${headers})
-foreach(name boost eigen3 nlohmann toml++ utf8proc.h pugixml.hpp pugiconfig.hpp mrpt/expr/include/mrpt/3rdparty/exprtk.hpp)
+foreach(name boost eigen3 nlohmann toml++ utf8proc.h pugixml.hpp pugiconfig.hpp xxhash.h xxh3.h mrpt/expr/include/mrpt/3rdparty/exprtk.hpp)
   cmake_path(GET name FILENAME linked)
   file(CREATE_LINK /usr/include/${name} ${headers}/${linked} SYMBOLIC)
 endforeach()

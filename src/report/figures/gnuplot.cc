@@ -104,8 +104,8 @@ GnuplotFigures draw_by_gnuplot(const std::vector<const Figure*>& figures, const 
     return scratch.path() + '/' + figure.name + ending;
   };
   for (const Figure* figure : figures) {
-    write_file(path(*figure, ".dat"), figure_data(*figure));
-    write_file(path(*figure, ".gp"), figure_script(*figure, endings));
+    write_scratch_file(path(*figure, ".dat"), figure_data(*figure));
+    write_scratch_file(path(*figure, ".gp"), figure_script(*figure, endings));
     scripts.push_back(figure->name + ".gp");
   }
   const auto count = [&] {
