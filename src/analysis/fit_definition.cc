@@ -19,8 +19,10 @@ class Reader {
   explicit Reader(const std::string& path) : path_(path) {}
 
   FitRequest read() {
-    const toml::table table = read_toml(path_);
+    Inputs inputs;
+    const toml::table table = read_toml(path_, inputs);
     FitRequest request;
+    request.inputs = inputs.files();
     request.path = path_;
     read_laws(table, request);  // first, as models may name them
     for (const auto& [key, node] : table) read_key(key, node, request);

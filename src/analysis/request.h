@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/inputs.h"
 #include "base/message.h"
 #include "dataset/exclusion.h"
 #include "dataset/pooled.h"
@@ -27,6 +28,7 @@ struct FigureFormats {
 
 struct FitRequest {
   std::string path;                                // of its definition; empty if there is none
+  std::vector<InputFile> inputs;                   // the definition and files of laws, as they were read
   std::string data_path;                           // CSV, resolved against the definition's folder; the first of `runs`
   std::vector<RunFile> runs;                       // of a data set of several files; else empty
   std::string peaks_path;                          // CSV of peak forces, resolved likewise; empty: none

@@ -1,4 +1,4 @@
-// Whole files: read at once, and written completely or not at all.
+// Whole files: read at once (files.cc), and written completely or not at all (write_files.cc).
 #pragma once
 
 #include <cstddef>

@@ -2,13 +2,11 @@
 
 #include <sstream>
 
-#include "base/files.h"
-
 namespace mixity {
 
-toml::table read_toml(const std::string& path) {
+toml::table read_toml(const std::string& path, Inputs& inputs) {
   constexpr std::size_t kLongestLine = 10000;
-  const std::string text = read_file(path);
+  const std::string text = inputs.read(path);
   std::size_t line = 1, begin = 0;
   for (std::size_t i = 0; i <= text.size(); ++i) {
     if (i - begin > kLongestLine) throw InputError(path, line, kLongestLine, "the line is too long");

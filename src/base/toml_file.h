@@ -6,12 +6,13 @@
 #include <string>
 
 #include "base/input_error.h"
+#include "base/inputs.h"
 
 namespace mixity {
 
 /// Throws InputError for a file that cannot be read, for a syntax error (with line and column), and for a line of more
 /// than 10,000 characters, as deep nesting could exhaust the parser's stack.
-toml::table read_toml(const std::string& path);
+toml::table read_toml(const std::string& path, Inputs& inputs);
 
 /// A table of columns in the form of the option columns: "P=Kanal 3 (mN),T=Kanal 4 (N)". Throws InputError for a
 /// heading that is not a string.

@@ -50,6 +50,8 @@ FitRequest request_for(const std::string& path) {
     request.models.insert(request.models.end(), laws_of_flags().begin(), laws_of_flags().end());
   if (const auto wrong = contradiction(request)) refuse(wrong->option, wrong->problem);
   replace(request.constants, data_overrides());
+  const std::vector<InputFile>& laws = inputs_of_laws().files();
+  request.inputs.insert(request.inputs.end(), laws.begin(), laws.end());
   return request;
 }
 

@@ -174,10 +174,15 @@ void define_laws_of_flags() {
     }
   }
   if (FLAGS_laws.empty()) return;
-  for (const DefinedLaw& one : define_laws(FLAGS_laws, read_toml(FLAGS_laws))) add(one);
+  for (const DefinedLaw& one : define_laws(FLAGS_laws, read_toml(FLAGS_laws, inputs_of_laws()))) add(one);
 }
 
 const std::vector<std::string>& laws_of_flags() { return keys_of_laws(); }
+
+Inputs& inputs_of_laws() {
+  static Inputs inputs;
+  return inputs;
+}
 
 std::vector<std::string> files_of_flags() {
   std::vector<std::string> files;

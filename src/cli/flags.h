@@ -51,10 +51,12 @@ void define_laws_of_flags();
 
 /// Keys of these laws.
 const std::vector<std::string>& laws_of_flags();
+/// The file --laws, once it was read.
+Inputs& inputs_of_laws();
 
 /// Writes all of the files or none (base/files.h), and none over one of the inputs, over a file that --laws or
-/// --headings names, or, without --force, over one that this program did not write. Keeps each TOML file that changes as
-/// NAME.old, and says so.
+/// --headings names, or, without --force, over one that this program did not write. Keeps each TOML file that changes
+/// as NAME.old, and says so.
 void write_outputs(std::vector<OutputFile> files, const std::vector<std::string>& inputs);
 /// The files that --laws and --headings name.
 std::vector<std::string> files_of_flags();

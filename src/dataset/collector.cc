@@ -67,8 +67,9 @@ std::vector<std::string> Runs::names() const {
   return names;
 }
 
-Collector::Collector(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data)
-    : metadata_path_(metadata_path), data_(data), reader_(metadata_path, headings, data) {
+Collector::Collector(const std::string& metadata_path, const std::vector<Heading>& headings, const ColumnRules& rules,
+                     Dataset& data)
+    : metadata_path_(metadata_path), data_(data), reader_(metadata_path, headings, rules, data) {
   using enum ColumnId;
   has_errors_ = false;
   for (const ColumnId id : {sigma_T, sigma_A, sigma_Gc, sigma_GI, sigma_GII}) has_errors_ |= columns().has(id);

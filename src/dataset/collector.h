@@ -38,7 +38,8 @@ class Runs {
 class Collector {
  public:
   /// Throws InputError for headings that cannot be used, and as take_header does.
-  Collector(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data);
+  Collector(const std::string& metadata_path, const std::vector<Heading>& headings, const ColumnRules& rules,
+            Dataset& data);
   /// Makes a point of a row, or lists it as excluded. Throws InputError for a row that cannot be understood.
   void row(const CsvRow& row);
   /// Lists a row of a summary as excluded.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "base/input_error.h"
@@ -15,11 +14,12 @@ namespace {
 
 /// Reads the table of a file into a data set. If no table is found, the first row is read as headings, which gives the
 /// message about what is wrong with it.
-void read_table(const std::string& metadata_path, Dataset& data) {
+void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data) {
   constexpr std::size_t kSample = 1000;  // points
   const Metadata& metadata = data.metadata;
-  CsvFile file(data.path);
-  const auto table = find_table(data.path, file.start(), file.line_end(), rules_of(metadata), metadata.decimal);
+  const ColumnRules rules = rules_of(metadata, inputs);
+  CsvFile file(data.path, inputs);
+  const auto table = find_table(data.path, file.start(), file.line_end(), rules, metadata.decimal);
   CsvRow row;
   std::vector<Heading> headings;
   std::size_t summary_line = 0;
@@ -34,7 +34,7 @@ void read_table(const std::string& metadata_path, Dataset& data) {
     if (!file.next(row)) throw InputError(data.path, 1, 1, "is empty: a header row is missing");
     headings = headings_of(row);
   }
-  Collector collector(metadata_path, headings, data);
+  Collector collector(metadata_path, headings, rules, data);
   while (file.next(row)) {
     if (row.is_comment())
       collector.comment(row);
@@ -70,17 +70,16 @@ Constants Dataset::stated_constants() const {
 void refuse_value(const Dataset& data, const Point& point, std::string_view column, const std::string& message) {
   const std::string& path = data.file_of(point.line);
   FilePlace place{data.line_in_file(point.line), 0};
-  std::error_code none;
   std::optional<std::size_t> index;
   try {
-    if (std::filesystem::is_regular_file(path, none))  // a pipe cannot be read again
-      read_csv(path, [&](const CsvRow& row) {
-        const auto headings = headings_of(row);
-        for (std::size_t i = 0; i < headings.size() && !index; ++i)
-          if (headings[i].name == column) index = i;
-        if (row.line() == place.line && index) place = row.place(*index);
-      });
-  } catch (const InputError&) {
+    Inputs as_read(data.inputs);
+    read_csv(path, as_read, [&](const CsvRow& row) {
+      const auto headings = headings_of(row);
+      for (std::size_t i = 0; i < headings.size() && !index; ++i)
+        if (headings[i].name == column) index = i;
+      if (row.line() == place.line && index) place = row.place(*index);
+    });
+  } catch (const InputError&) {  // too large to be kept
   }
   throw InputError(path, place, message);
 }
@@ -126,17 +125,23 @@ Dataset corrected(Dataset data) {
 }
 
 Dataset load_dataset(const std::string& path, const Overrides& overrides) {
-  return load_dataset(path, read_metadata(metadata_path(path)), overrides);
+  Inputs inputs;
+  return load_dataset(path, overrides, inputs);
 }
 
-Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides) {
+Dataset load_dataset(const std::string& path, const Overrides& overrides, Inputs& inputs) {
+  return load_dataset(path, read_metadata(metadata_path(path), inputs), overrides, inputs);
+}
+
+Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides, Inputs& inputs) {
   Dataset data;
   data.path = path;
   data.name = data_name(path);
   data.metadata = metadata;
   apply_overrides(overrides, data.metadata);
   require_whole_modulus(data.metadata, metadata_path(path), overrides);
-  read_table(metadata_path(path), data);
+  read_table(metadata_path(path), inputs, data);
+  data.inputs = inputs.files();
   return data;
 }
 

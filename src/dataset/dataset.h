@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/input_error.h"
+#include "base/inputs.h"
 #include "base/text.h"
 #include "dataset/constants.h"
 #include "dataset/metadata.h"
@@ -77,6 +78,7 @@ struct SourceFile {
 struct Dataset {
   std::string path, name;         // as opened; without folder and ending
   std::vector<SourceFile> files;  // that were pooled, in order; empty: only `path`
+  std::vector<InputFile> inputs;  // what was read: the data, their TOML, the names of columns; empty of arrays
   Metadata metadata;
   bool has_loads = false;                 // (P, T, A) rather than (psi, Gc)
   bool has_energies = false;              // (G_I, G_II) rather than (psi, Gc)
@@ -171,7 +173,9 @@ Dataset corrected(Dataset data);
 /// understood, and MissingConstants for constants that this kind of data needs. Energies do not need G_Ic if one G_I is
 /// positive (toughness_known). Rows that are understood but cannot be used are listed in `excluded`.
 Dataset load_dataset(const std::string& path, const Overrides& overrides = {});
+/// The same from these files, which may have been read before.
+Dataset load_dataset(const std::string& path, const Overrides& overrides, Inputs& inputs);
 /// The same with this metadata in place of the TOML, which is not read.
-Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides);
+Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides, Inputs& inputs);
 
 }  // namespace mixity

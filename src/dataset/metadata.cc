@@ -259,8 +259,11 @@ void require_whole_modulus(const Metadata& metadata, const std::string& path, co
   if (!metadata.modulus) throw InputError(path, "states " + std::string(given) + " without " + std::string(missing));
 }
 
-ColumnRules rules_of(const Metadata& metadata) {
-  return {metadata.columns, metadata.headings, metadata.load || !metadata.load_from.empty(), metadata.pixel};
+ColumnRules rules_of(const Metadata& metadata, Inputs& inputs) {
+  ColumnRules rules{metadata.columns, nullptr, metadata.load || !metadata.load_from.empty(), metadata.pixel};
+  if (!metadata.headings.empty())
+    rules.names = std::make_shared<Vocabulary>(Vocabulary::with(metadata.headings, inputs));
+  return rules;
 }
 
 }  // namespace mixity

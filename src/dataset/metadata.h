@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/input_error.h"
+#include "base/inputs.h"
 #include "base/units.h"
 
 namespace mixity {
@@ -94,7 +95,11 @@ std::string data_name(const std::string& csv_path);
 
 /// Reads the TOML at `path`; nothing is stated if it does not exist. Throws InputError with line and column for a
 /// syntax error, an unknown key or a value without a unit.
-Metadata read_metadata(const std::string& path);
+Metadata read_metadata(const std::string& path, Inputs& inputs);
+inline Metadata read_metadata(const std::string& path) {
+  Inputs inputs;
+  return read_metadata(path, inputs);
+}
 
 /// Adds the constants stated beside one file to those of other files of the same experiment. Returns the contradiction,
 /// or an empty string. If provenances differ, the less direct one is kept.
@@ -108,7 +113,7 @@ void apply_overrides(const Overrides& overrides, Metadata& metadata);
 /// the override if that is one half of a pair, otherwise the file at `path`.
 void require_whole_modulus(const Metadata& metadata, const std::string& path, const Overrides& overrides = {});
 
-/// How to read the columns of its table.
-ColumnRules rules_of(const Metadata& metadata);
+/// How to read the columns of its table. Throws InputError for names of columns (headings) that cannot be understood.
+ColumnRules rules_of(const Metadata& metadata, Inputs& inputs);
 
 }  // namespace mixity

@@ -25,13 +25,10 @@ std::string data_name(const std::string& csv_path) {
   return printable(without_ending(csv_path).filename().string(), std::string::npos);
 }
 
-Metadata read_metadata(const std::string& path) {
+Metadata read_metadata(const std::string& path, Inputs& inputs) {
   Metadata metadata;
-  std::error_code error;
-  const auto kind = std::filesystem::status(path, error).type();
-  if (kind == std::filesystem::file_type::not_found) return metadata;
-  if (error) throw InputError(path, "cannot be looked up: " + error.message());
-  for (const auto& [key, node] : read_toml(path)) {
+  if (!inputs.exists(path)) return metadata;
+  for (const auto& [key, node] : read_toml(path, inputs)) {
     const std::string name(key.str());
     if (name == "data" || name == "models")
       fail_at(path, key, "key \"" + name + "\" is one of a fit definition, which needs another name than its data");

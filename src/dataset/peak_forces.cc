@@ -98,14 +98,16 @@ PeakForces load_peak_forces(const std::string& path) {
   PeakForces forces;
   forces.path = path;
   forces.name = data_name(path);
-  forces.metadata = read_metadata(metadata_path(path));
+  Inputs inputs;
+  forces.metadata = read_metadata(metadata_path(path), inputs);
   require_whole_modulus(forces.metadata, metadata_path(path));
-  CsvFile file(path);
+  CsvFile file(path, inputs);
   CsvRow row;
   if (!file.next(row)) throw InputError(path, 1, 1, "is empty: a header row is missing");
   Reader reader(row, metadata_path(path), forces);
   while (file.next(row)) row.is_comment() ? reader.comment(row) : reader.row(row);
   if (forces.rows.empty() && forces.excluded.empty()) throw InputError(path, 2, 1, "has a header but no data rows");
+  forces.inputs = inputs.files();
   return forces;
 }
 

@@ -19,6 +19,7 @@ struct PeakForce {
 
 struct PeakForces {
   std::string path, name;
+  std::vector<InputFile> inputs;  // the file and its TOML
   Metadata metadata;
   std::string force_unit;   // as written; empty if dimensionless
   std::string stress_unit;  // kPa; empty if dimensionless, then in units of E*/xi

@@ -61,8 +61,9 @@ struct PointReader::Numbers {
   }
 };
 
-PointReader::PointReader(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data)
-    : load_(stated_load(data)), path_(data.path), columns_(data.path, headings, rules_of(data.metadata)) {
+PointReader::PointReader(const std::string& metadata_path, const std::vector<Heading>& headings,
+                         const ColumnRules& rules, Dataset& data)
+    : load_(stated_load(data)), path_(data.path), columns_(data.path, headings, rules) {
   if (columns_.has(ColumnId::P) && load_) {
     load_.reset();
     data.notes.emplace_back(kLoadNotUsed);

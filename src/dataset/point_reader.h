@@ -38,7 +38,8 @@ struct ReadPoint {
 class PointReader {
  public:
   /// Reads the headings and calls take_header. Throws InputError for headings that cannot be used, and as that does.
-  PointReader(const std::string& metadata_path, const std::vector<Heading>& headings, Dataset& data);
+  PointReader(const std::string& metadata_path, const std::vector<Heading>& headings, const ColumnRules& rules,
+              Dataset& data);
 
   /// Reads a row into a point, whose run is not set. Returns why the row cannot be used, or an empty text. Throws
   /// InputError for a row that cannot be understood.

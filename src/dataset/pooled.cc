@@ -118,6 +118,11 @@ std::vector<std::string> files_of(const std::string& pattern) {
 }
 
 Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& overrides) {
+  Inputs inputs;
+  return load_pooled(files, overrides, inputs);
+}
+
+Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& overrides, Inputs& inputs) {
   if (files.empty()) throw InputError("files", "are none: a data set needs one at least");
   Metadata constants;
   std::vector<Metadata> stated;
@@ -127,7 +132,7 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
     if (const auto path = std::filesystem::weakly_canonical(file.path, none);
         std::filesystem::is_regular_file(path, none) && !seen.insert(path).second)
       throw InputError(file.path, "is named twice: its points would count twice");
-    stated.push_back(read_metadata(metadata_path(file.path)));
+    stated.push_back(read_metadata(metadata_path(file.path), inputs));
     if (const std::string problem = add_constants(stated.back(), constants); !problem.empty())
       throw InputError(metadata_path(file.path), problem);
   }
@@ -143,7 +148,7 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
     Overrides own = overrides;
     if (!files[k].load.empty()) own.emplace_back("load", files[k].load);
     if (!files[k].sphere.empty()) own.emplace_back("radius", files[k].sphere);
-    parts.push_back(load_dataset(files[k].path, stated[k], own));
+    parts.push_back(load_dataset(files[k].path, stated[k], own, inputs));
   }
   reverse_loads_alike(parts);
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -168,6 +173,7 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
     lines += last;
   }
   whole.name = common_name(files);
+  whole.inputs = inputs.files();
   const Metadata& of = whole.metadata;
   if (whole.several_spheres && (of.load_offset || of.shear_offset || of.area_offset))
     throw InputError(whole.path, kNoOffsets);

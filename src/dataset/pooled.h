@@ -25,5 +25,7 @@ std::vector<std::string> files_of(const std::string& pattern);
 /// by Maugis' dimensionless quantities loads scale as R and areas as R^(4/3), which is exact. Throws InputError as
 /// load_dataset does, for different constants, for files without loads, and for offsets beside several spheres.
 Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& overrides = {});
+/// The same from these files, which may have been read before.
+Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& overrides, Inputs& inputs);
 
 }  // namespace mixity

@@ -13,6 +13,19 @@
 
 namespace mixity {
 
+namespace {
+
+using Contents = std::vector<std::pair<std::string, nb::bytes>>;
+
+std::vector<InputFile> inputs_of(const Contents& contents) {
+  std::vector<InputFile> files;
+  for (const auto& [path, bytes] : contents)
+    files.push_back({path, 0, {}, std::make_shared<const std::string>(bytes.c_str(), bytes.size())});
+  return files;
+}
+
+}  // namespace
+
 void bind_data(nb::module_& m) {
   nb::class_<Dataset>(m, "Dataset")
       .def_ro("name", &Dataset::name)
@@ -24,6 +37,21 @@ void bind_data(nb::module_& m) {
                    })
       .def_ro("curves", &Dataset::curves)
       .def_ro("has_loads", &Dataset::has_loads)
+      .def_prop_ro("inputs",
+                   [](const Dataset& d) {
+                     std::vector<std::tuple<std::string, std::size_t, std::string>> all;
+                     for (const InputFile& one : d.inputs) all.emplace_back(one.path, one.bytes, one.hash);
+                     return all;
+                   })
+      .def("contents",
+           [](const Dataset& d) {
+             Contents all;
+             for (const InputFile& one : d.inputs) {
+               const std::string content = content_of(one);
+               all.emplace_back(one.path, nb::bytes(content.data(), content.size()));
+             }
+             return all;
+           })
       .def_prop_ro("force_unit_text", [](const Dataset& d) { return d.display.force; })
       .def_prop_ro("area_unit_text", [](const Dataset& d) { return d.display.area; })
       .def_prop_ro("force_scale", [](const Dataset& d) { return d.display.force_scale; })
@@ -56,13 +84,19 @@ void bind_data(nb::module_& m) {
              return numpy_of(std::move(values));
            })
       .def("__len__", [](const Dataset& d) { return d.points.size(); });
-  m.def("read", [](const std::vector<std::string>& paths, const Stated& constants) {
-    const nb::gil_scoped_release released;
-    if (paths.size() == 1) return load_dataset(paths[0], constants);
-    std::vector<RunFile> files;
-    for (const std::string& path : paths) files.push_back({path});
-    return load_pooled(files, constants);
-  });
+  // contents: of files that were read before, by their paths; null: files are read from disk
+  m.def(
+      "read",
+      [](const std::vector<std::string>& paths, const Stated& constants, const std::optional<Contents>& contents) {
+        Inputs inputs;
+        if (contents) inputs = Inputs(inputs_of(*contents));
+        const nb::gil_scoped_release released;
+        if (paths.size() == 1) return load_dataset(paths[0], constants, inputs);
+        std::vector<RunFile> files;
+        for (const std::string& path : paths) files.push_back({path});
+        return load_pooled(files, constants, inputs);
+      },
+      nb::arg(), nb::arg(), nb::arg().none() = nb::none());
   m.def("files_of", &files_of);
   m.def("column_names", [] {
     std::vector<std::string_view> names;

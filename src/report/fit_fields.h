@@ -9,6 +9,7 @@
 
 namespace mixity {
 
+void describe(Fields<InputFile>& field);
 void describe(Fields<Analysis>& field);
 void describe(Fields<FitResult>& field);
 void describe(Fields<ShownInterval>& field);

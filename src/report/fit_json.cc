@@ -132,12 +132,23 @@ void describe(Fields<PerCurve>& field) {
         [](auto& one) { return one.test ? std::nullopt : std::optional(one.untested); });
 }
 
+void describe(Fields<InputFile>& field) {
+  field("path", "path as it was read", &InputFile::path);
+  field("bytes", "its size", &InputFile::bytes);
+  field("xxh128", "XXH3 of 128 bits of its content, as xxh128sum prints it", &InputFile::hash);
+}
+
 void describe(Fields<Analysis>& field) {
   field("path", "path as it was given; of several files, the first", [](auto& result) { return result.data.path; });
   field("name", "name of the data set", [](auto& result) { return result.data.name; });
   field("provenance", "where the data come from", [](auto& result) { return result.data.metadata.provenance; });
   field("notice", "warning, if the data are reconstructed", [](auto& result) { return notice_on(result.data); });
   field("source", "source, as it was stated", [](auto& result) { return result.data.metadata.source; });
+  field("inputs", "what was read for it: data, TOML, names of columns, definition, laws", [](auto& result) {
+    std::vector<InputFile> files = result.data.inputs;
+    files.insert(files.end(), result.request.inputs.begin(), result.request.inputs.end());
+    return files;
+  });
   field("notes", "what of the file was ignored or reinterpreted", [](auto& result) { return result.data.notes; });
   field("points", "number of rows in the file", [](auto& result) { return result.data.rows; });
   field("used", "number of usable rows", [](auto& result) { return result.data.points.size(); });

@@ -69,6 +69,7 @@ void describe(Fields<PredictedPeaks>& field) {
 
 void describe(Fields<BothPeaks>& field) {
   field("path", "path of the file", [](auto& peaks) { return peaks.measured->path; });
+  field("inputs", "the file and its TOML", [](auto& peaks) { return peaks.measured->inputs; });
   field("provenance", "where the data come from", [](auto& peaks) { return peaks.measured->metadata.provenance; });
   field("force_unit", "unit of loads; empty if dimensionless", [](auto& peaks) { return peaks.measured->force_unit; });
   field("stress_unit", "unit of stresses; empty if they are in units of E*/xi",

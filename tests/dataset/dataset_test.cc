@@ -191,7 +191,7 @@ TEST(Dataset, APipeIsReadOnce) {
   writer.join();
   // without a writer, to open it would not return
   EXPECT_EQ(folder.left_out_of(input_error([&] { refuse_value(data, data.points[1], "sigma_A", "is missing"); })),
-            "pipe.csv:3: is missing");
+            "pipe.csv:3:10: is missing");
 }
 
 TEST(Dataset, ALoadOfMinusZeroIsZero) {

@@ -121,7 +121,7 @@ TEST(Energies, WithAnErrorOfSomePointsOnlyAreRefused) {
     }
     return "";
   };
-  EXPECT_NE(refusal("2,1,0.1,0.1\n1.5,2,,0.1\n1,3,0.1,0.1\n").find(":3: this point has no standard error sigma_GI"),
+  EXPECT_NE(refusal("2,1,0.1,0.1\n1.5,2,,0.1\n1,3,0.1,0.1\n").find(":3:7: this point has no standard error sigma_GI"),
             std::string::npos);
   EXPECT_EQ(refusal("2,1,0.1,0.1\n1.5,2,0,0.1\n1,3,0.1,0.1\n"), "");
 }

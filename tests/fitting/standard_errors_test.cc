@@ -190,15 +190,16 @@ TEST(StandardErrors, RefuseWhatIsNoErrorOfTheQuantity) {
 
 TEST(StandardErrors, RefuseAPointThatHasNoneInAColumnOfThem) {
   EXPECT_EQ(refusal("P,T,A,sigma_A\n1,0,19.6,0.1\n1,5,19.2,0\n", "", {}, {}),
-            "a.csv:3: this point has no standard error of its area (sigma_A is 0 or empty)");
+            "a.csv:3:10: this point has no standard error of its area (sigma_A is 0 or empty)");
 }
 
 /// 1e-4 of the largest value, as for one stated as 0, would give the point almost all the weight.
 TEST(StandardErrors, RefuseAnEmptyFieldAmongThemInBothAxes) {
   EXPECT_EQ(refusal("P,T,A,sigma_A\n1,0,19.6,0.1\n1,5,19.2,\n", "", {}, {}, true),
-            "a.csv:3: this point has no standard error of its area (sigma_A is empty)");
-  EXPECT_EQ(refusal("P,T,A,sigma_T\n1,0,19.6,0\n1,5,19.2,\n", "", {}, stated("1%"), true),
-            "a.csv:3: this point has no standard error of its shear load (sigma_T is empty; 0 says that T is exact)");
+            "a.csv:3:10: this point has no standard error of its area (sigma_A is empty)");
+  EXPECT_EQ(
+      refusal("P,T,A,sigma_T\n1,0,19.6,0\n1,5,19.2,\n", "", {}, stated("1%"), true),
+      "a.csv:3:10: this point has no standard error of its shear load (sigma_T is empty; 0 says that T is exact)");
 }
 
 /// A distance in both axes needs both errors: of what is stated as 0 1e-4 of the largest value, counted.

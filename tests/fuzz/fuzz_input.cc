@@ -93,7 +93,8 @@ void check_metadata(const Metadata& metadata) {
 
 /// Rows do not depend on the size of blocks.
 void check_blocks(const std::string& path) {
-  CsvFile whole(path), parts(path, 1);
+  Inputs inputs;
+  CsvFile whole(path, inputs), parts(path, inputs, 1);
   whole.start();
   parts.start();
   if (whole.encoding() != parts.encoding()) return;  // the first block decides it

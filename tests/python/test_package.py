@@ -1,11 +1,13 @@
 """What a notebook meets: data sets, fits, arrays, errors, pickles."""
 
 import ast
+import copy
 import doctest
 import graphlib
 import importlib
 import pathlib
 import pickle
+import shutil
 import signal
 import subprocess
 import sys
@@ -103,6 +105,40 @@ def test_bands_hold_the_curve_as_often_as_they_say():
         held += low <= at <= high
     # 95 % of 400 are 380; three standard deviations of the binomial are 13
     assert 367 <= held <= 393
+
+
+def test_data_of_files_travel_whole(tmp_path, monkeypatch, root):
+    """Whatever happens to the files after they were read: cut, gone, or named from another folder."""
+    shutil.copy(root / "data/mergel2018.csv", tmp_path / "one.csv")
+    shutil.copy(root / "data/mergel2018.toml", tmp_path / "one.toml")
+    monkeypatch.chdir(tmp_path)
+    data = mixity.read("one.csv")
+    fits = mixity.fit(data, "c")
+    assert [path for path, _, _ in data.inputs] == ["one.toml", "one.csv"]
+    assert data.inputs[1][1] == (tmp_path / "one.csv").stat().st_size
+    whole = (tmp_path / "one.csv").read_text()
+    (tmp_path / "one.csv").write_text(whole[: len(whole) // 2])
+    (tmp_path / "one.toml").unlink()
+    for again in (pickle.loads(pickle.dumps(data)), copy.copy(data), copy.deepcopy(data)):
+        assert again.A.tolist() == data.A.tolist()
+        assert again.inputs == data.inputs
+    (tmp_path / "one.csv").unlink()
+    stored = pickle.dumps(fits)
+    (tmp_path / "other").mkdir()
+    monkeypatch.chdir(tmp_path / "other")
+    assert pickle.loads(stored)["c"].params["lambda"].value == fits["c"].params["lambda"].value
+    assert pickle.loads(pickle.dumps(pickle.loads(stored).data)).A.tolist() == data.A.tolist()
+
+
+def test_several_files_travel_whole(tmp_path):
+    for name, load in (("a", 1), ("b", 2)):
+        (tmp_path / f"run_{name}.csv").write_text(f"P,T,A\n{load},0,20\n{load},3,19\n{load},5,17\n")
+    data = mixity.read(str(tmp_path / "run_*.csv"))
+    for file in tmp_path.iterdir():
+        file.unlink()
+    again = pickle.loads(pickle.dumps(data))
+    assert again.A.tolist() == data.A.tolist()
+    assert again.runs == data.runs
 
 
 def test_fits_and_data_pickle(data):

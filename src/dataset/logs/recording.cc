@@ -24,7 +24,9 @@ struct Channel {
 
 class LogReader {
  public:
-  LogReader(const std::string& path, const Metadata& metadata) : file_(path), metadata_(metadata) {
+  LogReader(const std::string& path, const Metadata& metadata, Inputs& inputs)
+      : file_(path, inputs), metadata_(metadata), rules_(rules_of(metadata, inputs)) {
+    rules_.log = true;
     recording_.path = path;
   }
 
@@ -83,12 +85,10 @@ class LogReader {
 
   void find_columns() {
     using enum ColumnId;
-    ColumnRules rules = rules_of(metadata_);
-    rules.log = true;
-    const auto table = find_table(recording_.path, file_.start(), file_.line_end(), rules, metadata_.decimal);
+    const auto table = find_table(recording_.path, file_.start(), file_.line_end(), rules_, metadata_.decimal);
     if (!table) throw InputError(recording_.path, "holds no table with headings and rows of numbers");
     recording_.reading = describe(*table);
-    const Columns columns(recording_.path, table->headings, rules);
+    const Columns columns(recording_.path, table->headings, rules_);
     recording_.taken = columns.taken;
     width_ = columns.count;
     for (const auto& column : columns.by_id) {
@@ -144,6 +144,7 @@ class LogReader {
 
   CsvFile file_;
   const Metadata& metadata_;
+  ColumnRules rules_;
   Recording recording_;
   std::vector<Channel> channels_;
   std::size_t width_ = 0, first_line_ = 1;
@@ -153,6 +154,8 @@ class LogReader {
 
 }  // namespace
 
-Recording read_recording(const std::string& path, const Metadata& metadata) { return LogReader(path, metadata).read(); }
+Recording read_recording(const std::string& path, const Metadata& metadata, Inputs& inputs) {
+  return LogReader(path, metadata, inputs).read();
+}
 
 }  // namespace mixity

@@ -24,6 +24,10 @@ struct Recording {
 
 /// Reads a log with a column of times, and P and T, or A (or a, or axes), or all of these, with units. The load may be
 /// stated beside the file, as for data. Throws InputError as load_dataset does, and for times that do not rise.
-Recording read_recording(const std::string& path, const Metadata& metadata);
+Recording read_recording(const std::string& path, const Metadata& metadata, Inputs& inputs);
+inline Recording read_recording(const std::string& path, const Metadata& metadata) {
+  Inputs inputs;
+  return read_recording(path, metadata, inputs);
+}
 
 }  // namespace mixity

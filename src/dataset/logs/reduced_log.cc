@@ -17,11 +17,12 @@ namespace {
 /// One recording of forces and areas, or two, of forces and of areas. The first file with forces gives the forces.
 std::vector<Recording> read_logs(const std::vector<std::string>& paths, const Overrides& constants,
                                  Metadata& metadata) {
+  Inputs inputs;
   std::vector<Recording> logs;
   for (const std::string& path : paths) {
-    Metadata own = read_metadata(metadata_path(path));
+    Metadata own = read_metadata(metadata_path(path), inputs);
     apply_overrides(constants, own);
-    logs.push_back(read_recording(path, own));
+    logs.push_back(read_recording(path, own, inputs));
     if (logs.size() == 1)
       metadata = own;
     else if (const std::string problem = add_constants(own, metadata); !problem.empty())
@@ -112,7 +113,8 @@ ReducedLog reduce_log(const std::vector<std::string>& paths, const Overrides& co
 
 std::map<std::string, StatedCut> read_cuts(const std::string& path) {
   std::map<std::string, StatedCut> cuts;
-  for (const auto& [key, node] : read_toml(path)) {
+  Inputs inputs;
+  for (const auto& [key, node] : read_toml(path, inputs)) {
     if (key != "cuts" || !node.is_array_of_tables()) fail_at(path, key, "holds tables [[cuts]] and nothing else");
     for (const toml::node& entry : *node.as_array()) {
       std::string name;

@@ -219,12 +219,8 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
   Names names(path, headings, rules);
   names.add_mapped();
   names.add_own_names();
-  if (rules.vocabulary && !names.is_complete()) {
-    if (rules.headings.empty())
-      names.add_by_vocabulary(Vocabulary::shipped());
-    else
-      names.add_by_vocabulary(Vocabulary::with(rules.headings));
-  }
+  if (rules.vocabulary && !names.is_complete())
+    names.add_by_vocabulary(rules.names ? *rules.names : Vocabulary::shipped());
   if (rules.vocabulary) names.add_misfits();
   names.drop_redundant_sizes();
   return std::move(names).sorted();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,11 +15,11 @@ namespace mixity {
 struct ColumnRules {
   /// From quantities to headings, with or without their unit, or to numbers of columns.
   std::map<std::string, std::string> mapping{};
-  std::string headings{};         // path of a TOML that adds to the vocabulary; empty: none
-  bool load_stated = false;       // the table needs no column P
-  std::optional<double> pixel{};  // m, the side of a pixel
-  bool vocabulary = true;         // false: only the program's own names count
-  bool log = false;               // the table needs a column of times, and T or A; only logs have times
+  std::shared_ptr<const Vocabulary> names{};  // null: the shipped vocabulary
+  bool load_stated = false;                   // the table needs no column P
+  std::optional<double> pixel{};              // m, the side of a pixel
+  bool vocabulary = true;                     // false: only the program's own names count
+  bool log = false;                           // the table needs a column of times, and T or A; only logs have times
 };
 
 /// The columns that name quantities, in their order, each quantity once. The mapping of the user comes first, as it may

@@ -1,29 +1,19 @@
 #include "dataset/table/csv_file.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 
 #include "base/files.h"
 #include "base/input_error.h"
 
 namespace mixity {
 
-CsvFile::CsvFile(const std::string& path, std::size_t block_bytes)
-    : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose), block_bytes_(block_bytes) {
-  if (!file_) throw InputError(path, std::string("cannot be opened: ") + std::strerror(errno));
-}
+CsvFile::CsvFile(const std::string& path, Inputs& inputs, std::size_t block_bytes)
+    : path_(path), stream_(path, inputs), block_bytes_(block_bytes) {}
 
 /// Reads up to this many bytes, decodes them and appends them to the text.
 void CsvFile::read(std::size_t bytes) {
   const std::size_t before = text_.size();
-  text_.resize(before + bytes);
-  const std::size_t got = std::fread(text_.data() + before, 1, bytes, file_.get());
-  text_.resize(before + got);
-  if (std::ferror(file_.get())) throw InputError(path_, std::string("cannot be read: ") + std::strerror(errno));
-  bytes_read_ += got;
-  at_end_ = got < bytes;
+  stream_.read(bytes, text_);
   decode(before);
 }
 
@@ -31,7 +21,7 @@ void CsvFile::decode(std::size_t from) {
   if (!decoder_) return;
   const std::string raw = text_.substr(from);
   text_.resize(from);
-  decoder_->append(raw, at_end_, text_);
+  decoder_->append(raw, at_end(), text_);
 }
 
 /// No data are of this size: the file is an endless device, or was damaged by a crash.
@@ -68,7 +58,7 @@ void CsvFile::begin() {
     decode(0);
   }
   // A file without line feeds may end its lines in carriage returns, as the old Macintosh did: read on to find out.
-  while (text_.find('\n') == std::string::npos && !at_end_) {
+  while (text_.find('\n') == std::string::npos && !at_end()) {
     if (text_.find('\r') == std::string::npos) require_a_row();
     read(std::max(block_bytes_, text_.size()));
   }
@@ -78,7 +68,7 @@ void CsvFile::begin() {
 std::string_view CsvFile::start() {
   begin();
   const std::string_view rest = std::string_view(text_).substr(at_);
-  return at_end_ ? rest : rest.substr(0, rest.rfind(format_.line_end) + 1);
+  return at_end() ? rest : rest.substr(0, rest.rfind(format_.line_end) + 1);
 }
 
 void CsvFile::begin_at(std::size_t offset, std::size_t line, const CsvFormat& format) {
@@ -94,28 +84,27 @@ bool CsvFile::next(CsvRow& row) {
     at_ = static_cast<std::size_t>(lines.data() - text_.data());
     if (found)
       splitter_.emplace(path_, format_, line_);
-    else if (at_end_)
+    else if (at_end())
       return false;
     else
       read_more();
   }
   for (;;) {
     std::string_view text = std::string_view(text_).substr(at_);
-    const bool found = splitter_->next(text, at_end_, row);
+    const bool found = splitter_->next(text, at_end(), row);
     at_ = text_.size() - text.size();
-    if (found || at_end_) return found;
+    if (found || at_end()) return found;
     read_more();
   }
 }
 
 double CsvFile::progress() const {
-  std::error_code unknown;
-  const auto size = std::filesystem::file_size(path_, unknown);
-  return unknown ? 1 : static_cast<double>(bytes_read_ - (text_.size() - at_)) / static_cast<double>(size);
+  if (!stream_.size()) return 1;
+  return static_cast<double>(stream_.bytes_read() - (text_.size() - at_)) / static_cast<double>(*stream_.size());
 }
 
-void read_csv(const std::string& path, const UseRow& use) {
-  CsvFile file(path);
+void read_csv(const std::string& path, Inputs& inputs, const UseRow& use) {
+  CsvFile file(path, inputs);
   for (CsvRow row; file.next(row);)
     if (!row.is_comment()) use(row);
 }

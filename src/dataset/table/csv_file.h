@@ -1,13 +1,12 @@
 // Tables in files, read row by row.
 #pragma once
 
-#include <cstdio>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "base/inputs.h"
 #include "dataset/table/csv.h"
 #include "dataset/table/encoding.h"
 
@@ -17,7 +16,7 @@ namespace mixity {
 class CsvFile {
  public:
   /// Throws InputError if the file cannot be opened.
-  explicit CsvFile(const std::string& path, std::size_t block_bytes = std::size_t{1} << 17);
+  CsvFile(const std::string& path, Inputs& inputs, std::size_t block_bytes = std::size_t{1} << 17);
   /// The complete lines of the first block; valid until the next call of another function. Throws InputError if the
   /// file cannot be read, is a workbook, or begins with a row of more than kMostText bytes.
   std::string_view start();
@@ -31,7 +30,7 @@ class CsvFile {
   Encoding encoding() const { return encoding_; }
   char line_end() const { return format_.line_end; }
   /// Whether the file has been read to its end: start() is then all of it.
-  bool at_end() const { return at_end_; }
+  bool at_end() const { return stream_.at_end(); }
   /// The share of the file whose rows have been read; 1 if its size is not known (a pipe).
   double progress() const;
   /// Bytes of memory for the text.
@@ -45,21 +44,25 @@ class CsvFile {
   void require_a_row() const;
 
   std::string path_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  std::size_t block_bytes_, bytes_read_ = 0, line_ = 1;
+  InputStream stream_;
+  std::size_t block_bytes_, line_ = 1;
   std::string text_;    // decoded
   std::size_t at_ = 0;  // where its next row starts
   CsvFormat format_;
   Encoding encoding_ = Encoding::utf8;
   std::optional<Decoder> decoder_;       // if it is not UTF-8
   std::optional<CsvSplitter> splitter_;  // once the first row is found
-  bool begun_ = false, at_end_ = false;
+  bool begun_ = false;
 };
 
 using UseRow = std::function<void(const CsvRow&)>;
 
 /// Calls use(row) for each row of a file. Throws what CsvFile throws.
-void read_csv(const std::string& path, const UseRow& use);
+void read_csv(const std::string& path, Inputs& inputs, const UseRow& use);
+inline void read_csv(const std::string& path, const UseRow& use) {
+  Inputs inputs;
+  read_csv(path, inputs, use);
+}
 
 /// The same for a text. `name`: the file in messages. Without comments, '#' is an ordinary character.
 void read_csv_text(std::string_view text, const std::string& name, bool comments, const UseRow& use);

@@ -17,9 +17,9 @@ const Vocabulary& Vocabulary::shipped() {
   return vocabulary;
 }
 
-Vocabulary Vocabulary::with(const std::string& path) {
+Vocabulary Vocabulary::with(const std::string& path, Inputs& inputs) {
   Vocabulary vocabulary = shipped();
-  vocabulary.add(path, read_toml(path));
+  vocabulary.add(path, read_toml(path, inputs));
   return vocabulary;
 }
 

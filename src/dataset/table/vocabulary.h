@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/inputs.h"
 #include "dataset/table/column_kinds.h"
 #include "dataset/table/heading.h"
 
@@ -26,7 +27,7 @@ class Vocabulary {
   static const Vocabulary& shipped();
   /// The shipped one with the additions of the TOML at `path`. Throws InputError, with line and column, for anything in
   /// it that cannot be understood, and for a name that two quantities would share.
-  static Vocabulary with(const std::string& path);
+  static Vocabulary with(const std::string& path, Inputs& inputs);
 
   /// The quantity of a heading without its unit; null if it is not known.
   std::optional<ColumnId> find(std::string_view name) const;

@@ -95,9 +95,17 @@ class Dataset:
         made._source = source
         return made
 
-    # A pickled data set holds what it was made from.
+    # A pickled data set holds what it was made from, files with their contents: they may be others later, or gone.
     def __reduce__(self) -> tuple[Any, ...]:
-        return _again, self._source
+        kind, arguments = self._source
+        return _again, (kind, (*arguments, self._core.contents()) if kind == "file" else arguments)
+
+    # It does not change, so that a copy is itself.
+    def __copy__(self) -> Dataset:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Dataset:
+        return self
 
     def __len__(self) -> int:
         return len(self._core)
@@ -115,6 +123,11 @@ class Dataset:
     def notes(self) -> list[str]:
         """What was ignored or reinterpreted in the data: sentences."""
         return self._core.notes
+
+    @property
+    def inputs(self) -> list[tuple[str, int, str]]:
+        """[(path, bytes, xxh128)] of the files that were read: as ``xxh128sum`` prints it. Empty of arrays."""
+        return self._core.inputs
 
     @property
     def runs(self) -> list[str]:
@@ -167,7 +180,8 @@ def _again(kind, arguments):
     if kind == "simulated":
         plan, seed, index = arguments
         return plan.simulate(seed, index)
-    return Dataset._of((_core.from_arrays if kind == "arrays" else _core.read)(*arguments), (kind, arguments))
+    core = (_core.from_arrays if kind == "arrays" else _core.read)(*arguments)
+    return Dataset._of(core, (kind, arguments[:2] if kind == "file" else arguments))
 
 
 def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **constants: Any) -> Dataset:

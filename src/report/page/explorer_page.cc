@@ -1,8 +1,7 @@
+#include <algorithm>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
-#include <filesystem>
 
-#include "base/files.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"
 #include "report/report.h"
@@ -17,20 +16,23 @@ std::string base64(const std::string& bytes) {
   return text.append((3 - bytes.size() % 3) % 3, '=');
 }
 
-/// Empty if there is no such file.
-std::string content_if_any(const std::string& path) {
-  std::error_code none;
-  return std::filesystem::exists(path, none) ? read_file(path) : "";
+const InputFile* find_input(const Dataset& data, const std::string& path) {
+  const auto found = std::find_if(data.inputs.begin(), data.inputs.end(),
+                                  [&](const InputFile& one) { return one.path == path && one.content; });
+  return found == data.inputs.end() ? nullptr : &*found;
 }
 
+/// The file as it was read; of several files, and of one that is too large to be kept, the points that are used.
 Json as_embedded(const Analysis& result) {
   const FitRequest& request = result.request;
-  Json embedded = request_fields(
-      request, request.runs.empty() ? request.constants : Overrides(constants_as_stated(result.data.metadata)));
-  if (request.runs.empty()) {
+  const InputFile* const file = request.runs.empty() ? find_input(result.data, request.data_path) : nullptr;
+  Json embedded =
+      request_fields(request, file ? request.constants : Overrides(constants_as_stated(result.data.metadata)));
+  if (file) {
+    const InputFile* const stated = find_input(result.data, metadata_path(request.data_path));
     embedded["name"] = request.data_path.substr(request.data_path.find_last_of('/') + 1);
-    embedded["content"] = base64(read_file(request.data_path));
-    embedded["toml"] = base64(content_if_any(metadata_path(request.data_path)));
+    embedded["content"] = base64(*file->content);
+    embedded["toml"] = base64(stated ? *stated->content : "");
   } else {
     embedded["name"] = result.data.name + ".csv";
     embedded["content"] = base64(used_csv(result.data));

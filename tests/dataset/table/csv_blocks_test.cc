@@ -150,7 +150,8 @@ TEST(CsvBlocks, ABlockOfAnySizeChangesNothing) {
     errors += !whole.second.empty();
     for (const std::size_t block_bytes : {1, 2, 3, 7, 16, 64, 1000}) {
       const auto in_blocks = outcome([&](const UseRow& use) {
-        CsvFile file(path, block_bytes);
+        Inputs inputs;
+        CsvFile file(path, inputs, block_bytes);
         for (CsvRow row; file.next(row);)
           if (!row.is_comment()) use(row);
       });
@@ -165,7 +166,8 @@ TEST(CsvBlocks, NoMoreOfAFileIsHeldThanABlock) {
   const TemporaryFolder folder;
   std::string text = "P,T\n";
   for (int i = 0; i < 5000; ++i) text += std::to_string(i) + ",1\n";
-  CsvFile file(folder.write("a.csv", text), 512);
+  Inputs inputs;
+  CsvFile file(folder.write("a.csv", text), inputs, 512);
   std::size_t rows = 0, most = 0;
   double progress = 0;
   for (CsvRow row; file.next(row); ++rows) {

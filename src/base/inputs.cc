@@ -1,0 +1,129 @@
+#include "base/inputs.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "base/files.h"
+#include "base/input_error.h"
+
+namespace mixity {
+namespace {
+
+struct FileState {
+  std::size_t size;
+  long long changed;  // ns
+};
+
+/// Null of a pipe or device.
+std::optional<FileState> state_of(std::FILE* stream) {
+  struct stat about {};
+  if (::fstat(::fileno(stream), &about) != 0 || !S_ISREG(about.st_mode)) return std::nullopt;
+  return FileState{static_cast<std::size_t>(about.st_size),
+                   about.st_mtim.tv_sec * 1000000000LL + about.st_mtim.tv_nsec};
+}
+
+constexpr const char* kChanged = "was changed while it was read: read it again when it is complete";
+
+}  // namespace
+
+bool Inputs::exists(const std::string& path) const {
+  std::error_code error;
+  if (given_)
+    return std::any_of(given_->begin(), given_->end(), [&](const InputFile& one) { return one.path == path; });
+  const auto kind = std::filesystem::status(path, error).type();
+  if (kind == std::filesystem::file_type::not_found) return false;
+  if (error) throw InputError(path, "cannot be looked up: " + error.message());
+  return true;
+}
+
+std::string Inputs::read(const std::string& path) {
+  InputStream stream(path, *this);
+  std::string text;
+  constexpr std::size_t kPart = std::size_t{1} << 16;
+  while (!stream.at_end()) {
+    stream.read(std::max(kPart, text.size()), text);
+    if (text.size() > kMostText) throw InputError(path, "is larger than 256 MB");
+  }
+  return text;
+}
+
+std::shared_ptr<const std::string> Inputs::given(const std::string& path) const {
+  if (!given_) return nullptr;
+  const auto file =
+      std::find_if(given_->begin(), given_->end(), [&](const InputFile& one) { return one.path == path; });
+  if (file == given_->end() || !file->content) throw InputError(path, "is not among the files that were read before");
+  return file->content;
+}
+
+void Inputs::add(InputFile file) {
+  const bool known =
+      std::any_of(files_.begin(), files_.end(), [&](const InputFile& one) { return one.path == file.path; });
+  if (!known) files_.push_back(std::move(file));
+}
+
+InputStream::InputStream(const std::string& path, Inputs& inputs)
+    : inputs_(inputs), given_(inputs.given(path)), stream_(nullptr, &std::fclose) {
+  file_.path = path;
+  if (given_) {
+    size_ = given_->size();
+    return;
+  }
+  stream_.reset(std::fopen(path.c_str(), "rb"));
+  if (!stream_) throw InputError(path, std::string("cannot be opened: ") + std::strerror(errno));
+  if (const auto state = state_of(stream_.get())) {
+    size_ = state->size;
+    changed_ = state->changed;
+  }
+  content_ = std::make_shared<std::string>();
+}
+
+void InputStream::read(std::size_t bytes, std::string& text) {
+  const std::size_t before = text.size();
+  if (given_) {
+    text.append(*given_, file_.bytes, bytes);
+  } else {
+    text.resize(before + bytes);
+    text.resize(before + std::fread(text.data() + before, 1, bytes, stream_.get()));
+    if (std::ferror(stream_.get()))
+      throw InputError(file_.path, std::string("cannot be read: ") + std::strerror(errno));
+  }
+  const std::string_view part = std::string_view(text).substr(before);
+  file_.bytes += part.size();
+  hash_.add(part);
+  if (content_) {
+    if (file_.bytes > Inputs::kMostKept)
+      content_.reset();
+    else
+      content_->append(part);
+  }
+  at_end_ = part.size() < bytes;
+  if (at_end_) finish();
+}
+
+void InputStream::finish() {
+  if (!given_ && size_) {
+    const auto now = state_of(stream_.get());
+    if (!now || file_.bytes != *size_ || now->size != *size_ || now->changed != changed_)
+      throw InputError(file_.path, kChanged);
+  }
+  file_.hash = hash_.text();
+  file_.content = given_ ? given_ : content_;
+  inputs_.add(file_);
+}
+
+std::string content_of(const InputFile& file) {
+  if (file.content) return *file.content;
+  Inputs again;
+  InputStream stream(file.path, again);
+  std::string text;
+  while (!stream.at_end()) stream.read(file.bytes + 1, text);
+  if (again.files().front().hash != file.hash)
+    throw InputError(file.path, "is another than the one that was read: its hash is not " + file.hash);
+  return text;
+}
+
+}  // namespace mixity

@@ -1,0 +1,269 @@
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/content_hash.h"
+#include "base/files.h"
+#include "base/output_folders.h"
+
+namespace mixity {
+namespace {
+
+/// A pipe or device, which is written in place.
+bool is_direct(std::filesystem::file_type kind) {
+  return kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::fifo;
+}
+
+/// Writes the content and closes the file. Returns 0 or an errno.
+int write_and_close(int file, const std::string& content, bool to_disk) {
+  int reason = 0;
+  for (std::size_t done = 0; reason == 0 && done < content.size();) {
+    const ssize_t written = ::write(file, content.data() + done, content.size() - done);
+    if (written >= 0)
+      done += static_cast<std::size_t>(written);
+    else if (errno != EINTR)
+      reason = errno;
+  }
+  if (reason == 0 && to_disk && ::fsync(file) != 0) reason = errno;
+  if (::close(file) != 0 && reason == 0) reason = errno;
+  return reason;
+}
+
+[[noreturn]] void cannot_be_written(const std::string& path, int reason) {
+  throw OutputError(path + ": cannot be written: " + std::strerror(reason));
+}
+
+/// The end of a chain of links, which need not exist.
+std::filesystem::path end_of_links(const std::string& path) {
+  constexpr int kMost = 40;  // as the system's
+  std::filesystem::path end = path;
+  std::error_code none;
+  for (int i = 0; i < kMost; ++i) {
+    if (!std::filesystem::is_symlink(end, none)) return end;
+    end = end.parent_path() / std::filesystem::read_symlink(end, none);
+  }
+  cannot_be_written(path, ELOOP);
+}
+
+/// A file that is written under a temporary name, and removed unless it is put in place.
+class StagedFile {
+ public:
+  /// Creates and locks its folder.
+  StagedFile(const OutputFile& file, OutputFolders& folders) : file_(file) {
+    const std::string& path = file.path;
+    std::error_code unknown;
+    const auto kind = std::filesystem::status(path, unknown).type();
+    if (is_direct(kind)) return;
+    if (kind == std::filesystem::file_type::directory || path.ends_with('/')) check(EISDIR);
+    if (kind == std::filesystem::file_type::regular && ::access(path.c_str(), W_OK) != 0) check(errno);
+    target_ = end_of_links(path);
+    const std::filesystem::path parent = target_.parent_path();
+    std::error_code error;
+    if (!parent.empty()) std::filesystem::create_directories(parent, error);
+    if (error) throw OutputError(parent.string() + ": cannot be created: " + error.message());
+    folder_ = &folders.at(parent.empty() ? "." : parent);
+    hash_ = content_hash(file.content);
+  }
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+  ~StagedFile() { discard(); }
+
+  OutputFolders::Folder* folder() const { return folder_; }  // null of a pipe or device
+  std::string name() const { return target_.filename().string(); }
+  const std::string& hash() const { return hash_; }
+
+  /// Throws OutputError if there is a file that this program did not write, and whose content would be lost. `kept`:
+  /// hashes of all contents that are written.
+  void spare_others(const std::set<std::string>& kept) const {
+    std::error_code not_there;
+    if (!folder_ || !std::filesystem::is_regular_file(target_, not_there)) return;
+    if (std::filesystem::file_size(target_, not_there) == 0) return;
+    const std::string present = file_hash(target_.string());
+    const OutputRecord& record = folder_->record;
+    if (present == hash_ || record.wrote(name(), present) || (record.knows(name()) && kept.count(present) > 0)) return;
+    throw OutputError(Message(file_.path) +
+                      (record.knows(name()) ? ": was edited since mixity wrote it" : ": was not written by mixity") +
+                      " and is not replaced: take another name, or " + Remedy::set("force"));
+  }
+  void write_temporary() {
+    constexpr int kTries = 100;
+    if (!folder_) return;
+    int opened = -1, reason = EEXIST;
+    for (int i = 0; i < kTries && opened < 0 && reason == EEXIST; ++i) {
+      temporary_ = temporary_name(target_.string());
+      opened = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+      reason = errno;
+    }
+    if (opened < 0) {
+      temporary_.clear();
+      check(reason);
+    }
+    struct stat old {};
+    if (::stat(target_.c_str(), &old) == 0) ::fchmod(opened, old.st_mode & 0777);  // the permissions stay
+    if (const int failed = write_and_close(opened, file_.content, true); failed != 0) {
+      discard();
+      check(failed);
+    }
+  }
+  /// Writes a pipe or device; may take as long as its reader does.
+  void write_if_direct() const {
+    if (folder_) return;
+    const int opened = ::open(file_.path.c_str(), O_WRONLY | O_CLOEXEC);
+    check(opened < 0 ? errno : write_and_close(opened, file_.content, false));
+  }
+  void put_in_place() {
+    if (!folder_) return;
+    check(::rename(temporary_.c_str(), target_.c_str()) != 0 ? errno : 0);
+    temporary_.clear();
+  }
+
+ private:
+  void check(int reason) const {
+    if (reason != 0) cannot_be_written(file_.path, reason);
+  }
+  void discard() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    temporary_.clear();
+  }
+
+  const OutputFile& file_;
+  std::filesystem::path target_;
+  std::string temporary_, hash_;
+  OutputFolders::Folder* folder_ = nullptr;
+};
+
+/// Blocks the signals that end the process while it exists, so that all files of a run are put in place or none.
+class Uninterrupted {
+ public:
+  Uninterrupted() {
+    sigset_t asked;
+    sigemptyset(&asked);
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT}) sigaddset(&asked, signal);
+    pthread_sigmask(SIG_BLOCK, &asked, &before_);
+  }
+  ~Uninterrupted() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// Throws OutputError if two of the paths lead to the same file, as links can.
+void tell_apart(const std::vector<OutputFile>& files) {
+  std::map<std::filesystem::path, const OutputFile*> known;
+  for (const OutputFile& file : files) {
+    std::error_code unknown;
+    if (is_direct(std::filesystem::status(file.path, unknown).type())) continue;
+    const std::filesystem::path whole = std::filesystem::absolute(end_of_links(file.path), unknown);
+    const std::filesystem::path place = std::filesystem::weakly_canonical(whole, unknown);
+    if (unknown || place.empty()) continue;  // writing it will tell
+    const auto [same, first] = known.emplace(place, &file);
+    if (!first) throw OutputError(file.path + ": leads to the same file as " + same->second->path);
+  }
+}
+
+/// Throws OutputError if one of the outputs is one of the inputs, under any name.
+void spare_inputs(const std::vector<std::string>& inputs, const std::vector<OutputFile>& outputs) {
+  for (const OutputFile& output : outputs)
+    for (const std::string& input : inputs) {
+      std::error_code not_there;
+      if (std::filesystem::equivalent(input, output.path, not_there))
+        throw OutputError(output.path + ": is an input and is not written over");
+    }
+}
+
+/// The name, with a number behind it if a file of other content has it: no former edit is lost.
+std::string free_name(const std::string& name, const std::string& content) {
+  std::string free = name;
+  std::error_code unread;
+  for (int number = 2; std::filesystem::exists(free, unread) && read_file(free) != content; ++number)
+    free = name + "." + std::to_string(number);
+  return free;
+}
+
+/// Files that this program wrote into these folders and does not write again; those that were edited since stay.
+std::vector<std::filesystem::path> left_from_former_runs(const std::vector<std::string>& renewed,
+                                                         const std::deque<StagedFile>& staged, OutputFolders& folders) {
+  std::vector<std::filesystem::path> list;
+  for (const std::string& path : renewed) {
+    std::error_code none;
+    if (!std::filesystem::is_directory(path, none)) continue;
+    const OutputFolders::Folder& folder = folders.at(path);
+    std::set<std::string> again;
+    for (const StagedFile& file : staged)
+      if (file.folder() == &folder) again.insert(file.name());
+    for (const std::string& name : folder.record.names())
+      if (again.count(name) == 0 && folder.record.wrote(name, file_hash((folder.path / name).string())))
+        list.push_back(folder.path / name);
+  }
+  return list;
+}
+
+/// The records of the folders with what is written now.
+std::deque<OutputFile> records(const std::deque<StagedFile>& staged, OutputFolders& folders) {
+  std::deque<OutputFile> files;
+  for (auto& [key, folder] : folders) {
+    folder.record.forget_missing(folder.path);
+    for (const StagedFile& file : staged)
+      if (file.folder() == &folder) folder.record.add(file.name(), file.hash());
+    files.push_back({(folder.path / OutputRecord::kName).string(), folder.record.text()});
+  }
+  return files;
+}
+
+}  // namespace
+
+void write_files(const std::vector<OutputFile>& files, const OutputRules& rules) {
+  spare_inputs(rules.inputs, files);
+  tell_apart(files);
+  OutputFolders folders;
+  std::deque<StagedFile> staged;
+  std::set<std::string> hashes;
+  for (const OutputFile& file : files) hashes.insert(staged.emplace_back(file, folders).hash());
+  if (!rules.force)
+    for (const StagedFile& file : staged) file.spare_others(hashes);
+  const std::vector<std::filesystem::path> outdated = left_from_former_runs(rules.renewed, staged, folders);
+  const std::deque<OutputFile> of_records = records(staged, folders);
+  // Records come first: with either file in place they know that it is theirs.
+  std::deque<StagedFile> recorded;
+  for (const OutputFile& file : of_records) recorded.emplace_back(file, folders);
+  for (auto* const list : {&recorded, &staged})
+    for (StagedFile& file : *list) file.write_temporary();
+  for (const StagedFile& file : staged) file.write_if_direct();
+  const Uninterrupted renaming;
+  for (auto* const list : {&recorded, &staged})
+    for (StagedFile& file : *list) file.put_in_place();
+  for (const std::filesystem::path& path : outdated) ::unlink(path.c_str());
+}
+
+std::vector<std::string> keep_former(std::vector<OutputFile>& files) {
+  std::vector<std::string> kept;
+  for (std::size_t i = 0, n = files.size(); i < n; ++i) {
+    std::error_code unread;
+    if (!files[i].path.ends_with(".toml") || !std::filesystem::is_regular_file(files[i].path, unread)) continue;
+    std::string former = read_file(files[i].path);
+    if (former == files[i].content) continue;
+    kept.push_back(free_name(files[i].path + ".old", former));
+    files.push_back({kept.back(), std::move(former)});
+  }
+  return kept;
+}
+
+void write_scratch_file(const std::string& path, const std::string& content) {
+  const int opened = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (const int reason = opened < 0 ? errno : write_and_close(opened, content, false); reason != 0)
+    cannot_be_written(path, reason);
+}
+
+}  // namespace mixity
