@@ -31,10 +31,10 @@ std::string stated(std::string_view key, const std::vector<std::string>& texts) 
 /// A file as seen from the folder of `definition`.
 std::string relative_to(const std::string& definition, const std::string& file) {
   std::error_code unread;
-  // Links are not resolved: constants are read from beside the link.
+  // Links are not resolved: constants are read from beside the link. The folder need not exist yet.
   const std::filesystem::path folder = std::filesystem::absolute(definition).lexically_normal().parent_path(),
                               whole = std::filesystem::absolute(file).lexically_normal(),
-                              relative = std::filesystem::canonical(folder, unread) == folder
+                              relative = std::filesystem::weakly_canonical(folder, unread) == folder
                                              ? whole.lexically_proximate(folder)
                                              : whole;
   return (unread ? std::filesystem::absolute(file) : relative).string();
