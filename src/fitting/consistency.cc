@@ -196,8 +196,9 @@ std::vector<BeyondEquilibrium> beyond_equilibrium(const Dataset& data, const Fit
   for (std::size_t i = 0; i < fit.used.size(); ++i) {
     if (fit.area->areas[i]) continue;
     const std::string& curve = data.curves[data.points[fit.used[i]].curve];
-    if (list.empty() || list.back().curve != curve) list.push_back({curve, 0, fit.used[i]});
-    ++list.back().points;
+    auto of_run = std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.curve == curve; });
+    if (of_run == list.end()) of_run = list.insert(list.end(), {curve, 0, fit.used[i]});
+    ++of_run->points;
   }
   return list;
 }

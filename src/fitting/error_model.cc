@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "fitting/run_differences.h"
 #include "statistics/distributions.h"
 #include "statistics/variance_components.h"
 
@@ -40,18 +41,20 @@ Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used,
 /// The share that is left of the variance of second differences where neighbours correlate.
 double kept(double rho) { return (6 - 8 * rho + 2 * rho * rho) / 6; }
 
-/// Second differences of the readings of T in each run.
+/// Second differences of the readings of T in each run, whose rows may alternate with those of others.
 void add_differences_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
                           double least, const ErrorModels& before, Deviations& rows) {
   constexpr double kShare = 0.5;  // neighbouring second differences of white noise correlate by -2/3 and 1/6
-  for (std::size_t i = 2; i < used.size(); ++i) {
-    const std::size_t curve = data.points[used[i]].curve;
-    if (data.points[used[i - 1]].curve != curve || data.points[used[i - 2]].curve != curve) continue;
-    const auto T = [&](std::size_t k) { return data.points[used[k]].shear(); };
-    const double d = T(i) - 2 * T(i - 1) + T(i - 2);
-    const double factor = kept(before.correlations.second) * square(before.factor(curve));
-    const double squares = square(nearest.T[i]) + 4 * square(nearest.T[i - 1]) + square(nearest.T[i - 2]);
-    rows.add(d * d, kShare, 6 * least * least, std::array<double, 4>{0, 0, 6 * factor, squares * factor});
+  const UsedRuns in_runs = used_runs(data, used);
+  for (std::size_t g = 0; g < in_runs.groups.size(); ++g) {
+    const std::vector<std::size_t>& run = in_runs.groups[g];
+    const double factor = kept(before.correlations.second) * square(before.factor(in_runs.runs[g]));
+    const auto T = [&](std::size_t k) { return data.points[used[run[k]]].shear(); };
+    const auto place = [&](std::size_t k) { return square(nearest.T[run[k]]); };
+    for (std::size_t k = 2; k < run.size(); ++k) {
+      const double d = T(k) - 2 * T(k - 1) + T(k - 2), squares = place(k) + 4 * place(k - 1) + place(k - 2);
+      rows.add(d * d, kShare, 6 * least * least, std::array<double, 4>{0, 0, 6 * factor, squares * factor});
+    }
   }
 }
 

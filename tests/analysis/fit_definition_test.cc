@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "base/input_error.h"
 #include "dataset/temporary_folder.h"
 
@@ -48,6 +50,16 @@ TEST(FitDefinition, EveryShippedOneStatesThePapersObjective) {
     EXPECT_EQ(request.options.objective, Objective::toughness) << name;
     EXPECT_FALSE(request.published.empty()) << name;
   }
+}
+
+TEST(FitDefinition, NamesItsDataTheSameWhetherItsFolderIsThereOrNot) {
+  const TemporaryFolder folder;
+  FitRequest request;
+  request.data_path = folder.path("data.csv");
+  const std::string path = folder.path("new/fit.toml"), text = fit_definition_text(request, {}, path);
+  EXPECT_NE(text.find("'../data.csv'"), std::string::npos) << text;
+  std::filesystem::create_directory(folder.path("new"));
+  EXPECT_EQ(fit_definition_text(request, {}, path), text);
 }
 
 }  // namespace fit_definition_test
