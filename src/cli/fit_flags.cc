@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 
 #include "analysis/fit_definition.h"
 #include "analysis/result.h"
@@ -79,15 +81,13 @@ std::vector<FitRequest> requests_for(const std::vector<std::string>& arguments) 
 
 void make_names_unique(std::vector<Analysis>& results) {
   const auto place = [](const Dataset& data) { return std::filesystem::absolute(data.path).lexically_normal(); };
-  std::vector<std::string> names;
-  for (const Analysis& result : results) {
-    const bool shared = std::any_of(results.begin(), results.end(), [&](const Analysis& other) {
-      return other.data.name == result.data.name && place(other.data) != place(result.data);
-    });
+  std::map<std::string, std::set<std::filesystem::path>> places;  // of the sets of a name
+  for (const Analysis& result : results) places[result.data.name].insert(place(result.data));
+  for (Analysis& result : results) {
+    if (places[result.data.name].size() == 1) continue;
     const std::string folder = printable(place(result.data).parent_path().filename().string(), std::string::npos);
-    names.push_back((shared ? folder + '/' : "") + result.data.name);
+    result.data.name = folder + '/' + result.data.name;
   }
-  for (std::size_t i = 0; i < results.size(); ++i) results[i].data.name = names[i];
 }
 
 std::string file_stem(const Analysis& result, std::set<std::string>& taken) {

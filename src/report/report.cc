@@ -1,10 +1,26 @@
 #include "report/report.h"
 
+#include <iterator>
+
 #include "analysis/run.h"
 #include "base/files.h"
 #include "report/fit_csv.h"
 
 namespace mixity {
+namespace {
+
+void append(std::vector<OutputFile>& files, std::vector<OutputFile> more) {
+  files.insert(files.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+std::size_t bytes_of_drawings(const std::vector<OutputFile>& files) {
+  std::size_t bytes = 0;
+  for (const OutputFile& file : files)
+    if (file.path.ends_with(".svg")) bytes += file.content.size();
+  return bytes;
+}
+
+}  // namespace
 
 WrittenReport write_report(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
                            const std::string& folder, const ReportSettings& settings) {
@@ -22,12 +38,17 @@ WrittenReport write_report(const std::vector<Analysis>& results, const std::vect
       figures.insert(figures.end(), group.figures.begin(), group.figures.end());
     const Progress drawing = stretch(settings.progress, before + 0.3 * share, before + share);
     DrawnFigures drawn = draw_figures(figures, folder + "/figures", one.result.request.formats, drawing);
-    content.drawn.files.insert(content.drawn.files.end(), drawn.files.begin(), drawn.files.end());
+    append(content.drawn.files, std::move(drawn.files));
     content.drawn.endings.merge(drawn.endings);
     if (content.drawn.missing.empty()) content.drawn.missing = drawn.missing;
     if (drawing) drawing(1);
   }
-  std::vector<OutputFile> files = content.drawn.files;
+  std::vector<OutputFile> files = std::move(content.drawn.files);
+  content.figures_inside = bytes_of_drawings(files) <= settings.most_inside;
+  if (!content.figures_inside)
+    for (const ReportEntry& entry : content.entries)
+      for (const FigureGroup& group : entry.figures.groups)
+        append(files, draw_for_phones(group.figures, folder + "/figures"));
   files.push_back({folder + "/fits.csv", fits_csv(results)});
   files.push_back({folder + "/residuals.csv", residuals_table(results)});
   files.push_back({folder + "/curves.csv", curves_table(results)});

@@ -17,6 +17,7 @@ struct ReportSettings {
   Progress progress{};
   std::string explorer{};  // path of the explorer's page, of which the report gets a copy with its data; empty: none
   OutputRules outputs{};   // inputs: those beside the inputs of the analyses; figures of former reports are removed
+  std::size_t most_inside = 10'000'000;  // bytes of drawings that the page holds; more lie in files beside it
 };
 
 /// One data set with its figures.
@@ -28,13 +29,14 @@ struct ReportEntry {
 struct ReportContent {
   ReportSettings settings;
   std::vector<ReportEntry> entries;
-  DrawnFigures drawn{};  // all figures
+  DrawnFigures drawn{};        // all figures
+  bool figures_inside = true;  // the page holds the drawings; else it shows their files
 };
 
 // ---- The documents of a report ----
 
-/// report.html: HTML5 that needs no other file, well-formed as XML below its first line. The same input gives the same
-/// bytes.
+/// report.html: HTML5, well-formed as XML below its first line. It needs no other file if the figures are inside; else
+/// it shows the files of those in sets that a reader opens. The same input gives the same bytes.
 std::string report_page(const ReportContent& content);
 /// explorer.html. `shell`: the explorer as tools/explorer makes it. Each data set is embedded as its file and its TOML,
 /// byte for byte; one of several files as its points. Empty if the shell has no place for them.

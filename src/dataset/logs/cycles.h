@@ -17,9 +17,10 @@ struct Cycle {
   double error_min = 0;
 };
 
-/// T of all frames, positive in the direction of the shear, from its start: T = direction * (T read) - start.
+/// T of the frames of a load step, positive in the direction of the shear, from its start: T = direction * (T read) -
+/// start. At the places that these frames have in the log; the others are not read.
 struct Shear {
-  std::vector<double> T;
+  const std::vector<double>& T;
   double direction, start;
   double noise;  // standard deviation of T
 };

@@ -14,8 +14,10 @@
 namespace mixity {
 namespace {
 
-/// The shear of a load step: T starts at 0 and is positive in the direction in which it goes further.
-Shear shear_of(const std::vector<double>& T, FrameRange step) {
+/// The shear of a load step: T starts at 0 and is positive in the direction in which it goes further. It is written to
+/// the places of the step in `sheared`, one array for all steps: copies of the log would cost its length times its
+/// runs.
+Shear shear_of(const std::vector<double>& T, FrameRange step, std::vector<double>& sheared) {
   const double start = median(
       part_of(T, step.begin, std::min(step.end, step.begin + std::max<std::size_t>(3, (step.end - step.begin) / 20))));
   double up = 0, down = 0;
@@ -23,8 +25,8 @@ Shear shear_of(const std::vector<double>& T, FrameRange step) {
     up = std::max(up, T[i] - start);
     down = std::max(down, start - T[i]);
   }
-  Shear shear{T, down > up ? -1.0 : 1.0, 0, 0};
-  for (double& one : shear.T) one = shear.direction * (one - start);
+  Shear shear{sheared, down > up ? -1.0 : 1.0, 0, 0};
+  for (std::size_t i = step.begin; i < step.end; ++i) sheared[i] = shear.direction * (T[i] - start);
   shear.start = T[step.begin] * shear.direction - shear.T[step.begin];
   shear.noise = std::max(noise_of(part_of(shear.T, step.begin, step.end)), 1e-9);
   return shear;
@@ -35,6 +37,7 @@ class Finder {
   Finder(Frames frames, const std::string& unit, double factor, const RunOptions& options)
       : unit_(unit), factor_(factor), options_(options) {
     found_.frames = std::move(frames);
+    sheared_.resize(found_.frames.T.size(), std::nan(""));
     if (options_.by_shear_alone) constant_.resize(found_.frames.A.size());
   }
 
@@ -87,7 +90,7 @@ class Finder {
     constexpr std::size_t kBeforeShear = 5;  // frames before the shear that a run keeps: areas without shear
     constexpr double kRises = 12;            // standard deviations of T
     const Frames& frames = found_.frames;
-    const Shear shear = shear_of(frames.T, step);
+    const Shear shear = shear_of(frames.T, step, sheared_);
     const std::vector<double>& T = shear.T;
     const auto top = static_cast<std::size_t>(std::max_element(T.data() + step.begin, T.data() + step.end) - T.data());
     // if T comes nearer to its zero, the contact is released, not sheared
@@ -217,6 +220,7 @@ class Finder {
   LoadingRuns found_;
   double noise_A_ = 0;            // m^2
   double rest_T_ = 0;             // N
+  std::vector<double> sheared_;   // T of the steps that were searched, see shear_of; NaN elsewhere
   std::vector<double> constant_;  // replaces the areas if they are not used
 };
 

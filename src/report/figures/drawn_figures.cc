@@ -35,4 +35,13 @@ DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string&
   return drawn;
 }
 
+std::string narrow_file(const Figure& figure) { return figure.name + "_narrow.svg"; }
+
+std::vector<OutputFile> draw_for_phones(const std::vector<Figure>& figures, const std::string& folder) {
+  std::vector<OutputFile> files;
+  for (const Figure& figure : figures)
+    if (figure.wide) files.push_back({folder + '/' + narrow_file(figure), svg(figure, Medium::file, true)});
+  return files;
+}
+
 }  // namespace mixity

@@ -23,4 +23,9 @@ struct DrawnFigures {
 DrawnFigures draw_figures(const std::vector<Figure>& figures, const std::string& folder, const FigureFormats& formats,
                           const Progress& progress = {});
 
+/// The files of wide figures as they are drawn for phones, which a page needs that shows files.
+std::vector<OutputFile> draw_for_phones(const std::vector<Figure>& figures, const std::string& folder);
+/// The name of such a file.
+std::string narrow_file(const Figure& figure);
+
 }  // namespace mixity

@@ -22,12 +22,15 @@ std::pair<std::size_t, std::size_t> shown_frames(const LoadingRuns& found, const
           std::min({run.last, run.end + 3 * margin, found.frames.time.size()})};
 }
 
-Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t number, const std::vector<double>& values,
+/// `value`: of a frame.
+template <class Value>
+Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t number, const Value& value,
                  const std::string& quantity, const std::string& unit) {
   const auto [begin, end] = shown_frames(found, run);
   const Frames& frames = found.frames;
-  const auto [least, most] = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                 values.begin() + static_cast<std::ptrdiff_t>(end));
+  std::vector<double> values;  // of the frames shown, not of the log, which may have many runs
+  for (std::size_t i = begin; i < end; ++i) values.push_back(value(i));
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const double room = 0.06 * (*most - *least), low = *least - room, high = *most + room;
   const double first = frames.time[begin], last = frames.time[end - 1];
   Figure figure{.name = "run_" + std::to_string(number) + "_" + quantity,
@@ -48,7 +51,7 @@ Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t nu
   shade(kept_to, last, run.onset ? "sliding, not kept" : "not kept", color(5));
   Series course{"", Look::circles, color(0)};
   const std::size_t step = std::max<std::size_t>(1, (end - begin) / kMostShown);
-  for (std::size_t i = begin; i < end; i += step) course.points.emplace_back(frames.time[i], values[i]);
+  for (std::size_t i = begin; i < end; i += step) course.points.emplace_back(frames.time[i], values[i - begin]);
   figure.series.push_back(std::move(course));
   const auto mark = [&](const CutTime& cut, const std::string& label) {
     if (!cut.stated && cut.high > cut.low) shade(cut.low, cut.high, "", color(0));
@@ -64,12 +67,10 @@ Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t nu
 std::vector<Figure> log_figures(const ReducedLog& log) {
   std::vector<Figure> figures;
   const Frames& frames = log.runs.frames;
-  std::vector<double> A;
-  for (const double one : frames.A) A.push_back(one / log.area_factor);
   for (const LoadingRun& run : log.runs.runs) {
     const std::size_t number = figures.size() / 2 + 1;
-    std::vector<double> T;
-    for (const double one : frames.T) T.push_back((run.direction * one - run.baseline) / log.force_factor);
+    const auto T = [&](std::size_t i) { return (run.direction * frames.T[i] - run.baseline) / log.force_factor; };
+    const auto A = [&](std::size_t i) { return frames.A[i] / log.area_factor; };
     Series peaks{"maximum of T", Look::squares, color(1)}, minima{"minimum behind it", Look::circles, color(2)};
     for (const Cycle& cycle : run.cycles) {
       peaks.points.emplace_back(cycle.time, cycle.T_peak / log.force_factor);

@@ -60,6 +60,7 @@ class Drawing {
     for (const Series& series : figure_.series) is_symbol(series.look) ? draw_symbols(series) : draw_line(series);
     draw_key();
     out_ << "</g></svg>\n";
+    out_.text.shrink_to_fit();  // a report holds all drawings until it is written
     return std::move(out_.text);
   }
 

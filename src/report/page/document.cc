@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "report/figures/drawn_figures.h"
+#include "report/figures/layout.h"
 #include "report/figures/svg.h"
 #include "report/figures/svg_text.h"
 #include "report/fit_table.h"
@@ -50,28 +52,56 @@ std::string folded_section(const std::string& title, const std::string& content)
   return element("details", text_element("summary", title) + content, {{"class", "part"}});
 }
 
-std::string figure_element(const Figure& figure, const std::vector<std::string>& endings, const std::string& folder,
-                           bool beside, const std::string& notes) {
+namespace {
+
+/// The figure's file, which opens by itself with the tooltips of its points. It is loaded when it comes into view.
+std::string shown_file(const Figure& figure, const std::string& file, bool narrow) {
+  std::string size;  // kept drawings have their own
+  if (figure.drawn.empty()) {
+    const Layout layout = lay_out(figure, narrow);
+    size = " width=\"" + std::to_string(layout.width) + "\" height=\"" + std::to_string(layout.height) + '"';
+  }
+  return element("a",
+                 "<img loading=\"lazy\" src=\"" + xml_escaped(file) + "\" alt=\"" +
+                     xml_escaped(with_powers(figure.title)) + '"' + size + "/>",
+                 {{"href", file}});
+}
+
+std::string drawing(const Figure& figure, const FigurePlace& place, bool narrow) {
+  const bool apart = narrow && figure.wide;
+  return place.in_file ? shown_file(figure, place.folder + (apart ? narrow_file(figure) : figure.name + ".svg"), narrow)
+                       : svg(figure, Medium::page, narrow);
+}
+
+}  // namespace
+
+std::string figure_element(const Figure& figure, const std::vector<std::string>& endings, const FigurePlace& place,
+                           const std::string& notes) {
   static const std::map<std::string, const char*> kNames{
       {".svg", "SVG"}, {".pdf", "PDF"}, {".png", "PNG"}, {".dat", "data"}, {".gp", "script"}};
-  const bool two = figure.wide && !beside;  // for screens and for phones
-  std::string content = element("div", svg(figure, Medium::page, beside), {{"class", two ? "plot broad" : "plot"}});
-  if (two) content += element("div", svg(figure, Medium::page, true), {{"class", "plot narrow"}});
+  const bool two = figure.wide && !place.beside_text;  // for screens and for phones
+  std::string content =
+      element("div", drawing(figure, place, place.beside_text), {{"class", two ? "plot broad" : "plot"}});
+  if (two) content += element("div", drawing(figure, place, true), {{"class", "plot narrow"}});
   std::string files;
-  for (const std::string& ending : endings) files += link_to(folder + figure.name + ending, kNames.at(ending)) + " ";
+  for (const std::string& ending : endings)
+    files += link_to(place.folder + figure.name + ending, kNames.at(ending)) + " ";
   content += element("figcaption", text_element("strong", with_powers(figure.title) + ". ") +
                                        xml_escaped(with_powers(figure.caption)) + " " +
                                        element("span", files, {{"class", "files"}}) + notes);
   return element("figure", content, two ? Attributes{{"class", "wide"}} : Attributes{});
 }
 
-std::string html_page(const std::string& title, const std::string& body) {
+std::string html_page(const std::string& title, const std::string& body, Images images) {
+  // a page of text and drawings: nothing in it runs, and nothing is fetched but drawings from its folder
+  const std::string policy = std::string("default-src 'none'; ") +
+                             (images == Images::of_files_beside ? "img-src 'self' file:; " : "") +
+                             "style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-         // a page of text and drawings: nothing in it runs or is fetched
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
-         "base-uri 'none'; form-action 'none'\">" +
-         text_element("title", title) + element("style", kPageStyle) + "</head>" + element("body", body) + "</html>\n";
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+         policy + "\">" + text_element("title", title) + element("style", kPageStyle) + "</head>" +
+         element("body", body) + "</html>\n";
 }
 
 }  // namespace mixity

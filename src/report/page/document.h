@@ -26,13 +26,21 @@ std::string table_of(const char* css_class, const std::vector<std::string>& head
 /// A section that a reader opens.
 std::string folded_section(const std::string& title, const std::string& content);
 
-/// A figure with its caption and links to its files, which have these endings and lie in `folder` ("figures/" or "").
-/// A wide one has a second drawing for phones. `beside`: beside text, where it is never wide. `notes`: markup below
-/// the caption.
-std::string figure_element(const Figure& figure, const std::vector<std::string>& endings, const std::string& folder,
-                           bool beside = false, const std::string& notes = {});
+struct FigurePlace {
+  std::string folder;        // of the figure's files: "figures/" or ""
+  bool beside_text = false;  // where it is never wide
+  bool in_file = false;      // the page shows the figure's file and does not hold the drawing
+};
 
-/// A page of one file. `body`: markup.
-std::string html_page(const std::string& title, const std::string& body);
+/// A figure with its caption and links to its files, which have these endings. A wide one has a second drawing for
+/// phones. `notes`: markup below the caption.
+std::string figure_element(const Figure& figure, const std::vector<std::string>& endings, const FigurePlace& place,
+                           const std::string& notes = {});
+
+/// What a page may load; nothing else, and it runs nothing.
+enum class Images { none, of_files_beside };
+
+/// A page. `body`: markup.
+std::string html_page(const std::string& title, const std::string& body, Images images = Images::none);
 
 }  // namespace mixity

@@ -27,7 +27,7 @@ std::string paper_page(const std::vector<Figure>& figures, const DrawnFigures& d
     std::string notes;
     if (!equations.empty()) notes += text_element("p", "Equations", "head") + list_of(equations);
     if (!print.empty()) notes += text_element("p", "Where the printed paper differs", "head") + list_of(print);
-    content += figure_element(figure, drawn.endings.at(figure.name), "", false, notes);
+    content += figure_element(figure, drawn.endings.at(figure.name), {}, notes);
   }
   return html_page(title, element("header", header) + element("main", element("div", content, {{"class", "figures"}})));
 }

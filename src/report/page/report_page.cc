@@ -1,167 +1,12 @@
-#include <map>
-
-#include "base/number_text.h"
 #include "base/phrases.h"
 #include "base/text.h"
-#include "report/data_text.h"
 #include "report/figures/svg_text.h"
-#include "report/fit_table.h"
-#include "report/fit_text.h"
+#include "report/page/data_set_section.h"
 #include "report/page/document.h"
 #include "report/report.h"
 
 namespace mixity {
 namespace {
-
-std::string provenance_banner(const Metadata& metadata) {
-  const Provenance provenance = metadata.provenance;
-  const std::string_view note = provenance == Provenance::reconstructed ? kReconstructedNotice
-                                : provenance == Provenance::unstated
-                                    ? "Nothing says where these data come from; state it in the TOML beside the file."
-                                : provenance == Provenance::digitised
-                                    ? "Read off a figure: errors of reading are part of the scatter."
-                                    : "";
-  return element("p",
-                 text_element("strong", "Provenance: " + std::string(to_string(provenance)) + ". ") + std::string(note),
-                 {{"class", provenance == Provenance::measured ? "soft" : "banner"}});
-}
-
-std::string source_of_data(const Dataset& data) {
-  const std::string counts =
-      row_counts(data) + (data.has_loads ? ", in " + counted(data.curves.size(), "loading run") : std::string());
-  std::string text = element("p", counts + ". File: " + text_element("code", data.shown_path()), {{"class", "soft"}});
-  if (!data.metadata.source.empty()) text += text_element("p", "Source: " + data.metadata.source, "soft");
-  if (!data.metadata.note.empty()) text += text_element("p", data.metadata.note, "soft");
-  return text;
-}
-
-/// Parts of the variance as one bar with a key below it.
-std::string budget_bar(const Answer& answer) {
-  if (answer.budget.empty()) return {};
-  std::string bar, key;
-  std::size_t number = 0;
-  for (const auto& [name, share] : answer.budget) {
-    const std::string paint = "--part:var(--color-" + std::to_string(1 + number++ % 7) + ")";
-    bar += element("span", "", {{"style", paint + ";flex:" + rounded(share, 4)}});
-    const std::string percent = rounded(100 * share, share < 0.1 ? 1 : 2) + " %";
-    key += element("span", xml_escaped(name + " " + percent), {{"style", paint}}) + " ";
-  }
-  return element("div",
-                 text_element("p", "Where the variance comes from", "soft") +
-                     element("div", bar, {{"class", "bar"}, {"aria-hidden", "true"}}) +
-                     element("p", key, {{"class", "key"}}),
-                 {{"class", "budget"}});
-}
-
-std::string jumps_table(const Answer& answer, const Dataset& data) {
-  const auto rows = jump_table(answer, data);
-  if (rows.empty()) return {};
-  std::string body;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    std::string cells;
-    for (const std::string& cell : rows[i]) cells += text_element("td", cell);
-    body += element("tr", cells);
-  }
-  return table_of("jumps", rows.front(), body, "Where the contact jumps under a tangential load, ± one standard error");
-}
-
-/// The first screen of a data set. `figure`: markup of the figure beside the result; empty: none.
-std::string answer_section(const Answer& answer, const Dataset& data, const std::string& figure) {
-  if (!answer.fit) return text_element("p", "No fit has a value: see All models.", "alert");
-  std::string words = text_element("p", answer.result, "result") + text_element("p", answer.model);
-  if (!answer.interval.empty()) words += text_element("p", answer.interval);
-  if (!answer.doubt.empty()) words += text_element("p", with_powers(answer.doubt) + ".", "alert");
-  words += budget_bar(answer) + jumps_table(answer, data);
-  const std::string box = element("div", element("div", words) + figure, {{"class", "answer"}});
-  return answer.cannot_say.empty()
-             ? box
-             : box + text_element("h3", "What these data cannot say") + list_of(answer.cannot_say);
-}
-
-std::string table_of_fits(const Analysis& result) {
-  std::string text, rows;
-  for (const std::string& sentence : findings(result)) text += text_element("p", with_powers(sentence));
-  const FitTable fits = fit_table(result);
-  for (const auto& row : fits.rows) {
-    std::string cells;
-    for (std::size_t column = 0; column < row.size(); ++column) {
-      Attributes attributes;
-      if (row[column].alert) attributes.emplace_back("class", "alert");
-      if (column == 0) attributes.emplace_back("scope", "row");
-      if (!row[column].lines.empty()) attributes.emplace_back("data-label", fits.headings[column]);
-      std::string lines;
-      for (const std::string& line : row[column].lines) lines += text_element("div", with_powers(line));
-      cells += element(column == 0 ? "th" : "td", lines, attributes);
-    }
-    rows += element("tr", cells);
-  }
-  return text + table_of("fits", fits.headings, rows);
-}
-
-std::string budgets(const Analysis& result) {
-  std::string text;
-  if (result.unsheared) text += text_element("p", with_powers(unsheared_sentence(*result.unsheared)) + ".");
-  for (const FitResult& fit : result.fits) {
-    std::vector<std::string> lines = budget_and_consistency(fit, result);
-    for (std::string& line : lines) line = with_powers(line);
-    if (!lines.empty()) text += text_element("h4", "Model " + fit.model) + list_of(lines);
-  }
-  return text;
-}
-
-std::string excluded_points(const Analysis& result) {
-  std::vector<std::string> lines;
-  for (const Excluded& point : result.data.excluded)
-    lines.push_back(result.data.line_text(point.line) + ": " + std::string(point.reason));
-  std::map<std::pair<std::size_t, std::string_view>, std::vector<std::string>> models;  // of line and reason
-  for (const FitResult& fit : result.fits)
-    for (const Excluded& point : fit.excluded) models[{point.line, point.reason}].push_back(fit.model);
-  for (const auto& [point, without] : models)
-    lines.push_back(
-        result.data.line_text(point.first) +
-        (without.size() == 1 ? ", model " + without.front() + " only: " : ", models " + joined(without) + ": ") +
-        std::string(point.second));
-  return lines.empty() ? text_element("p", "None.") : list_of(lines);
-}
-
-/// A(T) of the best model; without loads the toughness. Null without a fit that has values.
-const Figure* leading_figure(const ReportEntry& entry) {
-  const FitResult* const fit = entry.data->answer.fit;
-  if (!fit) return nullptr;
-  const std::string& stem = entry.data->stem;
-  for (const std::string& name : {stem + "_area_" + fit->model, stem + "_toughness"})
-    for (const FigureGroup& group : entry.figures.groups)
-      for (const Figure& figure : group.figures)
-        if (figure.name == name) return &figure;
-  return nullptr;
-}
-
-std::string data_set_section(const ReportContent& content, const ReportEntry& entry) {
-  const Analysis& result = entry.data->result;
-  const auto drawn = [&](const Figure& figure, bool beside) {
-    return figure_element(figure, content.drawn.endings.at(figure.name), "figures/", beside);
-  };
-  Attributes heading{{"id", entry.data->stem}};
-  if (&entry == &content.entries.front()) heading.insert(heading.begin(), {"class", "first"});
-  const Figure* const leading = leading_figure(entry);
-  std::string text = element("h2", xml_escaped(result.data.name), heading) + provenance_banner(result.data.metadata) +
-                     answer_section(entry.data->answer, result.data, leading ? drawn(*leading, true) : "") +
-                     folded_section(result.fits.size() > 1 ? "All models" : "The fit", table_of_fits(result)) +
-                     folded_section("Error budget and consistency", budgets(result));
-  for (const FigureGroup& group : entry.figures.groups) {
-    std::string figures;
-    for (const Figure& figure : group.figures)
-      if (&figure != leading) figures += drawn(figure, false);
-    if (!figures.empty()) text += folded_section(group.title, element("div", figures, {{"class", "figures"}}));
-  }
-  text += folded_section("Points left out", excluded_points(result)) +
-          folded_section("Data, assumptions and settings", source_of_data(result.data) + list_of(assumptions(result)) +
-                                                               definitions_of(fit_settings(result)));
-  std::vector<std::string> reasons;
-  for (const MissingFigure& figure : entry.figures.left_out) reasons.push_back(figure.what + ": " + figure.why);
-  if (!reasons.empty()) text += folded_section("Figures left out", list_of(reasons));
-  return element("section", text);
-}
 
 std::string reproduction(const std::string& command) {
   std::string tables = "Beside this page: ";
@@ -182,18 +27,25 @@ std::string report_page(const ReportContent& content) {
     links += link_to("#" + entry.data->stem, names.back());
     sections += data_set_section(content, entry);
   }
-  const std::string title = joined(names);
+  const bool inside = content.figures_inside;
+  const std::string title = inside || names.size() == 1 ? joined(names) : counted(names.size(), "data set");
   std::string header =
       text_element("h1", title) + text_element("p", "Mode-mixity fits by mixity " MIXITY_VERSION, "soft");
-  if (names.size() > 1) header += element("nav", links);
+  if (inside && names.size() > 1) header += element("nav", links);
+  if (!inside)
+    header += text_element("p",
+                           "The figures lie in the folder figures beside this page and are shown where a data set is "
+                           "opened: keep both together. All else is in the page.");
   if (!content.settings.explorer.empty())
     header += element("p",
                       link_to("explorer.html", "Explore these data in the browser") +
                           ": other constants, other loads, points left out, a file of your own.",
                       {{"class", "files"}});
   if (!content.drawn.missing.empty()) header += text_element("p", content.drawn.missing, "banner");
-  return html_page(title, element("header", header) + element("main", sections) +
-                              element("footer", reproduction(content.settings.command)));
+  return html_page(
+      title,
+      element("header", header) + element("main", sections) + element("footer", reproduction(content.settings.command)),
+      inside ? Images::none : Images::of_files_beside);
 }
 
 }  // namespace mixity

@@ -17,6 +17,9 @@ inline constexpr char kPageStyle[] = R"css(
     --color-4: #e6a0c8; --color-5: #ffc24d; --color-6: #9bd6fa; --color-7: #a6a6a6;
   }
 }
+@media screen and (prefers-color-scheme: dark) {
+  figure img { filter: invert(.91) hue-rotate(180deg); }  /* black on white becomes the page's ink on its paper */
+}
 * { box-sizing: border-box; }
 body { margin: 0 auto; max-width: 72rem; padding: 1.5rem 1rem 3rem; background: var(--paper); color: var(--ink);
   font: 16px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, "Liberation Sans", sans-serif; }
@@ -54,6 +57,7 @@ figure { margin: 0; border: 1px solid var(--line); border-radius: 6px; padding: 
 figure.wide { grid-column: 1 / -1; }
 figure svg { display: block; width: 100%; height: auto; }
 figure svg text, figure svg tspan { font-family: inherit; }
+figure img { display: block; width: 100%; height: auto; }
 figcaption { font-size: .88rem; color: var(--soft); margin-top: .4rem; }
 figcaption strong, .head { color: var(--ink); }
 .head { font-weight: 600; margin-top: .6rem; }
@@ -65,6 +69,10 @@ dd { margin: 0; overflow-wrap: anywhere; }
 .part > summary { font-weight: 600; padding: .6rem 0; break-after: avoid; }
 .part[open] { padding-bottom: 1rem; }
 summary { cursor: pointer; }
+.set { border-top: 1px solid var(--line); }
+.set > summary { padding: .5rem 0; overflow-wrap: anywhere; }
+.set > summary > * { display: inline-block; border: 0; padding: 0; margin: 0 .6rem 0 0; font-size: 1.05rem; vertical-align: top; }
+.set[open] { border-top: 2px solid var(--ink); padding-bottom: 2rem; }
 .narrow { display: none; }
 @media (max-width: 64rem) {
   .answer { grid-template-columns: minmax(0, 1fr); }

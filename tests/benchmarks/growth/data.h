@@ -15,8 +15,8 @@ struct Measured {
   double P, T, A;
 };
 
-inline std::vector<Measured> measurements(std::size_t n, std::size_t runs) {
-  std::mt19937_64 random(1);
+inline std::vector<Measured> measurements(std::size_t n, std::size_t runs, unsigned seed = 1) {
+  std::mt19937_64 random(seed);
   std::normal_distribution<double> noise(0, 0.01);
   const ContactModel model = ContactModel::find("b").value();
   const ParameterValues lambda{0.3};
@@ -35,11 +35,12 @@ inline std::vector<Measured> measurements(std::size_t n, std::size_t runs) {
   return points;
 }
 
-inline void write_csv(const std::string& path, std::size_t n, std::size_t runs = 10) {
+inline void write_csv(const std::string& path, std::size_t n, std::size_t runs = 10, unsigned seed = 1) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (!file) std::exit(2);
   std::fputs("P,T,A\n", file);
-  for (const Measured& point : measurements(n, runs)) std::fprintf(file, "%.6g,%.6g,%.6g\n", point.P, point.T, point.A);
+  for (const Measured& point : measurements(n, runs, seed))
+    std::fprintf(file, "%.6g,%.6g,%.6g\n", point.P, point.T, point.A);
   std::fclose(file);
 }
 

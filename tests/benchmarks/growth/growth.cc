@@ -1,10 +1,10 @@
-// growth [--largest=N] [TASK...]: time and memory of each task over a range of sizes, with the exponent of growth.
-// Tasks: reading, points, loads, replicates, threads; all by default.
+// growth [--largest=N] [--program=PATH ...] [TASK...]: time and memory of each task over a range of sizes, with the
+// exponent of growth. Tasks: reading, points, loads, replicates, threads, which call the library; columns, laws, sets,
+// runs, which run the program, that of this build or those at PATH. All by default.
 #include <malloc.h>
 #include <sched.h>
 
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <thread>
@@ -16,6 +16,8 @@
 #include "fitting/fit.h"
 #include "growth/data.h"
 #include "growth/measure.h"
+#include "growth/programs.h"
+#include "growth/table.h"
 
 namespace {
 
@@ -27,42 +29,6 @@ using Prepare = std::function<Task(std::size_t n)>;
 
 std::size_t largest = 10000000;
 
-class Folder {
- public:
-  Folder() : path_(std::filesystem::temp_directory_path() / ("mixity_growth_" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string file(std::size_t n, std::size_t runs = 10) const {
-    std::string path = path_ / (std::to_string(n) + "_" + std::to_string(runs) + ".csv");
-    if (!std::filesystem::exists(path)) write_csv(path, n, runs);
-    return path;
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
-std::string time_text(double seconds) {
-  char text[32];
-  const double shown = seconds < 1e-3 ? 1e6 * seconds : seconds < 1 ? 1e3 * seconds : seconds;
-  std::snprintf(text, sizeof text, "%.3g %s", shown, seconds < 1e-3 ? "us" : seconds < 1 ? "ms" : "s");
-  return text;
-}
-std::string memory_text(double bytes) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g MB", bytes / 1048576);
-  return text;
-}
-std::string exponent_text(const std::optional<double>& value) {
-  char text[32];
-  if (!value) return "";
-  std::snprintf(text, sizeof text, "%.2f", *value);
-  return text;
-}
-
 void run_on(std::size_t count) {
   cpu_set_t set;
   CPU_ZERO(&set);
@@ -70,31 +36,14 @@ void run_on(std::size_t count) {
   sched_setaffinity(0, sizeof set, &set);
 }
 
-/// One row a task: its time at each size, the exponent, memory at the largest and its exponent.
+/// Each task in a process of its own.
 void table(const char* unit, const std::vector<std::size_t>& sizes,
            const std::vector<std::pair<std::string, Prepare>>& tasks) {
-  std::printf("\n| %s |", unit);
-  for (const std::size_t n : sizes) std::printf(" %zu |", n);
-  std::printf(" time grows as n^ | memory at the last | each | memory grows as n^ |\n|---|");
-  for (std::size_t i = 0; i < sizes.size() + 4; ++i) std::printf("---|");
-  std::printf("\n");
-  for (const auto& task : tasks) {
-    const Prepare& prepare = task.second;
-    std::printf("| %s |", task.first.c_str());
-    std::vector<std::pair<double, double>> times, bytes;
-    for (const std::size_t n : sizes) {
-      // What has begun to take a minute would take ten at the next size.
-      const auto cost = times.empty() || times.back().second < 60 ? measured([&] { return prepare(n); }) : std::nullopt;
-      std::printf(" %s |", cost ? time_text(cost->seconds).c_str() : "-");
-      if (!cost) continue;
-      times.emplace_back(static_cast<double>(n), cost->seconds);
-      bytes.emplace_back(static_cast<double>(n), cost->bytes);
-    }
-    const auto last = bytes.empty() ? std::pair(1.0, 0.0) : bytes.back();
-    std::printf(" %s | %s | %.3g B | %s |\n", exponent_text(exponent(times, 1e-3)).c_str(),
-                memory_text(last.second).c_str(), last.second / last.first,
-                exponent_text(exponent(bytes, 1 << 20)).c_str());
-  }
+  std::vector<Row> rows;
+  for (const auto& task : tasks)
+    rows.push_back(
+        {task.first, [&prepare = task.second](std::size_t n) { return measured([&] { return prepare(n); }); }});
+  growth::table(unit, sizes, rows);
 }
 
 std::vector<std::size_t> powers(std::size_t first, std::size_t last) {
@@ -239,21 +188,33 @@ void threads(const Folder& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::pair<std::string, void (*)(const Folder&)>> known{
-      {"reading", reading}, {"points", points}, {"loads", loads}, {"replicates", replicates}, {"threads", threads}};
+  using Run = std::function<void(const Folder&)>;
+  Programs programs;
+  const auto of_programs = [&](void (*run)(const Folder&, const Programs&)) {
+    return [&programs, run](const Folder& folder) { run(folder, programs); };
+  };
+  const std::vector<std::pair<std::string, Run>> known{
+      {"reading", reading},        {"points", points},          {"loads", loads},
+      {"replicates", replicates},  {"threads", threads},        {"columns", of_programs(columns)},
+      {"laws", of_programs(laws)}, {"sets", of_programs(sets)}, {"runs", of_programs(runs)}};
   std::vector<std::string> wanted;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word.starts_with("--largest="))
       largest = static_cast<std::size_t>(std::atof(word.c_str() + 10));
+    else if (word.starts_with("--program="))
+      programs.push_back(word.substr(10));
     else
       wanted.push_back(word);
   }
+  if (programs.empty()) programs.emplace_back(MIXITY_PROGRAM);
   const auto is_known = [&](const std::string& word) {
     return std::any_of(known.begin(), known.end(), [&](const auto& task) { return task.first == word; });
   };
   if (largest < 1000 || !std::all_of(wanted.begin(), wanted.end(), is_known)) {
-    std::fprintf(stderr, "growth [--largest=N] [reading|points|loads|replicates|threads ...], N at least 1000\n");
+    std::string names;
+    for (const auto& task : known) names += (names.empty() ? "" : "|") + task.first;
+    std::fprintf(stderr, "growth [--largest=N] [--program=PATH ...] [%s ...], N at least 1000\n", names.c_str());
     return 2;
   }
   const Folder folder;
