@@ -14,26 +14,49 @@
 namespace mixity {
 namespace {
 
-/// The points' loads and areas; standard errors are 1 if not needed, so that residuals keep their unit.
-std::vector<MeasuredPoint> measured_points(const Dataset& data, const PreparedFit& prepared) {
-  std::vector<MeasuredPoint> points;
-  points.reserve(prepared.used.size());
+/// Where points lie in their experiment, with what their runs have of their own; empty where all points are alike.
+std::vector<PointPlace> places_of(const Dataset& data, const PreparedFit& prepared) {
   const bool by_run = prepared.errors && prepared.errors->runs.any();
   const bool varies = by_run || has_changes(prepared.constants) ||
                       std::any_of(prepared.fitted.begin(), prepared.fitted.end(),
                                   [](const FittedConstant& one) { return is_change(one.constant); });
-  std::vector<PointPlace> at;  // empty where all points are alike
-  if (varies) at = places(data, prepared.errors ? prepared.errors->place_T : std::vector<double>());
+  if (!varies) return {};
+  std::vector<PointPlace> at = places(data, prepared.errors ? prepared.errors->place_T : std::vector<double>());
   for (std::size_t q = 0; by_run && q < prepared.errors->runs.names.size(); ++q)
     if (const auto constant = constant_named(prepared.errors->runs.names[q]))
       for (std::size_t i = 0; i < at.size(); ++i)
         at[i].shift(*constant, prepared.errors->runs.deviations[q][data.points[i].curve]);
-  for (const std::size_t i : prepared.used) {
-    const Point& p = data.points[i];
-    points.push_back({p.P, data.shear_as_read(i), p.A, prepared.errors ? prepared.errors->T[i] : 1.0,
-                      prepared.errors ? prepared.errors->A[i] : 1.0, varies ? at[i] : PointPlace{}, p.curve});
+  return at;
+}
+
+/// The points' loads and areas; standard errors are 1 if not needed, so that residuals keep their unit. The data set
+/// must outlive them.
+MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared) {
+  struct Beside {
+    std::vector<std::size_t> used;
+    std::vector<double> T, A;  // standard errors of each of the data set
+    std::vector<PointPlace> places;
+  };
+  auto beside = std::make_shared<Beside>();
+  bool all = true;  // in their order, as mostly
+  for (std::size_t k = 0; all && k < prepared.used.size(); ++k) all = prepared.used[k] == k;
+  if (!all) beside->used = prepared.used;
+  if (prepared.errors) {
+    beside->T = prepared.errors->T;
+    beside->A = prepared.errors->A;
   }
-  return points;
+  beside->places = places_of(data, prepared);
+  return {prepared.used.size(), [&data, beside = std::shared_ptr<const Beside>(std::move(beside))](std::size_t k) {
+            const std::size_t i = beside->used.empty() ? k : beside->used[k];
+            const Point& p = data.points[i];
+            return MeasuredPoint{p.P,
+                                 data.shear_as_read(i),
+                                 p.A,
+                                 beside->T.empty() ? 1.0 : beside->T[i],
+                                 beside->A.empty() ? 1.0 : beside->A[i],
+                                 beside->places.empty() ? PointPlace{} : beside->places[i],
+                                 p.curve};
+          }};
 }
 
 /// How far the model's parameters of each run are from those of all; empty: none differ.
