@@ -10,7 +10,8 @@
 namespace mixity {
 namespace {
 
-constexpr std::size_t kBlock = 512;             // points whose arrays stay in the processor's cache
+constexpr std::size_t kBlock = 512;  // points whose arrays stay in the processor's cache
+constexpr std::size_t kBlocksOfAPart = 64;
 constexpr std::size_t kPointsOfAThread = 1024;  // fewer take less time than starting it
 
 }  // namespace
@@ -115,6 +116,22 @@ bool CurveObjective::evaluate_again(std::span<const double> x, std::span<double>
   return residuals_of(x, residuals, jacobian, memory);
 }
 
+std::size_t CurveObjective::parts() const {
+  return whitening_ ? 1 : std::max<std::size_t>((blocks_.size() - 1 + kBlocksOfAPart - 1) / kBlocksOfAPart, 1);
+}
+
+bool CurveObjective::evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+                                   std::vector<double>& jacobian) const {
+  if (parts() == 1) return Problem::evaluate_part(part, x, residuals, jacobian);
+  const std::size_t begin = part * kBlocksOfAPart, end = std::min(begin + kBlocksOfAPart, blocks_.size() - 1),
+                    first = blocks_[begin], n = blocks_[end] - first;
+  residuals.resize(n);
+  jacobian.resize(n * choice_.size());
+  if (!some_blocks(x, points_, {begin, end, first}, Search::global, {residuals, jacobian, {}})) return false;
+  for (std::size_t i = 0; i < expected_.size() && i < n; ++i) residuals[i] -= expected_[index_of(first + i)];
+  return true;
+}
+
 bool CurveObjective::evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
   if (!sample_) return all_blocks(x, points_, Search::rough, {residuals, {}, {}});
   std::fill(residuals.begin(), residuals.end(), 0.0);
@@ -124,13 +141,25 @@ bool CurveObjective::evaluate_roughly(std::span<const double> x, std::span<doubl
 bool CurveObjective::residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                                   std::span<double> places) const {
   if (!all_blocks(x, points_, Search::global, {residuals, jacobian, places})) return false;
+  take_off_and_whiten(residuals, jacobian);
+  return true;
+}
+
+bool CurveObjective::evaluate_both(std::span<const double> x, std::span<double> residuals,
+                                   std::vector<double>& distances) const {
+  if (!all_blocks(x, points_, Search::global, {residuals, {}, {}})) return false;
+  distances.assign(residuals.begin(), residuals.end());
+  take_off_and_whiten(residuals, {});
+  return true;
+}
+
+void CurveObjective::take_off_and_whiten(std::span<double> residuals, std::span<double> jacobian) const {
   for (std::size_t i = 0; i < expected_.size(); ++i) residuals[i] -= expected_[i];
-  if (!whitening_) return true;
+  if (!whitening_) return;
   whitening_->apply(residuals);
   const std::size_t width = choice_.size();
   if (!jacobian.empty())
     for (std::size_t k = 0; k < width; ++k) whitening_->apply(jacobian.subspan(k), width);
-  return true;
 }
 
 std::optional<NearestPlaces> CurveObjective::nearest(std::span<const double> x) const {
@@ -159,19 +188,19 @@ std::optional<std::vector<double>> CurveObjective::expected(std::span<const doub
   return mean;
 }
 
-bool CurveObjective::all_blocks(std::span<const double> x, const MeasuredPoints& points, Search search,
-                                const Wanted& wanted) const {
+bool CurveObjective::some_blocks(std::span<const double> x, const MeasuredPoints& points, const Range& range,
+                                 Search search, const Wanted& wanted) const {
   Candidate at = candidate(x);
   model().make_continuous(at.parameters);
-  const std::size_t n = points.size, blocks = blocks_.size() - 1;
-  std::atomic<std::size_t> next = 0;
+  const std::size_t n = blocks_[range.end] - blocks_[range.begin];
+  std::atomic<std::size_t> next = range.begin;
   std::atomic<bool> defined = true;
   const auto work = [&] {
     Workspace workspace(std::min(n, kBlock), model_parameters());
-    for (std::size_t block; defined && (block = next++) < blocks;) {
+    for (std::size_t block; defined && (block = next++) < range.end;) {
       const std::size_t begin = blocks_[block], end = blocks_[block + 1];
-      if (!one_block(shifts_.empty() ? at : of_run(at, points.at(index_of(begin)).run), points, begin, end, search,
-                     workspace, wanted))
+      if (!one_block(shifts_.empty() ? at : of_run(at, points.at(index_of(begin)).run), points, begin, end, range,
+                     search, workspace, wanted))
         defined = false;
     }
   };
@@ -190,7 +219,7 @@ Candidate CurveObjective::of_run(const Candidate& of_all, std::size_t run) const
 }
 
 bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,
-                               Search search, Workspace& workspace, const Wanted& wanted) const {
+                               const Range& range, Search search, Workspace& workspace, const Wanted& wanted) const {
   const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
   const bool varies = varies_ || has_changes(at.constants);
   ConstantsScale scale(at.constants);
@@ -219,10 +248,10 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
                                !wanted.jacobian.empty() || wanted.nearest, out))
     return false;
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t to = index_of(begin + i);
+    const std::size_t index = index_of(begin + i), to = range.first ? begin + i - *range.first : index;
     wanted.residuals[to] = out.r[i];
     if (wanted.jacobian.empty() && !wanted.nearest) continue;
-    const PointPlace place = points.at(to).place;  // drifts act at 0, too
+    const PointPlace place = points.at(index).place;  // drifts act at 0, too
     if (varies) scale = ConstantsScale(at.constants, place);
     if (wanted.nearest) {
       const double load_T = std::copysign(out.dT[i], out.dT[i] * T[i]) * sigma_T[i];  // equilibrium knows |T| alone
