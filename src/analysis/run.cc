@@ -81,7 +81,7 @@ FitOptions with_errors_of_best(const Analysis& result) {
     const auto criteria = fit.errors && fit.objective == Objective::curve ? information(fit) : std::nullopt;
     if (!criteria || !(criteria->aic < least)) continue;
     least = criteria->aic;
-    options.errors = std::make_shared<StandardErrors>(*fit.errors);
+    options.errors = fit.errors;
   }
   return options;
 }

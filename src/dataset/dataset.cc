@@ -97,19 +97,23 @@ std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
   return runs;
 }
 
-std::vector<PointPlace> places(const Dataset& data, const std::vector<double>& T) {
+PointPlaces::PointPlaces(const Dataset& data) : data_(data), largest_(data.curves.size()) {
+  for (const Point& point : data.points) largest_[point.curve] = std::max(largest_[point.curve], point.shear());
+}
+
+PointPlace PointPlaces::at(std::size_t i, double T) const {
   constexpr double kNoShear = 0.01;
-  std::vector<double> largest(data.curves.size());
-  for (const Point& point : data.points) largest[point.curve] = std::max(largest[point.curve], point.shear());
-  const double last = static_cast<double>(data.curves.size()) - 1;
+  const Point& point = data_.points[i];
+  const double last = static_cast<double>(data_.curves.size()) - 1, most = largest_[point.curve],
+               order = last > 0 ? static_cast<double>(point.curve) / last - 0.5 : 0;
+  return {order, most > 0 ? std::pow(std::abs(T) / most, 2) : 0, !(point.shear() > kNoShear * most)};
+}
+
+std::vector<PointPlace> places(const Dataset& data) {
+  const PointPlaces of(data);
   std::vector<PointPlace> list;
   list.reserve(data.points.size());
-  for (std::size_t i = 0; i < data.points.size(); ++i) {
-    const Point& point = data.points[i];
-    const double most = largest[point.curve], order = last > 0 ? static_cast<double>(point.curve) / last - 0.5 : 0,
-                 stretch = std::pow((T.empty() ? point.shear() : std::abs(T[i])) / most, 2);
-    list.push_back({order, most > 0 ? stretch : 0, !(point.shear() > kNoShear * most)});
-  }
+  for (std::size_t i = 0; i < data.points.size(); ++i) list.push_back(of.at(i));
   return list;
 }
 

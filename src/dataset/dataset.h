@@ -163,8 +163,20 @@ std::string distinct_name(const std::string& wanted, const std::vector<std::stri
 /// Indices into Dataset::points, by run.
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
 
-/// Of each point. Needs loads. `T`: of each point, without noise; empty: the readings.
-std::vector<PointPlace> places(const Dataset& data, const std::vector<double>& T = {});
+/// Where each point lies, found when it is needed. Needs loads; the data set must outlive this.
+class PointPlaces {
+ public:
+  explicit PointPlaces(const Dataset& data);
+  PointPlace at(std::size_t point) const { return at(point, data_.points[point].T); }
+  /// `T`: of the point without noise.
+  PointPlace at(std::size_t point, double T) const;
+
+ private:
+  const Dataset& data_;
+  std::vector<double> largest_;  // shear of each run
+};
+/// Of each point.
+std::vector<PointPlace> places(const Dataset& data);
 
 /// The data set with its readings corrected by the stated constants, which it then states no longer.
 Dataset corrected(Dataset data);

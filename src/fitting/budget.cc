@@ -13,30 +13,61 @@ namespace {
 constexpr double kRounding = 100;
 
 /// The effective number of independent tests, from the eigenvalues of their correlations (Galwey 2009).
-double effective_number(const std::vector<Eigen::VectorXd>& columns) {
-  const std::size_t m = columns.size();
-  if (m == 0) return 0;
-  Eigen::MatrixXd correlations(m, m);
-  for (std::size_t i = 0; i < m; ++i)
-    for (std::size_t j = 0; j < m; ++j)
-      correlations(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = columns[i].dot(columns[j]);
+double effective_number(const Eigen::MatrixXd& correlations) {
+  if (correlations.size() == 0) return 0;
   const Eigen::VectorXd values = eigenvalues(correlations).cwiseMax(0);
   return std::pow(values.cwiseSqrt().sum(), 2) / values.sum();
 }
+
+/// The rows of a problem over a unit, part by part: several parts are evaluated again in each pass.
+class Rows {
+ public:
+  Rows(const Problem& problem, const std::vector<double>& x, double unit) : problem_(problem), x_(x), unit_(unit) {}
+
+  /// Calls take(J, r). False if a value is not finite.
+  template <class Take>
+  bool each(const Take& take) {
+    for (std::size_t part = 0; part < problem_.parts(); ++part) {
+      if (problem_.parts() > 1 || residuals_.empty()) {
+        if (!problem_.evaluate_part(part, x_, residuals_, jacobian_)) return false;
+        for (std::vector<double>* const list : {&residuals_, &jacobian_})
+          for (double& one : *list) one /= unit_;
+      }
+      const auto J = as_matrix(jacobian_, x_.size());
+      const auto r = as_vector(residuals_);
+      if (!J.allFinite() || !r.allFinite()) return false;
+      take(J, r);
+    }
+    return true;
+  }
+
+ private:
+  const Problem& problem_;
+  const std::vector<double>& x_;
+  double unit_;
+  std::vector<double> residuals_, jacobian_;
+};
+
+/// A constant that was not fitted, and sums over the rows.
+struct Tested {
+  std::size_t column;
+  double square = 0, slope = 0;  // |c|^2 and c'r
+  Eigen::VectorXd across{};      // J'c of the parameters that the fit moves
+  Eigen::VectorXd moved{};       // of these by the fit, for each unit of the constant
+  bool tested = false;           // its column is independent of those of the fit
+  double robust = 0;             // sum of the squares of HC3
+  double left() const { return square - across.dot(moved); }
+  double fall() const { return slope * slope / left(); }
+};
 
 }  // namespace
 
 std::optional<Budget> error_budget(const Problem& problem, const std::vector<double>& x, double unit,
                                    const std::vector<bool>& held, const std::vector<ConstantStep>& exact) {
-  const std::size_t n = problem.residual_count(), fitted = held.size(), all = fitted + exact.size();
+  const std::size_t n = problem.residual_count(), fitted = held.size();
   const auto& parameters = problem.parameters();
-  std::vector<double> residuals(n), jacobian(n * all);
-  if (fitted == 0 || !(unit > 0) || !problem.evaluate(x, residuals, jacobian)) return std::nullopt;
-  const RowMajorMatrix J = as_matrix(jacobian, all) / unit;
-  const Eigen::VectorXd r = as_vector(residuals) / unit;
-  if (!J.allFinite() || !r.allFinite()) return std::nullopt;
-  const bool scatters = r.norm() * unit > kRounding * residual_rounding(problem);
-
+  if (fitted == 0 || !(unit > 0)) return std::nullopt;
+  Rows rows(problem, x, unit);
   std::vector<std::size_t> open;  // columns of parameters that the fit moves
   for (std::size_t k = 0; k < fitted; ++k)
     if (!held[k]) open.push_back(k);
@@ -46,7 +77,23 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
     const double prior = parameters[open[static_cast<std::size_t>(i)]].prior;
     priors[i] = prior > 0 ? prior : std::numeric_limits<double>::infinity();
   }
-  const Eigen::MatrixXd open_J = J(Eigen::all, open), of_data = open_J.transpose() * open_J;
+  std::vector<Tested> constants;
+  for (const ConstantStep& one : exact) constants.push_back({one.parameter, 0, 0, Eigen::VectorXd::Zero(m)});
+  Eigen::MatrixXd of_data = Eigen::MatrixXd::Zero(m, m);
+  double squares = 0;
+  const bool finite = rows.each([&](const auto& J, const auto& r) {
+    const Eigen::MatrixXd open_J = J(Eigen::all, open);
+    of_data += open_J.transpose() * open_J;
+    squares += r.squaredNorm();
+    for (Tested& one : constants) {
+      const Eigen::VectorXd column = J.col(static_cast<Eigen::Index>(one.column));
+      one.square += column.squaredNorm();
+      one.across += open_J.transpose() * column;
+      one.slope += column.dot(r);
+    }
+  });
+  if (!finite) return std::nullopt;
+  const bool scatters = std::sqrt(squares) * unit > kRounding * residual_rounding(problem);
   Eigen::MatrixXd H = of_data;
   H.diagonal() += priors.cwiseAbs2().cwiseInverse();
   // scaled to a unit diagonal, against rounding errors
@@ -57,7 +104,6 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
     return scale.cwiseProduct(solve_symmetric(H, scale.cwiseProduct(right)));
   };
   Budget budget{parameters[0].name, parameters[0].unit, {}, {}, {}, 0};
-  std::vector<Eigen::VectorXd> tested;  // direction of each score test
   const bool moves = !held[0];
   if (moves) {
     const Eigen::VectorXd row = solve(Eigen::VectorXd::Unit(m, 0));
@@ -71,45 +117,70 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
         budget.parts.push_back({parameters[k].name, part * part / variance, (x[k] - *parameters[k].start) / priors[i]});
     }
   }
-  for (const ConstantStep& one : exact) {
-    const FreeParameter& parameter = parameters[one.parameter];
-    const Eigen::VectorXd column = J.col(static_cast<Eigen::Index>(one.parameter));
-    const Eigen::VectorXd moved = solve(open_J.transpose() * column);  // of the fit, for each unit of the constant
-    const double at = x[one.parameter], scale_of = parameters[0].shown_slope(x[0]);
+  std::vector<Tested*> tests;
+  for (Tested& one : constants) {
+    one.moved = solve(one.across);
+    // a column that depends on those of the fit, to rounding, cannot be tested
+    one.tested = one.left() > 1e-9 * one.square && scatters;
+    if (one.tested) tests.push_back(&one);
+  }
+  const auto count = static_cast<Eigen::Index>(tests.size());
+  Eigen::MatrixXd correlations = Eigen::MatrixXd::Zero(count, count);
+  const bool whole = problem.parts() == 1;  // columns, whose lengths are known at once
+  const bool again = tests.empty() || rows.each([&](const auto& J, const auto& r) {
+    const Eigen::MatrixXd open_J = J(Eigen::all, open);
+    Eigen::MatrixXd directions(J.rows(), count);  // of the tests
+    for (Eigen::Index k = 0; k < count; ++k) {
+      Tested& one = *tests[static_cast<std::size_t>(k)];
+      const Eigen::VectorXd column = J.col(static_cast<Eigen::Index>(one.column));
+      const Eigen::VectorXd apart = column - open_J * one.moved;
+      directions.col(k) = whole ? apart.normalized() : apart;
+      if (problem.known_errors()) continue;
+      // Errors of unknown size: the larger p of two, for one variance of all residuals, and for a variance of each
+      // from the residual and its leverage with the constant free (MacKinnon & White's HC3).
+      const Eigen::ArrayXd leverage = apart.array().square() / one.left(),
+                           free = (r - apart * (one.slope / one.left())).array() / (1 - leverage).max(0.1);
+      one.robust += (apart.array() * free).square().sum();
+    }
+    for (Eigen::Index i = 0; i < count; ++i)
+      for (Eigen::Index j = 0; j < count; ++j) correlations(i, j) += directions.col(i).dot(directions.col(j));
+  });
+  if (!again) return std::nullopt;
+  if (!whole) {
+    const Eigen::VectorXd lengths = correlations.diagonal().cwiseSqrt();
+    correlations.array() /= (lengths * lengths.transpose()).array();
+  }
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    const ConstantStep& step = exact[k];
+    const Tested& one = constants[k];
+    const FreeParameter& parameter = parameters[one.column];
+    const double at = x[one.column], scale_of = parameters[0].shown_slope(x[0]);
     ExactConstant constant{parameter.name,
                            parameter.unit,
-                           moves ? std::optional(-moved[0] * one.step * scale_of) : std::nullopt,
-                           parameter.shown(at + one.step) - parameter.shown(at),
+                           moves ? std::optional(-one.moved[0] * step.step * scale_of) : std::nullopt,
+                           parameter.shown(at + step.step) - parameter.shown(at),
                            {}};
-    const double square = column.squaredNorm(), left = square - (open_J.transpose() * column).dot(moved);
-    // a column that depends on those of the fit, to rounding, cannot be tested
-    if (left > 1e-9 * square && scatters) {
-      const double slope = column.dot(r), fall = slope * slope / left;
-      const Eigen::VectorXd apart = column - open_J * moved;
-      tested.push_back(apart.normalized());
+    if (one.tested) {
+      const double left = one.left(), fall = one.fall();
       double p_value = chi_squared_p_value(fall, 1);
       if (const Eigen::Index freedom = static_cast<Eigen::Index>(n) - m - 1; !problem.known_errors()) {
-        // Errors of unknown size: the larger p of two, for one variance of all residuals, and for a variance of each
-        // from the residual and its leverage with the constant free (MacKinnon & White's HC3).
-        const Eigen::ArrayXd leverage = apart.array().square() / left,
-                             free = (r - apart * (slope / left)).array() / (1 - leverage).max(0.1);
-        double robust = (apart.array() * free).square().sum();
-        for (Eigen::Index i = 0; i < m; ++i) robust += std::pow(moved[i] / priors[i], 2);
-        const double alike = left * std::max(r.squaredNorm() - fall, 0.0) / static_cast<double>(freedom);
+        double robust = one.robust;
+        for (Eigen::Index i = 0; i < m; ++i) robust += std::pow(one.moved[i] / priors[i], 2);
+        const double alike = left * std::max(squares - fall, 0.0) / static_cast<double>(freedom);
         p_value = freedom > 0 && robust > 0 && alike > 0
-                      ? student_p_value(slope / std::sqrt(std::max(robust, alike)), static_cast<double>(freedom))
+                      ? student_p_value(one.slope / std::sqrt(std::max(robust, alike)), static_cast<double>(freedom))
                       : 1;
       }
-      constant.score = {fall, parameter.shown(at - slope / left), p_value};
+      constant.score = {fall, parameter.shown(at - one.slope / left), p_value};
       if (moves) {
         const double variance = solve(Eigen::VectorXd::Unit(m, 0))[0];
-        constant.score->change = moved[0] * slope / left / std::sqrt(variance);
-        constant.score->widening = std::sqrt(1 + moved[0] * moved[0] / left / variance);
+        constant.score->change = one.moved[0] * one.slope / left / std::sqrt(variance);
+        constant.score->widening = std::sqrt(1 + one.moved[0] * one.moved[0] / left / variance);
       }
     }
     budget.exact.push_back(std::move(constant));
   }
-  budget.independent = effective_number(tested);
+  budget.independent = effective_number(correlations);
   return budget;
 }
 

@@ -10,24 +10,24 @@
 namespace mixity {
 namespace {
 
-constexpr std::size_t kBlock = 512;             // points whose arrays stay in the processor's cache
+constexpr std::size_t kBlock = 512;  // points whose arrays stay in the processor's cache
+constexpr std::size_t kBlocksOfAPart = 64;
 constexpr std::size_t kPointsOfAThread = 1024;  // fewer take less time than starting it
 
 }  // namespace
 
-/// Arrays of a block: the points as scaled, and their distances with derivatives.
+/// Arrays of a block: the points as scaled, their distances with derivatives, and their places.
 struct CurveObjective::Workspace {
-  Workspace(std::size_t n, std::size_t parameters) : values(new double[n * (9 + parameters)]), size(n) {}
+  Workspace(std::size_t n, std::size_t parameters) : values(new double[n * (11 + parameters)]), size(n) {}
   std::span<double> array(std::size_t which, std::size_t n) { return {values.get() + which * size, n}; }
   std::unique_ptr<double[]> values;
   std::size_t size;
 };
 
-CurveObjective::CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice,
-                               std::vector<double> expected, std::shared_ptr<const Whitening> whitening,
-                               std::vector<ParameterValues> shifts)
+CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::vector<double> expected,
+                               std::shared_ptr<const Whitening> whitening, std::vector<ParameterValues> shifts)
     : ModelProblem(std::move(choice)),
-      order_(points.size()),
+      points_(std::move(points)),
       expected_(std::move(expected)),
       whitening_(std::move(whitening)),
       shifts_(std::move(shifts)) {
@@ -35,32 +35,74 @@ CurveObjective::CurveObjective(const std::vector<MeasuredPoint>& points, FreeCho
   // the points before predict that noise, the prediction of the residual is off by -2 times the expected distance.
   if (whitening_ && !whitening_->predicted_across().empty())
     for (std::size_t i = 0; i < expected_.size(); ++i) expected_[i] *= 1 - 2 * whitening_->predicted_across()[i];
-  // by load, so that the points of one curve are processed together
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
-  const auto run_of = [&](std::size_t i) { return shifts_.empty() ? 0 : points[i].run; };
-  std::stable_sort(order_.begin(), order_.end(), [&](std::size_t i, std::size_t j) {
-    return std::pair(run_of(i), points[i].P) < std::pair(run_of(j), points[j].P);
-  });
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (i == 0 || i - blocks_.back() == kBlock || run_of(order_[i]) != run_of(order_[i - 1])) blocks_.push_back(i);
-  blocks_.push_back(points.size());
-  points_.reserve(points.size());
-  for (const std::size_t i : order_) points_.push_back(points[i]);
-  for (const MeasuredPoint& point : points) {
+  sort_points();
+  const std::size_t n = points_.size;
+  double areas = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const MeasuredPoint point = points_.at(i);
     varies_ |= point.place.has_own_constants();
-    targets_.push_back(point.A / point.sigma_A);
-    weights_.push_back(1 / point.sigma_A);
+    const double target = point.A / point.sigma_A;
+    areas += target * target;
   }
-  if (points.size() < 2 * kSample) return;
+  double square = std::pow(std::sqrt(areas), 2);
+  std::size_t run_before = 0;
+  for (std::size_t rank = 0; rank < n; ++rank) {
+    const MeasuredPoint point = points_.at(index_of(rank));
+    square += std::pow(point.T / point.sigma_T, 2);
+    const std::size_t run = shifts_.empty() ? 0 : point.run;
+    if (rank == 0 || rank - blocks_.back() == kBlock || run != run_before) blocks_.push_back(rank);
+    run_before = run;
+  }
+  data_norm_ = std::sqrt(square);
+  blocks_.push_back(n);
+  if (n < 2 * kSample) return;
   std::vector<MeasuredPoint> sample;
-  for (std::size_t i = 0; i < kSample; ++i) sample.push_back(points_[i * points_.size() / kSample]);
-  sample_ = std::make_unique<CurveObjective>(sample, choice_, std::vector<double>(), nullptr, shifts_);
+  for (std::size_t i = 0; i < kSample; ++i) sample.push_back(points_.at(index_of(i * n / kSample)));
+  sample_ = std::make_unique<CurveObjective>(std::move(sample), choice_, std::vector<double>(), nullptr, shifts_);
 }
 
-double CurveObjective::data_norm() const {
-  double square = std::pow(ModelProblem::data_norm(), 2);
-  for (const MeasuredPoint& point : points_) square += std::pow(point.T / point.sigma_T, 2);
-  return std::sqrt(square);
+/// By load, so that the points of one curve are processed together. Points that follow each other at the same load are
+/// moved together: a run is mostly one such stretch.
+void CurveObjective::sort_points() {
+  using Key = std::pair<std::size_t, double>;
+  struct Stretch {
+    Key key;
+    std::size_t begin;
+  };
+  std::vector<Stretch> stretches;
+  bool sorted = true;
+  for (std::size_t i = 0; i < points_.size; ++i) {
+    const MeasuredPoint point = points_.at(i);
+    const Key key(shifts_.empty() ? 0 : point.run, point.P);
+    if (!stretches.empty() && stretches.back().key == key) continue;
+    sorted &= stretches.empty() || stretches.back().key < key;
+    stretches.push_back({key, i});
+  }
+  if (sorted) return;
+  std::vector<std::size_t> by_key(stretches.size());
+  std::iota(by_key.begin(), by_key.end(), std::size_t{0});
+  std::stable_sort(by_key.begin(), by_key.end(),
+                   [&](std::size_t i, std::size_t j) { return stretches[i].key < stretches[j].key; });
+  order_.reserve(points_.size);
+  for (const std::size_t k : by_key) {
+    const std::size_t end = k + 1 < stretches.size() ? stretches[k + 1].begin : points_.size;
+    for (std::size_t i = stretches[k].begin; i < end; ++i) order_.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+std::vector<double> CurveObjective::targets() const {
+  std::vector<double> list(points_.size);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const MeasuredPoint point = points_.at(i);
+    list[i] = point.A / point.sigma_A;
+  }
+  return list;
+}
+
+std::vector<double> CurveObjective::weights() const {
+  std::vector<double> list(points_.size);
+  for (std::size_t i = 0; i < list.size(); ++i) list[i] = 1 / points_.at(i).sigma_A;
+  return list;
 }
 
 bool CurveObjective::evaluate(std::span<const double> x, std::span<double> residuals,
@@ -70,80 +112,95 @@ bool CurveObjective::evaluate(std::span<const double> x, std::span<double> resid
 
 bool CurveObjective::evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                                     std::vector<double>& memory) const {
-  memory.resize(2 * points_.size(), 0.0);
+  memory.resize(2 * points_.size, 0.0);
   return residuals_of(x, residuals, jacobian, memory);
 }
 
+std::size_t CurveObjective::parts() const {
+  return whitening_ ? 1 : std::max<std::size_t>((blocks_.size() - 1 + kBlocksOfAPart - 1) / kBlocksOfAPart, 1);
+}
+
+bool CurveObjective::evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+                                   std::vector<double>& jacobian) const {
+  if (parts() == 1) return Problem::evaluate_part(part, x, residuals, jacobian);
+  const std::size_t begin = part * kBlocksOfAPart, end = std::min(begin + kBlocksOfAPart, blocks_.size() - 1),
+                    first = blocks_[begin], n = blocks_[end] - first;
+  residuals.resize(n);
+  jacobian.resize(n * choice_.size());
+  if (!some_blocks(x, points_, {begin, end, first}, Search::global, {residuals, jacobian, {}})) return false;
+  for (std::size_t i = 0; i < expected_.size() && i < n; ++i) residuals[i] -= expected_[index_of(first + i)];
+  return true;
+}
+
 bool CurveObjective::evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
-  if (!sample_) return all_blocks(x, Search::rough, residuals, {}, {});
+  if (!sample_) return all_blocks(x, points_, Search::rough, {residuals, {}, {}});
   std::fill(residuals.begin(), residuals.end(), 0.0);
   return sample_->evaluate_roughly(x, residuals.first(sample_->residual_count()));
 }
 
 bool CurveObjective::residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                                   std::span<double> places) const {
-  if (!all_blocks(x, Search::global, residuals, jacobian, places)) return false;
+  if (!all_blocks(x, points_, Search::global, {residuals, jacobian, places})) return false;
+  take_off_and_whiten(residuals, jacobian);
+  return true;
+}
+
+bool CurveObjective::evaluate_both(std::span<const double> x, std::span<double> residuals,
+                                   std::vector<double>& distances) const {
+  if (!all_blocks(x, points_, Search::global, {residuals, {}, {}})) return false;
+  distances.assign(residuals.begin(), residuals.end());
+  take_off_and_whiten(residuals, {});
+  return true;
+}
+
+void CurveObjective::take_off_and_whiten(std::span<double> residuals, std::span<double> jacobian) const {
   for (std::size_t i = 0; i < expected_.size(); ++i) residuals[i] -= expected_[i];
-  if (!whitening_) return true;
+  if (!whitening_) return;
   whitening_->apply(residuals);
   const std::size_t width = choice_.size();
   if (!jacobian.empty())
     for (std::size_t k = 0; k < width; ++k) whitening_->apply(jacobian.subspan(k), width);
-  return true;
 }
 
 std::optional<NearestPlaces> CurveObjective::nearest(std::span<const double> x) const {
-  const std::size_t n = points_.size();
-  const std::vector<double> of_n(n);
-  NearestPlaces found{of_n, of_n, of_n, of_n, of_n};
-  std::vector<double> places(2 * n, 0.0), loads(2 * n);
-  if (!all_blocks(x, Search::global, found.residuals, {}, places, loads)) return std::nullopt;
-  const Constants constants = candidate(x).constants;
-  const bool varies = varies_ || has_changes(constants);
-  ConstantsScale scale(constants);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (varies) scale = ConstantsScale(constants, points_[i].place);
-    found.T[order_[i]] = places[i] / scale.force - scale.shear_offset;
-    found.A[order_[i]] = scale.measured_area(places[n + i]);
-    const double size = std::hypot(loads[i], loads[n + i]);
-    found.load_T[order_[i]] = loads[i] / size;
-    found.load_A[order_[i]] = loads[n + i] / size;
-  }
+  NearestPlaces found;
+  for (std::vector<double>* const list : {&found.residuals, &found.T, &found.A, &found.load_T, &found.load_A})
+    list->resize(points_.size);
+  if (!all_blocks(x, points_, Search::global, {found.residuals, {}, {}, &found})) return std::nullopt;
   return found;
 }
 
 std::optional<std::vector<double>> CurveObjective::expected(std::span<const double> x,
                                                             const NearestPlaces& places) const {
-  const std::size_t n = points_.size();
+  const std::size_t n = points_.size;
   std::vector<double> mean(n, 0.0), distances(n);
-  std::vector<MeasuredPoint> beside(n);
   const double root = 1.0;
   for (const double side : {-root, root}) {
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t i = order_[k];
-      MeasuredPoint& point = beside[i] = points_[k];
+    const MeasuredPoints beside(n, [&, side](std::size_t i) {
+      MeasuredPoint point = points_.at(i);
       point.T = places.T[i] + side * places.load_A[i] * point.sigma_T;
       point.A = std::max(places.A[i] - side * places.load_T[i] * point.sigma_A, 0.5 * places.A[i]);
-    }
-    if (!CurveObjective(beside, choice_, {}, {}, shifts_).evaluate(x, distances, {})) return std::nullopt;
+      return point;
+    });
+    if (!all_blocks(x, beside, Search::global, {distances, {}, {}})) return std::nullopt;
     for (std::size_t i = 0; i < n; ++i) mean[i] += distances[i] / 2;
   }
   return mean;
 }
 
-bool CurveObjective::all_blocks(std::span<const double> x, Search search, std::span<double> residuals,
-                                std::span<double> jacobian, std::span<double> places, std::span<double> loads) const {
+bool CurveObjective::some_blocks(std::span<const double> x, const MeasuredPoints& points, const Range& range,
+                                 Search search, const Wanted& wanted) const {
   Candidate at = candidate(x);
   model().make_continuous(at.parameters);
-  const std::size_t n = points_.size(), blocks = blocks_.size() - 1;
-  std::atomic<std::size_t> next = 0;
+  const std::size_t n = blocks_[range.end] - blocks_[range.begin];
+  std::atomic<std::size_t> next = range.begin;
   std::atomic<bool> defined = true;
   const auto work = [&] {
     Workspace workspace(std::min(n, kBlock), model_parameters());
-    for (std::size_t block; defined && (block = next++) < blocks;) {
+    for (std::size_t block; defined && (block = next++) < range.end;) {
       const std::size_t begin = blocks_[block], end = blocks_[block + 1];
-      if (!one_block(shifts_.empty() ? at : of_run(at, points_[begin].run), begin, end, search, workspace, residuals,
-                     jacobian, places, loads))
+      if (!one_block(shifts_.empty() ? at : of_run(at, points.at(index_of(begin)).run), points, begin, end, range,
+                     search, workspace, wanted))
         defined = false;
     }
   };
@@ -161,16 +218,15 @@ Candidate CurveObjective::of_run(const Candidate& of_all, std::size_t run) const
   return own;
 }
 
-bool CurveObjective::one_block(const Candidate& at, std::size_t begin, std::size_t end, Search search,
-                               Workspace& workspace, std::span<double> residuals, std::span<double> jacobian,
-                               std::span<double> places, std::span<double> loads) const {
+bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,
+                               const Range& range, Search search, Workspace& workspace, const Wanted& wanted) const {
   const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
   const bool varies = varies_ || has_changes(at.constants);
   ConstantsScale scale(at.constants);
   const auto array = [&](std::size_t which) { return workspace.array(which, n); };
   const auto P = array(0), T = array(1), A = array(2), sigma_T = array(3), sigma_A = array(4);
   for (std::size_t i = 0; i < n; ++i) {
-    const MeasuredPoint& point = points_[begin + i];
+    const MeasuredPoint point = points.at(index_of(begin + i));
     if (varies) scale = ConstantsScale(at.constants, point.place);
     P[i] = scale.load(point.P);
     T[i] = scale.shear(point.T);
@@ -179,28 +235,37 @@ bool CurveObjective::one_block(const Candidate& at, std::size_t begin, std::size
     sigma_A[i] = scale.area * point.sigma_A;
     if (!(A[i] > 0)) return false;
   }
-  CurveDistances out{array(5), array(6), array(7), array(8), {workspace.values.get() + 9 * workspace.size, n * p}};
-  if (!places.empty()) {
-    out.place_T = places.subspan(begin, n);
-    out.place_A = places.subspan(points_.size() + begin, n);
+  CurveDistances out{array(5), array(6), array(7), array(8), {workspace.values.get() + 11 * workspace.size, n * p}};
+  if (!wanted.places.empty()) {
+    out.place_T = wanted.places.subspan(begin, n);
+    out.place_A = wanted.places.subspan(points.size + begin, n);
+  } else if (wanted.nearest) {
+    out.place_T = array(9);
+    out.place_A = array(10);
+    std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
   }
-  if (!model().curve_distances(at.parameters, {P, T, A, sigma_T, sigma_A}, search, !jacobian.empty() || !loads.empty(),
-                               out))
+  if (!model().curve_distances(at.parameters, {P, T, A, sigma_T, sigma_A}, search,
+                               !wanted.jacobian.empty() || wanted.nearest, out))
     return false;
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t to = order_[begin + i];
-    residuals[to] = out.r[i];
-    if (!loads.empty()) {
-      loads[begin + i] = std::copysign(out.dT[i], out.dT[i] * T[i]) * sigma_T[i];  // equilibrium knows |T| alone
-      loads[points_.size() + begin + i] = out.dA[i] * sigma_A[i];
-    }
-    if (jacobian.empty()) continue;
-    const PointPlace& place = points_[begin + i].place;
+    const std::size_t index = index_of(begin + i), to = range.first ? begin + i - *range.first : index;
+    wanted.residuals[to] = out.r[i];
+    if (wanted.jacobian.empty() && !wanted.nearest) continue;
+    const PointPlace place = points.at(index).place;  // drifts act at 0, too
     if (varies) scale = ConstantsScale(at.constants, place);
+    if (wanted.nearest) {
+      const double load_T = std::copysign(out.dT[i], out.dT[i] * T[i]) * sigma_T[i];  // equilibrium knows |T| alone
+      const double load_A = out.dA[i] * sigma_A[i], size = std::hypot(load_T, load_A);
+      wanted.nearest->T[to] = out.place_T[i] / scale.force - scale.shear_offset;
+      wanted.nearest->A[to] = scale.measured_area(out.place_A[i]);
+      wanted.nearest->load_T[to] = load_T / size;
+      wanted.nearest->load_A[to] = load_A / size;
+    }
+    if (wanted.jacobian.empty()) continue;
     const auto of_error = [&](double slope, double sigma) { return -out.r[i] * slope * slope * sigma * sigma; };
     const ResidualSlopes slopes{out.dP[i], out.dT[i], out.dA[i], of_error(out.dT[i], sigma_T[i]),
                                 of_error(out.dA[i], sigma_A[i])};
-    choice_.fill_row(jacobian.subspan(to * width, width), out.parameters.data() + i * p, slopes,
+    choice_.fill_row(wanted.jacobian.subspan(to * width, width), out.parameters.data() + i * p, slopes,
                      {P[i], T[i], A[i], 0, 0, place}, scale);
   }
   return true;

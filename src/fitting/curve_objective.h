@@ -2,6 +2,7 @@
 // plane of T and A, each in units of its standard error; with any of the constants of the experiment free.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "fitting/error_model.h"
@@ -15,11 +16,14 @@ class CurveObjective final : public ModelProblem {
   /// Standard errors > 0. The targets, which the reported R^2 compares with, are the areas. A residual is the distance
   /// less the one that is expected (empty: 0), made independent of the others (null: as it is). `shifts`: how far the
   /// model's parameters of each run are from those of all; empty: 0.
-  CurveObjective(const std::vector<MeasuredPoint>& points, FreeChoice choice, std::vector<double> expected = {},
+  CurveObjective(MeasuredPoints points, FreeChoice choice, std::vector<double> expected = {},
                  std::shared_ptr<const Whitening> whitening = {}, std::vector<ParameterValues> shifts = {});
 
+  std::size_t residual_count() const override { return points_.size; }
   /// Includes T.
-  double data_norm() const override;
+  double data_norm() const override { return data_norm_; }
+  std::vector<double> targets() const override;
+  std::vector<double> weights() const override;
   /// Few values are enough: basins are wide, and the paper's fit gives another start.
   std::size_t scan_density(std::size_t searched) const override { return searched == 1 ? 10 : 5; }
 
@@ -27,11 +31,15 @@ class CurveObjective final : public ModelProblem {
   /// Memory: T of the nearest point of the curve for each point, then A.
   bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                       std::vector<double>& memory) const override;
+  /// Parts of points that follow each other in the objective's order.
+  std::size_t parts() const override;
+  bool evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+                     std::vector<double>& jacobian) const override;
   /// To first order, at a sample of the points.
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
 
-  /// Whether the residuals are the distances themselves: nothing is taken off them, and they are not made independent.
-  bool are_distances() const { return expected_.empty() && !whitening_; }
+  /// Residuals, and the distances they come from. False where a value is not finite.
+  bool evaluate_both(std::span<const double> x, std::span<double> residuals, std::vector<double>& distances) const;
   /// The distances, and where the nearest points of the curve lie. Null where a value is not finite.
   std::optional<NearestPlaces> nearest(std::span<const double> x) const;
   /// The mean distance of readings whose true values are these places and whose noise is as the standard errors say: by
@@ -41,23 +49,39 @@ class CurveObjective final : public ModelProblem {
 
  private:
   struct Workspace;
+  /// What is filled, each where it is not empty or null.
+  struct Wanted {
+    std::span<double> residuals, jacobian, places;
+    NearestPlaces* nearest = nullptr;
+  };
+  /// Blocks, and where the row of a point goes that is the first in the objective's order: to 0; null: to its index.
+  struct Range {
+    std::size_t begin, end;
+    std::optional<std::size_t> first{};
+  };
+  void sort_points();
+  std::size_t index_of(std::size_t rank) const { return order_.empty() ? rank : order_[rank]; }
+  void take_off_and_whiten(std::span<double> residuals, std::span<double> jacobian) const;
   bool residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                     std::span<double> places) const;
-  bool all_blocks(std::span<const double> x, Search search, std::span<double> residuals, std::span<double> jacobian,
-                  std::span<double> places, std::span<double> loads = {}) const;
+  bool all_blocks(std::span<const double> x, const MeasuredPoints& points, Search search, const Wanted& wanted) const {
+    return some_blocks(x, points, {0, blocks_.size() - 1}, search, wanted);
+  }
+  bool some_blocks(std::span<const double> x, const MeasuredPoints& points, const Range& range, Search search,
+                   const Wanted& wanted) const;
   /// The parameters of a run, within their ranges.
   Candidate of_run(const Candidate& of_all, std::size_t run) const;
-  bool one_block(const Candidate& at, std::size_t begin, std::size_t end, Search search, Workspace& workspace,
-                 std::span<double> residuals, std::span<double> jacobian, std::span<double> places,
-                 std::span<double> loads) const;
+  bool one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,
+                 const Range& range, Search search, Workspace& workspace, const Wanted& wanted) const;
 
-  std::vector<MeasuredPoint> points_;  // by load, or by run where parameters are shifted
-  std::vector<std::size_t> order_;     // of each in points_: the index of its residual
+  MeasuredPoints points_;
+  std::vector<std::uint32_t> order_;  // of the points by load, or by run where parameters are shifted; empty: as given
   std::vector<double> expected_;
   std::shared_ptr<const Whitening> whitening_;
-  std::vector<ParameterValues> shifts_;     // per run; empty: none
-  std::vector<std::size_t> blocks_;         // where each begins in points_, and their end
-  bool varies_ = false;                     // runs have constants of their own
+  std::vector<ParameterValues> shifts_;  // per run; empty: none
+  std::vector<std::size_t> blocks_;      // the rank at which each begins, and their end
+  bool varies_ = false;                  // runs have constants of their own
+  double data_norm_ = 0;
   std::unique_ptr<CurveObjective> sample_;  // of some of the points, evenly over the loads; null of few points
 };
 

@@ -57,7 +57,7 @@ std::vector<FreeParameter> series_toughness(const Dataset& data, const std::vect
 
 EnergyObjective::EnergyObjective(const std::vector<EnergyPoint>& points, FreeChoice choice,
                                  const std::vector<FreeParameter>& toughness)
-    : ModelProblem(std::move(choice)), parameters_(choice_.parameters()) {
+    : WeightedProblem(std::move(choice)), parameters_(choice_.parameters()) {
   parameters_.insert(parameters_.end(), toughness.begin(), toughness.end());
   for (const auto& [energies, series] : points) {
     G_I_.push_back(energies.G_I);

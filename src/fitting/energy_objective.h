@@ -25,7 +25,7 @@ std::vector<EnergyPoint> energy_points(const Dataset& data, const std::vector<st
 std::vector<FreeParameter> series_toughness(const Dataset& data, const std::vector<EnergyPoint>& points,
                                             const std::vector<std::size_t>& used, double prior);
 
-class EnergyObjective final : public ModelProblem {
+class EnergyObjective final : public WeightedProblem {
  public:
   /// `toughness`: of each series, ln of a factor on G_Ic; empty: G_Ic is as stated. The targets, which the reported R^2
   /// compares with, are the energies of mode I.

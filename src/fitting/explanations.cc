@@ -36,7 +36,7 @@ std::optional<std::vector<bool>> far_off(const Case& of, const FitResult& fit, c
   for (const FittedParameter& one : fit.parameters) as_found.hold.push_back({one.name, one.value});
   as_found.constants = constants_of(of.data, of.options, fit.parameters);
   as_found.free.clear();
-  if (fit.errors) as_found.errors = std::make_shared<StandardErrors>(*fit.errors);
+  as_found.errors = fit.errors;
   const FitResult all = of.refit(as_found, points, nullptr);
   if (all.residuals.empty()) return std::nullopt;
   std::vector<bool> off(of.data.points.size(), false);

@@ -86,7 +86,7 @@ FitResult fit_model(const Dataset& data, std::string_view model, const FitOption
 FitResult refit_model(const Dataset& data, const FitResult& whole, const FitOptions& options,
                       const std::vector<std::size_t>& points) {
   FitOptions values = value_only(options);
-  if (whole.errors) values.errors = std::make_shared<StandardErrors>(*whole.errors);
+  if (whole.errors) values.errors = whole.errors;
   // Only with a curvature at its minimum the fit to fewer data has its minimum nearby.
   const bool smooth = std::all_of(whole.parameters.begin(), whole.parameters.end(), [](const FittedParameter& one) {
     return one.value && (one.held || one.at_bound || one.stderr_);

@@ -9,8 +9,9 @@
 namespace mixity {
 std::vector<double> of_points(const std::vector<double>& all, std::span<const std::size_t> used) {
   std::vector<double> some;
-  if (!all.empty())
-    for (const std::size_t i : used) some.push_back(all[i]);
+  if (all.empty()) return some;
+  some.reserve(used.size());
+  for (const std::size_t i : used) some.push_back(all[i]);
   return some;
 }
 

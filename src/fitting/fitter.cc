@@ -48,50 +48,63 @@ Fitter::Fitter(const Dataset& data, const ContactModel& model, const FitOptions&
 }
 
 FitResult Fitter::run() {
-  const std::size_t p = problem_->parameters().size();
-  if (p > 0 && has_too_few_points()) return result_;
-  const bool as_the_paper = purpose_ == Purpose::shown || (p > 0 && starting_.near.empty());
+  const bool some = !problem_->parameters().empty();
+  if (some && has_too_few_points()) return finished();
+  const bool as_the_paper = purpose_ == Purpose::shown || (some && starting_.near.empty());
   if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper) fit_as_the_paper();
   // rough fractions of the time: up to the minimum, and up to the resampling
   const double found = options_.profile_points > 0 ? 0.1 : 0.4,
                fitted = options_.bootstrap.replicates > 0 || options_.influence ? 0.1 : 1;
   report_progress(0.25 * found * fitted);
   std::vector<double> x;
-  if (p == 0) {
+  if (!some) {
     result_.status = FitStatus::ok;
     result_.message = "every parameter is held: nothing was fitted";
+    finished();
   } else {
-    Verdict verdict;
-    const FitResult described = result_;
-    // The search for an interval may find a lower cost, from which to start again.
-    for (int again = 0;; ++again) {
-      result_ = described;
-      verdict = find_minimum();
-      result_.status = verdict.status;
-      result_.message = verdict.message;
-      if (!result_.has_values() || verdict.best.x.empty()) return result_;
-      x = verdict.best.x;
-      result_.known_errors = problem_->known_errors();
-      const std::vector<double> deeper =
-          add_parameters(*cost_, verdict, options_, stretch(options_.progress, found * fitted, fitted), result_);
-      result_.free_parameters = unknown();  // each of the others has a residual of its own
-      result_.sum_of_squares *= unit_ * unit_;
-      if (result_.errors) result_.log_variances = log_variances(data_, prepared_.used, *result_.errors);
-      if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
-      if (deeper.empty() && (checked() || purpose_ == Purpose::tried)) test_runs(x);
-      if (deeper.empty() && checked()) add_evidence(verdict);
-      if (deeper.empty() || again == kMostRestarts) break;
-      starting_.guesses.push_back(deeper);
-    }
+    const Verdict verdict = find_parameters(stretch(options_.progress, found * fitted, fitted));
+    finished();
+    if (!result_.has_values() || verdict.best.x.empty()) return std::move(result_);
+    x = verdict.best.x;
     report_progress(fitted);
     add_resampled(*cost_, verdict, data_, options_, stretch(options_.progress, fitted, 1), result_);
   }
   // Of a refit for its values nothing else is used.
-  if (purpose_ == Purpose::values && prepared_.objective == Objective::curve) return result_;
+  if (purpose_ == Purpose::values && prepared_.objective == Objective::curve) return std::move(result_);
   add_goodness(x);
   suspect_wide_errors();
-  if (checked() && p > 0) test_residuals();
-  return result_;
+  if (checked() && some) test_residuals();
+  return std::move(result_);
+}
+
+/// The result with what was prepared for it, which is not needed any more.
+FitResult&& Fitter::finished() {
+  result_.used = std::move(prepared_.used);
+  return std::move(result_);
+}
+
+/// The minimum, its parameters with errors and intervals, and what follows from the fit at it.
+Verdict Fitter::find_parameters(const Progress& progress) {
+  const FitResult described = result_;
+  // The search for an interval may find a lower cost, from which to start again.
+  for (int again = 0;; ++again) {
+    result_ = described;
+    Verdict verdict = find_minimum();
+    result_.status = verdict.status;
+    result_.message = verdict.message;
+    if (!result_.has_values() || verdict.best.x.empty()) return verdict;
+    const std::vector<double>& x = verdict.best.x;
+    result_.known_errors = problem_->known_errors();
+    const std::vector<double> deeper = add_parameters(*cost_, verdict, options_, progress, result_);
+    result_.free_parameters = unknown();  // each of the others has a residual of its own
+    result_.sum_of_squares *= unit_ * unit_;
+    if (result_.errors) result_.log_variances = log_variances(data_, prepared_.used, *result_.errors);
+    if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
+    if (deeper.empty() && (checked() || purpose_ == Purpose::tried)) test_runs(x);
+    if (deeper.empty() && checked()) add_evidence(verdict);
+    if (deeper.empty() || again == kMostRestarts) return verdict;
+    starting_.guesses.push_back(deeper);
+  }
 }
 
 /// How many parameters have no residual of their own.
@@ -124,7 +137,6 @@ void Fitter::describe() {
   result_.formula = model.formula;
   result_.objective = prepared_.objective;
   result_.scale = scale_of(options_);
-  result_.used = prepared_.used;
   result_.excluded = prepared_.excluded;
   result_.excluded_reason = prepared_.excluded_reason;
   result_.errors = prepared_.errors;

@@ -30,6 +30,8 @@ class Fitter {
 
  private:
   bool checked() const { return purpose_ == Purpose::shown && options_.checks; }
+  FitResult&& finished();
+  Verdict find_parameters(const Progress& progress);
   std::size_t unknown() const;
   bool has_too_few_points();
   void report_progress(double fraction) const;
@@ -38,7 +40,7 @@ class Fitter {
   Verdict find_minimum();
   Verdict minimum_with_its_errors();
   bool settle_errors(std::vector<double>& x);
-  void restore(const StandardErrors& errors);
+  void restore_errors();
   double take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest);
   bool expects_distances(const std::vector<double>& x);
   std::vector<double> leverages_of_data(const Problem& cost, const std::vector<double>& x) const;

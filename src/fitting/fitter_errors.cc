@@ -29,7 +29,6 @@ void weigh_as_student(std::vector<double>& residuals) {
 Verdict Fitter::minimum_with_its_errors() {
   constexpr int kMost = 3;
   constexpr double kSamePlace = 0.01;  // of chi^2: a tenth of a standard error, where the rounds ended early
-  const StandardErrors at_first = *prepared_.errors;
   std::vector<double> x = !starting_.near.empty()      ? starting_.near
                           : !starting_.guesses.empty() ? starting_.guesses.back()
                                                        : std::vector<double>();
@@ -54,13 +53,13 @@ Verdict Fitter::minimum_with_its_errors() {
         settled && !verdict.best.x.empty() && verdict.best.sum_of_squares < *settled - kSamePlace * unit;
     if (!elsewhere || again == kMost) return verdict;
     x = verdict.best.x;
-    restore(at_first);
+    restore_errors();
   }
 }
 
-void Fitter::restore(const StandardErrors& errors) {
-  *prepared_.errors = errors;
-  result_.errors = errors;
+/// To those before the first fit, which are found again: of millions of points a copy would be much to keep.
+void Fitter::restore_errors() {
+  *prepared_.errors = standard_errors(data_, options_.sigma_T, options_.sigma_A, true);
   problem_ = make_problem(data_, options_, prepared_);
 }
 
@@ -75,7 +74,6 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr double kSettled = 1e-10;  // of an error or a residual: an interval changes by as much
   constexpr double kSurely = 1e-6;    // of the fit with the first errors, whose weights may be wrong
   StandardErrors& errors = *prepared_.errors;
-  const StandardErrors by_neighbours = errors;
   SolverOptions quick;
   quick.engine = Engine::kernel;
   quick.last_digits = false;
@@ -118,7 +116,10 @@ bool Fitter::settle_errors(std::vector<double>& x) {
                      (round == choosing && !course && models.correlations.any());
     if (off) {
       off_course_ = course;
-      restore(by_neighbours);
+      if (first)
+        errors.expected.clear();  // nothing else has changed
+      else
+        restore_errors();
       return false;
     }
     if (round < more) {  // by the errors of neighbours, until the runs are found
@@ -152,7 +153,6 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (change <= kSettled && round > choosing) break;
   }
   if (free && starting_.near.empty()) starting_.guesses.push_back(x);
-  result_.errors = errors;
   return true;
 }
 
@@ -194,7 +194,6 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
   errors.expected.resize(data_.points.size());
   for (std::size_t i = 0; i < expected->size(); ++i) errors.expected[prepared_.used[i]] = (*expected)[i];
   problem_ = make_problem(data_, options_, prepared_);
-  result_.errors = errors;
   return true;
 }
 

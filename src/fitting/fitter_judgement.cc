@@ -87,19 +87,20 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
 
 /// In the fitted space, and for the predicted areas.
 void Fitter::add_goodness(const std::vector<double>& x) {
-  result_.residuals.resize(problem_->residual_count());
-  if (result_.residuals.empty() || !problem_->evaluate(x, result_.residuals, {})) {
+  const bool curve = prepared_.objective == Objective::curve && data_.has_loads;
+  result_.innovations.resize(problem_->residual_count());
+  const bool some = !result_.innovations.empty();
+  const bool finite = some && curve ? static_cast<const CurveObjective&>(*problem_).evaluate_both(
+                                          x, result_.innovations, result_.residuals)
+                                    : some && problem_->evaluate(x, result_.innovations, {});
+  if (!finite) {
+    result_.innovations.clear();
     result_.residuals.clear();
     result_.status = FitStatus::not_converged;
     result_.message = "the model is not finite at the used points";
     return;
   }
-  result_.innovations = result_.residuals;
-  if (prepared_.objective == Objective::curve && data_.has_loads) {
-    const auto& objective = static_cast<const CurveObjective&>(*problem_);
-    if (const auto nearest = objective.are_distances() ? std::nullopt : objective.nearest(x))
-      result_.residuals = nearest->residuals;
-  }
+  if (!curve) result_.residuals = result_.innovations;
   const Goodness fit = goodness(result_.residuals, problem_->targets(), problem_->weights());
   result_.r2 = fit.r2;
   result_.rmse = fit.rmse;

@@ -14,26 +14,55 @@
 namespace mixity {
 namespace {
 
-/// The points' loads and areas; standard errors are 1 if not needed, so that residuals keep their unit.
-std::vector<MeasuredPoint> measured_points(const Dataset& data, const PreparedFit& prepared) {
-  std::vector<MeasuredPoint> points;
-  points.reserve(prepared.used.size());
-  const bool by_run = prepared.errors && prepared.errors->runs.any();
-  const bool varies = by_run || has_changes(prepared.constants) ||
-                      std::any_of(prepared.fitted.begin(), prepared.fitted.end(),
-                                  [](const FittedConstant& one) { return is_change(one.constant); });
-  std::vector<PointPlace> at;  // empty where all points are alike
-  if (varies) at = places(data, prepared.errors ? prepared.errors->place_T : std::vector<double>());
-  for (std::size_t q = 0; by_run && q < prepared.errors->runs.names.size(); ++q)
-    if (const auto constant = constant_named(prepared.errors->runs.names[q]))
-      for (std::size_t i = 0; i < at.size(); ++i)
-        at[i].shift(*constant, prepared.errors->runs.deviations[q][data.points[i].curve]);
-  for (const std::size_t i : prepared.used) {
-    const Point& p = data.points[i];
-    points.push_back({p.P, data.shear_as_read(i), p.A, prepared.errors ? prepared.errors->T[i] : 1.0,
-                      prepared.errors ? prepared.errors->A[i] : 1.0, varies ? at[i] : PointPlace{}, p.curve});
-  }
-  return points;
+/// Whether points differ in where they lie, or their runs in constants of their own.
+bool places_matter(const PreparedFit& prepared) {
+  return (prepared.errors && prepared.errors->runs.any()) || has_changes(prepared.constants) ||
+         std::any_of(prepared.fitted.begin(), prepared.fitted.end(),
+                     [](const FittedConstant& one) { return is_change(one.constant); });
+}
+
+/// Of each run: how far its constants are from those of all.
+std::vector<PointPlace> constants_of_runs(const Dataset& data, const RunDifferences& runs) {
+  std::vector<PointPlace> own(data.curves.size());
+  for (std::size_t q = 0; q < runs.names.size(); ++q)
+    if (const auto constant = constant_named(runs.names[q]))
+      for (std::size_t run = 0; run < own.size(); ++run) own[run].shift(*constant, runs.deviations[q][run]);
+  return own;
+}
+
+/// The points' loads and areas; standard errors are 1 if not needed, so that residuals keep their unit. The data set
+/// must outlive them.
+MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared) {
+  struct Source {
+    const Dataset& data;
+    std::shared_ptr<const StandardErrors> errors;
+    std::vector<std::size_t> used{};  // empty: all, in their order
+    std::optional<PointPlaces> places{};
+    std::vector<PointPlace> runs{};
+
+    MeasuredPoint at(std::size_t k) const {
+      const std::size_t i = used.empty() ? k : used[k];
+      const Point& p = data.points[i];
+      MeasuredPoint point{p.P, data.shear_as_read(i), p.A, errors ? errors->T[i] : 1, errors ? errors->A[i] : 1};
+      point.run = p.curve;
+      if (!places) return point;
+      point.place = runs.empty() ? PointPlace{} : runs[p.curve];
+      const bool fitted = errors && !errors->place_T.empty();
+      const PointPlace place = fitted ? places->at(i, errors->place_T[i]) : places->at(i);
+      point.place.order = place.order;
+      point.place.stretch = place.stretch;
+      point.place.unsheared = place.unsheared;
+      return point;
+    }
+  };
+  Source source{data, prepared.errors};
+  bool all = true;
+  for (std::size_t k = 0; all && k < prepared.used.size(); ++k) all = prepared.used[k] == k;
+  if (!all) source.used = prepared.used;
+  if (places_matter(prepared)) source.places.emplace(data);
+  if (prepared.errors && prepared.errors->runs.any()) source.runs = constants_of_runs(data, prepared.errors->runs);
+  return {prepared.used.size(),
+          [shared = std::make_shared<const Source>(std::move(source))](std::size_t k) { return shared->at(k); }};
 }
 
 /// How far the model's parameters of each run are from those of all; empty: none differ.
@@ -133,7 +162,7 @@ std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions
     if (!prepared.fitted.empty()) toughness = series_toughness(data, points, prepared.used, prepared.fitted[0].prior);
     problem = std::make_unique<EnergyObjective>(points, choice_of_model(prepared), toughness);
   } else if (prepared.objective == Objective::curve) {
-    const StandardErrors errors = prepared.errors.value_or(StandardErrors{});
+    const StandardErrors none, &errors = prepared.errors ? *prepared.errors : none;
     problem = std::make_unique<CurveObjective>(
         measured_points(data, prepared), free_choice(data, prepared), taken_off(data, prepared.used, errors),
         whitening_of(data, prepared.used, errors), shifts_of_runs(data, prepared, errors.runs));

@@ -28,7 +28,7 @@ Candidate FreeChoice::candidate(std::span<const double> x) const {
   return result;
 }
 
-double ModelProblem::data_norm() const {
+double WeightedProblem::data_norm() const {
   double sum = 0;
   for (const double target : targets_) sum += target * target;
   return std::sqrt(sum);

@@ -1,6 +1,8 @@
 // A least-squares problem of a model and of free constants of the experiment.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,6 +23,19 @@ struct MeasuredPoint {
   double P, T, A, sigma_T, sigma_A;
   PointPlace place{};
   std::size_t run = 0;  // whose parameters it has, where these differ
+};
+
+/// Measured points, each made when it is needed: of millions an array of these would be most of what a fit holds.
+struct MeasuredPoints {
+  std::size_t size;
+  std::function<MeasuredPoint(std::size_t)> at;  // several threads may call it
+
+  MeasuredPoints(std::size_t n, std::function<MeasuredPoint(std::size_t)> point) : size(n), at(std::move(point)) {}
+  MeasuredPoints(std::vector<MeasuredPoint> list)
+      : size(list.size()),
+        at([all = std::make_shared<const std::vector<MeasuredPoint>>(std::move(list))](std::size_t i) {
+          return (*all)[i];
+        }) {}
 };
 
 /// Which parameters are free, in the solver's order, and where the others are held.
@@ -63,26 +78,36 @@ inline constexpr std::size_t kSample = 32;  // points, enough to find the basins
 class ModelProblem : public Problem {
  public:
   explicit ModelProblem(FreeChoice choice) : choice_(std::move(choice)) {}
-  std::size_t residual_count() const override { return targets_.size(); }
   const std::vector<FreeParameter>& parameters() const override { return choice_.parameters(); }
   Candidate candidate(std::span<const double> x) const { return choice_.candidate(x); }
   /// Data times weight, in the fitted space.
-  const std::vector<double>& targets() const { return targets_; }
+  virtual std::vector<double> targets() const = 0;
   /// 1/standard error of each, or 1.
-  const std::vector<double>& weights() const { return weights_; }
+  virtual std::vector<double> weights() const = 0;
   bool known_errors() const final { return known_errors_; }
   void set_known_errors(bool known) { known_errors_ = known; }
-  double data_norm() const override;
 
  protected:
   const ContactModel& model() const { return choice_.model(); }
   std::size_t model_parameters() const { return model().parameters().size(); }
 
   FreeChoice choice_;
-  std::vector<double> targets_, weights_;
 
  private:
   bool known_errors_ = false;
+};
+
+/// Base of those that keep targets and weights.
+class WeightedProblem : public ModelProblem {
+ public:
+  using ModelProblem::ModelProblem;
+  std::size_t residual_count() const override { return targets_.size(); }
+  std::vector<double> targets() const override { return targets_; }
+  std::vector<double> weights() const override { return weights_; }
+  double data_norm() const override;
+
+ protected:
+  std::vector<double> targets_, weights_;
 };
 
 }  // namespace mixity

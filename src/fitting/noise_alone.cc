@@ -71,7 +71,7 @@ bool noise_alone_fails_alike(const Dataset& data, const FitResult& fit, const Fi
   if (fit.known_errors && fit.sum_of_squares < kScatter * static_cast<double>(fit.freedom())) return false;
   FitOptions alike = value_only(options);
   alike.checks = true;
-  alike.errors = std::make_shared<StandardErrors>(*fit.errors);
+  alike.errors = fit.errors;
   const double here = improbability(fit);
   for (unsigned seed = 1; seed <= kExperiments; ++seed)
     if (here < kAlike * improbability(fit_and_test(with_other_noise(data, fit, seed), fit.model, alike, &fit.used)))

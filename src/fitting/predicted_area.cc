@@ -11,6 +11,9 @@ namespace {
 /// Relative. A measured load that equals that of the fold lies on either side by rounding alone.
 constexpr double kFoldWidth = 1e-9;
 
+/// Points of a load whose areas are found together: of a run of millions arrays would be larger than its points.
+constexpr std::size_t kMostAtOnce = 1 << 16;
+
 /// Appends the areas of one contact, at shears that are not negative. `scales`: one for each.
 void add_areas(const ContactModel& model, std::span<const double> p, std::span<const ConstantsScale> scales,
                double load, std::span<const double> shears, std::vector<PredictedArea>& areas) {
@@ -63,82 +66,117 @@ Candidate fitted_candidate(const Dataset& data, const ContactModel& model, const
 
 namespace {
 
-std::vector<PredictedArea> areas_of(const ContactModel& model, const Candidate& candidate, std::span<const double> P,
-                                    std::span<const double> T, std::span<const ConstantsScale> scales) {
-  std::vector<PredictedArea> areas;
-  areas.reserve(P.size());
+/// The areas of n points, one load after the other: take(i, area). `reading(i)`: load and shear; `scale(i)`: theirs.
+template <class Reading, class Scale, class Take>
+void each_area(const ContactModel& model, const Candidate& candidate, std::size_t n, const Reading& reading,
+               const Scale& scale, const Take& take) {
   std::vector<double> shears;
-  for (std::size_t begin = 0; begin < P.size();) {
-    const double load = scales[begin].load(P[begin]);
+  std::vector<ConstantsScale> scales;
+  std::vector<PredictedArea> areas;
+  for (std::size_t begin = 0; begin < n;) {
+    const double load = scale(begin).load(reading(begin).first);
     shears.clear();
-    std::size_t end = begin;
-    for (; end < P.size() && (end == begin || scales[end].load(P[end]) == load); ++end)
-      shears.push_back(std::abs(scales[end].shear(T[end])));
-    add_areas(model, candidate.parameters, scales.subspan(begin, end - begin), load, shears, areas);
-    begin = end;
+    scales.clear();
+    areas.clear();
+    for (std::size_t i = begin; i < n; ++i) {
+      const auto [P, T] = reading(i);
+      const ConstantsScale by = scale(i);
+      if (shears.size() == kMostAtOnce || (i > begin && by.load(P) != load)) break;
+      shears.push_back(std::abs(by.shear(T)));
+      scales.push_back(by);
+    }
+    add_areas(model, candidate.parameters, scales, load, shears, areas);
+    for (std::size_t i = 0; i < areas.size(); ++i) take(begin + i, areas[i]);
+    begin += areas.size();
   }
-  return areas;
+}
+
+/// Those of points of a data set.
+template <class Take>
+void each_area(const ContactModel& model, const Candidate& candidate, const Dataset& data,
+               const std::vector<std::size_t>& points, const Take& take) {
+  const Scales scales(data, candidate.constants);
+  const auto reading = [&](std::size_t i) {
+    return std::pair(data.points[points[i]].P, data.shear_as_read(points[i]));
+  };
+  each_area(
+      model, candidate, points.size(), reading, [&](std::size_t i) { return scales.of(points[i]); }, take);
 }
 
 }  // namespace
 
 std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate,
                                            std::span<const double> P, std::span<const double> T) {
-  return areas_of(model, candidate, P, T, std::vector(P.size(), ConstantsScale(candidate.constants)));
+  const ConstantsScale scale(candidate.constants);
+  std::vector<PredictedArea> areas(P.size());
+  each_area(
+      model, candidate, P.size(), [&](std::size_t i) { return std::pair(P[i], T[i]); },
+      [&](std::size_t) { return scale; }, [&](std::size_t i, const PredictedArea& area) { areas[i] = area; });
+  return areas;
 }
 
 std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate, const Dataset& data,
                                            const std::vector<std::size_t>& points) {
-  std::vector<double> P, T;
-  std::vector<ConstantsScale> scales;
-  const Scales of(data, candidate.constants);
-  for (const std::size_t i : points) {
-    scales.push_back(of.of(i));
-    P.push_back(data.points[i].P);
-    T.push_back(data.shear_as_read(i));
-  }
-  return areas_of(model, candidate, P, T, scales);
+  std::vector<PredictedArea> areas(points.size());
+  each_area(model, candidate, data, points, [&](std::size_t i, const PredictedArea& area) { areas[i] = area; });
+  return areas;
 }
 
-Goodness goodness(std::span<const double> residuals, std::span<const double> targets, std::span<const double> weights) {
-  double sum = 0, weight = 0, squares = 0, scatter = 0;
+namespace {
+
+/// Of those of n values that count.
+template <class Residual, class Target, class Weight, class Counts>
+Goodness goodness_of(std::size_t n, const Residual& residual, const Target& target, const Weight& weight,
+                     const Counts& counts) {
+  double sum = 0, weights = 0, squares = 0, scatter = 0;
+  std::size_t count = 0;
   Goodness result;
-  const auto weight_of = [&](std::size_t i) { return weights.empty() ? 1.0 : weights[i]; };
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    sum += weight_of(i) * targets[i];
-    weight += weight_of(i) * weight_of(i);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!counts(i)) continue;
+    sum += weight(i) * target(i);
+    weights += weight(i) * weight(i);
+    ++count;
   }
-  const double mean = sum / weight;
-  for (std::size_t i = 0; i < residuals.size(); ++i) {
-    const double off = targets[i] - weight_of(i) * mean;
-    squares += residuals[i] * residuals[i];
+  const double mean = sum / weights;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!counts(i)) continue;
+    const double off = target(i) - weight(i) * mean, r = residual(i);
+    squares += r * r;
     scatter += off * off;
-    result.max_abs_residual = std::fmax(result.max_abs_residual, std::abs(residuals[i]));
+    result.max_abs_residual = std::fmax(result.max_abs_residual, std::abs(r));
   }
-  result.rmse = std::sqrt(squares / static_cast<double>(residuals.size()));
-  if (targets.size() >= 2 && scatter > 0) result.r2 = 1 - squares / scatter;
+  result.rmse = std::sqrt(squares / static_cast<double>(count));
+  if (count >= 2 && scatter > 0) result.r2 = 1 - squares / scatter;
   return result;
+}
+
+}  // namespace
+
+Goodness goodness(std::span<const double> residuals, std::span<const double> targets, std::span<const double> weights) {
+  return goodness_of(
+      targets.size(), [&](std::size_t i) { return residuals[i]; }, [&](std::size_t i) { return targets[i]; },
+      [&](std::size_t i) { return weights.empty() ? 1.0 : weights[i]; }, [](std::size_t) { return true; });
 }
 
 AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& used, const ContactModel& model,
                            const Candidate& candidate) {
   AreaGoodness area;
   area.obstacle = model.obstacle(candidate.parameters);
-  std::vector<double> residuals, targets;
-  for (const PredictedArea& predicted : predicted_areas(model, candidate, data, used)) {
-    const double measured = data.points[used[area.areas.size()]].A;
-    if (predicted.state != PredictedArea::State::equilibrium) {
+  area.areas.resize(used.size());
+  each_area(model, candidate, data, used, [&](std::size_t i, const PredictedArea& predicted) {
+    if (predicted.state == PredictedArea::State::equilibrium)
+      area.areas[i] = predicted.value;
+    else
       ++area.unpredicted;
-      area.areas.emplace_back();
-      continue;
-    }
-    area.areas.emplace_back(predicted.value);
-    residuals.push_back((predicted.value - measured) * data.display.area_scale);
-    targets.push_back(measured * data.display.area_scale);
-  }
-  area.predicted = targets.size();
-  if (targets.empty()) return area;
-  const Goodness fit = goodness(residuals, targets);
+  });
+  area.predicted = used.size() - area.unpredicted;
+  if (area.predicted == 0) return area;
+  const auto measured = [&](std::size_t i) { return data.points[used[i]].A; };
+  const double scale = data.display.area_scale;
+  const Goodness fit = goodness_of(
+      used.size(), [&](std::size_t i) { return (*area.areas[i] - measured(i)) * scale; },
+      [&](std::size_t i) { return measured(i) * scale; }, [](std::size_t) { return 1.0; },
+      [&](std::size_t i) { return area.areas[i].has_value(); });
   area.r2 = fit.r2;
   area.rmse = fit.rmse;
   area.max_abs_residual = fit.max_abs_residual;

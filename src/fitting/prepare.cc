@@ -98,6 +98,7 @@ void choose_points(const Dataset& data, const std::vector<std::size_t>* points, 
     else
       prepared.excluded.push_back({data.points[i].line, reason});
   };
+  prepared.used.reserve(points ? points->size() : data.points.size());
   if (points)
     for (const std::size_t i : *points) consider(i);
   else
@@ -142,9 +143,10 @@ PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOpt
   choose_points(data, points, prepared);
   hold_parameters(data, options, prepared);
   if (data.has_loads && (objective == Objective::curve || options.weighted))
-    prepared.errors = options.errors && objective == Objective::curve
-                          ? *options.errors
-                          : standard_errors(data, options.sigma_T, options.sigma_A, objective == Objective::curve);
+    prepared.errors = std::make_shared<StandardErrors>(
+        options.errors && objective == Objective::curve
+            ? *options.errors
+            : standard_errors(data, options.sigma_T, options.sigma_A, objective == Objective::curve));
   return prepared;
 }
 

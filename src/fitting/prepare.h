@@ -23,10 +23,10 @@ struct PreparedFit {
   std::shared_ptr<const std::string> excluded_reason{};  // a text to which `excluded` refers
   ParameterValues base{};                                // held values, and typical ones for the rest
   std::vector<bool> held{};
-  std::optional<StandardErrors> errors{};  // where the objective uses them
-  Constants constants{};                   // of which those that are not fitted count
-  std::vector<FittedConstant> fitted{};    // the free ones first
-  std::vector<double> start{};             // of the fitted ones, in the solver's numbers; empty: their means
+  std::shared_ptr<StandardErrors> errors{};  // where the objective uses them; copies share them
+  Constants constants{};                     // of which those that are not fitted count
+  std::vector<FittedConstant> fitted{};      // the free ones first
+  std::vector<double> start{};               // of the fitted ones, in the solver's numbers; empty: their means
 };
 
 /// The constants that a fit with these options fits: those that are free, then those that are uncertain.

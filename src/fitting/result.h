@@ -214,10 +214,10 @@ struct FitResult {
   /// A standard error, in the unit of the residuals: 1 where errors are known, else estimated so that outliers hardly
   /// enlarge it. 0 without a fit.
   double standard_error = 0;
-  std::vector<Outlier> outliers;         // in the order of the file; of reported fits
-  bool known_errors = false;             // the residuals are in units of known standard errors
-  std::optional<StandardErrors> errors;  // of the points, where the objective uses them
-  std::vector<double> correlations;      // [p x p] of the free parameters in order; empty for one
+  std::vector<Outlier> outliers;                   // in the order of the file; of reported fits
+  bool known_errors = false;                       // the residuals are in units of known standard errors
+  std::shared_ptr<const StandardErrors> errors{};  // of the points, where the objective uses them
+  std::vector<double> correlations;                // [p x p] of the free parameters in order; empty for one
   std::size_t free_parameters = 0;
   /// Sum of ln(variance) of the residuals, relative to proportional errors at the readings, and of the determinant of
   /// their correlations; 0 of known, independent errors. -2 ln L of the fit has it beside the sum of squares.

@@ -33,6 +33,7 @@ std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, 
                                 const std::vector<double>& x, const std::vector<double>& residuals,
                                 const std::vector<std::string>& quantities, double unit) {
   PreparedFit all = prepared;
+  all.errors = std::make_shared<StandardErrors>(*prepared.errors);
   all.errors->correlations = {};
   all.errors->runs.spreads.clear();  // their shifts remain
   all.errors->expected.clear();

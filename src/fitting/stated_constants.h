@@ -1,6 +1,7 @@
 // The constants of the experiment as a data set states them, in the solver's numbers.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,15 +38,15 @@ class Scales {
   Scales(const Dataset& data, const Constants& constants)
       : constants_(constants),
         same_(constants),
-        places_(has_changes(constants) ? places(data) : std::vector<PointPlace>()) {}
+        places_(has_changes(constants) ? std::optional<PointPlaces>(data) : std::nullopt) {}
   ConstantsScale of(std::size_t point) const {
-    return places_.empty() ? same_ : ConstantsScale(constants_, places_[point]);
+    return places_ ? ConstantsScale(constants_, places_->at(point)) : same_;
   }
 
  private:
   Constants constants_;
   ConstantsScale same_;
-  std::vector<PointPlace> places_;  // empty where all are alike
+  std::optional<PointPlaces> places_;  // null where all are alike
 };
 
 /// Constants that are stated with a standard error, normal for offsets, else log-normal, if this kind of data needs

@@ -55,7 +55,7 @@ class PackedToughness final : public Cost {
 
 ToughnessObjective::ToughnessObjective(const std::vector<ToughnessPoint>& points, Scale scale, FreeChoice choice,
                                        std::vector<double> weights)
-    : ModelProblem(std::move(choice)), scale_(scale) {
+    : WeightedProblem(std::move(choice)), scale_(scale) {
   weights_ = std::move(weights);
   weights_.resize(points.size(), 1.0);
   targets_.reserve(points.size());
@@ -68,7 +68,7 @@ ToughnessObjective::ToughnessObjective(const std::vector<ToughnessPoint>& points
 }
 
 double ToughnessObjective::data_norm() const {
-  double square = std::pow(ModelProblem::data_norm(), 2);
+  double square = std::pow(WeightedProblem::data_norm(), 2);
   if (scale_ == Scale::log)
     for (const double weight : weights_) square += weight * weight;
   return std::sqrt(square);
@@ -131,12 +131,12 @@ std::unique_ptr<Cost> ToughnessObjective::cost() const {
   return Problem::cost();
 }
 
-ToughnessOfLoads::ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice choice, std::vector<double> weights)
-    : ModelProblem(std::move(choice)), points_(std::move(points)) {
+ToughnessOfLoads::ToughnessOfLoads(MeasuredPoints points, FreeChoice choice, std::vector<double> weights)
+    : WeightedProblem(std::move(choice)), points_(std::move(points)) {
   weights_ = std::move(weights);
-  weights_.resize(points_.size(), 1.0);
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const MeasuredPoint& p = points_[i];
+  weights_.resize(points_.size, 1.0);
+  for (std::size_t i = 0; i < points_.size; ++i) {
+    const MeasuredPoint p = points_.at(i);
     const ConstantsScale scale(choice_.fixed_constants(), p.place);
     targets_.push_back(weights_[i] *
                        std::log(toughness_of_area(scale.load(p.P), scale.shear(p.T), scale.true_area(p.A))->ratio));
@@ -144,7 +144,7 @@ ToughnessOfLoads::ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice
 }
 
 double ToughnessOfLoads::data_norm() const {
-  return std::hypot(ModelProblem::data_norm(), std::sqrt(static_cast<double>(points_.size())));
+  return std::hypot(WeightedProblem::data_norm(), std::sqrt(static_cast<double>(points_.size)));
 }
 
 bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> residuals,
@@ -156,10 +156,10 @@ bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> res
   std::array<double, kChunk> P, T, A, by_P, by_T, by_A;
   std::array<double, kChunk * ParameterValues::kMost> by_parameter;
   bool finite = true;
-  for (std::size_t begin = 0; begin < points_.size(); begin += kChunk) {
-    const std::size_t n = std::min(kChunk, points_.size() - begin);
+  for (std::size_t begin = 0; begin < points_.size; begin += kChunk) {
+    const std::size_t n = std::min(kChunk, points_.size - begin);
     for (std::size_t j = 0; j < n; ++j) {
-      const MeasuredPoint& point = points_[begin + j];
+      const MeasuredPoint point = points_.at(begin + j);
       if (varies) scale = ConstantsScale(at.constants, point.place);
       P[j] = scale.load(point.P);
       T[j] = scale.shear(point.T);
@@ -173,7 +173,7 @@ bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> res
       residuals[i] *= weights_[i];
       finite &= std::isfinite(residuals[i]);
       if (jacobian.empty()) continue;
-      const PointPlace& place = points_[i].place;
+      const PointPlace place = points_.at(i).place;
       if (varies) scale = ConstantsScale(at.constants, place);
       const std::span<double> row = jacobian.subspan(i * width, width);
       choice_.fill_row(row, by_parameter.data() + j * p, {by_P[j], by_T[j], by_A[j]}, {P[j], T[j], A[j], 0, 0, place},

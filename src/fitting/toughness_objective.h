@@ -10,7 +10,7 @@
 
 namespace mixity {
 
-class ToughnessObjective final : public ModelProblem {
+class ToughnessObjective final : public WeightedProblem {
  public:
   /// `weights`: 1/standard error of each point's target, or empty: 1. The only constant that can be fitted is the
   /// toughness, in ln f.
@@ -34,17 +34,17 @@ class ToughnessObjective final : public ModelProblem {
 };
 
 /// The same in ln f, with constants of the experiment free, on which the points' psi and f depend.
-class ToughnessOfLoads final : public ModelProblem {
+class ToughnessOfLoads final : public WeightedProblem {
  public:
   /// `weights`: 1/standard error of each point's ln f, or empty: 1. Targets are those of the constants that are not
   /// free.
-  ToughnessOfLoads(std::vector<MeasuredPoint> points, FreeChoice choice, std::vector<double> weights = {});
+  ToughnessOfLoads(MeasuredPoints points, FreeChoice choice, std::vector<double> weights = {});
 
   double data_norm() const override;
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override;
 
  private:
-  std::vector<MeasuredPoint> points_;
+  MeasuredPoints points_;
 };
 
 }  // namespace mixity

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -65,7 +66,8 @@ inline constexpr bool is_a<Template<Arguments...>, Template> = true;
 template <class Value>
 inline constexpr bool is_text = std::is_convertible_v<Value, std::string_view>;
 template <class Value>
-inline constexpr bool may_be_null = is_a<Value, std::optional> || (std::is_pointer_v<Value> && !is_text<Value>);
+inline constexpr bool may_be_null = is_a<Value, std::optional> || is_a<Value, std::shared_ptr> ||
+                                    (std::is_pointer_v<Value> && !is_text<Value>);
 template <class Value>
 inline constexpr bool is_named = is_a<Value, std::map>;
 template <class Value>

@@ -161,8 +161,12 @@ std::optional<Minimum> descend_with_kernel(const Problem& problem, const std::ve
 
 std::optional<Minimum> descend(const Problem& problem, const std::vector<double>& start, const SolverOptions& options) {
   if (options.engine == Engine::kernel) return descend_with_kernel(problem, start, options);
-  auto minimum = descend_with_ceres(Remembering(problem), start, options);
-  if (!minimum) return std::nullopt;
+  std::optional<Minimum> minimum;
+  {
+    const Remembering nearby(problem);
+    minimum = descend_with_ceres(nearby, start, options);
+    if (!minimum || nearby.evaluated_once()) return minimum;
+  }
   // The result must not depend on the path to it: if the memory misled the descent, repeat it without.
   std::vector<double> residuals(problem.residual_count());
   const auto cost = sum_of_squares(problem, minimum->x, residuals);

@@ -67,7 +67,10 @@ Projection project(const MatrixXd& J, const VectorXd& b, double independent) {
   Eigen::ColPivHouseholderQR<MatrixXd> factors(J.rows(), J.cols());
   factors.setThreshold(independent);
   factors.compute(J);
-  return {(factors.householderQ().adjoint() * b).head(std::min(factors.rank(), J.rows())), factors.solve(b)};
+  // one after the other: each needs a copy of b
+  Projection found{(factors.householderQ().adjoint() * b).head(std::min(factors.rank(), J.rows())), {}};
+  found.solution = factors.solve(b);
+  return found;
 }
 
 }  // namespace mixity

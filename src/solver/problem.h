@@ -80,6 +80,16 @@ class Problem {
                               std::vector<double>& /* memory */) const {
     return evaluate(x, residuals, jacobian);
   }
+  /// In how many parts the rows can be evaluated, for sums over many rows that no array has to hold. One where rows
+  /// depend on each other, and of few rows: it has them in their order.
+  virtual std::size_t parts() const { return 1; }
+  /// Fills residuals and Jacobian of a part, which become as long as they need to be.
+  virtual bool evaluate_part(std::size_t /* part */, std::span<const double> x, std::vector<double>& residuals,
+                             std::vector<double>& jacobian) const {
+    residuals.resize(residual_count());
+    jacobian.resize(residual_count() * x.size());
+    return evaluate(x, residuals, jacobian);
+  }
   /// For the search for starts: cheaper residuals, right to about a factor of two. Some points, always the same ones,
   /// may be left out (0).
   virtual bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
@@ -157,6 +167,7 @@ class Remembering final : public WrappedProblem {
  public:
   using WrappedProblem::WrappedProblem;
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override {
+    ++evaluations_;
     return problem_.evaluate_again(x, residuals, jacobian, memory_);
   }
   bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
@@ -164,8 +175,12 @@ class Remembering final : public WrappedProblem {
     return evaluate(x, residuals, jacobian);
   }
 
+  /// Whether the memory has served no evaluation: what was found does not depend on it.
+  bool evaluated_once() const { return evaluations_ == 1; }
+
  private:
   mutable std::vector<double> memory_;
+  mutable std::size_t evaluations_ = 0;
 };
 
 /// Rounding error of |r| whatever the parameters: a few eps |data|.

@@ -26,6 +26,14 @@ class RobustProblem final : public WrappedProblem {
   /// The loss may have basins of a standard error's width, narrower than the usual steps.
   std::size_t scan_density(std::size_t searched) const override { return searched == 1 ? 512 : searched == 2 ? 16 : 8; }
 
+  std::size_t parts() const override { return problem_.parts(); }
+  bool evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+                     std::vector<double>& jacobian) const override {
+    if (!problem_.evaluate_part(part, x, residuals, jacobian)) return false;
+    change(x, residuals, jacobian);
+    return true;
+  }
+
   /// d^2(rho/2)/dr^2 over the square of the residual's own slope; 0 for Huber's outliers, negative for Cauchy's.
   std::vector<double> curvatures(std::span<const double> x) const override {
     std::vector<double> values(residual_count(), 1.0);

@@ -103,13 +103,14 @@ FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, 
     exploring.most_iterations = options.most_iterations_of_a_start;
     exploring.kernel_stationary_of_several = options.stationary;
   }
-  Kernel kernel(problem, exploring);
-  std::vector<double> residuals(problem.residual_count());
+  std::optional<Kernel> kernel(std::in_place, problem, exploring);
+  std::vector<double> residuals;
   for (const Start& start : list) {
     if (minima.has_one_of(start)) continue;
-    const std::optional<Minimum> minimum = kernel.explore(start);
+    const std::optional<Minimum> minimum = kernel->explore(start);
+    residuals.resize(minimum ? 0 : problem.residual_count());
     if (minimum)
-      found.least = std::min(found.least, kernel.first_cost());
+      found.least = std::min(found.least, kernel->first_cost());
     else if (const auto cost = sum_of_squares(problem, start.x, residuals))  // finite, where the slope is not
       found.least = std::min(found.least, *cost);
     // From the only start of several parameters try both engines: one may end in a valley or on a plateau.
@@ -121,6 +122,7 @@ FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, 
       }
     if (minimum && (minimum->stationary || lost)) minima.keep(*minimum);
   }
+  kernel.reset();  // its arrays are as long as the data
   minima.drop_peaks();
   found.list = std::move(minima.list);
   if (found.list.empty()) return found;

@@ -118,7 +118,8 @@ TEST(CurveObjective, AboveTheCornerOfASmallExponentTheDistanceCounts) {
   for (const double eta : {0.1, 0.36, 0.45}) {
     const double P = 17, A = area_from_radius(jkr_radius(P));
     for (const double T : {0.0, 0.01}) {
-      const CurveObjective problem({{P, T, A + 0.6, 1, 1}}, FreeChoice(model_named("bk"), {}, {}));
+      const CurveObjective problem(std::vector<MeasuredPoint>{{P, T, A + 0.6, 1, 1}},
+                                   FreeChoice(model_named("bk"), {}, {}));
       EXPECT_NEAR(residuals_of(problem, {0.68, eta})[0], -std::hypot(T, 0.6), 1e-9) << eta << ' ' << T;
     }
   }
@@ -126,7 +127,8 @@ TEST(CurveObjective, AboveTheCornerOfASmallExponentTheDistanceCounts) {
 
 /// Below pull-off no curve exists: no residual, and nothing thrown.
 TEST(CurveObjective, IsNotFiniteWhereALoadHasNoCurve) {
-  const CurveObjective problem({{-5, 1, 20, 1, 1}, {1, 1, 20, 1, 1}}, FreeChoice(model_named("c"), {}, {}));
+  const CurveObjective problem(std::vector<MeasuredPoint>{{-5, 1, 20, 1, 1}, {1, 1, 20, 1, 1}},
+                               FreeChoice(model_named("c"), {}, {}));
   std::vector<double> residuals(2);
   const double lambda = 0.3;
   EXPECT_FALSE(problem.evaluate({&lambda, 1}, residuals, {}));

@@ -38,7 +38,7 @@ Analysis example() {
   fit.free_parameters = 2;
   fit.correlations = {1, 0.7361, 0.7361, 1};
   fit.sum_of_squares = 41.2;
-  fit.errors = StandardErrors{{}, {}, ErrorSource::columns, ErrorSource::stated, {}};
+  fit.errors = std::make_shared<StandardErrors>(StandardErrors{{}, {}, ErrorSource::columns, ErrorSource::stated, {}});
   fit.r2 = 0.99935;
   fit.rmse = 1.015;
   fit.max_abs_residual = 2.71;
@@ -51,9 +51,11 @@ TEST(FitStatisticsText, IntervalsAndKnownErrors) { expect_golden(example(), "kno
 TEST(FitStatisticsText, ThePapersFitAndErrorsThatWereRaised) {
   Analysis result = example();
   FitResult& fit = result.fits[0];
-  fit.errors->source_T = ErrorSource::exact;
-  fit.errors->raised_T = 40;
-  fit.errors->raised_A = 1;
+  StandardErrors errors = *fit.errors;
+  errors.source_T = ErrorSource::exact;
+  errors.raised_T = 40;
+  errors.raised_A = 1;
+  fit.errors = std::make_shared<StandardErrors>(errors);
   fit.paper = PaperFit{FitStatus::ok, {{"lambda", 0.00230604, {}, 0, 1}}, 0.99990826, 39};
   expect_golden(result, "paper_and_raised_errors.txt");
 }
@@ -75,9 +77,10 @@ TEST(FitStatisticsText, EstimatedErrorsWithARobustLossAndOneEndedIntervals) {
   FitResult& fit = result.fits[0];
   fit.status = FitStatus::at_bound;
   fit.message = "lambda is at its lower bound 0";
-  fit.errors = StandardErrors{{}, {}, ErrorSource::scatter, ErrorSource::scatter, 0.00721};
-  fit.errors->model_A = {0.25, 0.00721};
-  fit.errors->model_T = {0, 0.0123};
+  StandardErrors errors{{}, {}, ErrorSource::scatter, ErrorSource::scatter, 0.00721};
+  errors.model_A = {0.25, 0.00721};
+  errors.model_T = {0, 0.0123};
+  fit.errors = std::make_shared<StandardErrors>(errors);
   fit.loss_scale = 1.345;
   fit.parameters[0] = {"lambda", 0.0, {}, 0, 1, true};
   fit.parameters[0].interval = ShownInterval{"profile", 0.95, 0.0, 0.000123456, EndStatus::at_bound, EndStatus::found};

@@ -124,7 +124,8 @@ TEST(Assumptions, OfTheCurveNameThePapersFitAndErrorsThatWereRaised) {
   Analysis result = example(FitStatus::ok);
   result.request.options.objective = Objective::curve;
   result.fits[0].paper = PaperFit{};
-  result.fits[0].errors = StandardErrors{{}, {}, ErrorSource::exact, ErrorSource::columns, {}, 40, 0};
+  result.fits[0].errors =
+      std::make_shared<StandardErrors>(StandardErrors{{}, {}, ErrorSource::exact, ErrorSource::columns, {}, 40, 0});
   std::string all;
   for (const std::string& sentence : assumptions(result)) all += sentence + "\n";
   for (const char* part :
