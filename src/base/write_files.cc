@@ -9,6 +9,7 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -175,12 +176,17 @@ void tell_apart(const std::vector<OutputFile>& files) {
 
 /// Throws OutputError if one of the outputs is one of the inputs, under any name.
 void spare_inputs(const std::vector<std::string>& inputs, const std::vector<OutputFile>& outputs) {
+  const auto number_of = [](const std::string& path) -> std::optional<std::pair<dev_t, ino_t>> {
+    struct stat about {};
+    if (::stat(path.c_str(), &about) != 0) return std::nullopt;
+    return std::pair(about.st_dev, about.st_ino);
+  };
+  std::set<std::pair<dev_t, ino_t>> numbers;
+  for (const std::string& input : inputs)
+    if (const auto number = number_of(input)) numbers.insert(*number);
   for (const OutputFile& output : outputs)
-    for (const std::string& input : inputs) {
-      std::error_code not_there;
-      if (std::filesystem::equivalent(input, output.path, not_there))
-        throw OutputError(output.path + ": is an input and is not written over");
-    }
+    if (const auto number = number_of(output.path); number && numbers.count(*number) > 0)
+      throw OutputError(output.path + ": is an input and is not written over");
 }
 
 /// The name, with a number behind it if a file of other content has it: no former edit is lost.

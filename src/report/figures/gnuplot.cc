@@ -1,12 +1,16 @@
 #include "report/figures/gnuplot.h"
 
+#include <fcntl.h>
 #include <spawn.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -61,6 +65,36 @@ bool run_gnuplot(const std::vector<std::string>& scripts, const std::string& fol
   return children.size() == shares.size();
 }
 
+constexpr std::string_view kScratch = "mixity-figures-";
+
+/// Locks a folder as long as the descriptor is open; below zero if another program has it.
+int locked(const std::filesystem::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
+  if (file >= 0) ::close(file);
+  return -1;
+}
+
+/// Removes folders that killed programs of this user left: they are not locked, and no longer as young as one that is
+/// about to be.
+void remove_left_behind(const std::filesystem::path& temporary) {
+  constexpr std::time_t kYoung = 60;  // s
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(temporary, error), end; !error && entry != end;
+       entry.increment(error)) {
+    struct stat about {};
+    const std::filesystem::path& path = entry->path();
+    if (!path.filename().string().starts_with(kScratch) || ::lstat(path.c_str(), &about) != 0) continue;
+    if (!S_ISDIR(about.st_mode) || about.st_uid != ::geteuid() || std::time(nullptr) - about.st_mtime < kYoung)
+      continue;
+    if (const int file = locked(path); file >= 0) {
+      std::error_code ignored;
+      std::filesystem::remove_all(path, ignored);
+      ::close(file);
+    }
+  }
+}
+
 /// A folder of its own, gone at the end of the scope.
 class ScratchFolder {
  public:
@@ -68,20 +102,24 @@ class ScratchFolder {
     std::error_code error;
     const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
     if (error) throw OutputError("TMPDIR names no folder for temporary files: " + error.message());
-    std::string pattern = (folder / "mixity-figures-XXXXXX").string();
+    remove_left_behind(folder);
+    std::string pattern = (folder / (std::string(kScratch) + "XXXXXX")).string();
     if (!mkdtemp(pattern.data())) throw OutputError(pattern + ": a temporary folder cannot be made");
     path_ = pattern;
+    lock_ = locked(path_);
   }
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
   ~ScratchFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
+    if (lock_ >= 0) ::close(lock_);
   }
   const std::string& path() const { return path_; }
 
  private:
   std::string path_;
+  int lock_ = -1;
 };
 
 /// What gnuplot drew, or nothing if the file does not end as one does: gnuplot does not report a full disk.

@@ -1,9 +1,14 @@
 #include "report/figures/drawn_figures.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -81,6 +86,30 @@ TEST(DrawnFigures, WithoutGnuplotAreSvgAndScriptAndSaySo) {
   const DrawnFigures drawn = draw_figures({example("one")}, "f", kAll);
   EXPECT_NE(drawn.missing.find("gnuplot"), std::string::npos);
   EXPECT_EQ(paths(drawn), (std::set<std::string>{"f/one.svg", "f/one.dat", "f/one.gp"}));
+}
+
+TEST(DrawnFigures, RemoveFoldersThatKilledProgramsLeftAndNoOthers) {
+  const TemporaryFolder temporary;
+  const auto made = [&](const std::string& name, std::chrono::minutes age) {
+    const std::string path = temporary.path(name);
+    std::filesystem::create_directory(path);
+    temporary.write(name + "/one.dat", "1");
+    std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now() - age);
+    return path;
+  };
+  using std::chrono::minutes;
+  const std::string left = made("mixity-figures-aaaaaa", minutes(5)), young = made("mixity-figures-bbbbbb", minutes(0)),
+                    held = made("mixity-figures-cccccc", minutes(5)), theirs = made("figures-dddddd", minutes(5));
+  const int lock = ::open(held.c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(lock, LOCK_EX), 0);
+  const char* const before = std::getenv("TMPDIR");
+  const std::string kept = before ? before : "";
+  ::setenv("TMPDIR", temporary.path().c_str(), 1);
+  draw_figures({example("one")}, "f", {.pdf = true});
+  before ? ::setenv("TMPDIR", kept.c_str(), 1) : ::unsetenv("TMPDIR");
+  ::close(lock);
+  EXPECT_FALSE(std::filesystem::exists(left));
+  for (const std::string& path : {young, held, theirs}) EXPECT_TRUE(std::filesystem::exists(path + "/one.dat")) << path;
 }
 
 TEST(DrawnFigures, AFigureThatIsCutShortIsNotDelivered) {
