@@ -1,6 +1,7 @@
 #include "base/content_hash.h"
 
-#define XXH_INLINE_ALL  // the header alone, for browsers too
+#define XXH_INLINE_ALL         // the header alone, for browsers too
+#define XXH_NO_INLINE_HINTS 1  // a build with little optimisation refuses to inline what the header insists on
 #include <xxhash.h>
 
 #include <array>
