@@ -97,13 +97,14 @@ bool Fitter::settle_errors(std::vector<double>& x) {
       quick.most_iterations = quick.most_iterations_shown = kNextIterations;
     }
     const auto& objective = static_cast<const CurveObjective&>(*problem_);
-    auto nearest = objective.nearest(x);
-    const auto expected = nearest ? objective.expected(x, *nearest) : std::nullopt;
-    std::vector<double> leverage = nearest ? leverages_of_data(cost, x) : std::vector<double>();
-    if (!expected || leverage.empty()) return true;
+    std::vector<double> leverage = leverages_of_data(cost, x);
+    auto nearest = leverage.empty() ? std::nullopt : objective.nearest(x);
+    auto expected = nearest ? objective.expected(x, *nearest) : std::nullopt;
+    if (!expected) return true;
     double freedom = 0;
     for (const double one : leverage) freedom += 1 - one;
     double change = take_expected_off(*expected, freedom, *nearest);
+    expected.reset();
     if (by_run && !find_run_differences(x, *nearest, leverage, change)) return true;
     if (options_.loss == Loss::t) weigh_as_student(nearest->residuals);
     // A model that does not describe the data tells nothing of their errors. Of few runs nothing tells correlated
@@ -181,18 +182,22 @@ double Fitter::take_expected_off(const std::vector<double>& expected, double fre
 bool Fitter::expects_distances(const std::vector<double>& x) {
   if (x.empty() || purpose_ == Purpose::tried) return false;
   const auto& objective = static_cast<const CurveObjective&>(*problem_);
-  const auto nearest = objective.nearest(x);
+  auto nearest = objective.nearest(x);
   auto expected = nearest ? objective.expected(x, *nearest) : std::nullopt;
   if (!expected) return false;
   double squares = 0, of_expected = 0;
   for (const double r : nearest->residuals) squares += r * r;
+  // Of millions of points each list counts.
+  nearest->residuals = nearest->load_T = nearest->load_A = std::vector<double>();
   const double noise = std::min(1.0, squares / static_cast<double>(expected->size()));
   for (double& one : *expected) of_expected += std::pow(one *= noise, 2);
   if (of_expected < kCurvatureMatters) return false;
   StandardErrors& errors = *prepared_.errors;
   keep_places(data_, prepared_.used, *nearest, errors);
+  nearest.reset();
   errors.expected.resize(data_.points.size());
   for (std::size_t i = 0; i < expected->size(); ++i) errors.expected[prepared_.used[i]] = (*expected)[i];
+  expected.reset();
   problem_ = make_problem(data_, options_, prepared_);
   return true;
 }
@@ -201,10 +206,11 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
 std::vector<double> Fitter::leverages_of_data(const Problem& cost, const std::vector<double>& x) const {
   std::vector<double> list(prepared_.used.size(), 0.0);
   if (x.empty()) return list;
-  Linearised at;
-  if (!linearise(cost, Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())), {}, at))
-    return {};
-  const Eigen::VectorXd all = leverages(at.J);
+  std::vector<double> jacobian(cost.residual_count() * x.size());
+  if (std::vector<double> residuals(cost.residual_count()); !cost.evaluate(x, residuals, jacobian)) return {};
+  Eigen::MatrixXd J = as_matrix(jacobian, x.size());
+  jacobian = std::vector<double>();
+  const Eigen::VectorXd all = leverages(std::move(J));
   std::copy_n(all.begin(), list.size(), list.begin());
   return list;
 }

@@ -61,8 +61,10 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
   }
   // A drift shows from three runs on, hysteresis where there are areas with and without shear.
   bool with = false, without = false;
-  for (const PointPlace& place : data_.has_loads ? places(data_) : std::vector<PointPlace>())
-    (place.unsheared ? without : with) = true;
+  if (data_.has_loads) {
+    const PointPlaces places(data_);
+    for (std::size_t i = 0; i < data_.points.size(); ++i) (places.at(i).unsheared ? without : with) = true;
+  }
   const auto acts = [&](Constant c) {
     if (c == kModulusDrift || c == kToughnessDrift) return data_.curves.size() >= 3;
     return c != kHysteresis || (with && without);

@@ -64,7 +64,9 @@ ToughnessObjective::ToughnessObjective(const std::vector<ToughnessPoint>& points
     targets_.push_back(weights_[i] * (scale_ == Scale::log ? std::log(points[i].ratio) : points[i].ratio));
     mixities_.push_back(points[i].mixity);
   }
-  if (scale_ == Scale::log && model().has_packed_form()) packed_ = model().packed(mixities_);
+  if (scale_ != Scale::log || !model().has_packed_form()) return;
+  packed_ = model().packed(mixities_);
+  if (is_packed()) mixities_ = std::vector<Mixity<double>>();  // gives their memory back
 }
 
 double ToughnessObjective::data_norm() const {
@@ -87,8 +89,8 @@ bool ToughnessObjective::evaluate(std::span<const double> x, std::span<double> r
   std::array<double, kChunk> value, curvature;
   std::array<double, kChunk * ParameterValues::kMost> gradient;
   bool finite = true;
-  for (std::size_t begin = 0; begin < mixities_.size(); begin += kChunk) {
-    const std::size_t n = std::min(kChunk, mixities_.size() - begin);
+  for (std::size_t begin = 0; begin < targets_.size(); begin += kChunk) {
+    const std::size_t n = std::min(kChunk, targets_.size() - begin);
     if (is_packed())
       model().packed_log_toughness(at.parameters[0], packed_, begin, n, value.data(), gradient.data(),
                                    curvature.data());

@@ -29,8 +29,8 @@ class ToughnessObjective final : public WeightedProblem {
   double residual(std::size_t i, double log_f) const;
 
   Scale scale_;
-  PackedMixities packed_;  // for ln f of a model that has a packed form; else empty
-  std::vector<Mixity<double>> mixities_;
+  PackedMixities packed_;                 // for ln f of a model that has a packed form; else empty
+  std::vector<Mixity<double>> mixities_;  // empty where they are packed
 };
 
 /// The same in ln f, with constants of the experiment free, on which the points' psi and f depend.

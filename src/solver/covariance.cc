@@ -11,8 +11,8 @@ Covariance covariance(const Problem& problem, const Minimum& best, const std::ve
                       const SolverOptions& options) {
   const std::size_t n = problem.residual_count(), p = problem.parameters().size();
   Covariance result{std::vector<std::optional<double>>(p), {}, {}};
-  std::vector<double> residuals(n), jacobian(n * p);
-  if (!problem.evaluate(best.x, residuals, jacobian)) return result;
+  std::vector<double> jacobian(n * p);
+  if (std::vector<double> residuals(n); !problem.evaluate(best.x, residuals, jacobian)) return result;
   const auto J = as_matrix(jacobian, p);
   std::vector<Eigen::Index> open;
   for (std::size_t k = 0; k < p; ++k)
@@ -32,14 +32,16 @@ Covariance covariance(const Problem& problem, const Minimum& best, const std::ve
   if (!(norms.array() > 0).all()) return unconstrained([&](Eigen::Index i) { return !(norms[i] > 0); }, "");
   Eigen::MatrixXd scaled(J.rows(), m);
   for (Eigen::Index i = 0; i < m; ++i) scaled.col(i) = J.col(open[i]) / norms[i];
+  jacobian = std::vector<double>();  // gives its memory back
+  const std::vector<double> bend = problem.curvatures(best.x);
   // QR of J: J'J would lose half of the digits of nearly dependent parameters.
-  const Eigen::MatrixXd R = qr_triangle(scaled);
+  const Eigen::MatrixXd R = bend.empty() ? qr_triangle(std::move(scaled)) : qr_triangle(scaled);
   const WeakDirection weak = weak_direction(R);
-  if (J.rows() < m || !(weak.singular_value > options.independent))
+  if (static_cast<Eigen::Index>(n) < m || !(weak.singular_value > options.independent))
     return unconstrained([&](Eigen::Index i) { return std::abs(weak.direction[i]) > 0.1; }, " independently");
   if (n <= p) return result;
   Eigen::MatrixXd inverse;
-  if (const std::vector<double> bend = problem.curvatures(best.x); bend.empty()) {
+  if (bend.empty()) {
     inverse = inverse_of_square(R);
   } else {
     auto weighted = inverse_of_weighted_square(scaled, as_vector(bend));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solver/kernel.h"
 
@@ -44,7 +45,7 @@ void measure(Linearised& at, const SolverOptions& options) {
     unit[k] = slope > 0 ? 1 / slope : 0;
     J.col(k) = at.J.col(k) * unit[k];
   }
-  const Projection found = project(J, at.r, options.independent);
+  const Projection found = project(std::move(J), at.r, options.independent);
   // Single columns, too: a direction that was left out must not hide a gradient.
   const double r = at.r.norm(), gradient = at.gradient.cwiseProduct(unit).lpNorm<Eigen::Infinity>();
   at.stationarity = r > 0 ? std::max(found.along.norm(), gradient) / r : 0;

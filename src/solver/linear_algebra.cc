@@ -8,15 +8,16 @@ namespace mixity {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-MatrixXd qr_triangle(const MatrixXd& J) {
+MatrixXd qr_triangle(MatrixXd J) {
   const Eigen::Index rows = std::min(J.rows(), J.cols());
   MatrixXd R = MatrixXd::Zero(J.cols(), J.cols());
-  R.topRows(rows) = Eigen::HouseholderQR<MatrixXd>(J).matrixQR().topRows(rows).triangularView<Eigen::Upper>();
+  const Eigen::HouseholderQR<Eigen::Ref<MatrixXd>> factors(J);  // in its memory
+  R.topRows(rows) = J.topRows(rows).triangularView<Eigen::Upper>();
   return R;
 }
 
-VectorXd leverages(const RowMajorMatrix& J) {
-  const Eigen::HouseholderQR<MatrixXd> qr(J);
+VectorXd leverages(MatrixXd J) {
+  const Eigen::HouseholderQR<Eigen::Ref<MatrixXd>> qr(J);  // in its memory
   const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(J.rows(), J.cols());
   VectorXd squares(Q.rows());
   for (Eigen::Index i = 0; i < Q.rows(); ++i) squares[i] = Q.row(i).squaredNorm();
@@ -63,14 +64,15 @@ MatrixXd solve_columns(const MatrixXd& H, const MatrixXd& B) { return B.size() =
 
 VectorXd solve_any(const MatrixXd& H, const VectorXd& b) { return H.fullPivLu().solve(b); }
 
-Projection project(const MatrixXd& J, const VectorXd& b, double independent) {
-  Eigen::ColPivHouseholderQR<MatrixXd> factors(J.rows(), J.cols());
+Projection project(MatrixXd J, VectorXd b, double independent) {
+  Eigen::ColPivHouseholderQR<Eigen::Ref<MatrixXd>> factors(J);  // in its memory
   factors.setThreshold(independent);
-  factors.compute(J);
-  // one after the other: each needs a copy of b
-  Projection found{(factors.householderQ().adjoint() * b).head(std::min(factors.rank(), J.rows())), {}};
-  found.solution = factors.solve(b);
-  return found;
+  b.applyOnTheLeft(factors.householderQ().adjoint());
+  const Eigen::Index pivots = factors.nonzeroPivots();
+  VectorXd solution = VectorXd::Zero(J.cols()), first = b.head(pivots);
+  factors.matrixQR().topLeftCorner(pivots, pivots).triangularView<Eigen::Upper>().solveInPlace(first);
+  for (Eigen::Index k = 0; k < pivots; ++k) solution[factors.colsPermutation().indices()[k]] = first[k];
+  return {b.head(std::min(factors.rank(), J.rows())), solution};
 }
 
 }  // namespace mixity

@@ -20,9 +20,9 @@ inline Eigen::Map<const RowMajorMatrix> as_matrix(std::span<const double> values
 }
 
 /// The upper triangle R of J = QR, [m x m]; its last rows are 0 where J has fewer rows than columns.
-Eigen::MatrixXd qr_triangle(const Eigen::MatrixXd& J);
+Eigen::MatrixXd qr_triangle(Eigen::MatrixXd J);
 /// Squared norm of each row of Q where J = QR: the leverage of each residual. J has at least as many rows as columns.
-Eigen::VectorXd leverages(const RowMajorMatrix& J);
+Eigen::VectorXd leverages(Eigen::MatrixXd J);
 /// (R'R)^-1 of an upper triangle without a zero on its diagonal.
 Eigen::MatrixXd inverse_of_square(const Eigen::MatrixXd& R);
 
@@ -59,6 +59,6 @@ Eigen::VectorXd solve_any(const Eigen::MatrixXd& H, const Eigen::VectorXd& b);
 struct Projection {
   Eigen::VectorXd along, solution;
 };
-Projection project(const Eigen::MatrixXd& J, const Eigen::VectorXd& b, double independent);
+Projection project(Eigen::MatrixXd J, Eigen::VectorXd b, double independent);
 
 }  // namespace mixity
