@@ -41,7 +41,8 @@ inline constexpr std::string_view kBelowPullOff =
 PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOptions& options, Objective objective,
                     const std::vector<std::size_t>* points);
 
-/// `weights`: of objective toughness, 1/standard error; empty: 1.
+/// `weights`: of objective toughness, 1/standard error; empty: 1. The data set must outlive the problem, and stay where
+/// it is.
 std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
                                            std::vector<double> weights = {});
 
