@@ -30,10 +30,13 @@ constexpr const char* kChanged = "was changed while it was read: read it again w
 
 }  // namespace
 
+Inputs::Inputs(const std::vector<InputFile>& given) : given_(std::in_place) {
+  for (const InputFile& file : given) given_->emplace(file.path, file);
+}
+
 bool Inputs::exists(const std::string& path) const {
   std::error_code error;
-  if (given_)
-    return std::any_of(given_->begin(), given_->end(), [&](const InputFile& one) { return one.path == path; });
+  if (given_) return given_->count(path) > 0;
   const auto kind = std::filesystem::status(path, error).type();
   if (kind == std::filesystem::file_type::not_found) return false;
   if (error) throw InputError(path, "cannot be looked up: " + error.message());
@@ -41,6 +44,8 @@ bool Inputs::exists(const std::string& path) const {
 }
 
 std::string Inputs::read(const std::string& path) {
+  if (const auto known = index_.find(path); known != index_.end() && files_[known->second].content)
+    return *files_[known->second].content;
   InputStream stream(path, *this);
   std::string text;
   constexpr std::size_t kPart = std::size_t{1} << 16;
@@ -53,16 +58,14 @@ std::string Inputs::read(const std::string& path) {
 
 std::shared_ptr<const std::string> Inputs::given(const std::string& path) const {
   if (!given_) return nullptr;
-  const auto file =
-      std::find_if(given_->begin(), given_->end(), [&](const InputFile& one) { return one.path == path; });
-  if (file == given_->end() || !file->content) throw InputError(path, "is not among the files that were read before");
-  return file->content;
+  const auto file = given_->find(path);
+  if (file == given_->end() || !file->second.content)
+    throw InputError(path, "is not among the files that were read before");
+  return file->second.content;
 }
 
 void Inputs::add(InputFile file) {
-  const bool known =
-      std::any_of(files_.begin(), files_.end(), [&](const InputFile& one) { return one.path == file.path; });
-  if (!known) files_.push_back(std::move(file));
+  if (index_.emplace(file.path, files_.size()).second) files_.push_back(std::move(file));
 }
 
 InputStream::InputStream(const std::string& path, Inputs& inputs)

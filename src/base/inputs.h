@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,10 +29,11 @@ class Inputs {
 
   Inputs() = default;
   /// Of files that were read before: no file is read from disk.
-  explicit Inputs(std::vector<InputFile> given) : given_(std::move(given)) {}
+  explicit Inputs(const std::vector<InputFile>& given);
 
   bool exists(const std::string& path) const;
-  /// The content of a file of at most kMostText bytes. Throws InputError as read_file does.
+  /// The content of a file of at most kMostText bytes; a file that was read is not read again. Throws InputError as
+  /// read_file does.
   std::string read(const std::string& path);
   /// Null if files are read from disk. Throws InputError if the file is not among those that were read before.
   std::shared_ptr<const std::string> given(const std::string& path) const;
@@ -40,8 +42,9 @@ class Inputs {
   const std::vector<InputFile>& files() const { return files_; }
 
  private:
-  std::optional<std::vector<InputFile>> given_;
+  std::optional<std::map<std::string, InputFile>> given_;  // by path
   std::vector<InputFile> files_;
+  std::map<std::string, std::size_t> index_;  // of files_, by path
 };
 
 /// A file that is read from its beginning to its end in blocks.

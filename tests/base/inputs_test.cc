@@ -38,6 +38,17 @@ TEST(Inputs, HoldWhatWasReadWhateverHappensToTheFile) {
   EXPECT_EQ(content_of(file), "P,T,A\n");
 }
 
+/// As the names of columns that the files of one data set share.
+TEST(Inputs, AreReadOnceEach) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("headings.toml", "first");
+  Inputs inputs;
+  EXPECT_EQ(inputs.read(path), "first");
+  folder.write("headings.toml", "second");
+  EXPECT_EQ(inputs.read(path), "first");
+  EXPECT_EQ(inputs.files().size(), 1u);
+}
+
 TEST(Inputs, ThatAreGivenAreNotReadFromDisk) {
   const TemporaryFolder folder;
   const std::string path = folder.write("data.csv", "on disk"), other = folder.write("other.csv", "1");
