@@ -155,6 +155,23 @@ TEST(Dataset, EmptyFieldsBeyondTheHeaderAreHarmless) {
   EXPECT_EQ(load_text("P,T,A\n1,0,20,\n1,1,19,,,\n").points.size(), 2);
 }
 
+/// Of three runs: from first to last, the share of the run's largest shear squared, and which points are without shear.
+TEST(Dataset, PlacesSayRunShareOfTheLargestShearAndNoShear) {
+  const Dataset data = load_text("P,T,A\n1,0,19\n1,2,18\n1,-4,17\n2,0.04,20\n2,5,18\n3,0,21\n");
+  const PointPlaces of(data);
+  const std::vector<double> order{-0.5, -0.5, -0.5, 0, 0, 0.5}, share{0, 0.25, 1, 6.4e-5, 1, 0};
+  const std::vector<bool> without{true, false, false, true, false, true};
+  const std::vector<PointPlace> all = places(data);
+  ASSERT_EQ(all.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_DOUBLE_EQ(all[i].order, order[i]) << i;
+    EXPECT_NEAR(all[i].stretch, share[i], 1e-15) << i;
+    EXPECT_EQ(all[i].unsheared, without[i]) << i;
+  }
+  EXPECT_DOUBLE_EQ(of.at(1, 4).stretch, 1);  // where the point lies without noise
+  EXPECT_DOUBLE_EQ(PointPlaces(load_text("P,T,A\n1,1,19\n")).at(0).order, 0);  // one run alone
+}
+
 TEST(Dataset, OnePointIsADataSet) { EXPECT_EQ(load_text("P,T,A\n1,1,19").points.size(), 1); }
 
 TEST(Dataset, RunsAreThoseOfTheCurveColumnElseOnePerLoad) {

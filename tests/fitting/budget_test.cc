@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fitting/fit.h"
@@ -97,6 +99,79 @@ TEST(Budget, ScoreIsWhatChiSquareFallsByIfTheConstantIsFree) {
         << one.constant;
     const double error = *free.parameters[1].stderr_;
     EXPECT_NEAR(one.score->value, *free.parameters[1].value, 0.5 * error) << one.constant;
+  }
+}
+
+/// A linear problem of two fitted parameters and two constants, whose rows are evaluated in parts.
+class RowsInParts : public Problem {
+ public:
+  static constexpr std::size_t kRows = 300, kColumns = 4;
+  explicit RowsInParts(std::size_t parts, bool known_errors) : parts_(parts), known_errors_(known_errors) {
+    SeededNoise noise(4, 1.0);
+    for (double& one : jacobian_) one = noise();
+    for (std::size_t i = 0; i < kRows; ++i) jacobian_[i * kColumns + 3] += 0.7 * jacobian_[i * kColumns + 2];
+    for (double& one : residuals_) one = noise();
+    for (const char* const name : {"lambda", "modulus", "load_offset", "force_gain"})
+      parameters_.push_back({name, -10, 10, 0.0});
+    parameters_[1].prior = 0.2;
+  }
+  std::size_t residual_count() const override { return kRows; }
+  const std::vector<FreeParameter>& parameters() const override { return parameters_; }
+  bool evaluate(std::span<const double>, std::span<double> r, std::span<double> J) const override {
+    std::ranges::copy(residuals_, r.begin());
+    if (!J.empty()) std::ranges::copy(jacobian_, J.begin());
+    return true;
+  }
+  std::size_t parts() const override { return parts_; }
+  bool evaluate_part(std::size_t part, std::span<const double>, std::vector<double>& r,
+                     std::vector<double>& J) const override {
+    const auto rows = [&](const auto& all, std::size_t width) {
+      const std::size_t begin = part * kRows / parts_, end = (part + 1) * kRows / parts_;
+      return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(begin * width),
+                                 all.begin() + static_cast<std::ptrdiff_t>(end * width));
+    };
+    r = rows(residuals_, 1);
+    J = rows(jacobian_, kColumns);
+    return true;
+  }
+  double data_norm() const override { return 1; }
+  bool known_errors() const override { return known_errors_; }
+
+ private:
+  std::size_t parts_;
+  bool known_errors_;
+  std::array<double, kRows> residuals_;
+  std::array<double, kRows * kColumns> jacobian_;
+  std::vector<FreeParameter> parameters_;
+};
+
+TEST(Budget, OfSeveralPartsIsThatOfOne) {
+  for (const bool known : {true, false}) {
+    const auto budget = [&](std::size_t parts) {
+      return error_budget(RowsInParts(parts, known), {0.1, 0.02, 0, 0}, 0.5, {false, false}, {{2, 0.01}, {3, 0.05}});
+    };
+    const auto whole = budget(1);
+    ASSERT_TRUE(whole && whole->scatter && whole->exact.size() == 2);
+    for (const std::size_t parts : {2u, 7u}) {
+      const auto summed = budget(parts);
+      ASSERT_TRUE(summed && summed->scatter);
+      // sums of 300 terms in another order
+      const auto same = [](double a, double b) { EXPECT_NEAR(a, b, 1e-12 * (1 + std::abs(b))); };
+      same(*summed->scatter, *whole->scatter);
+      same(summed->independent, whole->independent);
+      ASSERT_EQ(summed->parts.size(), 1u);
+      same(summed->parts[0].share, whole->parts[0].share);
+      for (std::size_t k = 0; k < 2; ++k) {
+        ASSERT_TRUE(summed->exact[k].score && whole->exact[k].score);
+        const auto &a = *summed->exact[k].score, &b = *whole->exact[k].score;
+        same(*summed->exact[k].effect, *whole->exact[k].effect);
+        same(a.fall, b.fall);
+        same(a.value, b.value);
+        same(a.p_value, b.p_value);
+        same(a.change, b.change);
+        same(a.widening, b.widening);
+      }
+    }
   }
 }
 

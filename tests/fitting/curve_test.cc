@@ -1,7 +1,10 @@
 // Objective curve on loads and areas: its residuals against what they are called, its Jacobian against differences.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "fitting/curve_objective.h"
 #include "fitting/problem_checks.h"
@@ -99,6 +102,49 @@ TEST(CurveObjective, OfModelAIsContinuousAtItsBound) {
   const CurveObjective objective(slid, FreeChoice(model_named("a"), {{0.5}, {}}, {false}));
   const auto at_bound = residuals_of(objective, {1}), below = residuals_of(objective, {1 - 1e-13});
   for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(at_bound[i], below[i], 1e-5) << i;  // the root of 1 - lambda
+}
+
+/// Parts are of whole blocks of points sorted by load. One after the other they have each row once, to the last digit.
+TEST_P(CurveOf, PartsHaveTheRowsOfTheWholeByLoad) {
+  const ParameterValues p = typical_cases(model())[1];
+  const auto few = points_off(key(), p);
+  std::vector<MeasuredPoint> many;
+  while (many.size() < 70000) many.push_back(few[many.size() * 7 % few.size()]);
+  std::vector<double> expected(many.size());
+  for (std::size_t i = 0; i < many.size(); ++i) expected[i] = 0.001 * static_cast<double>(i);
+  const CurveObjective objective(many, everything_free(model()), expected);
+  ASSERT_GT(objective.parts(), 2u);
+  const std::vector<double> x = solver_point(p, kSomeConstants[1]);
+  std::vector<double> r(many.size()), J(many.size() * x.size()), part_r, part_J;
+  ASSERT_TRUE(objective.evaluate(x, r, J));
+  std::vector<std::size_t> by_load(many.size());
+  std::iota(by_load.begin(), by_load.end(), std::size_t{0});
+  std::ranges::stable_sort(by_load, {}, [&](std::size_t i) { return many[i].P; });
+  std::size_t rank = 0;
+  for (std::size_t part = 0; part < objective.parts(); ++part) {
+    ASSERT_TRUE(objective.evaluate_part(part, x, part_r, part_J));
+    ASSERT_EQ(part_J.size(), part_r.size() * x.size());
+    for (std::size_t i = 0; i < part_r.size(); ++i, ++rank) {
+      ASSERT_LT(rank, many.size());
+      const std::size_t same = by_load[rank];
+      ASSERT_EQ(part_r[i], r[same]) << rank;
+      for (std::size_t k = 0; k < x.size(); ++k)
+        ASSERT_EQ(part_J[i * x.size() + k], J[same * x.size() + k]) << rank << ' ' << k;
+    }
+  }
+  EXPECT_EQ(rank, many.size());
+}
+
+/// What a whitening does to one row depends on the rows before it.
+TEST_P(CurveOf, RowsThatDependOnEachOtherAreOnePart) {
+  const ParameterValues p = typical_cases(model())[1];
+  const auto few = points_off(key(), p);
+  std::vector<MeasuredPoint> many;
+  while (many.size() < 70000) many.push_back(few[many.size() % few.size()]);
+  EXPECT_EQ(CurveObjective(few, everything_free(model())).parts(), 1u);
+  const auto whitening = std::make_shared<const Whitening>(std::nullopt, std::nullopt);
+  EXPECT_GT(CurveObjective(many, everything_free(model())).parts(), 1u);
+  EXPECT_EQ(CurveObjective(many, everything_free(model()), {}, whitening).parts(), 1u);
 }
 
 TEST_P(CurveOf, DistanceOfANegativeShearIsThatOfAPositiveOne) {
