@@ -142,6 +142,10 @@ struct Dataset {
     const std::string& file = file_of(line);
     return files.empty() ? text : printable(file.substr(file.find_last_of('/') + 1), std::string::npos) + " " + text;
   }
+  /// "sigma_T and sigma_A": what the standard errors of the points are called.
+  const char* names_of_errors() const {
+    return has_loads ? "sigma_T and sigma_A" : has_energies ? "sigma_GI and sigma_GII" : "sigma_Gc";
+  }
   PointErrors errors_of(std::size_t i) const { return errors.empty() ? PointErrors{} : errors[i]; }
 
  private:

@@ -46,7 +46,7 @@ double mean_correlation(const FitResult& fit);
 /// How many independent points the points of the fit are worth: n (1 - r)/(1 + r), r the mean correlation.
 double independent_points(const FitResult& fit);
 /// The first test that fails, as a sentence with a remedy; empty if none does.
-Message failed_test(const FitResult& fit);
+Message failed_test(const Dataset& data, const FitResult& fit);
 
 /// A refit of the same model to some points, for its values; from `near` if that is not null.
 using Refit = std::function<FitResult(const FitOptions& options, const std::vector<std::size_t>& points,

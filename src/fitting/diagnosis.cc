@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "fitting/causes.h"
+#include "fitting/heavy_points.h"
 
 namespace mixity {
 namespace {
@@ -59,6 +61,23 @@ Message sliding_text(const Case& of, const FitResult& whole, const Cut& cut, std
          ": cut the runs there; without them " + lambda_text(cut.fit) + " and " + before_and_after(whole, cut.fit);
 }
 
+/// The reason if it is a few points with far smaller errors than the others; null if these do not explain it.
+std::optional<Message> of_heavy_points(const Case& of) {
+  if (!of.fit.consistency || !of.fit.consistency->heavy || !is_found(of.fit)) return std::nullopt;
+  const HeavyPoints& heavy = *of.fit.consistency->heavy;
+  Points others;
+  std::set_difference(of.fit.used.begin(), of.fit.used.end(), heavy.points.begin(), heavy.points.end(),
+                      std::back_inserter(others));
+  const FitResult without = of.refit(of.options, others, &of.fit.parameters);
+  if (!is_found(without) || !explains(of.data, without)) return std::nullopt;
+  const bool one = heavy.points.size() == 1;
+  Message text = text_of(heavy, of.data) + ": check " + (one ? "it" : "them") + "; without " + (one ? "it " : "them ") +
+                 before_and_after(of.fit, without);
+  if (const std::string values = lambda_text(without); !values.empty()) text += " and " + values;
+  if (of.data.files.empty()) text += Message("; ") + Remedy::set("exclude", lines_of(heavy, of.data));
+  return text;
+}
+
 bool sliding_is_tried(const Case& of, const Points& points) {
   constexpr std::size_t kSome = 50;
   if (!of.data.has_loads || of.left_behind) return false;
@@ -71,11 +90,13 @@ bool sliding_is_tried(const Case& of, const Points& points) {
 
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
                    bool left_behind) {
-  const Message failed = failed_test(fit);
+  const Message failed = failed_test(data, fit);
   const bool pinned = fit.consistency && fit.consistency->pinned;
-  if (failed.empty() || !fit.budget || fit.loss_scale > 0 || pinned) return {failed, {}, {}};
-  constexpr std::size_t kEnough = 5000;  // points to distinguish causes
+  if (failed.empty() || fit.loss_scale > 0 || pinned) return {failed, {}, {}};
   const Case of{data, fit, options, refit, left_behind};
+  if (auto heavy = of_heavy_points(of)) return {std::move(*heavy), {}, {}};
+  if (!fit.budget) return {failed, {}, {}};
+  constexpr std::size_t kEnough = 5000;  // points to distinguish causes
   const Points points = thinned(fit.used, kEnough);
   const bool all_points = points.size() == fit.used.size();
   const FitResult whole = all_points ? fit : refit(options, points, &fit.parameters);

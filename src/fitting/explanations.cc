@@ -5,7 +5,6 @@
 
 #include "fitting/causes.h"
 #include "fitting/predicted_area.h"
-#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
@@ -72,24 +71,6 @@ bool is_found(const FitResult& fit) { return has_minimum(fit) && fit.freedom() >
 
 double per_freedom(const FitResult& fit) { return comparable_squares(fit) / static_cast<double>(fit.freedom()); }
 
-std::vector<Freed> freed_one_by_one(const Case& of, const std::vector<Constant>& constants, const Points& points) {
-  std::vector<Freed> list;
-  for (const Constant constant : constants) {
-    FitOptions freed = of.options;
-    freed.free.push_back(constant);
-    if (FitResult with = of.refit(freed, points, &of.fit.parameters); is_found(with))
-      list.push_back({constant, std::move(with)});
-  }
-  return list;
-}
-
-const Freed* best_of(const std::vector<Freed>& list) {
-  const Freed* best = nullptr;
-  for (const Freed& one : list)
-    if (!best || comparable_squares(one.fit) < (1 - 1e-6) * comparable_squares(best->fit)) best = &one;
-  return best;
-}
-
 std::optional<Cut> before_sliding(const Case& of, const Points& points, std::size_t few) {
   constexpr int kRounds = 8;
   const std::vector<Points> runs = runs_from_low_shear(of.data, points);
@@ -139,12 +120,6 @@ bool explains(const Dataset& data, const FitResult& fit) {
          !consistency.pinned && !is_far(tests) && tests.course_p > kHardly && !tests.together &&
          (tests.coarse || (tests.runs_p > kHardly && tests.correlation_p > kHardly)) && tests.trend_p > kHardly &&
          tests.ends_p > kHardly;
-}
-
-bool is_better(const FitResult& fit, const FitResult& freed, double constants) {
-  const double fall =
-      (comparable_squares(fit) - comparable_squares(freed)) / (fit.known_errors ? 1 : per_freedom(freed));
-  return fall > 0 && chi_squared_p_value(fall, 1) * constants < kChance;
 }
 
 }  // namespace mixity

@@ -1,5 +1,4 @@
-// Refits that may explain why tests of a fit fail: one more constant free, or without the points past the onset of
-// sliding.
+// Refits that may explain why tests of a fit fail, without some of the points.
 #pragma once
 
 #include <optional>
@@ -29,16 +28,6 @@ bool is_found(const FitResult& fit);
 /// Sum of squares per degree of freedom, of which there is one at least.
 double per_freedom(const FitResult& fit);
 
-/// The fit with one more constant free.
-struct Freed {
-  Constant constant;
-  FitResult fit;
-};
-/// Frees each of the constants in turn; fits that are not found are left out.
-std::vector<Freed> freed_one_by_one(const Case& of, const std::vector<Constant>& constants, const Points& points);
-/// The one with the lowest chi^2; of two that act alike the first. Null of none.
-const Freed* best_of(const std::vector<Freed>& list);
-
 /// The fit of the points before the onset of sliding.
 struct Cut {
   FitResult fit;
@@ -54,8 +43,5 @@ FitResult without_ends(const Case& of, const FitResult& whole, const Points& poi
 
 /// Whether no test of the fit fails clearly: an explanation need not be perfect.
 bool explains(const Dataset& data, const FitResult& fit);
-
-/// Whether chi^2 falls by more than chance when the best of so many constants is free.
-bool is_better(const FitResult& fit, const FitResult& freed, double constants);
 
 }  // namespace mixity

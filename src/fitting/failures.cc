@@ -74,7 +74,7 @@ const BudgetPart* far_from_stated(const FitResult& fit) {
   return nullptr;
 }
 
-Message failed_test(const FitResult& fit) {
+Message failed_test(const Dataset& data, const FitResult& fit) {
   if (const BudgetPart* part = far_from_stated(fit))
     return part->constant + " lies " + rounded(std::abs(part->pull), 2) + " of its standard errors " +
            (part->pull < 0 ? "below" : "above") + " what was stated: check it";
@@ -96,7 +96,7 @@ Message failed_test(const FitResult& fit) {
   const Consistency& tests = *fit.consistency;
   if (tests.chi2_p && *tests.chi2_p < kChance && moves_or_widens(0, std::sqrt(*tests.chi2_per_freedom)))
     return "the scatter is larger than the stated errors (chi^2 per degree of freedom " +
-           rounded(*tests.chi2_per_freedom, 3) + "): check sigma_T and sigma_A";
+           rounded(*tests.chi2_per_freedom, 3) + "): check " + data.names_of_errors();
   if (is_far(tests.residuals))
     return "the points lie " + rounded(*tests.residuals.over_scatter, 2) +
            " times as far from the curve as neighbours scatter: the model or a constant is wrong";

@@ -72,8 +72,12 @@ FitResult Fitter::run() {
   // Of a refit for its values nothing else is used.
   if (purpose_ == Purpose::values && prepared_.objective == Objective::curve) return std::move(result_);
   add_goodness(x);
+  if (!some) {
+    result_.known_errors = problem_->known_errors();
+    for (const double r : result_.innovations) result_.sum_of_squares += r * r;
+  }
   suspect_wide_errors();
-  if (checked() && some) test_residuals();
+  if (checked()) test_residuals(x);
   return std::move(result_);
 }
 

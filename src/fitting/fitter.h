@@ -65,7 +65,7 @@ class Fitter {
   void add_evidence(const Verdict& verdict);
   void add_budget(const std::vector<double>& x, const Verdict& verdict);
   void add_goodness(const std::vector<double>& x);
-  void test_residuals();
+  void test_residuals(const std::vector<double>& x);
   void suspect_wide_errors();
 
   const Dataset& data_;

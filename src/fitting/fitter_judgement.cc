@@ -6,6 +6,7 @@
 #include "fitting/consistency.h"
 #include "fitting/curve_objective.h"
 #include "fitting/fitter.h"
+#include "fitting/heavy_points.h"
 #include "fitting/predicted_area.h"
 #include "solver/evidence.h"
 #include "statistics/distributions.h"
@@ -113,12 +114,16 @@ void Fitter::add_goodness(const std::vector<double>& x) {
 }
 
 /// Tests the assumptions of the fit, unless its residuals are rounding only.
-void Fitter::test_residuals() {
+void Fitter::test_residuals(const std::vector<double>& x) {
   const double rounding = 100 * residual_rounding(*problem_);
   const bool judged = result_.status == FitStatus::ok || result_.status == FitStatus::at_bound ||
                       result_.status == FitStatus::multimodal || result_.status == FitStatus::suspect;
   if (!judged || result_.residuals.empty() || !(result_.sum_of_squares > rounding * rounding)) return;
   result_.consistency = test_consistency(data_, result_);
+  result_.consistency->heavy = heavy_points(data_, result_, [&] {
+    const auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x);
+    return nearest ? nearest->load_A : std::vector<double>();
+  });
   ResidualTests& residuals = result_.consistency->residuals;
   if (off_course_ && off_course_->p_value < residuals.course_p) {
     residuals.course = off_course_->F;
@@ -127,7 +132,7 @@ void Fitter::test_residuals() {
   // The scatter of ln f differs from point to point where it comes from loads and areas.
   const bool common_scale = prepared_.objective == Objective::curve || options_.weighted || !data_.has_loads;
   if (common_scale) result_.outliers = outliers_of(result_, problem_->known_errors());
-  if (result_.status == FitStatus::ok && !failed_test(result_).empty()) result_.status = FitStatus::suspect;
+  if (result_.status == FitStatus::ok && !failed_test(data_, result_).empty()) result_.status = FitStatus::suspect;
 }
 
 /// A value with an error larger than its whole range is no result.
@@ -136,7 +141,8 @@ void Fitter::suspect_wide_errors() {
     if (result_.status != FitStatus::ok || !one.stderr_ || !(*one.stderr_ > one.upper - one.lower)) continue;
     result_.status = FitStatus::suspect;
     result_.message = "the data do not determine " + one.name +
-                      ": its standard error exceeds its whole range; check the sizes and units of sigma_T and sigma_A";
+                      ": its standard error exceeds its whole range; check the sizes and units of " +
+                      data_.names_of_errors();
   }
 }
 

@@ -149,6 +149,15 @@ struct Outlier {
   double size;        // of its residual, model minus data, in standard errors
 };
 
+/// A few points with more than half of the weight, whose standard errors, which the file states, are far below those of
+/// the others. The weight of a point is one over the variance of its distance from the curve.
+struct HeavyPoints {
+  std::vector<std::size_t> points;  // indices into Dataset::points, in the order of the file
+  double share;                     // of the weight, 0.5..1
+  std::string column;               // with the error that is the smallest beside those of the others
+  double ratio;                     // of that error and the median of the column
+};
+
 /// Explanations do about as well up to this difference in -2 ln L.
 inline constexpr double kAboutAsWell = 6;
 
@@ -157,6 +166,7 @@ struct Consistency {
   std::optional<double> chi2_per_freedom, chi2_p;  // of known errors; with a robust loss by the median of the residuals
   ResidualTests residuals;
   std::vector<BeyondEquilibrium> beyond;  // runs that have such points
+  std::optional<HeavyPoints> heavy{};     // of reported fits
   /// Whether the areas stay constant along each run within their scatter, as of a contact that is pinned (pinned.h).
   bool pinned = false;
 };

@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "dataset/constants.h"
 #include "fitting/consistency.h"
+#include "fitting/heavy_points.h"
 #include "report/fit_text.h"
 
 namespace mixity {
@@ -98,6 +99,10 @@ std::string points_beyond(const FitResult& fit, const Dataset& data) {
   return joined(runs, ", ", "beyond the last equilibrium: ");
 }
 
+std::string heavy_text(const FitResult& fit, const Dataset& data) {
+  return fit.consistency->heavy ? text_of(*fit.consistency->heavy, data) : std::string();
+}
+
 /// The farthest first.
 std::string outliers_text(const FitResult& fit, const Dataset& data) {
   constexpr std::size_t kMost = 5;
@@ -181,7 +186,7 @@ std::string unsheared_sentence(const UnshearedTest& test) {
 
 std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& data) {
   if (!fit.consistency) return {};
-  return without_empty({residual_tests(fit), score_tests(fit), points_beyond(fit, data), outliers_text(fit, data)});
+  return without_empty({residual_tests(fit), score_tests(fit), points_beyond(fit, data), heavy_text(fit, data), outliers_text(fit, data)});
 }
 
 }  // namespace mixity

@@ -1,4 +1,5 @@
 #include "fitting/fit.h"
+#include "fitting/measured_runs.h"
 
 #include <gtest/gtest.h>
 
@@ -106,6 +107,23 @@ TEST(Fit, LeavesOutWhatAModelCannotDescribeAndSaysSo) {
   EXPECT_EQ(a.used.size(), 4u);
   EXPECT_TRUE(c.excluded.empty());
   EXPECT_NEAR(*c.parameters[0].value, 0.3, 1e-13);  // exact data
+}
+
+/// Nothing is fitted, but the values are tested by the points as those of any fit.
+TEST(Fit, TestsValuesThatAreAllHeld) {
+  Dataset data = measured_runs(4);
+  for (const Point& point : data.points) data.errors.push_back({0.01 * point.shear() + 1e-3, 0.01 * point.A, 0});
+  const auto held_at = [&](double lambda) {
+    return fit_model(data, "c", {.hold = {{"lambda", lambda}}, .fitted_errors = false});
+  };
+  const FitResult fit = fit_model(data, "c", {.fitted_errors = false}), at_the_fit = held_at(*fit.parameters[0].value), off = held_at(0.9);
+  ASSERT_TRUE(fit.consistency && at_the_fit.consistency && off.consistency);
+  EXPECT_TRUE(at_the_fit.known_errors);
+  EXPECT_EQ(at_the_fit.freedom(), fit.freedom() + 1);
+  // the same residuals, at a lambda that is the minimum to 1e-8 of its standard error
+  EXPECT_NEAR(at_the_fit.sum_of_squares, fit.sum_of_squares, 1e-9 * fit.sum_of_squares);
+  EXPECT_EQ(off.status, FitStatus::suspect);
+  EXPECT_GT(off.consistency->chi2_per_freedom.value(), 10);
 }
 
 TEST(Fit, HoldsWhatItIsToldToHold) {

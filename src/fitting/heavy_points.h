@@ -1,0 +1,24 @@
+// Points whose stated standard errors are so far below those of the others that they carry most of the weight of a fit.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/dataset.h"
+#include "fitting/result.h"
+
+namespace mixity {
+
+/// Null where there are none, or the file states no errors that the fit uses. `along_A`: finds of each used point
+/// NearestPlaces::load_A; not called where no error is far below the others, nor without loads.
+std::optional<HeavyPoints> heavy_points(const Dataset& data, const FitResult& fit,
+                                        const std::function<std::vector<double>()>& along_A);
+
+/// The lines of the file: "5" or "5,7".
+std::string lines_of(const HeavyPoints& heavy, const Dataset& data);
+/// "line 5 carries 94 % of the weight (its sigma_A is 1/420 of the median)".
+std::string text_of(const HeavyPoints& heavy, const Dataset& data);
+
+}  // namespace mixity
