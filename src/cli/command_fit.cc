@@ -34,8 +34,8 @@ Arguments shard_of(const Arguments& arguments) {
   return mine;
 }
 
-std::vector<OutputFile> files_of(const std::string& folder, const std::vector<Analysis>& results,
-                                 const std::string& text, const Shard& shard) {
+std::vector<OutputFile> result_files(const std::string& folder, const std::vector<Analysis>& results,
+                                     const std::string& text, const Shard& shard) {
   std::set<std::string> taken;
   std::vector<OutputFile> files;
   const auto add = [&](const std::string& name, std::string content) {
@@ -97,7 +97,7 @@ int run_fit(const Arguments& arguments) {
   std::vector<std::string> inputs;
   for (const Analysis& result : results)
     for (std::string& input : files_read(result)) inputs.push_back(std::move(input));
-  if (!FLAGS_out.empty()) files = files_of(FLAGS_out, results, text, shard);
+  if (!FLAGS_out.empty()) files = result_files(FLAGS_out, results, text, shard);
   if (!FLAGS_save.empty())
     files.push_back({FLAGS_save, fit_definition_text(results[0].request, results[0].data, FLAGS_save)});
   write_outputs(files, inputs);
