@@ -14,12 +14,12 @@ namespace {
 constexpr std::size_t kProfilePoints = 80;
 constexpr double kParabolaUpTo = 0.5;  // of a run's largest T
 
-}  // namespace
-
-Analysis run_for_report(FitRequest request, const Progress& progress) {
+/// `analyse`: runs the request, on the data from its files or on others.
+template <class Analyse>
+Analysis run_with(FitRequest request, const Progress& progress, const Analyse& analyse) {
   request.options.profile_points = kProfilePoints;
   constexpr double kAll = 0.9;  // of the time goes into the fits of all runs together
-  Analysis result = run(request, stretch(progress, 0, kAll));
+  Analysis result = analyse(request, stretch(progress, 0, kAll));
   if (result.per_curve.empty() && result.data.has_loads && result.data.curves.size() > 1) {
     const std::vector<std::string>& models = request.models;
     result.per_curve.resize(models.size());
@@ -42,6 +42,18 @@ Analysis run_for_report(FitRequest request, const Progress& progress) {
   result.per_curve = std::move(per_curve);
   if (progress) progress(1);
   return result;
+}
+
+}  // namespace
+
+Analysis run_for_report(FitRequest request, const Progress& progress) {
+  return run_with(std::move(request), progress,
+                  [](const FitRequest& with, const Progress& part) { return run(with, part); });
+}
+
+Analysis run_for_report(FitRequest request, const Dataset& data, const Progress& progress) {
+  return run_with(std::move(request), progress,
+                  [&](const FitRequest& with, const Progress& part) { return run(with, data, part); });
 }
 
 ReportedData reported_data(const Analysis& result, const std::string& stem) {

@@ -16,6 +16,8 @@ namespace mixity {
 /// Runs a request with the cost profiles and, if there are several runs, the fits of single runs that figures need. The
 /// best fit comes first.
 Analysis run_for_report(FitRequest request, const Progress& progress = {});
+/// The same for data in memory, as `run`.
+Analysis run_for_report(FitRequest request, const Dataset& data, const Progress& progress = {});
 
 struct ReportedData {
   const Analysis& result;                         // outlives this

@@ -94,7 +94,7 @@ class StagedFile {
     if (present == hash_ || record.wrote(name(), present) || (record.knows(name()) && kept.count(present) > 0)) return;
     throw OutputError(Message(file_.path) +
                       (record.knows(name()) ? ": was edited since mixity wrote it" : ": was not written by mixity") +
-                      " and is not replaced: take another name, or " + Remedy::set("force"));
+                      " and is not replaced: take another name, or " + Remedy::set("force", "true"));
   }
   void write_temporary() {
     constexpr int kTries = 100;

@@ -6,6 +6,7 @@
 
 #include "analysis/fit_definition.h"
 #include "analysis/judgement.h"
+#include "analysis/result_names.h"
 #include "analysis/run.h"
 #include "base/files.h"
 #include "base/units.h"

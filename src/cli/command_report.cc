@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "analysis/judgement.h"
+#include "analysis/result_names.h"
 #include "cli/commands.h"
 #include "cli/fit_flags.h"
 #include "cli/flags.h"

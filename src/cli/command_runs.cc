@@ -7,8 +7,6 @@
 #include "cli/flag_words.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
-#include "report/figures/drawn_figures.h"
-#include "report/figures/log_figures.h"
 #include "report/runs_files.h"
 
 DEFINE_string(lag, "",
@@ -37,25 +35,14 @@ int run_runs(const Arguments& arguments) {
                  {seconds("lag"), is_set("zero_drift") ? std::optional(FLAGS_zero_drift) : std::nullopt, FLAGS_cuts});
   if (log.runs.runs.empty()) {
     std::cout << runs_text(log, in_flags);
-    throw InputError(arguments[0], "holds no loading run: no contact under one load in which T rises");
+    refuse_without_runs(arguments[0]);
   }
   if (!FLAGS_out.empty()) {
-    const std::string folder = FLAGS_out + "/";
-    const std::vector<Figure> figures = log_figures(log);
-    const DrawnFigures drawn =
-        draw_figures(figures, FLAGS_out + "/figures", figure_formats(), progress_line("figures"));
-    std::vector<OutputFile> files = drawn.files;
-    files.insert(files.end(), {{folder + "runs.csv", runs_csv(log)},
-                               {folder + "runs.toml", runs_toml(log)},
-                               {folder + "peaks.csv", peaks_csv(log)},
-                               {folder + "peaks.toml", runs_toml(log)},
-                               {folder + "phases.csv", phases_csv(log)},
-                               {folder + "cuts.toml", cuts_toml(log, in_flags)},
-                               {folder + "fit.toml", runs_definition(figures)}});
+    const RunsOutput output = runs_output(log, FLAGS_out, figure_formats(), in_flags, progress_line("figures"));
     std::vector<std::string> inputs(arguments.begin(), arguments.end());
     for (const std::string& path : arguments) inputs.push_back(metadata_path(path));
-    write_outputs(files, inputs);
-    if (!drawn.missing.empty()) warn(drawn.missing);
+    write_outputs(output.files, inputs);
+    if (!output.missing.empty()) warn(output.missing);
   }
   std::cout << runs_text(log, in_flags);
   if (!FLAGS_out.empty())

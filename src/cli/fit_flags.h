@@ -20,10 +20,4 @@ std::vector<FitRequest> requests_for(const std::vector<std::string>& arguments);
 /// The data files of --pool. Throws UsageError for a definition.
 std::vector<RunFile> pooled_files(const std::vector<std::string>& arguments);
 
-/// Prefixes the folder to names shared by different files: "a/run", "b/run".
-void make_names_unique(std::vector<Analysis>& results);
-
-/// A file name from the name of the data set, made unique among those in `taken`.
-std::string file_stem(const Analysis& result, std::set<std::string>& taken);
-
 }  // namespace mixity::cli

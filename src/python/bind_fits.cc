@@ -13,15 +13,21 @@
 #include "statistics/distributions.h"
 
 namespace mixity {
-namespace {
 
-Analysis fit(const Dataset& data, const Stated& options, const nb::object& progress) {
+FitRequest request_of(const Dataset& data, const Stated& options) {
   FitRequest request;
   request.data_path = data.path;
   request.words = in_keywords;
   for (const auto& [name, text] : options)
     if (const std::string problem = set_option(request, name, text); !problem.empty()) throw InputError(name, problem);
   if (const auto both = contradiction(request)) throw InputError(both->option, both->problem);
+  return request;
+}
+
+namespace {
+
+Analysis fit(const Dataset& data, const Stated& options, const nb::object& progress) {
+  const FitRequest request = request_of(data, options);
   Watch watch(progress);
   const nb::gil_scoped_release released;
   return run(request, data, [&](double share) { watch(share); });

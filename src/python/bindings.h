@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/request.h"
 #include "fitting/prediction.h"
 
 namespace nb = nanobind;
@@ -78,9 +79,13 @@ class Watch {
   std::atomic<bool> stop_ = false;
 };
 
+/// A request from the options of a fit; throws InputError.
+FitRequest request_of(const Dataset& data, const Stated& options);
+
 void bind_mechanics(nb::module_& m);
 void bind_data(nb::module_& m);
 void bind_fits(nb::module_& m);
 void bind_studies(nb::module_& m);
+void bind_reports(nb::module_& m);
 
 }  // namespace mixity

@@ -1,5 +1,6 @@
 // The engine as Python's module mixity._core: arrays in, results as JSON and arrays out. What is Pythonic about it
 // stands in mixity/*.py.
+#include "base/files.h"
 #include "dataset/table/columns.h"
 #include "python/bindings.h"
 #include "python/keyword_words.h"
@@ -20,6 +21,8 @@ NB_MODULE(_core, m) {
       PyErr_SetString(missing_column, error.text(mixity::in_keywords).c_str());
     } catch (const mixity::InputError& error) {
       PyErr_SetString(input_error, error.text(mixity::in_keywords).c_str());
+    } catch (const mixity::OutputError& error) {
+      PyErr_SetString(PyExc_OSError, error.text(mixity::in_keywords).c_str());
     } catch (const mixity::Interrupted&) {
       if (!PyErr_Occurred()) PyErr_SetNone(PyExc_KeyboardInterrupt);
     }
@@ -28,5 +31,6 @@ NB_MODULE(_core, m) {
   mixity::bind_data(m);
   mixity::bind_fits(m);
   mixity::bind_studies(m);
+  mixity::bind_reports(m);
   m.def("version", [] { return MIXITY_VERSION; });
 }

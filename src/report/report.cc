@@ -22,16 +22,12 @@ std::size_t bytes_of_drawings(const std::vector<OutputFile>& files) {
 
 }  // namespace
 
-WrittenReport write_report(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
-                           const std::string& folder, const ReportSettings& settings) {
+ReportFiles report_files(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
+                         const std::string& folder, const ReportSettings& settings) {
   ReportContent content{settings, {}};
-  OutputRules rules = settings.outputs;
-  rules.renewed.push_back(folder + "/figures");
   const double share = 0.9 / static_cast<double>(data.size());  // of the time
   for (const ReportedData& one : data) {
     const double before = share * static_cast<double>(content.entries.size());
-    const std::vector<std::string> read = files_read(one.result);
-    rules.inputs.insert(rules.inputs.end(), read.begin(), read.end());
     content.entries.push_back({&one, data_figures(one)});
     std::vector<Figure> figures;
     for (const FigureGroup& group : content.entries.back().figures.groups)
@@ -57,9 +53,21 @@ WrittenReport write_report(const std::vector<Analysis>& results, const std::vect
   if (!settings.explorer.empty())
     files.push_back({folder + "/explorer.html", explorer_page(read_file(settings.explorer), content)});
   files.push_back({folder + "/report.html", report_page(content)});
-  write_files(files, rules);
+  return {std::move(files), content.drawn.missing};
+}
+
+WrittenReport write_report(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
+                           const std::string& folder, const ReportSettings& settings) {
+  OutputRules rules = settings.outputs;
+  rules.renewed.push_back(folder + "/figures");
+  for (const Analysis& one : results) {
+    const std::vector<std::string> read = files_read(one);
+    rules.inputs.insert(rules.inputs.end(), read.begin(), read.end());
+  }
+  const ReportFiles report = report_files(results, data, folder, settings);
+  write_files(report.files, rules);
   if (settings.progress) settings.progress(1);
-  return {files.back().path, content.drawn.missing};
+  return {report.files.back().path, report.missing};
 }
 
 }  // namespace mixity

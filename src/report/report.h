@@ -49,6 +49,15 @@ std::string summary_markdown(const ReportContent& content);
 /// Name and version of this program and of the libraries on which numbers depend.
 std::vector<std::pair<std::string, std::string>> versions();
 
+struct ReportFiles {
+  std::vector<OutputFile> files;  // report.html is the last
+  std::string missing;            // what could not be drawn, and why; empty if nothing
+};
+
+/// What write_report writes. `data` refers to `results`, one each.
+ReportFiles report_files(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
+                         const std::string& folder, const ReportSettings& settings);
+
 struct WrittenReport {
   std::string page;     // path of the HTML file
   std::string missing;  // what could not be drawn, and why; empty if nothing

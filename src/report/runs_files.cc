@@ -9,6 +9,8 @@
 #include "base/text.h"
 #include "base/toml_file.h"
 #include "report/csv_table.h"
+#include "report/figures/drawn_figures.h"
+#include "report/figures/log_figures.h"
 
 namespace mixity {
 namespace {
@@ -187,6 +189,26 @@ std::string runs_text(const ReducedLog& log, Wording words) {
   out << "[[Frames left out]]\n";
   for (const auto& [reason, count] : left) out << "    " << count << ": " << reason << '\n';
   return out.str();
+}
+
+RunsOutput runs_output(const ReducedLog& log, const std::string& folder, const FigureFormats& formats, Wording words,
+                       const Progress& progress) {
+  const std::vector<Figure> figures = log_figures(log);
+  DrawnFigures drawn = draw_figures(figures, folder + "/figures", formats, progress);
+  std::vector<OutputFile> files = std::move(drawn.files);
+  const std::string in = folder + "/";
+  files.insert(files.end(), {{in + "runs.csv", runs_csv(log)},
+                             {in + "runs.toml", runs_toml(log)},
+                             {in + "peaks.csv", peaks_csv(log)},
+                             {in + "peaks.toml", runs_toml(log)},
+                             {in + "phases.csv", phases_csv(log)},
+                             {in + "cuts.toml", cuts_toml(log, words)},
+                             {in + "fit.toml", runs_definition(figures)}});
+  return {std::move(files), std::move(drawn.missing)};
+}
+
+void refuse_without_runs(const std::string& path) {
+  throw InputError(path, "holds no loading run: no contact under one load in which T rises");
 }
 
 }  // namespace mixity

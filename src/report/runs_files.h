@@ -2,7 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "analysis/request.h"
+#include "base/files.h"
 #include "dataset/logs/reduced_log.h"
 
 namespace mixity {
@@ -18,6 +21,18 @@ std::string peaks_csv(const ReducedLog& log);
 std::string phases_csv(const ReducedLog& log);
 /// The cuts as they were made, with their 95 % intervals, in the form that the option cuts reads.
 std::string cuts_toml(const ReducedLog& log, Wording words = in_neutral_words);
+struct RunsOutput {
+  std::vector<OutputFile> files;
+  std::string missing;  // what could not be drawn, and why; empty if nothing
+};
+
+/// All that `mixity runs` writes into a folder: points, peaks, phases, cuts, figures and the definition of a fit.
+RunsOutput runs_output(const ReducedLog& log, const std::string& folder, const FigureFormats& formats,
+                       Wording words = in_neutral_words, const Progress& progress = {});
+
+/// Throws an InputError at this path: the log holds no loading run.
+[[noreturn]] void refuse_without_runs(const std::string& path);
+
 /// For a terminal: how the log was read, each run with its cuts, and the frames that are not kept.
 std::string runs_text(const ReducedLog& log, Wording words = in_neutral_words);
 

@@ -33,7 +33,7 @@ TEST(OutputRecord, AFileOfSomebodyElseIsNotReplaced) {
   const TemporaryFolder folder;
   const std::string theirs = folder.write("notes.csv", "theirs"), ours = folder.path("fits.csv");
   EXPECT_EQ(refusal({{ours, "1"}, {theirs, "2"}}),
-            theirs + ": was not written by mixity and is not replaced: take another name, or force");
+            theirs + ": was not written by mixity and is not replaced: take another name, or force = \"true\"");
   EXPECT_EQ(read_file(theirs), "theirs");
   EXPECT_FALSE(std::filesystem::exists(ours));
   EXPECT_EQ(refusal({{theirs, "theirs"}}), "");  // nothing would be lost
@@ -53,7 +53,7 @@ TEST(OutputRecord, AFileThatWasEditedIsReplacedByForceOrWhereItIsKept) {
   write_files({{path, "2"}});
   folder.write("cuts.toml", "edited");
   EXPECT_EQ(refusal({{path, "3"}}),
-            path + ": was edited since mixity wrote it and is not replaced: take another name, or force");
+            path + ": was edited since mixity wrote it and is not replaced: take another name, or force = \"true\"");
   EXPECT_EQ(read_file(path), "edited");
   std::vector<OutputFile> files{{path, "3"}};
   keep_former(files);

@@ -37,6 +37,8 @@ from ._mechanics import (
     tangential_load,
     toughness,
 )
+from ._reports import check, report
+from ._runs import Runs, runs
 from ._studies import Plan, campaign, design, simulate
 
 __all__ = [
@@ -48,9 +50,11 @@ __all__ = [
     "Law",
     "Parameter",
     "Plan",
+    "Runs",
     "__version__",
     "area",
     "campaign",
+    "check",
     "curve",
     "design",
     "displacement",
@@ -61,6 +65,8 @@ __all__ = [
     "phase_angle",
     "read",
     "regime",
+    "report",
+    "runs",
     "simulate",
     "tangential_load",
     "toughness",

@@ -184,6 +184,20 @@ def _again(kind, arguments):
     return Dataset._of(core, (kind, arguments[:2] if kind == "file" else arguments))
 
 
+def files_and_constants(path, constants):
+    """The files of a path, a pattern or a list of them, and the constants as texts."""
+    paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
+    files = [file for one in paths for file in _core.files_of(os.fspath(one))]
+    stated = []
+    for key, value in constants.items():
+        if value is None:
+            continue
+        if key == "columns" and isinstance(value, dict):
+            value = ",".join(f"{column}={heading}" for column, heading in value.items())
+        stated.append((key, constant_text(key, value)))
+    return files, stated
+
+
 def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **constants: Any) -> Dataset:
     """Reads a data file as the program does, with the TOML beside it.
 
@@ -195,15 +209,7 @@ def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **cons
         Replace those that the TOML states: as for :class:`Dataset`, and how to read the file (``columns``, ``decimal``,
         ``pixel``, ``load``, ``load_from``, ``headings``).
     """
-    paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
-    files = [file for one in paths for file in _core.files_of(os.fspath(one))]
-    stated = []
-    for key, value in constants.items():
-        if value is None:
-            continue
-        if key == "columns" and isinstance(value, dict):
-            value = ",".join(f"{column}={heading}" for column, heading in value.items())
-        stated.append((key, constant_text(key, value)))
+    files, stated = files_and_constants(path, constants)
     data = _again("file", (files, stated))
     data._tell_notes()
     return data

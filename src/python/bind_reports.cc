@@ -1,0 +1,135 @@
+// What the program says of data, the runs of a log, and reports.
+#include <limits>
+
+#include "analysis/reported_data.h"
+#include "analysis/result_names.h"
+#include "analysis/settings.h"
+#include "dataset/logs/reduced_log.h"
+#include "dataset/pooled.h"
+#include "python/bindings.h"
+#include "python/keyword_words.h"
+#include "report/data_check.h"
+#include "report/report.h"
+#include "report/runs_files.h"
+
+namespace mixity {
+namespace {
+
+std::string checked_files(const std::vector<std::string>& paths, const Stated& constants) {
+  const nb::gil_scoped_release released;
+  const auto load = [&](const Overrides& with) {
+    if (paths.size() == 1) return load_dataset(paths[0], with);
+    std::vector<RunFile> files;
+    for (const std::string& path : paths) files.push_back({path});
+    return load_pooled(files, with);
+  };
+  CheckedData found = check_data(load, constants, in_keywords);
+  if (found.missing) found.text += found.missing->text(in_keywords) + "\n";
+  return found.text;
+}
+
+std::string checked_data(const Dataset& data) {
+  const nb::gil_scoped_release released;
+  return check_data([&](const Overrides&) { return data; }, {}, in_keywords).text;
+}
+
+FigureFormats formats_of(const std::string& text) {
+  FitRequest request;
+  if (text.empty()) return request.formats;
+  if (const std::string problem = set_option(request, "formats", text); !problem.empty())
+    throw InputError("formats", problem);
+  return request.formats;
+}
+
+/// The page as text, or, with a folder, what could not be drawn.
+std::string report(const std::vector<std::pair<Dataset*, Stated>>& fits, const std::optional<std::string>& folder,
+                   const std::string& formats, bool force, const nb::object& progress) {
+  std::vector<FitRequest> requests;
+  for (const auto& [data, options] : fits) {
+    requests.push_back(request_of(*data, options));
+    requests.back().formats = formats_of(formats);
+  }
+  Watch watch(progress);
+  const nb::gil_scoped_release released;
+  const Progress whole = [&](double share) { watch(share); };
+  constexpr double kFits = 0.7;  // share of the time
+  const double share = kFits / static_cast<double>(fits.size());
+  std::vector<Analysis> results;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const auto before = static_cast<double>(i);
+    results.push_back(
+        run_for_report(requests[i], *fits[i].first, stretch(whole, share * before, share * (before + 1))));
+  }
+  make_names_unique(results);
+  std::vector<ReportedData> data;
+  data.reserve(results.size());
+  std::set<std::string> taken;
+  for (const Analysis& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
+  ReportSettings settings{"mixity.report(fits)", stretch(whole, kFits, 1), {}, {{}, force, {}}};
+  if (folder) return write_report(results, data, *folder, settings).missing;
+  settings.most_inside = std::numeric_limits<std::size_t>::max();
+  return std::move(report_files(results, data, "", settings).files.back().content);
+}
+
+nb::dict shown_cut(const CutTime& cut) {
+  nb::dict one;
+  one["time"] = cut.time;
+  one["low"] = cut.low;
+  one["high"] = cut.high;
+  one["stated"] = cut.stated;
+  return one;
+}
+
+nb::dict shown(const LoadingRun& run) {
+  nb::dict one;
+  one["name"] = run.name;
+  one["P"] = run.P;
+  one["P_scatter"] = run.scatter_P;
+  one["T_zero"] = run.baseline;
+  one["T_noise"] = run.noise_T;
+  one["frames"] = run.end - run.begin;
+  one["shear"] = shown_cut(run.shear);
+  one["sliding"] = run.onset ? nb::object(shown_cut(*run.onset)) : nb::object(nb::none());
+  return one;
+}
+
+}  // namespace
+
+void bind_reports(nb::module_& m) {
+  m.def("checked_files", &checked_files);
+  m.def("checked_data", &checked_data);
+  m.def("report", &report, nb::arg(), nb::arg().none(), nb::arg(), nb::arg(), nb::arg().none());
+  nb::class_<ReducedLog>(m, "ReducedLog")
+      .def("csv", [](const ReducedLog& log) { return runs_csv(log); })
+      .def("toml", [](const ReducedLog& log) { return runs_toml(log); })
+      .def("peaks", [](const ReducedLog& log) { return peaks_csv(log); })
+      .def("phases", [](const ReducedLog& log) { return phases_csv(log); })
+      .def("text", [](const ReducedLog& log) { return runs_text(log, in_keywords); })
+      .def("save",
+           [](const ReducedLog& log, const std::string& folder, const std::string& formats, bool force,
+              const std::vector<std::string>& inputs) {
+             const FigureFormats wanted = formats_of(formats);
+             const nb::gil_scoped_release released;
+             RunsOutput output = runs_output(log, folder, wanted, in_keywords);
+             keep_former(output.files);
+             write_files(output.files, {inputs, force, {}});
+             return output.missing;
+           })
+      .def("runs", [](const ReducedLog& log) {
+        nb::list all;
+        for (const LoadingRun& run : log.runs.runs) all.append(shown(run));
+        return all;
+      });
+  m.def(
+      "runs",
+      [](const std::vector<std::string>& paths, const Stated& constants, std::optional<double> lag,
+         std::optional<bool> drift, const std::string& cuts) {
+        const nb::gil_scoped_release released;
+        ReducedLog log = reduce_log(paths, constants, {lag, drift, cuts});
+        if (log.runs.runs.empty()) refuse_without_runs(paths[0]);
+        return log;
+      },
+      nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg());
+}
+
+}  // namespace mixity

@@ -1,0 +1,74 @@
+"""What the program says of data, and reports."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Callable, Iterable, Sequence
+
+from . import _core
+from ._data import Dataset, files_and_constants
+from ._fits import Fits
+from ._log import WARNING, listening
+
+
+def check(data: Dataset | str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **constants: Any) -> str:
+    """What was understood of data, and what is odd about them: the text of ``mixity check``.
+
+    Parameters
+    ----------
+    data : Dataset, path, or list of paths
+    **constants
+        As for :func:`read`. Constants that are missing are named at the end of the text.
+    """
+    if isinstance(data, Dataset):
+        if constants:
+            raise _core.InputError(f"{next(iter(constants))}: the constants of a Dataset are stated where it is made")
+        return _core.checked_data(data._core)
+    return _core.checked_files(*files_and_constants(data, constants))
+
+
+def report(
+    fits: Fits | Sequence[Fits],
+    folder: str | os.PathLike[str] | None = None,
+    *,
+    formats: str | Sequence[str] = "",
+    force: bool = False,
+    progress: Callable[[float], Any] | None = None,
+) -> str:
+    """A report with figures and tables, as ``mixity report`` makes it. The fits are repeated with what its figures need.
+
+    Parameters
+    ----------
+    fits : Fits, or list of them
+        Of one data set each.
+    folder : path, optional
+        Where report.html, results.json, tables and figures are written, all of them or none.
+    formats : {"pdf", "png", "gnuplot"}, or list of them
+        Further files of each figure; needs gnuplot.
+    force : bool
+        Also replace files that mixity did not write, or that were edited since.
+    progress : callable, optional
+        Called with the share done, 0..1.
+
+    Returns
+    -------
+    str
+        The page as HTML, which needs no other file; with ``folder`` the path of the page.
+    """
+    given: list[Any] = list(fits) if isinstance(fits, (list, tuple)) else [fits]
+    several = [one for one in given if isinstance(one, Fits)]
+    if not several or len(several) < len(given):
+        raise TypeError("fits must be what mixity.fit returns, or a list of such")
+    asked = formats if isinstance(formats, str) else ",".join(formats)
+    where = None if folder is None else os.fspath(folder)
+    made = _core.report([(one.data._core, one._results.options()) for one in several], where, asked, force, progress)
+    if where is None:
+        return made
+    warn(made)
+    return os.path.join(where, "report.html")
+
+
+def warn(missing):
+    """Logs what could not be drawn."""
+    if missing and (logger := listening(WARNING)):
+        logger.warning("%s", missing)

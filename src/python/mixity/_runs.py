@@ -1,0 +1,112 @@
+"""Loading runs of logs."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+from typing import Any, Sequence
+
+from . import _core
+from ._data import Dataset, files_and_constants
+from ._reports import warn
+
+_NAME = "runs.csv"
+
+
+class Runs:
+    """The loading runs of a log, as ``mixity runs`` finds them.
+
+    Attributes
+    ----------
+    data : Dataset
+        The points of all runs, ready to fit: the same numbers as those of the file that the program writes.
+    """
+
+    def __init__(self, log: Any, paths: Sequence[str]) -> None:
+        self._log = log
+        self._paths = list(paths)
+        texts = [(_NAME, log.csv().encode()), ("runs.toml", log.toml().encode())]
+        self.data = Dataset._of(_core.read([_NAME], [], texts), ("file", ([_NAME], [])))
+        self.data._tell_notes()
+
+    @property
+    def runs(self) -> list[dict[str, Any]]:
+        """A dict of each run: ``name``; ``P`` [N], the mean of its readings, and ``P_scatter``; ``T_zero`` [N], which is
+        subtracted from T, and ``T_noise`` of a frame; ``frames`` that are kept; ``shear`` and ``sliding`` (None where it is
+        not seen): dicts of ``time`` [s], its 95 % interval ``low`` .. ``high``, and whether it was ``stated``."""
+        return self._log.runs()
+
+    @property
+    def peaks(self) -> list[dict[str, Any]]:
+        """The stick and slip of each run: a dict of each row of peaks.csv, in the units of its header."""
+        return _rows(self._log.peaks())
+
+    @property
+    def phases(self) -> list[dict[str, Any]]:
+        """How the frames of the log are used: a dict of each row of phases.csv."""
+        return _rows(self._log.phases())
+
+    def save(self, folder: str | os.PathLike[str], *, formats: str | Sequence[str] = "", force: bool = False) -> None:
+        """Writes points, peaks, phases, cuts, figures and the definition of a fit, as ``mixity runs --out``. ``formats`` and
+        ``force`` as for :func:`report`."""
+        asked = formats if isinstance(formats, str) else ",".join(formats)
+        tomls = [os.path.splitext(path)[0] + ".toml" for path in self._paths]
+        warn(self._log.save(os.fspath(folder), asked, force, [*self._paths, *tomls]))
+
+    def __len__(self) -> int:
+        return len(self._log.runs())
+
+    def __str__(self) -> str:
+        return self._log.text()
+
+    def __repr__(self) -> str:
+        return f"<mixity.Runs: {len(self)} {'run' if len(self) == 1 else 'runs'}, {len(self.data)} points>"
+
+
+def _number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def _rows(text):
+    lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+    return [{key: _number(value) for key, value in row.items()} for row in csv.DictReader(io.StringIO("\n".join(lines)))]
+
+
+def runs(
+    log: str | os.PathLike[str],
+    areas: str | os.PathLike[str] | None = None,
+    *,
+    lag: float | None = None,
+    zero_drift: bool | None = None,
+    cuts: str | os.PathLike[str] | None = None,
+    **constants: Any,
+) -> Runs:
+    """Finds the loading runs of a log of forces and areas over time.
+
+    Parameters
+    ----------
+    log : path
+        A table with a column of times, P, T and A; or without A.
+    areas : path, optional
+        A table of times and areas, if they were recorded by another clock.
+    lag : float, optional
+        How far the clock of the areas is ahead of that of the forces [s]; by default found from events that both show.
+    zero_drift : bool, optional
+        Whether a straight line through the zeros of all runs is subtracted from T; by default if the drift is certain.
+    cuts : path, optional
+        A TOML of cuts, as :meth:`Runs.save` writes cuts.toml.
+    **constants
+        As for :func:`read`.
+
+    Raises
+    ------
+    InputError
+        With the message of the program, also if there is no loading run.
+    """
+    paths = [os.fspath(one) for one in (log, areas) if one is not None]
+    _, stated = files_and_constants([], constants)
+    return Runs(_core.runs(paths, stated, lag, zero_drift, "" if cuts is None else os.fspath(cuts)), paths)
