@@ -23,7 +23,8 @@ using Complaint = std::string;  // empty: none
 inline std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 inline Complaint must_be(std::string_view text, const std::string& what) {
-  return "is " + in_quotes(text) + "; it must be " + what;
+  const std::string meant = two_readings(text);
+  return "is " + in_quotes(text) + (meant.empty() ? "; it must be " + what : "; write " + meant);
 }
 
 /// One of the values of an enumeration, by its to_string(). An optional without a value has the first.

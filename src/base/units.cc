@@ -161,14 +161,78 @@ std::string with_other_capitals(std::string_view unit, const Dimension& wanted) 
   return found;
 }
 
-bool parse_number(std::string_view text, double& value) {
+namespace {
+
+/// A number at the beginning of a text.
+struct Beginning {
+  double value = 0;
+  std::size_t length = 0;  // of its text; 0 where the text begins with no number
+  std::errc error{};
+};
+
+Beginning with_point(std::string_view text) {
+  Beginning number;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number.value);
+  number.length = static_cast<std::size_t>(end - text.data());
+  number.error = error;
+  return number;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Where a comma stands between digits, with no point or other comma beside it: its place; else 0.
+std::size_t decimal_comma(std::string_view text) {
+  const std::size_t sign = text.starts_with('-') ? 1 : 0;
+  std::size_t comma = sign;
+  while (comma < text.size() && is_digit(text[comma])) ++comma;
+  if (comma == sign || comma + 1 >= text.size() || text[comma] != ',' || !is_digit(text[comma + 1])) return 0;
+  const std::size_t end = text.find_first_not_of("0123456789", comma + 1);
+  return end != std::string_view::npos && (text[end] == ',' || text[end] == '.') ? 0 : comma;
+}
+
+/// Whether the digits about a comma may be groups of thousands: "2,133", but not "0,133" and "2,13".
+bool may_be_thousands(std::string_view text, std::size_t comma) {
+  const std::size_t sign = text.starts_with('-') ? 1 : 0, end = text.find_first_not_of("0123456789", comma + 1),
+                    behind = std::min(end, text.size()) - comma - 1;
+  return behind == 3 && comma - sign <= 3 && text[sign] != '0';
+}
+
+/// With a decimal point or comma.
+Beginning beginning_of(std::string_view text) {
+  const std::size_t comma = decimal_comma(text);
+  if (comma == 0) return with_point(text);
+  if (may_be_thousands(text, comma)) return {0, 0, std::errc::invalid_argument};
+  std::string pointed(text);
+  pointed[comma] = '.';
+  return with_point(pointed);
+}
+
+std::string_view without_plus(std::string_view text) {
   text = trim(text);
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size() || text.empty()) return false;
-  if (error == std::errc()) return true;
+  return text;
+}
+
+}  // namespace
+
+std::string two_readings(std::string_view text) {
+  text = without_plus(text);
+  const std::size_t comma = decimal_comma(text);
+  if (comma == 0 || !may_be_thousands(text, comma)) return {};
+  std::string point(text), none(text);
+  point[comma] = '.';
+  none.erase(comma, 1);
+  return "\"" + point + "\" or \"" + none + "\"";
+}
+
+bool parse_number(std::string_view text, double& value) {
+  text = without_plus(text);
+  const Beginning number = with_point(text);
+  if (number.length != text.size() || text.empty()) return false;
+  value = number.value;
+  if (number.error == std::errc()) return true;
   // from_chars returns no value out of range; too small becomes zero, too large infinite
-  if (error != std::errc::result_out_of_range) return false;
+  if (number.error != std::errc::result_out_of_range) return false;
   const double sized = std::strtod(std::string(text).c_str(), nullptr);
   value = std::abs(sized) < 1 ? 0.0 : sized;
   return true;
@@ -176,16 +240,20 @@ bool parse_number(std::string_view text, double& value) {
 
 std::optional<double> parse_number(std::string_view text) {
   double value = 0;
-  return parse_number(text, value) ? std::optional(value) : std::nullopt;
+  if (parse_number(text, value)) return value;
+  text = without_plus(text);
+  const Beginning number = beginning_of(text);
+  const bool whole = number.length == text.size() && !text.empty() && number.error == std::errc();
+  return whole ? std::optional(number.value) : std::nullopt;
 }
 
 std::optional<Quantity> parse_quantity(std::string_view text) {
-  text = trim(text);
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  text = without_plus(text);
+  const Beginning number = beginning_of(text);
+  if (number.length == 0 || number.error != std::errc() || !std::isfinite(number.value)) return std::nullopt;
   Quantity quantity;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), quantity.value);
-  if (error != std::errc() || !std::isfinite(quantity.value)) return std::nullopt;
-  const std::string_view rest = trim(text.substr(static_cast<std::size_t>(end - text.data())));
+  quantity.value = number.value;
+  const std::string_view rest = trim(text.substr(number.length));
   if (rest.empty()) return quantity;
   const auto unit = parse_unit(rest);
   if (!unit) return std::nullopt;
@@ -243,11 +311,11 @@ std::string_view unknown_unit(std::string_view text) {
   const std::size_t end = sign.empty() ? text.size() : text.find(sign);
   for (std::string_view part : {text.substr(0, end), text.substr(std::min(end + sign.size(), text.size()))}) {
     part = trim(part);
-    double value = 0;
-    const auto [rest, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    part.remove_prefix(static_cast<std::size_t>(rest - part.data()));
+    const Beginning number = beginning_of(part);
+    part.remove_prefix(number.length);
     part = trim(part.substr(part.starts_with(')')));
-    if (error == std::errc() && !part.empty() && part.find_first_of(".,:;+-0123456789") != 0 && !parse_unit(part))
+    if (number.error == std::errc() && !part.empty() && part.find_first_of(".,:;+-0123456789") != 0 &&
+        !parse_unit(part))
       return part;
   }
   return {};

@@ -70,10 +70,14 @@ struct ReadableUnit {
 /// Chosen by the size of `value`: MPa for Pa, mJ/m^2 for J/m^2, mm for m and so on; other units stay.
 ReadableUnit readable_unit(double value, const std::string& unit);
 
-/// The whole text as one number, surrounding blanks allowed. Null if it is not a number; inf and nan are numbers.
+/// The whole text as one number, with a decimal point or comma, surrounding blanks allowed. Null if it is not a number,
+/// and for "2,133", which may be a group of thousands (two_readings); inf and nan are numbers. So for quantities.
 std::optional<double> parse_number(std::string_view text);
-/// The same, faster; false if the text is not a number.
+/// The same with a decimal point only, as fields of tables are read; false if the text is not a number.
 bool parse_number(std::string_view text, double& value);
+
+/// How a number with a comma before three digits may be meant: "\"2.133 MPa\" or \"2133 MPa\""; empty for others.
+std::string two_readings(std::string_view text);
 
 /// A dimension as messages name it: "a force such as mN".
 std::string describe(const Dimension& dimension);

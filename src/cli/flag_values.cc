@@ -23,6 +23,8 @@ UsageError refused(std::string_view flag, const std::string& problem) {
 }
 
 UsageError must(const std::string& flag, const std::string& be) {
+  if (const std::string meant = two_readings(value_of(flag)); !meant.empty())
+    return UsageError("flag '--" + flag + "' is '" + value_of(flag) + "'; write " + meant);
   return UsageError("flag '--" + flag + "' is '" + value_of(flag) + "'; it must " + be);
 }
 

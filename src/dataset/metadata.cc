@@ -169,6 +169,7 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
   const MetadataField* const field = find_field(name);
   if (!field) return "unknown key " + quoted(name) + " (known: " + known_names() + ")";
   const auto uncertain = parse_uncertain(text);
+  if (const std::string meant = two_readings(text); !uncertain && !meant.empty()) return given + "write " + meant;
   if (const std::string_view unit = unknown_unit(text); !uncertain && !unit.empty()) {
     const std::string meant = with_other_capitals(unit, field->dimension);
     return given + "the unit " + quoted(unit) + " is not known" +

@@ -115,7 +115,7 @@ TEST(Quantities, ABareNumberHasNoDimension) {
 }
 
 TEST(Quantities, TheRestIsRefused) {
-  for (const char* text : {"", "mm", "9,42 mm", "9.42 furlong", "nan mm", "inf mm", "1e400 mm", "- 3 mm", "--3 mm",
+  for (const char* text : {"", "mm", "9,420 mm", "9.42 furlong", "nan mm", "inf mm", "1e400 mm", "- 3 mm", "--3 mm",
                            "+-3 mm", "9.42 mm mm^", "1 2 mm", "0x10 mm", "1e308 GPa", "9 1 mm", "9 - mm", "9 % mm"})
     EXPECT_FALSE(parse_quantity(text)) << text;
 }
@@ -176,8 +176,35 @@ TEST(Numbers, TooManyDigitsAreNoObstacle) {
 
 TEST(Numbers, AFieldThatIsNotWhollyANumberIsRefused) {
   for (const char* text :
-       {"", " ", "abc", "1,5", "1 2", "0x10", "1e", "1.2.3", "+-1", "++1", "1mm", "\u22121", "1;", "#1"})
+       {"", " ", "abc", "1,500", "1 2", "0x10", "1e", "1.2.3", "+-1", "++1", "1mm", "\u22121", "1;", "#1"})
     EXPECT_FALSE(parse_number(text)) << text;
+}
+
+/// As a German or French lab book has it. A point, or a group of thousands, is never guessed.
+TEST(Numbers, HaveADecimalPointOrComma) {
+  for (const auto& [text, value] : {std::pair("9,42", 9.42),
+                                    {"-0,133", -0.133},
+                                    {"+12,5e-3", 12.5e-3},
+                                    {"2,1334", 2.1334},
+                                    {"1234,567", 1234.567},
+                                    {"0,5", 0.5},
+                                    {" 1,0 ", 1.0}})
+    EXPECT_EQ(parse_number(text), std::optional(value)) << text;
+  for (const char* text : {"2,133", "-12,500", "1,2,3", "1.234,5", "1,234.5", ",5", "5,", "1, 2", "1,e5", "a,5"})
+    EXPECT_FALSE(parse_number(text)) << text;
+  EXPECT_EQ(parse_quantity("9,42 mm")->si(), 9.42e-3);
+  EXPECT_FALSE(parse_quantity("2,133 MPa"));
+  const auto with_error = parse_uncertain("2,13 +/- 0,05 MPa");
+  ASSERT_TRUE(with_error);
+  EXPECT_EQ(with_error->quantity.value, 2.13);
+  EXPECT_DOUBLE_EQ(with_error->standard_error, 0.05e6);
+}
+
+TEST(Numbers, ThatMayHaveAGroupOfThousandsAreAskedFor) {
+  EXPECT_EQ(two_readings("2,133 MPa"), "\"2.133 MPa\" or \"2133 MPa\"");
+  EXPECT_EQ(two_readings("-12,500"), "\"-12.500\" or \"-12500\"");
+  for (const char* text : {"0,133", "2,13", "2,1334", "1,234,567", "2133", "", "mm"})
+    EXPECT_EQ(two_readings(text), "") << text;
 }
 
 TEST(Units, OfOtherCapitalsAreRecognised) {

@@ -96,8 +96,7 @@ TEST(Metadata, WhatCannotBeUnderstoodIsRefusedWithItsPlace) {
   for (const auto& [toml, error] : std::vector<std::pair<std::string, std::string>>{
            {"radius = \"9.42\"", "1:10: radius is \"9.42\"; it must be a length such as mm, written \"9.42 mm\""},
            {"radius = \"9.42 mN\"", "1:10: radius is \"9.42 mN\"; it must be a length such as mm, written \"9.42 mm\""},
-           {"radius = \"9,42 mm\"",
-            "1:10: radius is \"9,42 mm\"; it must be a number with a unit, such as \"9.42 mm\""},
+           {"radius = \"9,420 mm\"", "1:10: radius is \"9,420 mm\"; write \"9.420 mm\" or \"9420 mm\""},
            {"modulus = \"2.133 Mpa\"", "1:11: modulus is \"2.133 Mpa\"; the unit \"Mpa\" is not known; \"MPa\" is"},
            {"modulus = \"2 +/- 0.1 mpsi\"",
             "1:11: modulus is \"2 +/- 0.1 mpsi\"; the unit \"mpsi\" is not known; it must be a stress such as MPa"},

@@ -104,7 +104,7 @@ TEST(PlotImport, WhatIsNoExportIsRefusedWithItsPlace) {
            {"data set 2,,,\nX,Y,X,Y\n0,9,0,12\n", "1:13: a second data set is named 'data set 2'"},
            {"a,,b,\nX,Y,X,Y\n0,abc,0,1\n", "3:3: 'abc' is not a finite number"},
            {"a,,b,\nX,Y,X,Y\n0,1,nan,1\n", "3:5: 'nan' is not a finite number"},
-           {"a;;b;\nX;Y;X;Y\n0;0,5;0;1\n", "3:3: '0,5' is not a finite number (write a decimal point, not a comma)"},
+           {"a;;b;\nX;Y;X;Y\n0;1,500;0;1\n", "3:3: '1,500' is not a finite number (write a decimal point, not a comma)"},
            {"a,,b,\nX,Y,X,Y\n0,1,,1\n", "3:5: data set 'b' has one coordinate of a point without the other"},
            {"a,,b,\nX,Y,X,Y\n0,,0,1\n", "3:3: data set 'a' has one coordinate of a point without the other"},
            {"a,,b,\nX,Y,X,Y\n0,1,0\n", "3:6: data set 'b' has one coordinate of a point without the other"},
