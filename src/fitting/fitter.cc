@@ -100,6 +100,7 @@ Verdict Fitter::find_parameters(const Progress& progress) {
     const std::vector<double>& x = verdict.best.x;
     result_.known_errors = problem_->known_errors();
     const std::vector<double> deeper = add_parameters(*cost_, verdict, options_, progress, result_);
+    if (deeper.empty()) widen_by_sizes_of_errors(x);
     result_.free_parameters = unknown();  // each of the others has a residual of its own
     result_.sum_of_squares *= unit_ * unit_;
     if (result_.errors) result_.log_variances = log_variances(data_, prepared_.used, *result_.errors);

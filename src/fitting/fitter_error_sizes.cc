@@ -1,0 +1,114 @@
+// What the uncertainty of estimated errors adds to that of the parameters.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fitting/curve_objective.h"
+#include "fitting/error_model.h"
+#include "fitting/fitter.h"
+#include "solver/descent.h"
+
+namespace mixity {
+namespace {
+
+/// Covariances of the logarithms of the variances of T and of A, as far as the residuals of a fit tell them; 0 of those
+/// that are known. The residual of a point has the variance load_T^2 + load_A^2 = 1, so that its information on the two
+/// is half the products of these parts, for each independent square (Davidian & Carroll 1987, J. Am. Stat. Assoc. 82,
+/// 1079).
+Eigen::Matrix2d covariance_of_sizes(const StandardErrors& errors, const std::vector<std::size_t>& used, bool T,
+                                    bool A) {
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  const Eigen::Vector2d independent{std::sqrt(independence(errors.correlations.second)),
+                                    std::sqrt(independence(errors.correlations.first))};
+  for (const std::size_t i : used) {
+    const Eigen::Vector2d part{std::pow(errors.load_T[i], 2), std::pow(errors.load_A[i], 2)};
+    const Eigen::Vector2d counted = part.cwiseProduct(independent);
+    information += 0.5 * counted * counted.transpose();
+  }
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  if (T && A) {
+    const double determinant = information(0, 0) * information(1, 1) - information(0, 1) * information(0, 1);
+    if (determinant > 1e-9 * information(0, 0) * information(1, 1))
+      covariance << information(1, 1) / determinant, -information(0, 1) / determinant, -information(0, 1) / determinant,
+          information(0, 0) / determinant;
+  } else if (T && information(0, 0) > 0) {
+    covariance(0, 0) = 1 / information(0, 0);
+  } else if (A && information(1, 1) > 0) {
+    covariance(1, 1) = 1 / information(1, 1);
+  }
+  return covariance;
+}
+
+}  // namespace
+
+/// The parameters with the variance of one axis larger by a factor exp(step), and the distances that are then expected.
+/// Empty if they are not found.
+std::vector<double> Fitter::with_other_size(const std::vector<double>& x, bool of_T, double step) const {
+  const auto& objective = static_cast<const CurveObjective&>(*problem_);
+  const auto before = objective.nearest(x);
+  const auto expected = before ? objective.expected(x, *before) : std::nullopt;
+  if (!expected) return {};
+  PreparedFit other = prepared_;
+  other.errors = std::make_shared<StandardErrors>(*prepared_.errors);
+  for (double& one : of_T ? other.errors->T : other.errors->A) one *= std::exp(step / 2);
+  other.errors->expected.clear();
+  const auto problem = make_problem(data_, options_, other);
+  const auto& changed = static_cast<const CurveObjective&>(*problem);
+  const auto after = changed.nearest(x);
+  const auto then = after ? changed.expected(x, *after) : std::nullopt;
+  if (!then) return {};
+  double product = 0, square = 0;  // of what was taken off with what is expected from the stated errors
+  for (std::size_t k = 0; k < expected->size(); ++k) {
+    product += prepared_.errors->expected[prepared_.used[k]] * (*expected)[k];
+    square += (*expected)[k] * (*expected)[k];
+  }
+  other.errors->expected.assign(data_.points.size(), 0.0);
+  for (std::size_t k = 0; k < then->size(); ++k)
+    other.errors->expected[prepared_.used[k]] = square > 0 ? product / square * (*then)[k] : 0;
+  SolverOptions quick;
+  quick.engine = Engine::kernel;
+  quick.last_digits = false;
+  const auto with = make_problem(data_, options_, other);
+  const auto minimum = descend(ProblemWithPriors(*with), x, quick);
+  return minimum ? minimum->x : std::vector<double>();
+}
+
+/// Noise with a memory tells its own size badly, and the distances that curvature leads one to expect depend on it.
+/// Adds that to errors and intervals.
+void Fitter::widen_by_sizes_of_errors(const std::vector<double>& x) {
+  constexpr double kStep = 0.1;
+  const auto& errors = prepared_.errors;
+  if (purpose_ != Purpose::shown || !errors || !errors->correlations.any() || errors->expected.empty() ||
+      errors->load_A.empty() || prepared_.objective != Objective::curve)
+    return;
+  const auto scatter = [](ErrorSource source) { return source == ErrorSource::scatter; };
+  const std::array<bool, 2> unknown_size{scatter(errors->source_T), scatter(errors->source_A)};
+  if (!unknown_size[0] && !unknown_size[1]) return;
+  const Eigen::Matrix2d covariance = covariance_of_sizes(*errors, prepared_.used, unknown_size[0], unknown_size[1]);
+  std::array<std::vector<double>, 2> moved;
+  for (const std::size_t axis : {0U, 1U}) {
+    if (!unknown_size[axis]) continue;
+    moved[axis] = with_other_size(x, axis == 0, kStep);
+    if (moved[axis].empty()) return;
+  }
+  std::size_t k = 0;
+  for (FittedParameter& one : result_.parameters) {
+    if (one.held) continue;
+    const std::size_t here = k++;
+    if (!one.stderr_ || !one.value || one.at_bound || !(*one.stderr_ > 0)) continue;
+    Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+    for (const std::size_t axis : {0U, 1U})
+      if (unknown_size[axis]) slope[axis] = (moved[axis][here] - x[here]) / kStep;
+    slope *= problem_->parameters()[here].shown_slope(x[here]);
+    const double factor = std::sqrt(1 + slope.dot(covariance * slope) / (*one.stderr_ * *one.stderr_));
+    if (!std::isfinite(factor)) continue;
+    *one.stderr_ *= factor;
+    if (!one.interval) continue;
+    if (one.interval->low)
+      *one.interval->low = std::max(*one.value - factor * (*one.value - *one.interval->low), one.lower);
+    if (one.interval->high)
+      *one.interval->high = std::min(*one.value + factor * (*one.interval->high - *one.value), one.upper);
+  }
+}
+
+}  // namespace mixity
