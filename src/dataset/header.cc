@@ -93,8 +93,8 @@ void add_notes(const Columns& columns, Dataset& data) {
     data.notes.push_back(
         "one run is read and those beside it are not: " + columns.beside +
         " have the names of its columns but for a number; they are to stand below it, or in files of their own");
-  for (const auto& [name, quantity] : columns.misspelt)
-    data.notes.push_back("column '" + name + "' is not used; it is read if it is called '" + quantity + "'");
+  for (const auto& [name, reason] : columns.unused)
+    data.notes.push_back("column '" + name + "' is not used: " + reason);
 }
 
 void set_display(const Columns& columns, Dataset& data) {

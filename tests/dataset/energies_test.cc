@@ -157,7 +157,7 @@ TEST(Energies, AndOtherSetsOfColumnsAreNotMixed) {
   EXPECT_EQ(load_error("G_I\n1\n"), "a.csv:1:1: column 'G_II' is missing");
   EXPECT_EQ(load_error("G_I [J/m^2],G_II\n1,1\n"),
             "a.csv:1:13: column 'G_II' has no unit while G_I has one; G_I and G_II either both have a unit or neither "
-            "has");
+            "has; say its unit: --columns=\"G_II=G_II (J/m^2)\"");
   EXPECT_EQ(load_error("G_I,G_II,sigma_GII [J/m^2]\n1,1,1\n"),
             "a.csv:1:10: column 'sigma_GII' has a unit while G_II has none; a standard error has the kind of unit of "
             "its quantity, or %");

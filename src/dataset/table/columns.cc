@@ -122,11 +122,29 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
   if (rules.log) return;
   find_runs_beside(headings, used);
   require_a_complete_set(path, headings, rules);
-  require_consistent_units(path, headings);
-  for (const std::string& name : ignored)
-    for (const ColumnKind& kind : kColumnKinds)
-      if (!has(kind.id) && kind.id != ColumnId::time && !column_named(name) && folded(name) == folded(kind.name))
-        misspelt.emplace_back(name, kind.name);
+  require_consistent_units(path, headings, rules);
+  if (rules.vocabulary) find_unused(headings, used, rules.names ? *rules.names : Vocabulary::shipped());
+}
+
+void Columns::find_unused(const std::vector<Heading>& headings, const std::vector<bool>& used,
+                          const Vocabulary& vocabulary) {
+  std::size_t next = 0;  // of the ignored columns
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const Heading& heading = headings[i];
+    if (used[i] || heading.name.empty()) continue;
+    const std::string& name = ignored[next++];
+    auto id = column_named(heading.name);
+    if (const auto read = id ? std::nullopt : vocabulary.read(heading, i)) id = read->id;
+    if (!id) id = vocabulary.find(heading.name);
+    if (!id || id == ColumnId::time || (has(*id) && !beside.empty())) continue;
+    const std::string quantity(to_string(*id));
+    if (const Column* const other = find(*id))
+      unused.emplace_back(name, quantity + " is read from '" + printable(headings[other->index].text, 60) + "'");
+    else if (!unit_fits(heading.unit, *id))
+      unused.emplace_back(name, "its unit '" + printable(*heading.unit, 20) + "' does not fit " + quantity);
+    else
+      unused.emplace_back(name, "it may be " + quantity + ", which these columns do not need");
+  }
 }
 
 void Columns::find_runs_beside(const std::vector<Heading>& headings, const std::vector<bool>& used) {
@@ -210,7 +228,8 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   }
 }
 
-void Columns::require_consistent_units(const std::string& path, const std::vector<Heading>& headings) const {
+void Columns::require_consistent_units(const std::string& path, const std::vector<Heading>& headings,
+                                       const ColumnRules& rules) const {
   using enum ColumnId;
   const auto require_like = [&](ColumnId id, const Column* reference, const std::string& rule) {
     const Column* column = find(id);
@@ -218,11 +237,16 @@ void Columns::require_consistent_units(const std::string& path, const std::vecto
     const bool bare = column->unit.dimension == dimension::none;
     if (bare == (reference->unit.dimension == dimension::none)) return;
     const std::string other(to_string(reference->id));
+    std::string unit = "UNIT";  // of a column of this kind
+    for (const std::optional<Column>& like : by_id)
+      if (like && like->unit.dimension == kind_of(id).dimension) unit = like->unit.text;
     throw InputError(
         path, headings[column->index].place,
         "column '" + std::string(to_string(id)) + "' " +
             (bare ? "has no unit while " + other + " has one" : "has a unit while " + other + " has none") + "; " +
-            rule);
+            rule +
+            (bare && rules.vocabulary ? "; say its unit: " + Remedy::set("columns", mapping_with(unit, id, headings, column->index))
+                                      : Message()));
   };
   const auto require_like_loads = [&](ColumnId id) {
     require_like(id, find(P) ? find(P) : find(T), "P, T and A are either all dimensionless or none is");
