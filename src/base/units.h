@@ -78,4 +78,7 @@ bool parse_number(std::string_view text, double& value);
 /// A dimension as messages name it: "a force such as mN".
 std::string describe(const Dimension& dimension);
 
+/// A unit of these in common use: "mN"; empty if there is none.
+std::string_view example_unit(const Dimension& dimension);
+
 }  // namespace mixity

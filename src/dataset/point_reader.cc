@@ -68,7 +68,8 @@ PointReader::PointReader(const std::string& metadata_path, const std::vector<Hea
     load_.reset();
     data.notes.emplace_back(kLoadNotUsed);
   }
-  units_ = take_header(columns_, load_.has_value(), metadata_path, data);
+  require_units(columns_, headings, load_.has_value(), metadata_path, data);
+  units_ = take_header(columns_, metadata_path, data);
 }
 
 std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {

@@ -232,12 +232,6 @@ TEST(Dataset, AnEndingBeginsWithALetter) {
 
 TEST(Dataset, NotesWhatWasStatedAndIsPassedOver) {
   const std::string constants = "radius = \"9.42 mm\"\nmodulus = \"2 MPa\"\ntoughness = \"27 mJ/m^2\"";
-  EXPECT_EQ(
-      texts_of(load_text("P,T,A\n1,1,19", constants).notes),
-      std::vector<std::string>{
-          "the columns have no unit and are taken as dimensionless: radius, modulus, toughness (stated) not used"});
-  EXPECT_EQ(texts_of(load_text("psi,Gc\n0.1,1", constants).notes),
-            std::vector<std::string>{"Gc has no unit and is taken for Gc/GIc: toughness (stated) not used"});
   for (const char* fine : {"P [mN],T [mN],A [mm^2]\n1,1,19", "psi,Gc_over_GIc\n0.1,1", "psi,Gc [J/m^2]\n0.1,1"})
     EXPECT_TRUE(load_text(fine, constants).notes.empty()) << fine;
   const Dataset known = load_text("P,T,A,Include,sigma A,a.u.,gc\n1,1,19,0,1,2,3");

@@ -81,14 +81,11 @@ TEST(Energies, ThatCannotBeUsedAreListed) {
 }
 
 TEST(Energies, WithoutAUnitAreThoseOverTheToughness) {
-  const Dataset data = load_text("G_I,G_II\n1.5,0.5\n", "toughness = \"5 J/m^2\"");
+  const Dataset data = load_text("G_I,G_II\n1.5,0.5\n");
   EXPECT_TRUE(data.toughness_known);
   EXPECT_EQ(data.toughness(0)->ratio, 2);
   EXPECT_EQ(data.display.energy, "");
   EXPECT_EQ(data.display.energy_scale, 1);
-  EXPECT_EQ(texts_of(data.notes),
-            std::vector<std::string>{"G_I and G_II have no unit and are taken for G_I/GIc and G_II/GIc: "
-                                     "toughness (stated) not used"});
 }
 
 TEST(Energies, TakeTheLargestOfModeOneForAToughnessThatIsNotStated) {
