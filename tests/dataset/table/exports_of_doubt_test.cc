@@ -18,6 +18,29 @@ TEST(Exports, WithoutTheNamesAreReadByAMapping) {
                         {{"headings", names}});
 }
 
+TEST(Exports, WithAMappingByNumberAreTheTableThatIsThereWithoutIt) {
+  const Overrides by_number{{"columns", "P=1,T=2,A=3"}}, with_units{{"columns", "P=1 (mN),T=2 (mN),A=3 (mm^2)"}};
+  for (const Overrides& mapping : {by_number, with_units}) {
+    expect_the_experiment("Kanal;Kraft quer;Fleck\nmN;mN;mm^2\n" + german(), mapping);
+    expect_the_experiment("mN;mN;mm^2\nKanal;Kraft quer;Fleck\n" + german(), mapping);
+    expect_the_experiment("Kanal;Kraft quer;Fleck\n[mN];[mN];[mm²]\n" + german(), mapping);
+    expect_the_experiment("mN;mN;mm^2\n" + german(), mapping);
+    expect_the_experiment("# Kanal Kraft Fleck\n# mN mN mm^2\n" + lines({' '}), mapping);
+    expect_the_experiment("Normalkraft;Reibkraft;Kontaktfläche\nmN;mN;mm^2\n" + german(), mapping);
+  }
+  expect_the_experiment("Kanal;Kraft quer;Fleck\n" + german(), with_units);
+  expect_the_experiment(german(), with_units);
+}
+
+TEST(Exports, WithARowOfUnitsThatLookLikeSymbolsHaveTheirHeadingsAbove) {
+  // N is a symbol of P, s one of standard errors
+  expect_the_experiment("Normal force\tShear force\tPatch\nmN\tmN\tmm^2\n" + lines({'\t'}), {{"columns", "A=Patch"}});
+  const auto in_N = [](const Row& row) { return std::vector<double>{1e-3 * row[0], 1e-3 * row[1], row[2]}; };
+  const std::string rows = lines({'\t', Form{}.field, in_N});
+  expect_the_experiment("Axial Load\tShear Force\tPatch\nN\tN\tmm^2\n" + rows, {{"columns", "A=Patch"}});
+  expect_the_experiment("Cell 1\tShear Force\tPatch\nN\tN\tmm^2\n" + rows, {{"columns", "P=1,A=3"}});
+}
+
 TEST(Exports, WithoutALoadTakeItFromTheirNameOrAFlag) {
   const TemporaryFolder folder;
   const std::string text = "T [mN],A [mm^2]\n0,0.3\n1,0.29\n";
