@@ -113,10 +113,10 @@ void Collector::finish() {
     throw InputError(data_.path, 2, 1,
                      "has a header but no data rows" + (comments_ > 0 ? ", only " + passed_over : ""));
   if (comments_ > 0) data_.notes.push_back("passed over as comments: " + passed_over);
-  if (data_.has_energies) finish_energies(metadata_path_, data_);
   const bool reads_loads = columns().has(ColumnId::P), is_negative = reads_loads && compression_is_negative(data_);
   if (is_negative) runs_.reverse_loads_in_names(data_);
   data_.curves = runs_.names();
+  if (data_.has_energies) finish_energies(metadata_path_, data_);
   if (!data_.has_loads) return;
   data_.curve_loads = runs_.loads();
   if (is_negative) reverse_loads(data_);
