@@ -37,7 +37,8 @@ struct ReadPoint {
   ToughnessPoint converted;
   PointErrors errors;
   PointEnergies energies;
-  double axes = 1;  // of an elliptic contact, the longer over the shorter
+  double axes = 1;             // of an elliptic contact, the longer over the shorter
+  bool states_errors = false;  // in the fields of its values
 };
 
 class PointReader {

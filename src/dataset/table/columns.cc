@@ -18,6 +18,11 @@ std::string letters_of(std::string_view name) {
   return letters;
 }
 
+/// Words in a column of their own, as LabVIEW's comments on some rows.
+bool is_remark(std::string_view text) {
+  return text.find_first_of("+-.,0123456789") != 0 && !is_number(text) && !folded(text).empty();
+}
+
 }  // namespace
 
 Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& path, bool alone,
@@ -63,7 +68,7 @@ void require_width(const std::string& path, const CsvRow& row, std::size_t count
     throw InputError(path, row.place(row.size()),
                      "the row has " + std::to_string(row.size()) + " fields, the header " + std::to_string(count));
   for (std::size_t i = count; i < row.size(); ++i)
-    if (!row[i].empty())
+    if (!row[i].empty() && !is_remark(row[i]))
       throw InputError(path, row.place(i),
                        "the row has more fields than the header's " + std::to_string(count) +
                            (row.delimiter() == ',' && row.raw().find('.') == std::string_view::npos
@@ -78,11 +83,21 @@ bool holds_a_number(const CsvRow& row) {
   return false;
 }
 
-bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value) {
+bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value,
+               double* error) {
   if (row.number(i, value)) return true;
   const std::string_view text = trim_name(row[i]);
   if (text.empty() || is_missing(text)) return false;
   if (text.size() < row[i].size() && parse_number(text, value)) return true;
+  double stated = 0;
+  if (parse_with_error(text, row.decimal(), value, stated)) {
+    if (!error)
+      throw InputError(path, row.place(i),
+                       "column '" + std::string(name) + "': '" + printable(text, 60) +
+                           "' states a standard error where none is read, or a column states it, too");
+    *error = stated;
+    return true;
+  }
   const std::string problem = "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number";
   NumberStyle style;
   if (parse_number(text, row.decimal(), value, &style) && style.doubtful)
@@ -245,8 +260,9 @@ void Columns::require_consistent_units(const std::string& path, const std::vecto
         "column '" + std::string(to_string(id)) + "' " +
             (bare ? "has no unit while " + other + " has one" : "has a unit while " + other + " has none") + "; " +
             rule +
-            (bare && rules.vocabulary ? "; say its unit: " + Remedy::set("columns", mapping_with(unit, id, headings, column->index))
-                                      : Message()));
+            (bare && rules.vocabulary
+                 ? "; say its unit: " + Remedy::set("columns", mapping_with(unit, id, headings, column->index))
+                 : Message()));
   };
   const auto require_like_loads = [&](ColumnId id) {
     require_like(id, find(P) ? find(P) : find(T), "P, T and A are either all dimensionless or none is");

@@ -72,13 +72,15 @@ Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& 
 
 bool holds_a_number(const CsvRow& row);
 
-/// Requires as many fields as the header has; further ones must be empty.
+/// Requires as many fields as the header has; further ones must be empty or words.
 void require_width(const std::string& path, const CsvRow& row, std::size_t count);
 
 /// Advice to append to a message about a text that is not a number.
 std::string_view decimal_comma_hint(std::string_view text);
 
-/// Reads the number in field i, without its unit; false if the field is empty. `name`: of the column.
-bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value);
+/// Reads the number in field i, without its unit; false if the field is empty. `name`: of the column. `error`: set if
+/// the field states a standard error; null if it must not.
+bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value,
+               double* error = nullptr);
 
 }  // namespace mixity
