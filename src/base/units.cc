@@ -329,15 +329,28 @@ ReadableUnit readable_unit(double value, const std::string& unit) {
   return {1, unit};
 }
 
+std::string_view example_unit(const Dimension& d) {
+  if (d == dimension::force) return "mN";
+  if (d == dimension::length) return "mm";
+  if (d == dimension::area) return "mm^2";
+  if (d == dimension::stress) return "MPa";
+  if (d == dimension::energy_per_area) return "mJ/m^2";
+  if (d == dimension::time) return "s";
+  return {};
+}
+
 std::string describe(const Dimension& d) {
+  const auto such_as = [&](std::string_view kind) {
+    return std::string(kind) + " such as " + std::string(example_unit(d));
+  };
   if (d == dimension::none) return "a plain number";
-  if (d == dimension::force) return "a force such as mN";
-  if (d == dimension::length) return "a length such as mm";
-  if (d == dimension::area) return "an area such as mm^2";
-  if (d == dimension::stress) return "a stress such as MPa";
-  if (d == dimension::energy_per_area) return "an energy per area such as mJ/m^2";
+  if (d == dimension::force) return such_as("a force");
+  if (d == dimension::length) return such_as("a length");
+  if (d == dimension::area) return such_as("an area");
+  if (d == dimension::stress) return such_as("a stress");
+  if (d == dimension::energy_per_area) return such_as("an energy per area");
   if (d == dimension::angle) return "an angle (rad or deg)";
-  if (d == dimension::time) return "a time such as s";
+  if (d == dimension::time) return such_as("a time");
   return "N^" + std::to_string(d.force) + " m^" + std::to_string(d.length);
 }
 

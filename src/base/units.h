@@ -82,4 +82,7 @@ std::string two_readings(std::string_view text);
 /// A dimension as messages name it: "a force such as mN".
 std::string describe(const Dimension& dimension);
 
+/// A unit of these in common use: "mN"; empty if there is none.
+std::string_view example_unit(const Dimension& dimension);
+
 }  // namespace mixity

@@ -106,8 +106,8 @@ std::span<const Command> commands() {
       {"import",
        run_import,
        "import EXPORT.csv --x=\"T [mN]\" --y=\"A [mm^2]\" --loads=\"P1,P2,... mN\" [--out=DATA.csv]",
-       "Converts a WebPlotDigitizer export of several data sets to a data CSV.",
-       {"x", "y", "loads", "out", "force"}},
+       "Converts the export of a program that digitises plots (WebPlotDigitizer, Engauge) to a data CSV.",
+       {"x", "y", "loads", "layout", "decimal", "out", "force"}},
       {"help", run_help, "help [COMMAND]", "Explains the program or a command.", {}},
   };
   return table;

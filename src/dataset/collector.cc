@@ -77,9 +77,10 @@ Collector::Collector(const std::string& metadata_path, const std::vector<Heading
 }
 
 void Collector::row(const CsvRow& row) {
-  ++data_.rows;
   ReadPoint read;
-  if (const std::string_view unusable = reader_.read(row, read); !unusable.empty()) {
+  const std::string_view unusable = reader_.read(row, read);
+  ++data_.rows;
+  if (!unusable.empty()) {
     data_.excluded.push_back({row.line(), unusable});
     return;
   }
@@ -90,15 +91,19 @@ void Collector::row(const CsvRow& row) {
   const Column* const name = columns().find(ColumnId::curve);
   const bool is_named = name && !row[name->index].empty();
   read.point.curve = runs_.of(is_named ? std::optional(row[name->index]) : std::nullopt, read.point, data_);
+  if (read.states_errors && !errors_in_fields_) {
+    has_errors_ = errors_in_fields_ = true;
+    data_.errors.resize(data_.points.size());
+  }
   data_.points.push_back(read.point);
   if (!data_.has_loads) data_.converted.push_back(read.converted);
   if (has_errors_) data_.errors.push_back(read.errors);
   if (data_.has_energies) data_.energies.push_back(read.energies);
 }
 
-void Collector::leave_out(const CsvRow& row) {
+void Collector::leave_out(std::size_t line, std::string_view reason) {
   ++data_.rows;
-  data_.excluded.push_back({row.line(), "summary row (text where the rows above have numbers)"});
+  data_.excluded.push_back({line, reason});
 }
 
 void Collector::comment(const CsvRow& row) {
@@ -112,11 +117,12 @@ void Collector::finish() {
   if (data_.rows == 0)
     throw InputError(data_.path, 2, 1,
                      "has a header but no data rows" + (comments_ > 0 ? ", only " + passed_over : ""));
+  if (errors_in_fields_) data_.notes.push_back("standard errors: stated in the fields of the values");
   if (comments_ > 0) data_.notes.push_back("passed over as comments: " + passed_over);
-  if (data_.has_energies) finish_energies(metadata_path_, data_);
   const bool reads_loads = columns().has(ColumnId::P), is_negative = reads_loads && compression_is_negative(data_);
   if (is_negative) runs_.reverse_loads_in_names(data_);
   data_.curves = runs_.names();
+  if (data_.has_energies) finish_energies(metadata_path_, data_);
   if (!data_.has_loads) return;
   data_.curve_loads = runs_.loads();
   if (is_negative) reverse_loads(data_);

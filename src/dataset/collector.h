@@ -42,8 +42,8 @@ class Collector {
             Dataset& data);
   /// Makes a point of a row, or lists it as excluded. Throws InputError for a row that cannot be understood.
   void row(const CsvRow& row);
-  /// Lists a row of a summary as excluded.
-  void leave_out(const CsvRow& row);
+  /// Lists a line that is no row as excluded. `reason`: a fixed text.
+  void leave_out(std::size_t line, std::string_view reason);
   void comment(const CsvRow& row);
   /// Does what needs all points: runs, signs, notes. Throws InputError if there were no rows.
   void finish();
@@ -57,7 +57,8 @@ class Collector {
   std::string metadata_path_;
   Dataset& data_;
   PointReader reader_;
-  bool has_errors_;  // the table has a column of standard errors
+  bool has_errors_;                // the table has a column of standard errors, or fields that state them
+  bool errors_in_fields_ = false;  // "0.61 +/- 0.05"
   Runs runs_;
   std::size_t comments_ = 0, first_comment_ = 0;  // that would be rows without their '#'; the line of the first
   double largest_axes_ = 1;                       // of elliptic contacts, the longer axis over the shorter

@@ -2,15 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/input_error.h"
 #include "dataset/collector.h"
 #include "dataset/table/csv_file.h"
+#include "dataset/table/number.h"
 #include "dataset/table/table.h"
 
 namespace mixity {
 namespace {
+
+constexpr std::string_view kSummaryRow = "summary row (text where the rows above have numbers)",
+                           kWordsBelow = "words below the table";
+
+bool has_a_number(const CsvRow& row) {
+  for (std::size_t i = 0; i < row.size(); ++i)
+    if (is_number(row[i])) return true;
+  return false;
+}
 
 /// Reads the table of a file into a data set. If no table is found, the first row is read as headings, which gives the
 /// message about what is wrong with it.
@@ -35,16 +46,28 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
     headings = headings_of(row);
   }
   Collector collector(metadata_path, headings, rules, data);
+  std::vector<std::size_t> words;  // lines without a number, which are no rows at the end of the table
+  std::optional<InputError> refusal;
   while (file.next(row)) {
-    if (row.is_comment())
+    if (row.is_comment()) {
       collector.comment(row);
-    else if (summary_line > 0 && row.line() >= summary_line)
-      collector.leave_out(row);
-    else
-      collector.row(row);
+      continue;
+    }
+    if (refusal && has_a_number(row)) throw *refusal;
+    try {
+      if (summary_line > 0 && row.line() >= summary_line)
+        collector.leave_out(row.line(), kSummaryRow);
+      else
+        collector.row(row);
+    } catch (const InputError& error) {
+      if (has_a_number(row) || data.rows == 0) throw;
+      if (!refusal) refusal = error;
+      words.push_back(row.line());
+    }
     // Memory for all points, estimated from the first: a growing vector takes up to three times as much.
     if (data.points.size() == kSample) data.points.reserve(static_cast<std::size_t>(1.25 * kSample / file.progress()));
   }
+  for (const std::size_t line : words) collector.leave_out(line, kWordsBelow);
   collector.finish();
 }
 

@@ -1,6 +1,8 @@
 #include "dataset/energies.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "base/input_error.h"
 #include "base/number_text.h"
@@ -51,6 +53,21 @@ std::string_view convert(const PointEnergies& energies, ToughnessPoint& point) {
   return {};
 }
 
+bool series_have_toughness(const Dataset& data) {
+  constexpr double kApart = 0.05;  // of G_II/Gc; noise moves a nominal share by less
+  std::vector<std::pair<double, double>> shares(data.curves.size(), {1, 0});  // the least and the largest
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    auto& [least, largest] = shares[data.points[i].curve];
+    const double share = data.converted[i].mixity.sin * data.converted[i].mixity.sin;
+    least = std::min(least, share);
+    largest = std::max(largest, share);
+  }
+  return std::none_of(shares.begin(), shares.end(), [&](const auto& share) {
+    const double reach = share.second - share.first;
+    return reach >= 0 && reach < kApart;  // < 0: no point
+  });
+}
+
 void finish_energies(const std::string& metadata_path, Dataset& data) {
   if (!data.toughness_known && !data.points.empty()) take_largest_as_unit(metadata_path, data);
   const auto below = static_cast<std::size_t>(
@@ -66,6 +83,11 @@ void finish_energies(const std::string& metadata_path, Dataset& data) {
     data.notes.push_back(std::to_string(zeros) + (zeros == 1 ? " error" : " errors") +
                          " of G_I or G_II stated as 0: in objective curve " + rounded(100 * kLeastError, 2) +
                          "% of the largest energy stands for each");
+  if (data.curves.size() > 1 && !series_have_toughness(data))
+    data.notes.push_back(
+        "the points of some series have one phase angle, which tells no toughness of their own from the law: all "
+        "series "
+        "have one G_Ic");
 }
 
 }  // namespace mixity

@@ -71,30 +71,14 @@ void add_notes(const Columns& columns, Dataset& data) {
     if (data.metadata.standard_error(name) > 0)
       data.notes.push_back("the standard error of " + std::string(name) +
                            " is in no result: its value is taken as exact");
-  std::string constants;
-  const auto unused = [&](bool stated, std::string_view name) {
-    if (stated) constants += (constants.empty() ? "" : ", ") + std::string(name);
-  };
-  const Column* Gc = toughness_column(columns);
-  if (data.has_loads && !data.contact) {
-    unused(data.metadata.radius.has_value(), "radius");
-    unused(data.metadata.plane_strain_modulus().has_value(), "modulus");
-    unused(data.metadata.toughness.has_value(), "toughness");
-  } else if (Gc && Gc->unit.dimension == dimension::none) {
-    unused(data.metadata.toughness.has_value(), "toughness");
-  }
-  const std::string taken = data.has_loads      ? "the columns have no unit and are taken as dimensionless"
-                            : data.has_energies ? "G_I and G_II have no unit and are taken for G_I/GIc and G_II/GIc"
-                                                : "Gc has no unit and is taken for Gc/GIc";
-  if (!constants.empty()) data.notes.push_back(taken + ": " + constants + " (stated) not used");
   for (const std::string& one : columns.taken)
     if (one.starts_with("sigma_")) data.notes.push_back("standard errors: " + one);
   if (!columns.beside.empty())
     data.notes.push_back(
         "one run is read and those beside it are not: " + columns.beside +
         " have the names of its columns but for a number; they are to stand below it, or in files of their own");
-  for (const auto& [name, quantity] : columns.misspelt)
-    data.notes.push_back("column '" + name + "' is not used; it is read if it is called '" + quantity + "'");
+  for (const auto& [name, reason] : columns.unused)
+    data.notes.push_back("column '" + name + "' is not used: " + reason);
 }
 
 void set_display(const Columns& columns, Dataset& data) {
@@ -132,11 +116,9 @@ void take_toughness_unit(const Columns& columns, const std::string& metadata_pat
 }
 
 /// For data with loads: sets the contact.
-void take_contact(const Columns& columns, bool load_stated, const std::string& metadata_path, PointUnits& units,
-                  Dataset& data) {
+void take_contact(const Columns& columns, const std::string& metadata_path, PointUnits& units, Dataset& data) {
   const Column* const kind = columns.find(columns.has(ColumnId::P) ? ColumnId::P : ColumnId::T);
   if (kind->unit.dimension == dimension::none) {
-    if (load_stated) throw InputError(data.path, "states a load in a unit, but its columns have none");
     return;
   }
   const Metadata& stated = data.metadata;
@@ -155,13 +137,45 @@ std::optional<double> stated_load(const Dataset& data) {
   return data.metadata.load_from.empty() ? data.metadata.load : std::optional(load_in_name(data));
 }
 
-PointUnits take_header(const Columns& columns, bool load_stated, const std::string& metadata_path, Dataset& data) {
+void require_units(const Columns& columns, const std::vector<Heading>& headings, bool load_stated,
+                   const std::string& metadata_path, const Dataset& data) {
+  const Column* const kind = columns.holds_loads() ? columns.find(ColumnId::T) : toughness_column(columns);
+  if (!kind || kind->unit.dimension != dimension::none) return;
+  std::string constants;
+  const auto needed = [&](std::string_view name) {
+    // with toughness_II it gives lambda
+    if (name == "toughness") return !data.metadata.toughness_II;
+    if (name == "load" || name == "pixel") return name == "load" && load_stated;
+    return columns.holds_loads() && name != "toughness_II" && name != "shear_strength";
+  };
+  for (const MetadataField& field : metadata_fields())
+    if (field.number && field.dimension != dimension::none && data.metadata.*field.number && needed(field.name))
+      constants += (constants.empty() ? "" : ", ") + std::string(field.name);
+  if (constants.empty()) return;
+  // for arrays, which have no file, by quantity
+  const bool arrays = metadata_path.empty();
+  std::string units;
+  for (const std::optional<Column>& column : columns.by_id) {
+    if (!column || column->unit.text == "%" || column->id == ColumnId::psi) continue;
+    const std::string_view unit = example_unit(kind_of(column->id).dimension);
+    if (unit.empty()) continue;
+    units +=
+        (units.empty() ? "" : ",") + (arrays ? std::string(to_string(column->id)) + "=" + std::string(unit)
+                                             : mapping_with(std::string(unit), column->id, headings, column->index));
+  }
+  throw InputError(data.path, headings.at(kind->index).place,
+                   std::string("the columns have no units, but the data state ") + constants +
+                       "; say the units, such as " + Remedy::set(arrays ? "units" : "columns", units) +
+                       ", or leave out what is stated if the columns are dimensionless");
+}
+
+PointUnits take_header(const Columns& columns, const std::string& metadata_path, Dataset& data) {
   data.has_loads = columns.holds_loads();
   data.has_energies = columns.holds_energies();
   data.ignored_columns = columns.ignored;
   PointUnits units;
   if (data.has_loads)
-    take_contact(columns, load_stated, metadata_path, units, data);
+    take_contact(columns, metadata_path, units, data);
   else
     take_toughness_unit(columns, metadata_path, units, data);
   add_notes(columns, data);

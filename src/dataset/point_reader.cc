@@ -36,27 +36,33 @@ struct PointReader::Numbers {
   const CsvRow& row;
   std::string_view unusable{};  // the reason; empty: none so far
 
-  /// The number in a column, in SI.
-  double operator()(ColumnId id) {
+  /// The number in a column, in SI, and the standard error that its field may state; null: it must not.
+  double operator()(ColumnId id, double* error = nullptr) {
     double value = 0;
     if (!unusable.empty()) return value;
     const Column& column = *columns.find(id);
-    if (!number_at(path, row, column.index, to_string(id), value))
+    if (!number_at(path, row, column.index, to_string(id), value, error))
       unusable = reason_of(id, kEmpty);
     else if (!std::isfinite(value *= column.unit.factor))
       unusable = reason_of(id, kNotFinite);
+    if (error && *error >= 0) *error *= column.unit.factor;
     return value;
+  }
+  /// The same of a quantity whose standard error is that column if there is one.
+  double with_error(ColumnId id, ColumnId sigma, double& in_field) {
+    return (*this)(id, columns.has(sigma) ? nullptr : &in_field);
   }
 
   /// Sets the standard error of a quantity whose value is `of`, in the same unit. Leaves it unchanged if the column or
-  /// the field is missing.
-  void standard_error(ColumnId id, double of, double unit, double& error) {
+  /// the field is missing. `in_field`: that of the field of the value, in SI.
+  void standard_error(ColumnId id, double of, double unit, double in_field, double& error) {
     const Column* column = columns.find(id);
-    if (!unusable.empty() || !column || row[column->index].empty()) return;
-    error = (*this)(id);
+    const bool in_column = column && !row[column->index].empty();
+    if (!unusable.empty() || (!in_column && in_field < 0)) return;
+    error = in_column ? (*this)(id) : in_field;
     if (!unusable.empty()) return;
     if (error < 0) unusable = reason_of(id, kNegative);
-    error = column->unit.text == "%" ? error * std::abs(of) : error / unit;
+    error = in_column && column->unit.text == "%" ? error * std::abs(of) : error / unit;
     if (unusable.empty() && error != 0 && !in_range(error)) unusable = reason_of(id, kOutOfRange);
   }
 };
@@ -68,7 +74,8 @@ PointReader::PointReader(const std::string& metadata_path, const std::vector<Hea
     load_.reset();
     data.notes.emplace_back(kLoadNotUsed);
   }
-  units_ = take_header(columns_, load_.has_value(), metadata_path, data);
+  require_units(columns_, headings, load_.has_value(), metadata_path, data);
+  units_ = take_header(columns_, metadata_path, data);
 }
 
 std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
@@ -93,7 +100,8 @@ std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
 
 std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const {
   const ContactLengths* const lengths = columns_.lengths();
-  const double P = load_ ? *load_ : number(ColumnId::P), T = number(ColumnId::T);
+  double in_T = kNotStated, in_A = kNotStated;  // errors
+  const double P = load_ ? *load_ : number(ColumnId::P), T = number.with_error(ColumnId::T, ColumnId::sigma_T, in_T);
   double area = 0;
   if (lengths && !lengths->round()) {
     const double one = number(lengths->one), other = number(lengths->other);
@@ -101,7 +109,7 @@ std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const
     area = std::numbers::pi * one * other / lengths->parts;
     read.axes = one > other ? one / other : other / one;
   }
-  if (columns_.has(ColumnId::A)) area = number(ColumnId::A);
+  if (columns_.has(ColumnId::A)) area = number.with_error(ColumnId::A, ColumnId::sigma_A, in_A);
   const bool by_radius = lengths && lengths->round() && !columns_.has(ColumnId::A);
   const double radius = by_radius ? number(lengths->one) / std::sqrt(lengths->parts) : 0;
   if (by_radius && radius <= 0) return lengths->one == ColumnId::a ? "a <= 0" : "diameter <= 0";
@@ -115,8 +123,9 @@ std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const
     return "P, T or A is out of range";
   const double a = radius_from_area(point.A), y = edge_load(a, point.P);
   if (y > 0 && !in_range(toughness_ratio(y, point.T, a))) return kOutOfRangeRatio;
-  number.standard_error(ColumnId::sigma_T, point.T, units_.force, read.errors.T);
-  number.standard_error(ColumnId::sigma_A, point.A, area_unit, read.errors.A);
+  number.standard_error(ColumnId::sigma_T, point.T, units_.force, in_T, read.errors.T);
+  number.standard_error(ColumnId::sigma_A, point.A, area_unit, in_A, read.errors.A);
+  read.states_errors = in_T >= 0 || in_A >= 0;
   return {};
 }
 
@@ -125,25 +134,30 @@ std::string_view PointReader::read_toughness(Numbers& number, ReadPoint& read) c
   const double mixity = number(by_angle ? ColumnId::psi : ColumnId::mode_ratio);
   if (mixity < 0 || mixity > (by_angle ? kLargestPhaseAngle : 1))
     return by_angle ? "psi outside 0..90 degrees" : "mode_ratio outside 0..1";
-  const double Gc = number(columns_.has(ColumnId::Gc) ? ColumnId::Gc : ColumnId::Gc_over_GIc);
+  double in_Gc = kNotStated;
+  const double Gc =
+      number.with_error(columns_.has(ColumnId::Gc) ? ColumnId::Gc : ColumnId::Gc_over_GIc, ColumnId::sigma_Gc, in_Gc);
   if (Gc <= 0) return "Gc <= 0";
   ToughnessPoint& point = read.converted;
   point.mixity = by_angle ? mixity_from_angle(mixity) : mixity_from_mode_ratio(mixity);
   point.ratio = Gc / units_.ratio;
   if (!in_range(point.ratio)) return kOutOfRangeRatio;
-  number.standard_error(ColumnId::sigma_Gc, point.ratio, units_.ratio, read.errors.ratio);
+  number.standard_error(ColumnId::sigma_Gc, point.ratio, units_.ratio, in_Gc, read.errors.ratio);
+  read.states_errors = in_Gc >= 0;
   return {};
 }
 
 std::string_view PointReader::read_energies(Numbers& number, ReadPoint& read) const {
   PointEnergies& energies = read.energies;
-  energies.G_I = number(ColumnId::G_I) / units_.ratio;
-  energies.G_II = number(ColumnId::G_II) / units_.ratio;
+  double in_GI = kNotStated, in_GII = kNotStated;
+  energies.G_I = number.with_error(ColumnId::G_I, ColumnId::sigma_GI, in_GI) / units_.ratio;
+  energies.G_II = number.with_error(ColumnId::G_II, ColumnId::sigma_GII, in_GII) / units_.ratio;
   if (!(std::abs(energies.G_I) <= kMostQuantity)) return reason_of(ColumnId::G_I, kOutOfRange);
   if (!(std::abs(energies.G_II) <= kMostQuantity)) return reason_of(ColumnId::G_II, kOutOfRange);
   if (const auto unusable = convert(energies, read.converted); !unusable.empty()) return unusable;
-  number.standard_error(ColumnId::sigma_GI, energies.G_I, units_.ratio, energies.sigma_GI);
-  number.standard_error(ColumnId::sigma_GII, energies.G_II, units_.ratio, energies.sigma_GII);
+  number.standard_error(ColumnId::sigma_GI, energies.G_I, units_.ratio, in_GI, energies.sigma_GI);
+  number.standard_error(ColumnId::sigma_GII, energies.G_II, units_.ratio, in_GII, energies.sigma_GII);
+  read.states_errors = in_GI >= 0 || in_GII >= 0;
   read.errors.ratio = error_of_sum(energies);
   return {};
 }

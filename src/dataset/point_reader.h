@@ -21,10 +21,15 @@ struct PointUnits {
 /// InputError for a name that does not match `load_from`.
 std::optional<double> stated_load(const Dataset& data);
 
+/// Throws InputError, with the units to be said, if constants in units are stated beside columns without: these would
+/// be taken as dimensionless.
+void require_units(const Columns& columns, const std::vector<Heading>& headings, bool load_stated,
+                   const std::string& metadata_path, const Dataset& data);
+
 /// Sets what the header of a table and the constants determine of a data set: the kind of data, the contact, the
 /// display units, the ignored columns, and notes. Throws InputError if units are out of range, MissingConstants if
 /// constants are needed and not stated.
-PointUnits take_header(const Columns& columns, bool load_stated, const std::string& metadata_path, Dataset& data);
+PointUnits take_header(const Columns& columns, const std::string& metadata_path, Dataset& data);
 
 /// A point, with the quantities that only some files contain.
 struct ReadPoint {
@@ -32,7 +37,8 @@ struct ReadPoint {
   ToughnessPoint converted;
   PointErrors errors;
   PointEnergies energies;
-  double axes = 1;  // of an elliptic contact, the longer over the shorter
+  double axes = 1;             // of an elliptic contact, the longer over the shorter
+  bool states_errors = false;  // in the fields of its values
 };
 
 class PointReader {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/input_error.h"
+#include "dataset/energies.h"
 #include "fitting/standard_errors.h"
 
 namespace mixity {
@@ -15,8 +16,9 @@ std::vector<EnergyPoint> energy_points(const Dataset& data, const std::vector<st
   for (const PointEnergies& e : data.energies) largest = std::max({largest, e.G_I, e.G_II});
   std::vector<EnergyPoint> points;
   std::vector<std::size_t> series;  // those that occur, in order
+  const bool apart = series_have_toughness(data);
   for (const std::size_t i : used) {
-    const std::size_t curve = data.points[i].curve;
+    const std::size_t curve = apart ? data.points[i].curve : 0;
     if (std::find(series.begin(), series.end(), curve) == series.end()) series.push_back(curve);
     PointEnergies e = data.energies[i];
     for (const auto& [error, column] : {std::pair(&e.sigma_GI, "sigma_GI"), std::pair(&e.sigma_GII, "sigma_GII")}) {

@@ -9,7 +9,7 @@
 
 namespace mixity {
 
-/// Energies in units of the data set's G_Ic, and the series of each point, 0, 1, ...
+/// Energies in units of the data set's G_Ic, and the series of each point, 0, 1, ...; all 0 if they have one G_Ic.
 struct EnergyPoint {
   PointEnergies energies;  // standard errors > 0
   std::size_t series;

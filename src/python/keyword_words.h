@@ -8,14 +8,14 @@
 
 namespace mixity {
 
-/// `free="modulus"`, `columns={"P": "1 (mN)"}`. Fits have their document by to_dict(), where the program has a format.
+/// `free="modulus"`, `columns={"P": "1 (mN)"}`, `units={"P": "mN"}`. Fits have their document by to_dict(), where the program has a format.
 inline std::string keyword_text(const Remedy::Choice& choice) {
   const auto& [option, value, placeholder] = choice;
   if (option == "format" && value == "json") return "to_dict()";
   if (value.empty()) return option;
   if (value == "true" || value == "false") return option + (value == "true" ? "=True" : "=False");
   if (placeholder) return option + "=" + value;
-  if (option != "columns") return option + "=\"" + value + "\"";
+  if (option != "columns" && option != "units") return option + "=\"" + value + "\"";
   std::string entries;  // P=1 (mN),T=2 (mN)
   for (std::size_t begin = 0; begin < value.size();) {
     const std::size_t end = std::min(value.find(',', begin), value.size()), middle = value.find('=', begin);
@@ -23,7 +23,7 @@ inline std::string keyword_text(const Remedy::Choice& choice) {
                value.substr(middle + 1, end - middle - 1) + '"';
     begin = end + 1;
   }
-  return "columns={" + entries + "}";
+  return option + "={" + entries + "}";
 }
 
 /// A Wording (base/message.h).

@@ -24,6 +24,8 @@ TEST(WordsOfDoors, AreFlagsKeywordsAndFields) {
       {Remedy::set("columns", "P=1 (mN),T=2 (N)"), "--columns=\"P=1 (mN),T=2 (N)\"",
        "columns={\"P\": \"1 (mN)\", \"T\": \"2 (N)\"}", "write P=1 (mN),T=2 (N) under “Take other columns”",
        "columns = \"P=1 (mN),T=2 (N)\""},
+      {Remedy::set("units", "P=mN,T=N"), "--units=\"P=mN,T=N\"", "units={\"P\": \"mN\", \"T\": \"N\"}",
+       "units=\"P=mN,T=N\" in the program", "units = \"P=mN,T=N\""},
       {"by " + Remedy::set_or_key("load", "5 mN"), "by --load=\"5 mN\", or the key load",
        "by load=\"5 mN\", or the key load", "by \"5 mN\" under “More of the file”", "by load = \"5 mN\""},
       {"needs radius" + Remedy::state({"radius"}, "a.toml"),

@@ -102,6 +102,14 @@ TEST(Arrays, AreExcludedAndRefusedAsRowsOfAFile) {
   EXPECT_NE(error({{"P [mN]", P}, {"T [mN]", A}, {"A [kg]", A}}).find("is no unit"), std::string::npos);
 }
 
+TEST(Arrays, WithoutUnitsAndWithConstantsAreRefusedWithTheOptionOfUnits) {
+  const std::vector<double> P{1, 1, 1, 1}, T{0, 1, 0, 1}, A{8, 7, 8, 7};
+  const auto made = [&] { make_dataset("mine", {{"P", P}, {"T", T}, {"A", A}}, {{"radius", "9 mm"}}); };
+  EXPECT_EQ(input_error(made),
+            "mine:1:2: the columns have no units, but the data state radius; say the units, such as "
+            "--units=\"P=mN,T=mN,A=mm^2\", or leave out what is stated if the columns are dimensionless");
+}
+
 TEST(Arrays, MayNameTheirRuns) {
   const std::vector<double> P{1, 1, 1, 1}, T{0, 1, 0, 1}, A{8, 7, 8, 7}, numbers{1, 1, 2, 2};
   const std::vector<std::string> names{"up", "up", "down", "down"};

@@ -26,6 +26,32 @@ TEST(Dataset, WhatIsNeededAndNotStatedIsNamed) {
   EXPECT_NE(half.find("poisson_ratio"), std::string::npos) << half;
 }
 
+TEST(Dataset, ConstantsInUnitsBesideColumnsWithoutAreRefusedWithTheUnitsToBeSaid) {
+  const auto message = [](const std::string& constants, const std::string& columns,
+                          const std::string& kind = "columns") {
+    return "the columns have no units, but the data state " + constants + "; say the units, such as --" + kind + "=\"" +
+           columns + "\", or leave out what is stated if the columns are dimensionless";
+  };
+  const std::string constants = "radius = \"9.42 mm\"\nmodulus = \"2 MPa\"\ntoughness = \"27 mJ/m^2\"\n";
+  EXPECT_EQ(load_error("P,T,A\n1,1,19", constants),
+            "a.csv:1:3: " + message("radius, modulus, toughness", "P=P (mN),T=T (mN),A=A (mm^2)"));
+  EXPECT_EQ(load_error("Normal force,Shear force,diameter,T_err\n1,1,19,1", "radius = \"9 mm\""),
+            "a.csv:1:14: " +
+                message("radius", "P=Normal force (mN),T=Shear force (mN),diameter=diameter (mm),sigma_T=T_err (mN)"));
+  EXPECT_EQ(load_error("T,A\n1,19", "load = \"5 mN\""), "a.csv:1:1: " + message("load", "T=T (mN),A=A (mm^2)"));
+  EXPECT_EQ(load_error("P,T,A\n1,1,19", "load_offset = \"0 +/- 1 mN\""),
+            "a.csv:1:3: " + message("load_offset", "P=P (mN),T=T (mN),A=A (mm^2)"));
+  EXPECT_EQ(load_error("psi,Gc\n0.1,1", "toughness = \"27 mJ/m^2\""),
+            "a.csv:1:5: " + message("toughness", "Gc=Gc (mJ/m^2)"));
+  EXPECT_EQ(load_error("G_I,G_II\n1,1", "toughness = \"27 mJ/m^2\""),
+            "a.csv:1:1: " + message("toughness", "G_I=G_I (mJ/m^2),G_II=G_II (mJ/m^2)"));
+  // followed as it stands, the remedy is enough
+  EXPECT_EQ(load_error("P,T,A\n1,1,19", constants + "columns = {P=\"P (mN)\", T=\"T (mN)\", A=\"A (mm^2)\"}\n"), "");
+  for (const char* fine : {"psi,Gc_over_GIc\n0.1,1", "P [mN],T [mN],A [mm^2]\n1,1,19", "psi,Gc [J/m^2]\n0.1,1"})
+    EXPECT_EQ(load_error(fine, constants), "") << fine;
+  EXPECT_EQ(load_error("P,T,A\n1,1,19", "toughness = \"27 mJ/m^2\"\ntoughness_II = \"90 mJ/m^2\""), "");  // lambda
+}
+
 TEST(Dataset, PointsThatCannotBeUsedAreListedWithTheirReason) {
   const Dataset data = load_text(
       "P,T,A,include,sigma_A\n"

@@ -168,7 +168,7 @@ TEST(Dataset, PlacesSayRunShareOfTheLargestShearAndNoShear) {
     EXPECT_NEAR(all[i].stretch, share[i], 1e-15) << i;
     EXPECT_EQ(all[i].unsheared, without[i]) << i;
   }
-  EXPECT_DOUBLE_EQ(of.at(1, 4).stretch, 1);  // where the point lies without noise
+  EXPECT_DOUBLE_EQ(of.at(1, 4).stretch, 1);                                    // where the point lies without noise
   EXPECT_DOUBLE_EQ(PointPlaces(load_text("P,T,A\n1,1,19\n")).at(0).order, 0);  // one run alone
 }
 
@@ -232,18 +232,11 @@ TEST(Dataset, AnEndingBeginsWithALetter) {
 
 TEST(Dataset, NotesWhatWasStatedAndIsPassedOver) {
   const std::string constants = "radius = \"9.42 mm\"\nmodulus = \"2 MPa\"\ntoughness = \"27 mJ/m^2\"";
-  EXPECT_EQ(
-      texts_of(load_text("P,T,A\n1,1,19", constants).notes),
-      std::vector<std::string>{
-          "the columns have no unit and are taken as dimensionless: radius, modulus, toughness (stated) not used"});
-  EXPECT_EQ(texts_of(load_text("psi,Gc\n0.1,1", constants).notes),
-            std::vector<std::string>{"Gc has no unit and is taken for Gc/GIc: toughness (stated) not used"});
   for (const char* fine : {"P [mN],T [mN],A [mm^2]\n1,1,19", "psi,Gc_over_GIc\n0.1,1", "psi,Gc [J/m^2]\n0.1,1"})
     EXPECT_TRUE(load_text(fine, constants).notes.empty()) << fine;
-  const Dataset misspelt = load_text("P,T,A,Include,sigma A,a.u.,t\n1,1,19,0,1,2,3");
-  EXPECT_EQ(texts_of(misspelt.notes),
-            (std::vector<std::string>{"column 'Include' is not used; it is read if it is called 'include'",
-                                      "column 'sigma A' is not used; it is read if it is called 'sigma_A'"}));
+  const Dataset known = load_text("P,T,A,Include,sigma A,a.u.,gc\n1,1,19,0,1,2,3");
+  EXPECT_EQ(texts_of(known.notes), std::vector<std::string>{"standard errors: sigma_A from 'sigma A'"});
+  EXPECT_EQ(known.excluded.at(0).reason, "include = 0");
 }
 
 TEST(Dataset, ALogIsToldByTimesAndFramesWithoutContact) {

@@ -81,14 +81,11 @@ TEST(Energies, ThatCannotBeUsedAreListed) {
 }
 
 TEST(Energies, WithoutAUnitAreThoseOverTheToughness) {
-  const Dataset data = load_text("G_I,G_II\n1.5,0.5\n", "toughness = \"5 J/m^2\"");
+  const Dataset data = load_text("G_I,G_II\n1.5,0.5\n");
   EXPECT_TRUE(data.toughness_known);
   EXPECT_EQ(data.toughness(0)->ratio, 2);
   EXPECT_EQ(data.display.energy, "");
   EXPECT_EQ(data.display.energy_scale, 1);
-  EXPECT_EQ(texts_of(data.notes),
-            std::vector<std::string>{"G_I and G_II have no unit and are taken for G_I/GIc and G_II/GIc: "
-                                     "toughness (stated) not used"});
 }
 
 TEST(Energies, TakeTheLargestOfModeOneForAToughnessThatIsNotStated) {
@@ -157,7 +154,7 @@ TEST(Energies, AndOtherSetsOfColumnsAreNotMixed) {
   EXPECT_EQ(load_error("G_I\n1\n"), "a.csv:1:1: column 'G_II' is missing");
   EXPECT_EQ(load_error("G_I [J/m^2],G_II\n1,1\n"),
             "a.csv:1:13: column 'G_II' has no unit while G_I has one; G_I and G_II either both have a unit or neither "
-            "has");
+            "has; say its unit: --columns=\"G_II=G_II (J/m^2)\"");
   EXPECT_EQ(load_error("G_I,G_II,sigma_GII [J/m^2]\n1,1,1\n"),
             "a.csv:1:10: column 'sigma_GII' has a unit while G_II has none; a standard error has the kind of unit of "
             "its quantity, or %");

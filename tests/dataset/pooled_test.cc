@@ -113,7 +113,7 @@ TEST(Pooled, FilesThatContradictEachOtherAreRefused) {
             "b.toml: states another radius than a file before it; constants are those of the whole experiment");
   EXPECT_EQ(error("", "psi,Gc_over_GIc\n0.1,1\n"),
             "b.csv: holds no loads; only runs with P, T and A make one data set");
-  EXPECT_EQ(error("", "P,T,A\n1,0,19.6\n"), "b.csv: is dimensionless where others have units, or the other way round");
+  EXPECT_NE(error("", "P,T,A\n1,0,19.6\n").find("b.csv:1:3: the columns have no units"), std::string::npos);
   EXPECT_EQ(error("", "P [mN],T [mN],A [mm^2]\n1,0,x\n"), "b.csv:2:5: column 'A': 'x' is not a number");
   EXPECT_EQ(folder.left_out_of(input_error([&] { files_of(folder.path("nothing_*.csv")); })),
             "nothing_*.csv: no file has such a name");

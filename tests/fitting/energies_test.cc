@@ -85,6 +85,33 @@ TEST_P(EnergiesOf, SeveralSeriesGiveOneLawAndAToughnessOfEach) {
   EXPECT_NEAR(*fit.parameters[p.size() + 1].value, 5, 1e-9);
 }
 
+/// The kinds of test are no series of an interface: at one phase angle G_Ic and the law act as one factor.
+TEST(Energies, OfOneAngleInASeriesGiveOneToughnessWithANote) {
+  const auto rows = [](const std::vector<std::pair<std::string, std::vector<double>>>& kinds) {
+    std::string text = "G_I [J/m^2],G_II [J/m^2],test\n";
+    for (const auto& [kind, shares] : kinds)
+      for (std::size_t i = 0; i < 2 * shares.size(); ++i) {
+        const double share = shares[i % shares.size()], Gc = 2 + 3 * share * share;
+        text += shortest(Gc * (1 - share)) + "," + shortest(Gc * share) + "," + kind + "\n";
+      }
+    return load_text(text);
+  };
+  // some MMB tests of several shares do not make DCB and ENF tests interfaces of their own
+  for (const std::vector<double>& mixed : {std::vector<double>{0.5}, std::vector<double>{0.25, 0.5, 0.75}}) {
+    const Dataset data = rows({{"DCB", {0}}, {"MMB", mixed}, {"MMB2", {0.6}}, {"ENF", {1}}});
+    const FitResult fit = fit_model(data, "bk", {.free = {kToughness}});
+    ASSERT_EQ(fit.parameters.size(), 3u);
+    EXPECT_EQ(fit.parameters[2].name, "toughness");
+    EXPECT_NEAR(*fit.parameters[2].value, 2, 1e-9);  // data of 16 digits
+    EXPECT_NEAR(*fit.parameters[0].value, 2.5, 1e-9);
+    EXPECT_NEAR(*fit.parameters[1].value, 2, 1e-9);
+    EXPECT_NE(data.notes.back().text().find("all series have one G_Ic"), std::string::npos);
+  }
+  const Dataset apart = rows({{"dry", {0, 0.5, 1}}, {"wet", {0.1, 0.7}}});
+  EXPECT_EQ(fit_model(apart, "bk", {.free = {kToughness}}).parameters.size(), 4u);
+  EXPECT_EQ(apart.notes.size(), 1u);  // on the toughness that is not stated
+}
+
 TEST(Energies, WithAStatedToughnessFitLambdaAlone) {
   const std::string text =
       "G_I [J/m^2],G_II [J/m^2],sigma_GI [J/m^2],sigma_GII [J/m^2],curve\n" + exact("c", {0.35}, 2, "");

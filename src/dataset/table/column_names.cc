@@ -92,11 +92,14 @@ class Names {
     }
   }
 
+  /// Of a set that is complete, only what may stand beside it.
   void add_by_vocabulary(const Vocabulary& vocabulary) {
+    const bool complete = is_complete();
+    const auto is_wanted = [&](ColumnId id) { return is_read(id) && (!complete || is_beside(id)); };
     for (std::size_t i = 0; i < headings_.size(); ++i) {
       if (at(i) || column_named(headings_[i].name)) continue;  // an own name whose unit does not fit
       auto column = vocabulary.read(headings_[i], i);
-      if (!column || !is_read(column->id)) continue;
+      if (!column || !is_wanted(column->id)) continue;
       const NamedColumn* before = find(column->id);
       if (!before)
         columns_.push_back(std::move(*column));
@@ -109,7 +112,7 @@ class Names {
     // "_N" of "normal force_N" may be an index; it is a unit if other headings end in units
     if (std::any_of(columns_.begin(), columns_.end(), [](const NamedColumn& column) { return column.heading.unit; }))
       for (NamedColumn& column : columns_)
-        if (!column.heading.unit && !is_mapped(column.id))
+        if (!column.heading.unit && !is_mapped(column.id) && is_wanted(column.id))
           if (auto better = vocabulary.read(headings_[column.index], column.index, true);
               better && better->id == column.id)
             column = std::move(*better);
@@ -172,6 +175,15 @@ class Names {
   const NamedColumn* at(std::size_t index) const { return column_with(&NamedColumn::index, index); }
   bool is_mapped(ColumnId id) const { return rules_.mapping.contains(name_of(id)); }
   bool is_read(ColumnId id) const { return rules_.log || id != ColumnId::time; }
+  /// Whether it is a standard error of the columns that make points, a name of runs, or says which rows are used.
+  bool is_beside(ColumnId id) const {
+    using enum ColumnId;
+    if (rules_.log) return false;
+    if (id == sigma_T || id == sigma_A) return find(T);
+    if (id == sigma_Gc) return find(Gc) || find(Gc_over_GIc);
+    if (id == sigma_GI || id == sigma_GII) return find(G_I);
+    return id == curve || id == include;
+  }
   bool is_sized() const {
     using enum ColumnId;
     return find(A) || std::any_of(kContactLengths.begin(), kContactLengths.end(), [&](const ContactLengths& lengths) {
@@ -199,9 +211,8 @@ class Names {
   std::vector<NamedColumn> columns_;
 };
 
-}  // namespace
-
-Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t index) {
+/// The heading, with its unit or without; its number if that would not be understood in a mapping.
+std::string column_in_mapping(const std::vector<Heading>& headings, std::size_t index, bool with_unit) {
   constexpr std::size_t kLongest = 40;
   const Heading& heading = headings[index];
   const bool is_unique = std::count_if(headings.begin(), headings.end(), [&](const Heading& other) {
@@ -209,9 +220,19 @@ Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t in
                          }) == 1;
   const bool plain = is_unique && heading.closed && !heading.name.empty() && heading.text.size() <= kLongest &&
                      heading.text.find_first_of("\",=") == std::string::npos && printable(heading.text) == heading.text;
-  const bool fits = unit_fits(heading.unit, id);
-  const std::string column = plain && fits ? heading.text : plain ? heading.name : std::to_string(index + 1);
-  return Remedy::set("columns", name_of(id) + "=" + column + (fits ? "" : " (UNIT)"));
+  return !plain ? std::to_string(index + 1) : with_unit ? heading.text : heading.name;
+}
+
+}  // namespace
+
+Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t index) {
+  const bool fits = unit_fits(headings[index].unit, id);
+  return Remedy::set("columns", name_of(id) + "=" + column_in_mapping(headings, index, fits) + (fits ? "" : " (UNIT)"));
+}
+
+std::string mapping_with(const std::string& unit, ColumnId id, const std::vector<Heading>& headings,
+                         std::size_t index) {
+  return name_of(id) + "=" + column_in_mapping(headings, index, false) + " (" + unit + ")";
 }
 
 std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,
@@ -219,8 +240,7 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
   Names names(path, headings, rules);
   names.add_mapped();
   names.add_own_names();
-  if (rules.vocabulary && !names.is_complete())
-    names.add_by_vocabulary(rules.names ? *rules.names : Vocabulary::shipped());
+  if (rules.vocabulary) names.add_by_vocabulary(rules.names ? *rules.names : Vocabulary::shipped());
   if (rules.vocabulary) names.add_misfits();
   names.drop_redundant_sizes();
   return std::move(names).sorted();

@@ -24,7 +24,8 @@ struct ColumnRules {
 
 /// The columns that name quantities, in their order, each quantity once. The mapping of the user comes first, as it may
 /// contradict all names, then the program's own names. The vocabulary, whose names may mean other things in other
-/// files, is used only if these are not a complete set. A name counts if its unit fits. One of the program's own names
+/// files, is used if these are not a complete set; otherwise only for what may stand beside it: standard errors, names
+/// of runs, include. A name counts if its unit fits. One of the program's own names
 /// counts without a fitting unit if there is no other column, so that the unit is rejected. Throws InputError for a
 /// mapping to a column that does not exist, for two headings that name one quantity, and for a name of a required
 /// quantity with a unit that does not fit it.
@@ -38,5 +39,7 @@ std::vector<NamedColumn> number_columns(const std::string& path, const std::vect
 /// The mapping of a column to a quantity, as in --columns="P=Load (mN)". By number if its heading would not be
 /// understood there, and with UNIT to be filled in if the unit of the heading is not known or does not fit.
 Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t index);
+/// Part of one, "P=Load (mN)", with a unit that the heading lacks.
+std::string mapping_with(const std::string& unit, ColumnId id, const std::vector<Heading>& headings, std::size_t index);
 
 }  // namespace mixity

@@ -18,6 +18,11 @@ std::string letters_of(std::string_view name) {
   return letters;
 }
 
+/// Words in a column of their own, as LabVIEW's comments on some rows.
+bool is_remark(std::string_view text) {
+  return text.find_first_of("+-.,0123456789") != 0 && !is_number(text) && !folded(text).empty();
+}
+
 }  // namespace
 
 Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& path, bool alone,
@@ -63,7 +68,7 @@ void require_width(const std::string& path, const CsvRow& row, std::size_t count
     throw InputError(path, row.place(row.size()),
                      "the row has " + std::to_string(row.size()) + " fields, the header " + std::to_string(count));
   for (std::size_t i = count; i < row.size(); ++i)
-    if (!row[i].empty())
+    if (!row[i].empty() && !is_remark(row[i]))
       throw InputError(path, row.place(i),
                        "the row has more fields than the header's " + std::to_string(count) +
                            (row.delimiter() == ',' && row.raw().find('.') == std::string_view::npos
@@ -78,11 +83,21 @@ bool holds_a_number(const CsvRow& row) {
   return false;
 }
 
-bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value) {
+bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value,
+               double* error) {
   if (row.number(i, value)) return true;
   const std::string_view text = trim_name(row[i]);
   if (text.empty() || is_missing(text)) return false;
   if (text.size() < row[i].size() && parse_number(text, value)) return true;
+  double stated = 0;
+  if (parse_with_error(text, row.decimal(), value, stated)) {
+    if (!error)
+      throw InputError(path, row.place(i),
+                       "column '" + std::string(name) + "': '" + printable(text, 60) +
+                           "' states a standard error where none is read, or a column states it, too");
+    *error = stated;
+    return true;
+  }
   const std::string problem = "column '" + std::string(name) + "': '" + printable(text, 60) + "' is not a number";
   NumberStyle style;
   if (parse_number(text, row.decimal(), value, &style) && style.doubtful)
@@ -122,11 +137,29 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
   if (rules.log) return;
   find_runs_beside(headings, used);
   require_a_complete_set(path, headings, rules);
-  require_consistent_units(path, headings);
-  for (const std::string& name : ignored)
-    for (const ColumnKind& kind : kColumnKinds)
-      if (!has(kind.id) && kind.id != ColumnId::time && !column_named(name) && folded(name) == folded(kind.name))
-        misspelt.emplace_back(name, kind.name);
+  require_consistent_units(path, headings, rules);
+  if (rules.vocabulary) find_unused(headings, used, rules.names ? *rules.names : Vocabulary::shipped());
+}
+
+void Columns::find_unused(const std::vector<Heading>& headings, const std::vector<bool>& used,
+                          const Vocabulary& vocabulary) {
+  std::size_t next = 0;  // of the ignored columns
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const Heading& heading = headings[i];
+    if (used[i] || heading.name.empty()) continue;
+    const std::string& name = ignored[next++];
+    auto id = column_named(heading.name);
+    if (const auto read = id ? std::nullopt : vocabulary.read(heading, i)) id = read->id;
+    if (!id) id = vocabulary.find(heading.name);
+    if (!id || id == ColumnId::time || (has(*id) && !beside.empty())) continue;
+    const std::string quantity(to_string(*id));
+    if (const Column* const other = find(*id))
+      unused.emplace_back(name, quantity + " is read from '" + printable(headings[other->index].text, 60) + "'");
+    else if (!unit_fits(heading.unit, *id))
+      unused.emplace_back(name, "its unit '" + printable(*heading.unit, 20) + "' does not fit " + quantity);
+    else
+      unused.emplace_back(name, "it may be " + quantity + ", which these columns do not need");
+  }
 }
 
 void Columns::find_runs_beside(const std::vector<Heading>& headings, const std::vector<bool>& used) {
@@ -210,7 +243,8 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   }
 }
 
-void Columns::require_consistent_units(const std::string& path, const std::vector<Heading>& headings) const {
+void Columns::require_consistent_units(const std::string& path, const std::vector<Heading>& headings,
+                                       const ColumnRules& rules) const {
   using enum ColumnId;
   const auto require_like = [&](ColumnId id, const Column* reference, const std::string& rule) {
     const Column* column = find(id);
@@ -218,11 +252,17 @@ void Columns::require_consistent_units(const std::string& path, const std::vecto
     const bool bare = column->unit.dimension == dimension::none;
     if (bare == (reference->unit.dimension == dimension::none)) return;
     const std::string other(to_string(reference->id));
+    std::string unit = "UNIT";  // of a column of this kind
+    for (const std::optional<Column>& like : by_id)
+      if (like && like->unit.dimension == kind_of(id).dimension) unit = like->unit.text;
     throw InputError(
         path, headings[column->index].place,
         "column '" + std::string(to_string(id)) + "' " +
             (bare ? "has no unit while " + other + " has one" : "has a unit while " + other + " has none") + "; " +
-            rule);
+            rule +
+            (bare && rules.vocabulary
+                 ? "; say its unit: " + Remedy::set("columns", mapping_with(unit, id, headings, column->index))
+                 : Message()));
   };
   const auto require_like_loads = [&](ColumnId id) {
     require_like(id, find(P) ? find(P) : find(T), "P, T and A are either all dimensionless or none is");

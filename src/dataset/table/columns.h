@@ -47,19 +47,20 @@ struct Columns {
   std::array<std::optional<Column>, kColumnCount> by_id;
   std::size_t count = 0;             // fields in the header, up to the last with a name
   std::vector<std::string> ignored;  // names of columns that are not read
-  /// Ignored columns whose names differ from the name of a missing quantity only in case or punctuation; with that
-  /// name.
-  std::vector<std::pair<std::string, std::string>> misspelt;
+  /// Ignored columns whose names are known, except of times; with the reason.
+  std::vector<std::pair<std::string, std::string>> unused;
   std::vector<std::string> taken;  // headings other than the program's own names: "P from 'Normalkraft (mN)'"
   /// Columns whose names differ from those of P, T and A only in a number: runs beside the one that is read. Empty if
   /// there are none.
   std::string beside;
 
  private:
+  void find_unused(const std::vector<Heading>& headings, const std::vector<bool>& used, const Vocabulary& vocabulary);
   void find_runs_beside(const std::vector<Heading>& headings, const std::vector<bool>& used);
   void require_a_complete_set(const std::string& path, const std::vector<Heading>& headings,
                               const ColumnRules& rules) const;
-  void require_consistent_units(const std::string& path, const std::vector<Heading>& headings) const;
+  void require_consistent_units(const std::string& path, const std::vector<Heading>& headings,
+                                const ColumnRules& rules) const;
 };
 
 // ---- For any file with such a header. Each throws InputError with line and column. ----
@@ -71,13 +72,15 @@ Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& 
 
 bool holds_a_number(const CsvRow& row);
 
-/// Requires as many fields as the header has; further ones must be empty.
+/// Requires as many fields as the header has; further ones must be empty or words.
 void require_width(const std::string& path, const CsvRow& row, std::size_t count);
 
 /// Advice to append to a message about a text that is not a number.
 std::string_view decimal_comma_hint(std::string_view text);
 
-/// Reads the number in field i, without its unit; false if the field is empty. `name`: of the column.
-bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value);
+/// Reads the number in field i, without its unit; false if the field is empty. `name`: of the column. `error`: set if
+/// the field states a standard error; null if it must not.
+bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value,
+               double* error = nullptr);
 
 }  // namespace mixity

@@ -14,13 +14,15 @@ namespace {
 struct Field {
   std::string_view text{};
   double value = std::nan("");  // of the number that it is or begins with
+  double error = 0;
   NumberStyle style{};
   bool is_valid = false;  // a number, a time or empty; false also of a field that the row lacks
 
   Field(const CsvRow& row, std::size_t k, char decimal) {
     if (k >= row.size()) return;
     text = row[k];
-    is_valid = parse_number(text, decimal, value, &style) || text.empty() || parse_clock(text);
+    is_valid = parse_number(text, decimal, value, &style) || text.empty() || parse_clock(text) ||
+               parse_with_error(text, decimal, value, error);
   }
 };
 

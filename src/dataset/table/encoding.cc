@@ -81,4 +81,14 @@ void Decoder::append(std::string_view bytes, bool is_end, std::string& text) {
   if (is_end && !waiting_.empty()) text += kNoCharacter;
 }
 
+std::string to_utf8(std::string_view bytes) {
+  const Encoding encoding = detect_encoding(bytes);
+  if (encoding == Encoding::utf8) return std::string(bytes);
+  Decoder decoder(encoding);
+  if (!decoder.usable()) return std::string(bytes);
+  std::string text;
+  decoder.append(bytes, true, text);
+  return text;
+}
+
 }  // namespace mixity

@@ -37,4 +37,7 @@ class Decoder {
   std::string waiting_;
 };
 
+/// All of a file as UTF-8, without its byte order mark.
+std::string to_utf8(std::string_view bytes);
+
 }  // namespace mixity

@@ -123,6 +123,36 @@ std::string_view unit_in(const CsvRow& row, std::size_t i) {
   return text == "-" || text == "1" ? std::string_view() : text;
 }
 
+/// The fields of a row, in these columns or in all if none are given.
+struct UnitCount {
+  std::size_t filled = 0, units = 0, measured = 0;  // measured: units that are not just numbers; 0 if a field is one
+};
+UnitCount count_units(const CsvRow& row, const std::vector<std::size_t>& columns) {
+  UnitCount count;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::string_view text = unit_in(row, i);
+    if (is_number(text)) return {};
+    if (text.empty() || !(columns.empty() || std::count(columns.begin(), columns.end(), i) > 0)) continue;
+    ++count.filled;
+    const auto unit = parse_unit(text);
+    count.units += unit.has_value();
+    count.measured += unit && unit->dimension != dimension::none;
+  }
+  return count;
+}
+
+/// Whether a line is units and nothing else, as no headings are: "s,N,N,mm^2".
+bool holds_only_units(const CsvRow& row) {
+  const UnitCount count = count_units(row, {});
+  return count.measured > 0 && count.units == count.filled;
+}
+
+/// A mapping by number counts the columns of the table that is there without it: any line would have such columns.
+ColumnRules without_numbers(ColumnRules rules) {
+  std::erase_if(rules.mapping, [](const auto& one) { return parse_number(split_heading(one.second, {}).name); });
+  return rules;
+}
+
 /// Whether the first field of a row of units is a label, as LabVIEW's "Y_Unit_Label".
 bool is_label_of_units(std::string_view text) {
   const std::string bare = folded(text);
@@ -151,19 +181,22 @@ std::size_t usual_width(const std::vector<CsvRow>& lines) {
 std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<CsvRow>& lines, std::size_t width,
                                          const ColumnRules& rules) {
   const std::vector<std::size_t> begins = first_rows(lines, width);
+  const ColumnRules by_name = without_numbers(rules);
   HeadingLine found{{}, begins.front(), {}};
   std::size_t most = 0;
   for (const std::size_t first : begins) {
     const bool names = begin_with_names(lines, first, width);
-    for (std::size_t i = first; i-- > first - std::min(first, kAbove);)
+    for (std::size_t i = first; i-- > first - std::min(first, kAbove);) {
+      if (holds_only_units(lines[i])) continue;
       for (std::vector<Heading>& headings : split_headings(lines[i])) {
         if (names && headings.size() + 1 == width)
           headings.insert(headings.begin(), {"", "", {}, true, headings.front().place});
-        const std::size_t named = count_named(path, headings, width, rules, lines[i].delimiter() == kBlanks);
+        const std::size_t named = count_named(path, headings, width, by_name, lines[i].delimiter() == kBlanks);
         if (named <= most) continue;
         most = named;
         found = {std::move(headings), first, i};
       }
+    }
   }
   const std::size_t top = found.first_row - std::min(found.first_row, kAbove);
   for (std::size_t i = found.first_row; i-- > top && !found.index;)
@@ -179,17 +212,8 @@ std::optional<HeadingLine> find_headings(const std::string& path, const std::vec
 }
 
 bool is_row_of_units(const CsvRow& row, const std::vector<std::size_t>& columns) {
-  std::size_t filled = 0, units = 0, measured = 0;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const std::string_view text = unit_in(row, i);
-    if (is_number(text)) return false;
-    if (text.empty() || !(columns.empty() || std::count(columns.begin(), columns.end(), i) > 0)) continue;
-    ++filled;
-    const auto unit = parse_unit(text);
-    units += unit.has_value();
-    measured += unit && unit->dimension != dimension::none;
-  }
-  return measured > 0 && (!columns.empty() || 2 * units >= filled);
+  const UnitCount count = count_units(row, columns);
+  return count.measured > 0 && (!columns.empty() || 2 * count.units >= count.filled);
 }
 
 void take_units(const std::string& path, const CsvRow& row, const ColumnRules& rules, std::vector<Heading>& headings) {

@@ -24,7 +24,8 @@ bool is_row_of_numbers(const CsvRow& row);
 std::size_t usual_width(const std::vector<CsvRow>& lines);
 
 /// The line that names most quantities, among the few lines above each of the first places where rows of `width` fields
-/// begin. If none names a quantity, a line of words. Null if there is no such line either, and no mapping.
+/// begin. A mapping by number names nothing here, and a line of units is none. If none names a quantity, a line of
+/// words. Null if there is no such line either, and no mapping.
 std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<CsvRow>& lines, std::size_t width,
                                          const ColumnRules& rules);
 

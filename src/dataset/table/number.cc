@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <initializer_list>
 #include <string>
 
@@ -62,6 +64,21 @@ bool take_one_of(std::string_view& text, std::string_view signs) {
   return true;
 }
 
+/// "1.23(4)e-3" is (1.23 +/- 0.04) 1e-3, as is "1.23(0.04)e-3".
+bool parse_with_digits(std::string_view text, char decimal, double& value, double& error) {
+  const std::size_t open = text.find('('), close = text.find(')');
+  if (open == 0 || open == std::string_view::npos || close == std::string_view::npos || close < open + 2) return false;
+  const std::string before(text.substr(0, open)), digits(text.substr(open + 1, close - open - 1)),
+      exponent(text.substr(close + 1));
+  if (!exponent.empty() && exponent[0] != 'e' && exponent[0] != 'E') return false;
+  if (!parse_number(before + exponent, decimal, value) || !std::isfinite(value)) return false;
+  if (digits.find(decimal) != std::string::npos) return parse_number(digits + exponent, decimal, error) && error >= 0;
+  if (!std::all_of(digits.begin(), digits.end(), is_digit)) return false;
+  const std::size_t point = before.find(decimal), last = point == std::string::npos ? 0 : before.size() - point - 1;
+  const int power = exponent.empty() ? 0 : std::atoi(exponent.c_str() + 1);
+  return parse_number(digits + "e" + std::to_string(power - static_cast<int>(last)), error);
+}
+
 }  // namespace
 
 bool parse_number(std::string_view text, char decimal, double& value, NumberStyle* style) {
@@ -101,8 +118,29 @@ bool parse_number(std::string_view text, char decimal, double& value, NumberStyl
 }
 
 bool is_number(std::string_view field) {
-  double value = 0;
-  return !trim(field).empty() && (parse_number(field, '.', value) || parse_number(field, ',', value));
+  double value = 0, error = 0;
+  if (trim(field).empty()) return false;
+  return parse_number(field, '.', value) || parse_number(field, ',', value) ||
+         parse_with_error(field, '.', value, error) || parse_with_error(field, ',', value, error);
+}
+
+bool parse_with_error(std::string_view text, char decimal, double& value, double& error) {
+  text = trim(text);
+  const auto number = [&](std::string_view part, double& read) {
+    NumberStyle style;
+    return parse_number(part, decimal, read, &style) && !style.grouped && std::isfinite(read);
+  };
+  for (const std::string_view sign : {"\xC2\xB1", "+/-", "+-"}) {
+    const std::size_t at = text.find(sign);
+    if (at == std::string_view::npos) continue;
+    std::string_view behind = trim(text.substr(at + sign.size()));
+    const bool percent = behind.ends_with('%');
+    if (percent) behind.remove_suffix(1);
+    if (!number(text.substr(0, at), value) || !number(behind, error) || error < 0) return false;
+    if (percent) error *= std::abs(value) / 100;
+    return true;
+  }
+  return parse_with_digits(text, decimal, value, error);
 }
 
 bool is_missing(std::string_view text) {

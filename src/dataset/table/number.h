@@ -19,7 +19,11 @@ struct NumberStyle {
 /// an apostrophe, or a blank (also no-break and thin ones) may separate groups of three digits. `style` may be null.
 bool parse_number(std::string_view text, char decimal, double& value, NumberStyle* style = nullptr);
 
-/// Whether a field is a number with one of the decimal signs.
+/// Reads a value with its standard error: "0.61 +/- 0.05", "0.61±0.05", "0.61 ± 8%", or "0.61(5)", in units of the last
+/// digit. False for anything else.
+bool parse_with_error(std::string_view text, char decimal, double& value, double& error);
+
+/// Whether a field is a number with one of the decimal signs, perhaps with a standard error.
 bool is_number(std::string_view field);
 
 /// Whether a text marks a missing number, as in spreadsheets and statistics programs: "NA", "#N/A", "-".

@@ -27,7 +27,7 @@ template <class TomlTable>
 void Vocabulary::add(const std::string& path, const TomlTable& table) {
   for (const auto& [key, lists] : table) {
     const auto id = column_named(key.str());
-    if (!id) fail_at(path, key, "no quantity is called \"" + std::string(key.str()) + "\"");
+    if (!id && key != "error") fail_at(path, key, "no quantity is called \"" + std::string(key.str()) + "\"");
     if (!lists.is_table()) fail_at(path, lists, "must be a table with lists of symbols and names");
     for (const auto& [kind, list] : *lists.as_table()) {
       const bool symbols = kind == "symbols";
@@ -39,24 +39,59 @@ void Vocabulary::add(const std::string& path, const TomlTable& table) {
         const std::string& text = entry.as_string()->get();
         const std::string name = symbols ? text : folded(text);
         if (name.empty()) fail_at(path, entry, "\"" + text + "\" holds neither letters nor digits");
-        const auto [at, is_new] = (symbols ? symbols_ : names_).try_emplace(name, *id);
-        if (!is_new && at->second != *id)
-          fail_at(path, entry, "\"" + text + "\" already is a name of " + std::string(to_string(at->second)));
-        if (symbols) continue;
+        const auto [at, is_new] = (symbols ? symbols_ : names_).try_emplace(name, id);
+        if (!is_new && at->second != id)
+          fail_at(path, entry,
+                  "\"" + text + "\" already is a name of " +
+                      (at->second ? std::string(to_string(*at->second)) : std::string("error")));
+        if (symbols || !id) continue;
         // Words that name two quantities in two orders name none when sorted.
-        const auto [same, first] = words_.try_emplace(sorted_words(text), *id);
+        const auto [same, first] = words_.try_emplace(sorted_words(text), id);
         if (!first && same->second != id) same->second = std::nullopt;
       }
     }
   }
 }
 
-std::optional<ColumnId> Vocabulary::find(std::string_view name) const {
+std::optional<ColumnId> Vocabulary::find_quantity(std::string_view name) const {
   if (const auto symbol = symbols_.find(name); symbol != symbols_.end()) return symbol->second;
   const std::string bare = folded(name);
   if (const auto found = bare.empty() ? names_.end() : names_.find(bare); found != names_.end()) return found->second;
   const auto found = words_.find(sorted_words(name));
   return found == words_.end() ? std::nullopt : found->second;
+}
+
+/// "T_err", "err_T", "T std", "standard error of shear force", "u_T".
+std::optional<ColumnId> Vocabulary::find_error(std::string_view name) const {
+  using enum ColumnId;
+  constexpr std::pair<ColumnId, ColumnId> kErrors[] = {
+      {T, sigma_T}, {A, sigma_A}, {Gc, sigma_Gc}, {Gc_over_GIc, sigma_Gc}, {G_I, sigma_GI}, {G_II, sigma_GII}};
+  const auto is_error = [&](std::string_view text) {
+    const auto found = names_.find(folded(text));
+    return text == "\xC2\xB1" || text == "+/-" || text == "+-" || (found != names_.end() && !found->second);
+  };
+  const auto is_symbol = [&](std::string_view text) {
+    const auto found = symbols_.find(text);
+    return found != symbols_.end() && !found->second;
+  };
+  for (std::size_t at = name.find_first_of(" _-."); at < name.size(); at = name.find_first_of(" _-.", at + 1)) {
+    const std::string_view head = trim_name(name.substr(0, at));
+    std::string_view tail = trim_name(name.substr(at + 1));
+    const bool before = is_error(head) || (is_symbol(head) && tail.find_first_of(" _") == std::string_view::npos);
+    if (!before && !is_error(tail)) continue;
+    for (const std::string_view of : {"of ", "of the ", "der ", "de ", "de la ", "di ", "del "})
+      if (before && tail.starts_with(of)) tail.remove_prefix(of.size());
+    const std::string_view quantity = before ? tail : head;
+    const auto id = column_named(quantity) ? column_named(quantity) : find_quantity(quantity);
+    for (const auto& [of, error] : kErrors)
+      if (id == of) return error;
+  }
+  return std::nullopt;
+}
+
+std::optional<ColumnId> Vocabulary::find(std::string_view name) const {
+  const auto quantity = find_quantity(name);
+  return quantity ? quantity : find_error(name);
 }
 
 /// Also understands a name followed by a symbol of the same quantity: "Normal force F_N", "friction force, T".

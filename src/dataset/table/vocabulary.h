@@ -29,7 +29,8 @@ class Vocabulary {
   /// it that cannot be understood, and for a name that two quantities would share.
   static Vocabulary with(const std::string& path, Inputs& inputs);
 
-  /// The quantity of a heading without its unit; null if it is not known.
+  /// The quantity of a heading without its unit; null if it is not known. "T_err", "error of friction force" are
+  /// standard errors.
   std::optional<ColumnId> find(std::string_view name) const;
 
   /// Reads a heading by the program's own names and the vocabulary; null if it names no quantity. `with_unit`: only if
@@ -39,9 +40,13 @@ class Vocabulary {
  private:
   template <class TomlTable>
   void add(const std::string& path, const TomlTable& table);
+  std::optional<ColumnId> find_quantity(std::string_view name) const;
+  std::optional<ColumnId> find_error(std::string_view name) const;
   std::optional<ColumnId> find_with_symbol(std::string_view name) const;
 
-  std::map<std::string, ColumnId, std::less<>> symbols_, names_;       // as written; folded
+  /// A quantity; null: a word that makes another name that of its standard error.
+  using Meaning = std::optional<ColumnId>;
+  std::map<std::string, Meaning, std::less<>> symbols_, names_;        // as written; folded
   std::map<std::string, std::optional<ColumnId>, std::less<>> words_;  // sorted words of names; null: of two quantities
 };
 

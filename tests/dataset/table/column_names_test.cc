@@ -81,6 +81,53 @@ TEST(Numbers, ThatMayBeInGroupsOfThreeAreRefusedWithTheFlagThatSaysSo) {
             "--decimal=\",\" says so");
 }
 
+TEST(ColumnNames, OfErrorsAndRunsAreKnownBesideTheProgramsOwnNames) {
+  const std::string rows = "4.68,0,0.3,0.2,0.01,dry\n4.67,1,0.29,0.2,0.01,dry\n4.69,2,0.28,0.2,0.01,wet\n";
+  for (const auto& [T, A] : std::vector<std::pair<std::string, std::string>>{
+           {"T_err [mN]", "A_err [mm^2]"},
+           {"sigma T (mN)", "sigma A (mm^2)"},
+           {"Shear force error (mN)", "Contact area std (mm^2)"},
+           {"standard error of T [mN]", "standard deviation of the contact area [mm^2]"},
+           {"u_FT [mN]", "s_A [mm^2]"},
+           {"T +/- (mN)", "A ± (mm^2)"},
+           {"err(T)", "err(A)"},
+           {"Fehler Reibkraft (mN)", "Unsicherheit der Kontaktfläche (mm^2)"},
+           {"erreur de frottement (mN)", "Aire de contact écart-type (mm^2)"},
+           {"T_err_mN", "A_err_mm2"},
+       })
+    for (const std::string run : {"run", "series", "Curve", "Versuch"}) {
+      const bool bare = T == "err(T)";  // as P, T and A
+      const std::string header = (bare ? "P,T,A," : "P [mN],T [mN],A [mm^2],") + T + "," + A + "," + run;
+      const Dataset data = load_text(header + "\n" + rows, "", bare ? Overrides{} : kConstants);
+      ASSERT_EQ(data.errors.size(), 3u) << header;
+      const double T_unit = bare ? 1 : 1e-3 / data.contact.value().force_unit();
+      EXPECT_NEAR(data.errors[1].T, 0.2 * T_unit, 1e-15) << header;
+      EXPECT_GT(data.errors[1].A, 0) << header;
+      EXPECT_EQ(data.curves, (std::vector<std::string>{"dry", "wet"})) << header;
+    }
+  const Dataset converted = load_text("psi [deg],Gc_over_GIc,Gc error,Include\n0,1,0.1,1\n9,1.1,0.2,0\n");
+  ASSERT_EQ(converted.errors.size(), 1u);
+  EXPECT_EQ(converted.errors[0].ratio, 0.1);
+  EXPECT_NE(read("P [mN],T [mN],A [mm^2],run,series", {}, rows).find("may both be curve; say which"),
+            std::string::npos);
+}
+
+TEST(ColumnNames, ThatAreKnownAndNotUsedAreSaidWithTheReason) {
+  const auto notes = [](const std::string& more) {
+    return texts_of(load_text("P [mN],T [mN],A [mm^2]," + more + "\n1,0,0.3,1\n1,1,0.29,1\n", "", kConstants).notes);
+  };
+  EXPECT_EQ(notes("Load (mN)"), std::vector<std::string>{"column 'Load' is not used: P is read from 'P [mN]'"});
+  EXPECT_EQ(notes("A_err [mm]"),
+            std::vector<std::string>{"column 'A_err' is not used: its unit 'mm' does not fit sigma_A"});
+  EXPECT_EQ(
+      notes("Gc error [J/m^2]"),
+      std::vector<std::string>{"column 'Gc error' is not used: it may be sigma_Gc, which these columns do not need"});
+  EXPECT_EQ(notes("radius (mm)"),
+            std::vector<std::string>{"column 'radius' is not used: it may be a, which these columns do not need"});
+  EXPECT_EQ(notes("time [s]"), std::vector<std::string>{});
+  EXPECT_EQ(notes("camera"), std::vector<std::string>{});
+}
+
 TEST(ColumnNames, OfTimesDoNotMatterToPoints) {
   EXPECT_EQ(read("Time (s),P [mN],Time (s),T [mN],Time (s),A [mm^2]", {},
                  "0,4.68,0,0,0,0.3\n0,4.67,0,1,0,0.29\n0,4.69,0,2,0,0.28\n"),

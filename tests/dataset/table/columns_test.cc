@@ -154,13 +154,13 @@ TEST(Columns, AHeaderThatCannotBeUsedIsRefusedWithItsPlace) {
            {"P,T [N),A", "1:3: the unit of column 'T' is not closed: 'T [N)'"},
            {"P [N],T,A [m^2]",
             "1:7: column 'T' has no unit while P has one; P, T and A are either all dimensionless or "
-            "none is"},
+            "none is; say its unit: --columns=\"T=T (N)\""},
            {"A [mm²],P,T",
             "1:1: column 'A' has a unit while P has none; P, T and A are either all dimensionless or "
             "none is"},
            {"µ [µm],P [N],T [N],a",
             "1:20: column 'a' has no unit while P has one; P, T and A are either all "
-            "dimensionless or none is"},
+            "dimensionless or none is; say its unit: --columns=\"a=a (UNIT)\""},
        })
     EXPECT_EQ(error_of(header), "a.csv:" + error) << header;
 }

@@ -18,6 +18,74 @@ TEST(Exports, WithoutTheNamesAreReadByAMapping) {
                         {{"headings", names}});
 }
 
+TEST(Exports, WithAMappingByNumberAreTheTableThatIsThereWithoutIt) {
+  const Overrides by_number{{"columns", "P=1,T=2,A=3"}}, with_units{{"columns", "P=1 (mN),T=2 (mN),A=3 (mm^2)"}};
+  for (const Overrides& mapping : {by_number, with_units}) {
+    expect_the_experiment("Kanal;Kraft quer;Fleck\nmN;mN;mm^2\n" + german(), mapping);
+    expect_the_experiment("mN;mN;mm^2\nKanal;Kraft quer;Fleck\n" + german(), mapping);
+    expect_the_experiment("Kanal;Kraft quer;Fleck\n[mN];[mN];[mm²]\n" + german(), mapping);
+    expect_the_experiment("mN;mN;mm^2\n" + german(), mapping);
+    expect_the_experiment("# Kanal Kraft Fleck\n# mN mN mm^2\n" + lines({' '}), mapping);
+    expect_the_experiment("Normalkraft;Reibkraft;Kontaktfläche\nmN;mN;mm^2\n" + german(), mapping);
+  }
+  expect_the_experiment("Kanal;Kraft quer;Fleck\n" + german(), with_units);
+  expect_the_experiment(german(), with_units);
+}
+
+TEST(Exports, WithARowOfUnitsThatLookLikeSymbolsHaveTheirHeadingsAbove) {
+  // N is a symbol of P, s one of standard errors
+  expect_the_experiment("Normal force\tShear force\tPatch\nmN\tmN\tmm^2\n" + lines({'\t'}), {{"columns", "A=Patch"}});
+  const auto in_N = [](const Row& row) { return std::vector<double>{1e-3 * row[0], 1e-3 * row[1], row[2]}; };
+  const std::string rows = lines({'\t', Form{}.field, in_N});
+  expect_the_experiment("Axial Load\tShear Force\tPatch\nN\tN\tmm^2\n" + rows, {{"columns", "A=Patch"}});
+  expect_the_experiment("Cell 1\tShear Force\tPatch\nN\tN\tmm^2\n" + rows, {{"columns", "P=1,A=3"}});
+}
+
+TEST(Exports, WithErrorsInTheFieldsOfTheirValuesHaveBoth) {
+  const auto errors = [](const std::string& text, const Overrides& constants = {}) {
+    const TemporaryFolder folder;
+    return load_dataset(folder.write("a.csv", text), constants);
+  };
+  for (const char* text : {"G_I [J/m^2],G_II [J/m^2]\n0.61+/-0.05,0.3\n0.42+/-0.07,0.31+/-0.04\n",
+                           "G_I [J/m^2];G_II [J/m^2]\n0,61 \xC2\xB1 0,05;0,3\n0,42(7);0,31(4)\n",
+                           "G_I [J/m^2]\tG_II [J/m^2]\n0.61(5)\t0.3\n0.42(7)\t0.31(4)\n"}) {
+    const Dataset data = errors(text, {{"toughness", "1 J/m^2"}});
+    ASSERT_EQ(data.energies.size(), 2u) << text;
+    EXPECT_EQ(data.energies[0].G_I, 0.61) << text;
+    EXPECT_DOUBLE_EQ(data.energies[0].sigma_GI, 0.05) << text;
+    EXPECT_EQ(data.energies[0].sigma_GII, kNotStated) << text;
+    EXPECT_DOUBLE_EQ(data.energies[1].sigma_GII, 0.04) << text;
+    EXPECT_DOUBLE_EQ(data.errors[1].ratio, std::hypot(0.07, 0.04)) << text;
+    EXPECT_EQ(texts_of(data.notes).at(0), "standard errors: stated in the fields of the values") << text;
+  }
+  const Dataset data = errors("P,T,A\n1,0,19\n1,1 +/- 0.5,18 +/- 10%\n");
+  ASSERT_EQ(data.errors.size(), 2u);
+  EXPECT_EQ(data.errors[0].T, kNotStated);
+  EXPECT_EQ(data.errors[1].T, 0.5);
+  EXPECT_DOUBLE_EQ(data.errors[1].A, 1.8);
+  for (const char* refused : {"P,T,A\n1 +/- 0.1,0,19\n1,1,18\n", "P,T,A,sigma_T\n1,0 +/- 1,19,1\n1,1,18,1\n"})
+    EXPECT_NE(input_error([&] { errors(refused); }).find("states a standard error where none is read"),
+              std::string::npos);
+}
+
+TEST(Exports, WithWordsBelowOrBesideTheirNumbersAreReadWithoutThem) {
+  const std::string rows = lines({'\t'});
+  const std::string last = rows.substr(0, rows.rfind('\n', rows.size() - 2) + 1);  // without the last row
+  const std::string remark = rows.substr(last.size(), rows.size() - last.size() - 1) + "\tslides, at last\n";
+  const std::string header = "P [mN]\tT [mN]\tA [mm^2]";
+  expect_the_experiment(header + "\tComment\n" + last + remark);
+  expect_the_experiment(header + "\n" + last + remark);
+  expect_the_experiment(header + "\n" + rows + "End of data\n");
+  expect_the_experiment(header + "\n" + rows + "exported by AB\ton a Monday\nEnd\n\n");
+  const auto error = [&](const std::string& text) {
+    const TemporaryFolder folder;
+    return input_error([&] { load_dataset(folder.write("a.csv", text), kConstants); });
+  };
+  EXPECT_NE(error(header + "\n" + last + "End of data\n" + rows).find("the row has 1 fields"), std::string::npos);
+  EXPECT_NE(error(header + "\n" + rows + "4\t5\n").find("the row has 2 fields"), std::string::npos);  // cut off
+  EXPECT_NE(error(header + "\n" + rows + "4\t5\t0.3\t7\n").find("more fields"), std::string::npos);
+}
+
 TEST(Exports, WithoutALoadTakeItFromTheirNameOrAFlag) {
   const TemporaryFolder folder;
   const std::string text = "T [mN],A [mm^2]\n0,0.3\n1,0.29\n";

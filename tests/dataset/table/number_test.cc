@@ -84,6 +84,40 @@ TEST(Number, IsReadInEverySpellingOfATable) {
   }
 }
 
+TEST(Number, MayHaveItsStandardErrorBesideIt) {
+  struct Case {
+    const char* text;
+    char decimal;
+    double value, error;
+  };
+  for (const auto& [text, decimal, value, error] : {
+           Case{"0.61+/-0.05", '.', 0.61, 0.05},
+           {"0.61 \xC2\xB1 0.05", '.', 0.61, 0.05},
+           {"0.61+-0.05", '.', 0.61, 0.05},
+           {"-61 \xC2\xB1 5 %", '.', -61, 3.05},
+           {"0,61 +/- 0,05", ',', 0.61, 0.05},
+           {"0.61(5)", '.', 0.61, 0.05},
+           {"0.61(12)", '.', 0.61, 0.12},
+           {"61(5)", '.', 61, 5},
+           {"0.61(0.05)", '.', 0.61, 0.05},
+           {"6.1(5)e-1", '.', 0.61, 0.05},
+           {"-0,61(5)", ',', -0.61, 0.05},
+           {"1e3 +/- 0", '.', 1e3, 0},
+       }) {
+    double found = 0, of = 0;
+    ASSERT_TRUE(parse_with_error(text, decimal, found, of)) << text;
+    EXPECT_DOUBLE_EQ(found, value) << text;
+    EXPECT_DOUBLE_EQ(of, error) << text;
+    EXPECT_TRUE(is_number(text)) << text;
+  }
+  for (const char* text :
+       {"0.61", "0.61()", "(5)", "0.61(5", "0.61(-5)", "0.61(a)", "0.61 +/- ", "+/- 0.05", "0.61 +/- -0.05",
+        "0.61 +/- nan", "0.61(5)x", "0.61(5)(6)", "a(5)", "0,61(5)", "1 +/- 2 +/- 3"}) {
+    double found = 0, of = 0;
+    EXPECT_FALSE(parse_with_error(text, '.', found, of)) << text;
+  }
+}
+
 TEST(Number, IsReadOnlyOfAWholeField) {
   double value = 0;
   for (const std::string_view text : {"", "x", "1.2.3", "4e", "1 2", "1-2", "--1", "+-1", "0x10", "1,5"})

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "dataset/dataset.h"
 #include "dataset/temporary_folder.h"
 
@@ -104,7 +106,6 @@ TEST(PlotImport, WhatIsNoExportIsRefusedWithItsPlace) {
            {"data set 2,,,\nX,Y,X,Y\n0,9,0,12\n", "1:13: a second data set is named 'data set 2'"},
            {"a,,b,\nX,Y,X,Y\n0,abc,0,1\n", "3:3: 'abc' is not a finite number"},
            {"a,,b,\nX,Y,X,Y\n0,1,nan,1\n", "3:5: 'nan' is not a finite number"},
-           {"a;;b;\nX;Y;X;Y\n0;1,500;0;1\n", "3:3: '1,500' is not a finite number (write a decimal point, not a comma)"},
            {"a,,b,\nX,Y,X,Y\n0,1,,1\n", "3:5: data set 'b' has one coordinate of a point without the other"},
            {"a,,b,\nX,Y,X,Y\n0,,0,1\n", "3:3: data set 'a' has one coordinate of a point without the other"},
            {"a,,b,\nX,Y,X,Y\n0,1,0\n", "3:6: data set 'b' has one coordinate of a point without the other"},
@@ -129,6 +130,65 @@ TEST(PlotImport, HeadersThatWouldNotBeReadBackAreRefused) {
            bare("psi", "Gc", 1),      // loads where none belong
        })
     EXPECT_NE(error_of("a,\nX,Y\n0,1\n", options), "") << options.x_column << " " << options.y_column;
+}
+
+TEST(PlotImport, ASharedColumnOfXBelongsToEachCurve) {
+  const PlotImport options{"psi [deg]", "Gc [mJ/m^2]", {}};
+  const std::string expected = "curve,psi [deg],Gc [mJ/m^2]\ndry,0,21.5\ndry,15,22.9\nwet,0,20.1\nold,15,19.6\n";
+  for (const char* text : {
+           "x,dry,wet,old\n0,21.5,20.1,\n15,22.9,,19.6\n", "psi [deg];dry;wet;old\n0;21,5;20,1;\n15;22,9;;19,6\n",
+           "phase angle\tdry\twet\told\n0\t21.5\t20.1\n15\t22.9\t\t19.6\n",
+           ",dry,wet,old\n0,21.5,20.1,NA\n15,22.9,NA,19.6\n",
+           "angle;dry;wet;old\ndeg;mJ/m^2;mJ/m^2;mJ/m^2\n0;21.5;20.1;\n15;22.9;;19.6\n",  // the gaps are of no pairs
+       })
+    EXPECT_EQ(import(text, options), expected) << text;
+  EXPECT_EQ(import("x,Curve1\n0,1\n30,1.2\n", options), "curve,psi [deg],Gc [mJ/m^2]\nCurve1,0,1\nCurve1,30,1.2\n");
+}
+
+TEST(PlotImport, NamesThatRepeatInPairsAreOfPairs) {
+  for (const auto& [row, one, other] : std::vector<std::array<std::string, 3>>{
+           {"X,Y,X,Y", "data set 1", "data set 2"},
+           {"x,dry,x,wet", "dry", "wet"},
+           {",dry,,wet", "dry", "wet"},
+           {"dry T,dry A,wet T,wet A", "dry T", "wet T"},
+           {"T1,A1,T2,A2", "T1", "T2"},
+           {"dry,dry,wet,wet", "dry", "wet"},
+           {"dry,one,wet,two\nX,Y,X,Y", "dry", "wet"},
+       })
+    EXPECT_EQ(import(row + "\n0,2,0,3\n1,1.5,2,2.5\n", bare("T", "A", 2)),
+              "curve,P,T,A\n" + one + ",1,0,2\n" + one + ",1,1,1.5\n" + other + ",1,0,3\n" + other + ",1,2,2.5\n")
+        << row;
+  // a gap in the first column is of no shared x
+  EXPECT_EQ(import("dry,one,wet,two\n0,2,0,3\n,,2,2.5\n", bare("T", "A", 2)),
+            "curve,P,T,A\ndry,1,0,2\nwet,1,0,3\nwet,1,2,2.5\n");
+}
+
+TEST(PlotImport, WhatFitsBothLayoutsIsRefusedUntilOneIsStated) {
+  PlotImport options = bare("T", "A", 3);
+  const std::string text = "angle,dry,wet,old\n0,2,0,3\n1,1.5,2,2.5\n";
+  EXPECT_EQ(error_of(text, options),
+            "plot.csv:1:1: the columns may be one x, 'angle', with the data sets 'dry', 'wet', 'old', or pairs x, y of "
+            "the data sets 'angle', 'wet'; say which: --layout=shared or --layout=pairs");
+  EXPECT_NE(error_of("x,dry,,old\n0,2,0,3\n", options), "");  // a name is missing in either
+  options.layout = PlotLayout::shared;
+  EXPECT_EQ(import(text, options),
+            "curve,P,T,A\ndry,1,0,2\ndry,1,1,1.5\nwet,1,0,0\nwet,1,1,2\nold,1,0,3\nold,1,1,2.5\n");
+  options = bare("T", "A", 2);
+  options.layout = PlotLayout::pairs;
+  EXPECT_EQ(import(text, options), "curve,P,T,A\nangle,1,0,2\nangle,1,1,1.5\nwet,1,0,3\nwet,1,2,2.5\n");
+}
+
+TEST(PlotImport, DecimalCommasAreReadAsInATable) {
+  const std::string expected = "curve,P,T,A\na,1,0.0,0.457\na,1,5.6,1456\n";
+  EXPECT_EQ(import("a;\nX;Y\n0,0;0,457\n5,6;1.456,0\n", bare("T", "A", 1)), expected);
+  EXPECT_EQ(import("a,\nX,Y\n\"0,0\",\"0,457\"\n\"5,6\",\"1456\"\n", bare("T", "A", 1)), expected);
+  EXPECT_EQ(import("P = 1,5 mN;\nX;Y\n0,0;0,457\n5,6;1456\n", bare("T", "A", 1)),
+            "curve,P,T,A\n\"P = 1,5 mN\",1,0.0,0.457\n\"P = 1,5 mN\",1,5.6,1456\n");
+  PlotImport options = bare("T", "A", 1);
+  const std::string doubtful = "a\t\n1,234\t5,678\n1\t7,125\n";
+  EXPECT_NE(error_of(doubtful, options).find("say which: --decimal"), std::string::npos) << error_of(doubtful, options);
+  options.decimal = ',';
+  EXPECT_EQ(import(doubtful, options), "curve,P,T,A\na,1,1.234,5.678\na,1,1,7.125\n");
 }
 
 TEST(PlotImport, AFileThatIsNotThereIsNamed) {
