@@ -217,7 +217,7 @@ TEST(OutputSafety, NoFileThatADefinitionNamesIsWrittenOver) {
   const TemporaryFolder folder;
   const std::string &here = folder.path(),
                     constants = "radius = \"9 mm\"\nmodulus = \"2 MPa\"\ntoughness = \"27 mJ/m^2\"\n";
-  folder.write("g.csv", "P,T,A\n1,0,20\n1,3,19\n1,5,17\n");
+  folder.write("g.csv", "P [mN],T [mN],A [mm^2]\n8,0,0.46\n8,60,0.448\n8,110,0.402\n");
   folder.write("g.toml", constants);
   folder.write("g_residuals.csv", "P [mN],T_max [mN]\n1,2\n");
   const std::string definition =
