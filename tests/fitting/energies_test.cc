@@ -99,7 +99,7 @@ TEST(Energies, OfOneAngleInASeriesGiveOneToughnessWithANote) {
   // some MMB tests of several shares do not make DCB and ENF tests interfaces of their own
   for (const std::vector<double>& mixed : {std::vector<double>{0.5}, std::vector<double>{0.25, 0.5, 0.75}}) {
     const Dataset data = rows({{"DCB", {0}}, {"MMB", mixed}, {"MMB2", {0.6}}, {"ENF", {1}}});
-    const FitResult fit = fit_model(data, "bk", {.free = {kToughness}});
+    const FitResult fit = fit_model(data, "bk", {.objective = Objective::curve, .free = {kToughness}});
     ASSERT_EQ(fit.parameters.size(), 3u);
     EXPECT_EQ(fit.parameters[2].name, "toughness");
     EXPECT_NEAR(*fit.parameters[2].value, 2, 1e-9);  // data of 16 digits
@@ -108,7 +108,7 @@ TEST(Energies, OfOneAngleInASeriesGiveOneToughnessWithANote) {
     EXPECT_NE(data.notes.back().text().find("all series have one G_Ic"), std::string::npos);
   }
   const Dataset apart = rows({{"dry", {0, 0.5, 1}}, {"wet", {0.1, 0.7}}});
-  EXPECT_EQ(fit_model(apart, "bk", {.free = {kToughness}}).parameters.size(), 4u);
+  EXPECT_EQ(fit_model(apart, "bk", {.objective = Objective::curve, .free = {kToughness}}).parameters.size(), 4u);
   EXPECT_EQ(apart.notes.size(), 1u);  // on the toughness that is not stated
 }
 

@@ -90,9 +90,10 @@ std::string number_field(const std::string& path, const CsvRow& row, std::size_t
     throw InputError(path, row.place(i),
                      "'" + text + "' is not a finite number" +
                          std::string(row.decimal() == '.' ? decimal_comma_hint(text) : std::string_view()));
-  if (parse_number(text)) return text;
+  double plain = 0;  // with a decimal point, as the file that is written has it
+  if (parse_number(text, plain)) return text;
   if (row.decimal() == ',') std::replace(text.begin(), text.end(), ',', '.');
-  return parse_number(text) == value ? text : shortest(value);
+  return parse_number(text, plain) && plain == value ? text : shortest(value);
 }
 
 /// Whether all pairs have the same text over their columns that are `offset` from their first.
