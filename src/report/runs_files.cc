@@ -32,6 +32,18 @@ std::string cut_text(const CutTime& cut, double interval) {
                     : at + " (95% " + time_text(cut.low, interval) + " .. " + time_text(cut.high, interval) + ")";
 }
 
+/// What was made of a clock that is coarser than its rows; `file` is empty if there is only one.
+std::string clock_text(const TimeBase& clock, const std::string& file) {
+  const std::string whose = file.empty() ? "" : " of " + printable(file, std::string::npos);
+  std::string text;
+  if (clock.repeated > 0)
+    text += "    times" + whose + ": " + counted(clock.repeated, "row") + " the same as the row before, left out\n";
+  if (clock.shared > 0)
+    text += "    times" + whose + ": " + std::to_string(clock.shared) + " rows share a stamp of " +
+            rounded(clock.stamp, 3) + " s: spread evenly\n";
+  return text;
+}
+
 }  // namespace
 
 std::string runs_csv(const ReducedLog& log) {
@@ -144,6 +156,8 @@ std::string runs_text(const ReducedLog& log, Wording words) {
   if (log.areas_path != log.forces.path) out << " and " << printable(log.areas_path, std::string::npos);
   out << "\n    read as: " << log.forces.reading << '\n';
   if (!log.forces.taken.empty()) out << joined(log.forces.taken, ", ", "    columns: ") << '\n';
+  const bool two = log.areas_path != log.forces.path;
+  out << clock_text(log.forces.clock, two ? log.forces.path : "") << clock_text(log.areas_clock, log.areas_path);
   out << "    " << frames.time.size() << " frames, " << rounded(1 / frames.interval, 3) << " a second, "
       << rounded(frames.samples, 3) << " samples of the force in each; lag of the clocks " << rounded(frames.lag, 4)
       << " s (" << frames.lag_source << ")\n";

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/input_error.h"
+#include "base/number_text.h"
 #include "base/text.h"
 #include "dataset/table/columns.h"
 #include "dataset/table/csv_file.h"
@@ -36,14 +37,13 @@ class LogReader {
       if (row.is_comment()) continue;
       require_width(recording_.path, row, width_);
       for (Channel& channel : channels_) channel.values.push_back(value_of(row, channel));
+      require_rise(row);
     }
     using enum ColumnId;
-    recording_.time = values(ColumnId::time);
+    if (channel(ColumnId::time)->values.size() < 3)
+      throw InputError(recording_.path, "holds fewer than three rows of a log");
+    take_times();
     const std::vector<double>& times = recording_.time;
-    for (std::size_t i = 1; i < times.size(); ++i)
-      if (!(times[i] >= times[i - 1]))
-        throw InputError(recording_.path, first_line_ + i, 1, "the time does not rise from row to row");
-    if (times.size() < 3) throw InputError(recording_.path, "holds fewer than three rows of a log");
     recording_.T = values(T);
     recording_.A = has(A) ? values(A) : areas();
     recording_.P = has(P) || !has(T) ? values(P) : std::vector<double>(times.size(), metadata_.load.value_or(0));
@@ -83,6 +83,58 @@ class LogReader {
     return static_cast<double>(time->seconds - began_->seconds) + (time->fraction - began_->fraction);
   }
 
+  /// Of the time of this row, the last one that was read. Remembers on which line it is.
+  void require_rise(const CsvRow& row) {
+    const Channel& clock = channels_[clock_];
+    const std::size_t i = clock.values.size() - 1;
+    const double time = clock.values[i];
+    const auto fail = [&](const std::string& what) {
+      throw InputError(recording_.path, row.place(clock.index), "column 'time': " + what);
+    };
+    if (!std::isfinite(time)) fail("the row has no time; leave it out, or " + by_rate());
+    if (i > 0 && time < clock.values[i - 1])
+      fail(rounded(time, 9) + " s after " + rounded(clock.values[i - 1], 9) +
+           " s: the clock goes back; each part in which it rises is a log of its own");
+    if (lines_.empty() || row.line() != lines_.back().line + (i - lines_.back().row)) lines_.push_back({i, row.line()});
+  }
+
+  std::size_t line_of(std::size_t i) const {
+    const auto behind = std::upper_bound(lines_.begin(), lines_.end(), i,
+                                         [](std::size_t row, const LineOfRow& one) { return row < one.row; });
+    return (behind - 1)->line + (i - (behind - 1)->row);
+  }
+
+  static std::string by_rate() { return "give each row its own: its number divided by the rate of the rows"; }
+
+  /// Rows that share a time: left out if each repeats the row before it, otherwise spread over the step of the clock.
+  void take_times() {
+    const std::vector<double>& stamps = channels_[clock_].values;
+    const auto shares = [&](std::size_t i) { return i > 0 && stamps[i] == stamps[i - 1]; };
+    const auto repeats = [&](std::size_t i) {
+      return std::all_of(channels_.begin(), channels_.end(), [&](const Channel& one) {
+        return one.values[i] == one.values[i - 1] || (std::isnan(one.values[i]) && std::isnan(one.values[i - 1]));
+      });
+    };
+    std::vector<std::size_t> kept;
+    bool all_repeat = true;
+    for (std::size_t i = 0; i < stamps.size() && all_repeat; ++i)
+      if (!shares(i))
+        kept.push_back(i);
+      else
+        all_repeat = repeats(i);
+    if (all_repeat && kept.size() >= 3 && kept.size() < stamps.size()) {
+      recording_.clock.repeated = stamps.size() - kept.size();
+      for (Channel& one : channels_) {
+        for (std::size_t k = 0; k < kept.size(); ++k) one.values[k] = one.values[kept[k]];
+        one.values.resize(kept.size());
+      }
+    }
+    recording_.time = stamps;
+    if (const ClockFault fault = spread_times(recording_.time, recording_.clock); !fault.reason.empty())
+      throw InputError(recording_.path, line_of(fault.row), channels_[clock_].index == 0 ? 1 : 0,
+                       "column 'time': " + fault.reason + ": no clock of one rate; " + by_rate());
+  }
+
   void find_columns() {
     using enum ColumnId;
     const auto table = find_table(recording_.path, file_.start(), file_.line_end(), rules_, metadata_.decimal);
@@ -97,6 +149,7 @@ class LogReader {
       if (column->unit.dimension == dimension::none && column->id != ColumnId::time)
         throw InputError(recording_.path, heading.place,
                          "column '" + heading.name + "' needs a unit: a log is not dimensionless");
+      if (column->id == ColumnId::time) clock_ = channels_.size();
       channels_.push_back({column->id, column->index, column->unit.factor});
     }
     if (const Column* shear = columns.find(T)) {
@@ -114,7 +167,6 @@ class LogReader {
       fail("column 'time' is missing; to say which it is: " + Remedy::set("columns", "time=HEADING (s)"));
     if (!has(T) && !has(A) && !lengths()) fail("neither T nor A is there");
     if (has(T) && !has(P) && !metadata_.load) fail("column 'P' is missing, and no load is stated");
-    first_line_ = table->line;
     file_.begin_at(table->offset, table->line, table->format);
   }
 
@@ -147,7 +199,11 @@ class LogReader {
   ColumnRules rules_;
   Recording recording_;
   std::vector<Channel> channels_;
-  std::size_t width_ = 0, first_line_ = 1;
+  std::size_t width_ = 0, clock_ = 0;  // fields in a row; the channel of times
+  struct LineOfRow {
+    std::size_t row, line;
+  };
+  std::vector<LineOfRow> lines_;  // where rows are not on the line behind the one before
   std::optional<ClockTime> began_, last_;
   std::int64_t days_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "dataset/logs/time_base.h"
 #include "dataset/metadata.h"
 
 namespace mixity {
@@ -12,6 +13,7 @@ namespace mixity {
 struct Recording {
   std::string path;
   std::vector<double> time;  // s, rising
+  TimeBase clock;
   std::vector<double> P, T, A;
   std::string force_unit, area_unit;         // of the file; mm^2 for areas in pixels and areas from radii or axes
   double force_factor = 1, area_factor = 1;  // one unit in SI
@@ -23,7 +25,8 @@ struct Recording {
 };
 
 /// Reads a log with a column of times, and P and T, or A (or a, or axes), or all of these, with units. The load may be
-/// stated beside the file, as for data. Throws InputError as load_dataset does, and for times that do not rise.
+/// stated beside the file, as for data. Throws InputError as load_dataset does, and for times that go back, or
+/// that rows share in a way that no constant rate explains (time_base.h).
 Recording read_recording(const std::string& path, const Metadata& metadata, Inputs& inputs);
 inline Recording read_recording(const std::string& path, const Metadata& metadata) {
   Inputs inputs;

@@ -92,6 +92,7 @@ ReducedLog reduce_log(const std::vector<std::string>& paths, const Overrides& co
   Recording& forces = logs.front();
   const Recording& areas = logs.back();
   log.areas_path = areas.path;
+  if (logs.size() > 1) log.areas_clock = areas.clock;
   log.force_unit = forces.force_unit;
   log.force_factor = forces.force_factor;
   log.area_unit = areas.area_unit;

@@ -12,7 +12,8 @@
 namespace mixity {
 
 struct ReducedLog {
-  Recording forces;  // without its values
+  Recording forces;      // without its values
+  TimeBase areas_clock;  // of a second file
   std::string areas_path, force_unit, area_unit;
   double force_factor = 1, area_factor = 1;  // one unit in SI
   Metadata metadata;

@@ -43,6 +43,7 @@ void find_drift(std::optional<bool> drift, LoadingRuns& found) {
     tt += (at(run) - t) * (at(run) - t);
     tb += (at(run) - t) * (base(run) - b);
   }
+  if (!(tt > 0)) return;  // zeros read at one time tell no drift
   found.drift_T = tb / tt;
   if (runs.size() < 3) return;
   double squares = 0;
