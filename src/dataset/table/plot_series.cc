@@ -163,6 +163,7 @@ std::vector<PlotSeries> read_plot(const std::string& path, PlotLayout layout, co
       if (plot.text(0, x).empty() && x + 1 >= plot.rows[0].size()) break;  // no comma behind the last name
       columns.emplace_back(x, x + 1);
     }
+  if (columns.empty()) throw InputError(path, plot.rows[0].place(0), "holds no points");
   return read_columns(path, plot, columns, layout == PlotLayout::shared);
 }
 
