@@ -8,7 +8,7 @@
 #include "base/input_error.h"
 #include "dataset/collector.h"
 #include "dataset/table/csv_file.h"
-#include "dataset/table/number.h"
+#include "dataset/table/header_lines.h"
 #include "dataset/table/table.h"
 
 namespace mixity {
@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::string_view kSummaryRow = "summary row (text where the rows above have numbers)",
                            kWordsBelow = "words below the table";
-
-bool has_a_number(const CsvRow& row) {
-  for (std::size_t i = 0; i < row.size(); ++i)
-    if (is_number(row[i])) return true;
-  return false;
-}
 
 /// Reads the table of a file into a data set. If no table is found, the first row is read as headings, which gives the
 /// message about what is wrong with it.

@@ -8,7 +8,8 @@
 
 namespace mixity {
 
-/// `free="modulus"`, `columns={"P": "1 (mN)"}`, `units={"P": "mN"}`. Fits have their document by to_dict(), where the program has a format.
+/// `free="modulus"`, `columns={"P": "1 (mN)"}`, `units={"P": "mN"}`. Fits have their document by to_dict(), where the
+/// program has a format.
 inline std::string keyword_text(const Remedy::Choice& choice) {
   const auto& [option, value, placeholder] = choice;
   if (option == "format" && value == "json") return "to_dict()";

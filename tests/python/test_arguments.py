@@ -46,6 +46,19 @@ def test_headings_of_a_frame_are_those_of_a_file(data):
         mixity.from_frame({"x": [1.0], 7: [2.0]})
 
 
+def test_arrays_without_units_beside_constants_are_refused_with_the_argument():
+    with pytest.raises(mixity.InputError, match=r'say the units, such as units=\{"P": "mN", "T": "mN", "A": "mm\^2"\}'):
+        mixity.Dataset(P=[1, 1], T=[0, 1], A=[8, 7], units=None, **CONSTANTS)
+    with pytest.raises(mixity.InputError, match="but the data state load"):
+        mixity.Dataset(T=[0, 1], A=[8, 7], units=None, load="1 mN")
+
+
+def test_a_frame_has_its_runs_by_any_name_of_them(data):
+    runs = ["dry" if load < 4 else "wet" for load in data.P]
+    frame = {"P [mN]": data.P, "T [mN]": data.T, "A [mm^2]": data.A, "run": runs}
+    assert set(mixity.from_frame(frame, **CONSTANTS).runs) == set(runs)
+
+
 def test_what_is_missing_is_called_as_the_argument(data):
     with pytest.raises(mixity.InputError) as error:
         mixity.Dataset(P=[1.0], T=[1.0], A=[1.0], modulus=2e6, toughness=0.03)

@@ -163,6 +163,12 @@ bool is_label_of_units(std::string_view text) {
 
 }  // namespace
 
+bool has_a_number(const CsvRow& row) {
+  for (std::size_t i = 0; i < row.size(); ++i)
+    if (is_number(row[i])) return true;
+  return false;
+}
+
 bool is_row_of_numbers(const CsvRow& row) {
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < row.size() && !row.is_comment() && numbers < 2; ++i) numbers += is_number(row[i]);

@@ -17,6 +17,9 @@ struct HeadingLine {
   std::optional<std::size_t> index;  // of the line of headings; null: there is none, and a mapping names the columns
 };
 
+/// With any decimal sign.
+bool has_a_number(const CsvRow& row);
+
 /// Whether two fields are numbers, and it is not a comment.
 bool is_row_of_numbers(const CsvRow& row);
 

@@ -12,6 +12,7 @@
 #include "dataset/table/columns.h"
 #include "dataset/table/decimal_sign.h"
 #include "dataset/table/encoding.h"
+#include "dataset/table/header_lines.h"
 #include "dataset/table/number.h"
 #include "dataset/table/plot_layout.h"
 
@@ -46,12 +47,6 @@ std::vector<CsvRow> rows_of(std::string_view text, const std::string& path, cons
   std::vector<CsvRow> rows;
   for (CsvRow row; splitter.next(text, true, row);) rows.push_back(std::move(row));
   return rows;
-}
-
-bool has_a_number(const CsvRow& row) {
-  for (std::size_t i = 0; i < row.size(); ++i)
-    if (is_number(row[i])) return true;
-  return false;
 }
 
 /// Splits the text, and finds the decimal sign as find_table does.
@@ -164,6 +159,7 @@ std::vector<PlotSeries> read_plot(const std::string& path, PlotLayout layout, co
       if (plot.text(0, x).empty() && x + 1 >= plot.rows[0].size()) break;  // no comma behind the last name
       columns.emplace_back(x, x + 1);
     }
+  if (columns.empty()) throw InputError(path, plot.rows[0].place(0), "holds no points");
   return read_columns(path, plot, columns, layout == PlotLayout::shared);
 }
 

@@ -44,9 +44,7 @@ void set_first_row(std::string_view text, const Lines& lines, const HeadingLine&
   for (; begin < at.first_row; ++begin) {
     const CsvRow& line = lines[begin];
     if (line.is_comment() || line.line() == table.units_line) continue;
-    bool has_number = false;
-    for (std::size_t k = 0; k < line.size(); ++k) has_number |= is_number(line[k]);
-    if (has_number) break;
+    if (has_a_number(line)) break;
     table.passed_over.push_back(line.line());
   }
   table.offset = static_cast<std::size_t>(lines[begin].raw().data() - text.data());

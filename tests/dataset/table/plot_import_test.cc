@@ -101,6 +101,7 @@ TEST(PlotImport, WhatIsNoExportIsRefusedWithItsPlace) {
   for (const auto& [text, error] : std::vector<std::pair<std::string, std::string>>{
            {"", "1:1: is empty: a row with the data sets' names is missing"},
            {"a,,b,\nX,Y,X,Y\n", "2:1: holds no points"},
+           {",,,\n,,\n", "1:1: holds no points"},
            {"a,,b,\nO,9,0,12\n1,8,1,11\n", "2:1: 'O' is not a finite number"},  // not labels
            {"a,,a,\nX,Y,X,Y\n0,9,0,12\n", "1:4: a second data set is named 'a'"},
            {"data set 2,,,\nX,Y,X,Y\n0,9,0,12\n", "1:13: a second data set is named 'data set 2'"},
