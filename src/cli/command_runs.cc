@@ -50,6 +50,7 @@ int run_runs(const Arguments& arguments) {
                                {folder + "peaks.csv", peaks_csv(log)},
                                {folder + "peaks.toml", runs_toml(log)},
                                {folder + "phases.csv", phases_csv(log)},
+                               {folder + "log.json", log_json(log)},
                                {folder + "cuts.toml", cuts_toml(log, in_flags)},
                                {folder + "fit.toml", runs_definition(figures)}});
     std::vector<std::string> inputs(arguments.begin(), arguments.end());
