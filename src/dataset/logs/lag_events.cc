@@ -17,7 +17,7 @@ double step_of(LagRange range, double interval) {
   return std::max(interval / kSteps, (range.last - range.first) / kMost);
 }
 
-/// Readings of a course between two times; `back`: in reverse, at the negative times.
+/// Readings of a course between two times.
 struct Readings {
   std::vector<double> time, values;
 
@@ -25,6 +25,7 @@ struct Readings {
     time.assign(times.begin() + static_cast<std::ptrdiff_t>(begin), times.begin() + static_cast<std::ptrdiff_t>(end));
     values = part_of(all, begin, end);
   }
+  /// The last one first, at the negative times.
   void reverse() {
     std::reverse(time.begin(), time.end());
     std::reverse(values.begin(), values.end());
@@ -61,50 +62,56 @@ class ContactEvents {
   }
 
  private:
+  static constexpr std::size_t kFew = 3;
+
   /// The contact is made at frame `at` (or lost, in reverse), out of contact from frame `begin` on, and held before
   /// frame `end`.
   void add(std::size_t begin, std::size_t at, std::size_t end, bool lost) {
-    constexpr std::size_t kFew = 3, kMany = 12, kBlocks = 150;
-    constexpr double kOut = 0.5, kShare = 0.6;  // s; of the ramp of the load
     if (at < begin + kFew || end < at + kFew || end > frames_.time.size()) return;
-    // areas: around where contact is seen
-    Readings area, load;
-    area.add(frames_.time, frames_.A, at - std::min(kMany, at - begin), std::min(end, at + kMany));
-    const double near = 3 * frames_.interval;
-    double first = frames_.time[at] - near, last = frames_.time[at] + near;
-    // loads: over the lags that are tried
-    const double middle = frames_.time[at], half = std::max(range_.last - frames_.lag, frames_.lag - range_.first);
-    const double out = std::min(half + kOut, lost ? frames_.time[end - 1] - middle : middle - frames_.time[begin]),
-                 in = kShare * (lost ? middle - frames_.time[begin] : frames_.time[end - 1] - middle);
-    const double from = middle - frames_.lag - (lost ? in : out), to = middle - frames_.lag + (lost ? out : in);
-    load.add(forces_.time, forces_.P, index_of(from, forces_.time), index_of(to, forces_.time));
-    load = load.in_blocks(std::max<std::size_t>(1, load.time.size() / kBlocks));
-    if (load.time.size() < 4 * kFew) return;
-    if (lost) {
-      area.reverse();
-      load.reverse();
-      std::swap(first, last);
-      first = -first;
-      last = -last;
-    }
-    const BreakShape shape{0, 0, true, 0, false};
-    const double fine = (load.time.back() - load.time.front()) / (4 * static_cast<double>(load.time.size()));
-    TimeDensity of_A = break_times(area.time, area.values, noise_A_, first, last, frames_.interval / kSteps, shape),
-                of_P = break_times(load.time, load.values, noise_of(load.values), load.time[kFew],
-                                   load.time[load.time.size() - kFew], fine, shape);
-    if (lost) {
-      of_A = turned(of_A);
-      of_P = turned(of_P);
-    }
+    const TimeDensity of_A = in_areas(begin, at, end, lost), of_P = in_loads(begin, at, end, lost);
     if (!of_A.p.empty() && !of_P.p.empty())
       events_.push_back({lost ? LagEvent::Kind::lost : LagEvent::Kind::made, of_P, of_A});
   }
 
-  static TimeDensity turned(TimeDensity density) {
-    if (density.p.empty()) return density;
-    density.begin = -density.time(density.p.size() - 1);
-    std::reverse(density.p.begin(), density.p.end());
-    return density;
+  /// Near the frame at which contact is seen.
+  TimeDensity in_areas(std::size_t begin, std::size_t at, std::size_t end, bool lost) const {
+    constexpr std::size_t kMany = 12;
+    Readings area;
+    area.add(frames_.time, frames_.A, at - std::min(kMany, at - begin), std::min(end, at + kMany));
+    const double near = 3 * frames_.interval;
+    return beginning(area, noise_A_, frames_.time[at] - near, frames_.time[at] + near, frames_.interval / kSteps, lost);
+  }
+
+  /// As far away as the lags that are tried allow.
+  TimeDensity in_loads(std::size_t begin, std::size_t at, std::size_t end, bool lost) const {
+    constexpr std::size_t kBlocks = 150;
+    constexpr double kOut = 0.5, kShare = 0.6;  // s; of the ramp of the load
+    const double middle = frames_.time[at], before = middle - frames_.time[begin],
+                 behind = frames_.time[end - 1] - middle;
+    const double half = std::max(range_.last - frames_.lag, frames_.lag - range_.first);
+    const double out = std::min(half + kOut, lost ? behind : before), in = kShare * (lost ? before : behind);
+    const double from = middle - frames_.lag - (lost ? in : out), to = middle - frames_.lag + (lost ? out : in);
+    Readings load;
+    load.add(forces_.time, forces_.P, index_of(from, forces_.time), index_of(to, forces_.time));
+    load = load.in_blocks(std::max<std::size_t>(1, load.time.size() / kBlocks));
+    const std::size_t n = load.time.size();
+    if (n < 4 * kFew) return {};
+    const double fine = (load.time.back() - load.time.front()) / (4 * static_cast<double>(n));
+    // the ends must leave readings on either side
+    const std::size_t first = lost ? kFew - 1 : kFew, last = lost ? n - 1 - kFew : n - kFew;
+    return beginning(load, noise_of(load.values), load.time[first], load.time[last], fine, lost);
+  }
+
+  /// When a contact begins, or ends, which in reverse is the same.
+  static TimeDensity beginning(Readings readings, double noise, double first, double last, double step, bool lost) {
+    const BreakShape shape{0, 0, true, 0, false};
+    if (!lost) return break_times(readings.time, readings.values, noise, first, last, step, shape);
+    readings.reverse();
+    TimeDensity found = break_times(readings.time, readings.values, noise, -last, -first, step, shape);
+    if (found.p.empty()) return found;
+    found.begin = -found.time(found.p.size() - 1);
+    std::reverse(found.p.begin(), found.p.end());
+    return found;
   }
 
   const Recording& forces_;
