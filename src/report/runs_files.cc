@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "base/number_text.h"
@@ -30,6 +31,15 @@ std::string cut_text(const CutTime& cut, double interval) {
   const std::string at = time_text(cut.time, interval) + " s";
   return cut.stated ? at + " as stated"
                     : at + " (95% " + time_text(cut.low, interval) + " .. " + time_text(cut.high, interval) + ")";
+}
+
+std::string lag_text(double lag, double error) {
+  const RoundedToError text = rounded_to_error(lag, error);
+  return text.value + " s +/- " + text.error + " s";
+}
+
+std::string lag_text(const Frames& frames) {
+  return frames.lag_parts.empty() ? rounded(frames.lag, 4) + " s" : lag_text(frames.lag, frames.lag_error);
 }
 
 /// What was made of a clock that is coarser than its rows; `file` is empty if there is only one.
@@ -79,10 +89,33 @@ std::string runs_toml(const ReducedLog& log) {
   write_offset("shear_offset", log.metadata.shear_offset.has_value(), log.runs.zero_T_error);
   if (log.metadata.provenance != Provenance::unstated)
     out << "provenance = \"" << to_string(log.metadata.provenance) << "\"\n";
+  if (!log.runs.frames.lag_parts.empty())
+    out << "# lag of the clocks " << lag_text(log.runs.frames) << " (" << log.runs.frames.lag_source << ")\n";
   const std::string made = "runs of " + log.forces.path + ", made by mixity runs";
   out << "source = " << toml_text(log.metadata.source.empty() ? made : log.metadata.source + "; " + made) << '\n';
   if (!log.metadata.note.empty()) out << "note = " << toml_text(log.metadata.note) << '\n';
   return out.str();
+}
+
+std::string log_json(const ReducedLog& log) {
+  const Frames& frames = log.runs.frames;
+  const auto times = [](const std::string& file, const TimeBase& clock) {
+    return nlohmann::ordered_json{{"file", file},
+                                  {"stamp_s", clock.stamp},
+                                  {"rows_sharing_a_stamp", clock.shared},
+                                  {"rows_repeated", clock.repeated}};
+  };
+  nlohmann::ordered_json lag{{"value_s", frames.lag}, {"stderr_s", frames.lag_error}, {"source", frames.lag_source}};
+  if (!frames.lag_parts.empty()) {
+    lag["interval_s"] = {{"low", frames.lag_low}, {"high", frames.lag_high}};
+    lag["disagree"] = frames.lags_disagree;
+    for (const LagPart& part : frames.lag_parts)
+      lag["parts"].push_back(
+          {{"by", part.by}, {"events", part.events}, {"value_s", part.lag}, {"stderr_s", part.error}});
+  }
+  nlohmann::ordered_json json{{"times", {times(log.forces.path, log.forces.clock)}}, {"lag", lag}};
+  if (log.areas_path != log.forces.path) json["times"].push_back(times(log.areas_path, log.areas_clock));
+  return json.dump(2) + "\n";
 }
 
 std::string peaks_csv(const ReducedLog& log) {
@@ -159,8 +192,15 @@ std::string runs_text(const ReducedLog& log, Wording words) {
   const bool two = log.areas_path != log.forces.path;
   out << clock_text(log.forces.clock, two ? log.forces.path : "") << clock_text(log.areas_clock, log.areas_path);
   out << "    " << frames.time.size() << " frames, " << rounded(1 / frames.interval, 3) << " a second, "
-      << rounded(frames.samples, 3) << " samples of the force in each; lag of the clocks " << rounded(frames.lag, 4)
-      << " s (" << frames.lag_source << ")\n";
+      << rounded(frames.samples, 3) << " samples of the force in each; lag of the clocks " << lag_text(frames) << " ("
+      << frames.lag_source << ")\n";
+  if (frames.lags_disagree) {
+    out << "    warning: the clocks of " << printable(log.forces.path, std::string::npos) << " and "
+        << printable(log.areas_path, std::string::npos) << " have two lags:";
+    for (const LagPart& part : frames.lag_parts)
+      out << (&part == frames.lag_parts.data() ? " " : ", ") << lag_text(part.lag, part.error) << " by " << part.by;
+    out << "; " << words(Remedy::fill_in("lag")) << " states it\n";
+  }
   if (frames.spikes > 0)
     out << "    " << frames.spikes
         << (frames.spikes == 1 ? " force sample was an outlier and was" : " force samples were outliers and were")
@@ -216,6 +256,7 @@ RunsOutput runs_output(const ReducedLog& log, const std::string& folder, const F
                              {in + "peaks.csv", peaks_csv(log)},
                              {in + "peaks.toml", runs_toml(log)},
                              {in + "phases.csv", phases_csv(log)},
+                             {in + "log.json", log_json(log)},
                              {in + "cuts.toml", cuts_toml(log, words)},
                              {in + "fit.toml", runs_definition(figures)}});
   return {std::move(files), std::move(drawn.missing)};

@@ -14,6 +14,9 @@ namespace mixity {
 std::string runs_csv(const ReducedLog& log);
 /// The TOML beside the points: the constants of the log and the source.
 std::string runs_toml(const ReducedLog& log);
+/// How the log was read, in JSON: the rows that share a stamp of the clock, and the lag between two clocks with its
+/// standard error and 95 % interval.
+std::string log_json(const ReducedLog& log);
 /// run, P, cycle, time, T_peak, T_min, sigma_T_peak, sigma_T_min: the maximum of T in each cycle of stick and slip, the
 /// minimum after it (slip_cycles), and their standard errors.
 std::string peaks_csv(const ReducedLog& log);

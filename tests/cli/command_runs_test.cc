@@ -1,6 +1,7 @@
 // mixity runs: from a log to points, to a fit; and several files as one data set.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/run_program.h"
@@ -14,7 +15,7 @@ TEST(RunsCommand, MakesOfAShippedLogPointsThatGiveItsLambda) {
   const TemporaryFolder folder;
   const ProgramResult made = run_program({"runs", kLog, "--out=" + folder.path("log")});
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  for (const char* name : {"runs.csv", "runs.toml", "peaks.csv", "peaks.toml", "phases.csv", "cuts.toml"})
+  for (const char* name : {"runs.csv", "runs.toml", "peaks.csv", "peaks.toml", "phases.csv", "cuts.toml", "log.json"})
     EXPECT_FALSE(content_of(folder.path("log/") + name).empty()) << name;
   const ProgramResult fit =
       run_program({"fit", folder.path("log/runs.csv"), "--models=c", "--compare=false", "--format=json"});
@@ -51,6 +52,48 @@ TEST(RunsCommand, HasItsFiguresOfTheShearInTheReport) {
     }
   EXPECT_GE(shown, 2u);
   EXPECT_NE(content_of(folder.path("report/report.html")).find("From the log"), std::string::npos);
+}
+
+TEST(RunsCommand, SpreadsTheRowsOfACoarseClock) {
+  const TemporaryFolder folder;
+  std::string coarse;  // the log has 400 rows a second; its times are cut to tenths of a second
+  for (const std::string& line : lines_of(content_of(kLog))) {
+    const bool number = !line.empty() && std::isdigit(static_cast<unsigned char>(line[0]));
+    coarse += !number
+                  ? line + "\n"
+                  : std::to_string(std::floor(10 * std::stod(line) + 1e-6) / 10) + line.substr(line.find(',')) + "\n";
+  }
+  const std::string path = folder.write("coarse.csv", coarse);
+  folder.write("coarse.toml", content_of(MIXITY_ROOT "/data/shear_log.toml"));
+  const ProgramResult made = run_program({"runs", path, "--out=" + folder.path("out")});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.out.find(" rows share a stamp of 0.1 s: spread evenly"), std::string::npos) << made.out;
+  const auto log = nlohmann::json::parse(content_of(folder.path("out/log.json")));
+  EXPECT_NEAR(log["times"][0]["stamp_s"].get<double>(), 0.1, 1e-9);  // a difference of decimal times
+  EXPECT_EQ(log["lag"]["source"], "one clock");
+}
+
+TEST(RunsCommand, GivesTheLagOfTwoClocksAnError) {
+  const TemporaryFolder folder;
+  std::string forces, areas;  // the log in two files, the areas 1.5 s ahead
+  for (const std::string& line : lines_of(content_of(kLog))) {
+    if (line.starts_with('#')) continue;
+    const auto fields = fields_of(line);
+    const bool number = std::isdigit(static_cast<unsigned char>(line[0]));
+    forces += fields[0] + "," + fields[1] + "," + fields[2] + "\n";
+    if (!fields[3].empty())
+      areas += (number ? std::to_string(std::stod(fields[0]) + 1.5) : fields[0]) + "," + fields[3] + "\n";
+  }
+  const std::string one = folder.write("forces.csv", forces), other = folder.write("areas.csv", areas);
+  folder.write("forces.toml", content_of(MIXITY_ROOT "/data/shear_log.toml"));
+  const ProgramResult made = run_program({"runs", one, other, "--out=" + folder.path("out")});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.out.find("lag of the clocks 1."), std::string::npos) << made.out;
+  EXPECT_NE(content_of(folder.path("out/runs.toml")).find("# lag of the clocks 1."), std::string::npos);
+  const auto lag = nlohmann::json::parse(content_of(folder.path("out/log.json")))["lag"];
+  EXPECT_LE(std::abs(lag["value_s"].get<double>() - 1.5), 4 * lag["stderr_s"].get<double>()) << lag.dump();
+  EXPECT_FALSE(lag["disagree"].get<bool>()) << lag.dump();
+  EXPECT_EQ(lag["parts"].size(), 3u) << lag.dump();
 }
 
 TEST(RunsCommand, SaysInOneLineWhatItCannotUse) {

@@ -2,182 +2,122 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/input_error.h"
 #include "base/number_text.h"
-#include "dataset/logs/loading_runs.h"
-#include "dataset/logs/onset.h"
-#include "statistics/change_points.h"
-#include "statistics/noise.h"
-#include "statistics/readings.h"
+#include "base/phrases.h"
+#include "dataset/logs/coarse_lag.h"
+#include "dataset/logs/lag_events.h"
 
 namespace mixity {
 namespace {
 
-constexpr double kLongest = 30;             // s, the largest lag in either direction
-constexpr double kNearLoad = 0.4;           // s, about the lag by the load
-constexpr double kSure = 6, kSureNear = 4;  // standard deviations: of few shifts, fewer are high by chance
-constexpr double kNearly = 0.85;            // of the best score: another shift with this score makes it ambiguous
-constexpr double kApart = 3;                // frames
+using Lags = std::vector<TimeDensity>;  // by one event each, on the same times
 
-/// Means over steps of equal duration from the first reading on. A step without readings repeats the one before.
-std::vector<double> means_over(const std::vector<double>& time, const std::vector<double>& values, double step) {
-  std::vector<double> means;
-  std::size_t i = 0;
-  for (double t = time.front(); t < time.back(); t += step) {
-    double sum = 0;
-    std::size_t count = 0;
-    for (; i < time.size() && time[i] < t + step; ++i, ++count) sum += values[i];
-    means.push_back(count > 0 ? sum / static_cast<double>(count) : means.empty() ? values.front() : means.back());
-  }
-  return means;
+/// What an event tells if it also scatters by a normal deviation.
+TimeDensity scattered(const TimeDensity& lag, double deviation) {
+  TimeDensity wider{lag.begin, lag.step, std::vector<double>(lag.p.size())};
+  add_differences(normal_times(0, deviation, lag.step), lag, wider);
+  return wider;
 }
 
-/// Times at which T changes suddenly: its means over `step` change within two steps by more than noise and the changes
-/// nearby explain.
-std::vector<double> sudden_changes(const Frames& frames, double step) {
-  constexpr double kSudden = 6;  // standard deviations
-  constexpr std::size_t kBeside = 10;
-  const std::vector<double> T = means_over(frames.force_time, frames.force_T, step);
-  std::vector<double> change(T.size());
-  for (std::size_t k = 1; k + 1 < T.size(); ++k) change[k] = std::abs(T[k + 1] - T[k - 1]);
-  const double noise = noise_of(T) * std::sqrt(2.0);
-  std::vector<double> found;
-  for (std::size_t k = kBeside; k + kBeside < T.size(); ++k) {
-    if (!(change[k] > kSudden * noise)) continue;
-    const std::vector<double> around = part_of(change, k - kBeside, k + kBeside + 1);
-    if (change[k] < *std::max_element(around.begin(), around.end()) || !(change[k] > 4 * median(around))) continue;
-    const double time = frames.force_time.front() + (static_cast<double>(k) + 0.5) * step;
-    if (found.empty() || time > found.back() + 0.5 * static_cast<double>(kBeside) * step) found.push_back(time);
+/// The product of what events tell, averaged over deviations by which they may scatter beyond their own errors, each
+/// with its probability: none, or a share of what is tried.
+TimeDensity together(const Lags& lags) {
+  const double tried = lags.front().step * static_cast<double>(lags.front().p.size());
+  std::vector<std::vector<double>> products;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const double share : {0.0, 0.02, 0.1}) {
+    // a deviation more to be estimated, as in BIC
+    const double beforehand = share > 0 ? -0.5 * std::log(static_cast<double>(lags.size() + 1)) : 0;
+    std::vector<double> product(lags.front().p.size(), beforehand);
+    for (const TimeDensity& lag : lags) {
+      const TimeDensity wider = share > 0 ? scattered(lag, share * tried) : lag;
+      for (std::size_t k = 0; k < product.size(); ++k) product[k] += std::log(wider.p[k]);
+    }
+    most = std::max(most, *std::max_element(product.begin(), product.end()));
+    products.push_back(std::move(product));
   }
+  TimeDensity all = lags.front();
+  std::fill(all.p.begin(), all.p.end(), 0);
+  for (const auto& product : products)
+    for (std::size_t k = 0; k < all.p.size(); ++k) all.p[k] += std::exp(product[k] - most);
+  return all;
+}
+
+/// Events of one kind, counted if they make the lag more probable than it was. Null if none does.
+std::optional<LagPart> part_by(LagEvent::Kind kind, const Lags& lags) {
+  if (lags.empty()) return std::nullopt;
+  const TimeDensity all = together(lags);
+  const auto best = static_cast<std::size_t>(std::max_element(all.p.begin(), all.p.end()) - all.p.begin());
+  const auto telling = static_cast<std::size_t>(std::count_if(lags.begin(), lags.end(), [&](const TimeDensity& lag) {
+    return lag.p[best] * static_cast<double>(lag.p.size()) > 1;
+  }));
+  if (telling == 0) return std::nullopt;
+  const auto [lag, error] = moments(all);
+  return LagPart{to_string(kind), telling, lag, error};
+}
+
+struct Estimate {
+  MeanAndDeviation lag;
+  double low = 0, high = 0;  // 95 %
+  std::vector<LagPart> parts;
+  bool disagree = false;
+};
+
+constexpr double kOf95 = 1.96;  // standard errors
+
+/// Where two kinds of events contradict each other, the error and the interval cover both.
+void cover_both(const LagPart& low, const LagPart& high, Estimate& found) {
+  constexpr double kDisagree = 3;  // standard errors
+  const double apart = high.lag - low.lag;
+  if (!(apart > kDisagree * std::hypot(low.error, high.error))) return;
+  found.disagree = true;
+  found.lag.deviation = std::max(found.lag.deviation, apart / 2);
+  found.low = std::min(found.low, low.lag - kOf95 * low.error);
+  found.high = std::max(found.high, high.lag + kOf95 * high.error);
+}
+
+/// Null if no event tells the lag.
+std::optional<Estimate> estimate_by(const std::vector<LagEvent>& events, LagRange range, double interval) {
+  Estimate found;
+  Lags all;
+  for (const auto kind : {LagEvent::Kind::made, LagEvent::Kind::lost, LagEvent::Kind::fall}) {
+    Lags lags;
+    for (const LagEvent& event : events)
+      if (event.kind == kind) lags.push_back(lag_by(event, range, interval));
+    if (const auto part = part_by(kind, lags)) found.parts.push_back(*part);
+    all.insert(all.end(), lags.begin(), lags.end());
+  }
+  if (found.parts.empty()) return std::nullopt;
+  const TimeDensity lag = together(all);
+  found.lag = moments(lag);
+  found.low = quantile(lag, 0.025);
+  found.high = quantile(lag, 0.975);
+  for (const LagPart& one : found.parts)
+    for (const LagPart& other : found.parts) cover_both(one, other, found);
   return found;
 }
 
-struct Lag {
-  double value;
-  std::size_t events;
-  double sureness;  // the score in standard deviations of a score of noise
-  double error;     // s
-};
-
-/// The shift, up to `longest` either way, at which sudden changes of T coincide with drops of A: the middle of those
-/// with the largest score, a sum of drops. Null if that is less than `sure` standard deviations of a score of noise, or
-/// another shift scores nearly as much.
-std::optional<Lag> lag_of(const std::vector<double>& events, const Pictures& shown, double interval, double longest,
-                          double sure) {
-  constexpr double kMost = 15;     // standard deviations
-  constexpr double kSteps = 20;    // of a frame
-  constexpr double kLongRise = 2;  // s
-  std::vector<double> touching;    // areas in contact: those out of contact have another noise, or none
-  const double largest = *std::max_element(shown.A.begin(), shown.A.end());
-  for (const double A : shown.A)
-    if (A > 0.3 * largest) touching.push_back(A);
-  const double noise = noise_of(touching);
-  if (events.empty() || !(noise > 0)) return std::nullopt;
-  // by how much more the area drops from one frame to the next than it changes before and after
-  std::vector<double> drops(shown.A.size());
-  double squares = 0;
-  for (std::size_t i = 2; i + 1 < drops.size(); ++i) {
-    const auto drop = [&](std::size_t k) { return shown.A[k - 1] - shown.A[k]; };
-    const double more = drop(i) - std::max(std::abs(drop(i - 1)), std::abs(drop(i + 1)));
-    if (shown.A[i - 1] > 0.3 * largest && shown.A[i] > 0)
-      drops[i] = std::clamp(more / (std::sqrt(2.0) * noise), 0.0, kMost);
-    squares += std::pow(std::min(drops[i], 3.0), 2);  // of noise
-  }
-  const double by_chance = std::sqrt(squares / static_cast<double>(touching.size()));
-  const double step = interval / kSteps;
-  const auto half = static_cast<std::ptrdiff_t>(longest / step);
-  std::vector<double> scores(static_cast<std::size_t>(2 * half + 1));
-  // At the drop that ends a long rise the contact loses area; later slips resemble each other.
-  std::vector<double> weights;
-  double weighed = 0;
-  for (std::size_t e = 0; e < events.size(); ++e) {
-    weights.push_back(std::sqrt(std::min(1.0, e == 0 ? 1.0 : (events[e] - events[e - 1]) / kLongRise)));
-    weighed += weights.back() * weights.back();
-  }
-  for (std::size_t e = 0; e < events.size(); ++e)
-    for (std::ptrdiff_t k = -half; k <= half; ++k) {
-      const std::size_t i = index_of(events[e] + static_cast<double>(k) * step, shown.time);
-      if (i > 0 && i < shown.time.size()) scores[static_cast<std::size_t>(k + half)] += weights[e] * drops[i];
-    }
-  const auto best = std::max_element(scores.begin(), scores.end());
-  const double sureness = *best / std::max(by_chance * std::sqrt(weighed), 1e-9);
-  if (!(sureness > sure)) return std::nullopt;
-  const auto apart = static_cast<std::ptrdiff_t>(kApart * kSteps);
-  for (auto other = scores.begin(); other != scores.end(); ++other)
-    if (std::abs(other - best) > apart && *other > kNearly * *best) return std::nullopt;
-  // the interval of nearly the same score, as frames do not resolve more
-  auto first = best, last = best;
-  while (first != scores.begin() && *(first - 1) > 0.98 * *best) --first;
-  while (last + 1 != scores.end() && *(last + 1) > 0.98 * *best) ++last;
-  const double middle = 0.5 * static_cast<double>((first - scores.begin()) + (last - scores.begin()));
-  return Lag{(middle - static_cast<double>(half)) * step, events.size(), sureness, interval / std::sqrt(12.0)};
-}
-
-/// The shift at which the area correlates best with P^(2/3); null if the correlation is weak. Accurate to a few tenths
-/// of a second, as contact begins and ends with the load.
-std::optional<double> lag_by_load(const std::vector<double>& time, const std::vector<double>& P, const Pictures& shown,
-                                  double interval) {
-  constexpr double kCorrelated = 0.6, kOutOfContact = 0.15;  // share of the time
-  const double step = std::max(interval / 2, 0.01);
-  std::vector<double> load = means_over(time, P, step), area = means_over(shown.time, shown.A, step), sorted = load;
-  const auto zero = sorted.begin() + static_cast<std::ptrdiff_t>(kOutOfContact * static_cast<double>(sorted.size()));
-  std::nth_element(sorted.begin(), zero, sorted.end());
-  const double rest = *zero;
-  for (double& one : load) one = std::copysign(std::cbrt((one - rest) * (one - rest)), one - rest);
-  const auto centre = [](std::vector<double>& values) {
-    const double middle = mean_of(values, 0, values.size());
-    double squares = 0;
-    for (double& one : values) {
-      one -= middle;
-      squares += one * one;
-    }
-    return std::sqrt(squares);
-  };
-  const double scale = centre(load) * centre(area);
-  const double begin = time.front() - shown.time.front();
-  const auto n = static_cast<std::ptrdiff_t>(area.size()), m = static_cast<std::ptrdiff_t>(load.size());
-  double best = 0, lag = 0;
-  for (auto k = static_cast<std::ptrdiff_t>((-kLongest - begin) / step);
-       static_cast<double>(k) * step + begin <= kLongest; ++k) {  // where the first load is in the grid of the area
-    double sum = 0;
-    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, -k); i < std::min(m, n - k); ++i)
-      sum += load[static_cast<std::size_t>(i)] * area[static_cast<std::size_t>(i + k)];
-    if (sum > best) {
-      best = sum;
-      lag = -(begin - static_cast<double>(k) * step);
-    }
-  }
-  return best > kCorrelated * scale ? std::optional(lag) : std::nullopt;
-}
-
-/// The shift, up to `longest` either way, at which the area drops from its course when T alone shows the onset of
-/// sliding: for onsets without a drop of T. Null if the runs do not agree.
-std::optional<Lag> lag_by_onsets(const Frames& frames, double longest) {
-  constexpr double kAgree = 1.5;  // frames, standard error
-  RunOptions alone;
-  alone.by_shear_alone = true;
-  const LoadingRuns found = find_loading_runs(frames, "N", 1, alone);
-  std::vector<double> touching;
-  for (const LoadingRun& run : found.runs)
-    for (std::size_t i = run.begin; i < run.end; ++i) touching.push_back(frames.A[i]);
-  const double noise = noise_of(touching);
-  std::vector<double> shifts;
-  for (const LoadingRun& run : found.runs) {
-    if (!run.onset || !(noise > 0)) continue;
-    const std::size_t before = index_of(run.onset->time - longest, frames.time);
-    const auto broken = first_break_below({&frames.A, noise}, std::max(run.begin, before > 12 ? before - 12 : 0),
-                                          std::min(run.last, index_of(run.onset->time + longest, frames.time)));
-    if (broken) shifts.push_back(frames.time[broken->at] + frames.interval / 2 - run.onset->time);
-  }
-  if (shifts.empty()) return std::nullopt;
-  const double middle = median(shifts);
-  std::vector<double> apart;
-  for (const double shift : shifts) apart.push_back(std::abs(shift - middle));
-  // not divided by the root of their number: a delay of the area is the same each time
-  const double error = std::max(kOfMedian * median(apart), frames.interval / 2);
-  if (shifts.size() < 2 || error > kAgree * frames.interval) return std::nullopt;
-  return Lag{frames.lag + middle, shifts.size(), 0, error};
+/// From a lag that is known to some tenths of a second. Contacts come first: near the lag that they tell, falls are not
+/// taken for one another.
+std::optional<Estimate> estimate(const Recording& forces, const Recording& areas, double coarse) {
+  constexpr double kWide = 0.6, kNarrow = 0.1, kKnown = 0.05;  // s
+  constexpr double kFrames = 3, kErrors = 5;
+  const Frames rough = make_frames(forces, areas, coarse);
+  const double interval = rough.interval, wide = std::max(kWide, 4 * interval);
+  const LagRange first{coarse - wide, coarse + wide};
+  std::vector<LagEvent> events = contact_events(forces, rough, first);
+  MeanAndDeviation near{coarse, wide / kErrors};
+  if (const auto by_contacts = estimate_by(events, first, interval)) near = by_contacts->lag;
+  const double narrow = std::min(wide, std::max({kErrors * near.deviation, kNarrow, kFrames * interval}));
+  const LagRange range{near.mean - narrow, near.mean + narrow};
+  const std::vector<LagEvent> falls = fall_events(make_frames(forces, areas, near.mean), range);
+  events.insert(events.end(), falls.begin(), falls.end());
+  const auto found = estimate_by(events, range, interval);
+  // if it is known less well, several lags fit
+  return found && (found->disagree || found->lag.deviation < std::max(kKnown, 2 * interval)) ? found : std::nullopt;
 }
 
 }  // namespace
@@ -191,31 +131,24 @@ Frames on_one_clock(const Recording& forces, const Recording& areas, std::option
     return frames;
   }
   const Pictures shown = pictures(areas);
-  const auto near = lag_by_load(forces.time, forces.P, shown, typical_step(shown.time));
-  const Frames rough = make_frames(forces, areas, near.value_or(0));
-  const double longest = near ? std::max(kNearLoad, 4 * rough.interval) : kLongest;
-  // by means over a fifth of a frame, or if noise hides a drop, over half a frame or a whole one
-  std::optional<Lag> found;
-  for (const double share : {0.2, 0.5, 1.0}) {
-    const double step = std::max(share * rough.interval, typical_step(forces.time));
-    const auto one = lag_of(sudden_changes(rough, step), shown, rough.interval, longest, near ? kSureNear : kSure);
-    if (one && (!found || one->sureness > 1.3 * found->sureness)) found = one;
-  }
-  std::string source;
-  if (found) {
-    found->value += rough.lag;
-    source = "from " + std::to_string(found->events) + " sudden changes of T";
-  } else if (near && (found = lag_by_onsets(rough, longest))) {
-    source = "from " + std::to_string(found->events) + " onsets of sliding";
-  }
+  if (shown.time.size() < 3) throw InputError(areas.path, "holds fewer than three areas");
+  const auto by_load = lag_by_load(forces, shown);
+  const auto coarse = by_load ? std::optional(by_load->lag) : lag_by_drops(forces, areas, shown);
+  const auto found = coarse ? estimate(forces, areas, *coarse) : std::nullopt;
   if (!found)
-    throw InputError(areas.path, "no sudden change that it shares with " + forces.path +
+    throw InputError(areas.path, "no contact or fall of T that it shares with " + forces.path +
                                      " tells the lag between their clocks; state it: " +
-                                     Remedy::set("lag", near ? rounded(*near, 3) + " s" : "0 s") +
-                                     (near ? " is where the area follows the load, to some tenths" : ""));
-  Frames frames = make_frames(forces, areas, found->value);
-  frames.lag_error = found->error;
-  frames.lag_source = source;
+                                     Remedy::set("lag", coarse ? rounded(*coarse, 3) + " s" : "0 s") +
+                                     (by_load ? " is where the area follows the load, to some tenths" : ""));
+  Frames frames = make_frames(forces, areas, found->lag.mean);
+  frames.lag_error = found->lag.deviation;
+  frames.lag_low = found->low;
+  frames.lag_high = found->high;
+  frames.lag_parts = found->parts;
+  frames.lags_disagree = found->disagree;
+  frames.lag_source =
+      joined(texts_of(found->parts, [](const LagPart& part) { return std::to_string(part.events) + " " + part.by; }),
+             ", ", "from ");
   return frames;
 }
 

@@ -8,18 +8,28 @@
 
 namespace mixity {
 
+/// The lag between two clocks by events of one kind.
+struct LagPart {
+  std::string by;  // "contacts made", "contacts lost", "falls of T"
+  std::size_t events;
+  double lag, error;  // s, standard error
+};
+
 /// In SI. Forces are means over the duration of a frame, centred on it.
 struct Frames {
   double interval = 0;       // s, from frame to frame
   std::vector<double> time;  // s, on the clock of the areas
   std::vector<double> P, T, A;
-  double samples = 1;      // typical number of samples of the force in a frame
-  double noise_P = 0;      // N, standard deviation of one sample
-  std::size_t spikes = 0;  // outliers among the samples of the force, which were replaced
-  double lag_error = 0;    // s, standard error
-  double lag = 0;          // s: the clock of the forces reads time - lag when that of the areas reads time
+  double samples = 1;                // typical number of samples of the force in a frame
+  double noise_P = 0;                // N, standard deviation of one sample
+  std::size_t spikes = 0;            // outliers among the samples of the force, which were replaced
+  double lag_error = 0;              // s, standard error
+  double lag_low = 0, lag_high = 0;  // s, 95 % interval of an estimated lag
+  double lag = 0;                    // s: the clock of the forces reads time - lag when that of the areas reads time
   std::vector<double> force_time, force_T;  // every sample of T, on the areas' clock
-  std::string lag_source;  // "one clock", "stated", "from 5 sudden changes of T", "from 5 onsets of sliding"
+  std::string lag_source;          // "one clock", "stated", "from 3 contacts made, 3 contacts lost, 5 falls of T"
+  std::vector<LagPart> lag_parts;  // if it was estimated
+  bool lags_disagree = false;      // by more than their errors: lag_error then covers both
 };
 
 /// Times and areas of pictures, from the first row of each; further rows may repeat its area.

@@ -161,7 +161,9 @@ class Finder {
       return {step.begin, {begin, begin, begin, false}, std::nullopt};
     }
     const std::size_t frame = hinge->change.at + 1;
-    return {frame, cut_of(frames, hinge->change), mean_of(T, step.begin, frame)};
+    CutTime cut = cut_of(frames, hinge->change);
+    cut.low -= frames.interval / 2;  // the course bends at a frame, not behind it
+    return {frame, cut, mean_of(T, step.begin, frame)};
   }
 
   /// The frame behind the last one that the run keeps. Sets the onset of the run.

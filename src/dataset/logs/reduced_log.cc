@@ -7,6 +7,7 @@
 #include "base/toml_file.h"
 #include "base/units.h"
 #include "dataset/logs/clocks.h"
+#include "dataset/logs/coarse_lag.h"
 #include "dataset/logs/contacts.h"
 #include "statistics/noise.h"
 #include "statistics/readings.h"
@@ -80,6 +81,15 @@ bool compression_is_negative(const Recording& forces, const Recording& areas, do
          correlation(P, A) < kOfContact;
 }
 
+/// The lag at which areas follow P best, whatever the sign of compression; 0 if they do not.
+double lag_either_way(const Recording& forces, const Recording& areas) {
+  const Pictures shown = pictures(areas);
+  if (shown.time.size() < 3) return 0;
+  const auto positive = lag_by_load(forces, shown), negative = lag_by_load(forces, shown, true);
+  const auto& best = negative && (!positive || negative->correlation > positive->correlation) ? negative : positive;
+  return best ? best->lag : 0;
+}
+
 }  // namespace
 
 ReducedLog reduce_log(const std::vector<std::string>& paths, const Overrides& constants,
@@ -97,7 +107,8 @@ ReducedLog reduce_log(const std::vector<std::string>& paths, const Overrides& co
   log.force_factor = forces.force_factor;
   log.area_unit = areas.area_unit;
   log.area_factor = areas.area_factor;
-  log.load_turned = compression_is_negative(forces, areas, options.lag.value_or(0));
+  log.load_turned =
+      compression_is_negative(forces, areas, options.lag.value_or(logs.size() > 1 ? lag_either_way(forces, areas) : 0));
   if (log.load_turned) {
     for (double& P : forces.P) P = 0 - P;
     if (log.metadata.load_offset) *log.metadata.load_offset = 0 - *log.metadata.load_offset;
