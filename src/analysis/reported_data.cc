@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <set>
 
 #include "analysis/judgement.h"
+#include "analysis/result_names.h"
 #include "analysis/run.h"
 #include "base/threads.h"
 #include "fitting/predicted_area.h"
@@ -71,6 +73,16 @@ ReportedData reported_data(const Analysis& result, const std::string& stem) {
   if (!result.request.peaks_path.empty()) data.peaks = load_peak_forces(result.request.peaks_path);
   if (data.peaks) data.predicted_peaks = predict_peaks(result, *data.peaks);
   data.answer = answer_of(result);
+  return data;
+}
+
+std::vector<ReportedData> reported_data(std::vector<Analysis>& results) {
+  std::stable_partition(results.begin(), results.end(), [](const Analysis& one) { return one.data.has_loads; });
+  make_names_unique(results);
+  std::vector<ReportedData> data;
+  data.reserve(results.size());
+  std::set<std::string> taken;
+  for (const Analysis& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
   return data;
 }
 

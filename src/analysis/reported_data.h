@@ -33,4 +33,7 @@ struct ReportedData {
 /// Throws InputError if the file of peak forces cannot be used.
 ReportedData reported_data(const Analysis& result, const std::string& stem);
 
+/// Of each analysis of a report. Puts contacts first, as they have jumps to predict, and makes names unique.
+std::vector<ReportedData> reported_data(std::vector<Analysis>& results);
+
 }  // namespace mixity

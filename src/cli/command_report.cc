@@ -1,10 +1,9 @@
 // mixity report: fits, and a report with all their figures and tables.
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
 #include "analysis/judgement.h"
-#include "analysis/result_names.h"
+#include "analysis/reported_data.h"
 #include "cli/commands.h"
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
@@ -41,13 +40,7 @@ int run_report(const Arguments& arguments) {
     const auto before = static_cast<double>(results.size());
     results.push_back(run_for_report(request, stretch(progress, share * before, share * (before + 1))));
   }
-  // contacts first, as they have jumps to predict
-  std::stable_partition(results.begin(), results.end(), [](const Analysis& one) { return one.data.has_loads; });
-  make_names_unique(results);
-  std::vector<ReportedData> data;
-  data.reserve(results.size());
-  std::set<std::string> taken;
-  for (const Analysis& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
+  const std::vector<ReportedData> data = reported_data(results);
   const WrittenReport written =
       write_report(results, data, FLAGS_out,
                    {command_line(), stretch(progress, kFits, 1), explorer(), {files_of_flags(), FLAGS_force, {}}});

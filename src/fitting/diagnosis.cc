@@ -61,6 +61,13 @@ Message sliding_text(const Case& of, const FitResult& whole, const Cut& cut, std
          ": cut the runs there; without them " + lambda_text(cut.fit) + " and " + before_and_after(whole, cut.fit);
 }
 
+/// "5" or "5,7".
+std::string listed(const std::vector<std::size_t>& lines) {
+  std::string text;
+  for (const std::size_t line : lines) text += (text.empty() ? "" : ",") + std::to_string(line);
+  return text;
+}
+
 /// The reason if it is a few points with far smaller errors than the others; null if these do not explain it.
 std::optional<Message> of_heavy_points(const Case& of) {
   if (!of.fit.consistency || !of.fit.consistency->heavy || !is_found(of.fit)) return std::nullopt;
@@ -74,7 +81,7 @@ std::optional<Message> of_heavy_points(const Case& of) {
   Message text = text_of(heavy, of.data) + ": check " + (one ? "it" : "them") + "; without " + (one ? "it " : "them ") +
                  before_and_after(of.fit, without);
   if (const std::string values = lambda_text(without); !values.empty()) text += " and " + values;
-  if (of.data.files.empty()) text += Message("; ") + Remedy::set("exclude", lines_of(heavy, of.data));
+  if (of.data.files.empty()) text += Message("; ") + Remedy::set("exclude", listed(lines_of(heavy, of.data)));
   return text;
 }
 

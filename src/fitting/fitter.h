@@ -54,7 +54,8 @@ class Fitter {
                             double& change);
   bool differ_more_than_neighbours(const RunRows& rows, const Groups& groups, const NearestPlaces& nearest,
                                    const std::vector<double>& leverage, const ErrorModels& models) const;
-  std::vector<double> with_other_size(const std::vector<double>& x, bool of_T, double step) const;
+  std::optional<double> share_taken_off(const std::vector<double>& x) const;
+  std::vector<double> with_other_size(const std::vector<double>& x, bool of_T, double step, double taken) const;
   void widen_by_sizes_of_errors(const std::vector<double>& x);
   void widen_by_jackknife(const RunRows& rows, const Groups& groups);
   bool refresh_columns(const std::vector<double>& x);

@@ -41,13 +41,23 @@ Eigen::Matrix2d covariance_of_sizes(const StandardErrors& errors, const std::vec
 
 }  // namespace
 
-/// The parameters with the variance of one axis larger by a factor exp(step), and the distances that are then expected.
-/// Empty if they are not found.
-std::vector<double> Fitter::with_other_size(const std::vector<double>& x, bool of_T, double step) const {
+/// Of the distances that the errors lead one to expect, the share that is taken off the residuals (take_expected_off).
+std::optional<double> Fitter::share_taken_off(const std::vector<double>& x) const {
   const auto& objective = static_cast<const CurveObjective&>(*problem_);
-  const auto before = objective.nearest(x);
-  const auto expected = before ? objective.expected(x, *before) : std::nullopt;
-  if (!expected) return {};
+  const auto nearest = objective.nearest(x);
+  const auto expected = nearest ? objective.expected(x, *nearest) : std::nullopt;
+  if (!expected) return std::nullopt;
+  double product = 0, square = 0;
+  for (std::size_t k = 0; k < expected->size(); ++k) {
+    product += prepared_.errors->expected[prepared_.used[k]] * (*expected)[k];
+    square += (*expected)[k] * (*expected)[k];
+  }
+  return square > 0 ? product / square : 0;
+}
+
+/// The parameters with the variance of one axis larger by a factor exp(step), and the distances that are then expected.
+/// `taken`: the share of these that is taken off the residuals. Empty if they are not found.
+std::vector<double> Fitter::with_other_size(const std::vector<double>& x, bool of_T, double step, double taken) const {
   PreparedFit other = prepared_;
   other.errors = std::make_shared<StandardErrors>(*prepared_.errors);
   for (double& one : of_T ? other.errors->T : other.errors->A) one *= std::exp(step / 2);
@@ -57,14 +67,8 @@ std::vector<double> Fitter::with_other_size(const std::vector<double>& x, bool o
   const auto after = changed.nearest(x);
   const auto then = after ? changed.expected(x, *after) : std::nullopt;
   if (!then) return {};
-  double product = 0, square = 0;  // of what was taken off with what is expected from the stated errors
-  for (std::size_t k = 0; k < expected->size(); ++k) {
-    product += prepared_.errors->expected[prepared_.used[k]] * (*expected)[k];
-    square += (*expected)[k] * (*expected)[k];
-  }
   other.errors->expected.assign(data_.points.size(), 0.0);
-  for (std::size_t k = 0; k < then->size(); ++k)
-    other.errors->expected[prepared_.used[k]] = square > 0 ? product / square * (*then)[k] : 0;
+  for (std::size_t k = 0; k < then->size(); ++k) other.errors->expected[prepared_.used[k]] = taken * (*then)[k];
   SolverOptions quick;
   quick.engine = Engine::kernel;
   quick.last_digits = false;
@@ -85,10 +89,12 @@ void Fitter::widen_by_sizes_of_errors(const std::vector<double>& x) {
   const std::array<bool, 2> unknown_size{scatter(errors->source_T), scatter(errors->source_A)};
   if (!unknown_size[0] && !unknown_size[1]) return;
   const Eigen::Matrix2d covariance = covariance_of_sizes(*errors, prepared_.used, unknown_size[0], unknown_size[1]);
+  const std::optional<double> taken = share_taken_off(x);
+  if (!taken) return;
   std::array<std::vector<double>, 2> moved;
   for (const std::size_t axis : {0U, 1U}) {
     if (!unknown_size[axis]) continue;
-    moved[axis] = with_other_size(x, axis == 0, kStep);
+    moved[axis] = with_other_size(x, axis == 0, kStep, *taken);
     if (moved[axis].empty()) return;
   }
   std::size_t k = 0;

@@ -96,10 +96,10 @@ std::optional<HeavyPoints> heavy_points(const Dataset& data, const FitResult& fi
   return found;
 }
 
-std::string lines_of(const HeavyPoints& heavy, const Dataset& data) {
-  std::vector<std::string> lines;
-  for (const std::size_t i : heavy.points) lines.push_back(std::to_string(data.line_in_file(data.points[i].line)));
-  return joined(lines, ",");
+std::vector<std::size_t> lines_of(const HeavyPoints& heavy, const Dataset& data) {
+  std::vector<std::size_t> lines;
+  for (const std::size_t i : heavy.points) lines.push_back(data.line_in_file(data.points[i].line));
+  return lines;
 }
 
 std::string text_of(const HeavyPoints& heavy, const Dataset& data) {

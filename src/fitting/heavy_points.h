@@ -16,8 +16,8 @@ namespace mixity {
 std::optional<HeavyPoints> heavy_points(const Dataset& data, const FitResult& fit,
                                         const std::function<std::vector<double>()>& along_A);
 
-/// The lines of the file: "5" or "5,7".
-std::string lines_of(const HeavyPoints& heavy, const Dataset& data);
+/// The lines of the points in their files.
+std::vector<std::size_t> lines_of(const HeavyPoints& heavy, const Dataset& data);
 /// "line 5 carries 94 % of the weight (its sigma_A is 1/420 of the median)".
 std::string text_of(const HeavyPoints& heavy, const Dataset& data);
 

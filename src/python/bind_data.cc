@@ -26,6 +26,13 @@ std::vector<InputFile> inputs_of(const Contents& contents) {
 
 }  // namespace
 
+Dataset load_files(const std::vector<std::string>& paths, const Stated& constants, Inputs& inputs) {
+  if (paths.size() == 1) return load_dataset(paths[0], constants, inputs);
+  std::vector<RunFile> files;
+  for (const std::string& path : paths) files.push_back({path});
+  return load_pooled(files, constants, inputs);
+}
+
 void bind_data(nb::module_& m) {
   nb::class_<Dataset>(m, "Dataset")
       .def_ro("name", &Dataset::name)
@@ -91,10 +98,7 @@ void bind_data(nb::module_& m) {
         Inputs inputs;
         if (contents) inputs = Inputs(inputs_of(*contents));
         const nb::gil_scoped_release released;
-        if (paths.size() == 1) return load_dataset(paths[0], constants, inputs);
-        std::vector<RunFile> files;
-        for (const std::string& path : paths) files.push_back({path});
-        return load_pooled(files, constants, inputs);
+        return load_files(paths, constants, inputs);
       },
       nb::arg(), nb::arg(), nb::arg().none() = nb::none());
   m.def("files_of", &files_of);

@@ -2,10 +2,8 @@
 #include <limits>
 
 #include "analysis/reported_data.h"
-#include "analysis/result_names.h"
 #include "analysis/settings.h"
 #include "dataset/logs/reduced_log.h"
-#include "dataset/pooled.h"
 #include "python/bindings.h"
 #include "python/keyword_words.h"
 #include "report/data_check.h"
@@ -18,10 +16,8 @@ namespace {
 std::string checked_files(const std::vector<std::string>& paths, const Stated& constants) {
   const nb::gil_scoped_release released;
   const auto load = [&](const Overrides& with) {
-    if (paths.size() == 1) return load_dataset(paths[0], with);
-    std::vector<RunFile> files;
-    for (const std::string& path : paths) files.push_back({path});
-    return load_pooled(files, with);
+    Inputs inputs;
+    return load_files(paths, with, inputs);
   };
   CheckedData found = check_data(load, constants, in_keywords);
   if (found.missing) found.text += found.missing->text(in_keywords) + "\n";
@@ -60,11 +56,7 @@ std::string report(const std::vector<std::pair<Dataset*, Stated>>& fits, const s
     results.push_back(
         run_for_report(requests[i], *fits[i].first, stretch(whole, share * before, share * (before + 1))));
   }
-  make_names_unique(results);
-  std::vector<ReportedData> data;
-  data.reserve(results.size());
-  std::set<std::string> taken;
-  for (const Analysis& result : results) data.push_back(reported_data(result, file_stem(result, taken)));
+  const std::vector<ReportedData> data = reported_data(results);
   ReportSettings settings{"mixity.report(fits)", stretch(whole, kFits, 1), {}, {{}, force, {}}};
   if (folder) return write_report(results, data, *folder, settings).missing;
   settings.most_inside = std::numeric_limits<std::size_t>::max();
@@ -112,7 +104,9 @@ void bind_reports(nb::module_& m) {
              const nb::gil_scoped_release released;
              RunsOutput output = runs_output(log, folder, wanted, in_keywords);
              keep_former(output.files);
-             write_files(output.files, {inputs, force, {}});
+             std::vector<std::string> read = inputs;
+             for (const std::string& path : inputs) read.push_back(metadata_path(path));
+             write_files(output.files, {read, force, {}});
              return output.missing;
            })
       .def("runs", [](const ReducedLog& log) {

@@ -79,6 +79,9 @@ class Watch {
   std::atomic<bool> stop_ = false;
 };
 
+/// One file, or several as one data set.
+Dataset load_files(const std::vector<std::string>& paths, const Stated& constants, Inputs& inputs);
+
 /// A request from the options of a fit; throws InputError.
 FitRequest request_of(const Dataset& data, const Stated& options);
 

@@ -186,7 +186,8 @@ std::string unsheared_sentence(const UnshearedTest& test) {
 
 std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& data) {
   if (!fit.consistency) return {};
-  return without_empty({residual_tests(fit), score_tests(fit), points_beyond(fit, data), heavy_text(fit, data), outliers_text(fit, data)});
+  return without_empty({residual_tests(fit), score_tests(fit), points_beyond(fit, data), heavy_text(fit, data),
+                        outliers_text(fit, data)});
 }
 
 }  // namespace mixity

@@ -1,3 +1,4 @@
+#include "fitting/heavy_points.h"
 #include "report/fit_fields.h"
 
 namespace mixity {
@@ -167,13 +168,7 @@ void describe(Fields<BeyondEquilibrium>& field) {
 }
 
 void describe(Fields<HeavyPoints>& field) {
-  field("lines", "lines of the points",
-        [](auto& heavy, auto& in) {
-          std::vector<std::size_t> lines;
-          for (const std::size_t i : heavy.points)
-            lines.push_back(in.result->data.line_in_file(in.result->data.points[i].line));
-          return lines;
-        });
+  field("lines", "lines of the points", [](auto& heavy, auto& in) { return lines_of(heavy, in.result->data); });
   field("share", "of the weight of all points, 0.5..1", &HeavyPoints::share);
   field("column", "column with the error that is the smallest beside those of the others", &HeavyPoints::column);
   field("ratio", "of that error and the median of the column", &HeavyPoints::ratio);
@@ -194,7 +189,8 @@ void describe(Fields<Consistency>& field) {
   field("ends_z", "z of the residuals at the ends of the runs", of_residuals(&ResidualTests::ends));
   field("ends_p_value", "its p-value", of_residuals(&ResidualTests::ends_p));
   field("runs", "the same tests of each run with at least 8 points", of_residuals(&ResidualTests::runs));
-  field("heavy_points", "few points that carry most of the weight, by stated errors far below the others'; null without",
+  field("heavy_points",
+        "few points that carry most of the weight, by stated errors far below the others'; null without",
         &Consistency::heavy);
   field("beyond_equilibrium", "runs with points beyond the last equilibrium of the model", &Consistency::beyond);
 }

@@ -36,8 +36,8 @@ FitResult fitted(const Dataset& data, bool stated) {
   return fit_model(data, "c", options);
 }
 
-/// The distances that noise leads one to expect follow from the size of the noise, which runs with a long memory tell to
-/// some tenth only. Of 1,000 experiments (docs/noise.md) the errors without that were too small by a quarter.
+/// The distances that noise leads one to expect follow from the size of the noise, which runs with a long memory tell
+/// to some tenth only. Of 1,000 experiments (docs/noise.md) the errors without that were too small by a quarter.
 TEST(ErrorSizes, OfNoiseWithAMemoryAreInTheErrorOfLambda) {
   constexpr int kExperiments = 6;
   double wider = 0;

@@ -1,11 +1,11 @@
 #include "fitting/fit.h"
-#include "fitting/measured_runs.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/input_error.h"
+#include "fitting/measured_runs.h"
 #include "fitting/synthetic.h"
 
 namespace mixity {
@@ -116,7 +116,8 @@ TEST(Fit, TestsValuesThatAreAllHeld) {
   const auto held_at = [&](double lambda) {
     return fit_model(data, "c", {.hold = {{"lambda", lambda}}, .fitted_errors = false});
   };
-  const FitResult fit = fit_model(data, "c", {.fitted_errors = false}), at_the_fit = held_at(*fit.parameters[0].value), off = held_at(0.9);
+  const FitResult fit = fit_model(data, "c", {.fitted_errors = false}), at_the_fit = held_at(*fit.parameters[0].value),
+                  off = held_at(0.9);
   ASSERT_TRUE(fit.consistency && at_the_fit.consistency && off.consistency);
   EXPECT_TRUE(at_the_fit.known_errors);
   EXPECT_EQ(at_the_fit.freedom(), fit.freedom() + 1);

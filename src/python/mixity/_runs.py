@@ -51,8 +51,7 @@ class Runs:
         """Writes points, peaks, phases, cuts, figures and the definition of a fit, as ``mixity runs --out``. ``formats`` and
         ``force`` as for :func:`report`."""
         asked = formats if isinstance(formats, str) else ",".join(formats)
-        tomls = [os.path.splitext(path)[0] + ".toml" for path in self._paths]
-        warn(self._log.save(os.fspath(folder), asked, force, [*self._paths, *tomls]))
+        warn(self._log.save(os.fspath(folder), asked, force, self._paths))
 
     def __len__(self) -> int:
         return len(self._log.runs())
