@@ -109,9 +109,21 @@ std::vector<double> unexpected(const FitResult& fit) {
   return r;
 }
 
+/// T of each residual, at the fitted curve where that is known: the noise of a reading of T is in its residual, too, so
+/// that residuals would depend on the reading.
+std::vector<double> shears(const Dataset& data, const FitResult& fit) {
+  const bool known = fit.errors && !fit.errors->place_T.empty();
+  std::vector<double> T;
+  T.reserve(fit.used.size());
+  for (const std::size_t i : fit.used)
+    T.push_back(known ? std::copysign(fit.errors->place_T[i], data.points[i].T) : data.points[i].T);
+  return T;
+}
+
 ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   ResidualTests tests;
-  if (const auto course = data.has_loads ? test_course(data, fit.used, unexpected(fit)) : std::nullopt) {
+  const std::vector<double> T = data.has_loads ? shears(data, fit) : std::vector<double>();
+  if (const auto course = data.has_loads ? test_course(data, fit.used, T, unexpected(fit)) : std::nullopt) {
     tests.course = course->F;
     tests.course_p = course->p_value;
   }
@@ -135,7 +147,7 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
                         data.points[point].A == data.points[*before].A);
       before = point;
       r.push_back(residuals[i]);
-      t.push_back(data.has_loads ? data.points[point].T : std::asin(data.converted[point].mixity.sin));
+      t.push_back(data.has_loads ? T[i] : std::asin(data.converted[point].mixity.sin));
       square += r.back() * r.back();
     }
     if (data.has_loads) ends.add(t, r, repeats);
@@ -164,10 +176,10 @@ std::optional<double> over_neighbours(const Dataset& data, const FitResult& fit)
   constexpr std::size_t kEnough = 8;
   if (!data.has_loads) return std::nullopt;
   double squares = 0, differences = 0, triples = 0;
+  const std::vector<double> T = shears(data, fit);
   for (auto& run : used_by_run(data, fit)) {
-    std::stable_sort(run.begin(), run.end(), [&](std::size_t one, std::size_t other) {
-      return data.points[fit.used[one]].shear() < data.points[fit.used[other]].shear();
-    });
+    std::stable_sort(run.begin(), run.end(),
+                     [&](std::size_t one, std::size_t other) { return std::abs(T[one]) < std::abs(T[other]); });
     const std::vector<double>& r = fit.innovations.empty() ? fit.residuals : fit.innovations;
     for (std::size_t i = 1; i + 1 < run.size(); ++i) {
       const double before = r[run[i - 1]], here = r[run[i]], behind = r[run[i + 1]];

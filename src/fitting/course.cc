@@ -17,19 +17,20 @@ struct Part {
 using Run = std::array<Part, kParts>;
 
 /// The parts of the runs that are long enough.
-std::vector<Run> parts_of(const Dataset& data, std::span<const std::size_t> used, std::span<const double> residuals) {
+std::vector<Run> parts_of(const Dataset& data, std::span<const std::size_t> used, std::span<const double> T,
+                          std::span<const double> residuals) {
   std::vector<double> largest(data.curves.size());
   std::vector<std::size_t> points(data.curves.size());
-  for (const std::size_t i : used) {
-    const std::size_t run = data.points[i].curve;
-    largest[run] = std::max(largest[run], data.points[i].shear());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const std::size_t run = data.points[used[i]].curve;
+    largest[run] = std::max(largest[run], std::abs(T[i]));
     ++points[run];
   }
   std::vector<Run> runs(data.curves.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
     const std::size_t run = data.points[used[i]].curve;
     if (points[run] < 2 * kParts || !(largest[run] > 0)) continue;
-    const double place = data.points[used[i]].shear() / largest[run] * kParts;
+    const double place = std::abs(T[i]) / largest[run] * kParts;
     Part& part = runs[run][std::min(static_cast<std::size_t>(place), kParts - 1)];
     ++part.points;
     part.sum += residuals[i];
@@ -42,11 +43,11 @@ std::vector<Run> parts_of(const Dataset& data, std::span<const std::size_t> used
 
 }  // namespace
 
-std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used,
+std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used, std::span<const double> T,
                                       std::span<const double> residuals) {
-  const std::vector<Run> runs = parts_of(data, used, residuals);
+  const std::vector<Run> runs = parts_of(data, used, T, residuals);
   if (runs.size() < kLeastRuns) return std::nullopt;
-  double course = 0, differences = 0, parts = 0, freedom = 0;
+  double course = 0, differences = 0, parts = 0, freedom = 0, points = 0;
   for (std::size_t k = 0; k < kParts; ++k) {
     Part all;
     for (const Run& run : runs) {
@@ -56,6 +57,7 @@ std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::
     if (all.points == 0) continue;
     const double mean = all.sum / all.points;
     course += all.points * mean * mean;
+    points += all.points;
     ++parts;
     --freedom;
     for (const Run& run : runs)
@@ -66,7 +68,7 @@ std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::
   }
   if (!(freedom > 0 && differences > 0)) return std::nullopt;
   const double F = course / parts / (differences / freedom);
-  return CourseTest{F, fisher_p_value(F, parts, freedom)};
+  return CourseTest{F, fisher_p_value(F, parts, freedom), std::sqrt(course / points)};
 }
 
 }  // namespace mixity

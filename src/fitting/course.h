@@ -14,10 +14,13 @@ namespace mixity {
 /// against the differences between the runs. Correlated noise raises both alike.
 struct CourseTest {
   double F, p_value;
+  double size;  // of the course: root mean square of the means, in the unit of the residuals
 };
 
-/// `used`: indices of the points of `residuals`. Null of fewer than three runs of ten points or more.
-std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used,
+/// `used`: indices of the points of `residuals`. `T`: their tangential loads, in any unit, at the fitted curve: a part
+/// of the readings above some T has more that are too large by chance, whose residuals are not 0 in the mean. Null for
+/// fewer than three runs of ten points or more.
+std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used, std::span<const double> T,
                                       std::span<const double> residuals);
 
 }  // namespace mixity

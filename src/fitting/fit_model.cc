@@ -6,7 +6,6 @@
 #include "fitting/consistency.h"
 #include "fitting/fit.h"
 #include "fitting/fitter.h"
-#include "fitting/noise_alone.h"
 #include "statistics/distributions.h"
 
 namespace mixity {
@@ -52,13 +51,6 @@ FitResult fit_and_test(const Dataset& data, std::string_view model, const FitOpt
 
 void find_cause(const Dataset& data, FitResult& result, const FitOptions& options, bool left_behind) {
   if (!result.consistency) return;
-  if (result.status == FitStatus::suspect && result.message.empty() && noise_alone_fails_alike(data, result, options)) {
-    result.status = FitStatus::ok;
-    result.message =
-        "tests fail as they do in experiments simulated from this fit: T scatters so widely that A(T) is curved within "
-        "its error";
-    return;
-  }
   const Refit refit = [&](const FitOptions& with, const std::vector<std::size_t>& points,
                           const std::vector<FittedParameter>* near) {
     return fit(data, result.model, with, Purpose::tried, &points, near);

@@ -71,8 +71,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   // The rounds of each stage. Runs that differ are linearised at a first fit that may be far off.
   const bool by_run = !options_.by_run.empty();
   const int more = by_run ? 6 : 0, weighting = 2 + more, choosing = 4 + more, refining = 12 + more;
-  constexpr double kSettled = 1e-10;  // of an error or a residual: an interval changes by as much
-  constexpr double kSurely = 1e-6;    // of the fit with the first errors, whose weights may be wrong
+  constexpr double kSettled = 1e-10;     // of an error or a residual: an interval changes by as much
+  constexpr double kSurely = 1e-6;       // of the fit with the first errors, whose weights may be wrong
+  constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
   StandardErrors& errors = *prepared_.errors;
   SolverOptions quick;
   quick.engine = Engine::kernel;
@@ -109,8 +110,10 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (options_.loss == Loss::t) weigh_as_student(nearest->residuals);
     // A model that does not describe the data tells nothing of their errors. Of few runs nothing tells correlated
     // noise from a wrong model.
-    const auto course = round <= choosing ? test_course(data_, prepared_.used, nearest->residuals) : std::nullopt;
-    const double p_value = course ? course->p_value : 1;
+    const auto course =
+        round <= choosing ? test_course(data_, prepared_.used, nearest->T, nearest->residuals) : std::nullopt;
+    // A course that is far smaller than the scatter is hardly a part of it, however significant.
+    const double p_value = course && course->size > kSmallCourse ? course->p_value : 1;
     const bool shared = p_value < kChance, tried = purpose_ == Purpose::tried, first = round == 0 && !by_run;
     const bool off = (round == weighting && shared) || (first && tried && shared) ||
                      ((first || (tried && round >= more)) && p_value < kSurely) ||

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "fitting/consistency.h"
 #include "fitting/fit.h"
 #include "fitting/synthetic_runs.h"
 
@@ -40,6 +41,16 @@ TEST(NoiseAlone, OfAWideErrorOfTMakesNoAlarm) {
   EXPECT_GE(simulated, 4);  // these would be suspect otherwise
 }
 
+TEST(NoiseAlone, Zcount) {
+  int n=0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const NoisyShear noisy(seed);
+    const FitResult fit = fit_and_test(noisy.data, "c", noisy.options);
+    const auto& t = fit.consistency->residuals;
+    if (fit.status != FitStatus::ok) { ++n; std::cerr << seed << " " << failed_test(noisy.data, fit).text() << " " << t.runs_p << " " << t.correlation_p <<" " << t.trend_p << " " << t.ends_p << " " << t.course_p << " chi " << *fit.consistency->chi2_per_freedom << " z " << (*fit.parameters[0].value-0.15)/ *fit.parameters[0].stderr_ << "\n";}
+  }
+  std::cerr << n << "\n";
+}
 TEST(NoiseAlone, DoesNotExcuseAWrongModel) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const NoisyShear noisy(seed);
