@@ -256,14 +256,12 @@ std::optional<Cause> shape_instead_of_memory(const Case& of) {
   return cause;
 }
 
-double chance_of_runs(const FitResult& fit) {
-  double least = 1;
-  for (const RunTest& test : fit.run_tests)
-    for (const RunTest::Way* const way : {&test.all, &test.odd, &test.drift})
-      if (way->matters()) least = std::min(least, way->p_value * static_cast<double>(fit.run_tests.size()));
-  return least;
+bool runs_differ(const FitResult& fit, double chance) {
+  const double each = chance / static_cast<double>(fit.run_tests.size());
+  return std::any_of(fit.run_tests.begin(), fit.run_tests.end(), [&](const RunTest& test) {
+    const auto fails = [&](const RunTest::Way& way) { return way.matters() && way.p_value < each; };
+    return fails(test.all) || fails(test.odd) || fails(test.drift);
+  });
 }
-
-bool runs_differ(const FitResult& fit, double chance) { return chance_of_runs(fit) < chance; }
 
 }  // namespace mixity

@@ -34,8 +34,6 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range);
 /// that matters.
 std::optional<Cause> shape_instead_of_memory(const Case& of);
 
-/// The least p-value of the tests for runs that differ, times their number, of those that matter; at most 1.
-double chance_of_runs(const FitResult& fit);
 /// Whether a test says that the runs differ, by more than chance and by an amount that matters.
 bool runs_differ(const FitResult& fit, double chance);
 

@@ -27,9 +27,7 @@ double residual_unit(const FitResult& fit);
 /// Of a fit that has residuals.
 Consistency test_consistency(const Dataset& data, const FitResult& fit);
 
-/// The exact constant with the most significant score test among those that matter; null if there is none.
-const ExactConstant* most_significant_constant(const FitResult& fit);
-/// The same if its test fails; else null.
+/// The exact constant with the most significant score test among those that matter, if that fails; else null.
 const ExactConstant* wrong_constant(const FitResult& fit);
 
 /// A constant that lies farther from what was stated than its standard error explains; else null.

@@ -29,16 +29,11 @@ double independent_points(const FitResult& fit) {
   return static_cast<double>(fit.used.size()) * (1 - r) / (1 + r);
 }
 
-const ExactConstant* most_significant_constant(const FitResult& fit) {
+const ExactConstant* wrong_constant(const FitResult& fit) {
   if (!fit.budget) return nullptr;
   const ExactConstant* worst = nullptr;
   for (const ExactConstant& one : fit.budget->exact)
     if (one.score && one.score->matters() && (!worst || one.score->p_value < worst->score->p_value)) worst = &one;
-  return worst;
-}
-
-const ExactConstant* wrong_constant(const FitResult& fit) {
-  const ExactConstant* const worst = most_significant_constant(fit);
   if (!worst || !asks_to_be_free(*worst->score, fit.budget->independent)) return nullptr;
   // If the stated errors are too small whatever the constant, falls of chi^2 count less.
   const bool too_small = fit.known_errors && fit.consistency && fit.consistency->chi2_p.value_or(1) < kChance;

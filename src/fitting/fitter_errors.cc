@@ -71,9 +71,10 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   // The rounds of each stage. Runs that differ are linearised at a first fit that may be far off.
   const bool by_run = !options_.by_run.empty();
   const int more = by_run ? 6 : 0, weighting = 2 + more, choosing = 4 + more, refining = 12 + more;
-  constexpr double kSettled = 1e-10;     // of an error or a residual: an interval changes by as much
-  constexpr double kSurely = 1e-6;       // of the fit with the first errors, whose weights may be wrong
+  constexpr double kSettled = 1e-10;  // of an error or a residual: an interval changes by as much
+  constexpr double kSurely = 1e-6;
   constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
+  constexpr double kLargeCourse = 2;     // more than the wrong weights of the first errors make
   StandardErrors& errors = *prepared_.errors;
   SolverOptions quick;
   quick.engine = Engine::kernel;
@@ -115,8 +116,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     // A course that is far smaller than the scatter is hardly a part of it, however significant.
     const double p_value = course && course->size > kSmallCourse ? course->p_value : 1;
     const bool shared = p_value < kChance, tried = purpose_ == Purpose::tried, first = round == 0 && !by_run;
-    const bool off = (round == weighting && shared) || (first && tried && shared) ||
-                     ((first || (tried && round >= more)) && p_value < kSurely) ||
+    const bool surely = p_value < kSurely && (!first || course->size > kLargeCourse);
+    const bool off = (round == weighting && shared) || ((first || (tried && round >= more)) && surely) ||
                      (round == choosing && !course && models.correlations.any());
     if (off) {
       off_course_ = course;
