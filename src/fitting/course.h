@@ -1,5 +1,5 @@
-// The course of residuals along the runs. A wrong model takes the same course over T in all runs; noise does
-// not, whatever its memory.
+// The course of residuals along the runs. Under a wrong model it is the same function of T in all runs; noise, even
+// autocorrelated, has no common course.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace mixity {
 
-/// The means of the residuals in five parts of each run, over T in the largest T of the run: their mean over the runs
-/// against the differences between the runs. Correlated noise raises both alike.
+/// Residuals are averaged in five parts of each run, by T over the run's largest T. F compares the mean of these over
+/// the runs with the differences between the runs. Correlated noise raises both alike.
 struct CourseTest {
   double F, p_value;
 };
 
-/// `used`: indices of the points of `residuals`. Null of fewer than three runs of ten points or more.
+/// `used`: indices of the points of `residuals`. Null unless at least three runs have ten points or more.
 std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used,
                                       std::span<const double> residuals);
 

@@ -1,5 +1,5 @@
-// Whether noise alone makes tests of a fit fail. The tests are linear in the noise. Where T scatters so widely that
-// A(T) is curved within its error, they fail without any fault.
+// Decides whether noise alone makes tests of a fit fail. The tests assume residuals that are linear in the noise. Where
+// T scatters so widely that A(T) is curved within its error, they fail although nothing is wrong.
 #pragma once
 
 #include "fitting/options.h"
@@ -7,11 +7,10 @@
 
 namespace mixity {
 
-/// Whether the tests fail less clearly than 1.5 times, in -ln p, what one of ten experiments gives that are simulated
-/// from the fit and fitted with its errors and correlations. False, without any simulation, where the curvature within
-/// the errors does not matter, the points scatter far less than stated errors, or a test fails that does not compare
-/// residuals with noise: points beyond the last equilibrium, areas that stay constant, constants far from what was
-/// stated.
+/// Whether -ln p of the failed tests is less than 1.5 times that of one of ten experiments, simulated from the fit and
+/// fitted with its errors and correlations. False, without simulation, where curvature within the errors does not
+/// matter, where the points scatter far less than their stated errors, or where a failed test does not compare
+/// residuals with noise: points beyond the last equilibrium, constant areas, constants far from their stated values.
 bool noise_alone_fails_alike(const Dataset& data, const FitResult& fit, const FitOptions& options);
 
 }  // namespace mixity
