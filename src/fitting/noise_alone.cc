@@ -13,7 +13,7 @@
 namespace mixity {
 namespace {
 
-/// -ln of the least p-value of a test whose failure makes a fit suspect, times the number of such tests.
+/// -ln of the smallest p-value of a test whose failure makes a fit suspect, times the number of such tests.
 double improbability(const FitResult& fit) {
   double least = chance_of_runs(fit);
   if (const ExactConstant* const worst = most_significant_constant(fit))
@@ -26,13 +26,13 @@ double improbability(const FitResult& fit) {
   return -std::log(least);
 }
 
-/// Fails a test that does not compare residuals with noise.
+/// Whether a test fails that does not compare residuals with noise.
 bool fails_otherwise(const FitResult& fit) {
   const Consistency& tests = *fit.consistency;
   return slides(fit) || far_from_stated(fit) || tests.pinned || tests.residuals.together || is_far(tests.residuals);
 }
 
-/// The readings of this experiment with other noise: from the places of the fitted curve, as `errors` says.
+/// The readings of this experiment with other noise: places on the fitted curve plus random errors as in `errors`.
 Dataset with_other_noise(const Dataset& data, const FitResult& fit, unsigned seed) {
   boost::random::mt19937_64 random(seed);
   boost::random::normal_distribution<double> normal;
@@ -61,13 +61,13 @@ Dataset with_other_noise(const Dataset& data, const FitResult& fit, unsigned see
 
 bool noise_alone_fails_alike(const Dataset& data, const FitResult& fit, const FitOptions& options) {
   constexpr unsigned kExperiments = 10;
-  constexpr double kScatter = 0.7;  // chi^2 per degree of freedom of errors that are as stated
-  constexpr double kAlike = 1.5;    // the largest of ten is exceeded by this factor in 1 to 3 of a hundred
+  constexpr double kScatter = 0.7;  // chi^2 per degree of freedom that fits errors as stated
+  constexpr double kAlike = 1.5;    // in 1 to 3 of a hundred cases the largest of ten is exceeded by this factor
   if (!fit.errors || !fit.consistency || fit.errors->expected.empty() || fit.errors->place_A.empty()) return false;
   double squares = 0;
   for (const std::size_t i : fit.used) squares += std::pow(fit.errors->expected[i], 2);
   if (squares < kCurvatureMatters || fit.loss_scale > 0 || fails_otherwise(fit)) return false;
-  // Errors that are stated larger than the points scatter excuse nothing.
+  // Stated errors that are larger than the scatter excuse nothing.
   if (fit.known_errors && fit.sum_of_squares < kScatter * static_cast<double>(fit.freedom())) return false;
   FitOptions alike = value_only(options);
   alike.checks = true;
