@@ -81,7 +81,7 @@ std::string sliding(const Dataset& data, const std::vector<PredictedJump>& jumps
          loads + unit_text(units.force) + ".";
 }
 
-/// Constants without a standard error of which 5 % would move the result by more than its standard error.
+/// Constants without a standard error that would move the result by more than its standard error if they were 5 % off.
 std::string exact_constants(const FitResult& fit) {
   const FittedParameter* const parameter = leading_parameter(fit);
   if (!fit.budget || !parameter || !parameter->stderr_) return {};

@@ -1,4 +1,4 @@
-// What a report begins with: the result, the predicted jumps, and what the data do not determine.
+// The beginning of a report: the result, the predicted jumps, and what the data do not determine.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace mixity {
 
-/// Where the contact jumps under load control at the load of a run. In the units of the file.
+/// A jump of the contact under load control, predicted at the load of a run. In the units of the file.
 struct PredictedJump {
   double P;
   Derived T, A;
@@ -21,9 +21,9 @@ struct Answer {
   std::string result;                                  // "λ = 0.002306 ± 0.000011"
   std::string model;                                   // "model c, Papangelo-Ciavarella 2019: f = ..."
   std::string interval;                                // "95 % interval 0.002285 .. 0.002328"; empty without one
-  std::string doubt;                                   // what is wrong and what helps; empty for status ok
-  std::vector<std::pair<std::string, double>> budget;  // shares of its variance; empty if there is one part
-  std::vector<PredictedJump> jumps;                    // by falling load, where there is a jump
+  std::string doubt;                                   // what is wrong, and a remedy; empty for status ok
+  std::vector<std::pair<std::string, double>> budget;  // shares of its variance; empty if there is only one part
+  std::vector<PredictedJump> jumps;                    // in order of falling load; only loads with a jump
   std::vector<std::string> cannot_say;                 // limitations of the result: sentences
 };
 

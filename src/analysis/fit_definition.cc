@@ -13,7 +13,7 @@
 namespace mixity {
 namespace {
 
-/// Reads one definition; errors name its path and the position of the node.
+/// Reads one definition; errors state its path and the position of the node.
 class Reader {
  public:
   explicit Reader(const std::string& path) : path_(path) {}
@@ -24,7 +24,7 @@ class Reader {
     FitRequest request;
     request.inputs = inputs.files();
     request.path = path_;
-    read_laws(table, request);  // first, as models may name them
+    read_laws(table, request);  // first, since models may name them
     for (const auto& [key, node] : table) read_key(key, node, request);
     if (request.data_path.empty()) throw InputError(path_, "the key data is missing");
     if (table.contains("data") && table.contains("runs"))

@@ -28,10 +28,10 @@ std::string stated(std::string_view key, const std::vector<std::string>& texts) 
          "]\n";
 }
 
-/// A file as seen from the folder of `definition`.
+/// The path of a file relative to the folder of `definition`.
 std::string relative_to(const std::string& definition, const std::string& file) {
   std::error_code unread;
-  // Links are not resolved: constants are read from beside the link. The folder need not exist yet.
+  // Links are not resolved: constants are read from the link's folder. The definition's folder need not exist yet.
   const std::filesystem::path folder = std::filesystem::absolute(definition).lexically_normal().parent_path(),
                               whole = std::filesystem::absolute(file).lexically_normal(),
                               relative = std::filesystem::weakly_canonical(folder, unread) == folder

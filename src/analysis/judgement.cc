@@ -48,9 +48,9 @@ const ComparedModel* winner(const Analysis& result) {
 }
 
 void reject_for_unsheared_areas(Analysis& result) {
-  constexpr double kLevel = 3e-4;  // keeps the false alarms of this further test below one in a hundred
+  constexpr double kLevel = 3e-4;  // keeps the false alarms of this additional test below one in a hundred
   const FitRequest& request = result.request;
-  // With constants that are fitted, or that differ between runs, the areas need not agree with those that were stated.
+  // With constants that are fitted or differ between runs, the areas need not agree with the stated ones.
   const bool as_stated = request.options.free.empty() && request.options.by_run.empty() && request.drift.empty() &&
                          request.exclusion.unsheared == Unsheared::in;
   if (!result.unsheared || !(result.unsheared->p_value < kLevel) || !as_stated) return;
@@ -128,7 +128,7 @@ std::string no_best_model(const Analysis& result) {
 std::vector<std::size_t> by_merit(const Analysis& result) {
   constexpr double kClose = 9.2;  // in AICc: a hundredth of the weight
   constexpr double kWorst = std::numeric_limits<double>::max();
-  std::vector<double> aicc;  // of each fit; not its weight, which underflows
+  std::vector<double> aicc;  // of each fit; unlike the weight it does not underflow
   double least = kWorst;
   for (const FitResult& fit : result.fits) {
     const ComparedModel* const compared = comparison_of(result, fit.model);

@@ -23,11 +23,11 @@ const ComparedModel* winner(const Analysis& result);
 /// do not depend on the model. Only for constants that are taken as stated, and objective curve without a loss.
 void reject_for_unsheared_areas(Analysis& result);
 
-/// Adds to the messages of fits that are not ok that most areas do not exceed that of Hertz, if that is so.
+/// If most areas do not exceed Hertz's, says so in the messages of fits that are not ok.
 void name_misfit_of_units(Analysis& result);
 
-/// Sets fits to suspect, with the winner's name as the cause, if they are suspect already or have an AICc weight below
-/// 1e-6. Exempt are fits that a wrong constant would bring close to the winner.
+/// Sets fits to suspect, naming the winner, if they are suspect already or have an AICc weight below 1e-6. Exempts fits
+/// that a wrong constant would explain almost as well as the winner does.
 void reject_for_better_model(Analysis& result);
 
 /// True if each fit has status ok or was rejected for a better model.

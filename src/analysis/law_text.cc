@@ -1,4 +1,4 @@
-// Laws as text: the form of the flag --law, and the table of a fit definition.
+// Laws as text: in the syntax of the flag --law, and as a table of a fit definition.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ LawDefinition read_law_text(const std::string& what, std::string_view text, std:
   LawDefinition law;
   law.key = trim(text.substr(0, begin == 0 ? 0 : colon));
   const std::size_t end = std::min(text.find(';', begin), text.size());
-  // also as laws are shown: f = ...
+  // also accepts laws as they are shown: f = ...
   if (const std::string_view shown = trim(text.substr(begin, end - begin));
       shown.starts_with('f') && trim(shown.substr(1)).starts_with('='))
     begin = text.find('=', begin) + 1;

@@ -44,7 +44,7 @@ LawDefinition with_key(LawDefinition law) {
 }
 
 /// A law without a key gets a hash of its definition (FNV-1a), which is the same in every process. Functions, which
-/// their text does not determine, each get a key of their own.
+/// their text does not determine, get unique keys.
 LawDefinition with_lasting_key(LawDefinition law) {
   if (!law.key.empty()) return law;
   LawDefinition stated = law;
@@ -69,7 +69,7 @@ class TomlReader {
     if (!node.is_table()) fail_at(path_, node, "law " + law_key + " must be a table");
     StatedLaw stated{{law_key, {}}, {}};
     LawDefinition& law = stated.definition;
-    std::map<toml::source_position, LawParameter> parameters;  // as they are written: a table is sorted by name
+    std::map<toml::source_position, LawParameter> parameters;  // in the order of the file; a table is sorted by name
     text_ = nullptr;
     for (const auto& [name, value] : *node.as_table()) {
       if (name == "f" || name == "criterion") {
@@ -170,7 +170,7 @@ std::vector<DefinedLaw> define_laws(const std::string& path, const toml::table& 
 bool is_model(std::string_view key) { return ContactModel::find(key).has_value(); }
 
 void provide_law(std::string_view key) {
-  if (is_model(key)) return;  // the file is read only where it is needed
+  if (is_model(key)) return;  // the file is read only when needed
   for (const StatedLaw& law : shipped_laws())
     if (law.definition.key == key) define(law.definition);
 }

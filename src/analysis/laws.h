@@ -1,4 +1,4 @@
-// Laws that users write, as a flag or in a fit definition, and the laws of data/laws.toml, which the program contains.
+// Laws that users define by a flag or in a fit definition, and the laws of data/laws.toml, which are compiled in.
 #pragma once
 
 #include <toml++/toml.h>
@@ -27,7 +27,7 @@ DefinedLaw define_law_text(const std::string& what, std::string_view text);
 /// syntax error.
 LawDefinition read_law_text(const std::string& what, std::string_view text, std::size_t* expression_at = nullptr);
 
-/// Defines a law. Without a key it becomes law_ and a hash of its definition. Columns in errors count in its text.
+/// Defines a law. Without a key it becomes law_ and a hash of its definition. Error columns count in its text.
 DefinedLaw define_law_checked(const std::string& what, LawDefinition definition);
 
 /// Defines the laws of the table [laws] of the file at `path`. Each is a table with f (or criterion, an equation), its
@@ -35,10 +35,10 @@ DefinedLaw define_law_checked(const std::string& what, LawDefinition definition)
 /// above, with line and column in the file.
 std::vector<DefinedLaw> define_laws(const std::string& path, const toml::table& laws);
 
-/// The law as a table [laws.KEY] of a fit definition. Throws InputError for a law that is a function.
+/// The law as a table [laws.KEY] of a fit definition. Throws InputError for a law given as a function.
 std::string law_toml(const LawDefinition& law);
 
-/// The law as read_law_text reads it, without its key and name.
+/// The law in the form that read_law_text reads, without its key and name.
 std::string law_text(const LawDefinition& law);
 
 /// The default start value: the middle of the range, in the logarithm if the range spans decades.
@@ -47,13 +47,13 @@ double usual_start(double lower, double upper);
 /// Whether a model, published or defined, has this key.
 bool is_model(std::string_view key);
 
-/// Defines the law of data/laws.toml with this key, if there is one and no model has the key yet.
+/// Defines the law of data/laws.toml with this key, if it exists and no model has the key yet.
 void provide_law(std::string_view key);
 
 /// Keys of all models: published, defined, and of data/laws.toml.
 std::vector<std::string> known_models();
 
-/// A law as a file states it, with the place of its publication.
+/// A law as stated in a file, with the source of its publication.
 struct StatedLaw {
   LawDefinition definition;
   std::string source;

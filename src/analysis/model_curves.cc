@@ -34,7 +34,7 @@ ToughnessRange toughness_range(const Dataset& data) {
   return range;
 }
 
-/// Computed in the loads of the contact, given in those of the readings.
+/// Computed in loads of the contact; loads in and out are those measured.
 ModelMap map_of(const Dataset& data, const ContactModel& model, const FittedParameter& lambda,
                 const ConstantsScale& scale) {
   ModelMap map;

@@ -9,7 +9,7 @@
 namespace mixity {
 namespace {
 
-/// Dimensionless T at the jump under load control, as it would be read; null if there is none.
+/// Dimensionless T at the jump under load control, as it would be measured; null if there is none.
 std::optional<double> jump(const Analysis& result, const FitResult& fit, double load) {
   const auto predicted = predict_jump_of(result.data, fit, result.request.options, load);
   return predicted ? predicted->T.value : std::nullopt;
@@ -31,7 +31,7 @@ std::vector<PredictedPeaks> predict_peaks(const Analysis& result, const PeakForc
   const Dataset& data = result.data;
   if (!data.has_loads || data.contact.has_value() == peaks.force_unit.empty()) return list;
   const double load_unit = data.contact ? data.contact->force_unit() / parse_unit(peaks.force_unit)->factor : 1;
-  // T/A_Hertz: of dimensionless T and A, in kPa where there are units
+  // T/A_Hertz for dimensionless T and A; in kPa if there are units
   const double stress_unit = data.contact ? data.contact->force_unit() / data.contact->area_unit() / 1e3 : 1;
   for (const FitResult* fit : fits_with_values(result.fits)) {
     PredictedPeaks predicted{fit->model, {}};

@@ -1,4 +1,4 @@
-// The predicted peak force: tangential load at the fold over the Hertz area (the paper's Fig. 11), compared with
+// The predicted peak force, the tangential load at the fold over the Hertz area (the paper's Fig. 11), compared with
 // measured peaks.
 #pragma once
 
@@ -17,7 +17,7 @@ struct PredictedPeak {
 
 struct PredictedPeaks {
   std::string model;
-  std::vector<PredictedPeak> loads;  // of the measured peaks, where there is a jump
+  std::vector<PredictedPeak> loads;  // at the loads of measured peaks with a jump
   /// Mean of measured over predicted peaks (first cycles), and its standard error; null with fewer than two.
   std::optional<double> ratio{}, ratio_error{};
 };

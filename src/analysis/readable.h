@@ -1,4 +1,4 @@
-// Numbers and names as readers expect them.
+// Numbers and names in the form that readers expect.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace mixity {
 
-/// The parameter in a unit that suits the size of its value: MPa rather than Pa. Its profile keeps the old unit.
+/// The parameter in a unit that suits its value: MPa rather than Pa. Its profile keeps the old unit.
 FittedParameter readable(FittedParameter parameter);
 
 /// "not converged" for not_converged.
@@ -17,7 +17,7 @@ std::string in_words(FitStatus status);
 /// A parameter's letter, or its name: λ for "lambda".
 std::string parameter_symbol(const std::string& name);
 
-/// Escapes what gnuplot would read as markup.
+/// Escapes characters that gnuplot would read as markup.
 std::string plain(std::string_view text);
 
 }  // namespace mixity

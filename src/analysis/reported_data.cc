@@ -16,11 +16,11 @@ namespace {
 constexpr std::size_t kProfilePoints = 80;
 constexpr double kParabolaUpTo = 0.5;  // of a run's largest T
 
-/// `analyse`: runs the request, on the data from its files or on others.
+/// `analyse` runs the request, on the data of its files or on others.
 template <class Analyse>
 Analysis run_with(FitRequest request, const Progress& progress, const Analyse& analyse) {
   request.options.profile_points = kProfilePoints;
-  constexpr double kAll = 0.9;  // of the time goes into the fits of all runs together
+  constexpr double kAll = 0.9;  // share of the time taken by the fits of all runs together
   Analysis result = analyse(request, stretch(progress, 0, kAll));
   if (result.per_curve.empty() && result.data.has_loads && result.data.curves.size() > 1) {
     const std::vector<std::string>& models = request.models;

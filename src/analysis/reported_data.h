@@ -1,4 +1,4 @@
-// Everything that a report shows of one data set: its fits, and what figures need beside them.
+// Everything that a report shows of one data set: its fits, and other content of figures.
 #pragma once
 
 #include <optional>
@@ -13,18 +13,18 @@
 
 namespace mixity {
 
-/// Runs a request with the cost profiles and, if there are several runs, the fits of single runs that figures need. The
-/// best fit comes first.
+/// Runs a request, adding cost profiles and, for several runs, fits of single runs, which figures need. The best fit
+/// comes first.
 Analysis run_for_report(FitRequest request, const Progress& progress = {});
-/// The same for data in memory, as `run`.
+/// The same for data in memory, as for `run`.
 Analysis run_for_report(FitRequest request, const Dataset& data, const Progress& progress = {});
 
 struct ReportedData {
-  const Analysis& result;                         // outlives this
-  std::string stem;                               // of its file names, unique within the report
+  const Analysis& result;                         // must outlive this object
+  std::string stem;                               // of its file names, unique in the report
   FiguredModels figured{};                        // curves of the fits that have values
   std::optional<SahliResult> sahli{};             // null without loads
-  std::string sahli_model{};                      // the model whose alpha is drawn there; empty: none
+  std::string sahli_model{};                      // the model whose alpha is drawn; empty: none
   std::optional<PeakForces> peaks{};              // null without a file of peaks
   std::vector<PredictedPeaks> predicted_peaks{};  // if there are measured peaks
   Answer answer{};
@@ -33,7 +33,7 @@ struct ReportedData {
 /// Throws InputError if the file of peak forces cannot be used.
 ReportedData reported_data(const Analysis& result, const std::string& stem);
 
-/// Of each analysis of a report. Puts contacts first, as they have jumps to predict, and makes names unique.
+/// One per analysis of a report. Moves contacts to the front, as they have jumps to predict, and makes names unique.
 std::vector<ReportedData> reported_data(std::vector<Analysis>& results);
 
 }  // namespace mixity

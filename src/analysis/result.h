@@ -16,8 +16,8 @@ struct Analysis {
   Dataset data;
   std::vector<FitResult> fits;               // in the order of request.models
   std::vector<ComparedModel> comparison;     // empty with one model
-  std::vector<PerCurve> per_curve;           // per model, if asked for
-  std::optional<UnshearedTest> unsheared{};  // where there are areas without shear
+  std::vector<PerCurve> per_curve;           // per model, if requested
+  std::optional<UnshearedTest> unsheared{};  // if there are areas without shear
 };
 
 /// The objective of the fits: as requested, else the default of the data.

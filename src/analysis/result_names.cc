@@ -10,7 +10,7 @@ namespace mixity {
 
 void make_names_unique(std::vector<Analysis>& results) {
   const auto place = [](const Dataset& data) { return std::filesystem::absolute(data.path).lexically_normal(); };
-  std::map<std::string, std::set<std::filesystem::path>> places;  // of the sets of a name
+  std::map<std::string, std::set<std::filesystem::path>> places;  // of the data sets with each name
   for (const Analysis& result : results) places[result.data.name].insert(place(result.data));
   for (Analysis& result : results) {
     if (places[result.data.name].size() == 1) continue;

@@ -1,4 +1,4 @@
-// Names of several analyses, and of files of them, that differ from each other.
+// Distinct names for several analyses and for their files.
 #pragma once
 
 #include <set>
@@ -12,7 +12,7 @@ namespace mixity {
 /// Prefixes the folder to names shared by different files: "a/run", "b/run".
 void make_names_unique(std::vector<Analysis>& results);
 
-/// A file name from the name of the data set, made unique among those in `taken`.
+/// A file name made from the data set's name, distinct from those in `taken`.
 std::string file_stem(const Analysis& result, std::set<std::string>& taken);
 
 }  // namespace mixity

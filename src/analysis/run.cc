@@ -14,7 +14,7 @@
 namespace mixity {
 namespace {
 
-/// Adds up the progress of parts that run side by side. A part that starts again keeps the share that it had reached.
+/// Adds up the progress of parts that run in parallel. A part that restarts keeps the fraction it had reached.
 class Meter {
  public:
   Meter(const Progress& progress, std::vector<double> costs)
@@ -62,7 +62,7 @@ Analysis run(const FitRequest& request, const Progress& progress) {
              progress);
 }
 
-/// With what drift and unsheared add to the constants that are free.
+/// The options, with the free constants that drift and unsheared add.
 FitOptions options_of(const FitRequest& request) {
   FitOptions options = request.options;
   const auto add = [&](Constant c) {
@@ -73,7 +73,7 @@ FitOptions options_of(const FitRequest& request) {
   return options;
 }
 
-/// The options, with the errors of the points as the fit of the least AICc has found them.
+/// The options, with the errors of the points from the fit with the smallest AICc.
 FitOptions with_errors_of_best(const Analysis& result) {
   FitOptions options = options_of(result.request);
   double least = std::numeric_limits<double>::infinity();
@@ -109,7 +109,7 @@ Analysis run(const FitRequest& asked, Dataset data, const Progress& progress) {
   part(models, [&](const FitOptions& options) {
     if (request.compare && models > 1) result.comparison = compare_models(result.data, result.fits, options);
   });
-  // The search for the cause of a failed test costs more than the fit. It is shorter where another model has won.
+  // Searching for the cause of a failed test costs more than the fit. The search is shorter if another model has won.
   const bool decided = winner(result) != nullptr;
   parallel_for(models, [&](std::size_t i) {
     find_cause(result.data, result.fits[i], request.options, decided);

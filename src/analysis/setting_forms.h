@@ -1,5 +1,5 @@
-// Forms of options as text: each reads a value, and writes it so that it can be read back. `read` returns the problem
-// as the end of a sentence that begins with the option's name, or an empty string.
+// Text formats of options: each reads a value, and writes it so that it can be read back. `read` returns the problem as
+// the end of a sentence that begins with the option's name, or an empty string.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ inline Complaint must_be(std::string_view text, const std::string& what) {
   return "is " + in_quotes(text) + (meant.empty() ? "; it must be " + what : "; write " + meant);
 }
 
-/// One of the values of an enumeration, by its to_string(). An optional without a value has the first.
+/// A value of an enumeration, by its to_string(). An empty optional is written as the first.
 template <class Enum>
 struct Choice {
   std::vector<Enum> values;
@@ -44,7 +44,7 @@ struct Choice {
   std::string write(const std::optional<Enum>& value) const { return write(value.value_or(values.front())); }
 };
 
-/// A word for true, and one for false, which may be empty: then only true can be stated.
+/// A word for true and one for false; if the latter is empty, only true can be stated.
 struct Word {
   std::string if_true, if_false;
 
@@ -57,7 +57,7 @@ struct Word {
   std::string write(bool value) const { return value ? if_true : if_false; }
 };
 
-/// true or false.
+/// The words true and false.
 struct Switch : Word {
   Switch() : Word{"true", "false"} {}
 };
@@ -108,7 +108,7 @@ struct ErrorSize {
   }
 };
 
-/// Calls use(item) for each item between commas, up to the first that has a problem.
+/// Calls use(item) for each comma-separated item, up to the first with a problem.
 Complaint for_each_item(std::string_view text, const auto& use) {
   std::vector<std::string> items;
   if (text.empty()) return "is empty";
@@ -122,7 +122,7 @@ Complaint for_each_item(std::string_view text, const auto& use) {
   return {};
 }
 
-/// A list between commas. Item reads one item and adds it to the list, and writes one.
+/// A comma-separated list. Item reads one item and adds it to the list, and writes one.
 template <class Item>
 struct ListOf {
   static Complaint read(std::string_view text, auto& list) {

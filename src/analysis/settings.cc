@@ -8,7 +8,7 @@
 namespace mixity {
 namespace {
 
-// Where a value lives in a request.
+// Where a value is stored in a request.
 struct WholeRequest {};
 auto& part(auto& request, WholeRequest) { return request; }
 template <class Value>
@@ -67,7 +67,7 @@ struct Held {
   }
 };
 
-/// Constants of the experiment. Parameters of models may be named, too: they are free unless they are held.
+/// Constants of the experiment. Parameters of models may also be named; they are free unless held.
 struct Free {
   static Complaint read(std::string_view text, FitRequest& request) {
     request.options.free.clear();
@@ -103,7 +103,7 @@ struct Drift {
   static std::string write(Constant constant) { return std::string(kConstantNames[constant]); }
 };
 
-/// What may differ from run to run.
+/// A quantity that may differ from run to run.
 struct RunQuantity {
   static Complaint read(const std::string& name, std::vector<std::string>& names) {
     const auto found = std::find(kConstantNames.begin(), kConstantNames.end(), name);

@@ -1,5 +1,5 @@
-// The options of a fit, each stated once: `mixity fit` has them as flags, a fit definition as keys, Python as keywords,
-// the explorer as fields of its page.
+// The options of a fit, each declared once: flags of `mixity fit`, keys of fit definitions, keywords in Python, and
+// fields of the explorer's page.
 #pragma once
 
 #include <functional>
@@ -23,11 +23,11 @@ struct Setting {
   /// The text of the request's value, which `read` reads back. Empty if there is no value.
   std::function<std::string(const FitRequest& request)> write;
 
-  /// The text of the default. Empty if there is none, or if the data decide.
+  /// The text of the default. Empty if there is none, or if it depends on the data.
   std::string initial() const { return write(FitRequest{}); }
 };
 
-/// In the order in which help lists them and a definition is written.
+/// In the order of help and of written definitions.
 const std::vector<Setting>& settings();
 
 /// Sets an option and adds its name to `request.stated`. Lists are separated by commas. Returns the problem as
@@ -37,11 +37,11 @@ std::string set_option(FitRequest& request, std::string_view name, std::string_v
 /// Names and texts of the options in `request.stated`, by name.
 std::vector<std::pair<std::string, std::string>> stated_options(const FitRequest& request);
 
-/// An option that contradicts another one, and the problem as Setting::read returns it.
+/// An option that contradicts another, and the problem in the form of Setting::read.
 struct Contradiction {
   std::string option, problem;
 };
-/// To be called when all options are set. Null if they agree.
+/// To be called when all options are set. Null if none contradicts another.
 std::optional<Contradiction> contradiction(const FitRequest& request);
 
 }  // namespace mixity

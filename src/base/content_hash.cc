@@ -1,7 +1,7 @@
 #include "base/content_hash.h"
 
-#define XXH_INLINE_ALL         // the header alone, for browsers too
-#define XXH_NO_INLINE_HINTS 1  // a build with little optimisation refuses to inline what the header insists on
+#define XXH_INLINE_ALL         // header only, also for browsers
+#define XXH_NO_INLINE_HINTS 1  // with little optimisation, compilers refuse to inline what the header demands
 #include <xxhash.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// A number that tells contents of files apart.
+// A hash that distinguishes contents of files.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,7 @@
 
 namespace mixity {
 
-/// XXH3 of 128 bits, as 32 hexadecimal digits: what xxh128sum prints. It notices changes; it is no proof against
-/// forgery.
+/// XXH3 with 128 bits, as 32 hexadecimal digits, the same as xxh128sum prints. It detects changes, but not forgery.
 class ContentHash {
  public:
   ContentHash();
@@ -25,7 +24,7 @@ class ContentHash {
 
 std::string content_hash(std::string_view bytes);
 
-/// Of a file, read in blocks; empty if it cannot be read.
+/// The hash of a file, read in blocks; empty if it cannot be read.
 std::string file_hash(const std::string& path);
 
 }  // namespace mixity

@@ -11,13 +11,13 @@
 
 namespace mixity {
 
-/// Limit in bytes of a file that is read whole, and of one row of a table.
+/// The size limit in bytes of a file read as a whole, and of one row of a table.
 inline constexpr std::size_t kMostText = std::size_t{1} << 28;
 
 /// The file's bytes. Throws InputError if it cannot be read or holds more than kMostText bytes.
 std::string read_file(const std::string& path);
 
-/// A file that could not be written, or is not to be; the message reads "path: reason", what() in neutral words.
+/// A file that could not be written, or must not be; the message reads "path: reason", what() in neutral words.
 class OutputError : public std::runtime_error {
  public:
   explicit OutputError(const Message& message) : std::runtime_error(message.text()), message_(message) {}
@@ -28,8 +28,8 @@ class OutputError : public std::runtime_error {
   Message message_;
 };
 
-/// A file name without a special meaning for the system, a shell or gnuplot: keeps letters, digits, blanks and
-/// "._-+=,()", and replaces the rest by '_', as well as a first character that is neither a letter nor a digit.
+/// A file name without special meaning to the system, a shell or gnuplot: keeps letters, digits, blanks and "._-+=,()",
+/// and replaces all else, and a first character that is neither a letter nor a digit, by '_'.
 std::string plain_file_name(std::string_view name);
 
 struct OutputFile {
@@ -37,28 +37,28 @@ struct OutputFile {
 };
 
 struct OutputRules {
-  std::vector<std::string> inputs{};   // never written over, under any name
-  bool force = false;                  // also replaces files that this program did not write, or that were edited since
-  std::vector<std::string> renewed{};  // folders: what former runs wrote there and this one does not is removed
+  std::vector<std::string> inputs{};   // never overwritten, under any name
+  bool force = false;                  // also replace files that this program did not write, or that were edited since
+  std::vector<std::string> renewed{};  // folders: files of earlier runs that this run does not write are removed
 };
 
 /// Writes all of the files or none. Each is written under a temporary name in its folder and flushed to disk; then all
-/// are renamed. A reader finds old files or new ones, and if one file cannot be written, all old ones stay. Pipes and
+/// are renamed. A reader finds old files or new ones, and if one file cannot be written, all old ones remain. Pipes and
 /// devices are written before the renames. Signals that end the process wait for the renames; only SIGKILL or a power
-/// cut between two renames leaves files of two runs side by side, each of them whole. Files keep their permissions,
-/// links stay links. Creates missing folders, and removes temporary files of killed processes from those that it can
-/// lock. Waits for other programs that write to the same folders, up to a minute each.
+/// cut between two renames leaves files of two runs side by side, each of them complete. Files keep their permissions,
+/// and links remain links. Creates missing folders, and removes temporary files of killed processes from those that it
+/// can lock. Waits up to a minute for each folder that another program is writing to.
 ///
-/// The record of each folder (output_record.h) tells what this program wrote. Another file is replaced only if it is
-/// empty, if it is the same, or if what was written before and edited is among the files (keep_former). Throws
-/// OutputError, and leaves nothing behind, for any other, if one of the files is an input, or if two are the same.
+/// The record of each folder (output_record.h) lists what this program wrote. Another file is replaced only if it is
+/// empty or the same, or if its edited version is kept under another name (keep_former). Throws OutputError, and leaves
+/// nothing behind, for any other file, if one of the files is an input, and if two are the same.
 void write_files(const std::vector<OutputFile>& files, const OutputRules& rules = {});
 
-/// Writes a file of a temporary folder. Throws OutputError.
+/// Writes a file in a temporary folder. Throws OutputError.
 void write_scratch_file(const std::string& path, const std::string& content);
 
-/// Adds NAME.old, with the present content, for each TOML file that would change, as a user may have edited it;
-/// NAME.old.2 and so on where others have these names. Returns the names.
+/// Adds NAME.old, with the present content, for each TOML file that would change, since a user may have edited it;
+/// NAME.old.2 and so on if those names exist. Returns the names.
 std::vector<std::string> keep_former(std::vector<OutputFile>& files);
 
 }  // namespace mixity

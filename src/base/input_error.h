@@ -1,4 +1,4 @@
-// The exception for input that cannot be used, with its place in the file.
+// The exception for unusable input, with its place in the file.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace mixity {
 
-/// 1-based line and column (characters) of a file.
+/// 1-based line and column (in characters) in a file.
 struct FilePlace {
   std::size_t line = 1, column = 1;
 };
 
-/// The message is one printable line, "file:line:column: what is wrong"; a line or column of 0 is left out. what() is
+/// The message is one printable line, "file:line:column: what is wrong"; a line or column of 0 is omitted. what() is
 /// the message in neutral words.
 class InputError : public std::runtime_error {
  public:
@@ -24,7 +24,7 @@ class InputError : public std::runtime_error {
   InputError(const std::string& file, FilePlace at, const Message& message)
       : InputError(file, at.line, at.column, message) {}
   InputError(const std::string& file, const Message& message) : InputError(file, 0, 0, message) {}
-  /// About an option that was given.
+  /// An error about an option that was given.
   InputError(const Remedy& given, const Message& message) : InputError(given + message) {}
 
   std::string text(Wording words) const { return printable(message_.text(words)); }

@@ -18,7 +18,7 @@ struct FileState {
   long long changed;  // ns
 };
 
-/// Null of a pipe or device.
+/// Null for a pipe or device.
 std::optional<FileState> state_of(std::FILE* stream) {
   struct stat about {};
   if (::fstat(::fileno(stream), &about) != 0 || !S_ISREG(about.st_mode)) return std::nullopt;

@@ -1,5 +1,5 @@
 // Messages that recommend options. An option is a flag of the program, a keyword in Python and a field of the page. A
-// message therefore stores its recommendations as data, and each of these interfaces puts them into its own words.
+// message therefore stores its recommendations as data, which each interface puts into its own words.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace mixity {
 
-/// What the reader of a message can set.
+/// Something that the reader of a message can set.
 struct Remedy {
   enum class Kind {
     set,         // set these options
     set_or_key,  // set this option, or the key of the same name in the TOML file of the data
-    state,       // state these constants, as options or in `file`; its text begins with a colon
-    given,       // no recommendation: the option that the message is about; its text ends in a colon
+    state,       // state these constants, as options or in `file`; the text begins with a colon
+    given,       // no recommendation: the option that the message is about; the text ends in a colon
   };
   struct Choice {
-    std::string option, value{};  // an empty value: only the option is named
-    bool placeholder = false;     // the value, such as "...", is to be filled in by the reader
+    std::string option, value{};  // empty value: only the option is named
+    bool placeholder = false;     // the reader has to fill in the value, such as "..."
   };
   Kind kind;
   std::vector<Choice> choices;
@@ -39,13 +39,13 @@ struct Remedy {
   static Remedy given(std::string option) { return {Kind::given, {{std::move(option)}}}; }
 };
 
-/// Puts a remedy into the words of an interface.
+/// Converts a remedy to the words of an interface.
 using Wording = std::string (*)(const Remedy& remedy);
 
-/// As a fit definition states options: `free = "modulus"`.
+/// In the syntax of fit definitions: `free = "modulus"`.
 std::string in_neutral_words(const Remedy& remedy);
 
-/// Text with remedies between its parts. Texts and remedies convert to it; + joins.
+/// Text with remedies between its parts. Texts and remedies convert to a Message; + joins them.
 class Message {
  public:
   Message() = default;
@@ -56,7 +56,7 @@ class Message {
 
   bool empty() const { return parts_.empty(); }
   std::string text(Wording words = in_neutral_words) const;
-  /// The options that are recommended, in order.
+  /// The recommended options, in order.
   std::vector<std::string> options() const;
 
   Message& operator+=(const Message& more);

@@ -5,32 +5,32 @@
 
 namespace mixity {
 
-/// Shortest decimal text that reads back to exactly this (finite) double.
+/// The shortest decimal text that reads back as exactly this (finite) double.
 std::string shortest(double value);
 
-/// Rounded to this many significant digits: 1.7e+03.
+/// The value rounded to this many significant digits: 1.7e+03.
 std::string significant(double value, int digits);
 
-/// The same without exponents up to ten million: 1700.
+/// The same, without an exponent up to ten million: 1700.
 std::string rounded(double value, int digits);
 
-/// With enough significant digits that a change of `resolution` changes the last but one.
+/// The value with enough digits that a change by `resolution` changes the last but one.
 std::string resolved(double value, double resolution);
 
-/// A value and its standard error as the Particle Data Group rounds them: the error to two digits if its first three
-/// are 100..354, else to one (950..999 becomes 1000), the value to the same place.
+/// A value and its standard error, rounded like the Particle Data Group: the error to two digits if its first three are
+/// 100..354, else to one (950..999 becomes 1000), and the value to the same place.
 struct RoundedToError {
   std::string value, error;
 };
 RoundedToError rounded_to_error(double value, double error);
 
-/// A coefficient of determination with all its leading nines and two more digits: 0.9999 and 0.99994 differ.
+/// A coefficient of determination with all its leading nines and two more digits, so that 0.9999 and 0.99994 differ.
 std::string r2_text(double r2);
 
 /// "T [mN]", or "T" for a dimensionless quantity.
 std::string bracketed(const std::string& quantity, const std::string& unit);
 
-/// " mN", or nothing for a dimensionless quantity.
+/// " mN", or empty for a dimensionless quantity.
 std::string unit_text(const std::string& unit);
 
 }  // namespace mixity

@@ -31,7 +31,7 @@ void remove_temporaries(const std::filesystem::path& folder) {
     if (is_temporary(entry->path().filename().string())) ::unlink(entry->path().c_str());
 }
 
-/// False where the file system has no locks. Throws OutputError if another program holds it for a minute.
+/// False if the file system has no locks. Throws OutputError if another program holds the lock for a minute.
 bool lock(int file, const std::filesystem::path& folder) {
   constexpr int kTries = 1200;
   constexpr useconds_t kPause = 50000;

@@ -1,5 +1,5 @@
-// Folders that a run writes to: locked, cleared of what killed programs left, with the record of what was written
-// there.
+// Folders that a run writes to: locked, cleared of temporary files of killed programs, with the record of files
+// written.
 #pragma once
 
 #include <sys/types.h>
@@ -14,15 +14,15 @@
 
 namespace mixity {
 
-/// Name of a file while it is written: NAME.mixity-tmp and 8 letters drawn at random.
+/// The name of a file while it is being written: NAME.mixity-tmp and 8 random letters.
 std::string temporary_name(const std::string& path);
 
-/// Holds folders against other programs that write to them, wherever these run: a lock belongs to the folder itself,
-/// not to a process number, which programs in two containers may share. Given up where the file system has none.
+/// Locks folders against other programs that write to them, on any host: a lock belongs to the folder itself, not to a
+/// process number, which programs in two containers may share. No lock where the file system has none.
 class OutputFolders {
  public:
   struct Folder {
-    int file;  // its descriptor; -1 where it cannot be opened
+    int file;  // file descriptor; -1 if it cannot be opened
     std::filesystem::path path;
     OutputRecord record{};
   };
@@ -32,8 +32,8 @@ class OutputFolders {
   OutputFolders& operator=(const OutputFolders&) = delete;
   ~OutputFolders();
 
-  /// Opens a folder that exists, at the first call. Once it is locked, temporary files in it are those of killed
-  /// programs, and are removed. Throws OutputError if another program holds it for a minute.
+  /// Opens and locks an existing folder at the first call. Temporary files in a locked folder are left from killed
+  /// programs and are removed. Throws OutputError if another program holds the lock for a minute.
   Folder& at(const std::filesystem::path& folder);
 
   auto begin() { return folders_.begin(); }

@@ -1,4 +1,4 @@
-// What this program has written into a folder, in a hidden file of that folder.
+// A record of the files that this program has written to a folder, in a hidden file there.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,13 @@
 
 namespace mixity {
 
-/// Names and hashes (content_hash.h) of the files that were written into one folder. A file that is not there was
-/// written by somebody else; one of another hash was edited since.
+/// Names and hashes (content_hash.h) of the files written to one folder. A file that is not listed is not from this
+/// program; one with another hash was edited since.
 class OutputRecord {
  public:
   static constexpr const char* kName = ".mixity-files";
 
-  /// Of a folder; empty if it has none.
+  /// The record of a folder; empty if it has none.
   static OutputRecord of(const std::filesystem::path& folder);
 
   bool knows(const std::string& name) const { return hashes_.count(name) > 0; }
@@ -22,16 +22,16 @@ class OutputRecord {
   bool wrote(const std::string& name, const std::string& hash) const;
   std::vector<std::string> names() const;
 
-  /// Keeps the last hash, too: a program that is killed between two renames leaves the former file.
+  /// Keeps the previous hash, too: if the program is killed between two renames, the former file remains.
   void add(const std::string& name, const std::string& hash);
   /// Forgets files that are no longer there.
   void forget_missing(const std::filesystem::path& folder);
 
-  /// A line for each hash: the hash, two blanks, the name with backslashes and line feeds as \\\\ and \\n.
+  /// One line per hash: the hash, two blanks, the name with backslashes and line feeds as \\\\ and \\n.
   std::string text() const;
 
  private:
-  std::map<std::string, std::vector<std::string>> hashes_;  // of each name, the newest last
+  std::map<std::string, std::vector<std::string>> hashes_;  // per name, the newest last
 };
 
 }  // namespace mixity

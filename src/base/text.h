@@ -1,4 +1,4 @@
-// Text of users: trimmed, split, and made printable.
+// Text from users: trimmed, split, and made printable.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace mixity {
 
-/// Length of the UTF-8 character with which a text (not empty) begins; 0 if it begins with none.
+/// Length of the UTF-8 character at the beginning of a text (not empty); 0 if there is none.
 constexpr std::size_t character_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const unsigned first = byte(0), second = byte(1);
@@ -22,17 +22,17 @@ constexpr std::size_t character_length(std::string_view text) {
   return length;
 }
 
-/// One line for a message: control characters and bytes that are not UTF-8 become '?', and a text of more than `limit`
-/// bytes is cut and ends in "...".
+/// A text as one line of a message: control characters and bytes that are not UTF-8 become '?', and a text of more than
+/// `limit` bytes is cut and ends in "...".
 std::string printable(std::string_view text, std::size_t limit = 4000);
 
-/// Without blanks, tabs and line ends at both ends.
+/// Removes blanks, tabs and line ends at both ends.
 std::string_view trim(std::string_view text);
 
-/// The parts between the separators, trimmed: one more than there are separators.
+/// The trimmed parts between separators: one more than there are separators.
 std::vector<std::string_view> split(std::string_view text, char separator = ',');
 
-/// The text with blanks up to the width of a column, one blank at least.
+/// The text padded with blanks to the width of a column, with at least one blank.
 std::string padded(std::string text, std::size_t width);
 
 }  // namespace mixity

@@ -11,8 +11,8 @@
 
 namespace mixity {
 
-/// Number of processors; 1 if it is unknown, and in a browser, where threads are not used. Cached, as the system opens
-/// a file to find it.
+/// Number of processors; 1 if unknown, and in a browser, where threads are not used. Cached, since the system opens a
+/// file to find it.
 inline std::size_t processors() {
 #ifdef __EMSCRIPTEN__
   return 1;
@@ -21,7 +21,7 @@ inline std::size_t processors() {
   return count;
 }
 
-/// Calls run() on this many threads, the calling one included, and waits for all. The calls share the work. If the
+/// Calls run() on this many threads, including the calling one, and waits for all. The calls share the work. If the
 /// system grants fewer threads, some calls start late and find no work left.
 template <class Run>
 void run_on_threads(std::size_t threads, const Run& run) {

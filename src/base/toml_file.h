@@ -1,4 +1,4 @@
-// TOML files, with every failure as an InputError.
+// Reads TOML files; every failure is an InputError.
 #pragma once
 
 #include <toml++/toml.h>
@@ -11,14 +11,14 @@
 namespace mixity {
 
 /// Throws InputError for a file that cannot be read, for a syntax error (with line and column), and for a line of more
-/// than 10,000 characters, as deep nesting could exhaust the parser's stack.
+/// than 10,000 characters, because deep nesting could exhaust the parser's stack.
 toml::table read_toml(const std::string& path, Inputs& inputs);
 
-/// A table of columns in the form of the option columns: "P=Kanal 3 (mN),T=Kanal 4 (N)". Throws InputError for a
+/// A table of columns in the syntax of the option columns: "P=Kanal 3 (mN),T=Kanal 4 (N)". Throws InputError for a
 /// heading that is not a string.
 std::string mapping_text(const std::string& path, const toml::table& table);
 
-/// A text as a TOML string, in quotes.
+/// A text as a quoted TOML string.
 std::string toml_text(const std::string& text);
 
 /// Throws an InputError at the place of a node or key.

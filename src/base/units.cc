@@ -63,7 +63,7 @@ std::optional<Unit> parse_symbol(std::string_view text) {
   return std::nullopt;
 }
 
-/// The power at the end of a factor, which it removes: "mm^2", "mm2", "mm²", "m^-2", "m**2".
+/// Removes the power from the end of a factor and returns it: "mm^2", "mm2", "mm²", "m^-2", "m**2".
 std::optional<int> take_power(std::string_view& factor) {
   for (auto [superscript, power] : {std::pair{"⁻¹", -1}, {"⁻²", -2}, {"²", 2}, {"³", 3}})
     if (factor.ends_with(superscript)) {
@@ -102,11 +102,11 @@ std::optional<int> take_power(std::string_view& factor) {
 std::optional<Unit> parse_unit(std::string_view text) {
   text = trim(text);
   Unit unit{1, {}, std::string(text)};
-  // for messages of one line
+  // for one-line messages
   std::replace_if(
       unit.text.begin(), unit.text.end(), [](unsigned char c) { return std::isspace(c); }, ' ');
   if (text.empty()) return std::nullopt;
-  // units of a plain number; in a product 1 may only be as in "1/mm"
+  // units of a plain number; within a product 1 may only occur as in "1/mm"
   if (text == "1" || text == "-") return unit;
   if (text == "%") return unit.factor = 0.01, unit;
   bool divide = text.starts_with("1/");
@@ -166,7 +166,7 @@ namespace {
 /// A number at the beginning of a text.
 struct Beginning {
   double value = 0;
-  std::size_t length = 0;  // of its text; 0 where the text begins with no number
+  std::size_t length = 0;  // of its text; 0 if there is no number
   std::errc error{};
 };
 
@@ -180,7 +180,7 @@ Beginning with_point(std::string_view text) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Where a comma stands between digits, with no point or other comma beside it: its place; else 0.
+/// The position of a comma between digits without a point or another comma; else 0.
 std::size_t decimal_comma(std::string_view text) {
   const std::size_t sign = text.starts_with('-') ? 1 : 0;
   std::size_t comma = sign;
@@ -190,14 +190,14 @@ std::size_t decimal_comma(std::string_view text) {
   return end != std::string_view::npos && (text[end] == ',' || text[end] == '.') ? 0 : comma;
 }
 
-/// Whether the digits about a comma may be groups of thousands: "2,133", but not "0,133" and "2,13".
+/// Whether the digits around a comma may be groups of thousands: "2,133", but not "0,133" and "2,13".
 bool may_be_thousands(std::string_view text, std::size_t comma) {
   const std::size_t sign = text.starts_with('-') ? 1 : 0, end = text.find_first_not_of("0123456789", comma + 1),
                     behind = std::min(end, text.size()) - comma - 1;
   return behind == 3 && comma - sign <= 3 && text[sign] != '0';
 }
 
-/// With a decimal point or comma.
+/// Reads a number with a decimal point or comma.
 Beginning beginning_of(std::string_view text) {
   const std::size_t comma = decimal_comma(text);
   if (comma == 0) return with_point(text);
@@ -231,7 +231,7 @@ bool parse_number(std::string_view text, double& value) {
   if (number.length != text.size() || text.empty()) return false;
   value = number.value;
   if (number.error == std::errc()) return true;
-  // from_chars returns no value out of range; too small becomes zero, too large infinite
+  // from_chars gives no value out of range; here too small becomes zero, and too large infinite
   if (number.error != std::errc::result_out_of_range) return false;
   const double sized = std::strtod(std::string(text).c_str(), nullptr);
   value = std::abs(sized) < 1 ? 0.0 : sized;
@@ -263,7 +263,7 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
 
 namespace {
 
-/// The sign before a standard error that a text has; empty if none.
+/// The sign that precedes a standard error in a text; empty if there is none.
 std::string_view sign_of_error(std::string_view text) {
   for (const std::string_view sign : {"+/-", "+-", "±"})
     if (text.find(sign) != std::string_view::npos) return sign;

@@ -20,7 +20,7 @@
 namespace mixity {
 namespace {
 
-/// A pipe or device, which is written in place.
+/// Whether the file is a pipe or device, which is written directly.
 bool is_direct(std::filesystem::file_type kind) {
   return kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::fifo;
 }
@@ -44,9 +44,9 @@ int write_and_close(int file, const std::string& content, bool to_disk) {
   throw OutputError(path + ": cannot be written: " + std::strerror(reason));
 }
 
-/// The end of a chain of links, which need not exist.
+/// The end of a chain of links; it need not exist.
 std::filesystem::path end_of_links(const std::string& path) {
-  constexpr int kMost = 40;  // as the system's
+  constexpr int kMost = 40;  // the same as the system's limit
   std::filesystem::path end = path;
   std::error_code none;
   for (int i = 0; i < kMost; ++i) {
@@ -56,7 +56,7 @@ std::filesystem::path end_of_links(const std::string& path) {
   cannot_be_written(path, ELOOP);
 }
 
-/// A file that is written under a temporary name, and removed unless it is put in place.
+/// A file written under a temporary name, and removed unless it is moved into place.
 class StagedFile {
  public:
   /// Creates and locks its folder.
@@ -79,11 +79,11 @@ class StagedFile {
   StagedFile& operator=(const StagedFile&) = delete;
   ~StagedFile() { discard(); }
 
-  OutputFolders::Folder* folder() const { return folder_; }  // null of a pipe or device
+  OutputFolders::Folder* folder() const { return folder_; }  // null for a pipe or device
   std::string name() const { return target_.filename().string(); }
   const std::string& hash() const { return hash_; }
 
-  /// Throws OutputError if there is a file that this program did not write, and whose content would be lost. `kept`:
+  /// Throws OutputError if the path has a file that this program did not write and whose content would be lost. `kept`:
   /// hashes of all contents that are written.
   void spare_others(const std::set<std::string>& kept) const {
     std::error_code not_there;
@@ -110,13 +110,13 @@ class StagedFile {
       check(reason);
     }
     struct stat old {};
-    if (::stat(target_.c_str(), &old) == 0) ::fchmod(opened, old.st_mode & 0777);  // the permissions stay
+    if (::stat(target_.c_str(), &old) == 0) ::fchmod(opened, old.st_mode & 0777);  // keeps the permissions
     if (const int failed = write_and_close(opened, file_.content, true); failed != 0) {
       discard();
       check(failed);
     }
   }
-  /// Writes a pipe or device; may take as long as its reader does.
+  /// Writes a pipe or device; this may take as long as its reader does.
   void write_if_direct() const {
     if (folder_) return;
     const int opened = ::open(file_.path.c_str(), O_WRONLY | O_CLOEXEC);
@@ -143,7 +143,7 @@ class StagedFile {
   OutputFolders::Folder* folder_ = nullptr;
 };
 
-/// Blocks the signals that end the process while it exists, so that all files of a run are put in place or none.
+/// While it exists, blocks the signals that end the process, so that all files of a run are moved into place or none.
 class Uninterrupted {
  public:
   Uninterrupted() {
@@ -160,7 +160,7 @@ class Uninterrupted {
   sigset_t before_{};
 };
 
-/// Throws OutputError if two of the paths lead to the same file, as links can.
+/// Throws OutputError if two paths lead to the same file, as links can.
 void tell_apart(const std::vector<OutputFile>& files) {
   std::map<std::filesystem::path, const OutputFile*> known;
   for (const OutputFile& file : files) {
@@ -168,7 +168,7 @@ void tell_apart(const std::vector<OutputFile>& files) {
     if (is_direct(std::filesystem::status(file.path, unknown).type())) continue;
     const std::filesystem::path whole = std::filesystem::absolute(end_of_links(file.path), unknown);
     const std::filesystem::path place = std::filesystem::weakly_canonical(whole, unknown);
-    if (unknown || place.empty()) continue;  // writing it will tell
+    if (unknown || place.empty()) continue;  // writing it will report the error
     const auto [same, first] = known.emplace(place, &file);
     if (!first) throw OutputError(file.path + ": leads to the same file as " + same->second->path);
   }
@@ -189,7 +189,7 @@ void spare_inputs(const std::vector<std::string>& inputs, const std::vector<Outp
       throw OutputError(output.path + ": is an input and is not written over");
 }
 
-/// The name, with a number behind it if a file of other content has it: no former edit is lost.
+/// The name, followed by a number if a file with other content has it, so that no earlier edit is lost.
 std::string free_name(const std::string& name, const std::string& content) {
   std::string free = name;
   std::error_code unread;
@@ -198,7 +198,7 @@ std::string free_name(const std::string& name, const std::string& content) {
   return free;
 }
 
-/// Files that this program wrote into these folders and does not write again; those that were edited since stay.
+/// Files that this program wrote to these folders earlier and does not write now; those edited since are kept.
 std::vector<std::filesystem::path> left_from_former_runs(const std::vector<std::string>& renewed,
                                                          const std::deque<StagedFile>& staged, OutputFolders& folders) {
   std::vector<std::filesystem::path> list;
@@ -216,7 +216,7 @@ std::vector<std::filesystem::path> left_from_former_runs(const std::vector<std::
   return list;
 }
 
-/// The records of the folders with what is written now.
+/// The records of the folders, updated with what is now written.
 std::deque<OutputFile> records(const std::deque<StagedFile>& staged, OutputFolders& folders) {
   std::deque<OutputFile> files;
   for (auto& [key, folder] : folders) {
@@ -241,7 +241,7 @@ void write_files(const std::vector<OutputFile>& files, const OutputRules& rules)
     for (const StagedFile& file : staged) file.spare_others(hashes);
   const std::vector<std::filesystem::path> outdated = left_from_former_runs(rules.renewed, staged, folders);
   const std::deque<OutputFile> of_records = records(staged, folders);
-  // Records come first: with either file in place they know that it is theirs.
+  // Records are written first: they accept both the old and the new version of each file.
   std::deque<StagedFile> recorded;
   for (const OutputFile& file : of_records) recorded.emplace_back(file, folders);
   for (auto* const list : {&recorded, &staged})

@@ -1,4 +1,4 @@
-// mixity check: what was understood, what is odd.
+// mixity check: shows how data were read, and their oddities.
 #include <functional>
 #include <iostream>
 

@@ -46,7 +46,7 @@ void print_at_shear(const ContactModel& model, const ParameterValues& p, const O
     throw UsageError("flag '--shear': T must lie between 0 and 1e150");
   require_contact(model, p);
   const std::size_t n = point_count();
-  // From the unstable end to twice the edge load at which the load is that of Hertz a hundred times over
+  // From the unstable end to twice the edge load at which the load is a hundred times that of Hertz
   const double largest = 40 * pi<double>() + shear.dimensionless;
   std::cout << units.headings("P,T,y,a,A,stable") << '\n';
   std::vector<double> edge_loads;

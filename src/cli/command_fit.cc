@@ -1,4 +1,4 @@
-// mixity fit: definitions and data sets in, fits out.
+// mixity fit: fits definitions and data sets.
 #include <filesystem>
 #include <iostream>
 #include <set>
@@ -53,7 +53,7 @@ std::vector<OutputFile> result_files(const std::string& folder, const std::vecto
   return files;
 }
 
-/// What parts of a list must have in common to be merged: everything that affects results.
+/// What the parts of a list must share to be merged: everything that affects results.
 Shard campaign_of(const Arguments& arguments) {
   Shard shard{FLAGS_shard, arguments};
   for (const std::string_view flag : with_fit_flags({}))
@@ -61,7 +61,7 @@ Shard campaign_of(const Arguments& arguments) {
   return shard;
 }
 
-/// Refuses a path that does not end in .toml, or that would hold the constants of a data file.
+/// Refuses a path that does not end in .toml, or that has the constants of a data file.
 void require_definition_path(const std::string& path) {
   if (!path.ends_with(".toml")) throw must("save", "end in .toml");
   for (const char* ending : {".csv", ".CSV", ".txt", ".dat"}) {

@@ -41,7 +41,7 @@ gflags::CommandLineFlagInfo flag_info(std::string_view flag) {
   return info;
 }
 
-/// Its help with the formats of the command, and its default.
+/// The flag's help, with the formats of the command and its default.
 std::string description(std::string_view flag, const Command& command) {
   const auto info = flag_info(flag);
   return info.description + (flag == "format" ? ": " + formats_text(command) : "") +

@@ -1,4 +1,4 @@
-// mixity import: converts the export of a program that digitises plots to a data CSV.
+// mixity import: converts the output of a plot digitiser to a data CSV.
 #include "cli/commands.h"
 #include "cli/flags.h"
 #include "dataset/table/plot_import.h"

@@ -16,7 +16,7 @@ namespace {
 
 const std::string kStiffness = "N/m";
 
-/// Load, displacement, and the stiffness of the flag, dimensionless.
+/// Load, displacement, and the stiffness from the flag, dimensionless.
 std::vector<Control> controls(const std::optional<Contact>& contact) {
   std::vector<Control> list{{Control::Kind::load}, {Control::Kind::displacement}};
   if (!is_set("stiffness")) return list;

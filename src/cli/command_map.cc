@@ -21,7 +21,7 @@ struct Range {
   double at(int i) const { return i + 1 < FLAGS_grid ? low + (high - low) * i / (FLAGS_grid - 1) : high; }
 };
 
-/// Two rising loads, as shown.
+/// The two ends of --load_range, in the output's unit.
 Range load_range(const OutputUnits& units) {
   constexpr double kPullOff = -4.71238898038469, kLargest = 1e8;
   const bool given = is_set("load_range");
@@ -52,7 +52,7 @@ Range range_from(const std::string& flag, double lowest, double highest) {
 
 std::string finite_or_empty(double value) { return std::isfinite(value) ? shortest(value) : std::string(); }
 
-/// Over loads and the parameter of number `axis`; the others are those of `p`.
+/// A grid over loads and the parameter with index `axis`; the others are from `p`.
 void print_grid(const ContactModel& model, const Range& loads, ParameterValues p, std::size_t axis, const Range& values,
                 std::optional<double> tau0, const OutputUnits& units) {
   std::cout << units.headings("P") << ',' << model.parameters()[axis].name << ','
@@ -74,7 +74,7 @@ void print_grid(const ContactModel& model, const Range& loads, ParameterValues p
     }
 }
 
-/// The lines between regimes inside the ranges, as points.
+/// Points of the boundaries between regimes inside the ranges.
 void print_boundaries(std::span<const RegimeBoundary> boundaries, const Range& loads, const Range& lambdas,
                       const OutputUnits& units) {
   const auto inside = [](const Range& range, double x) { return x >= range.low && x <= range.high; };

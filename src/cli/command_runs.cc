@@ -1,4 +1,4 @@
-// mixity runs: the loading runs of a log of forces and areas, as points to be fitted.
+// mixity runs: the loading runs of a log of forces and areas, as points for a fit.
 #include <iostream>
 
 #include "base/files.h"

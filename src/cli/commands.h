@@ -12,19 +12,19 @@ namespace mixity::cli {
 /// Process exit codes. Scripts rely on them: codes may be added but not changed.
 enum ExitCode : int {
   kFine = 0,
-  kFitNotOk = 1,  // a fit did not end with status ok
-  kBadUsage = 2,  // unknown command or flag, unusable value of a flag
+  kFitNotOk = 1,  // a fit ended without status ok
+  kBadUsage = 2,  // unknown command or flag, or unusable value of a flag
   kBadInput = 3,  // a file cannot be read or understood
   kCannotWrite = 4,
   kInternalError = 5,  // a fault of the program
 };
 
-/// A command line that cannot be carried out: one line on standard error, exit code 2.
+/// A command line that cannot be executed: one line on standard error, exit code 2.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-using Arguments = std::vector<std::string>;  // of the command line, without the command and flags
+using Arguments = std::vector<std::string>;  // from the command line, without the command and flags
 
 int run_fit(const Arguments& arguments);
 int run_report(const Arguments& arguments);
@@ -57,13 +57,13 @@ std::span<const Command> commands();
 /// Null for an unknown name.
 const Command* find_command(std::string_view name);
 
-/// The flags of fits, of laws and of metadata, which several commands have, after those given.
+/// `flags`, followed by the flags of fits, laws and metadata, which several commands have.
 std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags);
 
-/// Throws UsageError if there are arguments.
+/// Throws UsageError if there are any arguments.
 void require_flags_only(const std::string& command, const Arguments& arguments);
 
-/// Prints a message to standard error, after the program's name.
+/// Prints the program's name and a message to standard error.
 void warn(const std::string& message);
 
 }  // namespace mixity::cli

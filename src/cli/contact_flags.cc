@@ -91,7 +91,7 @@ Load load_from(const std::string& flag, const OutputUnits& units) {
 
 namespace {
 
-/// --parameters and --lambda by name.
+/// The parameters from --parameters and --lambda, by name.
 std::map<std::string, std::string> parameter_texts() {
   std::map<std::string, std::string> given;
   for (const std::string& item : list_from("parameters")) {

@@ -13,11 +13,11 @@
 
 namespace mixity::cli {
 
-/// Units of the output: scales from dimensionless numbers. For dimensionless output all scales are 1 and names empty.
+/// Units of the output: factors on dimensionless numbers, and names. Dimensionless output has factors 1 and no names.
 struct OutputUnits {
   std::string force, length;
   double force_scale = 1, length_scale = 1, area_scale = 1, displacement_scale = 1;
-  Unit force_unit{};               // of numbers that were given without a unit
+  Unit force_unit{};               // for numbers given without a unit
   std::optional<Contact> contact;  // null if dimensionless
 
   std::string area() const { return length.empty() ? "" : length + "^2"; }
@@ -28,12 +28,12 @@ struct OutputUnits {
 /// Prints numbers in full precision, separated by commas.
 void print_numbers(std::initializer_list<double> numbers);
 
-/// From --radius, --modulus (or --youngs_modulus and --poisson_ratio), --toughness and --units. Throws UsageError if
-/// only some of them are given.
+/// Made from --radius, --modulus (or --youngs_modulus and --poisson_ratio), --toughness and --units. Throws UsageError
+/// if only some of them are given.
 OutputUnits output_units();
 
 struct Load {
-  double dimensionless, shown;  // shown: in the unit of the output
+  double dimensionless, shown;  // shown: in the output's unit
 };
 
 /// A list of loads. Throws UsageError for a wrong or missing unit.
@@ -45,7 +45,7 @@ Load load_from(const std::string& flag, const OutputUnits& units);
 /// The model with this key; throws UsageError if there is none.
 ContactModel model_from(const std::string& key);
 
-/// Throws UsageError where these parameters define no contact under the load P (ContactModel::obstacle).
+/// Throws UsageError if these parameters define no contact under the load P (ContactModel::obstacle).
 void require_contact(const ContactModel& model, const ParameterValues& p, double P = 0);
 
 /// The parameters of a model. Throws UsageError if one is missing or out of range. The parameter with the index

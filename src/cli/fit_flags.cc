@@ -18,7 +18,7 @@ DEFINE_bool(pool, false, "treat the files as the runs of one data set");
 namespace mixity::cli {
 namespace {
 
-/// Overrides constants. modulus replaces youngs_modulus and poisson_ratio, youngs_modulus replaces modulus.
+/// Overrides constants. modulus and youngs_modulus replace each other; modulus also replaces poisson_ratio.
 void replace(Overrides& constants, const Overrides& with) {
   for (const auto& [name, text] : with) {
     const bool both = name == "modulus";

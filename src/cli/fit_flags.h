@@ -1,4 +1,4 @@
-// Flags of fits, and requests made from them.
+// Flags of fits, and the requests made from them.
 #pragma once
 
 #include <set>

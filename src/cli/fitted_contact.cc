@@ -58,7 +58,7 @@ std::vector<Load> FittedContact::loads_of(const std::string& flag) const {
     if (!bare && (!of.contact || load.unit.dimension != dimension::force))
       throw UsageError("flag '--" + flag + "' must be " +
                        (of.contact ? "forces such as \"3, 8 mN\"" : "numbers: the data are dimensionless"));
-    // 4 mN stay 4 mN
+    // 4 mN are shown as exactly 4 mN
     const double shown = bare || load.unit.text == of.display.force ? load.value : load.si() / unit;
     loads.push_back({shown / of.display.force_scale, shown});
   }

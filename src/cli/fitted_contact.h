@@ -12,10 +12,10 @@
 
 namespace mixity::cli {
 
-/// The fit of the best model, or of --model. Loads are as read.
+/// The fit of the best model, or of --model. Loads are as measured.
 class FittedContact {
  public:
-  /// From one data file or fit definition. Throws UsageError and what run() throws.
+  /// Takes one data file or fit definition. Throws UsageError and what run() throws.
   FittedContact(const std::string& command, const Arguments& arguments);
 
   const Dataset& data() const { return result_.data; }
@@ -23,16 +23,16 @@ class FittedContact {
 
   /// --loads, or the loads of the runs in falling order.
   const std::vector<Load>& loads() const { return loads_; }
-  /// The loads of a flag, in the data's unit if they have none; throws UsageError.
+  /// The loads of a flag; the data's unit applies if they have none. Throws UsageError.
   std::vector<Load> loads_of(const std::string& flag) const;
   FoldsPrediction folds(const Load& P, const std::vector<Control>& controls) const;
-  /// Evenly spaced from 0 to the jump, or to the largest T of the data if there is no jump.
+  /// Values evenly spaced from 0 to the jump, or to the largest T of the data if there is no jump.
   std::vector<Load> shears_to_the_jump(const Load& P, std::size_t points) const;
 
   /// Prints a CSV of the areas at each load and its shears, with standard errors.
   void print_areas(const std::function<std::vector<Load>(const Load& P)>& shears) const;
 
-  /// Also prints to standard error if the fit is not ok.
+  /// Prints a warning to standard error if the fit is not ok.
   int exit_code() const;
 
  private:

@@ -1,4 +1,4 @@
-// Values of flags, by the name of the flag. Each function throws UsageError for a value that it cannot use.
+// Values of flags, by the flag's name. Each function throws UsageError for an unusable value.
 #pragma once
 
 #include <functional>
@@ -27,17 +27,17 @@ double number_from(const std::string& flag, double low, double high = 1e150);
 /// A whole number from `least` to 10^9.
 std::size_t count_from(const std::string& flag, std::size_t least);
 
-/// Comma-separated items, trimmed, none of them empty.
+/// Comma-separated items, trimmed; none is empty.
 std::vector<std::string> list_from(const std::string& flag);
 
-/// A quantity of which `suits` is true; `be` as for must().
+/// A quantity for which `suits` is true; `be` as in must().
 Quantity quantity_from(const std::string& flag, const std::string& be,
                        const std::function<bool(const Quantity&)>& suits);
 
-/// Comma-separated quantities, one at least. The unit of the last applies to those without one.
+/// One or more comma-separated quantities. The unit of the last one applies to those without a unit.
 std::vector<Quantity> quantities_from(const std::string& flag);
 
-/// A positive quantity of the dimension of `unit`, divided by `size` [SI]; without a size a bare number.
+/// A positive quantity of the dimension of `unit`, divided by `size` [SI]; a bare number if there is no size.
 double positive_quantity(const std::string& flag, const std::string& unit, std::optional<double> size);
 
 }  // namespace mixity::cli

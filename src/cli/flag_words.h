@@ -1,4 +1,4 @@
-// Remedies in the words of the program: flags.
+// Remedies in the words of the command line: flags.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace mixity::cli {
 
-/// `--free=modulus`, `--pixel="1.7 um"`; a switch has no value.
+/// `--free=modulus`, `--pixel="1.7 um"`; switches are written without a value.
 inline std::string flag_text(const Remedy::Choice& choice) {
   const auto& [option, value, placeholder] = choice;
   const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_'; };

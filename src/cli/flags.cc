@@ -33,7 +33,7 @@ namespace {
 
 constexpr char kNextLaw = '\x1f';  // separates the values of a repeated --law
 
-/// The storage of a flag that is defined from a table: gflags keeps pointers to it.
+/// The storage of a flag defined from a table: gflags keeps pointers into it.
 struct TableFlag {
   std::string name, help, text, initial;
   bool on, initially_on;
@@ -64,7 +64,7 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-/// Adds the flags that were given: those of the experiment, or those of how to read a file.
+/// Adds the flags that were given: those about the experiment, or those about reading a file.
 void add_set(bool of_experiment, Overrides& overrides) {
   Metadata scratch;
   for (const MetadataField& field : metadata_fields()) {
@@ -116,7 +116,7 @@ Arguments parse_flags(const Command& command, const Arguments& words) {
     if (equals == std::string::npos && (i + 1 == words.size() || words[i + 1].starts_with("--")))
       throw UsageError("flag '" + word + "' needs a value");
     std::string value = equals == std::string::npos ? words[++i] : word.substr(equals + 1);
-    // probably an unset variable of a script
+    // probably from an unset variable in a script
     if (value.empty()) throw UsageError("flag '--" + name + "' needs a value");
     if (name == "law" && is_set("law")) value = value_of("law") + kNextLaw + value;
     if (gflags::SetCommandLineOption(name.c_str(), value.c_str()).empty())
@@ -169,7 +169,7 @@ void define_laws_of_flags() {
     end = std::min(all.find(kNextLaw, line), all.size());
     for (std::size_t at = line, next; at < end; at = next + 1) {
       next = std::min(all.find('|', at), end);
-      // padded, so that columns in messages count from the start of the flag's value
+      // padded, so that columns in messages count from the beginning of the flag's value
       add(define_law_text("--law", std::string(at - line, ' ') + all.substr(at, next - at)));
     }
   }

@@ -1,4 +1,4 @@
-// Flags (gflags): how a command line is parsed, and flags that several commands share.
+// Flags (gflags): parsing of a command line, and flags that several commands share.
 #pragma once
 
 #include <gflags/gflags.h>
@@ -11,7 +11,7 @@
 #include "cli/flag_values.h"
 #include "dataset/metadata.h"
 
-// Flags of several commands. Those of one command are defined in its file.
+// Flags of several commands. Those of a single command are defined in its file.
 DECLARE_string(format);
 DECLARE_string(out);
 DECLARE_bool(force);
@@ -20,12 +20,12 @@ DECLARE_int32(points);
 
 namespace mixity::cli {
 
-/// Defines a flag for each option of fits (analysis/settings.h) and each metadata field (dataset/metadata.h). To be
+/// Defines a flag for each option of fits (analysis/settings.h) and each metadata field (dataset/metadata.h). Must be
 /// called once, before any other function.
 void define_flags_of_tables();
 
-/// Sets flags from "--name=value" or "--name value", and returns the other words and all words after "--". Throws
-/// UsageError for an unknown flag, a missing value, or a format that the command does not have.
+/// Sets flags from "--name=value" or "--name value", and returns the other words and everything after "--". Throws
+/// UsageError for an unknown flag, a missing value, or a format that the command lacks.
 Arguments parse_flags(const Command& command, const Arguments& words);
 
 /// Values of --format: "text, json or csv".
@@ -37,10 +37,10 @@ const std::string& command_line();
 /// The value of --formats. Throws UsageError.
 FigureFormats figure_formats();
 
-/// The flags of metadata that were given. Throws UsageError if one cannot be used.
+/// The metadata flags that were given. Throws UsageError if one is unusable.
 Overrides data_overrides();
 
-/// The same without flags that say how a file is read.
+/// The same without flags about reading the file.
 Overrides metadata_overrides();
 
 /// Throws UsageError for an unknown model.
@@ -49,19 +49,19 @@ void require_model(const std::string& flag, const std::string& key);
 /// Defines the laws of --law and --laws as models, and prints warnings about them. Throws InputError.
 void define_laws_of_flags();
 
-/// Keys of these laws.
+/// Keys of the laws of --law and --laws.
 const std::vector<std::string>& laws_of_flags();
-/// The file --laws, once it was read.
+/// Contains the file --laws, once it was read.
 Inputs& inputs_of_laws();
 
-/// Writes all of the files or none (base/files.h), and none over one of the inputs, over a file that --laws or
-/// --headings names, or, without --force, over one that this program did not write. Keeps each TOML file that changes
-/// as NAME.old, and says so.
+/// Writes all of the files or none (base/files.h). Refuses to overwrite an input, a file named by --laws or --headings,
+/// or, without --force, a file that this program did not write. Keeps each TOML file that changes as NAME.old, and says
+/// so.
 void write_outputs(std::vector<OutputFile> files, const std::vector<std::string>& inputs);
-/// The files that --laws and --headings name.
+/// The files named by --laws and --headings.
 std::vector<std::string> files_of_flags();
 
-/// Writes a text to the file --out, which must not be one of the inputs, or prints it if there is no --out.
+/// Writes a text to the file --out, which must not be one of the inputs; without --out prints it.
 void print_or_write(const std::string& text, const std::vector<std::string>& inputs);
 
 }  // namespace mixity::cli

@@ -46,9 +46,9 @@ int fail(const std::string& message, int code) {
 
 int main(int argc, char** argv) {
   FLAGS_logtostderr = true;
-  FLAGS_minloglevel = google::GLOG_FATAL;  // silences Ceres: the status of a fit says more
+  FLAGS_minloglevel = google::GLOG_FATAL;  // silences Ceres, since the status of a fit says more
   google::InitGoogleLogging(argv[0]);
-  std::signal(SIGXFSZ, SIG_IGN);  // makes write() fail if a file grows too large, instead of ending the program
+  std::signal(SIGXFSZ, SIG_IGN);  // makes write() fail for a file that grows too large, instead of ending the program
   int code = kFine;
   try {
     code = run({argv + 1, argv + argc});

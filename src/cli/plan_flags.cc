@@ -46,7 +46,7 @@ Plan plan_from_flags(bool needs_loads, const PointCost& cost) {
   plan.sigma_T = error_from("sigma_T");
   plan.sigma_A = error_from("sigma_A");
   Plan whole = plan;
-  if (whole.loads.empty()) whole.loads = {0};  // for the check, which needs one
+  if (whole.loads.empty()) whole.loads = {0};  // a dummy load for the check, which needs one
   if (const std::string problem = problem_of(whole); !problem.empty()) throw UsageError(problem);
   return plan;
 }

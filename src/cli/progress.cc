@@ -16,7 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// Redrawn by a thread, so that the time goes on during a long step.
+/// Redrawn by a thread, so that the elapsed time advances during a long step.
 class Line {
  public:
   explicit Line(std::string what) : what_(std::move(what)) {}

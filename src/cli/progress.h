@@ -5,7 +5,7 @@
 
 namespace mixity::cli {
 
-/// Appears after one second, and only on a terminal. Copies share the bar.
+/// The bar appears after one second, and only on a terminal. Copies share it.
 Progress progress_line(const std::string& what);
 
 }  // namespace mixity::cli

@@ -7,7 +7,7 @@
 
 namespace mixity {
 
-/// Presents columns as the rows of a file. Numbers become text only in fields that are read as a name or a flag.
+/// Presents columns as rows of a file. Numbers become text only in fields that are read as a name or a flag.
 class ArrayRows {
  public:
   ArrayRows(const std::vector<ArrayColumn>& columns, const Columns& read) : columns_(columns) {

@@ -78,7 +78,7 @@ void check_order(const Dataset& data, const Curves& curves, Lines& odd) {
   const auto runs = points_by_curve(data);
   const double unit = data.display.force_scale;
   for (std::size_t curve = 0; curve < runs.size(); ++curve) {
-    std::vector<double> rising;  // noise about zero neither rises nor falls
+    std::vector<double> rising;  // noise about zero is not a run that rises or falls
     std::vector<const Point*> points;
     for (const std::size_t i : runs[curve])
       if (data.points[i].T >= 0) {
@@ -98,7 +98,7 @@ void check_order(const Dataset& data, const Curves& curves, Lines& odd) {
   }
 }
 
-/// Checks the unit of T by the phase angles and the shear strength of the interface.
+/// Checks the unit of T by the phase angles and by the shear strength of the interface.
 void check_shear_units(const Dataset& data, Lines& odd) {
   double most = 0;
   for (const Point& point : data.points) most = std::max(most, point.shear());
@@ -199,7 +199,7 @@ std::vector<CurveSummary> summarise_curves(const Dataset& data) {
   if (!data.has_loads) return {};
   if (data.stated_constants() != Constants{}) return summarise_curves(corrected(data));
   std::vector<CurveSummary> curves(data.curves.size());
-  std::vector<const Point*> unsheared(data.curves.size());  // the point with the smallest |T| of each run
+  std::vector<const Point*> unsheared(data.curves.size());  // per run: the point with the smallest |T|
   for (const Point& point : data.points) {
     CurveSummary& curve = curves[point.curve];
     if (curve.points++ == 0) {

@@ -1,4 +1,4 @@
-// Oddities of a data set: the questions that an experienced colleague would ask.
+// Finds oddities of a data set: what an experienced colleague would ask about.
 #pragma once
 
 #include <cstddef>
@@ -21,17 +21,17 @@ struct CurveSummary {
   std::optional<double> area_over_jkr;
 };
 
-/// One for each run, of readings corrected by the stated constants; empty for data without loads.
+/// One summary per run, of readings corrected by the stated constants; empty for data without loads.
 std::vector<CurveSummary> summarise_curves(const Dataset& data);
 
-/// Areas that do not exceed that of Hertz at their load.
+/// Counts the areas that do not exceed Hertz's at their load.
 struct BelowHertz {
   explicit BelowHertz(const Dataset& data) : rows(data.rows) {
     for (std::size_t i = 0; i < data.points.size(); ++i)
       if (!data.toughness(i) && ++points == 1) first_line = data.points[i].line;
   }
   std::size_t points = 0, first_line = 0, rows;
-  bool most() const { return 2 * points > rows; }  // then a unit is off
+  bool most() const { return 2 * points > rows; }  // then a unit is probably wrong
 };
 
 /// One sentence per oddity, with line numbers where they apply; empty if nothing is odd.

@@ -61,7 +61,7 @@ void Runs::reverse_loads_in_names(const Dataset& data) {
 std::vector<std::string> Runs::names() const {
   std::vector<std::string> names;
   for (const auto& [name, given] : keys_)
-    // Names appear in figures, pages and tables: characters that would break these are shown as '?'.
+    // Names appear in figures, pages and tables, so characters that would break these are shown as '?'.
     names.push_back(
         printable(name + (!given && index_.contains({name, true}) ? " (not named)" : ""), std::string::npos));
   return names;
@@ -126,7 +126,7 @@ void Collector::finish() {
   if (!data_.has_loads) return;
   data_.curve_loads = runs_.loads();
   if (is_negative) reverse_loads(data_);
-  // the frames of a log before and after contact are not points
+  // frames of a log before and after contact are not points
   data_.like_a_log = data_.excluded.size() > std::max<std::size_t>(data_.rows / 20, 2) && has_times();
   if (data_.like_a_log)
     data_.notes.push_back("the file has a column of times, and " + std::to_string(data_.excluded.size()) + " of " +
@@ -148,7 +148,7 @@ bool Collector::has_times() const {
 }
 
 /// In the singular part of the pressure of an elliptic punch, K_I^2 at the end of a semi-axis is proportional to its
-/// length (Johnson & Greenwood 2005): the ratio of the axes is that of the energy release rates around the edge.
+/// length (Johnson & Greenwood 2005): the energy release rates around the edge have the ratio of the axes.
 void Collector::add_note_on_axes() {
   constexpr double kNearlyRound = 1.1;
   const double eccentricity = std::sqrt(1 - 1 / (largest_axes_ * largest_axes_));

@@ -15,15 +15,15 @@
 
 namespace mixity {
 
-/// The loading runs of rows, in order of appearance: by the name that the row states, otherwise by equal load.
+/// The loading runs of the rows, in order of appearance. Rows of a run share its name, or else their load.
 class Runs {
  public:
-  /// The index of the row's run. The first row of a run adds it.
+  /// The index of the row's run, which is added if it is new.
   std::size_t of(const std::optional<std::string_view>& name, const Point& point, const Dataset& data);
-  /// Reverses the loads in names that are made of them; loads() stay.
+  /// Changes the sign of loads in run names made from them; loads() are unchanged.
   void reverse_loads_in_names(const Dataset& data);
-  const std::vector<double>& loads() const { return loads_; }  // of the first point of each run
-  /// The names as they are shown, all different.
+  const std::vector<double>& loads() const { return loads_; }  // of each run's first point
+  /// The names as shown, made distinct.
   std::vector<std::string> names() const;
 
  private:
@@ -31,7 +31,7 @@ class Runs {
   std::map<Key, std::size_t> index_;
   std::vector<Key> keys_;
   std::vector<double> loads_;
-  std::size_t last_ = 0;  // the run of the last row, which is mostly that of the next, too
+  std::size_t last_ = 0;  // the run of the last row; the next row usually belongs to it, too
   double last_load_ = 0;
 };
 
@@ -40,12 +40,12 @@ class Collector {
   /// Throws InputError for headings that cannot be used, and as take_header does.
   Collector(const std::string& metadata_path, const std::vector<Heading>& headings, const ColumnRules& rules,
             Dataset& data);
-  /// Makes a point of a row, or lists it as excluded. Throws InputError for a row that cannot be understood.
+  /// Adds the row as a point or as excluded. Throws InputError for a row that cannot be understood.
   void row(const CsvRow& row);
-  /// Lists a line that is no row as excluded. `reason`: a fixed text.
+  /// Adds a line that is not a row as excluded. `reason`: a fixed text.
   void leave_out(std::size_t line, std::string_view reason);
   void comment(const CsvRow& row);
-  /// Does what needs all points: runs, signs, notes. Throws InputError if there were no rows.
+  /// Completes what needs all points: runs, signs, notes. Throws InputError if there were no rows.
   void finish();
 
   const Columns& columns() const { return reader_.columns(); }
@@ -57,11 +57,11 @@ class Collector {
   std::string metadata_path_;
   Dataset& data_;
   PointReader reader_;
-  bool has_errors_;                // the table has a column of standard errors, or fields that state them
+  bool has_errors_;                // the table has a column of standard errors, or fields with them
   bool errors_in_fields_ = false;  // "0.61 +/- 0.05"
   Runs runs_;
-  std::size_t comments_ = 0, first_comment_ = 0;  // that would be rows without their '#'; the line of the first
-  double largest_axes_ = 1;                       // of elliptic contacts, the longer axis over the shorter
+  std::size_t comments_ = 0, first_comment_ = 0;  // comments that would be rows without '#'; the line of the first
+  double largest_axes_ = 1;                       // the largest ratio of the axes of elliptic contacts
   std::size_t line_of_largest_ = 0;
 };
 

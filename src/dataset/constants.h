@@ -1,4 +1,4 @@
-// Constants of the experiment, and how they rescale measured values.
+// Constants of the experiment, and how measured values are rescaled by them.
 #pragma once
 
 #include <array>
@@ -8,12 +8,12 @@
 
 namespace mixity {
 
-/// Constants of the experiment that may be fitted with a model's parameters, with or without a prior. Factors
-/// (toughness, modulus and radius on the data set's own values, area_scale on the areas, force_gain on loads and
-/// shears) are logarithms; offsets, dimensionless, are added to the readings. Changes are numbers about 0 that act on
+/// Constants of the experiment that may be fitted with a model's parameters, with or without a prior. Factors are
+/// logarithms: toughness, modulus and radius relative to the data set's own values, area_scale of the areas, force_gain
+/// of loads and shears. Offsets are dimensionless and added to the readings. Changes are numbers about 0 that act on
 /// some points more than on others, see PointPlace: modulus_drift and toughness_drift, the change of the logarithm from
-/// the first to the last run; shape, the share by which the radius is read too large at the largest shear of a run, as
-/// the contact is no circle; hysteresis, by which the logarithm of the toughness differs without shear.
+/// the first to the last run; shape, the relative error of the radius at a run's largest shear, read too large as the
+/// contact is not circular; hysteresis, the difference of the logarithm of the toughness without shear.
 enum Constant : std::size_t {
   kToughness,
   kModulus,
@@ -44,23 +44,23 @@ constexpr bool is_change(std::string_view name) {
   return false;
 }
 
-/// Whether a constant that acts on some points more than on others is not 0.
+/// Whether any change is not 0.
 constexpr bool has_changes(const Constants& c) {
   return c[kModulusDrift] != 0 || c[kToughnessDrift] != 0 || c[kShape] != 0 || c[kHysteresis] != 0;
 }
 
-/// Where a point lies in its experiment.
+/// The position of a point in its experiment.
 struct PointPlace {
-  double order = 0;        // of its run: -1/2 for the first of the file to 1/2 for the last
+  double order = 0;        // of its run: -1/2 for the first run of the file to 1/2 for the last
   double stretch = 0;      // (T over the largest of its run)^2, 0..1
   bool unsheared = false;  // T up to 1 % of the largest of its run
-  /// How far the constants of its run are from those of all: what is multiplied, as logarithms, and what is added.
+  /// Deviations of its run's constants from the common ones: logarithms for factors, differences for offsets.
   double log_force = 0, log_area = 0, load_offset = 0, shear_offset = 0, area_offset = 0;
 
   bool has_own_constants() const {
     return log_force != 0 || log_area != 0 || load_offset != 0 || shear_offset != 0 || area_offset != 0;
   }
-  /// Adds `by` to a constant of its run. A factor or an offset.
+  /// Adds `by` to a constant of its run, a factor or an offset.
   void shift(Constant c, double by) {
     if (c == kToughness || c == kRadius) log_force -= by;
     if (c == kForceGain) log_force += by;
@@ -74,7 +74,7 @@ struct PointPlace {
   }
 };
 
-/// Measured values in the dimensionless units of the contact with these constants: forces by 1/(R G), areas by
+/// Converts measured values to the dimensionless units of the contact with these constants: forces by 1/(R G), areas by
 /// (E R/G)^(2/3)/R^2, displacements by (E R/G)^(2/3)/R.
 struct ConstantsScale {
   double force, area, displacement, load_offset, shear_offset, area_offset;

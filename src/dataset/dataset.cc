@@ -17,8 +17,8 @@ namespace {
 constexpr std::string_view kSummaryRow = "summary row (text where the rows above have numbers)",
                            kWordsBelow = "words below the table";
 
-/// Reads the table of a file into a data set. If no table is found, the first row is read as headings, which gives the
-/// message about what is wrong with it.
+/// Reads the table of a file into a data set. If no table is found, reads the first row as headings; its error message
+/// then says what is wrong.
 void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data) {
   constexpr std::size_t kSample = 1000;  // points
   const Metadata& metadata = data.metadata;
@@ -40,7 +40,7 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
     headings = headings_of(row);
   }
   Collector collector(metadata_path, headings, rules, data);
-  std::vector<std::size_t> words;  // lines without a number, which are no rows at the end of the table
+  std::vector<std::size_t> words;  // lines without a number, which at the end of the table are not rows
   std::optional<InputError> refusal;
   while (file.next(row)) {
     if (row.is_comment()) {
@@ -58,7 +58,7 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
       if (!refusal) refusal = error;
       words.push_back(row.line());
     }
-    // Memory for all points, estimated from the first: a growing vector takes up to three times as much.
+    // Reserves memory for all points, estimated from the first ones: a growing vector takes up to three times as much.
     if (data.points.size() == kSample) data.points.reserve(static_cast<std::size_t>(1.25 * kSample / file.progress()));
   }
   for (const std::size_t line : words) collector.leave_out(line, kWordsBelow);
@@ -96,7 +96,7 @@ void refuse_value(const Dataset& data, const Point& point, std::string_view colu
         if (headings[i].name == column) index = i;
       if (row.line() == place.line && index) place = row.place(*index);
     });
-  } catch (const InputError&) {  // too large to be kept
+  } catch (const InputError&) {  // too large to be stored
   }
   throw InputError(path, place, message);
 }

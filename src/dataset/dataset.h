@@ -18,30 +18,30 @@
 
 namespace mixity {
 
-/// One usable point. P, T, A are dimensionless, and zero if the data set has no loads. T has the sign that was read,
-/// except in runs that were reversed. A negative T is noise about zero.
+/// A usable point. P, T, A are dimensionless, and zero if the data set has no loads. T has its sign from the file,
+/// except in reversed runs. A negative T is noise about zero.
 struct Point {
   std::size_t line;   // in the CSV; counted through all files if there are several (Dataset::line_text)
   std::size_t curve;  // index into Dataset::curves
   double P, T, A;
 
-  /// |T|, as equilibrium depends on T^2.
+  /// |T|, since equilibrium depends on T^2.
   double shear() const { return std::abs(T); }
 };
 
-/// A standard error that the file does not state. If it states 0, the value is exact.
+/// Marks a standard error that the file does not state. A stated 0 means that the value is exact.
 inline constexpr double kNotStated = -1;
 
-/// Replaces a standard error of 0 where a distance needs errors in both axes; relative to the largest value.
+/// Replaces a standard error of 0 where a distance needs errors on both axes; relative to the largest value.
 inline constexpr double kLeastError = 1e-4;
 
-/// Standard errors in the units of T, A and the toughness ratio; that of the ratio is 0 if the file states none.
+/// Standard errors in the units of T, A and the toughness ratio; the last is 0 if the file states none.
 struct PointErrors {
   double T = kNotStated, A = kNotStated, ratio = 0;
 };
 
 /// Energies of the two modes and their standard errors (or kNotStated), in units of G_Ic. A negative energy is noise
-/// about zero; the sum is positive.
+/// about zero; their sum is positive.
 struct PointEnergies {
   double G_I = 0, G_II = 0, sigma_GI = kNotStated, sigma_GII = kNotStated;
 };
@@ -51,16 +51,16 @@ inline constexpr std::string_view kNoPhaseAngle =
     "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists";
 inline constexpr std::string_view kOutOfRangeRatio = "the toughness ratio is out of range";
 
-/// A note on a load that is stated twice.
+/// The note on a load that is stated although the file has a column of loads.
 inline constexpr const char* kLoadNotUsed = "the load that is stated is not used: the file has a column of loads";
 
-/// An offset is a fixed force or area, which differs between runs that are scaled to another sphere.
+/// The reason against offsets: a fixed force or area differs between runs that are scaled to another sphere.
 inline constexpr const char* kNoOffsets =
     "its runs are on several spheres: offsets of load, shear and area can be neither stated nor fitted";
 
 struct Excluded {
   std::size_t line;
-  std::string_view reason;  // a fixed text: a file may have millions of excluded rows
+  std::string_view reason;  // a fixed text, since a file may have millions of excluded rows
 };
 
 /// The units of the file: value in file = dimensionless * scale.
@@ -72,13 +72,13 @@ struct DisplayUnits {
 /// One of several files that make a data set.
 struct SourceFile {
   std::string path;
-  std::size_t first_line;  // added to the numbers of its lines
+  std::size_t first_line;  // added to its line numbers
 };
 
 struct Dataset {
-  std::string path, name;         // as opened; without folder and ending
-  std::vector<SourceFile> files;  // that were pooled, in order; empty: only `path`
-  std::vector<InputFile> inputs;  // what was read: the data, their TOML, the names of columns; empty of arrays
+  std::string path, name;         // as opened; without folder and extension
+  std::vector<SourceFile> files;  // the pooled files in order; empty: only `path`
+  std::vector<InputFile> inputs;  // files read: data, their TOML, names of columns; empty for arrays
   Metadata metadata;
   bool has_loads = false;                 // (P, T, A) rather than (psi, Gc)
   bool has_energies = false;              // (G_I, G_II) rather than (psi, Gc)
@@ -87,22 +87,22 @@ struct Dataset {
   std::optional<Contact> contact;         // null if the data are dimensionless or (psi, f)
   std::size_t rows = 0;                   // data rows in the file: points + excluded
   std::vector<Point> points;              // usable, in file order
-  std::vector<ToughnessPoint> converted;  // of each point, if the data set has no loads
-  std::vector<PointErrors> errors;        // of each point, if the file states any
-  std::vector<PointEnergies> energies;    // of each point, if the data are energies
+  std::vector<ToughnessPoint> converted;  // per point, if the data set has no loads
+  std::vector<PointErrors> errors;        // per point, if the file states any
+  std::vector<PointEnergies> energies;    // per point, if the data are energies
   std::vector<Excluded> excluded;
   std::vector<std::string> curves;   // names of the loading runs: the curve column, or one per load
   std::vector<double> curve_loads;   // dimensionless load of each run, the mean of its readings; empty without loads
-  std::vector<bool> shear_reversed;  // of each run: the sign of T was changed; empty: of none
+  std::vector<bool> shear_reversed;  // per run: whether the sign of T was changed; empty: none
   std::vector<std::string> ignored_columns;
-  std::string reading;             // the format of the file if not plain: "UTF-16LE, tabs, decimal commas"
+  std::string reading;             // the file format unless plain: "UTF-16LE, tabs, decimal commas"
   std::vector<std::string> taken;  // "P from 'Normalkraft (mN)'"
-  bool like_a_log = false;         // a column of times, and many rows that are not points
-  std::vector<Message> notes;      // on what was skipped or changed: sentences that every fit shows
+  bool like_a_log = false;         // it has a column of times, and many rows are not points
+  std::vector<Message> notes;      // on skipped or changed data: sentences that every fit shows
   DisplayUnits display;
 
   /// Offsets, area_scale and force_gain as the metadata state them; 0 for toughness, modulus and radius, which are
-  /// relative to the data set's own, and for changes, of which errors alone are stated. Without loads all are 0.
+  /// relative to the data set's own, and for changes, of which only errors are stated. All are 0 without loads.
   Constants stated_constants() const;
   /// The SI unit of an offset; 0 where the data are dimensionless.
   double offset_unit(Constant offset) const;
@@ -119,7 +119,7 @@ struct Dataset {
   std::optional<ToughnessPoint> toughness(std::size_t i) const {
     return toughness(i, ConstantsScale(stated_constants()));
   }
-  /// The same with other constants.
+  /// The same for other constants.
   std::optional<ToughnessPoint> toughness(std::size_t i, const ConstantsScale& by) const {
     if (!has_loads) return converted[i];
     const Point point = corrected(i, by);
@@ -127,13 +127,13 @@ struct Dataset {
   }
   /// -1 for a run that was reversed, else 1.
   double sign_of_shear(std::size_t run) const { return !shear_reversed.empty() && shear_reversed[run] ? -1 : 1; }
-  /// T of point i with the sign in the file, to which an offset of the load cell is added.
+  /// T of point i with its sign in the file, to which an offset of the load cell is added.
   double shear_as_read(std::size_t i) const { return sign_of_shear(points[i].curve) * points[i].T; }
   std::string shown_path() const {
     const std::string more = files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "";
     return printable(path, std::string::npos) + more;
   }
-  /// The file of a line that is counted through all files, and its number there.
+  /// The file of a line that is counted through all files, and the line's number in it.
   const std::string& file_of(std::size_t line) const { return files.empty() ? path : source_of(line).path; }
   std::size_t line_in_file(std::size_t line) const { return files.empty() ? line : line - source_of(line).first_line; }
   /// "line 17", or "run_3.csv line 17".
@@ -142,7 +142,7 @@ struct Dataset {
     const std::string& file = file_of(line);
     return files.empty() ? text : printable(file.substr(file.find_last_of('/') + 1), std::string::npos) + " " + text;
   }
-  /// "sigma_T and sigma_A": what the standard errors of the points are called.
+  /// How the standard errors of the points are called: "sigma_T and sigma_A".
   const char* names_of_errors() const {
     return has_loads ? "sigma_T and sigma_A" : has_energies ? "sigma_GI and sigma_GII" : "sigma_Gc";
   }
@@ -156,40 +156,40 @@ struct Dataset {
   }
 };
 
-/// Throws an InputError at the place of a point's value in this column. The file is read again to find it; if that
-/// fails, the message has only the line.
+/// Throws an InputError at the place of a point's value in this column. Reads the file again to find the place; if that
+/// fails, the message names only the line.
 [[noreturn]] void refuse_value(const Dataset& data, const Point& point, std::string_view column,
                                const std::string& message);
 
-/// The wanted name, with " (2)", " (3)" ... appended if it is one of the others.
+/// The wanted name, with " (2)", " (3)", ... appended if another has it.
 std::string distinct_name(const std::string& wanted, const std::vector<std::string>& others);
 
 /// Indices into Dataset::points, by run.
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
 
-/// Where each point lies, found when it is needed. Needs loads; the data set must outlive this.
+/// Finds the places of points on demand. Needs loads; the data set must outlive this object.
 class PointPlaces {
  public:
   explicit PointPlaces(const Dataset& data);
   PointPlace at(std::size_t point) const { return at(point, data_.points[point].T); }
-  /// `T`: of the point without noise.
+  /// `T`: of the point, free of noise.
   PointPlace at(std::size_t point, double T) const;
 
  private:
   const Dataset& data_;
   std::vector<double> largest_;  // shear of each run
 };
-/// Of each point.
+/// The places of all points.
 std::vector<PointPlace> places(const Dataset& data);
 
-/// The data set with its readings corrected by the stated constants, which it then states no longer.
+/// The data set with readings corrected by the stated constants, and those constants removed.
 Dataset corrected(Dataset data);
 
 /// Reads PATH.csv and PATH.toml beside it. Throws InputError, with file, line and column, for anything that cannot be
 /// understood, and MissingConstants for constants that this kind of data needs. Energies do not need G_Ic if one G_I is
 /// positive (toughness_known). Rows that are understood but cannot be used are listed in `excluded`.
 Dataset load_dataset(const std::string& path, const Overrides& overrides = {});
-/// The same from these files, which may have been read before.
+/// The same through `inputs`, which may have read the files before.
 Dataset load_dataset(const std::string& path, const Overrides& overrides, Inputs& inputs);
 /// The same with this metadata in place of the TOML, which is not read.
 Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides, Inputs& inputs);

@@ -15,7 +15,7 @@ DrawnUnits::DrawnUnits(const Dataset& data)
   if (!data.contact) return;
   displacement_unit = "µm";
   displacement = data.contact->displacement_unit() * 1e6;
-  // the unit whose square is that of the areas, if it is written as a square
+  // the unit whose square is the unit of area, if it is written as a square
   for (const char* square : {"^2", "²", "2"})
     if (area_unit.ends_with(square)) {
       radius_unit = area_unit.substr(0, area_unit.size() - std::string(square).size());

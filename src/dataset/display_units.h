@@ -1,4 +1,4 @@
-// The units of a data set's figures: those of its file.
+// The units of a data set's figures, which are those of its file.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace mixity {
 
-/// Value in a figure = dimensionless * scale. Radii are in the root of the unit of area, displacements in um. All
-/// scales are 1 and all units empty for dimensionless data.
+/// Value in a figure = dimensionless * scale. Radii are in the square root of the unit of area, displacements in um.
+/// For dimensionless data all scales are 1 and all units empty.
 struct DrawnUnits {
   explicit DrawnUnits(const Dataset& data);
 
   double force, area, radius = 1, displacement = 1;
   std::string force_unit, area_unit, radius_unit, displacement_unit;
 
-  // Axis labels: quantity and unit.
+  // Axis labels: quantity and unit
   std::string P() const { return with("P", force_unit, "/(R G_{Ic})"); }
   std::string T() const { return with("T", force_unit, "/(R G_{Ic})"); }
   std::string A() const { return with("A", area_unit, " ξ^2/R^2"); }

@@ -54,7 +54,7 @@ std::string_view convert(const PointEnergies& energies, ToughnessPoint& point) {
 }
 
 bool series_have_toughness(const Dataset& data) {
-  constexpr double kApart = 0.05;  // of G_II/Gc; noise moves a nominal share by less
+  constexpr double kApart = 0.05;  // in G_II/Gc; noise moves a nominal share by less
   std::vector<std::pair<double, double>> shares(data.curves.size(), {1, 0});  // the least and the largest
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     auto& [least, largest] = shares[data.points[i].curve];

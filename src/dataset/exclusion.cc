@@ -12,7 +12,7 @@ namespace {
 
 std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-/// The runs of this name or load. The name has no blanks around its commas.
+/// The runs with this name or load. The name has no blanks around its commas.
 std::vector<std::size_t> runs_named(const Dataset& data, const std::string& name) {
   std::vector<std::size_t> runs;
   for (std::size_t i = 0; i < data.curves.size(); ++i)
@@ -40,7 +40,7 @@ std::pair<std::vector<std::size_t>, std::size_t> first_named(const Dataset& data
   return {};
 }
 
-/// Removes all elements but those to keep; a list may also be empty.
+/// Removes all elements that are not kept; a list may also be empty.
 template <class T>
 void keep(const std::vector<bool>& kept, std::vector<T>& list) {
   std::size_t to = 0;

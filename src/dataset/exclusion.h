@@ -10,15 +10,15 @@
 
 namespace mixity {
 
-/// Lines of the CSV, both included.
+/// A range of lines of the CSV, both ends included.
 struct LineRange {
   std::size_t first, last;
-  std::string file{};  // its name without folder; empty: the only file of the data set
+  std::string file{};  // name without folder; empty: the only file of the data set
 };
 /// "17", "40-58" or "run_3.csv:17". Null for other texts.
 std::optional<LineRange> parse_lines(std::string_view text);
 
-/// What becomes of points without shear (PointPlace): fitted as the others, fitted with a toughness of their own, or
+/// The treatment of points without shear (PointPlace): fitted like the others, fitted with a separate toughness, or
 /// left out.
 enum class Unsheared { in, own, out };
 constexpr std::string_view to_string(Unsheared unsheared) {
@@ -27,13 +27,13 @@ constexpr std::string_view to_string(Unsheared unsheared) {
 
 struct Exclusion {
   std::vector<LineRange> lines{};
-  /// Runs by their name as outputs show it, or by their load ("4.68 mN") to 0.1 %, as readers may round it.
+  /// Runs by name as outputs show it, or by load ("4.68 mN") to 0.1 %, as readers may round it.
   std::vector<std::string> runs{};
   Unsheared unsheared = Unsheared::in;
 };
 
-/// Moves these points to Dataset::excluded, and removes runs without points. Throws InputError for lines without a
-/// point and for a run that the data set does not have, or if no point is left.
+/// Moves these points to Dataset::excluded, and removes runs left without points. Throws InputError for lines without a
+/// point, for an unknown run, and if no point is left.
 void exclude(Dataset& data, const Exclusion& which);
 
 /// Moves each point that has a reason to Dataset::excluded.

@@ -20,7 +20,7 @@ double load_in_name(const Dataset& data) {
   const auto fail = [&](const std::string& message) -> double {
     throw InputError(data.path, message + " (load_from is \"" + pattern + "\")");
   };
-  // the longest unit among the letters behind {P}, perhaps after a blank or an underscore
+  // the longest unit among the letters after {P}, perhaps after a blank or an underscore
   const std::size_t begin_of_unit = std::min(behind.find_first_not_of(" _"), behind.size());
   std::size_t letters = begin_of_unit;
   while (letters < behind.size() && std::isalpha(static_cast<unsigned char>(behind[letters]))) ++letters;
@@ -45,7 +45,7 @@ double load_in_name(const Dataset& data) {
   return fail("the file's name states no load");
 }
 
-/// The values of constants. Throws MissingConstants, which recommends to state all that are not stated.
+/// The values of constants. Throws MissingConstants, which recommends stating all that are missing.
 std::vector<double> demand(const std::vector<std::pair<std::string, std::optional<double>>>& constants,
                            const std::string& path, const std::string& metadata_path) {
   std::vector<double> values;

@@ -98,7 +98,7 @@ const MetadataField* find_field(std::string_view name) {
   return nullptr;
 }
 
-/// The numbers, then the texts.
+/// All numbers, then all texts.
 std::string known_names() {
   std::string known;
   for (const bool numbers : {true, false})
@@ -195,7 +195,7 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
     return given + "its error belongs in " +
            (name == "pixel" ? "area_scale, which has twice that of a length: area_scale = \"1 +/- 2%\""
                             : "load_offset: load_offset = \"0 +/- 0.5 mN\"");
-  if (name == "load") metadata.load_from.clear();  // each replaces the other
+  if (name == "load") metadata.load_from.clear();  // load and load_from replace each other
   metadata.*field->number = value;
   metadata.standard_errors.erase(std::string(name));
   if (uncertain->standard_error > 0) metadata.standard_errors.emplace(name, uncertain->standard_error);

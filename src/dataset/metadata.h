@@ -1,4 +1,4 @@
-// The metadata of a CSV: the constants of the contact, where the data come from, how to read the file.
+// The metadata of a CSV: the constants of the contact, the provenance of the data, how to read the file.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,7 @@ inline constexpr std::string_view kReconstructedNotice =
     "reconstructed data: generated from a model, not measured. Recovering lambda from them tests the "
     "program, not the physics.";
 
-/// Names and texts as given on a command line, in order: {"radius", "9.42 mm"}.
+/// Names and texts in the order of the command line: {"radius", "9.42 mm"}.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
 /// Constants in SI; null if not stated. Offsets are added to readings; areas are multiplied by area_scale.
@@ -40,7 +40,7 @@ struct Metadata {
   std::optional<double> load_offset, shear_offset;      // N
   std::optional<double> area_offset;                    // m^2
   std::optional<double> area_scale, force_gain;         // > 0
-  std::optional<double> modulus_drift, toughness_drift, shape, hysteresis;  // 0, as a name for their standard errors
+  std::optional<double> modulus_drift, toughness_drift, shape, hysteresis;  // 0; they only name their errors
   std::optional<double> pixel;                                              // m, the side of a pixel, > 0
   std::optional<double> load;                                               // N, of all points, if no column states it
   std::map<std::string, double, std::less<>> standard_errors;               // by the name of a constant, in its unit
@@ -50,50 +50,50 @@ struct Metadata {
   std::map<std::string, std::string> columns;  // quantity -> heading
   std::string headings;                        // path of a TOML that adds to the vocabulary
   std::string load_from;                       // "run_{P}mN": where the file's name states the load
-  char decimal = 0;                            // '.' or ','; 0: to be found from the numbers
+  char decimal = 0;                            // '.' or ','; 0: inferred from the numbers
 
   /// modulus, or E* from youngs_modulus and poisson_ratio; null if neither is stated.
   std::optional<double> plane_strain_modulus() const;
-  /// 0, exact, if none is stated.
+  /// The stated standard error; 0 (exact) if none is stated.
   double standard_error(std::string_view name) const;
-  /// Relative, of plane_strain_modulus(): of modulus, or propagated from youngs_modulus and poisson_ratio.
+  /// Relative error of plane_strain_modulus(): of modulus, or propagated from youngs_modulus and poisson_ratio.
   double modulus_error() const;
 };
 
-/// Constants that make the points of a file dimensionless are not stated. They are the options of the message.
+/// Constants needed to make the points of a file dimensionless are not stated. The message lists them as options.
 class MissingConstants : public InputError {
   using InputError::InputError;
 };
 
-/// A constant of an experiment, or an instruction how to read its file: a key of the TOML, a flag, a keyword.
+/// A constant of an experiment, or an instruction for reading its file: a key of the TOML, a flag and a keyword.
 struct MetadataField {
   std::string_view name, help;                        // help: a clause
-  bool of_experiment;                                 // false: it is about how to read the file
+  bool of_experiment;                                 // false: about reading the file
   std::optional<double> Metadata::*number = nullptr;  // null: the field is a text
   Dimension dimension{};                              // of the number
-  std::string_view example{};                         // of the text of the number
+  std::string_view example{};                         // example of a value, as text
 };
-/// In the order of the help.
+/// All fields in the order of the help.
 std::span<const MetadataField> metadata_fields();
 
 /// "Pa"; empty for a number without a unit.
 std::string_view si_unit(const Dimension& dimension);
 
-/// Sets one field from its text. Returns what is wrong with the text, or an empty string.
+/// Sets one field from its text. Returns what is wrong with the text, or an empty string if nothing is.
 std::string set_field(Metadata& metadata, std::string_view name, std::string_view text);
 
-/// The kind of value that a field has in a TOML: "a string with a number and a unit, such as ..."; empty if there is no
-/// such field.
+/// The kind of value that a field takes in a TOML: "a string with a number and a unit, such as ..."; empty for an
+/// unknown field.
 std::string kind_of_field(std::string_view name);
 
-/// The file with the metadata of a CSV: its path with the ending .toml. An ending begins with a letter: run_0.5 has
+/// The metadata file of a CSV: its path with the extension .toml. An extension begins with a letter, so run_0.5 has
 /// none.
 std::string metadata_path(const std::string& csv_path);
 
-/// A CSV's name without folder and ending, as it is shown.
+/// A CSV's name without folder and extension, as shown.
 std::string data_name(const std::string& csv_path);
 
-/// Reads the TOML at `path`; nothing is stated if it does not exist. Throws InputError with line and column for a
+/// Reads the TOML at `path`; states nothing if the file does not exist. Throws InputError with line and column for a
 /// syntax error, an unknown key or a value without a unit.
 Metadata read_metadata(const std::string& path, Inputs& inputs);
 inline Metadata read_metadata(const std::string& path) {
@@ -102,18 +102,18 @@ inline Metadata read_metadata(const std::string& path) {
 }
 
 /// Adds the constants stated beside one file to those of other files of the same experiment. Returns the contradiction,
-/// or an empty string. If provenances differ, the less direct one is kept.
+/// or an empty string. If provenances differ, keeps the less direct one.
 std::string add_constants(const Metadata& more, Metadata& constants);
-/// The constants as texts that set_field accepts: {"radius", "0.00942 m +/- 1e-05 m"}.
+/// The constants in texts that set_field accepts: {"radius", "0.00942 m +/- 1e-05 m"}.
 Overrides constants_as_stated(const Metadata& metadata);
-/// Applies overrides; one of modulus and youngs_modulus replaces the other. Throws InputError naming the override.
+/// Applies overrides; modulus and youngs_modulus replace each other. Throws InputError naming the override.
 void apply_overrides(const Overrides& overrides, Metadata& metadata);
 
-/// Throws InputError if the constants that give the modulus contradict each other or are incomplete. The message names
-/// the override if that is one half of a pair, otherwise the file at `path`.
+/// Throws InputError if the constants that give the modulus are contradictory or incomplete. The message names the
+/// override if that is one half of a pair, otherwise the file at `path`.
 void require_whole_modulus(const Metadata& metadata, const std::string& path, const Overrides& overrides = {});
 
-/// How to read the columns of its table. Throws InputError for names of columns (headings) that cannot be understood.
+/// The rules for reading the columns of its table. Throws InputError for an invalid file of names (headings).
 ColumnRules rules_of(const Metadata& metadata, Inputs& inputs);
 
 }  // namespace mixity

@@ -11,27 +11,27 @@
 namespace mixity {
 namespace {
 
-constexpr std::size_t kFewest = 5;  // readings of a group
+constexpr std::size_t kFewest = 5;  // readings in a group
 
-/// Standard deviation of readings about their nominal loads, by the median of successive differences, as few of these
-/// lead to another load. If half of them are 0, the smallest other difference between readings.
+/// Standard deviation of readings about their nominal loads, from the median of successive differences, few of which
+/// are steps to another load. If half of them are 0, the smallest other difference between readings.
 double scatter(const std::vector<double>& readings, const std::vector<double>& distinct) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < readings.size(); ++i) steps.push_back(std::abs(readings[i] - readings[i - 1]));
-  constexpr double kMedianOfSteps = 0.9539;  // of |x - y|, x and y normal, in standard deviations
+  constexpr double kMedianOfSteps = 0.9539;  // median of |x - y| for normal x and y, in standard deviations
   if (const double middle = median(std::move(steps)); middle > 0) return middle / kMedianOfSteps;
   double least = distinct.back() - distinct.front();
   for (std::size_t i = 1; i < distinct.size(); ++i) least = std::min(least, distinct[i] - distinct[i - 1]);
   return least;
 }
 
-using Limits = std::vector<double>;  // the least reading of each group but the first, rising
+using Limits = std::vector<double>;  // the smallest reading of each group but the first, ascending
 
 std::size_t group_of(double reading, const Limits& limits) {
   return static_cast<std::size_t>(std::upper_bound(limits.begin(), limits.end(), reading) - limits.begin());
 }
 
-/// Separates sorted readings into groups at gaps of more than three standard deviations within the groups. Of a few
+/// Separates sorted readings into groups at gaps of more than three standard deviations within the groups. With a few
 /// normal readings, one in a thousand is so far from the next.
 Limits gaps(const std::vector<double>& sorted) {
   constexpr double kGap = 3;
@@ -57,7 +57,7 @@ Limits gaps(const std::vector<double>& sorted) {
   for (const std::size_t i : widest) step = std::min(step, gap(i));
   std::set<std::size_t> cuts{0, n};
   double within = squares(0, n);
-  std::size_t few = 0;  // groups of too few readings
+  std::size_t few = 0;  // groups with too few readings
   std::set<std::size_t> best;
   for (std::size_t k = 0; k < most && few <= 2; ++k) {
     const auto behind = cuts.insert(widest[k]).first;
@@ -77,13 +77,13 @@ Limits gaps(const std::vector<double>& sorted) {
 std::vector<std::size_t> sudden_changes(const std::vector<double>& readings, double noise) {
   constexpr std::size_t kMost = 4000, kBeside = 3;
   constexpr double kStep = 3.75;
-  const std::size_t n = readings.size(), each = (n + kMost - 1) / kMost;  // readings in a mean
+  const std::size_t n = readings.size(), each = (n + kMost - 1) / kMost;  // readings per mean
   std::vector<double> means;
   for (std::size_t i = 0; i < n; i += each) means.push_back(mean_of(readings, i, std::min(n, i + each)));
   std::vector<std::size_t> changes =
       mean_changes(means, noise * noise / static_cast<double>(each), 4 * std::log(static_cast<double>(n)));
   for (std::size_t& at : changes) at *= each;
-  for (std::size_t k = 1; k < changes.size() && each > 1; ++k) {  // refined to a reading, by least squares
+  for (std::size_t k = 1; k < changes.size() && each > 1; ++k) {  // refines to a single reading, by least squares
     const std::size_t block = changes[k] / each, from = changes[k] - each, to = std::min(n, changes[k] + each);
     const double one = means[block - std::min<std::size_t>(block, 2)],
                  other = means[std::min(block + 1, means.size() - 1)];
@@ -108,7 +108,7 @@ std::vector<std::size_t> sudden_changes(const std::vector<double>& readings, dou
   return sudden;
 }
 
-/// The group of each reading: a group is a segment that begins at one of these readings, or all segments of equal mean.
+/// The group of each reading: a segment that begins at one of `begins`, or all segments with equal mean.
 std::vector<std::size_t> join_equal(const std::vector<double>& readings, const std::vector<std::size_t>& begins,
                                     double noise) {
   constexpr double kSame = 4;
@@ -125,7 +125,7 @@ std::vector<std::size_t> join_equal(const std::vector<double>& readings, const s
   return groups;
 }
 
-/// Whether the readings of a group are loads that were set: blocks of equal values, all different.
+/// Whether the readings of a group are loads that were set: blocks of equal, all different values.
 bool comes_in_blocks(const std::vector<double>& readings) {
   std::size_t changes = 0;
   for (std::size_t i = 1; i < readings.size(); ++i) changes += readings[i] != readings[i - 1];
@@ -148,7 +148,7 @@ double von_neumann_ratio(const std::vector<double>& readings) {
 
 std::vector<std::size_t> group_by_nominal_load(const std::vector<double>& readings) {
   constexpr std::size_t kFewSet = 12;
-  constexpr double kOneLoad = 0.05, kDrift = 0.25;  // range of the readings of one load, and its drift, over the mean
+  constexpr double kOneLoad = 0.05, kDrift = 0.25;  // range of the readings at one load, and its drift, over the mean
   std::vector<double> sorted = readings;
   std::sort(sorted.begin(), sorted.end());
   std::vector<double> distinct = sorted;
@@ -156,12 +156,12 @@ std::vector<std::size_t> group_by_nominal_load(const std::vector<double>& readin
   if (distinct.size() < 2) return {};
   const double range = distinct.back() - distinct.front(), middle = std::abs(distinct.back() + distinct.front()) / 2;
   const bool one_load = range <= kOneLoad * middle;
-  // a few loads that recur were set
+  // a few recurring loads were set
   if (!one_load &&
       (distinct.size() <= 4 || (distinct.size() <= kFewSet && readings.size() >= kFewest * distinct.size())))
     return {};
   const Limits limits = gaps(sorted);
-  std::size_t changes = 0;  // from one group to another
+  std::size_t changes = 0;  // number of changes between groups
   for (std::size_t i = 1; i < readings.size(); ++i)
     changes += group_of(readings[i], limits) != group_of(readings[i - 1], limits);
   std::vector<std::size_t> numbered;
@@ -209,7 +209,7 @@ void join_noisy_loads(Dataset& data) {
     for (const double load : group) squares += (load - mean) * (load - mean);
     const double deviation = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
     scatter = std::max(scatter, deviation);
-    // only the digits of the mean that are certain
+    // only the certain digits of the mean
     const double error = std::max(deviation / std::sqrt(n), 1e-4 * std::abs(mean));
     const int digits = error > 0 && mean != 0 ? static_cast<int>(std::floor(std::log10(std::abs(mean) / error))) : 1;
     const std::string name =

@@ -78,7 +78,7 @@ class Reader {
     forces_.rows.push_back(point);
   }
 
-  /// Lists a comment that would be a row without its '#'.
+  /// Adds a comment that would be a row without its '#' as excluded.
   void comment(const CsvRow& row) {
     if (row.size() >= width_ && holds_a_number(row))
       forces_.excluded.push_back({row.line(), "passed over as a comment: it begins with '#'"});

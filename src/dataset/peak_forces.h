@@ -10,7 +10,7 @@
 
 namespace mixity {
 
-/// One row. Stresses refer to the area of Hertz at P. This exists only for P > 0; other rows are excluded.
+/// One row. Stresses refer to the Hertz area at P, which exists only for P > 0; other rows are excluded.
 struct PeakForce {
   std::size_t line;
   double P;                             // in the file's unit
@@ -22,7 +22,7 @@ struct PeakForces {
   std::vector<InputFile> inputs;  // the file and its TOML
   Metadata metadata;
   std::string force_unit;   // as written; empty if dimensionless
-  std::string stress_unit;  // kPa; empty if dimensionless, then in units of E*/xi
+  std::string stress_unit;  // kPa; empty if dimensionless, then stresses are in units of E*/xi
   std::vector<PeakForce> rows;
   std::vector<Excluded> excluded;
 };

@@ -14,7 +14,7 @@ namespace {
 
 enum Problem { kEmpty, kNotFinite, kNegative, kOutOfRange };
 
-/// Why the value of a column cannot be used: fixed texts, as a file may have millions of such values.
+/// Why the value of a column cannot be used, as a fixed text, since a file may have millions of such values.
 std::string_view reason_of(ColumnId id, Problem problem) {
   static const auto kTexts = [] {
     std::array<std::array<std::string, 4>, kColumnCount> texts;
@@ -36,7 +36,7 @@ struct PointReader::Numbers {
   const CsvRow& row;
   std::string_view unusable{};  // the reason; empty: none so far
 
-  /// The number in a column, in SI, and the standard error that its field may state; null: it must not.
+  /// The number in a column, in SI. `error`: receives the standard error stated in the field; null: none is allowed.
   double operator()(ColumnId id, double* error = nullptr) {
     double value = 0;
     if (!unusable.empty()) return value;
@@ -48,13 +48,13 @@ struct PointReader::Numbers {
     if (error && *error >= 0) *error *= column.unit.factor;
     return value;
   }
-  /// The same of a quantity whose standard error is that column if there is one.
+  /// The same for a quantity whose standard error is in the column `sigma` if there is one.
   double with_error(ColumnId id, ColumnId sigma, double& in_field) {
     return (*this)(id, columns.has(sigma) ? nullptr : &in_field);
   }
 
-  /// Sets the standard error of a quantity whose value is `of`, in the same unit. Leaves it unchanged if the column or
-  /// the field is missing. `in_field`: that of the field of the value, in SI.
+  /// Sets the standard error of a quantity with the value `of`, in the same unit. Leaves it unchanged if the column or
+  /// the field is missing. `in_field`: the error stated in the value's field, in SI.
   void standard_error(ColumnId id, double of, double unit, double in_field, double& error) {
     const Column* column = columns.find(id);
     const bool in_column = column && !row[column->index].empty();
@@ -115,7 +115,7 @@ std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const
   if (by_radius && radius <= 0) return lengths->one == ColumnId::a ? "a <= 0" : "diameter <= 0";
   if (!by_radius && area <= 0) return "A <= 0";
   Point& point = read.point;
-  point.P = P / units_.force + 0.0;  // a load of -0 is one of 0
+  point.P = P / units_.force + 0.0;  // -0 becomes 0
   point.T = T / units_.force;
   const double area_unit = units_.length * units_.length;
   point.A = by_radius ? area_from_radius(radius / units_.length) : area / area_unit;

@@ -1,4 +1,4 @@
-// Makes a point of a row, or gives the reason why it cannot be used.
+// Makes a point of a row, or gives the reason why the row cannot be used.
 #pragma once
 
 #include <optional>
@@ -12,23 +12,23 @@
 
 namespace mixity {
 
-/// The units of points in SI: of force, length and toughness ratio; 1 for dimensionless data.
+/// The units of points in SI: force, length and toughness ratio; 1 for dimensionless data.
 struct PointUnits {
   double force = 1, length = 1, ratio = 1;
 };
 
-/// The load of all points, in SI, from the metadata or the name of the file; null if neither states it. Throws
-/// InputError for a name that does not match `load_from`.
+/// The load common to all points, in SI, from the metadata or the name of the file; null if neither states it. Throws
+/// InputError for a file name that does not match `load_from`.
 std::optional<double> stated_load(const Dataset& data);
 
-/// Throws InputError, with the units to be said, if constants in units are stated beside columns without: these would
+/// Throws InputError, with the units to state, if constants with units are stated beside columns without, which would
 /// be taken as dimensionless.
 void require_units(const Columns& columns, const std::vector<Heading>& headings, bool load_stated,
                    const std::string& metadata_path, const Dataset& data);
 
-/// Sets what the header of a table and the constants determine of a data set: the kind of data, the contact, the
-/// display units, the ignored columns, and notes. Throws InputError if units are out of range, MissingConstants if
-/// constants are needed and not stated.
+/// Sets what the header of a table and the constants determine: the kind of data, the contact, the display units, the
+/// ignored columns, and notes. Throws InputError if units are out of range, MissingConstants if needed constants are
+/// not stated.
 PointUnits take_header(const Columns& columns, const std::string& metadata_path, Dataset& data);
 
 /// A point, with the quantities that only some files contain.
@@ -37,17 +37,17 @@ struct ReadPoint {
   ToughnessPoint converted;
   PointErrors errors;
   PointEnergies energies;
-  double axes = 1;             // of an elliptic contact, the longer over the shorter
-  bool states_errors = false;  // in the fields of its values
+  double axes = 1;             // of an elliptic contact, longer over shorter axis
+  bool states_errors = false;  // the fields of its values contain standard errors
 };
 
 class PointReader {
  public:
-  /// Reads the headings and calls take_header. Throws InputError for headings that cannot be used, and as that does.
+  /// Reads the headings and calls take_header. Throws as take_header does, and InputError for unusable headings.
   PointReader(const std::string& metadata_path, const std::vector<Heading>& headings, const ColumnRules& rules,
               Dataset& data);
 
-  /// Reads a row into a point, whose run is not set. Returns why the row cannot be used, or an empty text. Throws
+  /// Reads a row into a point, except for its run. Returns why the row cannot be used, or an empty text. Throws
   /// InputError for a row that cannot be understood.
   std::string_view read(const CsvRow& row, ReadPoint& point) const;
 
@@ -59,7 +59,7 @@ class PointReader {
   std::string_view read_toughness(Numbers& number, ReadPoint& point) const;
   std::string_view read_energies(Numbers& number, ReadPoint& point) const;
 
-  std::optional<double> load_;  // of all points, in SI; null if a column states it
+  std::optional<double> load_;  // common to all points, in SI; null if a column states the loads
   std::string path_;
   Columns columns_;
   PointUnits units_;

@@ -36,7 +36,7 @@ bool by_number(const std::string& one, const std::string& other) {
   return one.size() - i < other.size() - j;
 }
 
-/// The common beginning of their names, without numbers and signs at its end. If that is empty, the folder's name.
+/// The common beginning of the files' names, without numbers and signs at its end. If empty, the folder's name.
 std::string common_name(const std::vector<RunFile>& files) {
   std::string name = data_name(files.front().path);
   for (const RunFile& file : files) {
@@ -52,7 +52,7 @@ std::string common_name(const std::vector<RunFile>& files) {
   return folder.empty() ? "runs" : printable(folder, std::string::npos);
 }
 
-/// Appends a list of so many items to another one. Either may be empty, which means that its items have default values.
+/// Appends a list for `more_size` items to another. Either may be empty, which means default values for its items.
 template <class T>
 void append(const std::vector<T>& more, std::size_t more_size, std::vector<T>& all, std::size_t size) {
   if (all.empty() && more.empty()) return;
@@ -61,7 +61,7 @@ void append(const std::vector<T>& more, std::size_t more_size, std::vector<T>& a
   all.resize(size + more_size);
 }
 
-/// Notes the scale factors of a run on another sphere.
+/// Adds a note on the scale factors of a run on another sphere.
 void note_sphere(const Dataset& part, const std::string& name, Dataset& whole) {
   if (!part.contact || part.contact->radius == whole.contact->radius) return;
   whole.several_spheres = true;
@@ -138,7 +138,7 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
   }
   Metadata common = constants;
   apply_overrides(overrides, common);
-  // the relative error of the radius is that of every sphere
+  // the relative error of the radius applies to every sphere
   const double radius_error = common.radius ? common.standard_error("radius") / *common.radius : 0;
   Dataset whole;
   std::size_t lines = 0;

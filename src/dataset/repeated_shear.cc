@@ -6,14 +6,14 @@
 namespace mixity {
 namespace {
 
-constexpr double kNearStart = 0.1, kHigh = 0.5;  // of the largest |T| of the run so far, less the T it began with
+constexpr double kNearStart = 0.1, kHigh = 0.5;  // of the largest |T| in the run so far, minus its first T
 
 /// The shear of a run, point by point.
 struct ShearCourse {
   bool begun = false;
   double start = 0, last = 0, most = 0;
 
-  /// Whether this point is the first of another run.
+  /// Whether this point is the first of a new run.
   bool begins_again(double T) {
     const double shear = std::abs(T - start);
     const bool again = begun && most > 0 && last >= kHigh * most && shear <= kNearStart * most;
@@ -22,7 +22,7 @@ struct ShearCourse {
   }
 };
 
-/// Whether T rises from begin to before end, with few drops, to some share of `most`.
+/// Whether T rises from begin to before end, with few drops, to some fraction of `most`.
 bool rises(const std::vector<double>& T, std::size_t begin, std::size_t end, double most) {
   constexpr std::size_t kFewest = 4;
   constexpr double kSome = 0.3, kDrop = 0.02;

@@ -16,17 +16,17 @@ namespace {
 
 constexpr double kPullOff = 1.5 * std::numbers::pi;
 
-double reversed(double value) { return 0 - value; }  // 0 stays 0 and does not become -0
+double reversed(double value) { return 0 - value; }  // maps 0 to 0, not to -0
 
 /// The shear of the points of a run.
 struct ShearRange {
-  double least = 0, most = 0;  // at most 0, at least 0
+  double least = 0, most = 0;  // least <= 0 <= most
   std::size_t points = 0, below = 0;
 
   bool is_negative() const { return points >= 3 && least < 0 && most <= -0.1 * least; }
 };
 
-/// Of T with the stated offset.
+/// Ranges of T with the stated offset.
 std::vector<ShearRange> shear_ranges(const Dataset& data) {
   std::vector<ShearRange> ranges(data.curves.size());
   const ConstantsScale by(data.stated_constants());
@@ -62,11 +62,11 @@ void reverse_negative_runs(Dataset& data) {
                        (runs.size() > kFew ? " and " + std::to_string(runs.size() - kFew) + " more" : ""));
 }
 
-/// Notes runs that rise through zero from well below it. In noise, four rising readings in a row are one in 400.
+/// Adds a note on runs that rise through zero from well below. In noise, one in 400 has four rising readings in a row.
 void ask_for_zero(Dataset& data) {
   constexpr std::size_t kInARow = 4, kFew = 3;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  std::vector<std::size_t> rising(data.curves.size());  // readings below zero, each above the last, from the first on
+  std::vector<std::size_t> rising(data.curves.size());  // rising readings below zero, counted from the first
   std::vector<double> last(data.curves.size(),
                            -kInfinity);  // kInfinity: the readings rise no longer, or are above zero
   const ConstantsScale by(data.stated_constants());
@@ -103,7 +103,7 @@ bool compression_is_negative(const Dataset& data) {
   }
   if (far < kFew) return false;
   double pp = 0, pa = 0, aa = 0;
-  std::vector<double> over_jkr;  // of points with hardly any shear
+  std::vector<double> over_jkr;  // for points with hardly any shear
   for (const Point& point : data.points) {
     pp += (point.P - P) * (point.P - P);
     pa += (point.P - P) * (point.A - A);

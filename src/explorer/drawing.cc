@@ -11,9 +11,9 @@ namespace mixity::explorer {
 namespace {
 
 constexpr double kMilli = 1e-3, kSquareMilli = 1e-6;
-constexpr std::size_t kPoints = 100;  // of a curve that is drawn while a slider moves
+constexpr std::size_t kPoints = 100;  // in a curve drawn while a slider moves
 
-/// A data set without points, for its constants and units.
+/// A data set without points, which provides constants and units.
 Dataset of_constants(const Json& request) {
   Dataset data;
   const Contact contact{request.at("radius"), request.at("modulus"), request.at("toughness")};

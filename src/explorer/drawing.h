@@ -1,5 +1,5 @@
-// The models at chosen constants and loads, for a page with sliders. Numbers in and out are in the page's units: loads
-// mN, areas mm^2, radii mm, displacements um.
+// The models at chosen constants and loads, for a page with sliders. All numbers are in the page's units: loads mN,
+// areas mm^2, radii mm, displacements um.
 #pragma once
 
 #include <functional>
@@ -12,14 +12,14 @@ namespace mixity::explorer {
 
 using Json = nlohmann::ordered_json;
 
-/// A list with get(item), or the member `get`, of each item.
+/// A JSON list of get(item), or of the member `get`, for each item.
 Json list_of(const auto& items, const auto& get) {
   Json list = Json::array();
   for (const auto& one : items) list.push_back(std::invoke(get, one));
   return list;
 }
 
-/// Throws std::invalid_argument if there is no model with this key.
+/// The model with this key. Throws std::invalid_argument if there is none.
 ContactModel model_of(const std::string& key);
 
 /// {"radius": m, "modulus": Pa, "toughness": J/m^2, "P": .., "T": .., "T_most": .., "P_most": .., "models":

@@ -1,5 +1,5 @@
-// The engine as a page's script calls it: texts in, JSON out. An exception becomes {"error": SENTENCE, "options":
-// [those that it recommends]}.
+// The engine as called by the page's script: texts in, JSON out. An exception becomes {"error": SENTENCE, "options":
+// [recommended ones]}.
 #include <emscripten/bind.h>
 
 #include <chrono>
@@ -49,13 +49,13 @@ void areas_at(const std::string& model, const std::vector<double>& parameters, d
   model_of(model).areas_at(parameters, P, {at(T), n}, {at(A), n}, status);
 }
 
-/// Writes a file for `read` and `fit`: data, or the TOML beside it. Contents are passed as Uint8Array, as a string of
-/// JavaScript would become UTF-8.
+/// Writes a file for `read` and `fit`: data, or the TOML beside it. Contents are passed as Uint8Array, because
+/// JavaScript strings would be converted to UTF-8.
 void write_file(const std::string& name, const std::string& content) {
   std::ofstream(name, std::ios::binary) << content;
 }
 
-/// Constants of the experiment and options by their names, each a text: {"radius": "9.42 mm"}, {"models": "c"}.
+/// Constants of the experiment and options as texts by name: {"radius": "9.42 mm"}, {"models": "c"}.
 FitRequest request_of(const std::string& name, const std::string& constants, const std::string& options) {
   const Json chosen = Json::parse(options), stated = Json::parse(constants);
   FitRequest request;
@@ -68,14 +68,13 @@ FitRequest request_of(const std::string& name, const std::string& constants, con
   return request;
 }
 
-/// How a file that was written is read (experiment.h).
+/// How a written file is read (experiment.h).
 std::string read_file(const std::string& name, const std::string& constants) {
   return guarded([&] { return as_read(load_dataset(name, request_of(name, constants, "{}").constants)); });
 }
 
-/// A fit of a file that was written.
-/// {"fits": schema mixity-fit-1, "answer": {...}, "drawn": (experiment.h), "definition": "fits/NAME.toml", "used":
-/// CSV}.
+/// Fits a written file. {"fits": schema mixity-fit-1, "answer": {...}, "drawn": (experiment.h), "definition":
+/// "fits/NAME.toml", "used": CSV}.
 std::string fit_file(const std::string& name, const std::string& constants, const std::string& options) {
   return guarded([&] {
     const Analysis result = run(request_of(name, constants, options));
@@ -87,8 +86,8 @@ std::string fit_file(const std::string& name, const std::string& constants, cons
   });
 }
 
-/// A law as the flag --law has it. {"model": key, "shown", "parameters": [{"name", "lower", "upper", "start"}],
-/// "warnings": [text]}.
+/// Defines a law in the syntax of the flag --law. {"model": key, "shown", "parameters": [{"name", "lower", "upper",
+/// "start"}], "warnings": [text]}.
 std::string define(const std::string& text) {
   return guarded([&] {
     const DefinedLaw defined = define_law_text("law", text);
@@ -103,8 +102,8 @@ std::string define(const std::string& text) {
   });
 }
 
-/// A fit definition that was written: {"data": name} and the fields of request_fields. All laws are forgotten before
-/// and after, as laws that were typed may have the keys of its laws.
+/// Reads a written fit definition: {"data": name} and the fields of request_fields. Forgets all laws before and after,
+/// since typed laws may have the keys of its laws.
 std::string read_definition(const std::string& name) {
   return guarded([&] {
     struct Forgetting {
@@ -132,9 +131,9 @@ RegimeMap map_for(const Json& request) {
 }
 
 /// A map of regimes for {"model", "parameters": [value], "axis": index of the parameter, "low", "high": its ends,
-/// "logarithmic", "P_low", "P_high"}, loads dimensionless. Works for so long, but adds one line at least, and returns
-/// {} until the map is done: the page asks again, and can do other things in between. Then {"regions": [{"regime",
-/// "outline": [[P, parameter]]}]}. A new request replaces an unfinished one.
+/// "logarithmic", "P_low", "P_high"}, loads dimensionless. Works for about `milliseconds`, at least one line, and
+/// returns {} until the map is complete, so that the page can do other things before it asks again. Then returns
+/// {"regions": [{"regime", "outline": [[P, parameter]]}]}. A new request replaces an unfinished one.
 std::string map_of(const std::string& request, double milliseconds) {
   return guarded([&] {
     static std::string asked;

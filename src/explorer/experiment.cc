@@ -15,7 +15,7 @@
 namespace mixity::explorer {
 namespace {
 
-constexpr std::size_t kMostExcluded = 20;  // that a page lists
+constexpr std::size_t kMostExcluded = 20;  // listed on a page
 
 Json runs_of(const Dataset& data) {
   Json runs = Json::array();

@@ -12,18 +12,18 @@ namespace mixity::explorer {
 using Json = nlohmann::ordered_json;
 
 /// How a file was read: {"reading", "taken": ["P from 'Normalkraft'"], "ignored", "notes", "excluded_count",
-/// "excluded": [{"line", "reason"}], "constants": {"radius": {"exact": "0.00942 m", "shown": "9.42 mm"}}, "notice": of
-/// reconstructed data, "units": {"force", "area"}, "runs": [{"name", "P", "lines", "T", "A"}]}; without loads
+/// "excluded": [{"line", "reason"}], "constants": {"radius": {"exact": "0.00942 m", "shown": "9.42 mm"}}, "notice" (for
+/// reconstructed data), "units": {"force", "area"}, "runs": [{"name", "P", "lines", "T", "A"}]}; without loads
 /// "energies": {"lines", "psi", "f"} in place of runs.
 Json as_read(const Dataset& data);
 
 /// {"result", "model", "interval", "doubt", "budget": [[name, part]], "jumps": [[text]], "cannot_say"}, as at the
-/// head of a report.
+/// beginning of a report.
 Json as_told(const Answer& answer, const Dataset& data);
 
 /// {"contact": {"radius": m, "modulus": Pa, "toughness": J/m^2}, "models": [{"model", "runs": [{"P", "curve": [[T, A]],
-/// "unstable", "band": [[T, low, high]], "folds": [[T, A]]}], "toughness": [[psi, f]]}]}, the model that describes the
-/// data best first. Bands of one standard error, of that model alone.
+/// "unstable", "band": [[T, low, high]], "folds": [[T, A]]}], "toughness": [[psi, f]]}]}, beginning with the model that
+/// describes the data best. Bands, of one standard error, are those of this model alone.
 Json as_drawn(const Analysis& result);
 
 }  // namespace mixity::explorer

@@ -1,4 +1,4 @@
-// Remedies in the words of the page: its fields. What has none is an option of the program.
+// Remedies in the words of the page: its fields. Options without a field appear as options of the program.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace mixity::explorer {
 
-/// A Wording (base/message.h). Constants that are missing and options that were given are fields beside the message.
+/// A Wording (base/message.h). Missing constants and given options get no words: the message is beside their fields.
 inline std::string in_fields(const Remedy& remedy) {
   if (remedy.kind == Remedy::Kind::given || remedy.kind == Remedy::Kind::state) return "";
   const auto& [first, value, placeholder] = remedy.choices[0];

@@ -1,5 +1,5 @@
-// What the C++ library of Debian's Emscripten does not have yet: numbers as text for doubles, bit_cast. Included before
-// every file of the explorer's build, and nowhere else.
+// Parts that the C++ library of Debian's Emscripten lacks: conversion of doubles to and from text, bit_cast. Included
+// before every file of the explorer's build, and nowhere else.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace std {  // NOLINT: what stands there in other libraries
+namespace std {  // NOLINT: other libraries define these here
 
 inline from_chars_result from_chars(const char* first, const char* last, double& value,
                                     chars_format = chars_format::general) {
@@ -17,7 +17,7 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   const auto n = min<size_t>(static_cast<size_t>(last - first), sizeof text - 1);
   memcpy(text, first, n);
   text[n] = 0;
-  // strtod takes blanks and a plus sign before a number, and hexadecimal ones
+  // strtod also accepts blanks and a plus sign before a number, and hexadecimal numbers
   const char* const digits = text + (text[0] == '-');
   if (!(isdigit(static_cast<unsigned char>(*digits)) || *digits == '.' || *digits == 'i' || *digits == 'n'))
     return {first, errc::invalid_argument};
@@ -34,7 +34,7 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   return {first + (end - text), errc()};
 }
 
-/// The shortest that reads back.
+/// The shortest text that reads back as the same number.
 inline to_chars_result to_chars(char* first, char* last, double value) {
   for (int digits = 1; digits <= 17; ++digits) {
     const int n = snprintf(first, static_cast<size_t>(last - first), "%.*g", digits, value);

@@ -1,4 +1,4 @@
-// In the browser the kernel descends, where elsewhere Ceres makes what is shown: tests hold both to the same minimum.
+// In the browser the kernel makes the last descent in place of Ceres; tests check that both reach the same minimum.
 #include "solver/descent.h"
 
 namespace mixity {

@@ -9,17 +9,17 @@
 namespace mixity {
 namespace {
 
-/// Residuals larger than so many rounding errors are noise of the data.
+/// Residuals above this many rounding errors are noise of the data.
 constexpr double kRounding = 100;
 
-/// The effective number of independent tests, from the eigenvalues of their correlations (Galwey 2009).
+/// The effective number of independent tests, from the eigenvalues of their correlation matrix (Galwey 2009).
 double effective_number(const Eigen::MatrixXd& correlations) {
   if (correlations.size() == 0) return 0;
   const Eigen::VectorXd values = eigenvalues(correlations).cwiseMax(0);
   return std::pow(values.cwiseSqrt().sum(), 2) / values.sum();
 }
 
-/// The rows of a problem over a unit, part by part: several parts are evaluated again in each pass.
+/// The rows of a problem divided by a unit, part by part; several parts are evaluated again in each pass.
 class Rows {
  public:
   Rows(const Problem& problem, const std::vector<double>& x, double unit) : problem_(problem), x_(x), unit_(unit) {}
@@ -48,14 +48,14 @@ class Rows {
   std::vector<double> residuals_, jacobian_;
 };
 
-/// A constant that was not fitted, and sums over the rows.
+/// A constant that was not fitted, and its sums over the rows.
 struct Tested {
   std::size_t column;
   double square = 0, slope = 0;  // |c|^2 and c'r
-  Eigen::VectorXd across{};      // J'c of the parameters that the fit moves
-  Eigen::VectorXd moved{};       // of these by the fit, for each unit of the constant
+  Eigen::VectorXd across{};      // J'c for the parameters that the fit can move
+  Eigen::VectorXd moved{};       // how far the fit moves them per unit of the constant
   bool tested = false;           // its column is independent of those of the fit
-  double robust = 0;             // sum of the squares of HC3
+  double robust = 0;             // the sum of squares of HC3
   double left() const { return square - across.dot(moved); }
   double fall() const { return slope * slope / left(); }
 };
@@ -68,11 +68,11 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
   const auto& parameters = problem.parameters();
   if (fitted == 0 || !(unit > 0)) return std::nullopt;
   Rows rows(problem, x, unit);
-  std::vector<std::size_t> open;  // columns of parameters that the fit moves
+  std::vector<std::size_t> open;  // columns of parameters that the fit can move
   for (std::size_t k = 0; k < fitted; ++k)
     if (!held[k]) open.push_back(k);
   const auto m = static_cast<Eigen::Index>(open.size());
-  Eigen::VectorXd priors(m);  // infinite where nothing is known
+  Eigen::VectorXd priors(m);  // infinite without a prior
   for (Eigen::Index i = 0; i < m; ++i) {
     const double prior = parameters[open[static_cast<std::size_t>(i)]].prior;
     priors[i] = prior > 0 ? prior : std::numeric_limits<double>::infinity();
@@ -96,7 +96,7 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
   const bool scatters = std::sqrt(squares) * unit > kRounding * residual_rounding(problem);
   Eigen::MatrixXd H = of_data;
   H.diagonal() += priors.cwiseAbs2().cwiseInverse();
-  // scaled to a unit diagonal, against rounding errors
+  // scaled to a unit diagonal, which reduces rounding errors
   const Eigen::VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
   if (!scale.allFinite()) return std::nullopt;
   H = scale.asDiagonal() * H * scale.asDiagonal();
@@ -120,24 +120,24 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
   std::vector<Tested*> tests;
   for (Tested& one : constants) {
     one.moved = solve(one.across);
-    // a column that depends on those of the fit, to rounding, cannot be tested
+    // a column that depends on those of the fit, within rounding, cannot be tested
     one.tested = one.left() > 1e-9 * one.square && scatters;
     if (one.tested) tests.push_back(&one);
   }
   const auto count = static_cast<Eigen::Index>(tests.size());
   Eigen::MatrixXd correlations = Eigen::MatrixXd::Zero(count, count);
-  const bool whole = problem.parts() == 1;  // columns, whose lengths are known at once
+  const bool whole = problem.parts() == 1;  // the columns' lengths are then known at once
   const bool again = tests.empty() || rows.each([&](const auto& J, const auto& r) {
     const Eigen::MatrixXd open_J = J(Eigen::all, open);
-    Eigen::MatrixXd directions(J.rows(), count);  // of the tests
+    Eigen::MatrixXd directions(J.rows(), count);  // one column per test
     for (Eigen::Index k = 0; k < count; ++k) {
       Tested& one = *tests[static_cast<std::size_t>(k)];
       const Eigen::VectorXd column = J.col(static_cast<Eigen::Index>(one.column));
       const Eigen::VectorXd apart = column - open_J * one.moved;
       directions.col(k) = whole ? apart.normalized() : apart;
       if (problem.known_errors()) continue;
-      // Errors of unknown size: the larger p of two, for one variance of all residuals, and for a variance of each
-      // from the residual and its leverage with the constant free (MacKinnon & White's HC3).
+      // Errors of unknown size: the larger of two p-values, for a common variance of the residuals, and for individual
+      // variances from residual and leverage with the constant free (MacKinnon & White's HC3).
       const Eigen::ArrayXd leverage = apart.array().square() / one.left(),
                            free = (r - apart * (one.slope / one.left())).array() / (1 - leverage).max(0.1);
       one.robust += (apart.array() * free).square().sum();

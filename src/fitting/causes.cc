@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostConstants = 5;
 
-/// Constants that are exact and that the points ask to be free, and uncertain ones that lie far from what was stated.
+/// Exact constants that the tests suggest to free, and uncertain ones far from their stated values.
 std::vector<Constant> suspected_constants(const FitResult& fit) {
   constexpr double kFar = 3;  // standard errors of a prior
   std::vector<std::pair<double, Constant>> list;
@@ -30,7 +30,7 @@ std::vector<Constant> suspected_constants(const FitResult& fit) {
   std::vector<Constant> constants;
   const auto has = [&](Constant c) { return std::find(constants.begin(), constants.end(), c) != constants.end(); };
   for (const auto& [fall, constant] : list) {
-    const Constant alike = constant == kAreaScale ? kModulus : constant;  // they act alike; the modulus is named
+    const Constant alike = constant == kAreaScale ? kModulus : constant;  // they act alike; only the modulus is named
     const bool known = std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.second == alike; });
     if (constants.size() < kMostConstants && !has(known ? alike : constant))
       constants.push_back(known ? alike : constant);
@@ -51,7 +51,7 @@ std::vector<std::string> differing_quantities(const FitResult& fit) {
 
 std::string percent(double share) { return rounded(100 * share, 2) + " %"; }
 
-/// The size of a deviation of this quantity, from the solver's number.
+/// The size of a deviation of this quantity, given the solver's number.
 std::string size_text(const Dataset& data, const std::string& quantity, double deviation) {
   const auto constant = constant_named(quantity);
   if (!constant) return rounded(deviation, 2);
@@ -121,10 +121,10 @@ Cause by_run(const Case& of, const std::string& quantity, const Points& points) 
           0};
 }
 
-/// The run that alone makes up nearly all of the differences; null if there is none.
+/// The run that causes nearly all of the differences alone; null if there is none.
 std::optional<std::size_t> odd_run(const RunDifferences& runs, std::size_t quantity) {
-  constexpr double kNearlyAll = 0.8;  // of the squares about the median
-  constexpr std::size_t kFewest = 4;  // runs: of fewer none is the odd one
+  constexpr double kNearlyAll = 0.8;  // of the sum of squares about the median
+  constexpr std::size_t kFewest = 4;  // runs: with fewer, none can be called odd
   const std::vector<double>& all = runs.deviations[quantity];
   if (all.size() < kFewest) return std::nullopt;
   std::vector<double> sorted = all;
@@ -179,7 +179,7 @@ double implausibility(const Case& of, const Cause& cause) {
   return implausibility(of.data, cause.name, found - constants_of(of.data, of.options)[constant], 0);
 }
 
-/// Whether a fit is far off whatever the proportions of the errors.
+/// Whether a fit fails clearly, whatever the proportions of the errors.
 bool is_hopeless(const Dataset& data, const FitResult& fit) {
   constexpr double kSurely = 1e-6;
   if (!is_found(fit) || fit.residuals.empty()) return true;
@@ -197,7 +197,7 @@ double misfit(const FitResult& fit) {
 
 std::vector<Cause> causes(const Case& of, const Points& points, double range) {
   constexpr std::size_t kSome = 200;
-  // A cause that does not explain some of many points does not explain all, except in one case of ten thousand.
+  // If a cause does not explain a sample of many points, it does not explain all, except in one case of ten thousand.
   const Points some = thinned(points, kSome);
   const bool many = points.size() >= 2 * kSome;
   const auto explained = [&](const Cause& one) {
@@ -210,7 +210,7 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
     if (many && !explained(cause(with, some))) return;
     if (Cause one = cause(with, points); explained(one)) list.push_back(std::move(one));
   };
-  // Where another model has won, errors need not be estimated with each cause, and runs that differ set nothing right.
+  // If another model has won, errors need not be estimated for each cause, and differing runs explain nothing.
   FitOptions bare = of.options;
   bare.fitted_errors = false;
   const Case by_readings{of.data, of.fit, bare, of.refit, of.left_behind};
@@ -221,7 +221,7 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
     else if (!is_hopeless(of.data, cause(by_readings, some).fit))
       consider(of, cause);
   }
-  // A course that all runs share is no difference between them.
+  // A course common to all runs is not a difference between them.
   const bool shared = of.fit.consistency && of.fit.consistency->residuals.course_p < kChance;
   if (!of.left_behind && !shared)
     for (const std::string& quantity : differing_quantities(of.fit))

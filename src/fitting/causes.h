@@ -1,4 +1,4 @@
-// What may be the cause where tests of a fit fail: constants that are wrong, quantities that differ between the runs.
+// Possible causes of failed tests: constants that are wrong, quantities that differ between the runs.
 #pragma once
 
 #include <optional>
@@ -9,32 +9,32 @@
 
 namespace mixity {
 
-/// One cause, fitted.
+/// A possible cause, and the fit that includes it.
 struct Cause {
   enum class Kind { constant, runs, one_run };
   Kind kind;
-  std::string name;  // of the constant, or of the quantity that differs
-  std::string run;   // of one_run
-  Message size;      // what it would be: a clause
+  std::string name;  // of the constant or quantity
+  std::string run;   // for one_run: the run that differs
+  Message size;      // the estimated size, as a clause
   Message remedy;    // the option that fits it
-  Points points;     // all, or without the run
+  Points points;     // the points fitted: all, or without the run
   FitResult fit;
-  double misfit;  // -2 ln L, to be compared with that of other causes
+  double misfit;  // -2 ln L, comparable between causes
 };
 
-/// -2 ln L of a fit, but for a constant of the points.
+/// -2 ln L of a fit, up to a constant that depends on the points alone.
 double misfit(const FitResult& fit);
 
-/// The causes that explain the points, without those that are worse than the best by more than `range`; first the one
-/// with the least sum of misfit and implausibility of its size.
+/// The causes that explain the points and have a misfit within `range` of the best. The first one has the least sum of
+/// misfit and implausibility of its size.
 std::vector<Cause> causes(const Case& of, const Points& points, double range);
 
-/// A contact that is no circle leaves residuals that look like noise of T with a memory. Where neighbours correlate,
-/// the fit with the shape free, if it does about as well without correlation and moves the first parameter by an amount
-/// that matters.
+/// A contact that is not circular leaves residuals that look like autocorrelated noise of T. Where neighbours
+/// correlate, returns the fit with free shape if it does about as well without correlation and changes the first
+/// parameter by an amount that matters.
 std::optional<Cause> shape_instead_of_memory(const Case& of);
 
-/// Whether a test says that the runs differ, by more than chance and by an amount that matters.
+/// Whether a test shows that the runs differ, by more than chance and by an amount that matters.
 bool runs_differ(const FitResult& fit, double chance);
 
 }  // namespace mixity

@@ -10,8 +10,8 @@
 namespace mixity {
 namespace {
 
-/// Sum of squared area errors at points of one run; adds those beyond the fold to `beyond`. Null where the law defines
-/// no area.
+/// Sum of squared area errors at the points of one run; adds the number beyond the fold to `beyond`. Null where the law
+/// defines no area.
 std::optional<double> squared_area_errors(const Dataset& data, const std::vector<std::size_t>& run,
                                           const ContactModel& model, const Candidate& candidate, std::size_t& beyond) {
   const std::vector<PredictedArea> areas = predicted_areas(model, candidate, data, run);
@@ -31,7 +31,7 @@ std::size_t most_points(const std::vector<FitResult>& fits) {
   return most;
 }
 
-/// Exponentials of these logarithms, divided by their sum; null where there is none.
+/// Exponentials of these logarithms, normalised to the sum 1; null stays null.
 std::vector<std::optional<double>> shares(std::vector<std::optional<double>> values) {
   double highest = -std::numeric_limits<double>::infinity(), sum = 0;
   for (const auto& one : values) highest = std::max(highest, one.value_or(highest));
@@ -76,7 +76,7 @@ Information information(double sum_of_squares, std::size_t n, std::size_t parame
 
 std::optional<Information> information(const FitResult& fit) {
   if (!has_all_values(fit) || fit.residuals.empty() || !(fit.sum_of_squares > 0)) return std::nullopt;
-  // Each model has a loss of its own.
+  // Each model has its own loss.
   if (fit.loss_scale > 0 && (!fit.known_errors || fit.loss_freedom > 0)) return std::nullopt;
   return information(comparable_squares(fit), fit.used.size(), fit.free_parameters, fit.known_errors);
 }
@@ -127,7 +127,7 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
 std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector<FitResult>& fits,
                                           const FitOptions& options) {
   std::vector<ComparedModel> compared;
-  std::vector<std::optional<double>> logarithms;  // of the Akaike weights
+  std::vector<std::optional<double>> logarithms;  // of Akaike weights
   const std::size_t most = most_points(fits);
   const auto models = static_cast<double>(fits.size());
   FitOptions of_one = options;
@@ -164,7 +164,7 @@ bool Preferences::agree() const {
 
 Preferences preferences(const std::vector<ComparedModel>& compared) {
   constexpr double kTie = 1e-3;  // relative
-  // the models that a number is largest of; none unless two models have it
+  // the models with the largest number; none unless two models have one
   const auto largest = [&](auto number_of) {
     std::optional<double> best;
     std::size_t known = 0;

@@ -14,7 +14,7 @@
 namespace mixity {
 namespace {
 
-/// z of the number of runs of one sign (Wald & Wolfowitz); 0 where nearly all signs agree.
+/// z of the number of sequences of one sign (Wald & Wolfowitz); 0 where nearly all signs agree.
 double runs_of_one_sign(const std::vector<double>& r) {
   double plus = 0, runs = 1;
   for (std::size_t i = 0; i < r.size(); ++i) {
@@ -47,12 +47,12 @@ std::pair<double, double> neighbour_products(const std::vector<double>& r) {
   return {sum, squares};
 }
 
-/// Residuals at the ends of the runs against those of the points before these.
+/// Compares residuals at the ends of the runs with those before.
 class EndsTest {
  public:
   /// A run with its loads T. `repeats`: whether a reading in steps is that of the point before, and tells nothing new.
   void add(const std::vector<double>& T, const std::vector<double>& r, const std::vector<bool>& repeats) {
-    constexpr double kBeside = 0.3;  // of a run, from its end
+    constexpr double kBeside = 0.3;  // share of a run, from its end
     std::vector<std::size_t> order(r.size());
     std::iota(order.rbegin(), order.rend(), std::size_t{0});
     // A run that was recorded as it was sheared ends where the file does: points that have slid may lie at lower shear.
@@ -69,12 +69,12 @@ class EndsTest {
   }
 
   void finish(const FitResult& fit, ResidualTests& tests) const {
-    constexpr double kEnough = 10;  // points beside the ends
+    constexpr double kEnough = 10;  // informative points beside the ends
     if (!(at_end_.told > 0)) return;
-    // Where errors are of unknown size, the scatter beside the ends measures it, which may grow with T.
+    // Where errors have unknown size, the scatter beside the ends measures it, since it may grow with T.
     const bool enough = beside_.told >= kEnough, measured = !fit.known_errors && enough && beside_.squares > 0;
     const double unit = measured ? std::sqrt(beside_.squares / beside_.points) : residual_unit(fit);
-    // A fit that is pulled towards the ends moves away from the points beside them.
+    // A fit that is attracted by the ends departs from the points beside them.
     const double mean_beside = enough ? beside_.sum / beside_.points : 0;
     const double variance = 1 / at_end_.told + (enough ? 1 / beside_.told : 0);
     tests.ends = (at_end_.sum / at_end_.points - mean_beside) / std::sqrt(variance) / unit;
@@ -89,19 +89,19 @@ class EndsTest {
       ++points;
       told += repeat ? 0 : 1;
     }
-    double sum = 0, squares = 0, points = 0, told = 0;  // told: points without those that repeat
+    double sum = 0, squares = 0, points = 0, told = 0;  // told: number of points that do not repeat
   };
   Part at_end_, beside_;
 };
 
-/// Indices into FitResult::used of the points of each run, in the order of the file.
+/// Indices into FitResult::used of the points of each run, in file order.
 std::vector<std::vector<std::size_t>> used_by_run(const Dataset& data, const FitResult& fit) {
   std::vector<std::vector<std::size_t>> runs(std::max<std::size_t>(data.curves.size(), 1));
   for (std::size_t i = 0; i < fit.used.size(); ++i) runs[data.points[fit.used[i]].curve].push_back(i);
   return runs;
 }
 
-/// Residuals less what noise leads one to expect.
+/// Residuals minus the part expected from noise.
 std::vector<double> unexpected(const FitResult& fit) {
   std::vector<double> r = fit.residuals;
   if (fit.errors && !fit.errors->expected.empty())
@@ -127,10 +127,10 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
     tests.course = course->F;
     tests.course_p = course->p_value;
   }
-  // Of one or two runs nothing tells correlated noise from a wrong model.
+  // With one or two runs, correlated noise cannot be distinguished from a wrong model.
   const bool independent = tests.course && fit.innovations.size() == fit.residuals.size();
   std::vector<double> residuals = independent ? fit.innovations : unexpected(fit);
-  if (fit.loss_scale > 0)  // outliers count as they do in the fit: no more than points where the loss bends
+  if (fit.loss_scale > 0)  // limit outliers as the fit does, to where the loss bends
     for (double& r : residuals) r = std::clamp(r, -fit.loss_scale, fit.loss_scale);
   const auto runs = used_by_run(data, fit);
   double z = 0, trend = 0, squares = 0, product = 0, of_products = 0;
@@ -192,7 +192,7 @@ std::optional<double> over_neighbours(const Dataset& data, const FitResult& fit)
   return std::sqrt(squares / differences);
 }
 
-/// Root mean square residual in the scatter of neighbouring points.
+/// Root mean square residual in units of the scatter of neighbouring points.
 double over_scatter(const Dataset& data, const FitResult& fit) {
   const std::vector<double> ratios = variance_ratios(data, fit.used, *fit.errors);
   double squares = 0;
@@ -201,7 +201,7 @@ double over_scatter(const Dataset& data, const FitResult& fit) {
   return fit.freedom() > 0 ? std::sqrt(squares / static_cast<double>(fit.freedom())) : 0;
 }
 
-/// Runs with points that the fitted model gives no area, and the first of them.
+/// Runs with points for which the fitted model has no area, and the first of these.
 std::vector<BeyondEquilibrium> beyond_equilibrium(const Dataset& data, const FitResult& fit) {
   std::vector<BeyondEquilibrium> list;
   if (!fit.area || fit.area->areas.size() != fit.used.size()) return list;
@@ -230,7 +230,7 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
     result.chi2_p = chi_squared_p_value(square / freedom * counted, counted);
   }
   result.residuals = test_residuals(data, fit);
-  // The errors are from the scatter of neighbours, independent of the fit; residuals are in units of these.
+  // The errors come from the scatter of neighbours, independent of the fit; residuals are in units of these.
   if (!fit.known_errors && fit.objective == Objective::curve && fit.errors && fit.loss_scale == 0 &&
       fit.errors->source_A == ErrorSource::scatter && fit.errors->source_T == ErrorSource::scatter)
     result.residuals.over_scatter = over_scatter(data, fit);

@@ -1,4 +1,4 @@
-// Tests of a fit's residuals (consistency.cc), which of them fails (failures.cc), and why (diagnosis.cc).
+// Tests of a fit's residuals (consistency.cc), which one fails (failures.cc), and why (diagnosis.cc).
 #pragma once
 
 #include <functional>
@@ -10,49 +10,49 @@
 
 namespace mixity {
 
-/// A test fails at this p-value.
+/// A test fails if its p-value is below this.
 inline constexpr double kChance = 1e-3;
 
-/// Whether a constant asks to be free, of so many tests. Less evidence is enough against one that would move the first
-/// parameter far beyond its interval: by as much the fit is wrong if it is believed.
+/// Whether one of `tests` score tests shows that a constant should be free. The threshold is lower if freeing it would
+/// move the first parameter far outside its interval, because the fit would then be wrong by as much.
 inline bool asks_to_be_free(const ExactConstant::Score& score, double tests) {
-  constexpr double kFar = 6, kLess = 1e-2;  // standard errors; a chance
+  constexpr double kFar = 6, kLess = 1e-2;  // in standard errors; a probability
   return score.p_value * tests < (std::abs(score.change) > kFar ? kLess : kChance);
 }
 
-/// Standard error of a residual: 1 where errors are known, else from the scatter about the fit. Of Student's likelihood
-/// its scale, which is that of most points.
+/// Standard error of a residual: 1 where errors are known, else from the scatter about the fit. For Student's
+/// likelihood the scale parameter, which most points follow.
 double residual_unit(const FitResult& fit);
 
-/// Of a fit that has residuals.
+/// The fit must have residuals.
 Consistency test_consistency(const Dataset& data, const FitResult& fit);
 
-/// The exact constant with the most significant score test among those that matter, if that fails; else null.
+/// Among the exact constants that matter, the one with the most significant score test, if that test fails; else null.
 const ExactConstant* wrong_constant(const FitResult& fit);
 
-/// A constant that lies farther from what was stated than its standard error explains; else null.
+/// A constant farther from its stated value than its standard error explains; else null.
 const BudgetPart* far_from_stated(const FitResult& fit);
 
-/// Whether more points lie beyond the last equilibrium than by chance.
+/// Whether more points lie beyond the last equilibrium than chance allows.
 bool slides(const FitResult& fit);
 
 /// Whether the residuals are far larger than the scatter of neighbours.
 bool is_far(const ResidualTests& tests);
 
-/// The mean correlation of neighbouring residuals by the estimate of the errors; 0 without one.
+/// The mean correlation of neighbouring residuals, from the error estimate; 0 without one.
 double mean_correlation(const FitResult& fit);
-/// How many independent points the points of the fit are worth: n (1 - r)/(1 + r), r the mean correlation.
+/// The effective number of independent points: n (1 - r)/(1 + r), r the mean correlation.
 double independent_points(const FitResult& fit);
 /// The first test that fails, as a sentence with a remedy; empty if none does.
 Message failed_test(const Dataset& data, const FitResult& fit);
 
-/// A refit of the same model to some points, for its values; from `near` if that is not null.
+/// Refits the same model to some points, for its values; starts from `near` unless that is null.
 using Refit = std::function<FitResult(const FitOptions& options, const std::vector<std::size_t>& points,
                                       const std::vector<FittedParameter>* near)>;
 
-/// The best explanation for the tests that fail, with a remedy, in one sentence: a wrong constant of the experiment,
-/// points past the onset of sliding, errors that are too small, or a wrong model. Empty if no test fails.
-/// `left_behind`: another model fits far better, so only a constant that explains everything is considered.
+/// The best explanation for failed tests and its remedy, in one sentence: a wrong constant of the experiment, points
+/// past the onset of sliding, errors that are too small, or a wrong model. Empty if no test fails. `left_behind`:
+/// another model fits far better, so only a constant that explains everything is considered.
 struct Diagnosis {
   Message reason;
   std::optional<double> explained{};  // the cost with the best cause that explains everything
@@ -61,8 +61,8 @@ struct Diagnosis {
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
                    bool left_behind);
 
-/// Of a fit that passes its tests, the explanation that is better nevertheless (shape_instead_of_memory); no reason if
-/// there is none.
+/// For a fit that passes its tests, an explanation that is better nevertheless (shape_instead_of_memory); else no
+/// reason.
 Diagnosis second_thought(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit);
 
 }  // namespace mixity

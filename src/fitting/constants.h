@@ -1,4 +1,4 @@
-// Constants of the experiment in the residuals of a fit.
+// The effect of constants of the experiment on the residuals of a fit.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,12 @@ inline std::optional<Constant> constant_named(std::string_view name) {
   return std::nullopt;
 }
 
-/// Derivatives of a residual; `in` gives that in a constant, by the chain rule through ConstantsScale.
+/// Derivatives of a residual in P, T and A; `in` gives that in a constant, by the chain rule through ConstantsScale.
 struct ResidualSlopes {
-  double by_P, by_T, by_A;                  // in P, T and A as scaled
+  double by_P, by_T, by_A;                  // in the scaled P, T and A
   double log_sigma_T = 0, log_sigma_A = 0;  // in the logarithms of their errors
 
-  /// P, T and A as scaled.
+  /// The derivative in `constant`, at scaled P, T and A.
   double in(Constant constant, double P, double T, double A, const ConstantsScale& scale,
             const PointPlace& place) const {
     const double by_force = by_P * P + by_T * T + log_sigma_T, by_area = by_A * A + log_sigma_A;

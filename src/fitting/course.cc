@@ -16,7 +16,7 @@ struct Part {
 };
 using Run = std::array<Part, kParts>;
 
-/// The parts of the runs that are long enough.
+/// The parts of all runs that are long enough.
 std::vector<Run> parts_of(const Dataset& data, std::span<const std::size_t> used, std::span<const double> T,
                           std::span<const double> residuals) {
   std::vector<double> largest(data.curves.size());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kBlock = 512;  // points whose arrays stay in the processor's cache
 constexpr std::size_t kBlocksOfAPart = 64;
-constexpr std::size_t kPointsOfAThread = 1024;  // fewer take less time than starting it
+constexpr std::size_t kPointsOfAThread = 1024;  // with fewer, starting a thread costs more than it saves
 
 }  // namespace
 
@@ -61,8 +61,8 @@ CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::ve
   sample_ = std::make_unique<CurveObjective>(std::move(sample), choice_, std::vector<double>(), nullptr, shifts_);
 }
 
-/// By load, so that the points of one curve are processed together. Points that follow each other at the same load are
-/// moved together: a run is mostly one such stretch.
+/// Sorts by load, so that the points of one curve are processed together. Consecutive points with the same load are
+/// moved as one: a run is usually a single such block.
 void CurveObjective::sort_points() {
   using Key = std::pair<std::size_t, double>;
   struct Stretch {
@@ -251,7 +251,7 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     const std::size_t index = index_of(begin + i), to = range.first ? begin + i - *range.first : index;
     wanted.residuals[to] = out.r[i];
     if (wanted.jacobian.empty() && !wanted.nearest) continue;
-    const PointPlace place = points.at(index).place;  // drifts act at 0, too
+    const PointPlace place = points.at(index).place;  // drifts act at T = 0, too
     if (varies) scale = ConstantsScale(at.constants, place);
     if (wanted.nearest) {
       const double load_T = std::copysign(out.dT[i], out.dT[i] * T[i]) * sigma_T[i];  // equilibrium knows |T| alone

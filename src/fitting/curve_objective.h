@@ -1,5 +1,5 @@
 // Objective `curve`: signed distances of measured points (P, T, A) from the equilibrium curves of their loads, in the
-// plane of T and A, each in units of its standard error; with any of the constants of the experiment free.
+// plane of T and A, in units of the standard errors. Any of the constants of the experiment may be free.
 #pragma once
 
 #include <cstdint>
@@ -13,48 +13,48 @@ namespace mixity {
 
 class CurveObjective final : public ModelProblem {
  public:
-  /// Standard errors > 0. The targets, which the reported R^2 compares with, are the areas. A residual is the distance
-  /// less the one that is expected (empty: 0), made independent of the others (null: as it is). `shifts`: how far the
-  /// model's parameters of each run are from those of all; empty: 0.
+  /// Standard errors must be > 0. Targets, from which the reported R^2 is computed, are the areas. A residual is the
+  /// distance minus the `expected` one (empty: 0), decorrelated by `whitening` (null: unchanged). `shifts`: deviations
+  /// of each run's model parameters from the common ones; empty: 0.
   CurveObjective(MeasuredPoints points, FreeChoice choice, std::vector<double> expected = {},
                  std::shared_ptr<const Whitening> whitening = {}, std::vector<ParameterValues> shifts = {});
 
   std::size_t residual_count() const override { return points_.size; }
-  /// Includes T.
+  /// The norm of the data, T included.
   double data_norm() const override { return data_norm_; }
   std::vector<double> targets() const override;
   std::vector<double> weights() const override;
-  /// Few values are enough: basins are wide, and the paper's fit gives another start.
+  /// Few values suffice: basins are wide, and the paper's fit gives another start.
   std::size_t scan_density(std::size_t searched) const override { return searched == 1 ? 10 : 5; }
 
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override;
-  /// Memory: T of the nearest point of the curve for each point, then A.
+  /// `memory`: T of the nearest points of the curves, then A.
   bool evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                       std::vector<double>& memory) const override;
-  /// Parts of points that follow each other in the objective's order.
+  /// A part is a block of consecutive points in the objective's order.
   std::size_t parts() const override;
   bool evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
                      std::vector<double>& jacobian) const override;
   /// To first order, at a sample of the points.
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
 
-  /// Residuals, and the distances they come from. False where a value is not finite.
+  /// Computes residuals and the distances that they come from. False where a value is not finite.
   bool evaluate_both(std::span<const double> x, std::span<double> residuals, std::vector<double>& distances) const;
-  /// The distances, and where the nearest points of the curve lie. Null where a value is not finite.
+  /// The distances and the nearest points of the curves. Null where a value is not finite.
   std::optional<NearestPlaces> nearest(std::span<const double> x) const;
-  /// The mean distance of readings whose true values are these places and whose noise is as the standard errors say: by
-  /// Gauss-Hermite quadrature of order 3 over the noise along the curve, whose middle node counts 0. Null where a value
-  /// is not finite.
+  /// The mean distance of readings with these true values and with noise of the standard errors: by Gauss-Hermite
+  /// quadrature of order 3 over the noise along the curve, whose middle node contributes 0. Null where a value is not
+  /// finite.
   std::optional<std::vector<double>> expected(std::span<const double> x, const NearestPlaces& places) const;
 
  private:
   struct Workspace;
-  /// What is filled, each where it is not empty or null.
+  /// The outputs to fill; empty or null ones are skipped.
   struct Wanted {
     std::span<double> residuals, jacobian, places;
     NearestPlaces* nearest = nullptr;
   };
-  /// Blocks, and where the row of a point goes that is the first in the objective's order: to 0; null: to its index.
+  /// A range of blocks. `first`: the rank of the point whose row is row 0; null: a point's row is its index.
   struct Range {
     std::size_t begin, end;
     std::optional<std::size_t> first{};
@@ -69,20 +69,20 @@ class CurveObjective final : public ModelProblem {
   }
   bool some_blocks(std::span<const double> x, const MeasuredPoints& points, const Range& range, Search search,
                    const Wanted& wanted) const;
-  /// The parameters of a run, within their ranges.
+  /// The parameters of a run, clamped to their ranges.
   Candidate of_run(const Candidate& of_all, std::size_t run) const;
   bool one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,
                  const Range& range, Search search, Workspace& workspace, const Wanted& wanted) const;
 
   MeasuredPoints points_;
-  std::vector<std::uint32_t> order_;  // of the points by load, or by run where parameters are shifted; empty: as given
+  std::vector<std::uint32_t> order_;  // the points by load, or by run where parameters are shifted; empty: as given
   std::vector<double> expected_;
   std::shared_ptr<const Whitening> whitening_;
   std::vector<ParameterValues> shifts_;  // per run; empty: none
-  std::vector<std::size_t> blocks_;      // the rank at which each begins, and their end
-  bool varies_ = false;                  // runs have constants of their own
+  std::vector<std::size_t> blocks_;      // the rank at which each block begins, and the end of the last
+  bool varies_ = false;                  // the constants differ from run to run
   double data_norm_ = 0;
-  std::unique_ptr<CurveObjective> sample_;  // of some of the points, evenly over the loads; null of few points
+  std::unique_ptr<CurveObjective> sample_;  // some of the points, evenly over the loads; null if there are few points
 };
 
 }  // namespace mixity

@@ -32,7 +32,7 @@ Message explained_text(const Cause& cause, const FitResult& fit) {
   return cause.size + ", " + before_and_after(fit, cause.fit) + " and " + lambda_text(cause.fit) + "; " + cause.remedy;
 }
 
-/// Which experiment would decide between them.
+/// The experiment that would decide between the causes.
 std::string deciding_experiment(const std::vector<Cause>& list) {
   std::vector<std::string> constants;
   for (const Cause& one : list) {
@@ -43,7 +43,7 @@ std::string deciding_experiment(const std::vector<Cause>& list) {
   return "a separate measurement of " + joined(constants, " or ") + " would tell";
 }
 
-/// All that do about as well, with their values.
+/// All causes that do about as well, with their values.
 Message all_text(const std::vector<Cause>& list, const FitResult& fit) {
   if (list.size() == 1) return explained_text(list.front(), fit);
   Message text = std::to_string(list.size()) + " causes explain the points about as well: ";
@@ -53,7 +53,7 @@ Message all_text(const std::vector<Cause>& list, const FitResult& fit) {
   return text + "; " + deciding_experiment(list);
 }
 
-/// `used`: how many points were tried.
+/// `used`: number of points tried.
 Message sliding_text(const Case& of, const FitResult& whole, const Cut& cut, std::size_t used) {
   const std::size_t all = of.fit.used.size();
   return (used == all ? "" : "of every " + std::to_string(all / used) + "th point ") + std::to_string(cut.points) +
@@ -68,7 +68,7 @@ std::string listed(const std::vector<std::size_t>& lines) {
   return text;
 }
 
-/// The reason if it is a few points with far smaller errors than the others; null if these do not explain it.
+/// The reason if a few points with far smaller errors than the others explain the failure; else null.
 std::optional<Message> of_heavy_points(const Case& of) {
   if (!of.fit.consistency || !of.fit.consistency->heavy || !is_found(of.fit)) return std::nullopt;
   const HeavyPoints& heavy = *of.fit.consistency->heavy;

@@ -15,7 +15,7 @@ std::vector<EnergyPoint> energy_points(const Dataset& data, const std::vector<st
   double largest = 0;
   for (const PointEnergies& e : data.energies) largest = std::max({largest, e.G_I, e.G_II});
   std::vector<EnergyPoint> points;
-  std::vector<std::size_t> series;  // those that occur, in order
+  std::vector<std::size_t> series;  // the numbers that occur, in order
   const bool apart = series_have_toughness(data);
   for (const std::size_t i : used) {
     const std::size_t curve = apart ? data.points[i].curve : 0;

@@ -21,7 +21,7 @@ double square(double x) { return x * x; }
 Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
                          std::span<const double> leverages, const AxisErrors& T, const AxisErrors& A,
                          const ErrorModels& before) {
-  constexpr double kMostLeverage = 0.9;  // beyond it a residual says little about its error
+  constexpr double kMostLeverage = 0.9;  // a residual with a larger one says little about its error
   Deviations rows(4);
   for (std::size_t i = 0; i < nearest.residuals.size(); ++i) {
     const double share = 1 - leverages[i], r = nearest.residuals[i];
@@ -38,10 +38,10 @@ Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used,
   return rows;
 }
 
-/// The share that is left of the variance of second differences where neighbours correlate.
+/// The fraction of the variance of second differences that remains if neighbours correlate.
 double kept(double rho) { return (6 - 8 * rho + 2 * rho * rho) / 6; }
 
-/// Second differences of the readings of T in each run, whose rows may alternate with those of others.
+/// Adds second differences of T's readings in each run; rows of different runs may alternate.
 void add_differences_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
                           double least, const ErrorModels& before, Deviations& rows) {
   constexpr double kShare = 0.5;  // neighbouring second differences of white noise correlate by -2/3 and 1/6
@@ -58,8 +58,8 @@ void add_differences_of_T(const Dataset& data, std::span<const std::size_t> used
   }
 }
 
-/// The squares of the second differences of T over their variances with these errors and without correlation; how many
-/// independent ones they are worth.
+/// Sum of the squared second differences of T divided by their variances under these errors without correlation, and
+/// the number of independent ones that they equal.
 struct ReadingsOfT {
   double squares = 0, rows = 0;
 };
@@ -108,8 +108,8 @@ std::vector<std::uint32_t> choices(bool T_known, bool A_known, bool may_be_exact
   return list;
 }
 
-/// Factors of the runs' errors, relative to the geometric mean; empty where they agree. `innovations`: of variance 1
-/// if all is as estimated.
+/// Factors of the runs' errors, relative to the geometric mean; empty if they agree. `innovations`: of variance 1 if
+/// the errors are as estimated.
 std::vector<double> run_factors(const Dataset& data, std::span<const std::size_t> used,
                                 std::span<const double> innovations, std::span<const double> leverages,
                                 const ErrorModels& before) {
@@ -120,7 +120,7 @@ std::vector<double> run_factors(const Dataset& data, std::span<const std::size_t
     squares[run] += square(innovations[i] * before.factor(run));
     freedom[run] += 1 - leverages[i];
   }
-  // Bartlett's statistic with his correction
+  // Bartlett's statistic with its correction
   double total = 0, sum = 0, logarithms = 0, inverses = 0, runs = 0;
   for (std::size_t k = 0; k < squares.size(); ++k) {
     if (!(freedom[k] >= kFewest && squares[k] > 0)) continue;
@@ -134,7 +134,7 @@ std::vector<double> run_factors(const Dataset& data, std::span<const std::size_t
   const double statistic =
       (total * std::log(sum / total) - logarithms) / (1 + (inverses - 1 / total) / (3 * (runs - 1)));
   if (!(chi_squared_p_value(statistic, runs - 1) < kChance)) return {};
-  // ln s^2 of each run has the variance 2/freedom; the runs' own spread is what exceeds that.
+  // ln s^2 of each run has the variance 2/freedom; the excess over this is the spread of the runs.
   double mean = 0, spread = 0, noise = 0;
   for (std::size_t k = 0; k < squares.size(); ++k)
     if (freedom[k] >= kFewest && squares[k] > 0) mean += std::log(squares[k] / freedom[k]) / runs;
@@ -151,7 +151,7 @@ std::vector<double> run_factors(const Dataset& data, std::span<const std::size_t
   return factors;
 }
 
-/// In the order of the bits of `parts`.
+/// The four components in the order of the bits of `parts`.
 std::array<double, 4> components_of(const ErrorModels& models) {
   const ErrorModel A = models.A.value_or(ErrorModel{}), T = models.T.value_or(ErrorModel{});
   return {square(A.constant), square(A.share), square(T.constant), square(T.share)};
@@ -179,15 +179,15 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
                                            const NearestPlaces& nearest, std::span<const double> leverages,
                                            const AxisErrors& T, const AxisErrors& A, const ErrorModels& before,
                                            Stage stage, const std::vector<std::vector<double>>& own) {
-  constexpr double kContradicted = 6;  // fall of ln L of the residuals where the differences of T are counted
+  constexpr double kContradicted = 6;  // fall of ln L of the residuals when the differences of T are included
   ErrorModels models = before;
   TwoProcesses processes = processes_of(data, used, nearest.load_T, nearest.load_A);
   processes.own = own;
-  constexpr std::size_t kFewest = 12;  // residuals from which a correlation can be told
+  constexpr std::size_t kFewest = 12;  // residuals needed to estimate a correlation
   constexpr double kScatter = 0.5;
   const bool choose = stage == Stage::weighting || stage == Stage::choosing, ends = stage == Stage::ending;
   const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(data, used, nearest, T, models);
-  // Points that scatter far less than their stated errors say tell nothing of these errors.
+  // Points that scatter far less than their stated errors say nothing about these errors.
   double squares = 0;
   for (const double r : nearest.residuals) squares += r * r;
   const bool scatter = !(T.known && A.known) || squares > kScatter * static_cast<double>(used.size());
@@ -223,7 +223,7 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
     if (!A.known) models.A = {std::sqrt(found->theta[0]), std::sqrt(found->theta[1])};
     if (!T.known) models.T = {std::sqrt(found->theta[2]), std::sqrt(found->theta[3])};
   }
-  // While parts are chosen, factors would stand for them: areas of different runs differ.
+  // While parts are being chosen, factors could replace them, since areas of different runs differ.
   if (!choose && !T.known && !A.known) {
     std::vector<double> innovations = nearest.residuals;
     Decorrelation(processes, {models.correlations}).apply(innovations);

@@ -9,7 +9,7 @@
 namespace mixity {
 namespace {
 
-/// Largest shear of these points in each run.
+/// The largest shear among these points in each run.
 std::vector<double> largest_shears(const Dataset& data, const Points& points) {
   std::vector<double> largest(data.curves.size());
   for (const std::size_t i : points)
@@ -17,7 +17,7 @@ std::vector<double> largest_shears(const Dataset& data, const Points& points) {
   return largest;
 }
 
-/// The points of each run from low to high shear, if the file has them from high to low.
+/// The points of each run; reversed if the file has them from high to low shear.
 std::vector<Points> runs_from_low_shear(const Dataset& data, const Points& points) {
   std::vector<Points> runs(data.curves.size());
   for (const std::size_t i : points) runs[data.points[i].curve].push_back(i);
@@ -44,7 +44,7 @@ std::optional<std::vector<bool>> far_off(const Case& of, const FitResult& fit, c
   return off;
 }
 
-/// Index in the run from which on nearly all points are far off; the size of the run if there is none.
+/// The index in the run after which nearly all points are far off; the size of the run if there is none.
 std::size_t onset(const Points& run, const std::vector<bool>& off) {
   double sum = 0, most = 0;
   std::size_t at = run.size();

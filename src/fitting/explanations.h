@@ -1,4 +1,4 @@
-// Refits that may explain why tests of a fit fail, without some of the points.
+// Refits to a part of the points that may explain why tests of a fit fail.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace mixity {
 
 using Points = std::vector<std::size_t>;  // indices into Dataset::points
 
-/// The fit that is to be explained, and how to refit its data.
+/// The fit to explain, and how to refit its data.
 struct Case {
   const Dataset& data;
   const FitResult& fit;
@@ -19,29 +19,29 @@ struct Case {
   bool left_behind;  // see diagnose
 };
 
-/// Every n-th point if there are more than enough.
+/// At most `enough` of the points, evenly spaced.
 Points thinned(const Points& points, std::size_t enough);
 
-/// A refit with a minimum and more points than parameters.
+/// Whether a refit reached a minimum with more points than parameters.
 bool is_found(const FitResult& fit);
 
-/// Sum of squares per degree of freedom, of which there is one at least.
+/// Sum of squares per degree of freedom, counted as at least one.
 double per_freedom(const FitResult& fit);
 
 /// The fit of the points before the onset of sliding.
 struct Cut {
   FitResult fit;
-  std::size_t points, first;  // how many were left out; the first of them in the file
+  std::size_t points, first;  // number of points left out; the first of them in the file
 };
-inline constexpr std::size_t kFew = 3;  // points that may lie behind an onset by chance
-/// First fits the first half of each run, then all points that agree with the fit before. Null if fewer points than
-/// `few` lie behind the onset, or if this does not settle.
+inline constexpr std::size_t kFew = 3;  // points that may lie beyond an onset by chance
+/// First fits the first half of each run, then repeatedly all points that agree with the last fit. Null if fewer than
+/// `few` points lie beyond the onset, or if this does not converge.
 std::optional<Cut> before_sliding(const Case& of, const Points& points, std::size_t few);
 
 /// The fit without the points above nine tenths of each run's largest shear.
 FitResult without_ends(const Case& of, const FitResult& whole, const Points& points);
 
-/// Whether no test of the fit fails clearly: an explanation need not be perfect.
+/// Whether no test of the fit fails clearly; an explanation need not be perfect.
 bool explains(const Dataset& data, const FitResult& fit);
 
 }  // namespace mixity

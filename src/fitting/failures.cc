@@ -35,7 +35,7 @@ const ExactConstant* wrong_constant(const FitResult& fit) {
   for (const ExactConstant& one : fit.budget->exact)
     if (one.score && one.score->matters() && (!worst || one.score->p_value < worst->score->p_value)) worst = &one;
   if (!worst || !asks_to_be_free(*worst->score, fit.budget->independent)) return nullptr;
-  // If the stated errors are too small whatever the constant, falls of chi^2 count less.
+  // If the stated errors are too small whatever the constant, smaller falls of chi^2 do not count.
   const bool too_small = fit.known_errors && fit.consistency && fit.consistency->chi2_p.value_or(1) < kChance;
   if (too_small &&
       chi_squared_p_value(worst->score->fall / *fit.consistency->chi2_per_freedom, 1) * fit.budget->independent >=
@@ -46,7 +46,7 @@ const ExactConstant* wrong_constant(const FitResult& fit) {
 
 bool slides(const FitResult& fit) {
   constexpr double kFarOff = 4;    // standard errors of a residual
-  constexpr std::size_t kFew = 2;  // points there by chance
+  constexpr std::size_t kFew = 2;  // points there that chance allows
   if (!fit.area || fit.area->areas.size() != fit.used.size()) return false;
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < fit.used.size(); ++i)
@@ -54,8 +54,8 @@ bool slides(const FitResult& fit) {
   return beyond > kFew;
 }
 
-/// For runs too short for the other tests. Noise of other proportions than assumed appears in the residuals of
-/// neighbours, too. A wrong model gives 4 to 8 with six points a run.
+/// For runs too short for the other tests. Noise with proportions other than assumed shows in the residuals of
+/// neighbours, too. A wrong model gives ratios of 4 to 8 with six points a run.
 bool is_far(const ResidualTests& tests) {
   constexpr double kFarOff = 2.5, kFarFromNeighbours = 1.5;
   return tests.over_scatter.value_or(0) > kFarOff && tests.over_neighbours.value_or(0) > kFarFromNeighbours;

@@ -1,4 +1,4 @@
-// One model fitted to one data set.
+// Fits one model to one data set.
 #pragma once
 
 #include <string_view>
@@ -8,20 +8,20 @@
 
 namespace mixity {
 
-/// `points`: indices of the points to fit, all if null. Throws std::invalid_argument for a model that is none of
-/// model_keys(), and InputError if a parameter is to be held at a value that is out of range or not stated, if the
-/// objective needs what the data set does not have, or if a point lacks a standard error.
+/// `points`: indices of the points to fit, all if null. Throws std::invalid_argument for a model that is not in
+/// model_keys(). Throws InputError if a parameter is to be held at a value that is out of range or not stated, if the
+/// data set lacks what the objective needs, or if a point lacks a standard error.
 FitResult fit_model(const Dataset& data, std::string_view model, const FitOptions& options = {},
                     const std::vector<std::size_t>* points = nullptr);
 
-/// The two steps of fit_model. After the first a fit whose tests fail is `suspect`; the second adds the explanation to
-/// the message, if any. `left_behind`: see diagnose in consistency.h.
+/// The two steps of fit_model. The first marks a fit whose tests fail as `suspect`; the second adds an explanation to
+/// the message if there is one. `left_behind`: see diagnose in consistency.h.
 FitResult fit_and_test(const Dataset& data, std::string_view model, const FitOptions& options,
                        const std::vector<std::size_t>* points = nullptr);
 void find_cause(const Dataset& data, FitResult& fit, const FitOptions& options, bool left_behind = false);
 
-/// A refit to almost the same data, for its values. Starts from the minimum of `whole`; searches the whole range if
-/// that fails, or if a parameter of `whole` has no standard error. The same exceptions.
+/// Refits almost the same data, for the values alone. Starts from the minimum of `whole`; searches the whole range if
+/// that fails or if a parameter of `whole` has no standard error. Throws as fit_model does.
 FitResult refit_model(const Dataset& data, const FitResult& whole, const FitOptions& options,
                       const std::vector<std::size_t>& points);
 

@@ -18,7 +18,7 @@ FitResult fit(const Dataset& data, std::string_view model, const FitOptions& opt
   return Fitter(data, *found, options, purpose, points, near).run();
 }
 
-/// Where several explanations do about as well, the interval holds the value of each.
+/// Where several explanations do about as well, the interval includes the value of each.
 void show_union(FitResult& fit) {
   if (fit.explanations.size() < 2) return;
   const auto first = std::find_if(fit.parameters.begin(), fit.parameters.end(), [&](const FittedParameter& one) {
@@ -79,7 +79,7 @@ FitResult refit_model(const Dataset& data, const FitResult& whole, const FitOpti
                       const std::vector<std::size_t>& points) {
   FitOptions values = value_only(options);
   if (whole.errors) values.errors = whole.errors;
-  // Only with a curvature at its minimum the fit to fewer data has its minimum nearby.
+  // The fit to fewer data has its minimum nearby only if `whole` has a curvature at its minimum.
   const bool smooth = std::all_of(whole.parameters.begin(), whole.parameters.end(), [](const FittedParameter& one) {
     return one.value && (one.held || one.at_bound || one.stderr_);
   });

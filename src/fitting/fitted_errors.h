@@ -1,4 +1,4 @@
-// Standard errors at a fitted curve, and what follows from them for the residuals.
+// Standard errors evaluated at a fitted curve, and the quantities of the residuals that follow from them.
 #pragma once
 
 #include <memory>
@@ -9,31 +9,31 @@
 
 namespace mixity {
 
-/// Sets StandardErrors::place_T and place_A of the points of the fit.
+/// Sets place_T and place_A of `errors` for the points of the fit.
 void keep_places(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
                  StandardErrors& errors);
 
-/// Evaluates the errors at the places of a fitted curve, for the points of the fit, and at the readings for the others.
-/// Returns the largest relative change for the points of the fit.
+/// Evaluates the errors of fitted points at their places on the fitted curve, those of other points at the readings.
+/// Returns the largest relative change among the fitted points.
 double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
                        StandardErrors& errors);
 
-/// For each of these points the variance of its residual over that which proportional errors of `errors.scatter`, taken
-/// at the readings, would give it; 1 where errors are not estimated.
+/// For each of these points, the variance of its residual divided by that of proportional errors of `errors.scatter` at
+/// the readings; 1 where errors are not estimated.
 std::vector<double> variance_ratios(const Dataset& data, std::span<const std::size_t> used,
                                     const StandardErrors& errors);
 
-/// Those of these points; none if there are none of all.
+/// The elements of `all` at these points; empty if `all` is.
 std::vector<double> of_points(const std::vector<double>& all, std::span<const std::size_t> used);
 
-/// FitResult::log_variances.
+/// Computes FitResult::log_variances.
 double log_variances(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors);
 
-/// What is taken off the residuals before they are made independent: the expected distances, and what the runs' own
-/// constants change, about which they are linearised. Empty: nothing.
+/// What is subtracted from the residuals before decorrelation: the expected distances, and the changes due to the runs'
+/// own constants, about which they are linearised. Empty: nothing.
 std::vector<double> taken_off(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors);
 
-/// What makes the residuals of these points independent; null where their neighbours do not correlate.
+/// Decorrelates the residuals of these points; null where neighbours do not correlate.
 std::optional<Decorrelation> neighbours_of(const Dataset& data, std::span<const std::size_t> used,
                                            const StandardErrors& errors);
 

@@ -20,7 +20,7 @@ ShownInterval shown(const Interval& interval, const FreeParameter& parameter) {
   return result;
 }
 
-/// Over twice the interval on each side, or the whole bounded range where another minimum fits as well.
+/// A profile over twice the interval on each side, or over the whole bounded range if another minimum fits as well.
 DrawnProfile profile_of(const Problem& cost, const Verdict& verdict, std::size_t j, const Interval& interval,
                         double allowance, std::size_t points) {
   const FreeParameter& parameter = cost.parameters()[j];
@@ -57,7 +57,7 @@ std::vector<double> add_parameters(const Problem& cost, const Verdict& verdict, 
   const std::size_t n = cost.residual_count(), p = cost.parameters().size();
   double freedom = std::numeric_limits<double>::infinity();
   if (fit.errors && fit.errors->runs.any()) freedom = fit.errors->runs.freedom;
-  // Student's likelihood is one of known errors, but for its scale and its degrees of freedom.
+  // Student's likelihood has known errors, except for its scale and degrees of freedom.
   if (fit.loss_freedom > 0 && !fit.known_errors && n > p + 1)
     freedom = std::min(freedom, static_cast<double>(n - p - 1));
   const double allowance =

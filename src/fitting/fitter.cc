@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostRestarts = 3;
 
-/// How many points differ from each other, counted up to `enough`: repeated rows are no information about errors.
+/// The number of distinct points, counted up to `enough`: repeated rows carry no information about errors.
 std::size_t distinct_points(const Dataset& data, const std::vector<std::size_t>& used, std::size_t enough) {
   std::set<std::tuple<double, double, double>> distinct;
   for (const std::size_t i : used) {
@@ -52,7 +52,7 @@ FitResult Fitter::run() {
   if (some && has_too_few_points()) return finished();
   const bool as_the_paper = purpose_ == Purpose::shown || (some && starting_.near.empty());
   if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper) fit_as_the_paper();
-  // rough fractions of the time: up to the minimum, and up to the resampling
+  // rough fractions of the time: until the minimum, and until the resampling
   const double found = options_.profile_points > 0 ? 0.1 : 0.4,
                fitted = options_.bootstrap.replicates > 0 || options_.influence ? 0.1 : 1;
   report_progress(0.25 * found * fitted);
@@ -69,7 +69,7 @@ FitResult Fitter::run() {
     report_progress(fitted);
     add_resampled(*cost_, verdict, data_, options_, stretch(options_.progress, fitted, 1), result_);
   }
-  // Of a refit for its values nothing else is used.
+  // A refit for its values needs nothing else.
   if (purpose_ == Purpose::values && prepared_.objective == Objective::curve) return std::move(result_);
   add_goodness(x);
   if (!some) {
@@ -81,16 +81,16 @@ FitResult Fitter::run() {
   return std::move(result_);
 }
 
-/// The result with what was prepared for it, which is not needed any more.
+/// The result with the data prepared for it, which are moved.
 FitResult&& Fitter::finished() {
   result_.used = std::move(prepared_.used);
   return std::move(result_);
 }
 
-/// The minimum, its parameters with errors and intervals, and what follows from the fit at it.
+/// The minimum, its parameters with errors and intervals, and all that follows from the fit there.
 Verdict Fitter::find_parameters(const Progress& progress) {
   const FitResult described = result_;
-  // The search for an interval may find a lower cost, from which to start again.
+  // The search for an interval may find a lower cost, from which it starts again.
   for (int again = 0;; ++again) {
     result_ = described;
     Verdict verdict = find_minimum();
@@ -101,7 +101,7 @@ Verdict Fitter::find_parameters(const Progress& progress) {
     result_.known_errors = problem_->known_errors();
     const std::vector<double> deeper = add_parameters(*cost_, verdict, options_, progress, result_);
     if (deeper.empty()) widen_by_sizes_of_errors(x);
-    result_.free_parameters = unknown();  // each of the others has a residual of its own
+    result_.free_parameters = unknown();  // the other parameters each have a residual: their prior
     result_.sum_of_squares *= unit_ * unit_;
     if (result_.errors) result_.log_variances = log_variances(data_, prepared_.used, *result_.errors);
     if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
@@ -112,12 +112,12 @@ Verdict Fitter::find_parameters(const Progress& progress) {
   }
 }
 
-/// How many parameters have no residual of their own.
+/// The number of parameters without a prior.
 std::size_t Fitter::unknown() const { return problem_->parameters().size() - prior_count(*problem_); }
 
-/// Sets status and message then.
+/// If so, sets status and message.
 bool Fitter::has_too_few_points() {
-  constexpr std::size_t kOfStudent = 20;  // of 16 points the 95 % intervals of Student's likelihood hold 92 %
+  constexpr std::size_t kOfStudent = 20;  // with 16 points the 95 % intervals of Student's likelihood cover 92 %
   const std::size_t p = unknown(), few = options_.loss == Loss::t ? std::max(kOfStudent, 2 * p + 1) : p + 1;
   const std::size_t distinct = distinct_points(data_, prepared_.used, few);
   if (distinct >= few) return false;
@@ -134,7 +134,7 @@ void Fitter::report_progress(double fraction) const {
   if (options_.progress) options_.progress(fraction);
 }
 
-/// What is known before the fit.
+/// Sets what is known before the fit.
 void Fitter::describe() {
   const ModelInfo& model = prepared_.model.info();
   result_.model = model.key;
@@ -175,9 +175,9 @@ void Fitter::fit_as_the_paper() {
 }
 
 Verdict Fitter::find_minimum() {
-  cost_.reset();  // they refer to the previous problem
+  cost_.reset();  // cost_ and robust_ refer to the previous problem
   robust_.reset();
-  off_course_.reset();  // of a search that starts again
+  off_course_.reset();  // from a search that starts again
   const bool fitted_errors = prepared_.objective == Objective::curve && data_.has_loads && options_.fitted_errors;
   Verdict verdict = fitted_errors && !options_.errors ? minimum_with_its_errors() : minimum_of(*problem_);
   const bool reweighted = prepared_.objective == Objective::toughness && options_.weighted;
@@ -187,7 +187,7 @@ Verdict Fitter::find_minimum() {
                                   : find_robust_minimum(std::move(verdict));
 }
 
-/// The standard errors depend on the model: refits until they no longer change. False if they do not settle.
+/// The standard errors depend on the model: refits until they no longer change. False if they do not converge.
 bool Fitter::settle_weights(Verdict& verdict) {
   double change = 0;
   for (int i = 0; i < 50; ++i) {

@@ -15,14 +15,14 @@
 
 namespace mixity {
 
-/// shown: a reported fit, by Ceres. values: a refit by the kernel, for its values only. tried: the same for a possible
-/// explanation, with fewer iterations.
+/// shown: a reported fit, by Ceres. values: a refit by the kernel, for its values alone. tried: like values, for a
+/// possible explanation, with fewer iterations.
 enum class Purpose { shown, values, tried };
 
 class Fitter {
  public:
-  /// `points`: indices of those to fit; null: all. `near`: values to start from; null: searches the whole range. All
-  /// arguments must outlive this. Throws as fit_model does.
+  /// `points`: indices of the points to fit; null: all. `near`: values to start from; null: search the whole range. All
+  /// arguments must outlive this object. Throws as fit_model does.
   Fitter(const Dataset& data, const ContactModel& model, const FitOptions& options, Purpose purpose,
          const std::vector<std::size_t>* points, const std::vector<FittedParameter>* near);
 
@@ -81,8 +81,8 @@ class Fitter {
   std::unique_ptr<ModelProblem> problem_;
   std::optional<RobustProblem> robust_;
   std::optional<ProblemWithPriors> cost_;
-  std::optional<CourseTest> off_course_;  // for which the errors of the fit were given up
-  double unit_ = 1;                       // by which cost_ divides the residuals of the data
+  std::optional<CourseTest> off_course_;  // the course because of which the fitted errors were discarded
+  double unit_ = 1;                       // divisor of the data's residuals in cost_
   FitResult result_;
 };
 

@@ -1,4 +1,4 @@
-// What the uncertainty of estimated errors adds to that of the parameters.
+// The contribution of uncertain error estimates to the uncertainty of the parameters.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,10 +11,9 @@
 namespace mixity {
 namespace {
 
-/// Covariances of the logarithms of the variances of T and of A, as far as the residuals of a fit tell them; 0 of those
-/// that are known. The residual of a point has the variance load_T^2 + load_A^2 = 1, so that its information on the two
-/// is half the products of these parts, for each independent square (Davidian & Carroll 1987, J. Am. Stat. Assoc. 82,
-/// 1079).
+/// Covariances of the logarithms of the variances of T and of A, from the residuals of a fit; 0 for known ones. A
+/// residual has the variance load_T^2 + load_A^2 = 1, so each independent square contributes half the products of these
+/// parts to the information (Davidian & Carroll 1987, J. Am. Stat. Assoc. 82, 1079).
 Eigen::Matrix2d covariance_of_sizes(const StandardErrors& errors, const std::vector<std::size_t>& used, bool T,
                                     bool A) {
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
@@ -41,7 +40,7 @@ Eigen::Matrix2d covariance_of_sizes(const StandardErrors& errors, const std::vec
 
 }  // namespace
 
-/// Of the distances that the errors lead one to expect, the share that is taken off the residuals (take_expected_off).
+/// The share of the expected distances that is subtracted from the residuals (take_expected_off).
 std::optional<double> Fitter::share_taken_off(const std::vector<double>& x) const {
   const auto& objective = static_cast<const CurveObjective&>(*problem_);
   const auto nearest = objective.nearest(x);
@@ -55,8 +54,8 @@ std::optional<double> Fitter::share_taken_off(const std::vector<double>& x) cons
   return square > 0 ? product / square : 0;
 }
 
-/// The parameters with the variance of one axis larger by a factor exp(step), and the distances that are then expected.
-/// `taken`: the share of these that is taken off the residuals. Empty if they are not found.
+/// The parameters when the variance of one axis is larger by exp(step), including its effect on the expected distances.
+/// `taken`: the share of these that is subtracted from the residuals. Empty if not found.
 std::vector<double> Fitter::with_other_size(const std::vector<double>& x, bool of_T, double step, double taken) const {
   PreparedFit other = prepared_;
   other.errors = std::make_shared<StandardErrors>(*prepared_.errors);
@@ -77,8 +76,8 @@ std::vector<double> Fitter::with_other_size(const std::vector<double>& x, bool o
   return minimum ? minimum->x : std::vector<double>();
 }
 
-/// Noise with a memory tells its own size badly, and the distances that curvature leads one to expect depend on it.
-/// Adds that to errors and intervals.
+/// Autocorrelated noise determines its own size poorly, and the distances expected from curvature depend on it. Adds
+/// this uncertainty to errors and intervals.
 void Fitter::widen_by_sizes_of_errors(const std::vector<double>& x) {
   constexpr double kStep = 0.1;
   const auto& errors = prepared_.errors;

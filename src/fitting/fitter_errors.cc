@@ -16,7 +16,7 @@
 namespace mixity {
 namespace {
 
-/// Multiplies residuals by the roots of their weights in the estimate of the scale of Student's distribution.
+/// Multiplies residuals by the square roots of their weights in the estimate of Student's scale.
 void weigh_as_student(std::vector<double>& residuals) {
   if (!(spread(residuals) > 0)) return;
   const StudentErrors errors = student_errors(residuals, false);
@@ -25,27 +25,27 @@ void weigh_as_student(std::vector<double>& residuals) {
 
 }  // namespace
 
-/// The minimum with errors that belong to it.
+/// The minimum with self-consistent errors.
 Verdict Fitter::minimum_with_its_errors() {
   constexpr int kMost = 3;
-  constexpr double kSamePlace = 0.01;  // of chi^2: a tenth of a standard error, where the rounds ended early
+  constexpr double kSamePlace = 0.01;  // of chi^2: a tenth of a standard error, if the rounds ended early
   std::vector<double> x = !starting_.near.empty()      ? starting_.near
                           : !starting_.guesses.empty() ? starting_.guesses.back()
                                                        : std::vector<double>();
   for (int again = 1;; ++again) {
     if (x.empty() && !problem_->parameters().empty()) x = minimum_of(*problem_).best.x;
     bool described = settle_errors(x);
-    if (x.empty() && !problem_->parameters().empty()) {  // the guess was where the model is not defined
+    if (x.empty() && !problem_->parameters().empty()) {  // the model is not defined at the guess
       x = minimum_of(*problem_).best.x;
       described = settle_errors(x);
     }
-    // The deviations of the runs are linearised here: elsewhere they mean nothing.
+    // The deviations of the runs are linearised here and are invalid elsewhere.
     const std::vector<double> near = starting_.near;
     if (described && !options_.by_run.empty()) starting_.near = x;
     Verdict verdict = minimum_of(*problem_);
     starting_.near = near;
     if (!described) return expects_distances(verdict.best.x) ? minimum_of(*problem_) : verdict;
-    // The errors may have been found in another basin than the lowest.
+    // The errors may have been found in a basin that is not the lowest.
     std::vector<double> residuals(cost_->residual_count());
     const auto settled = x.empty() ? std::nullopt : sum_of_squares(*cost_, x, residuals);
     const double unit = verdict.best.sum_of_squares / static_cast<double>(std::max<std::size_t>(residuals.size(), 1));
@@ -57,39 +57,39 @@ Verdict Fitter::minimum_with_its_errors() {
   }
 }
 
-/// To those before the first fit, which are found again: of millions of points a copy would be much to keep.
+/// Recomputes the errors as before the first fit; a copy for millions of points would take much memory.
 void Fitter::restore_errors() {
   *prepared_.errors = standard_errors(data_, options_.sigma_T, options_.sigma_A, true);
   problem_ = make_problem(data_, options_, prepared_);
 }
 
-/// Errors, expected distances and correlations that depend on the fit: from x on, evaluates them at the fitted curve,
-/// and estimates those that come from the scatter, until nothing changes. x: the minimum with them; emptied if the
-/// model is not defined there. False, with the errors as before, where the model does not describe the data.
+/// Errors, expected distances and correlations that depend on the fit: starting at x, evaluates them at the fitted
+/// curve, and estimates those that come from the scatter, until nothing changes. x: the minimum with them; emptied if
+/// the model is not defined there. False, with the errors as before, where the model does not describe the data.
 bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr int kRounds = 40, kRoundsOfTrial = 8, kNextIterations = 15;
-  // The rounds of each stage. Runs that differ are linearised at a first fit that may be far off.
+  // The rounds of each stage. The first fit, about which differing runs are linearised, may be far off.
   const bool by_run = !options_.by_run.empty();
   const int more = by_run ? 6 : 0, weighting = 2 + more, choosing = 4 + more, refining = 12 + more;
-  constexpr double kSettled = 1e-10;  // of an error or a residual: an interval changes by as much
+  constexpr double kSettled = 1e-10;  // relative change of an error or a residual; an interval changes as much
   constexpr double kSurely = 1e-6;
   constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
-  constexpr double kLargeCourse = 2;     // more than the wrong weights of the first errors make
+  constexpr double kLargeCourse = 2;     // more than the wrong weights of the first errors cause
   StandardErrors& errors = *prepared_.errors;
   SolverOptions quick;
   quick.engine = Engine::kernel;
   quick.last_digits = false;
-  quick.most_iterations_shown = quick.most_iterations;  // the rest is for the next round
+  quick.most_iterations_shown = quick.most_iterations;  // the rest is left to the next round
   const bool free = !problem_->parameters().empty();
   if (free && x.empty()) return true;
   ErrorModels models;
   if (errors.source_T == ErrorSource::scatter) models.T = errors.model_T;
   if (errors.source_A == ErrorSource::scatter) models.A = errors.model_A;
-  bool apart = false;  // the runs differ, so that each tells of the errors beside a level of its own
+  bool apart = false;  // the runs differ: each one's level is removed before errors are estimated
   const int most = (purpose_ == Purpose::tried ? kRoundsOfTrial : kRounds) + more;
   for (int round = 0; round < most; ++round) {
     const ProblemWithPriors cost(*problem_);
-    if (free && (round == 0 || !by_run)) {  // else with the deviations of the runs
+    if (free && (round == 0 || !by_run)) {  // else together with the deviations of the runs
       const auto minimum = descend(cost, x, quick);
       if (!minimum) {
         if (round == 0) x.clear();
@@ -109,11 +109,11 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     expected.reset();
     if (by_run && !find_run_differences(x, *nearest, leverage, change)) return true;
     if (options_.loss == Loss::t) weigh_as_student(nearest->residuals);
-    // A model that does not describe the data tells nothing of their errors. Of few runs nothing tells correlated
-    // noise from a wrong model.
+    // A model that does not describe the data says nothing about their errors. With few runs, correlated noise cannot
+    // be distinguished from a wrong model.
     const auto course =
         round <= choosing ? test_course(data_, prepared_.used, nearest->T, nearest->residuals) : std::nullopt;
-    // A course that is far smaller than the scatter is hardly a part of it, however significant.
+    // A course far smaller than the scatter hardly adds to it, however significant it is.
     const double p_value = course && course->size > kSmallCourse ? course->p_value : 1;
     const bool shared = p_value < kChance, tried = purpose_ == Purpose::tried, first = round == 0 && !by_run;
     const bool surely = p_value < kSurely && (!first || course->size > kLargeCourse);
@@ -127,13 +127,13 @@ bool Fitter::settle_errors(std::vector<double>& x) {
         restore_errors();
       return false;
     }
-    if (round < more) {  // by the errors of neighbours, until the runs are found
+    if (round < more) {  // with the errors from neighbours, until the runs are found
       if (!refresh_columns(x)) return true;
       problem_ = make_problem(data_, options_, prepared_);
       continue;
     }
     std::vector<std::vector<double>> own;
-    // A course that all runs share is no difference between them.
+    // A course common to all runs is not a difference between them.
     if (!by_run && (apart || (round < choosing && !shared)))
       own = take_runs_apart(x, *nearest, leverage, models, apart);
     const auto found = estimated_errors(*nearest, leverage, models,
@@ -161,8 +161,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   return true;
 }
 
-/// Takes the distances that noise leads one to expect off the residuals. They are of the size of the noise that there
-/// is, not of the errors that were stated, up to twice these. Returns the largest change since the last call.
+/// Subtracts the expected distances from the residuals. They are scaled to the noise that is found, at most to twice
+/// the stated errors. Returns the largest change since the last call.
 double Fitter::take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest) {
   constexpr double kMost = 4;
   std::vector<double>& list = prepared_.errors->expected;
@@ -181,8 +181,8 @@ double Fitter::take_expected_off(const std::vector<double>& expected, double fre
   return change;
 }
 
-/// Of a model that does not seem to describe the data: whether that may be the curvature within the errors of T, so
-/// that the distances that noise leads one to expect are to be taken off the residuals. Sets these.
+/// For a model that seems not to describe the data: returns whether curvature within the errors of T may be the reason,
+/// so that expected distances must be subtracted from the residuals. Sets these.
 bool Fitter::expects_distances(const std::vector<double>& x) {
   if (x.empty() || purpose_ == Purpose::tried) return false;
   const auto& objective = static_cast<const CurveObjective&>(*problem_);
@@ -191,7 +191,7 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
   if (!expected) return false;
   double squares = 0, of_expected = 0;
   for (const double r : nearest->residuals) squares += r * r;
-  // Of millions of points each list counts.
+  // With millions of points, each array counts.
   nearest->residuals = nearest->load_T = nearest->load_A = std::vector<double>();
   const double noise = std::min(1.0, squares / static_cast<double>(expected->size()));
   for (double& one : *expected) of_expected += std::pow(one *= noise, 2);
@@ -206,7 +206,7 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
   return true;
 }
 
-/// Of the residuals of the data; empty if the cost cannot be linearised.
+/// Leverages of the data's residuals; empty if the cost cannot be linearised.
 std::vector<double> Fitter::leverages_of_data(const Problem& cost, const std::vector<double>& x) const {
   std::vector<double> list(prepared_.used.size(), 0.0);
   if (x.empty()) return list;
@@ -222,8 +222,8 @@ std::vector<double> Fitter::leverages_of_data(const Problem& cost, const std::ve
 std::optional<ErrorModels> Fitter::estimated_errors(const NearestPlaces& nearest, const std::vector<double>& leverage,
                                                     const ErrorModels& before, Stage stage,
                                                     const std::vector<std::vector<double>>& own) const {
-  constexpr double kLeast = 1e-9;      // of the largest reading: less than any noise
-  constexpr std::size_t kFewest = 12;  // points: the parts of their errors cannot be told apart from fewer
+  constexpr double kLeast = 1e-9;      // of the largest reading: below any noise
+  constexpr std::size_t kFewest = 12;  // points needed to distinguish the parts of their errors
   const std::vector<std::size_t>& used = prepared_.used;
   const StandardErrors& errors = *prepared_.errors;
   std::vector<double> sigma_T, sigma_A;

@@ -1,4 +1,4 @@
-// Of a fit at its minimum: evidence, budget, goodness of fit, tests of the residuals.
+// Evaluates a fit at its minimum: evidence, budget, goodness of fit, tests of the residuals.
 #include <algorithm>
 #include <cmath>
 
@@ -14,9 +14,9 @@
 namespace mixity {
 namespace {
 
-/// Points whose residual has a chance below 1 % to be so large in any of them, so that one clean fit in 100 names one.
-/// An error that the median estimates from few points is itself uncertain, about as one from half as many degrees of
-/// freedom: with the normal distribution every tenth clean fit of ten points would name one.
+/// Points whose residuals have a chance below 1 % of being so large in any of them, so that one good fit in 100 names
+/// one. An error estimated from few points by the median is itself uncertain, about like one with half as many degrees
+/// of freedom: with the normal distribution every tenth good fit of ten points would name one.
 std::vector<Outlier> outliers_of(const FitResult& fit, bool known_errors) {
   constexpr double kChanceOfAny = 0.01, kNever = 2.5;  // 2.5 standard errors: a chance above 1 % even of one point
   std::vector<Outlier> outliers;
@@ -33,7 +33,7 @@ std::vector<Outlier> outliers_of(const FitResult& fit, bool known_errors) {
 
 }  // namespace
 
-/// A robust loss is no likelihood.
+/// Robust losses are not likelihoods and have no evidence.
 void Fitter::add_evidence(const Verdict& verdict) {
   result_.evidence.reset();
   const bool wanted = options_.intervals && !robust_;
@@ -60,7 +60,7 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
     shear = std::max(shear, data_.points[i].shear());
     area = std::max(area, data_.points[i].A);
   }
-  // A drift shows from three runs on, hysteresis where there are areas with and without shear.
+  // A drift needs three runs, hysteresis needs areas with and without shear.
   bool with = false, without = false;
   if (data_.has_loads) {
     const PointPlaces places(data_);
@@ -88,7 +88,7 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
       error_budget(robust_ ? static_cast<const Problem&>(robust) : *data, beside, unit, verdict.at_bound, exact);
 }
 
-/// In the fitted space, and for the predicted areas.
+/// Goodness in the fitted space, and for the predicted areas.
 void Fitter::add_goodness(const std::vector<double>& x) {
   const bool curve = prepared_.objective == Objective::curve && data_.has_loads;
   result_.innovations.resize(problem_->residual_count());
@@ -113,7 +113,7 @@ void Fitter::add_goodness(const std::vector<double>& x) {
   if (data_.has_loads) result_.area = area_goodness(data_, result_.used, prepared_.model, problem_->candidate(x));
 }
 
-/// Tests the assumptions of the fit, unless its residuals are rounding only.
+/// Tests the assumptions of the fit, unless its residuals are only rounding.
 void Fitter::test_residuals(const std::vector<double>& x) {
   const double rounding = 100 * residual_rounding(*problem_);
   const bool judged = result_.status == FitStatus::ok || result_.status == FitStatus::at_bound ||
@@ -129,13 +129,13 @@ void Fitter::test_residuals(const std::vector<double>& x) {
     residuals.course = off_course_->F;
     residuals.course_p = off_course_->p_value;
   }
-  // The scatter of ln f differs from point to point where it comes from loads and areas.
+  // Where ln f comes from loads and areas, its scatter differs from point to point.
   const bool common_scale = prepared_.objective == Objective::curve || options_.weighted || !data_.has_loads;
   if (common_scale) result_.outliers = outliers_of(result_, problem_->known_errors());
   if (result_.status == FitStatus::ok && !failed_test(data_, result_).empty()) result_.status = FitStatus::suspect;
 }
 
-/// A value with an error larger than its whole range is no result.
+/// A value whose error exceeds its whole range is not a result.
 void Fitter::suspect_wide_errors() {
   for (const FittedParameter& one : result_.parameters) {
     if (result_.status != FitStatus::ok || !one.stderr_ || !(*one.stderr_ > one.upper - one.lower)) continue;

@@ -1,4 +1,4 @@
-// Minima of robust losses, whose scale depends on the fit: both are found in turn.
+// Minima of robust losses. The scale depends on the fit, so both are found in turn.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,11 +28,11 @@ Verdict Fitter::find_robust_minimum(Verdict verdict) {
   return verdict;
 }
 
-/// With Student's errors, whose scale and degrees of freedom are found in turn with the parameters. The lowest minimum
-/// is searched once these have settled, and they settle again if it lies elsewhere.
+/// The minimum with Student's errors, whose scale and degrees of freedom are found in turn with the parameters. When
+/// these have converged, the lowest minimum is searched for; if it is elsewhere, they converge again.
 Verdict Fitter::find_minimum_of_student(Verdict verdict) {
   constexpr int kMost = 100;
-  constexpr double kSettled = 1e-6;  // of the scale and of the degrees of freedom: an interval changes by as much
+  constexpr double kSettled = 1e-6;  // relative change of scale and degrees of freedom; an interval changes as much
   const bool known = problem_->known_errors();
   std::vector<double> x = verdict.best.x;
   if (x.empty()) x = value_of_least_spread(*problem_);

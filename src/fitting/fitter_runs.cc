@@ -1,4 +1,4 @@
-// Quantities whose spread between the runs is found with the fit.
+// Quantities whose spread between the runs is fitted, too.
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +9,9 @@
 
 namespace mixity {
 
-/// Finds the spreads and a step of x and of the runs' deviations together, linearised at those so far (Lindstrom &
-/// Bates 1990, Biometrics 46, 673). `nearest` becomes that at the end of the step; what the deviations explain is taken
-/// off the shares of noise. False where they are not determined.
+/// Finds the spreads and a step of x and of the runs' deviations together, linearised at the present ones (Lindstrom &
+/// Bates 1990, Biometrics 46, 673). `nearest` becomes that at the end of the step; the part that the deviations explain
+/// is removed from the shares of noise. False where they are not determined.
 bool Fitter::find_run_differences(std::vector<double>& x, NearestPlaces& nearest, std::vector<double>& leverage,
                                   double& change) {
   RunDifferences& differences = prepared_.errors->runs;
@@ -66,7 +66,7 @@ bool Fitter::find_run_differences(std::vector<double>& x, NearestPlaces& nearest
   return true;
 }
 
-/// The columns at the errors and deviations that were found. False where they are not finite.
+/// Recomputes the columns at the errors and deviations found. False where they are not finite.
 bool Fitter::refresh_columns(const std::vector<double>& x) {
   const auto rows = run_rows(data_, options_, prepared_, x, std::vector<double>(prepared_.used.size()),
                              prepared_.errors->runs.names, 1);
@@ -78,8 +78,8 @@ bool Fitter::refresh_columns(const std::vector<double>& x) {
   return true;
 }
 
-/// Halves the step of a run's deviations until it lowers the squares of its residuals and of its deviations. `nearest`:
-/// at the start; becomes that at the end. False where that is not finite.
+/// Halves the step of a run's deviations until it lowers the squares of its residuals and deviations. `nearest`: at the
+/// start on entry, at the end on return. False where that is not finite.
 bool Fitter::shorten_steps(const std::vector<double>& x, const RunDifferences& start, NearestPlaces& nearest) {
   constexpr int kMost = 5;
   RunDifferences& to = prepared_.errors->runs;

@@ -1,4 +1,4 @@
-// Whether runs differ in what is not fitted by run.
+// Tests whether runs differ in quantities that are not fitted by run.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostRuns = 200;  // the cost grows with its cube
 
-/// Spreads so large that they are no prior: far more than any run tells.
+/// Spreads so large that they act as no prior: far more than any run determines.
 Eigen::VectorXd free_spreads(const RunRows& rows, const Groups& groups) {
   constexpr double kFree = 1e3;
   Eigen::VectorXd spread(rows.Zw.cols());
@@ -28,8 +28,8 @@ Eigen::VectorXd free_spreads(const RunRows& rows, const Groups& groups) {
 
 }  // namespace
 
-/// Where runs differ, what is left beside a first parameter and a scale of the areas that each has of its own, which
-/// would else be taken for noise with a memory. Returns the columns of these.
+/// Where runs differ, leaves the remainder after each run has its own first parameter and scale of the areas; otherwise
+/// these would be taken for autocorrelated noise. Returns their columns.
 std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<double>& x, NearestPlaces& nearest,
                                                          std::vector<double>& leverage, const ErrorModels& models,
                                                          bool& apart) const {
@@ -57,7 +57,7 @@ std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<doubl
   return own;
 }
 
-/// Whether a deviation of each run explains the residuals, beyond chance and better than neighbours that correlate.
+/// Whether a deviation of each run explains the residuals beyond chance and better than correlated neighbours.
 bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& groups, const NearestPlaces& nearest,
                                          const std::vector<double>& leverage, const ErrorModels& models) const {
   const double rest = static_cast<double>(rows.r.size() - rows.J.cols());
@@ -72,8 +72,8 @@ bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& grou
   if (!differ) return false;
   const auto by_neighbours = estimated_errors(nearest, leverage, models, Stage::choosing, {});
   if (!by_neighbours || !by_neighbours->correlations.any()) return true;
-  constexpr double kEnough = 1e-3;  // of a spread: ln L, which decides, is stationary there
-  // In units of what is left within the runs.
+  constexpr double kEnough = 1e-3;  // of a spread; ln L, which decides, is stationary there
+  // In units of the scatter within the runs.
   const Eigen::Index n = rows.Zw.rows();
   const GroupedRows whole = grouped_rows(rows.J, rows.r, rows.Zw, groups);
   const auto within = most_probable(whole, free_spreads(rows, groups));
@@ -93,11 +93,11 @@ bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& grou
   return of_runs > by_neighbours->log_likelihood;
 }
 
-/// Leaving out each run in turn tells the error of the first parameter without a model of the noise. Where that gives
-/// an interval wider by more than half, it is the one that is shown.
+/// Leaving out each run in turn gives the error of the first parameter without a model of the noise. If the resulting
+/// interval is wider by more than half, it is the one shown.
 void Fitter::widen_by_jackknife(const RunRows& rows, const Groups& groups) {
-  constexpr std::size_t kFewest = 4;  // runs: with fewer the estimate itself is too uncertain
-  // Where neighbours correlate, the profile rests on an estimate of that, too.
+  constexpr std::size_t kFewest = 4;  // runs: with fewer, the estimate itself is too uncertain
+  // Where neighbours correlate, the profile depends on an estimate of that, too.
   const double wider = prepared_.errors->correlations.any() ? 1 : 1.5;
   const auto first = std::find_if(result_.parameters.begin(), result_.parameters.end(),
                                   [](const FittedParameter& one) { return !one.held; });
@@ -105,7 +105,7 @@ void Fitter::widen_by_jackknife(const RunRows& rows, const Groups& groups) {
   ShownInterval& shown = *first->interval;
   const auto error = jackknife_error(rows.J, rows.r, groups);
   if (!error || !shown.low || !shown.high || problem_->parameters()[0].start) return;
-  // What constants add is the same in all runs.
+  // The contribution of constants is the same in all runs.
   const double scatter = result_.budget && result_.budget->scatter ? *result_.budget->scatter : 1;
   const auto beyond = [&](double size, double freedom) {
     return size * std::sqrt(fisher_quantile(shown.confidence, 1, freedom));
@@ -121,7 +121,7 @@ void Fitter::widen_by_jackknife(const RunRows& rows, const Groups& groups) {
            EndStatus::found};
 }
 
-/// Tests each quantity that is not fitted by run: whether it differs, in one run or in all, or in their order.
+/// Tests each quantity that is not fitted by run: does it differ in one run, in all, or with their order?
 void Fitter::test_runs(const std::vector<double>& x) {
   result_.run_tests.clear();
   const bool curves = prepared_.objective == Objective::curve && data_.has_loads && prepared_.errors;
@@ -138,13 +138,13 @@ void Fitter::test_runs(const std::vector<double>& x) {
   const bool known = problem_->known_errors();
   const double rest = static_cast<double>(residuals.size()) - static_cast<double>(result_.free_parameters),
                scatter = rest > 0 ? std::sqrt(result_.sum_of_squares / rest) : 1;
-  // Errors that are stated too small are no difference between the runs.
+  // Stated errors that are too small are not a difference between the runs.
   const double unit = known ? std::max(1.0, scatter) : scatter;
   const bool judged_by_scatter = !known || scatter > 1;
   if (!(unit > 0)) return;
   auto rows = run_rows(data_, options_, prepared_, x, residuals, tested, unit);
   if (!rows) return;
-  // What is fitted by run is no news.
+  // Removes what is already fitted by run.
   const auto neighbours = neighbours_of(data_, prepared_.used, *prepared_.errors);
   if (const auto take_off = whitening_of_runs(data_, prepared_.used, *prepared_.errors, neighbours)) {
     const auto data = static_cast<std::size_t>(rows->Z.rows());

@@ -11,13 +11,13 @@
 namespace mixity {
 namespace {
 
-/// A column of errors that are relative to a scale, for the points of a fit.
+/// A column of errors relative to a scale, for the points of a fit.
 struct ErrorColumn {
   const char* name;
   std::vector<double> errors;
 };
 
-/// Columns that the file states and the fit uses.
+/// Columns in the file that the fit uses.
 std::vector<ErrorColumn> stated_columns(const Dataset& data, const FitResult& fit) {
   std::vector<ErrorColumn> list;
   const auto add = [&](const char* name, const auto& error) {
@@ -40,7 +40,7 @@ std::vector<ErrorColumn> stated_columns(const Dataset& data, const FitResult& fi
   return list;
 }
 
-/// Of each point of the fit: 1/variance of its distance from the curve. Errors of energies count together.
+/// Per point of the fit: 1/variance of its distance from the curve. Errors of the two energies are combined.
 std::vector<double> weights_of(const Dataset& data, const FitResult& fit, const std::vector<ErrorColumn>& columns,
                                const std::function<std::vector<double>()>& along_A) {
   const std::size_t n = fit.used.size();
@@ -59,7 +59,7 @@ std::vector<double> weights_of(const Dataset& data, const FitResult& fit, const 
   return weights;
 }
 
-/// Whether any error is so much smaller than the median of its column.
+/// Whether any error is below this fraction of the median of its column.
 bool any_far_below(const std::vector<ErrorColumn>& columns, double share) {
   return std::any_of(columns.begin(), columns.end(), [&](const ErrorColumn& one) {
     return *std::min_element(one.errors.begin(), one.errors.end()) < share * median(one.errors);
@@ -70,7 +70,7 @@ bool any_far_below(const std::vector<ErrorColumn>& columns, double share) {
 
 std::optional<HeavyPoints> heavy_points(const Dataset& data, const FitResult& fit,
                                         const std::function<std::vector<double>()>& along_A) {
-  constexpr double kFarBelow = 0.2;  // of the median error: errors of one instrument differ by less
+  constexpr double kFarBelow = 0.2;  // of the median error: errors of one instrument differ less
   constexpr double kFew = 0.1;       // of the points
   const std::vector<ErrorColumn> columns = stated_columns(data, fit);
   const std::size_t n = fit.used.size();

@@ -11,8 +11,8 @@
 
 namespace mixity {
 
-/// Null where there are none, or the file states no errors that the fit uses. `along_A`: finds of each used point
-/// NearestPlaces::load_A; not called where no error is far below the others, nor without loads.
+/// Null if there are none, or if the fit uses no errors from the file. `along_A` returns NearestPlaces::load_A of each
+/// used point; it is called only for data with loads in which some error is far below the others.
 std::optional<HeavyPoints> heavy_points(const Dataset& data, const FitResult& fit,
                                         const std::function<std::vector<double>()>& along_A);
 

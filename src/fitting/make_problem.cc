@@ -14,14 +14,14 @@
 namespace mixity {
 namespace {
 
-/// Whether points differ in where they lie, or their runs in constants of their own.
+/// Whether positions of points matter, or runs have their own constants.
 bool places_matter(const PreparedFit& prepared) {
   return (prepared.errors && prepared.errors->runs.any()) || has_changes(prepared.constants) ||
          std::any_of(prepared.fitted.begin(), prepared.fitted.end(),
                      [](const FittedConstant& one) { return is_change(one.constant); });
 }
 
-/// Of each run: how far its constants are from those of all.
+/// Per run: the deviations of its constants from the common ones.
 std::vector<PointPlace> constants_of_runs(const Dataset& data, const RunDifferences& runs) {
   std::vector<PointPlace> own(data.curves.size());
   for (std::size_t q = 0; q < runs.names.size(); ++q)
@@ -31,7 +31,7 @@ std::vector<PointPlace> constants_of_runs(const Dataset& data, const RunDifferen
 }
 
 /// The points' loads and areas; standard errors are 1 if not needed, so that residuals keep their unit. The data set
-/// must outlive them.
+/// must outlive the result.
 MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared) {
   struct Source {
     const Dataset& data;
@@ -65,7 +65,7 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
           [shared = std::make_shared<const Source>(std::move(source))](std::size_t k) { return shared->at(k); }};
 }
 
-/// How far the model's parameters of each run are from those of all; empty: none differ.
+/// Per run: deviations of the model's parameters from the common ones; empty if none differ.
 std::vector<ParameterValues> shifts_of_runs(const Dataset& data, const PreparedFit& prepared,
                                             const RunDifferences& runs) {
   std::vector<ParameterValues> shifts;
@@ -79,7 +79,7 @@ std::vector<ParameterValues> shifts_of_runs(const Dataset& data, const PreparedF
   return shifts;
 }
 
-/// Points as the constants that are not fitted correct them, with ratios to the data set's own toughness.
+/// Points corrected by the constants that are not fitted, with ratios to the data set's own toughness.
 std::vector<ToughnessPoint> toughness_points(const Dataset& data, const PreparedFit& prepared) {
   const Scales scales(data, prepared.constants);
   const double own = data.has_loads ? std::exp(prepared.constants[kToughness]) : 1;
@@ -96,8 +96,8 @@ FreeChoice choice_of_model(const PreparedFit& prepared) {
   return FreeChoice(prepared.model, {prepared.base, prepared.constants}, prepared.held);
 }
 
-/// The model's parameters and the constants that are fitted, with ranges: factors of a thousand, offsets of load and
-/// shear up to ten times the largest, of areas up to nine tenths of the smallest.
+/// The model's free parameters and the fitted constants, with ranges: factors of a thousand, offsets of load and shear
+/// up to ten times the largest, of areas up to nine tenths of the smallest.
 FreeChoice free_choice(const Dataset& data, const PreparedFit& prepared) {
   FreeChoice choice = choice_of_model(prepared);
   double largest_load = 1, largest_shear = 1,
@@ -121,7 +121,7 @@ FreeChoice free_choice(const Dataset& data, const PreparedFit& prepared) {
   return choice;
 }
 
-/// Standard errors of ln f (or f) over f minus the model's, from those of T and A.
+/// Standard errors of ln f (or f, divided by f) minus the model's, from those of T and A.
 std::vector<double> errors_of_loads(const Dataset& data, Scale scale, const PreparedFit& prepared,
                                     std::span<const double> p) {
   const std::vector<std::size_t>& used = prepared.used;
@@ -219,7 +219,7 @@ std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, co
   unsheared.objective = Objective::curve;
   std::fill(unsheared.held.begin(), unsheared.held.end(), true);
   unsheared.fitted.clear();
-  std::vector<std::size_t> told;  // of those that are free: the others do not act without shear
+  std::vector<std::size_t> told;  // the free ones; the others have no effect without shear
   for (std::size_t k = 0; k < free; ++k)
     if (options.free[k] != kShape && options.free[k] != kShearOffset) {
       told.push_back(k);

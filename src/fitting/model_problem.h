@@ -1,4 +1,4 @@
-// A least-squares problem of a model and of free constants of the experiment.
+// A least-squares problem in the parameters of a model and free constants of the experiment.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace mixity {
 
-/// A model's parameters, and constants of the experiment.
+/// Values of a model's parameters and of the constants of the experiment.
 struct Candidate {
   ParameterValues parameters{};
   Constants constants{};
@@ -22,10 +22,10 @@ struct Candidate {
 struct MeasuredPoint {
   double P, T, A, sigma_T, sigma_A;
   PointPlace place{};
-  std::size_t run = 0;  // whose parameters it has, where these differ
+  std::size_t run = 0;  // the run, where parameters differ between runs
 };
 
-/// Measured points, each made when it is needed: of millions an array of these would be most of what a fit holds.
+/// Measured points, each computed on demand: an array of millions would be most of the memory of a fit.
 struct MeasuredPoints {
   std::size_t size;
   std::function<MeasuredPoint(std::size_t)> at;  // several threads may call it
@@ -38,10 +38,10 @@ struct MeasuredPoints {
         }) {}
 };
 
-/// Which parameters are free, in the solver's order, and where the others are held.
+/// Which parameters are free, in the solver's order, and at which values the others are held.
 class FreeChoice {
  public:
-  /// `base`: values of everything that is not free; `held`: for each parameter of the model, or empty: none.
+  /// `base`: values of everything that is not free; `held`: one flag per parameter of the model; empty: none.
   FreeChoice(ContactModel model, const Candidate& base, const std::vector<bool>& held);
   void add(Constant constant, FreeParameter parameter);
 
@@ -51,11 +51,11 @@ class FreeChoice {
   const std::vector<Constant>& constants() const { return constants_; }   // after them
   std::size_t size() const { return parameters_.size(); }
 
-  const Constants& fixed_constants() const { return base_.constants; }  // those that are not free
+  const Constants& fixed_constants() const { return base_.constants; }  // the values of those that are not free
   Candidate candidate(std::span<const double> x) const;
 
-  /// Fills a row of the Jacobian. `by_parameter`: the residual's derivatives in all of the model's parameters;
-  /// `slopes`: those in the measured values, at a point as scaled.
+  /// Fills a row of the Jacobian. `by_parameter`: the residual's derivatives in all model parameters; `slopes`: those
+  /// in the measured values, at the scaled point.
   void fill_row(std::span<double> row, const double* by_parameter, const ResidualSlopes& slopes,
                 const MeasuredPoint& scaled, const ConstantsScale& scale) const {
     std::size_t k = 0;
@@ -74,15 +74,15 @@ class FreeChoice {
 
 inline constexpr std::size_t kSample = 32;  // points, enough to find the basins of a cost
 
-/// Base of the objectives. A residual is the model's value minus the target, each times a weight.
+/// Base of the objectives. A residual is the model's value minus the target, times the weight of the point.
 class ModelProblem : public Problem {
  public:
   explicit ModelProblem(FreeChoice choice) : choice_(std::move(choice)) {}
   const std::vector<FreeParameter>& parameters() const override { return choice_.parameters(); }
   Candidate candidate(std::span<const double> x) const { return choice_.candidate(x); }
-  /// Data times weight, in the fitted space.
+  /// Weighted data, in the fitted space.
   virtual std::vector<double> targets() const = 0;
-  /// 1/standard error of each, or 1.
+  /// 1/standard error of each target, or 1.
   virtual std::vector<double> weights() const = 0;
   bool known_errors() const final { return known_errors_; }
   void set_known_errors(bool known) { known_errors_ = known; }
@@ -97,7 +97,7 @@ class ModelProblem : public Problem {
   bool known_errors_ = false;
 };
 
-/// Base of those that keep targets and weights.
+/// Base of objectives that store targets and weights.
 class WeightedProblem : public ModelProblem {
  public:
   using ModelProblem::ModelProblem;

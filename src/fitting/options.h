@@ -13,20 +13,20 @@
 
 namespace mixity {
 
-/// toughness: ln(Gc/GIc) against psi, the paper's. curve: orthogonal distance from the equilibrium curve in the plane
-/// of T and A, or from the law in the plane of the two energies.
+/// toughness: ln(Gc/GIc) against psi, as in the paper. curve: orthogonal distance from the equilibrium curve in the
+/// plane of T and A, or from the law in the plane of the two energies.
 enum class Objective { toughness, curve };
 std::string_view to_string(Objective objective);
 std::optional<Objective> parse_objective(std::string_view text);
-/// The message for an objective of earlier versions.
+/// The message for the objective `area` of earlier versions.
 inline constexpr std::string_view kNoAreaObjective =
     "the objective area took T as exact and covered 57 to 97 % of a nominal 95 %: use curve";
 
-/// Of objective toughness: ln(Gc/GIc) or Gc/GIc.
+/// For objective toughness: fits ln(Gc/GIc) or Gc/GIc.
 enum class Scale { log, linear };
 constexpr std::string_view to_string(Scale scale) { return scale == Scale::log ? "log" : "linear"; }
 
-/// A parameter held during the fit: at `value`, else at the value in the data set's metadata (r =
+/// A parameter held during the fit: at `value`, or if null at the value in the data set's metadata (r =
 /// toughness_II/toughness).
 struct HeldParameter {
   std::string name;
@@ -37,45 +37,45 @@ std::optional<HeldParameter> parse_held(std::string_view text);
 
 struct FitOptions {
   std::optional<Objective> objective{};  // null: curve where the data allow it, see default_objective
-  std::optional<Scale> scale{};          // of toughness; null: log
-  bool weighted = false;                 // toughness: by each point's standard error, which curve always uses
+  std::optional<Scale> scale{};          // for objective toughness; null: log
+  bool weighted = false;                 // toughness: weight points by their standard errors, as curve always does
   std::vector<HeldParameter> hold{};     // names a model does not have are ignored for that model
   std::vector<Constant> free{};          // constants of the experiment that are fitted without a prior
-  /// What differs from run to run by chance: the model's first parameter, or constants, by name.
+  /// Names of what differs from run to run by chance: the model's first parameter, or constants.
   std::vector<std::string> by_run{};
-  /// Constants that are not free, taken as exact. Null: as the data set states them; those that it states with a
-  /// standard error are fitted with a prior.
+  /// Values of constants that are not free, taken as exact. Null: as the data set states them; those that it states
+  /// with a standard error are fitted with a prior.
   std::optional<Constants> constants{};
   std::optional<StatedError> sigma_T{}, sigma_A{};
-  /// Errors are functions of the fitted value, estimated with the fit where they are not stated; neighbours may
-  /// correlate; the distance that noise leads one to expect is taken off. False: taken at the readings, independent,
-  /// one relative error where none is stated: bare orthogonal distances, as ODRPACK minimises them.
+  /// True: errors are functions of the fitted value, estimated with the fit where not stated; neighbours may correlate;
+  /// the distance expected from noise is subtracted. False: errors are taken at the readings and independent, with one
+  /// relative error where none is stated: plain orthogonal distances, as ODRPACK minimises them.
   bool fitted_errors = true;
-  /// Of all points, as a fit of the same data has found them; null: from sigma_T, sigma_A, columns or the scatter.
+  /// Errors of all points from an earlier fit of these data; null: from sigma_T, sigma_A, columns or the scatter.
   std::shared_ptr<const StandardErrors> errors{};
   Loss loss = Loss::none;
-  std::optional<double> loss_scale{};  // in standard errors; null: the loss's usual one
+  std::optional<double> loss_scale{};  // in standard errors; null: the default of the loss
   bool intervals = true;
   double confidence = 0.95;
-  bool checks = true;  // the tests of consistency and the evidence; without them nothing is suspect
-  /// For evidence and credible interval, of the model's first parameter.
+  bool checks = true;  // tests of consistency, and evidence; without them no fit is suspect
+  /// The prior of the model's first parameter, for evidence and credible interval.
   RangePrior lambda_prior = RangePrior::uniform;
-  BootstrapOptions bootstrap{};    // with replicates = 0: none
+  BootstrapOptions bootstrap{};    // replicates = 0: no bootstrap
   bool influence = false;          // of each point and run: jackknife, leverage, Cook's distance
-  std::size_t profile_points = 0;  // of each free parameter's drawn profile; 0: none
-  Progress progress{};             // of one call; may decrease when a fit starts again
+  std::size_t profile_points = 0;  // per free parameter's drawn profile; 0: no profile
+  Progress progress{};             // of one call; may decrease when a fit restarts
 };
 
-/// curve where there are loads, or errors of both energies; else toughness.
+/// curve if there are loads or errors of both energies; else toughness.
 Objective default_objective(const Dataset& data);
 
-/// The scale that toughness is fitted in.
+/// The scale in which toughness is fitted.
 constexpr Scale scale_of(const FitOptions& options) { return options.scale.value_or(Scale::log); }
 
 /// For refits: values only, no intervals, checks, bootstrap or influence.
 FitOptions value_only(FitOptions options);
 
-/// Keys of all models: "a", "b", "c", "bk", and of the laws that were defined (laws/user_law.h).
+/// Keys of all models: "a", "b", "c", "bk", and of user laws (laws/user_law.h).
 std::vector<std::string> model_keys();
 
 /// True if one of these models has a parameter of this name.

@@ -16,12 +16,12 @@ namespace {
 
 constexpr const char* kNoConstants = "the constants that all runs share were not found";
 
-/// Whether runs share constants that are fitted. Of energies each series has a toughness of its own.
+/// Whether runs share fitted constants. For energies each series has its own toughness.
 bool share_constants(const Dataset& data, const FitOptions& options) {
   return !data.has_energies && !fitted_constants(data, options).empty();
 }
 
-/// The runs with a minimum of their own, fitted separately.
+/// The runs that have their own minimum, fitted separately.
 struct SeparateFits {
   std::vector<std::vector<std::size_t>> runs{};  // points of each
   std::vector<FitResult> fits{};
@@ -44,20 +44,20 @@ struct SeparateFits {
   }
 };
 
-/// One set of constants of the experiment for runs that each have parameters of their own.
+/// Common constants of the experiment for runs with their own parameters.
 struct CommonConstants {
-  Constants constants{};  // all of them, those that were fitted as found
-  /// Of each run, the model's free parameters. Their errors and intervals include those of the constants.
+  Constants constants{};  // all of them; those that were fitted with fitted values
+  /// Per run: the model's free parameters. Their errors and intervals include those of the constants.
   std::vector<std::vector<FittedParameter>> own{};
   double sum_of_squares = 0;        // of the data and the priors
-  std::size_t free_parameters = 0;  // of all runs together, without those that have a prior
+  std::size_t free_parameters = 0;  // of all runs together, without those with a prior
 };
 
-/// Starts from separate fits at constants near the common ones. Intervals of up to 40 runs. Null if no minimum is
-/// found, or if it does not determine what it fits.
+/// Starts from separate fits at constants near the common ones. Finds intervals for up to 40 runs. Null if no minimum
+/// is found or the fit does not determine its parameters.
 std::optional<CommonConstants> fit_common_constants(const Dataset& data, const FitOptions& options,
                                                     const Constants& near, const SeparateFits& separate) {
-  constexpr std::size_t kMostIntervals = 40;  // the joint problem takes time with the cube of the number of runs
+  constexpr std::size_t kMostIntervals = 40;  // the time of the joint problem grows with the cube of the number of runs
   const ContactModel model = model_of(separate.fits[0]);
   const Objective objective = options.objective.value_or(default_objective(data));
   const std::vector<FittedConstant> constants = fitted_constants(data, options);
@@ -105,7 +105,7 @@ std::optional<CommonConstants> fit_common_constants(const Dataset& data, const F
   return result;
 }
 
-/// Takes errors and intervals of a run's parameters from the joint fit.
+/// Copies errors and intervals of a run's parameters from the joint fit.
 void take_errors(const std::vector<FittedParameter>& joint, FitResult& fit) {
   for (FittedParameter& one : fit.parameters)
     if (const FittedParameter* const same = find_parameter(joint, one.name)) {
@@ -147,7 +147,7 @@ void test_runs(const FitResult& pooled, const SeparateFits& separate, PerCurve& 
 PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOptions& asked) {
   PerCurve result;
   FitOptions options = asked;
-  options.fitted_errors = false;  // one value for runs that differ would take the difference for noise
+  options.fitted_errors = false;  // with one value for differing runs, the differences would be taken for noise
   result.model = model;
   const auto untested = [&](const char* why) {
     result.untested = why;

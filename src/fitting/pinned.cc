@@ -12,7 +12,7 @@
 namespace mixity {
 namespace {
 
-/// Areas of a run over (T/T_largest)^2, both about their weighted means, relative to the mean area.
+/// Areas of a run against (T/T_largest)^2, both about their weighted means, relative to the mean area.
 class AreasOfRun {
  public:
   double xx = 0, xy = 0, squares = 0, products = 0;  // of the residuals about the line, and of neighbours among them
@@ -58,7 +58,7 @@ class AreasOfRun {
   double sum_ = 0;
 };
 
-/// The points that a robust loss counts; all without one.
+/// The points that a robust loss does not treat as outliers; without such a loss all.
 std::vector<std::size_t> counted_points(const FitResult& fit) {
   constexpr double kFar = 4;  // standard errors of a residual
   if (!(fit.loss_scale > 0) || fit.innovations.size() != fit.used.size()) return fit.used;
@@ -69,8 +69,8 @@ std::vector<std::size_t> counted_points(const FitResult& fit) {
   return points;
 }
 
-/// Whether the fitted curves describe the areas better than one area for each run does, by more than noise with this
-/// memory makes up. The fall is steepest next to the jump, where no simple course finds it.
+/// Whether the fitted curves describe the areas better than one area per run, by more than such autocorrelated noise
+/// can. The fall is steepest next to the jump, where no simple trend detects it.
 bool fall_as_fitted(const Dataset& data, const FitResult& fit, std::span<const double> residuals) {
   if (fit.objective != Objective::curve || !fit.errors || fit.errors->A.empty()) return false;
   const auto weight = [&](std::size_t i) { return 1 / std::pow(fit.errors->A[fit.used[i]], 2); };
@@ -91,7 +91,7 @@ bool fall_as_fitted(const Dataset& data, const FitResult& fit, std::span<const d
 }  // namespace
 
 bool areas_stay(const Dataset& data, std::span<const std::size_t> used, std::span<const double> sigma_A) {
-  constexpr double kEnough = 5, kEnoughInAll = 10;  // points of a run, and degrees of freedom
+  constexpr double kEnough = 5, kEnoughInAll = 10;  // points in a run; degrees of freedom in all
   std::vector<AreasOfRun> runs(data.curves.size());
   for (const std::size_t i : used) runs[data.points[i].curve].add(data.points[i], sigma_A.empty() ? 0 : sigma_A[i]);
   double lines = 0, freedom = 0, slopes = 0, sizes = 0, falls = 0, squares = 0, products = 0;
@@ -106,7 +106,7 @@ bool areas_stay(const Dataset& data, std::span<const std::size_t> used, std::spa
     products += run.products;
   }
   if (freedom < kEnoughInAll) return false;
-  // The correlation of neighbours about a line is too low by (2 + 4 r)/n (Marriott & Pope 1954).
+  // The correlation of neighbours about a line is estimated too low by (2 + 4 r)/n (Marriott & Pope 1954).
   constexpr double kMost = 0.95;
   const double seen = squares > 0 ? products / squares : 0;
   const double r = std::clamp(seen + (2 + 4 * seen) / (freedom / lines + 2), 0.0, kMost);

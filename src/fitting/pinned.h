@@ -1,4 +1,4 @@
-// Contacts whose areas stay as they are: the runs do not determine the parameters.
+// Contacts whose areas stay constant, so that the runs do not determine the parameters.
 #pragma once
 
 #include <span>
@@ -8,14 +8,14 @@
 
 namespace mixity {
 
-/// Whether the areas of each run are one area within their scatter, by themselves: a fall with T^2
-/// that all runs share lowers their squares by less than 6 times the variance about a line in T^2 for each run, and
-/// these lines lower them by no more than chance. Where neighbours correlate, the variance counts accordingly more.
-/// `sigma_A`: of each point of the data set, as far as is known; empty: proportional errors. False of too few points.
+/// Whether the areas of each run are constant within their scatter. A common fall with T^2 must lower the sum of
+/// squares by less than 6 times the variance about a line in T^2 for each run, and these lines must lower it by no more
+/// than chance. The variance counts more where neighbours correlate. `sigma_A`: per point of the data set, as far as
+/// known; empty: proportional errors. False if there are too few points.
 bool areas_stay(const Dataset& data, std::span<const std::size_t> used, std::span<const double> sigma_A);
 
-/// Whether the areas stay within their scatter and the fitted curves describe them no better than one area for each run
-/// does. `residuals`: less what noise leads one to expect.
+/// Whether the areas stay constant within their scatter, and the fitted curves describe them no better than one area
+/// per run. `residuals`: without the part expected from noise.
 bool is_pinned(const Dataset& data, const FitResult& fit, std::span<const double> residuals);
 
 }  // namespace mixity

@@ -8,9 +8,9 @@
 namespace mixity {
 namespace {
 
-/// What is usual: adhesion differs most from day to day; gauges and cameras are calibrated.
+/// The usual size: adhesion differs most from day to day; gauges and cameras are calibrated.
 double usual_size(const Dataset& data, Constant constant) {
-  constexpr double kOfLargest = 0.01;  // of the largest reading: the zero of a load cell or of a threshold
+  constexpr double kOfLargest = 0.01;  // of the largest reading, for the zero of a load cell or of a threshold
   switch (constant) {
     case kToughness:
     case kToughnessDrift:

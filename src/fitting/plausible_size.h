@@ -1,4 +1,4 @@
-// How plausible the size of a possible cause is, before the data are asked.
+// The prior plausibility of the size of a possible cause.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace mixity {
 
-/// The square of a deviation over its usual size, which laboratories differ by; of a constant or of the first
-/// parameter, in the solver's numbers. `value`: of that parameter.
+/// (deviation/usual)^2, where `usual` is how much laboratories typically differ. `deviation`: of a constant or of the
+/// first parameter, in the solver's numbers; `value`: of the first parameter.
 double implausibility(const Dataset& data, const std::string& quantity, double deviation, double value);
 
 }  // namespace mixity

@@ -8,13 +8,13 @@
 namespace mixity {
 namespace {
 
-/// Relative. A measured load that equals that of the fold lies on either side by rounding alone.
+/// Relative width. A measured load equal to that of the fold lies on either side only by rounding.
 constexpr double kFoldWidth = 1e-9;
 
-/// Points of a load whose areas are found together: of a run of millions arrays would be larger than its points.
+/// Points with one load computed together: for a run of millions, the arrays would be larger than the points.
 constexpr std::size_t kMostAtOnce = 1 << 16;
 
-/// Appends the areas of one contact, at shears that are not negative. `scales`: one for each.
+/// Appends the areas of one contact at shears >= 0. `scales`: one for each.
 void add_areas(const ContactModel& model, std::span<const double> p, std::span<const ConstantsScale> scales,
                double load, std::span<const double> shears, std::vector<PredictedArea>& areas) {
   if (!model.obstacle(p, load).empty())
@@ -91,7 +91,7 @@ void each_area(const ContactModel& model, const Candidate& candidate, std::size_
   }
 }
 
-/// Those of points of a data set.
+/// The same for points of a data set.
 template <class Take>
 void each_area(const ContactModel& model, const Candidate& candidate, const Dataset& data,
                const std::vector<std::size_t>& points, const Take& take) {
@@ -124,7 +124,7 @@ std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Cand
 
 namespace {
 
-/// Of those of n values that count.
+/// The goodness over those of n values for which `counts` is true.
 template <class Residual, class Target, class Weight, class Counts>
 Goodness goodness_of(std::size_t n, const Residual& residual, const Target& target, const Weight& weight,
                      const Counts& counts) {

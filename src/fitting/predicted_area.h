@@ -1,4 +1,4 @@
-// Predicted areas at measured loads, and how well they agree.
+// Predicted areas at measured loads, and their agreement with the data.
 #pragma once
 
 #include <span>
@@ -9,25 +9,25 @@
 
 namespace mixity {
 
-/// The model that was fitted. Throws std::invalid_argument where there is none with this key.
+/// The model that was fitted. Throws std::invalid_argument if its key is unknown.
 ContactModel model_of(const FitResult& fit);
 
-/// All constants of a fit, those among `parameters` as fitted. Each of these has a value.
+/// All constants of a fit; those among `parameters`, which must have values, as fitted.
 Constants constants_of(const Dataset& data, const FitOptions& options, const std::vector<FittedParameter>& parameters);
 
-/// The parameters and constants of a fit whose parameters all have values. `options`: those of the fit, for constants
-/// that were not free.
+/// The parameters and constants of a fit whose parameters all have values. `options`: those of the fit; they set the
+/// constants that were not free.
 Candidate fitted_candidate(const Dataset& data, const ContactModel& model, const FitResult& fit,
                            const FitOptions& options);
 
-/// An area as it would be measured, dimensionless: beyond the last equilibrium that at the fold, below pull-off that of
-/// no contact; 0 where the law defines no equilibrium with these parameters.
+/// An area as it would be measured, dimensionless: beyond the last equilibrium the area at the fold; below pull-off the
+/// reading without contact; 0 where the law defines no equilibrium with these parameters.
 struct PredictedArea {
   enum class State { equilibrium, beyond_fold, below_pull_off, undefined } state;
   double value;
 };
 
-/// At loads as measured; consecutive points of the same load are found together.
+/// At measured loads; consecutive points with the same load are computed together.
 std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate,
                                            std::span<const double> P, std::span<const double> T);
 
@@ -40,12 +40,12 @@ struct Goodness {
   double rmse = 0, max_abs_residual = 0;
 };
 
-/// residuals, targets and weights (1/standard error, or empty: 1) of equal length > 0; residuals and targets are the
-/// weighted ones. R^2 = 1 - SS_res/SS_tot about the weighted mean of the data.
+/// All spans have the same length > 0; `weights` are 1/standard error, or empty: 1. Residuals and targets are already
+/// weighted. R^2 = 1 - SS_res/SS_tot about the weighted mean of the data.
 Goodness goodness(std::span<const double> residuals, std::span<const double> targets,
                   std::span<const double> weights = {});
 
-/// Of a fit at the points that it used.
+/// The goodness of the predicted areas at the points that a fit used.
 AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& used, const ContactModel& model,
                            const Candidate& candidate);
 

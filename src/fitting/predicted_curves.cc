@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kChord = 2e-4;  // of the curve's size: a hundredth of a line's width
 
-/// Converts the model's numbers to those of the axes.
+/// Converts the model's numbers to those on the axes.
 class Shown {
  public:
   Shown(const Dataset& data, const Constants& constants, double sign_of_shear = 1)

@@ -19,7 +19,7 @@ struct DrawnPoint {
   bool stable;  // under load control
 };
 
-/// Where the contact loses stability.
+/// A place where the contact loses stability.
 struct DrawnFold {
   Control::Kind control;
   double T, A, u;
@@ -27,15 +27,15 @@ struct DrawnFold {
   double area_after;  // 0 off contact
 };
 
-/// An equilibrium curve from T = 0, with the folds met on loading under load and displacement control. Empty where
-/// there is no contact.
+/// An equilibrium curve from T = 0, with the folds reached on loading, under load and under displacement control. Empty
+/// where there is no contact.
 struct DrawnCurve {
   std::vector<DrawnPoint> points;
   std::vector<DrawnFold> folds;
 };
 
-/// A fit's curve at the normal load `load`, up to T_most (both as measured, dimensionless), within 2e-4 of the curve's
-/// size. The fit must have values. `sign_of_shear`: of the run, Dataset::sign_of_shear.
+/// A fit's curve at the normal load `load`, up to T_most (both as measured, dimensionless), accurate to 2e-4 of the
+/// curve's size. The fit must have values. `sign_of_shear`: Dataset::sign_of_shear of the run.
 DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load, double T_most,
                        double sign_of_shear = 1);
 
@@ -47,28 +47,28 @@ struct StableState {
 std::vector<StableState> stable_states(const Dataset& data, const FitOptions& options, const FitResult& fit,
                                        std::size_t run, std::size_t points);
 
-/// a(P) at a tangential load T (as measured, dimensionless) up to the load P_most: stable and unstable part, which meet
-/// at pull-off.
+/// Contact radius a(P) at a tangential load T (as measured, dimensionless) for loads up to P_most: the stable and the
+/// unstable part, which meet at pull-off.
 struct DrawnRadii {
   std::vector<std::pair<double, double>> stable, unstable;
 };
 DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const FitResult& fit, double T, double P_most,
                        std::size_t points = 400);
 
-/// f(psi) at even steps of psi from 0 to last_psi; where it exceeds `most`, a number beyond the frame, that.
+/// f(psi) at equal steps of psi from 0 to last_psi, limited to `most`, a number outside the frame.
 std::vector<std::pair<double, double>> toughness_curve(const ContactModel& model, std::span<const double> p,
                                                        double last_psi, double most, std::size_t steps);
-/// The same of a fit.
+/// The same for a fit.
 std::vector<std::pair<double, double>> drawn_toughness(const Dataset& data, const FitResult& fit, double last_psi,
                                                        double most, std::size_t steps = 300);
 
-/// The fit with its first free parameter at one end of its interval; null without that end.
+/// The fit with its first free parameter at one end of the interval; null if that end is open.
 std::optional<FitResult> at_interval_end(const FitResult& fit, bool high);
 
-/// The fits of which all parameters have values.
+/// The fits whose parameters all have values.
 std::vector<const FitResult*> fits_with_values(const std::vector<FitResult>& all);
 
-/// Dimensionless.
+/// The largest modulus of T, dimensionless.
 double largest_shear(const Dataset& data);
 
 /// The stated shear strength, dimensionless; null if there is none, or no contact to scale it by.

@@ -20,12 +20,12 @@ std::vector<std::size_t> uncertain_parameters(const FitResult& fit) {
   return free;
 }
 
-/// Numbers that follow from a fit, each null where it does not exist; always as many.
+/// Numbers that follow from a fit, null where they do not exist; their count is constant.
 using Follows = std::function<std::vector<std::optional<double>>(const FitResult&)>;
 
-/// Standard errors to first order (delta method): derivatives by differences, a thousandth of a standard error wide, on
-/// the covariance of all fitted parameters and constants; one-sided where a number exists on one side only. Calls
-/// `follows` with the fit and four times for each free parameter. No standard errors without those of all parameters.
+/// Standard errors to first order (delta method): finite differences of a thousandth of a standard error, with the
+/// covariance of all fitted parameters and constants; one-sided where a number exists on one side only. Calls `follows`
+/// with the fit and four times for each free parameter. No standard errors if any parameter has none.
 std::vector<Derived> propagate(const FitResult& fit, const Follows& follows) {
   std::vector<Derived> numbers;
   for (const std::optional<double>& value : follows(fit)) numbers.push_back({value, {}});
@@ -69,7 +69,7 @@ std::vector<Derived> propagate(const FitResult& fit, const Follows& follows) {
   return numbers;
 }
 
-/// A fold of the contact as measured, where constants were fitted.
+/// A fold in measured quantities, corrected by the fitted constants.
 Fold measured(Fold fold, const Constants& c) {
   const ConstantsScale scale(c);
   fold.T = scale.measured_shear(fold.T);
@@ -79,7 +79,7 @@ Fold measured(Fold fold, const Constants& c) {
   return fold;
 }
 
-/// The folds under one control; sets `problem` where there is no curve.
+/// The folds under one control; sets `problem` if there is no curve.
 std::vector<Fold> folds_at(const Dataset& data, const ContactModel& model, const FitResult& fit,
                            const FitOptions& options, double P, Control control, std::string& problem) {
   const Candidate candidate = fitted_candidate(data, model, fit, options);
@@ -131,7 +131,7 @@ FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, cons
       std::string ignored;
       const std::vector<Fold> same = folds_at(data, model, near, options, P, control, ignored);
       std::vector<std::optional<double>> values(3 * folds.size());
-      // a fold that appears or goes within a thousandth of a standard error has no derivative
+      // a fold that appears or disappears within a thousandth of a standard error has no derivative
       for (std::size_t i = 0; same.size() == folds.size() && i < folds.size(); ++i) {
         values[3 * i] = same[i].T;
         values[3 * i + 1] = same[i].u;

@@ -11,21 +11,21 @@
 
 namespace mixity {
 
-/// A number that follows from a fit, and its standard error from those of all fitted parameters and constants. Null
-/// where there is none.
+/// A number derived from a fit, and its standard error from those of all fitted parameters and constants. Null if there
+/// is none.
 struct Derived {
   std::optional<double> value{}, standard_error{};
 };
 
-/// An area as it would be measured, dimensionless like those of Point. The standard error is null where a parameter has
-/// none (at a bound, not identifiable), and within a standard error of a jump.
+/// An area as it would be measured, dimensionless like Point. The standard error is null within a standard error of a
+/// jump, and where a parameter has none (at a bound, not identifiable).
 struct AreaPrediction {
   EquilibriumStatus status;  // no_equilibrium: beyond the last one, or below pull-off; then A is 0
   double A = 0;
   std::optional<double> standard_error{};
 };
 
-/// At loads as measured (fitted offsets are added to them); `options` are those of the fit. Empty if the fit has no
+/// Predicts areas at measured loads (fitted offsets are added); `options` are those of the fit. Empty if the fit has no
 /// values. Throws std::invalid_argument for an unknown model.
 std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResult& fit, const FitOptions& options,
                                              std::span<const double> P, std::span<const double> T);
@@ -33,28 +33,28 @@ std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResul
 /// A fold as it would be measured, with standard errors; dimensionless.
 struct FoldPrediction {
   Control control;
-  bool on_loading;  // else on reversal
+  bool on_loading;  // else on reversal of the load
   Derived T, u, A;
-  double psi;  // [rad], at the fit itself
+  double psi;  // [rad], from the fitted values
   Jump jumps_to;
   double area_after;  // 0 off contact
 };
 
-/// A fold of given parameters, without standard errors.
+/// A fold computed for given parameters, without standard errors.
 inline FoldPrediction as_prediction(const Fold& fold) {
   return {fold.control, fold.place.maximum, {fold.T}, {fold.u}, {fold.A}, fold.psi, fold.jumps_to, fold.area_after};
 }
 
-/// Folds at a load as measured, under each of the controls, in the order in which they are met (find_folds). The
-/// stiffness of a control is in units of xi^2 G_Ic of the data set's own constants.
+/// Folds at a measured load under each of the controls, in the order of find_folds. The stiffness of a control is in
+/// units of xi^2 G_Ic of the data set's own constants.
 struct FoldsPrediction {
   std::vector<FoldPrediction> folds{};
-  std::string problem{};  // why there is no curve: no value, no contact, no law
+  std::string problem{};  // why there is no curve: fit without values, no contact, or no law
 };
 FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
                                  const std::vector<Control>& controls);
 
-/// The first fold on loading under load control, where the contact jumps. Null if it does not.
+/// The first fold on loading under load control, where the contact jumps. Null if it never jumps.
 std::optional<FoldPrediction> predict_jump_of(const Dataset& data, const FitResult& fit, const FitOptions& options,
                                               double P);
 

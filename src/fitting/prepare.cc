@@ -9,7 +9,7 @@
 namespace mixity {
 namespace {
 
-/// The value at which a parameter is to be held. Throws InputError if it is outside its range, or not stated.
+/// The value at which to hold a parameter. Throws InputError if it is outside its range or not stated.
 double held_value(const HeldParameter& held, const ParameterInfo& info, const Dataset& data) {
   std::optional<double> value = held.value;
   if (const auto& [I, II] = std::pair(data.metadata.toughness, data.metadata.toughness_II);
@@ -25,7 +25,7 @@ double held_value(const HeldParameter& held, const ParameterInfo& info, const Da
   return *value;
 }
 
-/// Throws InputError where the options ask for what the data set does not have.
+/// Throws InputError if the options require what the data set lacks.
 void require_what_is_asked(const Dataset& data, const FitOptions& options, Objective objective) {
   const auto refuse = [&](const Message& message) { throw InputError(data.path, message); };
   const bool uncertain = fitted_constants(data, options).size() > options.free.size();
@@ -60,7 +60,7 @@ void require_what_is_asked(const Dataset& data, const FitOptions& options, Objec
            (options.weighted ? "weighs the points anyway" : "compares no toughness"));
 }
 
-/// Whether the toughness is infinite at psi = pi/2 for all parameters inside their ranges: then points there are not
+/// Whether the toughness is infinite at psi = pi/2 for all parameters inside their ranges. Points there are then not
 /// used.
 bool is_infinite_in_mode_II(const ContactModel& model) {
   std::vector<double> typical;
@@ -71,7 +71,7 @@ bool is_infinite_in_mode_II(const ContactModel& model) {
   return !std::isfinite(value);
 }
 
-/// The points that the model can describe, and why it cannot describe the others.
+/// Chooses the points that the model can describe, and states why it cannot describe the others.
 void choose_points(const Dataset& data, const std::vector<std::size_t>* points, PreparedFit& prepared) {
   const Scales scales(data, prepared.constants);
   std::optional<bool> infinite;
@@ -88,7 +88,7 @@ void choose_points(const Dataset& data, const std::vector<std::size_t>* points, 
       return *prepared.excluded_reason;
     }
     if (data.has_energies) return {};
-    // with another value of a constant there may be a contact
+    // there may be a contact for another value of a constant
     const bool contact = !prepared.fitted.empty() || above_pull_off(scales.of(i).load(data.points[i].P)) >= 0;
     return contact ? std::string_view() : kBelowPullOff;
   };
@@ -105,7 +105,7 @@ void choose_points(const Dataset& data, const std::vector<std::size_t>* points, 
     for (std::size_t i = 0; i < data.points.size(); ++i) consider(i);
 }
 
-/// Held values, and typical ones for the rest.
+/// Sets held values, and typical ones for the other parameters.
 void hold_parameters(const Dataset& data, const FitOptions& options, PreparedFit& prepared) {
   const std::span<const ParameterInfo> infos = prepared.model.parameters();
   prepared.held.assign(infos.size(), false);

@@ -18,8 +18,8 @@ namespace mixity {
 
 /// An interval in the user's unit. A null end is open.
 struct ShownInterval {
-  std::string method;  // profile; jackknife: of the runs, Student's with one degree of freedom less than runs;
-                       // explanations: the union of those of causes that explain failed tests about as well
+  std::string method;  // profile; jackknife: over the runs, Student's with one degree of freedom less than runs;
+                       // explanations: the union over the causes that explain failed tests about as well
   double confidence;
   std::optional<double> low, high;
   EndStatus low_status, high_status;
@@ -39,9 +39,9 @@ struct FittedParameter {
   bool at_bound = false, held = false;
   std::optional<ShownInterval> interval{};
   std::optional<Bootstrapped> bootstrap{};  // in the user's unit
-  std::string unit{};                       // empty if dimensionless
-  std::optional<DrawnProfile> profile{};    // x in the user's unit; if asked for
-  std::optional<ShownPrior> prior{};        // of a constant that is uncertain
+  std::string unit{};                       // empty: dimensionless
+  std::optional<DrawnProfile> profile{};    // x in the user's unit; only on request
+  std::optional<ShownPrior> prior{};        // only for an uncertain constant
 };
 
 /// The parameter of this name; null if there is none.
@@ -61,39 +61,39 @@ struct AreaGoodness {
   std::string_view obstacle{};               // why the law defines no area with these parameters; else empty
 };
 
-/// The paper's fit of the same data: ln(Gc/GIc) against psi, every point with the same weight.
+/// The paper's fit of the same data: ln(Gc/GIc) against psi, all points with the same weight.
 struct PaperFit {
   FitStatus status = FitStatus::not_converged;
   std::vector<FittedParameter> parameters;
   std::optional<double> r2;
   std::size_t points = 0;
 
-  /// Null where the fit has none: a constant of the experiment, not identifiable.
+  /// Null for a constant of the experiment and for a parameter that is not identifiable.
   std::optional<double> value_of(std::string_view parameter) const {
     const FittedParameter* const found = find_parameter(parameters, parameter);
     return found ? found->value : std::nullopt;
   }
 };
 
-/// Whether what a test finds would move a parameter, or widen its 95 % interval, by more than a quarter of the
-/// interval. With many points everything is significant. `change`: in standard errors.
+/// Whether the result of a test would move a parameter, or widen its 95 % interval, by more than a quarter of the
+/// interval; with many points every test is significant. `change`: in standard errors.
 inline bool moves_or_widens(double change, double widening) { return std::abs(change) > 1 || widening > 1.25; }
 
 /// A constant that was fitted with a prior.
 struct BudgetPart {
   std::string constant;
   double share;  // of the parameter's variance, 0..1
-  double pull;   // how far the constant moved from its mean, in standard errors of the prior
+  double pull;   // deviation of the constant from its prior's mean, in standard errors of the prior
 };
 
 /// A constant that was taken as exact.
 struct ExactConstant {
   std::string constant, unit;    // the user's unit
-  std::optional<double> effect;  // change of the parameter for this step
+  std::optional<double> effect;  // change of the parameter for `step`
   double step;  // 5 % of the constant; of an offset, 1 % of the largest load, shear or area, in the user's unit; of a
                 // change 0.01
-  /// Score test: by how much chi^2 would fall if the constant were free, its value then, and the probability of so
-  /// large a fall by chance. Null where the residuals do not depend on it.
+  /// Score test of freeing the constant: the fall of chi^2, the fitted value, and the probability of so large a fall by
+  /// chance. Null where the residuals do not depend on it.
   struct Score {
     double fall, value, p_value;
     double change = 0, widening = 1;  // of the first parameter then, in its standard errors; factor on that error
@@ -102,17 +102,17 @@ struct ExactConstant {
   std::optional<Score> score;
 };
 
-/// Budget of the first free parameter. Scatter and parts add up to 1; null and empty where a bound holds it.
+/// Error budget of the first free parameter. Scatter and parts add up to 1; null and empty if it is held by a bound.
 struct Budget {
   std::string parameter, unit;
   std::optional<double> scatter;
   std::vector<BudgetPart> parts;
   std::vector<ExactConstant> exact;
-  double independent = 0;  // effective number of independent score tests: some constants act alike
+  double independent = 0;  // effective number of independent score tests, as some constants act alike
 };
 
-/// Tests of the residuals of each run in the order of the file. z and correlations are about zero if the model and its
-/// errors are right; points may have different variances. p-values: probability of so much by chance.
+/// Tests of the residuals of each run in file order. z and correlations are near zero if the model and its errors are
+/// right; points may have different variances. p-values: probability of a value this large by chance.
 struct ResidualTests {
   struct Run {
     std::string curve;
@@ -121,81 +121,81 @@ struct ResidualTests {
     double correlation;  // of neighbours
     double trend;        // z of the slope against T, or against psi
   };
-  std::vector<Run> runs;                                               // those of at least kLeastRun points
-  double correlation = 0, correlation_p = 1, runs_p = 1, trend_p = 1;  // of all together
-  /// Root mean square of the residuals over the scatter of neighbouring points, and over that of neighbouring
-  /// residuals; null where that is not known.
+  std::vector<Run> runs;                                               // only those of at least kLeastRun points
+  double correlation = 0, correlation_p = 1, runs_p = 1, trend_p = 1;  // over all runs
+  /// Root mean square of the residuals, divided by the scatter of neighbouring points or of neighbouring residuals;
+  /// null where that is not known.
   std::optional<double> over_scatter{}, over_neighbours{};
-  /// Whether a run of mean length is worth fewer than three independent points: noise with so long a memory looks like
-  /// runs that differ, and like a wrong model.
+  /// Whether a run of mean length is worth fewer than three independent points: such strongly autocorrelated noise
+  /// looks like differing runs, and like a wrong model.
   bool together = false;
-  bool coarse = false;             // the readings' steps make neighbours resemble each other
-  std::optional<double> course{};  // F of the same course in all runs (course.h); null of fewer than three
+  bool coarse = false;             // the resolution of the readings makes neighbours alike
+  std::optional<double> course{};  // F of a course common to all runs (course.h); null with fewer than three
   double course_p = 1;
-  double ends = 0, ends_p = 1;          // z of the residuals at the ends of the runs against the points before these
-  static constexpr double kEnd = 0.05;  // of a run is its end, one point at least
+  double ends = 0, ends_p = 1;          // z of the residuals at the ends of the runs against the points before
+  static constexpr double kEnd = 0.05;  // share of a run that is its end; at least one point
   static constexpr std::size_t kLeastRun = 8;
 };
 
 /// Points beyond the last equilibrium of the fitted model in one run.
 struct BeyondEquilibrium {
   std::string curve;
-  std::size_t points, first;  // how many; the index of the first, into Dataset::points
+  std::size_t points, first;  // number of points; index of the first in Dataset::points
 };
 
 /// A used point that lies farther from the fit than chance allows.
 struct Outlier {
   std::size_t point;  // index into Dataset::points
-  double size;        // of its residual, model minus data, in standard errors
+  double size;        // its residual, model minus data, in standard errors
 };
 
-/// A few points with more than half of the weight, whose standard errors, which the file states, are far below those of
+/// A few points with more than half of the weight, because the file states standard errors for them far below those of
 /// the others. The weight of a point is one over the variance of its distance from the curve.
 struct HeavyPoints {
   std::vector<std::size_t> points;  // indices into Dataset::points, in the order of the file
-  double share;                     // of the weight, 0.5..1
-  std::string column;               // with the error that is the smallest beside those of the others
-  double ratio;                     // of that error and the median of the column
+  double share;                     // of the total weight, 0.5..1
+  std::string column;               // whose errors are smallest compared with those of the others
+  double ratio;                     // of that error to the median of the column
 };
 
-/// Explanations do about as well up to this difference in -2 ln L.
+/// Explanations with a difference in -2 ln L up to this do about as well.
 inline constexpr double kAboutAsWell = 6;
 
 /// Tests of the assumptions of the fit.
 struct Consistency {
-  std::optional<double> chi2_per_freedom, chi2_p;  // of known errors; with a robust loss by the median of the residuals
+  std::optional<double> chi2_per_freedom, chi2_p;  // for known errors; with a robust loss from the median residual
   ResidualTests residuals;
   std::vector<BeyondEquilibrium> beyond;  // runs that have such points
-  std::optional<HeavyPoints> heavy{};     // of reported fits
-  /// Whether the areas stay constant along each run within their scatter, as of a contact that is pinned (pinned.h).
+  std::optional<HeavyPoints> heavy{};     // only in reported fits
+  /// Whether the areas stay constant along each run within their scatter, as in a pinned contact (pinned.h).
   bool pinned = false;
 };
 
-/// Score test of a quantity that may differ between the runs, from the fit's own derivatives.
+/// Score test of a quantity that may differ between the runs, from the fit's derivatives.
 struct RunTest {
   std::string quantity, unit;  // the first parameter, or a constant of the experiment
-  bool relative;               // its deviations are shares of it
-  double directions;           // in which the runs may differ
-  /// One way to differ: by how much chi^2 would fall, its probability by chance, the size in `unit`, and by how much
-  /// the first parameter would change, in standard errors, and its standard error grow.
+  bool relative;               // its deviations are relative
+  double directions;           // number of independent ways in which the runs may differ
+  /// One way to differ: the fall of chi^2, its probability by chance, the size in `unit`, the resulting change of the
+  /// first parameter in standard errors, and the factor on its standard error.
   struct Way {
     double fall = 0, p_value = 1, size = 0, change = 0, widening = 1;
     bool matters() const { return moves_or_widens(change, widening); }
   };
-  Way all{};            // each run by chance; size: standard deviation
-  Way odd{}, drift{};   // one run alone, p_value of the best of all; in the order of the runs, size from first to last
-  std::size_t run = 0;  // the odd one, index into Dataset::curves
+  Way all{};            // every run, by chance; size: standard deviation
+  Way odd{}, drift{};   // odd: one run, p_value of the best; drift: over the order of the runs, size from first to last
+  std::size_t run = 0;  // the odd run, index into Dataset::curves
 };
 
-/// What may be the cause of failed tests, and the fit with it.
+/// A possible cause of failed tests, and the result of the fit with it.
 struct Explanation {
-  std::string cause, run;   // a constant, or a quantity that differs between runs; the run, if one alone differs
-  Message size, remedy;     // what it would be; the options that fit it
-  FittedParameter first{};  // the first free parameter then
-  double misfit;            // -2 ln L above that of the best
+  std::string cause, run;   // a constant, or a quantity that differs between runs; the run, if only one differs
+  Message size, remedy;     // its estimated size; the options that fit it
+  FittedParameter first{};  // the first free parameter in that fit
+  double misfit;            // -2 ln L minus that of the best
 };
 
-/// The model's evidence, and posterior mean, standard deviation and credible interval of its first free parameter.
+/// The model's evidence; posterior mean, standard deviation and credible interval of its first free parameter.
 struct ShownEvidence {
   std::string parameter;
   RangePrior prior;
@@ -212,60 +212,60 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<std::size_t> used;                         // indices into Dataset::points
   std::vector<Excluded> excluded;                        // usable points that this model cannot describe
-  std::shared_ptr<const std::string> excluded_reason{};  // a text to which `excluded` refers
+  std::shared_ptr<const std::string> excluded_reason{};  // owns the text that `excluded` refers to
   std::optional<double> r2;                              // in the fitted space; null without scatter or without a fit
   std::optional<double> rmse, max_abs_residual;
   std::vector<double> residuals;  // per used point, model minus data; empty without a fit
-  /// The same less what noise leads one to expect and what the points before predict, over the standard deviation of
-  /// that: independent of each other. As `residuals` where neighbours do not correlate.
+  /// The residuals minus the expected distance and the prediction from earlier points, divided by their standard
+  /// deviation: independent of each other. Equal to `residuals` where neighbours do not correlate.
   std::vector<double> innovations{};
   std::optional<AreaGoodness> area;  // null without loads or without a fit
-  std::optional<PaperFit> paper;     // beside the objective curve of loads
-  /// A standard error, in the unit of the residuals: 1 where errors are known, else estimated so that outliers hardly
-  /// enlarge it. 0 without a fit.
+  std::optional<PaperFit> paper;     // beside the objective curve, for data with loads
+  /// The standard error of a residual, in its unit: 1 where errors are known, else a robust estimate that outliers
+  /// hardly enlarge. 0 without a fit.
   double standard_error = 0;
-  std::vector<Outlier> outliers;                   // in the order of the file; of reported fits
+  std::vector<Outlier> outliers;                   // in file order; only in reported fits
   bool known_errors = false;                       // the residuals are in units of known standard errors
-  std::shared_ptr<const StandardErrors> errors{};  // of the points, where the objective uses them
-  std::vector<double> correlations;                // [p x p] of the free parameters in order; empty for one
+  std::shared_ptr<const StandardErrors> errors{};  // of the points, if the objective uses them
+  std::vector<double> correlations;                // [p x p] of the free parameters in order; empty for a single one
   std::size_t free_parameters = 0;
-  /// Sum of ln(variance) of the residuals, relative to proportional errors at the readings, and of the determinant of
-  /// their correlations; 0 of known, independent errors. -2 ln L of the fit has it beside the sum of squares.
+  /// Sum of ln(variance) of the residuals, relative to proportional errors at the readings, plus ln of the determinant
+  /// of their correlations; 0 for known, independent errors. -2 ln L is this plus the sum of squares.
   double log_variances = 0;
   double sum_of_squares = 0;               // of the (weighted) residuals, or of the robust loss
-  std::optional<Budget> budget;            // of the first free parameter; null where there is none
-  std::optional<ShownEvidence> evidence;   // null where intervals were not asked for, or it could not be found
-  std::optional<Consistency> consistency;  // of reported fits
-  std::vector<RunTest> run_tests;          // of curves with loads, of two runs or more
-  std::vector<Explanation> explanations;   // of a suspect fit: those that do about as well as the best
-  /// The cost with that constant free which explains why tests fail, if there is one.
+  std::optional<Budget> budget;            // of the first free parameter; null without one
+  std::optional<ShownEvidence> evidence;   // null where intervals were not requested, or if not found
+  std::optional<Consistency> consistency;  // only in reported fits
+  std::vector<RunTest> run_tests;          // for curves with loads in two or more runs
+  std::vector<Explanation> explanations;   // of a suspect fit: the best, and those that do about as well
+  /// The cost with the constant free that explains the failed tests, if there is one.
   std::optional<double> explained{};
   std::string outdone_by{};  // of a suspect fit: the model that describes the same points far better
   std::optional<BootstrapResult> bootstrap;
   std::optional<Influence> influence;  // changes in the user's units; points as in `used`
-  std::vector<std::string> run_names;  // of Influence::runs
+  std::vector<std::string> run_names;  // names for Influence::runs
   double loss_scale = 0;               // in units of the residuals; 0 without a robust loss
-  double loss_freedom = 0;             // of the loss `t`; 0 without it
+  double loss_freedom = 0;             // fitted degrees of freedom of the loss `t`; 0 for other losses
 
   bool has_values() const { return status != FitStatus::not_identifiable; }
   /// Degrees of freedom: points minus free parameters, at least 0.
   std::size_t freedom() const { return used.size() > free_parameters ? used.size() - free_parameters : 0; }
 };
 
-/// The sum of squares of a fit as if all fits of these points had the same errors: -2 ln L is n ln(S/n), or S where the
-/// errors are known.
+/// The sum of squares as if all fits of these points had the same errors: -2 ln L is n ln(S/n), or S where the errors
+/// are known.
 inline double comparable_squares(const FitResult& fit) {
   if (fit.known_errors) return fit.sum_of_squares + fit.log_variances;
   return fit.sum_of_squares * std::exp(fit.log_variances / static_cast<double>(fit.used.size()));
 }
 
-/// Whether each of the parameters has a value.
+/// Whether all parameters have values.
 inline bool has_all_values(const FitResult& fit) {
   return std::all_of(fit.parameters.begin(), fit.parameters.end(),
                      [](const FittedParameter& one) { return one.value.has_value(); });
 }
 
-/// All parameters have values, at a minimum.
+/// Whether all parameters have values at a minimum.
 inline bool has_minimum(const FitResult& fit) { return has_all_values(fit) && fit.status != FitStatus::not_converged; }
 
 }  // namespace mixity

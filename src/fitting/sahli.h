@@ -1,5 +1,5 @@
-// The parabola of Sahli et al. (2018), A = A0 - alpha T^2, fitted to each loading run, and the power law of alpha
-// against A0 over the runs, beside what a mode-mixity model predicts.
+// The parabola of Sahli et al. (2018), A = A0 - alpha T^2, fitted to each loading run; the power law of alpha against
+// A0 over the runs; and both as a mode-mixity model predicts them.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace mixity {
 
-/// One run. Dimensionless; standard errors from the scatter about the parabola, null with fewer than three points.
+/// One run, dimensionless. Standard errors are from the scatter about the parabola; null with fewer than three points.
 struct SahliRun {
   std::string curve;
   double P;
   std::size_t points;
   double A0, alpha;
   std::optional<double> A0_stderr, alpha_stderr;
-  std::optional<double> alpha_predicted;  // of the model, at this A0; null without a model or below pull-off
+  std::optional<double> alpha_predicted;  // by the model at this A0; null without a model or below pull-off
 };
 
 /// ln alpha = ln factor + exponent ln A0 over the runs with alpha > 0; null with fewer than two distinct A0.
@@ -33,9 +33,9 @@ struct SahliResult {
   std::optional<PowerLaw> power_law, predicted_power_law;
 };
 
-/// Of readings corrected by the stated constants. Unweighted least squares in T^2 over the points of each run up to
-/// `upto` (0..1] of its largest T. `model` with its parameter values in order predicts alpha; empty: no prediction. The
-/// data set must have loads.
+/// Unweighted least squares in T^2 over the points of each run up to `upto` (0..1] of its largest T, with readings
+/// corrected by the stated constants. alpha is predicted by `model` with these parameter values in order; empty: not
+/// predicted. The data set must have loads.
 SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model = {},
                       const std::vector<double>& parameters = {});
 

@@ -13,9 +13,9 @@
 namespace mixity {
 namespace {
 
-/// The slope of A against T at a point of a run that is sorted by T: of the line through the points within a twentieth
-/// of the run to either side, by number and by T, and one more. From nearer neighbours it would be noise where points
-/// are dense.
+/// The slope of A against T at a point of a run sorted by T: that of the line through the points within a twentieth of
+/// the run to either side, by number and by T, and one more. Where points are dense, nearer neighbours would give only
+/// noise.
 class Slopes {
  public:
   Slopes(const Dataset& data, const std::vector<std::size_t>& run) : sums_(run.size() + 1) {
@@ -45,18 +45,18 @@ class Slopes {
     double T = 0, A = 0, TT = 0, TA = 0;
   };
   std::vector<double> T_;
-  std::vector<Sums> sums_;  // of the points before
+  std::vector<Sums> sums_;  // of the points before each one
 };
 
-/// Relative error s common to T and A. The middle of three neighbours in T is off their chord by
-/// e = A - w A_before - (1-w) A_after, whose variance is s^2 times the sum below. The median over all triples is robust
-/// against those near an instability, where the curve bends. Null with fewer than three.
+/// Relative error s common to T and A. The middle of three neighbours in T deviates from their chord by e = A - w
+/// A_before - (1-w) A_after, whose variance is s^2 times the sum below. The median over all triples is robust against
+/// those near an instability, where the curve bends. Null with fewer than three.
 std::optional<double> relative_scatter(const Dataset& data) {
   constexpr double kMedianOfChiSquare = 0.454936423119573;  // of one degree of freedom
   constexpr double kLeast = 1e-9;
   std::vector<double> ratios;
   for (auto& run : points_by_curve(data)) {
-    // repeated rows are no information about errors
+    // repeated rows carry no information about errors
     const auto key = [&](std::size_t i) {
       return std::tuple(data.points[i].shear(), data.points[i].A, data.points[i].P);
     };
@@ -97,7 +97,7 @@ ErrorModel understand(const Dataset& data, const std::string& name, const std::o
   return relative ? ErrorModel{0, stated->si()} : ErrorModel{stated->si() / unit, 0};
 }
 
-/// Raises errors of 0 to kLeastError of `largest_value`; returns how many there were.
+/// Raises errors of 0 to kLeastError of `largest_value`; returns their number.
 std::size_t raise_zeros(std::vector<double>& errors, double largest_value) {
   const auto is_zero = [](double error) { return !(error > 0); };
   const auto zeros = std::count_if(errors.begin(), errors.end(), is_zero);
@@ -105,7 +105,7 @@ std::size_t raise_zeros(std::vector<double>& errors, double largest_value) {
   return static_cast<std::size_t>(zeros);
 }
 
-/// The share that all errors are of their readings, to the digits of a file; null if they are not.
+/// The common ratio of errors to readings, to the digits of a file; null if there is none.
 std::optional<ErrorModel> proportional(const Dataset& data, const std::vector<double>& sigma, double Point::*value) {
   constexpr double kDigits = 5e-3;
   std::vector<double> shares;
@@ -200,7 +200,7 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
   if (both_axes) {
     const std::size_t zeros_T = raise_zeros(errors.T, largest_value(data, &Point::T)),
                       zeros_A = raise_zeros(errors.A, largest_value(data, &Point::A));
-    // nobody states an error of 0 by a percentage of T = 0
+    // an error of 0 that is a percentage of T = 0 was not stated as 0
     if (errors.source_T == ErrorSource::columns || (sigma_T && stated_T.constant + stated_T.share == 0))
       errors.raised_T = zeros_T;
     if (errors.source_A == ErrorSource::columns || (sigma_A && stated_A.constant + stated_A.share == 0))

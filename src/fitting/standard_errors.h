@@ -25,24 +25,23 @@ constexpr std::string_view to_string(ErrorSource source) {
   return name_among(kNames, source);
 }
 
-/// The standard error of a reading whose true value is x: sqrt(constant^2 + (share x)^2). constant: in the unit of x.
+/// The standard error sqrt(constant^2 + (share x)^2) of a reading whose true value is x. constant: in the unit of x.
 struct ErrorModel {
   double constant = 0, share = 0;
   double at(double x) const { return std::hypot(constant, share * x); }
 };
 
-/// Quantities that differ from run to run by chance, by their names: the model's first parameter, or constants.
+/// Names of quantities that differ from run to run by chance: the model's first parameter, or constants.
 struct RunDifferences {
   std::vector<std::string> names;
   std::vector<double> spreads;                  // standard deviations, in the solver's numbers
-  std::vector<std::vector<double>> columns;     // of each: the residuals' derivatives, per point of the data set
-  std::vector<std::vector<double>> deviations;  // of each: per run of the data set, 0 where it has no points
+  std::vector<std::vector<double>> columns;     // per quantity: derivatives of the residuals, by point of the data set
+  std::vector<std::vector<double>> deviations;  // per quantity and run of the data set; 0 for runs without points
   double freedom = 0;                           // of the variance of the first parameter
   bool any() const { return !names.empty(); }
 };
 
-/// The sum of the squares of the distances that curvature leads one to expect, in standard errors, from which it
-/// matters.
+/// Curvature matters if the squares of the distances expected from it, in standard errors, add up to this.
 inline constexpr double kCurvatureMatters = 1;
 
 struct StandardErrors {
@@ -52,13 +51,13 @@ struct StandardErrors {
   // How many errors of 0 were raised to kLeastError of the largest value.
   std::size_t raised_T = 0, raised_A = 0;
   std::optional<ErrorModel> model_T{}, model_A{};  // as functions of the true value; null of a column of any numbers
-  std::vector<double> run_factors{};               // by which the errors of each run are multiplied; empty: 1
-  NeighbourCorrelations correlations{};            // of the noise of A (first) and T (second), along each run
-  RunDifferences runs{};                           // as far as they were asked for
-  double step_T = 0, step_A = 0;                   // in which T and A were read; 0: none found
-  double freedom = 0;                              // degrees of freedom of the estimate from the fit; 0: there is none
-  /// At the fitted curve, per point of the data set: its T and A, NearestPlaces::load_T and load_A, and the distance
-  /// from the curve that its curvature leads one to expect. Empty before a fit.
+  std::vector<double> run_factors{};               // functions of the true value; null for a column of any numbers
+  NeighbourCorrelations correlations{};            // of neighbours' noise in A (first) and T (second), along each run
+  RunDifferences runs{};                           // as far as requested
+  double step_T = 0, step_A = 0;                   // resolution with which T and A were read; 0: none found
+  double freedom = 0;                              // degrees of freedom of the estimate from the fit; 0: no estimate
+  /// Per point of the data set, at the fitted curve: T and A, NearestPlaces::load_T and load_A, and the distance from
+  /// the curve expected from its curvature. Empty before a fit.
   std::vector<double> place_T{}, place_A{}, load_T{}, load_A{}, expected{};
 
   /// Whether the steps of the readings are no small part of the noise: then neighbouring residuals resemble each other.
@@ -76,12 +75,12 @@ struct StandardErrors {
   }
 };
 
-/// Stated errors take precedence over columns. Where neither T nor A has one, both get the same relative error,
-/// estimated from the distance of points from the line between their neighbours in the run, without repeated rows; or 1
-/// % if fewer than three points have neighbours. Where only A has one, T gets that estimate with `both_axes` (too large
-/// rather than too small, since it includes the scatter of A), and is exact otherwise. `both_axes`: the fit needs both
-/// errors, so those of 0 are raised to kLeastError of the largest value. Throws InputError for an empty field in a
-/// column of errors, for an error of A of 0 without `both_axes`, and for a stated error with a wrong unit.
+/// Stated errors take precedence over columns. If neither T nor A has one, both get the same relative error, estimated
+/// from the distance of points from the line between their neighbours in the run, ignoring repeated rows; or 1 % if
+/// fewer than three points have neighbours. If only A has one, T gets that estimate with `both_axes` (too large rather
+/// than too small, since it includes the scatter of A), and is exact otherwise. `both_axes`: the fit needs both errors,
+/// so those of 0 are raised to kLeastError of the largest value. Throws InputError for an empty field in a column of
+/// errors, for an error of A of 0 without `both_axes`, and for a stated error in a wrong unit.
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
                                const std::optional<StatedError>& sigma_A, bool both_axes = false);
 

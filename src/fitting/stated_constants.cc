@@ -5,12 +5,12 @@
 namespace mixity {
 namespace {
 
-/// Whether toughness ratios are of a toughness that is stated in J/m^2.
+/// Whether toughness ratios refer to a toughness stated in J/m^2.
 bool states_toughness(const Dataset& data) {
   return !data.has_loads && !data.has_energies && data.metadata.toughness.has_value();
 }
 
-/// The standard error as the solver counts.
+/// The standard error in the solver's numbers.
 double stated_error(const Dataset& data, Constant constant) {
   const Metadata& metadata = data.metadata;
   const double error = metadata.standard_error(kConstantNames[constant]);

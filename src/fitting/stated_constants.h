@@ -15,24 +15,24 @@ struct FitOptions;
 /// A constant of the experiment that is fitted.
 struct FittedConstant {
   Constant constant;
-  double mean, prior;  // standard error of the prior about the mean; 0: no prior
+  double mean, prior;  // prior: standard error about the mean; 0: no prior
 };
 
-/// The constants of a fit that are not fitted: those of the options, else as stated.
+/// The constants that a fit holds fixed: those of the options, else as stated.
 Constants constants_of(const Dataset& data, const FitOptions& options);
 
-/// For the solver's number x of a constant `scale` x is shown, for a factor `scale` exp(x). The text is empty where the
-/// data are dimensionless.
+/// How a constant is shown: the solver's number x as scale x, or for a factor as scale exp(x). The text is empty where
+/// the data are dimensionless.
 struct ConstantUnit {
   double scale = 1;  // SI for toughness, modulus and radius; the file's unit for offsets
   std::string text{};
 };
 ConstantUnit unit_of(const Dataset& data, Constant c);
 
-/// Of a deviation from run to run of this constant or parameter: a share of a factor, in the file's unit of an offset.
+/// The unit of a deviation of this constant or parameter between runs: relative for a factor, the file's for an offset.
 ConstantUnit shown_deviation(const Dataset& data, std::string_view quantity);
 
-/// The scales of the points of a data set with these constants.
+/// The scales of the points of a data set for given constants.
 class Scales {
  public:
   Scales(const Dataset& data, const Constants& constants)
@@ -46,11 +46,10 @@ class Scales {
  private:
   Constants constants_;
   ConstantsScale same_;
-  std::optional<PointPlaces> places_;  // null where all are alike
+  std::optional<PointPlaces> places_;  // null if all are alike
 };
 
-/// Constants that are stated with a standard error, normal for offsets, else log-normal, if this kind of data needs
-/// them.
+/// The constants stated with a standard error (normal for offsets, else log-normal) that this kind of data needs.
 std::vector<FittedConstant> uncertain_constants(const Dataset& data);
 
 }  // namespace mixity

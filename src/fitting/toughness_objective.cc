@@ -9,17 +9,17 @@ namespace {
 
 constexpr std::size_t kChunk = 256;  // points whose arrays stay in the processor's cache
 
-/// The cost in ln f on packed arrays, of a model with one parameter: a vectorised sweep gives value and derivatives.
+/// The cost in ln f on packed arrays, for a one-parameter model: a vectorised sweep gives value and derivatives.
 class PackedToughness final : public Cost {
  public:
-  /// `targets`, `weights`: as ToughnessObjective has them. All arguments must outlive this.
+  /// `targets`, `weights`: as in ToughnessObjective. All arguments must outlive this object.
   PackedToughness(const ContactModel& model, const PackedMixities& points, const std::vector<double>& targets,
                   const std::vector<double>& weights)
       : model_(model), points_(points), targets_(targets), weights_(weights) {}
 
   bool exact_curvature() const override { return true; }
   void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) override {
-    // Four sums of each kind, which compilers keep in vector registers. The order is fixed, so the result is, too.
+    // Four sums of each kind, which compilers keep in vector registers. The order, and so the result, is fixed.
     double value[4]{}, slope[4]{}, square[4]{}, bend[4]{};
     std::array<double, kPackedChunk> f, f1, f2;  // ln f and its derivatives
     for (std::size_t begin = 0; begin < points_.size(); begin += kPackedChunk) {
@@ -66,7 +66,7 @@ ToughnessObjective::ToughnessObjective(const std::vector<ToughnessPoint>& points
   }
   if (scale_ != Scale::log || !model().has_packed_form()) return;
   packed_ = model().packed(mixities_);
-  if (is_packed()) mixities_ = std::vector<Mixity<double>>();  // gives their memory back
+  if (is_packed()) mixities_ = std::vector<Mixity<double>>();  // frees their memory
 }
 
 double ToughnessObjective::data_norm() const {
@@ -85,7 +85,7 @@ bool ToughnessObjective::evaluate(std::span<const double> x, std::span<double> r
   const Candidate at = candidate(x);
   const std::vector<std::size_t>& free = choice_.of_model();
   const std::size_t width = choice_.size(), p = model_parameters();
-  const double toughness = at.constants[kToughness];  // of ln f: ln Gc/GIc is less by so much
+  const double toughness = at.constants[kToughness];  // as ln f: ln Gc/GIc is lower by this
   std::array<double, kChunk> value, curvature;
   std::array<double, kChunk * ParameterValues::kMost> gradient;
   bool finite = true;

@@ -1,4 +1,4 @@
-// Objective `toughness`, the paper's: ln f (or f) of the model minus that of the points, at the points' psi.
+// Objective `toughness`, as in the paper: ln f (or f) of the model minus that of the points, at the points' psi.
 #pragma once
 
 #include <memory>
@@ -17,10 +17,10 @@ class ToughnessObjective final : public WeightedProblem {
   ToughnessObjective(const std::vector<ToughnessPoint>& points, Scale scale, FreeChoice choice,
                      std::vector<double> weights = {});
 
-  /// ln f has at least the rounding error of f, an eps, however small ln f is.
+  /// The rounding error of ln f is at least that of f, one eps, however small ln f is.
   double data_norm() const override;
   bool evaluate(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const override;
-  /// At a sample of the points, evenly over the file.
+  /// Uses a sample of the points, spread evenly over the file.
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
   std::unique_ptr<Cost> cost() const override;
 
@@ -29,15 +29,15 @@ class ToughnessObjective final : public WeightedProblem {
   double residual(std::size_t i, double log_f) const;
 
   Scale scale_;
-  PackedMixities packed_;                 // for ln f of a model that has a packed form; else empty
-  std::vector<Mixity<double>> mixities_;  // empty where they are packed
+  PackedMixities packed_;                 // if the model has a packed form; else empty
+  std::vector<Mixity<double>> mixities_;  // empty if the points are packed
 };
 
-/// The same in ln f, with constants of the experiment free, on which the points' psi and f depend.
+/// The same in ln f with free constants of the experiment, on which psi and f of the points depend.
 class ToughnessOfLoads final : public WeightedProblem {
  public:
-  /// `weights`: 1/standard error of each point's ln f, or empty: 1. Targets are those of the constants that are not
-  /// free.
+  /// `weights`: 1/standard error of each point's ln f, or empty: 1. Targets are computed with the constants that are
+  /// not free.
   ToughnessOfLoads(MeasuredPoints points, FreeChoice choice, std::vector<double> weights = {});
 
   double data_norm() const override;

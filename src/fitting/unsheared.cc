@@ -22,14 +22,14 @@ std::vector<std::size_t> unsheared_points(const Dataset& data) {
   return list;
 }
 
-/// `of_errors`: degrees of freedom of the estimate of the errors; 0: they are known.
+/// The p-value of chi2. `of_errors`: degrees of freedom of the estimated errors; 0: they are known.
 double beyond(double chi2, std::size_t freedom, double of_errors) {
   if (freedom == 0) return 1;
   const auto n = static_cast<double>(freedom);
   return of_errors > 0 ? fisher_p_value(chi2 / n, n, of_errors) : chi_squared_p_value(chi2, n);
 }
 
-/// Sum of the squares of the residuals at x; each counts up to nine, so that no single point decides.
+/// Sum of the squared residuals at x, each limited to nine, so that no single point decides.
 double chi_squared(const Problem& problem, std::span<const double> x) {
   constexpr double kMost = 9;
   std::vector<double> residuals(problem.residual_count());
@@ -56,7 +56,7 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
   as_stated.errors = options.errors;
   as_stated.constants = constants_of(data, options);
   const double of_errors = options.errors ? options.errors->freedom : 0;
-  const ContactModel any_model = ContactModel::find("c").value();  // without shear every law is JKR's
+  const ContactModel any_model = ContactModel::find("c").value();  // without shear every law equals JKR
   PreparedFit prepared = prepare(data, any_model, as_stated, Objective::curve, &points);
   prepared.held.assign(prepared.held.size(), true);
   const auto stated = problem_of(data, prepared);
@@ -69,7 +69,7 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
   test.points = points.size();
   test.loads = loads.size();
   test.chi2 = chi_squared(*stated, {});
-  // Uncertain constants may differ from what was stated: the minimum with their priors.
+  // Uncertain constants may differ from their stated values: uses the minimum with their priors.
   if (const auto known = options.constants ? std::vector<FittedConstant>{} : uncertain_constants(data);
       !known.empty()) {
     prepared.fitted = known;

@@ -1,4 +1,4 @@
-// Makes the residuals of a fit independent: takes off what neighbours predict, then what the points of a run share.
+// Decorrelates the residuals of a fit: subtracts the prediction from neighbours, then what the points of a run share.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ class Whitening {
   Whitening(std::optional<Decorrelation> neighbours, std::optional<GroupWhitening> runs)
       : neighbours_(std::move(neighbours)), runs_(std::move(runs)) {}
 
-  /// In place; `stride`: from one row to the next.
+  /// Works in place; `stride`: distance between rows.
   void apply(std::span<double> values, std::size_t stride = 1) const {
     if (neighbours_) neighbours_->apply(values, stride);
     if (runs_) runs_->apply(values, stride);
@@ -33,12 +33,12 @@ class Whitening {
   std::optional<GroupWhitening> runs_;
 };
 
-/// Of the quantities that are fitted by run, their columns made independent of `neighbours`; null where there are none.
+/// Whitens quantities that are fitted by run, after decorrelating their columns by `neighbours`; null without any.
 std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, std::span<const std::size_t> used,
                                                 const StandardErrors& errors,
                                                 const std::optional<Decorrelation>& neighbours);
 
-/// Null where residuals are independent.
+/// Null if the residuals are independent.
 std::shared_ptr<const Whitening> whitening_of(const Dataset& data, std::span<const std::size_t> used,
                                               const StandardErrors& errors);
 

@@ -1,4 +1,4 @@
-// The law of a ContactModel, which may be of any type, and calls of templates with it.
+// The law of a ContactModel, of any type, and functions that call a template with its concrete type.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ template <class... Law>
 std::variant<Law..., std::shared_ptr<const UserLaw>> variant_of(std::tuple<Law...>);
 }  // namespace any_law_detail
 
-/// A published law, or one that was defined at run time. Not to change once made.
+/// A published law, or one that was defined at run time. Immutable.
 struct AnyLaw {
   decltype(any_law_detail::variant_of(Models{})) value;
   const ModelInfo& info;
@@ -47,7 +47,7 @@ auto with_law(const AnyLaw& any, ParameterSpan p, const Visit& visit) {
   return with_law(any, [&]<class Law>(const Law& law) { return visit(law, parameters_from<Law>(p)); });
 }
 
-/// Returns visit(law, p) where there is a contact with these parameters under the load P, else `otherwise`.
+/// Returns visit(law, p) if the contact with these parameters exists under the load P, else `otherwise`.
 template <class Result, class Visit>
 Result with_contact(const AnyLaw& any, ParameterSpan p, double P, Result otherwise, const Visit& visit) {
   return with_law(any, p, [&](const auto& law, const auto& values) -> Result {

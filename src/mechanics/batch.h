@@ -19,20 +19,20 @@ std::size_t closed_form_areas(double root_lambda, double S0, double P, std::span
 /// Replaces each load = y + P by the area pi (3/4 load)^(2/3), vectorised. 0 stays 0.
 void areas_from_loads(std::span<double> loads);
 
-/// The part of the stable branch on which batches are solved, from JKR down to y = low, which is reached at T_last or
-/// later, with a first guess on it, y = low + (y_jkr - low) sqrt(1 - shrink T^2), exact for model c.
+/// The part of the stable branch on which batches are solved: from JKR down to y = low, which is reached at T_last or
+/// later. The first guess is y = low + (y_jkr - low) sqrt(1 - shrink T^2), exact for model c.
 struct BranchPart {
   double y_jkr, low, T_last, shrink;
 };
 
-/// For a one-parameter law: y[i] = edge load at T[i], from a few Euler steps for all points at once; 0 where these do
-/// not suffice (close to a fold), and where T[i] lies beyond T_last or is invalid.
+/// One-parameter laws: sets y[i] to the edge load at T[i] by a few Euler steps for all points at once; to 0 where these
+/// do not converge (close to a fold) and where T[i] is beyond T_last or invalid.
 template <class Law>
 void settle_batch(Law law, double parameter, double P, const BranchPart& part, std::span<const double> T,
                   std::span<double> y);
 
-/// The part above the centre of the circle if the loads stay there, which one evaluation shows; else the branch to its
-/// fold.
+/// The part above the centre of the circle if the contact stays there up to T_most, which one evaluation decides; else
+/// the branch down to its fold.
 template <class Law>
 BranchPart branch_part(const LoadedContact<Law>& contact, double T_most) {
   const Law& law = contact.law();
@@ -48,9 +48,9 @@ BranchPart branch_part(const LoadedContact<Law>& contact, double T_most) {
 }
 }  // namespace batch_detail
 
-/// Fills areas[i] with the area at T[i] (as LoadedContact::at, dimensionless, within 4e-15 of it) and returns how many
-/// were found. Where no equilibrium exists, or T[i] is invalid, areas[i] is 0: no contact has that area. Sizes must
-/// agree. Models a, b and c are vectorised; bk, and what lies close to a fold, is solved point by point.
+/// Fills areas[i] with the area at T[i] (see LoadedContact::at; dimensionless, within 4e-15 of it) and returns how many
+/// exist. Where there is no equilibrium, or T[i] is invalid, areas[i] is 0. Both spans have the same size. Models a, b
+/// and c are vectorised; bk and points close to a fold are solved one by one.
 template <class Law>
 std::size_t predict_areas(const LoadedContact<Law>& contact, std::span<const double> T, std::span<double> areas) {
   assert(T.size() == areas.size());

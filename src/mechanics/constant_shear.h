@@ -1,4 +1,4 @@
-// The other view (the paper's Fig. 4): contact radius against normal load at a constant tangential load.
+// Contact radius against normal load at a constant tangential load (the paper's Fig. 4).
 #pragma once
 
 #include "mechanics/curve.h"

@@ -7,10 +7,10 @@
 
 namespace mixity {
 
-// Between these limits the fourth power of a quantity is a double, which sums of squares of products need.
+// Within these limits a fourth power neither overflows nor underflows, as sums of squares of products require.
 inline constexpr double kLeastQuantity = 1e-75, kMostQuantity = 1e75;
 
-/// For quantities that are positive.
+/// Whether a positive value is within the limits.
 inline bool in_range(double value) { return value >= kLeastQuantity && value <= kMostQuantity; }
 
 /// Constants of a contact in SI units, all > 0: radius R [m], plane-strain modulus E* [Pa], mode-I toughness

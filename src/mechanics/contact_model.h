@@ -1,6 +1,6 @@
-// A mode-mixity model as a value: all that the rooms above know of the physics. Its law is a published one (models/*.h)
-// or was defined at run time (laws/user_law.h). Arguments and results are arrays of dimensionless numbers (contact.h)
-// and sets of parameters in the order of parameters().
+// A mode-mixity model as a value: the only interface of the rooms above to the physics. Its law is published
+// (models/*.h) or was defined at run time (laws/user_law.h). Arguments and results are arrays of dimensionless numbers
+// (contact.h) and sets of parameters in the order of parameters().
 #pragma once
 
 #include <cstddef>
@@ -19,37 +19,37 @@ namespace mixity {
 class UserLaw;
 struct AnyLaw;
 
-/// Values of an array, or one value for all points: value i lies i steps behind the first.
+/// A strided array: value i is i steps behind the first. With step 0, one value for all points.
 struct Values {
   const double* first = nullptr;
   std::ptrdiff_t step = 0;
   double operator[](std::size_t i) const { return first[static_cast<std::ptrdiff_t>(i) * step]; }
 };
 
-/// Points in the form that the vectorised loop of a one-parameter model takes.
+/// Points in the layout that the vectorised loop of a one-parameter model reads.
 struct PackedMixities {
   std::vector<double> first, second;
   std::size_t size() const { return first.size(); }
 };
 
-/// Which points of a curve: evenly in phi (even); the fewest whose chords stay within `chord` of it (fewest); or three
-/// times as many, found a hundred times sooner (soonest).
+/// How a curve is sampled. even: uniformly in phi; fewest: with the fewest points whose chords stay within `chord` of
+/// the curve; soonest: with three times as many, found a hundred times faster.
 struct CurveSampling {
   enum class Rule { even, fewest, soonest } rule = Rule::even;
-  std::size_t points = 101;        // even: on each range, two at least
+  std::size_t points = 101;        // even: for each range, at least two
   double chord = 2e-4;             // in the plane of T and A, each as a fraction of its range
-  std::optional<double> T_most{};  // where a curve that runs to infinite T ends; null: at ten times its natural scale
-  bool first_range_only = false;   // of a curve in two pieces (model a, P < 0) only the one that starts from JKR
+  std::optional<double> T_most{};  // where a curve that runs to infinite T is cut; null: at ten times its natural scale
+  bool first_range_only = false;   // of a curve in two pieces (model a, P < 0), only the one that starts from JKR
 };
 
 struct SampledCurve {
   std::vector<CurvePoint> points;
-  bool uncoupled;  // shear does not act on the area: the curve is its first point at every T
+  bool uncoupled;  // shear does not affect the area, which is that of the one point at every T
 };
 
 struct Equilibria {
   std::vector<Equilibrium> at;
-  std::optional<StableBranch> last;  // the last stable branch, where a T lies beyond it
+  std::optional<StableBranch> last;  // the last stable branch, set if a T lies beyond it
 };
 
 /// Cheap to copy; may be used on several threads at once. Spans of parameters hold as many values as parameters().
@@ -66,7 +66,7 @@ class ContactModel {
   /// Why these parameters define no contact under the load P: a parameter out of its range, no unique equilibrium, or a
   /// load that is not a number. Empty if they do, and also if the load lies below pull-off (above_pull_off).
   std::string_view obstacle(std::span<const double> p, double P = 0) const;
-  /// The same, but also for a wrong number of parameters and for a load below pull-off.
+  /// Like `obstacle`, but also reports a wrong number of parameters and a load below pull-off.
   std::string problem(std::span<const double> p, double P = 0) const;
   /// Replaces parameters at which curves change abruptly by the nearest ones at which they do not.
   void make_continuous(std::span<double> p) const;
@@ -90,34 +90,34 @@ class ContactModel {
   /// f = G_c/G_Ic at phase angles psi [rad], 0..pi/2; NaN outside, and for parameters out of range. May be infinite at
   /// pi/2.
   void toughness_ratios(std::span<const Values> p, Values psi, std::span<double> f) const;
-  /// T >= 0 at which an equilibrium of the load P[i], stable or not, has the area A[i]: on the stable branch the
-  /// inverse of `areas`. NaN where there is none: for an area above that of JKR, at or below that of Hertz, or one that
-  /// no finite T has.
+  /// The T >= 0 at which an equilibrium, stable or not, at the load P[i] has the area A[i]: on the stable branch the
+  /// inverse of `areas`. NaN if there is none: A[i] is above JKR's area, not above Hertz's, or not reached at any
+  /// finite T.
   void tangential_loads(std::span<const Values> p, Values P, Values A, std::span<double> T) const;
 
   // ---- One contact. Results are empty if obstacle(p, P) is not empty, or P is below pull-off. ----
 
-  /// At each T, of a contact that was loaded from T = 0 and has followed its stable branch, over jumps to lower ones.
-  /// 0 <= T <= kLargestLoad, else invalid. Relative error of the area below 4e-15 away from folds; towards a fold T_f
-  /// it grows as eps/sqrt(1 - T/T_f).
+  /// The state at each T of a contact that is loaded from T = 0 and follows its stable branch, and after a jump the
+  /// lower one. 0 <= T <= kLargestLoad, else invalid. Relative error of the area below 4e-15 away from folds; towards a
+  /// fold T_f it grows as eps/sqrt(1 - T/T_f).
   Equilibria equilibria(std::span<const double> p, double P, std::span<const double> T) const;
   /// T at which the stable branch that starts from JKR ends: infinite if the contact shrinks to an asymptote.
   double first_stable_end(std::span<const double> p, double P) const;
-  /// All folds in the order in which they are met along the curve from T = 0. T to 1e-13, A and u to 1e-12.
+  /// All folds in order along the curve from T = 0. T is accurate to 1e-13, A and u to 1e-12.
   std::vector<Fold> folds(std::span<const double> p, double P, Control control) const;
-  /// tau0 > 0, or null for unlimited strength. Null where there is no contact.
+  /// The regime for the strength tau0 > 0, or for unlimited strength if null. Null where there is no contact.
   std::optional<RegimeReport> regime(std::span<const double> p, double P, std::optional<double> tau0 = {}) const;
   SampledCurve curve(std::span<const double> p, double P, const CurveSampling& sampling) const;
 
   // ---- The model itself ----
 
-  /// States at the tangential load T with edge loads y > 0.
+  /// The states at the tangential load T with these edge loads y > 0.
   std::vector<ConstantShearPoint> at_constant_shear(std::span<const double> p, double T,
                                                     std::span<const double> y) const;
   /// The load below which the contact jumps: infinite if it jumps at every load, -3 pi/2 if at none. Null if
   /// obstacle(p) is not empty.
   std::optional<double> critical_load(std::span<const double> p) const;
-  /// Lines between regimes that have a closed form; null if this model has none.
+  /// Boundaries between regimes in closed form; null if the model has none.
   std::optional<std::span<const RegimeBoundary>> regime_boundaries() const;
   /// alpha of A = A0 - alpha T^2 at small T for a contact with the area A0 at T = 0. Null at or below pull-off, and
   /// where the area does not fall with T^2.
@@ -125,30 +125,30 @@ class ContactModel {
 
   // ---- Measured points, for fits ----
 
-  /// ln f, with derivatives in the parameters [n x parameters] unless `gradient` is empty, which may cost less.
+  /// ln f, and its derivatives in the parameters [n x parameters] unless `gradient` is empty, which may save time.
   void log_toughness(std::span<const double> p, std::span<const Mixity<double>> at, std::span<double> value,
                      std::span<double> gradient) const;
   /// Whether the model has a vectorised loop for ln f; it then has one parameter.
   bool has_packed_form() const;
   PackedMixities packed(std::span<const Mixity<double>> at) const;
-  /// ln f, its slope and curvature in the parameter of n points, the first of them at `begin`. Absolute error of ln f
-  /// some eps.
+  /// ln f, its slope and its curvature in the parameter, at n points from number `begin` on. The absolute error of ln f
+  /// is a few eps.
   void packed_log_toughness(double parameter, const PackedMixities& at, std::size_t begin, std::size_t n, double* value,
                             double* slope, double* curvature) const;
-  /// T of either sign. False if an area is not larger than that of Hertz, where psi is not defined.
+  /// T may have either sign. False if an area is not larger than Hertz's, where psi is not defined.
   bool toughness_residuals(std::span<const double> p, std::span<const double> P, std::span<const double> T,
                            std::span<const double> A, const ToughnessResiduals& out) const;
-  /// Distances from the equilibrium curve of each point's load. Fills out.r, and the rest if `derivatives` (otherwise
-  /// those may be empty). Each result depends on its own point alone. False, with no usable results, if a point has no
-  /// curve (its load lies below pull-off, the law is undefined for these parameters), a point is invalid, the nearest
-  /// point of its curve is the contact that vanishes at P = 0, or a result is not finite. Errors: of r some roundings
-  /// of T/sigma_T and A/sigma_A, of the derivatives about 1e-10.
+  /// Distances from the equilibrium curve of each point's load. Fills out.r, and if `derivatives` the other spans,
+  /// which may be empty otherwise. Each result depends on its own point alone. False, with no usable results, if a
+  /// point is invalid or has no curve (load below pull-off, law undefined for these parameters), if the nearest point
+  /// of its curve is the contact that vanishes at P = 0, or if a result is not finite. Errors: of r a few roundings of
+  /// T/sigma_T and A/sigma_A, of the derivatives about 1e-10.
   bool curve_distances(std::span<const double> p, const PlanePoints& points, Search search, bool derivatives,
                        CurveDistances& out) const;
-  /// Distances from the law in the plane of G_I and G_II. A measured G_II below zero is compared with the tangent that
-  /// continues the law beyond psi = 0.
+  /// Distances from the law in the plane of G_I and G_II. A measured G_II < 0 is compared with the law's tangent at psi
+  /// = 0.
   void energy_distances(std::span<const double> p, const EnergyPoints& points, const EnergyDistances& out) const;
-  /// The same without sign, to a thousandth of the size of the law's curve.
+  /// Unsigned distances, to a thousandth of the size of the law's curve.
   void rough_energy_distances(std::span<const double> p, const EnergyPoints& points, std::span<double> out) const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// T at which a contact under a non-monotone law first has the edge load y on its way from T = 0; NaN if it never has.
+/// T at which a contact under a non-monotone law first reaches the edge load y from T = 0; NaN if it never does.
 template <class Law>
 double first_tangential_load(const Law& law, const Parameters<Law>& p, double P, double y) {
   constexpr double kFirst = -40, kStep = 0.125, kLast = 42, kRounding = 8 * std::numeric_limits<double>::epsilon();

@@ -9,7 +9,7 @@
 
 namespace mixity {
 
-/// From the equilibrium condition F of sensitivity.h: -ln((y^2 + tau^2)/(6 pi (y + P))).
+/// From the equilibrium function F of sensitivity.h: -ln((y^2 + tau^2)/(6 pi (y + P))).
 bool ContactModel::toughness_residuals(ParameterSpan p, std::span<const double> P, std::span<const double> T,
                                        std::span<const double> A, const ToughnessResiduals& out) const {
   return with_law(*law_, p, [&](const auto& law, const auto& values) {

@@ -6,8 +6,8 @@
 
 namespace mixity {
 
-/// Cube root of x, 1e-150 < x < 1e300, to 2 ulp. A third of the exponent's bits is within 5 %; two Halley steps and a
-/// Newton step cube, cube and square the error.
+/// Cube root of x, 1e-150 < x < 1e300, to 2 ulp. Dividing the exponent bits by three gives a start within 5 %; each of
+/// two Halley steps cubes the error, and a Newton step squares it.
 inline double cube_root(double x) {
   constexpr std::uint64_t kMagic = 0x4330000000000000;  // 2^52 as a double: holds an integer in its low bits
   constexpr double kTwo52 = 4503599627370496.0;

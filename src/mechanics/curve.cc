@@ -14,12 +14,12 @@ struct AsymptoticLoads {
   double upper, lower;
 };
 
-/// With g = 1 + excess, its limit at psi = pi/2, in y^2 g = 6 pi (y + P). Null if g is unbounded (every published law
+/// The states at psi = pi/2, where g = 1 + excess in y^2 g = 6 pi (y + P). Null if g is unbounded (every published law
 /// but a with lambda < 1) or the load admits no such state.
 std::optional<AsymptoticLoads> asymptotic_loads(double excess, double P) {
   if (std::isinf(excess)) return std::nullopt;
   const double g = 1 + excess, centre = 3 * pi<double>();
-  const double square = 2 * centre * (above_pull_off(P) + P * excess);  // centre^2 + 2 centre P g, which would cancel
+  const double square = 2 * centre * (above_pull_off(P) + P * excess);  // centre^2 + 2 centre P g without cancellation
   if (square < 0) return std::nullopt;
   const double root = std::sqrt(square);
   return AsymptoticLoads{(centre + root) / g, -2 * centre * P / (centre + root)};  // the product is -6 pi P/g
@@ -33,7 +33,7 @@ double search_tangential_load(const Law& law, const Parameters<Law>& p, double y
   const bool regular = w > 0 && std::isfinite(w);
   double T = tau / (regular ? std::sqrt(w) : 1.0);
   if (tau < 1e-140 * y) return regular ? T : 0.0;  // tau^2 would underflow
-  // tau is nearly linear in T: Newton's method on it ends in a few steps, or in rounding.
+  // tau is nearly linear in T: Newton's method ends in a few steps, or in rounding.
   double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 12; ++i) {
     const ShearTerm<double> term = law.shear_term(p, y, T);
@@ -43,7 +43,7 @@ double search_tangential_load(const Law& law, const Parameters<Law>& p, double y
     if (std::abs(step) <= 4e-16 * T || (std::abs(step) <= 1e-13 * T && std::abs(step) >= 0.5 * before)) return T;
     before = std::abs(step);
   }
-  // If it does not, a bracketing search of ln T.
+  // If Newton's method does not end, a bracketing search of ln T.
   const double target = std::log(tau);
   const auto error = [&](double x) {
     return std::max(0.5 * std::log(law.shear_term(p, y, std::exp(x)).value) - target, -kFar);
@@ -52,7 +52,7 @@ double search_tangential_load(const Law& law, const Parameters<Law>& p, double y
   if (error(low) > 0) return 0;  // bk with a small eta: T lies below all doubles
   if (!(error(high) >= 0)) return std::numeric_limits<double>::infinity();
   T = std::exp(root_between(error, low, high, 40));
-  // The last digits from T itself: ln T of a large T has lost some.
+  // The last digits from T itself, since ln T of a large T has lost some.
   for (int i = 0; i < 2; ++i) {
     const ShearTerm<double> term = law.shear_term(p, y, T);
     const double root = std::sqrt(term.value);

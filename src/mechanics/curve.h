@@ -44,7 +44,7 @@ double shear_limit(const Law& law, const Parameters<Law>& p) {
     return std::numeric_limits<double>::infinity();
 }
 
-/// tangential_load of a law without a closed form, tau > 0: Newton's method, then a bracket.
+/// tangential_load for tau > 0 under a law without a closed form: Newton's method, then a bracket.
 template <class Law>
 double search_tangential_load(const Law& law, const Parameters<Law>& p, double y, double tau);
 
@@ -59,7 +59,7 @@ double tangential_load(const Law& law, const Parameters<Law>& p, double y, doubl
     return search_tangential_load(law, p, y, tau);
 }
 
-/// The pieces of the curve in the order of falling y; none if shear does not act on the area.
+/// The pieces of the curve in order of falling y; none if shear does not affect the area.
 template <class Law>
 std::vector<CurvePiece> curve_pieces(const Law& law, const Parameters<Law>& p, double P);
 
@@ -70,7 +70,7 @@ CurvePiece non_monotone_piece(const NonMonotoneCurve<Law>& curve, double P);
 template <class Law>
 class EquilibriumCurve {
  public:
-  /// Valid parameters and load only (the same as LoadedContact accepts, and in contact).
+  /// The parameters and the load must be valid (as for LoadedContact), and the load above pull-off.
   EquilibriumCurve(const Law& law, const Parameters<Law>& parameters, double P) : law_(law), p_(parameters), P_(P) {
     if (is_non_monotone(law_, p_)) {
       by_angle_.emplace(law_, p_, P_);
@@ -84,7 +84,7 @@ class EquilibriumCurve {
   const Law& law() const { return law_; }
   const Parameters<Law>& parameters() const { return p_; }
 
-  /// True if shear does not act on the area at all (lambda = 0): the curve is the point phi = 0.
+  /// True if shear does not affect the area (lambda = 0): the curve is then the point phi = 0.
   bool uncoupled() const { return pieces_.empty(); }
   const std::vector<CurvePiece>& pieces() const { return pieces_; }
   bool non_monotone() const { return kMayBeNonMonotone<Law> && by_angle_.has_value(); }
@@ -93,7 +93,7 @@ class EquilibriumCurve {
   CurvePosition position_at_offset(double offset) const {
     return {3 * pi<double>() + offset, 0.5 * (1 + offset / S0_), 0.5 * (1 - offset / S0_)};
   }
-  /// Its logistic coordinate on a piece; not under a non-monotone law.
+  /// The logistic coordinate of a position on a piece; not under a non-monotone law.
   double coordinate(const CurvePiece& piece, const CurvePosition& at) const {
     return std::log((at.sin2 - piece.sin2_top) / (at.cos2 - piece.cos2_end));
   }
@@ -110,7 +110,7 @@ class EquilibriumCurve {
             piece.sin2_top + below / (2 * S0_)};
   }
 
-  /// Negative where g < 1, which only a non-monotone law may have.
+  /// tau^2; negative where g < 1, which happens only under a non-monotone law.
   double tau_squared(const CurvePosition& at) const {
     if (non_monotone()) return law_.shear_term(p_, at.y, at.t * at.y).value;
     return 4 * S0_ * S0_ * at.sin2 * at.cos2;
@@ -124,7 +124,7 @@ class EquilibriumCurve {
     return mixity::tangential_load(law_, p_, at.y, std::sqrt(tau_squared(at)));
   }
 
-  /// phi at the start and the end of a piece; the end of the curve for the last.
+  /// phi at the start and at the end of a piece; the last piece ends with the curve.
   double phi_begin(const CurvePiece& piece) const {
     if (non_monotone()) return 0;
     return 2 * std::atan2(std::sqrt(piece.sin2_top), std::sqrt(piece.cos2_end + piece.width / (2 * S0_)));
@@ -134,7 +134,7 @@ class EquilibriumCurve {
     return 2 * std::atan2(std::sqrt(piece.sin2_top + piece.width / (2 * S0_)), std::sqrt(piece.cos2_end));
   }
 
-  /// The point at phi, phi_begin <= phi <= phi_end of some piece. At an asymptote T is infinite: stay inside.
+  /// The point at phi, which lies within a piece. phi must not be that of an asymptote, where T is infinite.
   CurvePoint point(double phi) const;
 
  private:

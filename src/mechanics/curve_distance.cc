@@ -54,7 +54,7 @@ class Distances {
   }
 
  private:
-  /// A point that is left after the first pass, and the nearest point of the curve found for it.
+  /// A point that remains after the first pass, and the nearest point of the curve found for it.
   struct Left {
     std::size_t index;
     Place place;
@@ -80,10 +80,9 @@ class Distances {
     block_.settled[slot] = block_.at_end[slot] = 0;
   }
 
-  /// Newton's method from a known point of the curve, where it has not converged yet. For a global search also from
-  /// each stretch of the curve's outline that comes near the measured point, and from both ends of the stretch, since
-  /// there may be two near points beside a fold. A stretch that is much nearer than what was found is searched by
-  /// golden section.
+  /// Newton's method from a known point of the curve, where it has not converged yet. A global search also starts from
+  /// each part of the curve's outline that comes near the measured point, and from both ends of that part, since there
+  /// may be two near points beside a fold. A part much nearer than what was found is searched by golden section.
   void search_curves() {
     std::optional<RayTable<Law>> table;
     if (search_ == Search::global) table.emplace(family_);
@@ -117,7 +116,7 @@ class Distances {
         }
       }
       if (used == 0) continue;
-      for (std::size_t slot = used; slot < kBlock; ++slot) {  // idle ones do what the first does
+      for (std::size_t slot = used; slot < kBlock; ++slot) {  // idle slots repeat the first
         load(slot, left.index);
         block_.T[slot] = block_.T[0];
         block_.A[slot] = block_.A[0];
@@ -145,7 +144,7 @@ class Distances {
     }
   }
 
-  /// Writes the points that are left: at the point of the curve that was found, else at one that is known.
+  /// Writes the remaining points: at the point found on the curve, else at a known one.
   bool finish(std::size_t from, std::size_t count) {
     std::array<double, kBlock> found{};
     for (std::size_t slot = 0; slot < kBlock; ++slot) {
@@ -164,7 +163,7 @@ class Distances {
     run_block<Begin::anywhere>(family_, kStepsOfSearch, derivatives_, block_, result_);
     measure_by_two<true>(family_, unmoved, unmoved_);  // without a step
     for (std::size_t slot = 0; slot < count; ++slot) {
-      // Newton's method, started where it or a search has ended, moves by roundings.
+      // Newton's method, started where it or a search has ended, moves only by rounding.
       const bool there = block_.at_end[slot] > 0 || (result_.stationary[slot] > 0 && result_.on_curve[slot] > 0);
       const bool better =
           block_.settled[slot] > 0 && there && result_.distance[slot] <= found[slot] * (1 + 1e-9) + 1e-9;

@@ -7,7 +7,7 @@
 
 namespace mixity {
 
-/// As ContactModel::curve_distances.
+/// Implements ContactModel::curve_distances.
 template <class Law>
 bool curve_distances(const Law& law, const Parameters<Law>& p, const PlanePoints& points, Search search,
                      bool derivatives, CurveDistances& out);

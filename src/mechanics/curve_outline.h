@@ -1,6 +1,6 @@
-// A coarse outline of an equilibrium curve in the plane of T and A, which costs a few square and cube roots a node.
-// Along a ray T = t y the circle reads g(t) y^2 = 6 pi (y + P) with g = 1 + tau^2(1, t) at every load, so that one
-// table of g serves all loads, and each node lies on the curve without a search.
+// A coarse outline of an equilibrium curve in the plane of T and A, at the cost of a few square and cube roots a node.
+// Along a ray T = t y the circle reads g(t) y^2 = 6 pi (y + P), where g = 1 + tau^2(1, t) does not depend on the load.
+// One table of g therefore serves all loads, and each node lies on the curve without a search.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ class RayTable {
       ++first_;
   }
 
-  /// The curve of a load from JKR to `end`, as nodes 0 to last(), which include both ends.
+  /// Sets the nodes 0..last() to the curve of the load P from JKR to `end`, both included.
   void set_load(double P, PlanePlace end) {
     P_ = P;
     end_ = end;
@@ -58,7 +58,7 @@ class RayTable {
   }
   const std::vector<PlanePlace>& places() const { return places_; }
 
-  /// A point between nodes, on the curve to rounding. 0 <= u <= last().
+  /// The point at u between nodes, exact to rounding. 0 <= u <= last().
   PlanePlace at(double u) const {
     const int i = std::min(static_cast<int>(u), last_ - 1);
     const double share = u - i;
@@ -122,12 +122,12 @@ class RayTable {
 
   PlanePlace place(double T, double y) const { return {T, area_from_edge_load(y, P_)}; }
 
-  static constexpr double kFirst = 1e-4, kSteepest = 300;  // of tau/y
+  static constexpr double kFirst = 1e-4, kSteepest = 300;  // for tau/y
   static constexpr std::size_t kMost = 400;
 
   double slope(double t) const { return std::sqrt(std::max(family_.law.shear_term(family_.p, 1.0, t).value, 0.0)); }
 
-  /// T/y where tau/y = q, by interpolation of the logarithms.
+  /// T/y at which tau/y = q, by interpolation of the logarithms.
   double ray(double q) const {
     auto above = std::lower_bound(nodes_.begin(), nodes_.end(), q, [](const Node& n, double x) { return n.q < x; });
     if (above == nodes_.begin()) ++above;
@@ -154,7 +154,7 @@ class RayTable {
   bool asymptote_ = false, along_rays_ = true;
   int last_ = 0;
   std::vector<PlanePlace> places_;
-  std::optional<EquilibriumCurve<Law>> curve_;  // of a non-monotone law
+  std::optional<EquilibriumCurve<Law>> curve_;  // only under a non-monotone law
 };
 
 /// A segment of an outline that is nearer to a point than its neighbours, and the nearest point on it.
@@ -164,7 +164,7 @@ struct Approach {
   int segment;
 };
 
-/// The nearest `most` of these, in ascending order.
+/// Finds the nearest `most` approaches of the polyline `places` to `point`, in ascending order of distance.
 inline void approaches(const std::vector<PlanePlace>& places, PlanePlace point, double per_T, double per_A,
                        std::size_t most, std::vector<Approach>& found) {
   found.clear();
@@ -188,7 +188,7 @@ inline void approaches(const std::vector<PlanePlace>& places, PlanePlace point, 
   if (found.size() > most) found.resize(most);
 }
 
-/// The u of the smallest distance(u), low < u < high, by golden section, to the square root of a rounding.
+/// The u in (low, high) that minimises distance(u), by golden section, to the square root of a rounding.
 template <class Distance>
 double golden_section(double low, double high, const Distance& distance) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1);

@@ -32,13 +32,13 @@ class EnergyCurve {
   EnergyCurve(const Law& law, const Parameters<Law>& p) : law_(law), p_(p), slope_at_mode_I_(-law.small_shear(p)) {}
 
   /// Distance of the point (G_I, G_II) from the law, with standard errors > 0 and `toughness` = G_Ic > 0, all in one
-  /// unit of energy per area. A measured G_II below zero is compared with the tangent that continues the law beyond psi
-  /// = 0. Derivatives in the parameters only if `slopes`.
+  /// unit of energy per area. A measured G_II < 0 is compared with the law's tangent at psi = 0. Derivatives in the
+  /// parameters are computed only if `slopes`.
   EnergyDistance<Law> distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness,
                                bool slopes = true) const {
     const Target target{G_I / toughness, G_II / toughness, sigma_I / toughness, sigma_II / toughness};
     const Nearest nearest = find(target);
-    // along the normal, where a rounding of the nearest point does not matter; the offset itself at an end of the law
+    // along the normal, where rounding of the nearest point does not matter; at an end of the law, the plain offset
     double x = (nearest.G_I - target.G_I) / target.sigma_I, y = (nearest.G_II - target.G_II) / target.sigma_II;
     double n_I = nearest.d_II / target.sigma_II, n_II = -nearest.d_I / target.sigma_I;
     const double size = std::hypot(n_I, n_II), length = std::hypot(x, y);
@@ -62,7 +62,7 @@ class EnergyCurve {
   }
 
  private:
-  static constexpr double kTiny = 1e-18;  // a mode ratio at which ln f is its first term
+  static constexpr double kTiny = 1e-18;  // the mode ratio at which the first term of ln f suffices
   static constexpr double kCorner = 1e-12;
   static constexpr int kNodes = 48;
 
@@ -113,8 +113,8 @@ class EnergyCurve {
     return nodes_[static_cast<std::size_t>(i)];
   }
 
-  /// Where the slope passes 0, from - at one node to + at the next: by Newton's steps, or halves where these do not
-  /// shrink. The remaining error is the square of the last step; that of the distance, which is stationary, its square.
+  /// The zero of the slope between two nodes, - at one and + at the other: by Newton's steps, or by halving where these
+  /// do not shrink. Its error is the last step squared; the distance is stationary: its error is the square.
   Nearest between(const Target& target, const Nearest& one, const Nearest& other, double slope_of_one,
                   double slope_of_other) const {
     double low = one.B, high = other.B, before = high - low;
@@ -134,8 +134,8 @@ class EnergyCurve {
   }
 
   Nearest find(const Target& target) const {
-    // Nodes even in psi, up to where the energies are finite; each sign change of the slope from - to + is a minimum.
-    // (bk with eta < 1 has an infinite slope at psi = 0: a corner)
+    // Nodes uniform in psi, up to where the energies are finite; each sign change of the slope from - to + is a
+    // minimum. For bk with eta < 1 the slope at psi = 0 is infinite: a corner.
     Nearest best = std::isfinite(slope_at_mode_I_) ? node(0) : at(kCorner), before = best;
     best.at_end = true;
     double least = square(target, best), slope = half_slope(target, before);
@@ -189,9 +189,9 @@ class EnergyPolygon {
     }
   }
 
-  /// Without sign, to a thousandth of the size of the law's curve; infinite where the law is not a number.
+  /// Unsigned, to a thousandth of the size of the law's curve; infinite where the law is not a number.
   double distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness) const {
-    double least = std::numeric_limits<double>::infinity();  // its square
+    double least = std::numeric_limits<double>::infinity();  // squared
     const auto scaled = [&](const Corner& corner) {
       return Corner{(toughness * corner.G_I - G_I) / sigma_I, (toughness * corner.G_II - G_II) / sigma_II};
     };

@@ -52,12 +52,12 @@ Equilibrium LoadedContact<Law>::solve(double T, double low, double high, double 
   return {EquilibriumStatus::ok, y, iterations};
 }
 
-/// Searches the coordinate of the curve, along which T rises.
+/// Searches along the coordinate of the curve, in which T rises.
 template <class Law>
 Equilibrium LoadedContact<Law>::solve_non_monotone(double T, const StableBranch& branch) const {
   const CurvePiece& piece = curve_->pieces().front();
   const auto excess = [&](double v) { return std::log(curve_->tangential_load(curve_->position(piece, v)) / T); };
-  if (branch.T_top == 0 && !(excess(branch.v_top) < 0)) {  // T lies before the first coordinate
+  if (branch.T_top == 0 && !(excess(branch.v_top) < 0)) {  // T is before the first coordinate
     const NonMonotoneCurve<Law> by_ray(law_, p_, P_);
     double y = y_jkr_;
     for (int i = 0; i < 3; ++i) y = by_ray.upper_edge_load(T / y).value_or(y_jkr_);
@@ -65,7 +65,7 @@ Equilibrium LoadedContact<Law>::solve_non_monotone(double T, const StableBranch&
   }
   if (!(excess(branch.v_top) < 0)) return {EquilibriumStatus::ok, branch.y_top};
   if (!(excess(branch.v_bottom) > 0)) {
-    // beyond the largest T of the curve there is no equilibrium, but T at a fold is rounded
+    // beyond the largest T of the curve there is no equilibrium, but T at a fold has rounding errors
     const bool rounding = std::abs(excess(branch.v_bottom)) < 1e-12;
     return {branch.ends_in_fold || rounding ? EquilibriumStatus::ok : EquilibriumStatus::no_equilibrium,
             branch.y_bottom};
@@ -98,7 +98,7 @@ Equilibrium LoadedContact<Law>::follow(double T) const {
 
 template <class Law>
 const StableBranch& LoadedContact<Law>::first_branch() const {
-  if (branches_.empty()) find_branches(1);  // finds one at least
+  if (branches_.empty()) find_branches(1);  // finds at least one
   return branches_.front();                 // cppcheck-suppress containerOutOfBounds
 }
 

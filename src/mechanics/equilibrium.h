@@ -2,7 +2,7 @@
 //
 //     R(y; T) = (y - 3 pi)^2 + tau^2(y, T) - S0^2 = 0,        S0^2 = 9 pi^2 + 6 pi P,
 //
-// where the law enters through tau^2 = y^2 (g - 1) alone (model.h, shear_term). Equivalent to the printed
+// where the law enters through tau^2 = y^2 (g - 1) alone (base/law.h, shear_term). Equivalent to the printed
 // y^2 + T^2 = 8 pi a^3 f(psi) for every law, see mechanics/README.md.
 #pragma once
 
@@ -39,13 +39,13 @@ bool in_bounds(const Law& law, const Parameters<Law>& p) {
   return true;
 }
 
-/// Empty if these define a contact; otherwise why not: parameters out of range or outside the domain of the law, load
-/// not finite.
+/// Empty if these values define a contact; else the reason: parameters out of range or outside the law's domain, or a
+/// load that is not finite.
 template <class Law>
 std::string_view contact_obstacle(const Law& law, const Parameters<Law>& p, double P);
 
-/// A law with its parameters at one normal load P (dimensionless). Cheap to make: the folds of the curve are searched
-/// only for a T beyond the part of the curve that is known to have none, and only as far as that T needs.
+/// A law with its parameters at one normal load P (dimensionless). Cheap to construct: folds are searched for only when
+/// a T lies beyond the part of the curve that is known to have none, and only as far as that T requires.
 template <class Law>
 class LoadedContact {
  public:
@@ -69,16 +69,16 @@ class LoadedContact {
   /// False below the JKR pull-off load, where no contact exists: at() then returns `no_equilibrium`.
   bool in_contact() const { return in_contact_; }
 
-  /// Edge load of the contact that was loaded from T = 0 and has followed its stable branch, over jumps to a
-  /// lower stable branch where there is one. 0 <= T <= kLargestLoad. Relative error of the area below 4e-15 away
-  /// from folds; towards a fold T_f it grows as eps/sqrt(1 - T/T_f).
+  /// Edge load of the contact that is loaded from T = 0 and follows its stable branch, and after a jump the lower one
+  /// if there is one. 0 <= T <= kLargestLoad. Relative error of the area below 4e-15 away from folds; towards a fold
+  /// T_f it grows as eps/sqrt(1 - T/T_f).
   Equilibrium at(double T) const {
     if (!obstacle_.empty() || !(T >= 0 && T <= kLargestLoad)) return {EquilibriumStatus::invalid};
     if (!in_contact_) return {EquilibriumStatus::no_equilibrium};
     if constexpr (requires { law_.shear_on_circle(p_, T); }) {
       // Closed form: tau does not depend on y.
       const double tau = law_.shear_on_circle(p_, T);
-      // One rounding of tau may put the fold itself beyond the circle.
+      // Rounding of tau may put the fold itself beyond the circle.
       if (tau > S0_ * (1 + std::numeric_limits<double>::epsilon())) return {EquilibriumStatus::no_equilibrium};
       return {EquilibriumStatus::ok, 3 * pi<double>() + std::sqrt(std::max(S0_ - tau, 0.0) * (S0_ + tau))};
     } else {
@@ -86,13 +86,13 @@ class LoadedContact {
     }
   }
 
-  /// The same for valid loads of a law without a closed form.
+  /// Like `at`, for a valid load and a law without a closed form.
   Equilibrium follow(double T) const;
 
   /// Stable branches from T = 0 downwards, at least one. Only if in_contact().
   const std::vector<StableBranch>& branches() const;
 
-  /// The one that starts from JKR. Only if in_contact().
+  /// The branch that starts from JKR. Only if in_contact().
   const StableBranch& first_branch() const;
 
   /// Largest T at which the contact has a stable equilibrium: infinite if it shrinks to an asymptote.
@@ -103,7 +103,7 @@ class LoadedContact {
  private:
   Equilibrium solve(double T, double low, double high, double start) const;
   Equilibrium solve_non_monotone(double T, const StableBranch& branch) const;
-  void find_branches(std::size_t folds) const;  // up to the fold of that number
+  void find_branches(std::size_t folds) const;  // up to and including this number
   static constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
   [[no_unique_address]] Law law_;
@@ -115,7 +115,7 @@ class LoadedContact {
   std::string_view obstacle_;
   mutable std::vector<StableBranch> branches_;  // filled on first use: up to the first fold, or all of them
   mutable bool all_branches_ = false;
-  mutable std::optional<EquilibriumCurve<Law>> curve_;  // of a non-monotone law, beside its branches
+  mutable std::optional<EquilibriumCurve<Law>> curve_;  // only under a non-monotone law
 };
 
 }  // namespace mixity

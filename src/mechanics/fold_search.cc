@@ -24,12 +24,12 @@ FoldPlace place_at_coordinate(const EquilibriumCurve<Law>& curve, std::size_t pi
   return {piece, v, at, curve.tangential_load(at), maximum};
 }
 
-/// The fold under load control of a model with one at most. R is convex in y and grows with T: the y with R <= 0 are an
-/// interval that shrinks as T rises, and folds where its ends meet. A second piece is the lower end alone.
+/// The fold under load control for a model with at most one. R is convex in y and grows with T: the y with R <= 0 form
+/// an interval that shrinks as T rises; the fold is where its ends meet. A second piece is only the lower end.
 template <class Law>
 std::optional<FoldPlace> only_fold(const EquilibriumCurve<Law>& curve) {
   if constexpr (!requires { curve.law().tangential_load(curve.parameters(), 1.0, 1.0); }) {
-    // T of each position costs a search of its own
+    // T of each position needs an iteration
     const double T = circle_radius(curve.load()) / std::sqrt(curve.law().small_shear(curve.parameters()));
     if (const auto fold = newton_fold(curve.law(), curve.parameters(), curve.load(), 0, T))
       return place_at_offset(curve, fold->v);
@@ -85,7 +85,7 @@ std::vector<FoldPlace> locate_folds(const EquilibriumCurve<Law>& curve, Control 
   }
   if (!load || curve.non_monotone() || !folds_by_angle(curve, found)) folds_by_position(curve, control, found);
   if constexpr (kMayBeNonMonotone<Law>) {
-    // pairs of folds at the same T are rounding, where T tends to a constant
+    // pairs of folds at the same T are rounding, where T approaches a constant
     constexpr double kSame = 1e-12;
     std::vector<FoldPlace> apart;
     for (const FoldPlace& place : found.places) {

@@ -1,4 +1,4 @@
-// The searches from which locate_folds chooses. For folds.h and its tests.
+// The searches among which locate_folds chooses, for folds.h and its tests.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 
 namespace mixity {
 
-// Logistic coordinates between which folds are searched: e^-42 = 6e-19 of the piece.
+// Where the search for folds begins and ends in the logistic coordinate: e^-42 = 6e-19 of the piece.
 inline constexpr double kFirstCoordinate = -20;
 
-/// Near Hertz the coordinate is about ln(T/y). There the slope of a user's law in t loses its digits by rounding, as
-/// t^2 eps, so that any fold found would be noise.
+/// Near Hertz the coordinate is about ln(T/y). There rounding, of relative size t^2 eps, destroys the slope of a user's
+/// law in t, so that any fold found would be noise.
 template <class Law>
 inline constexpr double kLastCoordinate = kMayBeNonMonotone<Law> ? 27 : 42;
 
@@ -28,24 +28,24 @@ struct Driven {
 
   double radius(const CurvePosition& at) const { return radius_from_edge_load(at.y, curve.load()); }
 
-  /// Weight w of u in the driving quantity w u + (1 - w) T: 0 load, 1 displacement, k/(1 + k) a spring. 1 - w has a
-  /// function of its own because it would cancel for a stiff spring.
+  /// Weight w of u in the driving quantity w u + (1 - w) T: 0 for load, 1 for displacement, k/(1 + k) for a spring. 1 -
+  /// w has its own function, since it would cancel for a stiff spring.
   double share() const {
     if (control.kind == Control::Kind::stiffness) return control.stiffness / (1 + control.stiffness);
     return control.kind == Control::Kind::displacement ? 1 : 0;
   }
   double rest() const { return control.kind == Control::Kind::stiffness ? 1 / (1 + control.stiffness) : 1 - share(); }
 
-  /// w u + (1 - w) T, up to kFar.
+  /// w u + (1 - w) T, with T limited to kFar.
   double value(const CurvePosition& at) const {
     const double T = std::min(curve.tangential_load(at), kFar);
     return share() * std::min(0.75 * T / radius(at), kFar) + rest() * T;
   }
 
-  /// > 0 where the value grows as y falls (stable), 0 at a fold. Relative to the size of its terms, so that a few eps
-  /// are rounding.
+  /// Positive where the value grows as y falls (stable), 0 at a fold. Scaled by the size of its terms, so that a few
+  /// eps are rounding.
   double slope(const CurvePosition& at) const {
-    // Just before an asymptote T is computed as infinite; tau^2 there is that of any large T.
+    // Just before an asymptote the computed T is infinite; tau^2 is then that of any large T.
     const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), kFar);
     const double d1 = curve.law().shear_term(curve.parameters(), at.y, T).d1;
     const double twice = 2 * curve.offset(at), R_y = twice + d1, size = std::abs(twice) + std::abs(d1);
@@ -55,23 +55,23 @@ struct Driven {
   }
 };
 
-/// Collects the first folds of a curve, at most so many, without those near the largest load, which are rounding.
+/// Collects the first `at_most` folds of a curve. Skips those near the largest load, which are rounding.
 struct FoundFolds {
   std::size_t at_most;
   std::vector<FoldPlace> places{};
 
-  /// Whether the search is to go on.
+  /// Returns whether the search should go on.
   bool add(const FoldPlace& place) {
     if (place.T < 0.1 * kFar) places.push_back(place);
     return places.size() < at_most;
   }
 };
 
-/// Searches under any control, along each piece of the curve; T of each position may cost a search of its own.
+/// Searches under any control along each piece of the curve. T of a position may take an iteration.
 template <class Law>
 void folds_by_position(const EquilibriumCurve<Law>& curve, Control control, FoundFolds& found);
 
-/// The same under load control along the phase angle, from which y and T follow in closed form. False, without folds,
+/// Searches under load control along the phase angle, from which y and T follow in closed form. False, without folds,
 /// if the first fold lies at less shear than doubles resolve.
 template <class Law>
 bool folds_by_angle(const EquilibriumCurve<Law>& curve, FoundFolds& found);
@@ -81,8 +81,8 @@ struct LoadFold {
   double v, T;
 };
 
-/// Newton's method on R = R_y = 0 in v and T, of which R's derivatives in T follow from its homogeneity. Null if it
-/// leaves y > 0 (the curve may reach Hertz without a fold) or does not settle.
+/// Newton's method on R = R_y = 0 in v and T; R's derivatives in T follow from its homogeneity. Null if it leaves y > 0
+/// (the curve may reach Hertz without a fold) or does not converge.
 template <class Law>
 std::optional<LoadFold> newton_fold(const Law& law, const Parameters<Law>& p, double P, double v, double T);
 

@@ -9,13 +9,13 @@ namespace mixity {
 
 namespace {
 
-/// Part of a piece on which the contact is stable, in logistic coordinates.
+/// A part of a piece on which the contact is stable, in logistic coordinates.
 struct Stretch {
   std::size_t piece;
   double from, to;
 };
 
-/// The stable parts between the folds. The top of the curve is stable; the top of a second piece, from an asymptote, is
+/// The stable parts between the folds. The top of the curve is stable; that of a second piece, from an asymptote, is
 /// not.
 template <class Law>
 std::vector<Stretch> stable_stretches(const std::vector<FoldPlace>& folds, std::size_t pieces) {

@@ -9,8 +9,8 @@
 
 namespace mixity {
 
-/// alpha of A = A0 - alpha T^2 + O(T^4), dimensionless. On the circle a small T lowers y by tau^2/(2 S0), tau^2 = w T^2
-/// with w = law.small_shear, so
+/// alpha of A = A0 - alpha T^2 + O(T^4), dimensionless. On the circle a small T lowers y by tau^2/(2 S0), where tau^2 =
+/// w T^2 and w = law.small_shear, so
 ///
 ///     alpha = pi (3/4)^(2/3) w/(3 S0 (3 pi + P + S0)^(1/3)).
 ///
@@ -25,8 +25,8 @@ std::optional<double> shear_sensitivity(const Law& law, const Parameters<Law>& p
   return pi<double>() * std::pow(0.75, 2.0 / 3) * w / (3 * S0 * std::cbrt(3 * pi<double>() + P + S0));
 }
 
-/// The load at which JKR has area A0 on its stable branch: with h = 4/3 a^3, h = P + 3 pi + S0 gives
-/// P = h - sqrt(6 pi h). A0 must be at least that at pull-off, 4/3 a^3 = 3 pi/2.
+/// The load at which JKR's stable branch has the area A0. With h = 4/3 a^3, h = P + 3 pi + S0 gives P = h - sqrt(6 pi
+/// h). A0 must be at least the area at pull-off, 4/3 a^3 = 3 pi/2.
 inline std::optional<double> jkr_load(double A0) {
   const double a = radius_from_area(A0), h = 4.0 / 3 * a * a * a;
   if (!(h >= 1.5 * pi<double>())) return std::nullopt;

@@ -24,17 +24,17 @@ std::optional<LoadFold> newton_fold(const Law& law, const Parameters<Law>& p, do
     v += dv;
     T += dT;
     if (std::abs(dv) <= 4 * eps * S0 && std::abs(dT) <= 1e-8 * T)
-      return LoadFold{v, T};  // Newton squares what is left of T
+      return LoadFold{v, T};  // Newton's method squares what is left of the error in T
   }
   return std::nullopt;
 }
 
 namespace load_folds_detail {
 
-/// The upper half of the curve, y > -2 P, by x = ln tan psi. With tau^2 = y^2 (g - 1), where g depends on psi alone,
-/// the circle is a quadratic in y, g y^2 = 6 pi (y + P), of which this is the larger root: a point costs one evaluation
-/// of the law. dT = 0 reads (y + 2 P)/(y + P) = d ln g/dx. Hence there is no fold on the lower half, which exists only
-/// for P < 0: there y + 2 P < 0, y + P > 0, and g grows with psi.
+/// The upper half of the curve, y > -2 P, parametrised by x = ln tan psi. With tau^2 = y^2 (g - 1), where g depends on
+/// psi alone, the circle is a quadratic in y, g y^2 = 6 pi (y + P), whose larger root is used: a point costs one
+/// evaluation of the law. dT = 0 reads (y + 2 P)/(y + P) = d ln g/dx. The lower half, which exists only for P < 0,
+/// therefore has no fold: there y + 2 P < 0, y + P > 0, and g grows with psi.
 template <class Law>
 class CurveByAngle {
  public:
@@ -84,7 +84,7 @@ class CurveByAngle {
     return {0, curve.coordinate(curve.pieces()[0], on_circle), on_circle, T, maximum};
   }
 
-  /// x below which there is no fold: above the centre of the circle if tau grows with y; else where tau^2 is some 1e-9
+  /// x below which there is no fold: above the centre of the circle if tau grows with y; else where tau^2 is about 1e-9
   /// of S0^2.
   double first() const {
     const bool simple_top = law_.tau_grows_with_edge_load(p_);
@@ -102,7 +102,7 @@ class CurveByAngle {
     return low;
   }
 
-  /// How far from x, where the curve is at `place`, the next sample may lie: a quarter of ln tau^2 at small psi, and
+  /// The distance from x, where the curve is at `place`, to the next sample: a quarter of ln tau^2 at small psi, and
   /// fixed steps at large psi.
   static double step(double x, const Place& place) {
     if (!place.exists) return kLast - x;
@@ -111,7 +111,7 @@ class CurveByAngle {
     return fine * (x < 6 ? 0.125 : x < 12 ? 0.25 : 0.5);
   }
 
-  static constexpr double kFirst = -700, kLast = kLastCoordinate<Law>;  // tan psi from the least of all doubles on
+  static constexpr double kFirst = -700, kLast = kLastCoordinate<Law>;  // tan psi from the smallest double on
 
  private:
   [[no_unique_address]] Law law_;

@@ -6,7 +6,7 @@
 
 namespace mixity::nearest_detail {
 
-// Each stage is compiled for two doubles at once and for four.
+// Each stage is compiled for vectors of two doubles and of four.
 
 template <Begin kBegin, class Law>
 void start_by_two(const CurveFamily<Law>& family, Block& __restrict block) {
@@ -36,7 +36,7 @@ template <bool kDerivatives, class Law>
   measure<kDerivatives>(family, block, result);
 }
 
-/// All stages. Begin::anywhere does not look for a place to start from.
+/// Runs all stages. Begin::anywhere skips the search for a start.
 template <Begin kBegin, class Law>
 void run_block(const CurveFamily<Law>& family, int steps, bool derivatives, Block& block, Result<Law>& result) {
   if constexpr (HasPackedForm<Law>) {  // the loops of other laws are not vectorised
@@ -69,7 +69,7 @@ inline void set_point(Block& block, std::size_t slot, const PlanePoints& points,
 }
 
 /// Replaces the derivatives in `out`, those of -F/|grad F|, by those of the distance from an end or a corner of the
-/// curve. Its A depends on the load alone, with dA/dP = A_P; its T either stays or changes so that F = 0.
+/// curve. Its A depends on the load alone, with dA/dP = A_P; its T is constant (T_stays) or changes so that F = 0.
 template <class Law>
 void measure_from_end(const Block& block, std::size_t i, double A_P, bool T_stays, Result<Law>& out) {
   const double r = out.r[i];
@@ -93,7 +93,7 @@ inline double distance_to(const Block& b, std::size_t i, double T, double A) {
 }
 
 /// The nearest of three points of the curve: JKR, Hertz if the curve ends there, and the one in the direction of the
-/// measured point from the circle's centre.
+/// measured point as seen from the circle's centre.
 template <class Law>
 Place known_place(const CurveFamily<Law>& family, const Block& block, std::size_t slot) {
   const double P = block.P[slot], centre = 3 * pi<double>(), S0 = circle_radius(P), jkr = centre + S0;
@@ -107,7 +107,7 @@ Place known_place(const CurveFamily<Law>& family, const Block& block, std::size_
   consider(block.T_end[slot], block.A_end[slot]);
   const double A = block.A_point[slot], T = block.T_point[slot];
   if constexpr (kMayBeNonMonotone<Law>) {
-    if (family.non_monotone) {  // instead of the last, in the direction from T = 0 and Hertz
+    if (family.non_monotone) {  // the third point is at the measured T/y instead
       const double t = T / std::max(edge_load(radius_from_area(A), P), 1e-3 * jkr);
       if (const auto y_there = NonMonotoneCurve<Law>(family.law, family.p, P).upper_edge_load(t))
         consider(t * *y_there, area_from_edge_load(*y_there, P));

@@ -1,5 +1,5 @@
-// The nearest point of an equilibrium curve by Newton's method, for many measured points at once: the vectorised loops
-// of curve_distance.cc. Their length is constant, so that the result for a point does not depend on its neighbours.
+// Newton's method for the nearest points of equilibrium curves to many measured points at once: the vectorised loops of
+// curve_distance.cc. Their length is constant, so that the result for a point does not depend on its neighbours.
 #pragma once
 
 #include <algorithm>
@@ -27,13 +27,13 @@ struct Block {
   Packed settled, at_end;                        // 1 or 0
 };
 
-/// What the curves of a law have in common at all loads.
+/// What the curves of a law at all loads have in common.
 template <class Law>
 struct CurveFamily {
   [[no_unique_address]] Law law;
   Parameters<Law> p;
   bool non_monotone;
-  bool uncoupled;  // shear does not act on the area: A = A_JKR for every T
+  bool uncoupled;  // shear does not affect the area: A = A_JKR for every T
   double small;    // tau^2/T^2 at T -> 0
   double hertz;    // tau^2/T^2 at y = 0
   bool bounded;    // T -> infinity at an edge load > 0, where tau^2/y^2 has reached `excess`
@@ -73,7 +73,7 @@ MIXITY_LOOP Local local_form(const CurveFamily<Law> family, const Block& b, std:
   const double y = (4 / (3 * pi<double>())) * A * q.a - P;
   q.y = y > 1e-100 ? y : 1e-100;
   const ShearTerm<double> tau2 = family.law.shear_term(family.p, q.y, T);
-  const bool flat = !(T > 1e-130 * q.y);  // T^2 counts for nothing
+  const bool flat = !(T > 1e-130 * q.y);  // T^2 is negligible
   q.value = flat ? 0.0 : tau2.value;
   q.d1 = flat ? 0.0 : tau2.d1;
   q.d2 = flat ? 0.0 : tau2.d2;
@@ -105,7 +105,7 @@ MIXITY_LOOP Local local_form(const CurveFamily<Law> family, const Block& b, std:
   return q;
 }
 
-/// pi (3/4 load)^(2/3)
+/// Area of the load y + P: pi (3/4 load)^(2/3).
 MIXITY_LOOP double area_of_load(double load) {
   const double a = cube_root(0.75 * (load > 1e-100 ? load : 1e-100));
   return pi<double>() * a * a;
@@ -128,14 +128,14 @@ MIXITY_LOOP CurveBounds curve_bounds(const CurveFamily<Law> family, double P) {
 }
 
 enum class Begin {
-  at_the_point,  // at a point of the curve that `start` finds
-  nearby,        // at the points that the block contains
-  anywhere       // the same, with as many steps as it takes; the ends of the curves are known
+  at_the_point,  // from a point of the curve that `start` finds
+  nearby,        // from the points that the block contains
+  anywhere       // like nearby, with as many steps as needed; the ends of the curves are already set
 };
 
-/// Sets where the curve ends, and the nearest of four points on the circle: at the T of the measured point, at its A,
-/// in its direction from the centre (which is exact on the curve and regular at the fold), and the end. T is taken as
-/// proportional to tau, which is exact for c.
+/// Sets the end of each curve, and the nearest of four start points: on the circle at the measured T, at the measured
+/// A, in the measured point's direction from the centre (exact on the curve, regular at the fold), and the end. T is
+/// taken as proportional to tau, which is exact for c.
 template <Begin kBegin, class Law>
 MIXITY_LOOP void start(const CurveFamily<Law> family, Block& b) {
   const double centre = 3 * pi<double>();
@@ -176,7 +176,7 @@ MIXITY_LOOP void start(const CurveFamily<Law> family, Block& b) {
 }
 
 /// One step of each slot that is not settled: Newton's method on F = 0 and on the slope of the distance along the
-/// curve, that is on the Lagrangian of the least distance. Its curvature is kept positive, so that minima are found.
+/// curve, that is, on the Lagrangian of the least distance. Its curvature is kept positive, so that it finds minima.
 template <class Law>
 MIXITY_LOOP void step(const CurveFamily<Law> family, Block& b) {
   constexpr double kLeastCurvature = 0.1, kDone = 1e-8;

@@ -29,11 +29,11 @@ MIXITY_LOOP Parameters<Law> log_toughness_slope(const Law& law, const Parameters
 
 /// r and its derivatives in P, T and A at a point Q of the curve, and whether no other point of the curve is nearer.
 ///
-/// The proof: let d be the distance of Q, n its unit normal, and q another point that is no further. Then |q - Q|^2 <=
-/// 2 d n.(q - Q), because the measured point is Q + d n (up to sign; at an end the offset also points away from the
-/// curve, which only helps). F(q) = F(Q) = 0 makes |grad F| |n.(q - Q)| <= L |q - Q|^2/2 with L the norm of the second
-/// derivatives on the way, so that q = Q wherever d L < |grad F|. L follows from bounds of tau^2's second derivatives
-/// over all (y, T), or, where the circle of radius 2 d about Q is small in y and T, from their moduli at Q.
+/// The proof: let d be the distance of Q, n its unit normal, and q another point that is no further away. Then |q -
+/// Q|^2 <= 2 d n.(q - Q), because the measured point is Q + d n (up to sign; at an end the offset also points away from
+/// the curve, which only helps). F(q) = F(Q) = 0 gives |grad F| |n.(q - Q)| <= L |q - Q|^2/2 with L the norm of the
+/// second derivatives between them, so that q = Q wherever d L < |grad F|. L follows from bounds of tau^2's second
+/// derivatives over all (y, T), or, where the circle of radius 2 d about Q is small in y and T, from their moduli at Q.
 template <bool kDerivatives, class Law>
 MIXITY_LOOP void measure(const CurveFamily<Law> family, const Block& b, Result<Law>& out) {
   for (std::size_t i = 0; i < kBlock; ++i) {
@@ -41,7 +41,7 @@ MIXITY_LOOP void measure(const CurveFamily<Law> family, const Block& b, Result<L
     const double distance = std::sqrt(q.x * q.x + q.z * q.z);
     const bool end = b.at_end[i] > 0, settled = b.settled[i] > 0;
     const double signed_distance = q.along < 0 ? -distance : distance;
-    // A rounding of Q does not matter along the normal; F/|grad F| is its distance from the curve.
+    // Rounding of Q does not matter along the normal; F/|grad F| is its distance from the curve.
     const double normal = q.along - q.F * q.per_size;
     // false where Newton's steps vanish at a corner (bk with eta < 1)
     const bool stationary = std::abs(q.slope) <= 1e-4 * distance + 1e-6;
@@ -80,7 +80,7 @@ MIXITY_LOOP void measure(const CurveFamily<Law> family, const Block& b, Result<L
     };
     const double TT = least(TT_here, family.bend.TT), yT = least(yT_here, family.bend.yT),
                  yy = 2 + least(yy_here, family.bend.yy);
-    // A changes by a quarter at most, y_A by 1.12 and y_AA by 1.16 of itself.
+    // A changes at most by a quarter, y_A by a factor 1.12 and y_AA by 1.16.
     const double slope = std::abs(q.F_y) + yy * step_y + yT * step_T;
     const double AA = (1.26 * yy * q.y_A * q.y_A + 1.16 * slope * q.y_AA) * sA * sA;
     const double TA = 1.12 * yT * q.y_A * sT * sA, TT_plane = TT * sT * sT;

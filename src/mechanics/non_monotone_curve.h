@@ -1,6 +1,6 @@
-// The equilibrium curve by the phase angle, under a law whose g = (1 + tan^2 psi)/f does not grow with psi throughout.
-// Several T may then have the same area, and the circle cannot be used: the curve runs along it more than once, or
-// leaves it (g < 1), and T does not follow from tau. By psi the curve is still explicit: y is a root of
+// The equilibrium curve parametrised by the phase angle, for laws whose g = (1 + tan^2 psi)/f does not always grow with
+// psi. Several T may then have the same area, and the circle is of no use: the curve covers it more than once or leaves
+// it (g < 1), and tau does not determine T. In psi the curve is still explicit: y is a root of
 //
 //     g y^2 = 6 pi (y + P),
 //
@@ -26,22 +26,22 @@ class NonMonotoneCurve {
     if (!closed() && ratio(std::exp(kLast)) < kLeastRatio) cut();
   }
 
-  /// Whether it returns to T = 0, at the unstable JKR state; else it runs on to psi = pi/2.
+  /// Whether the curve returns to T = 0, at the unstable JKR state; otherwise it continues to psi = pi/2.
   bool closed() const { return sin_c_ > 0; }
-  /// Whether it ends at g = 1e-8.
+  /// Whether the curve ends at g = 1e-8.
   bool grows_over_all_bounds() const { return psi_end_ < 0.5 * pi<double>(); }
 
-  /// Its parameter s runs from 0 to this: psi = s, or sin psi = sin psi_c sin s on a curve that closes.
+  /// The parameter s runs from 0 to this: psi = s, or sin psi = sin psi_c sin s on a closed curve.
   double length() const { return closed() ? pi<double>() : psi_end_; }
 
   struct Place {
     double psi, t, y;   // t = T/y
-    double dpsi, root;  // dpsi/ds; g y - 3 pi, negative on the way back
+    double dpsi, root;  // dpsi/ds; root = g y - 3 pi, negative on the way back
     double growth;      // dg/d ln t
-    double pace;        // dt/ds over root, finite at psi_c, too
+    double pace;        // dt/ds divided by root, finite at psi_c, too
   };
 
-  /// At s; rest = length() - s is passed separately to keep its digits.
+  /// The place at s. rest = length() - s is passed separately to keep its digits.
   Place at(double s, double rest) const {
     Place q{};
     if (closed()) {
@@ -62,7 +62,7 @@ class NonMonotoneCurve {
     const double per_t = 1 + q.t * q.t;
     q.pace = per_t * q.dpsi / q.root;
     if (closed()) {
-      // near psi_c the square would cancel: it is its slope times the distance in ln t
+      // near psi_c the square would cancel; here it is its slope times the distance in ln t
       const double cos_s = q.dpsi / sin_c_ / std::sqrt(per_t), squared = cos_s * cos_s, t_c = sin_c_ / cos_c_;
       const double way = 0.5 * (std::log1p(t_c * t_c * squared) - std::log1p(-squared));
       if (way < kBeside) {
@@ -88,16 +88,16 @@ class NonMonotoneCurve {
 
  private:
   static constexpr double kLeastRest = 1e-18, kBeside = 1e-5, kLeastRatio = 1e-8;
-  static constexpr double kFirst = -40, kLast = 42, kStep = 0.125;  // of ln t
+  static constexpr double kFirst = -40, kLast = 42, kStep = 0.125;  // for ln t
 
-  /// g; `excess` = g - 1 has lost the digits of a small g.
+  /// g; for small g, `excess` = g - 1 has lost its digits.
   double ratio(double t, double excess) const {
     if (excess > -0.5) return 1 + excess;
     return (1 + t * t) * std::exp(-law_.log_toughness(p_, mixity_from_loads(1.0, t)).value);
   }
   double ratio(double t) const { return ratio(t, law_.shear_term(p_, 1.0, t).value); }
 
-  /// Looks for the first place with g = 1e-8.
+  /// Finds the first place with g = 1e-8.
   void cut() {
     double low = kFirst, high = kFirst;
     while (ratio(std::exp(high)) > kLeastRatio) low = high, high += kStep;
@@ -111,7 +111,7 @@ class NonMonotoneCurve {
   /// (g y - 3 pi)^2 = 9 pi^2 + 6 pi P g.
   double square(double excess) const { return 6 * pi<double>() * (above_pull_off(P_) + P_ * excess); }
 
-  /// Looks for psi_c.
+  /// Finds psi_c.
   void close() {
     const auto open = [&](double x) { return square(law_.shear_term(p_, 1.0, std::exp(x)).value) > 0; };
     double low = kFirst, high = kFirst;
@@ -137,7 +137,7 @@ inline constexpr bool kMayBeNonMonotone = requires(const Law& law, const Paramet
   law.non_monotone(p);
 };
 
-/// Whether it does with these parameters (model.h).
+/// Whether g does so with these parameters (base/law.h).
 template <class Law>
 bool is_non_monotone(const Law& law, const Parameters<Law>& p) {
   if constexpr (kMayBeNonMonotone<Law>)

@@ -1,4 +1,4 @@
-// Evaluates ln f of a one-parameter law for arrays of points in one vectorised loop.
+// Evaluates ln f of a one-parameter law at many points in one vectorised loop.
 #pragma once
 
 #include <cstddef>

@@ -8,12 +8,12 @@
 namespace mixity {
 namespace {
 
-constexpr int kLines = 96;  // at least
+constexpr int kLines = 96;  // minimum
 constexpr std::size_t kMostLines = 400;
 constexpr double kFinest = 1.0 / 2048;  // of an axis: less than a pixel
-constexpr double kLeap = 0.03;          // of the loads: how far a boundary may move from line to line
+constexpr double kLeap = 0.03;          // of the loads: how far a boundary may move between lines
 
-/// A region that grows line by line, as its lower and upper boundary.
+/// A region that grows line by line, stored as its lower and upper boundary.
 struct Growing {
   std::optional<Regime> regime;
   std::vector<std::pair<double, double>> lower{}, upper{};  // as in RegimeRegion
@@ -27,7 +27,7 @@ struct Growing {
   }
 };
 
-/// Adds an extent to a line, or to the last one if it is of the same regime.
+/// Adds an extent to a line, merging it with the last one if the regime is the same.
 void append(std::vector<RegimeExtent>& line, const RegimeExtent& extent) {
   if (!line.empty() && line.back().regime == extent.regime)
     line.back().to = extent.to;
@@ -56,7 +56,7 @@ std::vector<RegimeRegion> connected_regions(const std::vector<double>& coordinat
                std::find(grown.begin(), grown.end(), &region) == grown.end();
       });
       Growing& region = found != all.end() ? *found : all.emplace_back(Growing{extent.regime});
-      if (found == all.end() && i > 0) region.add(before, extent);  // begins between two lines
+      if (found == all.end() && i > 0) region.add(before, extent);  // it begins between two lines
       region.add(coordinates[i], extent);
       grown.push_back(&region);
     }
@@ -112,7 +112,7 @@ RegimeMap::Line RegimeMap::line(double part) const {
   return tau0_ ? with_strength(p, found) : found;
 }
 
-/// T - tau0 A rises along the stable branch, since A falls: the branch reaches the strength if its end does.
+/// T - tau0 A rises along the stable branch, because A falls: the branch reaches the strength if its end does.
 bool RegimeMap::slides_first(std::span<const double> p, double P) const {
   const double end = model_.first_stable_end(p, P);
   if (std::isinf(end)) return true;
@@ -160,7 +160,7 @@ bool RegimeMap::differ(const Line& one, const Line& other) const {
                      });
 }
 
-/// Where the next line is needed.
+/// The place of the next line that is needed; null if there is none.
 std::optional<double> RegimeMap::missing() const {
   if (lines_.size() <= kLines) return static_cast<double>(lines_.size()) / kLines;
   if (lines_.size() >= kMostLines) return std::nullopt;

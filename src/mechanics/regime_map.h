@@ -1,4 +1,4 @@
-// What becomes of a contact over normal load and one parameter of a model, as regions with outlines.
+// Regimes over normal load and one parameter of a model, as regions with outlines.
 #pragma once
 
 #include <cstddef>
@@ -12,47 +12,47 @@
 
 namespace mixity {
 
-/// "3 jumps"
+/// Such as "3 jumps".
 const char* regime_text(Regime regime);
 
-/// A regime along one line of a map; null: the law defines no unique equilibrium there.
+/// The extent of a regime along one line of a map; null where the law defines no unique equilibrium.
 struct RegimeExtent {
   std::optional<Regime> regime;
   double from, to;
 };
 
-/// A connected region of one regime: its closed outline as (coordinate along a line, coordinate of the line).
+/// A connected region of one regime. Points of the closed outline: (coordinate along a line, coordinate of the line).
 struct RegimeRegion {
   std::optional<Regime> regime;
   std::vector<std::pair<double, double>> outline;
 };
 
-/// From two or more lines at these coordinates in ascending order, each filled by its extents in order.
+/// Joins two or more lines at these ascending coordinates. Each line is filled by its extents in order.
 std::vector<RegimeRegion> connected_regions(const std::vector<double>& coordinates,
                                             const std::vector<std::vector<RegimeExtent>>& lines);
 
 /// The axes of a map.
 struct RegimeMapFrame {
-  std::size_t parameter = 0;  // number of the parameter
+  std::size_t parameter = 0;  // index of the parameter
   double low = 0, high = 1;   // its range; above 0 if logarithmic
   bool logarithmic = false;
   double P_low = 0, P_high = 1;  // above pull-off
 };
 
-/// Computed line by line at fixed values of the parameter, more closely where regimes change. Along a line the contact
-/// jumps at loads below the critical one (ContactModel::critical_load).
+/// A map, computed line by line at fixed values of the parameter, with more lines where regimes change. Along a line
+/// the contact jumps at loads below the critical one (ContactModel::critical_load).
 class RegimeMap {
  public:
   /// tau0 > 0, or null for unlimited strength. Throws std::invalid_argument for a wrong number of parameters and for
-  /// ranges that do not rise.
+  /// empty ranges.
   RegimeMap(const ContactModel& model, std::span<const double> parameters, const RegimeMapFrame& frame,
             std::optional<double> tau0 = {});
 
-  /// Adds one line. False if the map is complete.
+  /// Adds one line. Returns false if the map is complete.
   bool add_line();
 
-  /// From the lines so far, two or more. Outlines are (load, value of the parameter). `slivers`: with regions at one
-  /// value of the parameter alone, such as lambda = 0, where the modes are not coupled.
+  /// The regions between the lines so far, at least two. Outlines are (load, value of the parameter). `slivers`:
+  /// include regions at a single value of the parameter, such as lambda = 0, where the modes are not coupled.
   std::vector<RegimeRegion> regions(bool slivers = true) const;
 
  private:
@@ -68,7 +68,7 @@ class RegimeMap {
   std::vector<double> parameters_;
   RegimeMapFrame frame_;
   std::optional<double> tau0_;
-  std::map<double, Line> lines_{};  // by the part of the parameter's axis
+  std::map<double, Line> lines_{};  // key: position on the parameter's axis, 0..1
 };
 
 }  // namespace mixity

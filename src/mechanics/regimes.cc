@@ -21,7 +21,7 @@ RegimeReport classify(const Law& law, const Parameters<Law>& p, double P, std::o
   }
   report.regime = report.fracture;
   if (!tau0) return report;
-  // T - tau0 A(T) rises along the branch, since A falls: one crossing at most.
+  // T - tau0 A(T) rises along the branch, because A falls: there is at most one crossing.
   const auto area = [&](double T) { return area_from_edge_load(contact.at(T).y, P); };
   const auto excess = [&](double T) { return T - *tau0 * area(T); };
   const double high = std::min({branch.T_bottom, *tau0 * area(0), kLargestLoad});
@@ -42,7 +42,7 @@ double critical_load(const Law& law, const Parameters<Law>& p) {
     if (!(growth > 0) || at.value < -1 + 1e-8) return -1.5 * pi<double>();
     return rest > 0 ? 6 * pi<double>() * (at.value - 1 - at.d1) / (rest * rest) : kInfinity;
   };
-  double first = -1;  // below, g is 1 to a millionth: folds occur only near pull-off
+  double first = -1;  // below, g is 1 to a millionth, and folds occur only near pull-off
   while (first > -700 && std::abs(excess(first).value) > 1e-6) first *= 1.5;
   double most = -1.5 * pi<double>(), x_before = first, before = most, x = first, here = load(first);
   while (x < kLast) {

@@ -1,5 +1,5 @@
-// What becomes of a contact that is sheared under a constant normal load (Regime), and the boundaries between regimes
-// in the plane of load and lambda.
+// The regime of a contact that is sheared under a constant normal load, and the boundaries between regimes in the plane
+// of load and lambda.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace mixity {
 
-/// For a contact that exists and valid parameters. tau0 > 0 dimensionless, or null. A jump to a lower stable branch
-/// also counts as regime 3 (jumps_to lower_branch): the first critical point decides.
+/// For valid parameters and a load at which the contact exists. tau0 > 0 dimensionless, or null. A jump to a lower
+/// stable branch also counts as regime 3 (jumps_to lower_branch): the first critical point decides.
 template <class Law>
 RegimeReport classify(const Law& law, const Parameters<Law>& p, double P, std::optional<double> tau0 = {});
 
@@ -26,8 +26,8 @@ RegimeReport classify(const Law& law, const Parameters<Law>& p, double P, std::o
 ///
 ///     P = 6 pi (D - 1)/(g (2 - D)^2) = 6 pi (g - 2 - d)/(2 + d)^2,      d = d(tau^2/y)/dy = g (2 - D) - 2 at y = 1
 ///
-/// It is -3 pi/2 at psi = 0 and continuous: every load below its largest value folds somewhere, none above. Where
-/// 2 + d <= 0 on the way y has fallen to 0 in a fold at every load. To some 1e-11 of itself and of 3 pi/2.
+/// It is -3 pi/2 at psi = 0 and continuous: every load below its largest value has a fold, no load above has one. Where
+/// 2 + d <= 0, y has fallen to 0 in a fold at every load. Accurate to about 1e-11, relative and in units of 3 pi/2.
 template <class Law>
 double critical_load(const Law& law, const Parameters<Law>& p);
 
@@ -42,8 +42,8 @@ inline double model_b_critical_load(double lambda) {
   return 1.5 * pi<double>() / (kc * kc);
 }
 
-/// A point of the cusp line of model a, where a fold appears on its curve. 1 - lambda is given too, because lambda is 1
-/// to all digits at large P.
+/// A point of the cusp line of model a, where a fold appears on its curve. 1 - lambda is stored separately, because
+/// lambda rounds to 1 at large P.
 struct CuspPoint {
   double P, lambda, one_minus_lambda;
 };

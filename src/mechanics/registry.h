@@ -1,5 +1,5 @@
-// The types of laws: the published ones, each with its header, and UserLawView for those that are defined at run time.
-// To add a published law, write its header and include it here. Laws as text go to data/laws.toml.
+// The types of laws: the published ones, each from its header, and UserLawView for those defined at run time. To add a
+// published law, write its header and include it here. Laws given as text belong in data/laws.toml.
 #pragma once
 
 #include <tuple>
@@ -51,7 +51,7 @@ constexpr auto each_of(Entry entry, std::type_identity<std::tuple<Law...>>) {
 ///
 ///     [[gnu::used]] const auto instances = each_law([]<class Law> { return &do_it<Law>; });
 ///
-/// where taking the addresses makes the instances that other files link with.
+/// Taking the addresses instantiates the templates for other files to link against.
 template <class Entry>
 constexpr auto each_law(Entry entry) {
   return registry_detail::each_of(entry, std::type_identity<decltype(registry_detail::with_user_laws(Models{}))>{});

@@ -31,7 +31,7 @@ void for_sign_changes(RealFunction f, double from, double last, double rounding,
       if (!found(root_between(f, v, v_next), here > 0)) return;
     } else if (has_before && sign * before > sign * here && sign * next > sign * here) {
       const Minimum dip = minimum_between([&](double x) { return sign * f(x); }, v_before, v_next, 50);
-      // noise may move the bottom to an end
+      // noise may put the bottom at an end
       if (dip.value < -rounding && v_before < dip.at && dip.at < v_next) {
         if (!found(root_between(f, v_before, dip.at), here > 0)) return;
         if (!found(root_between(f, dip.at, v_next), here <= 0)) return;

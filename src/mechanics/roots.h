@@ -26,7 +26,7 @@ class FunctionRef<Result(Argument...)> {
 
 using RealFunction = FunctionRef<double(double)>;
 
-/// The root of f between low and high, to so many bits. f has different signs there, or is 0.
+/// The root of f between low and high, to this many bits. f must have different signs there, or be 0 at one of them.
 double root_between(RealFunction f, double low, double high, int bits = 52);
 
 /// A local minimum of f between low and high.
@@ -36,8 +36,8 @@ struct Minimum {
 Minimum minimum_between(RealFunction f, double low, double high, int bits);
 
 /// Calls found(v, falls) for the sign changes of f on [from, last], in order, until it returns false; `falls` if f
-/// falls through 0. step(v), called after f(v), is how far the next sample may lie. A dip between two samples is
-/// followed to its bottom; a pair of roots about a bottom above -rounding is skipped.
+/// changes from + to -. step(v), called after f(v), returns the distance to the next sample. A dip between two samples
+/// is followed to its bottom; a pair of roots is skipped if the bottom between them is above -rounding.
 void for_sign_changes(RealFunction f, double from, double last, double rounding, RealFunction step,
                       FunctionRef<bool(double v, bool falls)> found);
 

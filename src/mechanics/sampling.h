@@ -10,11 +10,11 @@
 
 namespace mixity {
 
-/// How far curves that run to infinite T are drawn, in multiples of shear_scale.
+/// How far curves that run to infinite T are drawn, in units of shear_scale.
 inline constexpr double kFarthestDrawn = 10;
 
-/// The phi range of one piece to draw: to its end, or up to T_most where it runs to infinity. On a very short piece
-/// (model a, P just below 0) it ends earlier, where the rounding of phi and y causes an error of 1e-4 T_most in T.
+/// The range of phi over which a piece is drawn: to its end, or to T_most where T becomes infinite. On a very short
+/// piece (model a, P just below 0) it ends earlier, where rounding of phi and y causes an error of 1e-4 T_most in T.
 struct PhiRange {
   double from, to;
 };
@@ -53,7 +53,7 @@ double shear_scale(const EquilibriumCurve<Law>& curve) {
   return circle_radius(curve.load()) / (w > 0 && std::isfinite(w) ? std::sqrt(w) : 1.0);
 }
 
-/// n >= 2 points uniform in phi on each range.
+/// Samples n >= 2 points uniformly in phi on each range.
 template <class Law>
 std::vector<CurvePoint> sample_uniform(const EquilibriumCurve<Law>& curve, const std::vector<PhiRange>& ranges,
                                        std::size_t n) {
@@ -66,7 +66,7 @@ std::vector<CurvePoint> sample_uniform(const EquilibriumCurve<Law>& curve, const
   return points;
 }
 
-/// Distances in the plane of T and A, each as a fraction of its largest value on a curve.
+/// Measures distances in the plane of T and A, each as a fraction of its largest value on a curve.
 struct ChordPlane {
   double T_range = 0, A_range = 0;
 
@@ -77,7 +77,7 @@ struct ChordPlane {
     }
     if (!(T_range > 0)) T_range = 1;
   }
-  /// From the segment between a and b, not from the line through them: a curve may turn back at a fold.
+  /// The distance from the segment between a and b, not from the line through them: a curve may turn back at a fold.
   double distance(const CurvePoint& a, const CurvePoint& b, const CurvePoint& point) const {
     const double dx = (b.T - a.T) / T_range, dy = (b.A - a.A) / A_range, length = std::hypot(dx, dy);
     const double x = (point.T - a.T) / T_range, y = (point.A - a.A) / A_range;
@@ -86,10 +86,9 @@ struct ChordPlane {
   }
 };
 
-/// Points on the curve such that the straight lines between them stay within `chord` of it (ChordPlane). From each
-/// point the longest step that satisfies this is taken, which needs the fewest points of all polylines with vertices on
-/// the curve. The distance is measured at 15 points of each step; the peak of the parabola through three of them gives
-/// its maximum to 1 %.
+/// Points on the curve whose polyline stays within `chord` of it (ChordPlane). From each point it takes the longest
+/// step that satisfies this, which needs the fewest points of all polylines with vertices on the curve. The distance is
+/// measured at 15 points of each step; the peak of the parabola through three of them gives its maximum to 1 %.
 template <class Law>
 std::vector<CurvePoint> sample_adaptive(const EquilibriumCurve<Law>& curve, const std::vector<PhiRange>& ranges,
                                         double chord) {
@@ -133,8 +132,8 @@ std::vector<CurvePoint> sample_adaptive(const EquilibriumCurve<Law>& curve, cons
   return points;
 }
 
-/// The same for a hundredth of the work, with some three times as many points: even steps are halved until their
-/// middles stay within the chord.
+/// Like sample_adaptive at a hundredth of the cost, with about three times as many points: even steps are halved until
+/// their midpoints stay within the chord.
 template <class Law>
 std::vector<CurvePoint> sample_halved(const EquilibriumCurve<Law>& curve, const std::vector<PhiRange>& ranges,
                                       double chord) {
@@ -143,11 +142,11 @@ std::vector<CurvePoint> sample_halved(const EquilibriumCurve<Law>& curve, const 
   const std::vector<CurvePoint> first = sample_uniform(curve, ranges, kFirst);
   const ChordPlane plane(first);
   std::vector<CurvePoint> points;
-  // what follows a, up to b
+  // adds the points after a, up to b
   const auto add = [&](const auto& again, const CurvePoint& a, const CurvePoint& b, int halvings) -> void {
     const CurvePoint middle = curve.point(0.5 * (a.phi + b.phi));
     if (!(middle.phi > a.phi && middle.phi < b.phi)) return points.push_back(b);
-    // with the middle as a point a smooth curve is four times nearer than the middle was, at an end hardly nearer
+    // with the midpoint added, a smooth curve is four times closer than the midpoint was; at an end it is hardly closer
     if (halvings == 0 || plane.distance(a, b, middle) <= chord) {
       points.push_back(middle);
       return points.push_back(b);

@@ -1,10 +1,10 @@
-// The derivatives of equilibrium in all that it depends on. With y = 4/3 a^3 - P and A = pi a^2, equilibrium is
+// The derivatives of equilibrium in all its variables. With y = 4/3 a^3 - P and A = pi a^2, equilibrium is
 //
 //     F(A, T, P, parameters) = y^2 + tau^2(y, T) - 6 pi (y + P) = 0,
 //
-// the circle. One gradient of F gives them all: dA/dT = -F_T/F_A, dA/dlambda = -F_lambda/F_A, and F/|grad F| is the
-// distance of a point from the curve to first order. Since y^2 + tau^2 = (y^2 + T^2)/f, the derivative in a parameter
-// needs d(ln f) only.
+// the circle. The gradient of F gives them all: dA/dT = -F_T/F_A, dA/dlambda = -F_lambda/F_A, and to first order
+// F/|grad F| is the distance of a point from the curve. Since y^2 + tau^2 = (y^2 + T^2)/f, the derivative in a
+// parameter needs only d(ln f).
 #pragma once
 
 #include "mechanics/base/law.h"
@@ -20,8 +20,8 @@ struct EquilibriumGradient {
   Parameters<Law> parameters;
 };
 
-/// At any state y >= 0, T >= 0 (not both 0), y + P > 0, in equilibrium or not. Infinite where ln f is (model a at y =
-/// 0).
+/// The gradient at any state y >= 0, T >= 0 (not both 0), y + P > 0, in equilibrium or not. Infinite where ln f is
+/// (model a at y = 0).
 template <class Law>
 EquilibriumGradient<Law> equilibrium_gradient(const Law& law, const Parameters<Law>& p, double P, double T, double y) {
   const ShearTerm<double> tau2 = law.shear_term(p, y, T);

@@ -1,4 +1,4 @@
-// States of a contact and what becomes of it, as plain numbers. All quantities are dimensionless (contact.h).
+// States of a contact and its regimes, as plain numbers. All quantities are dimensionless (contact.h).
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace mixity {
 /// Largest T and |P| for which the formulas are guaranteed not to overflow.
 inline constexpr double kLargestLoad = 1e150;
 
-/// Used for T = infinity.
+/// Stands for T = infinity.
 inline constexpr double kFar = 1e150;
 
 // ---- Equilibrium at given loads ----
@@ -76,14 +76,14 @@ struct ConstantShearPoint {
 
 // ---- The whole curve ----
 
-/// A position on the curve: the edge load and cos^2(phi/2), sin^2(phi/2), each to full relative accuracy, since each
-/// loses digits somewhere (near pull-off, near the ends) if it is computed from another.
+/// A position on the curve: the edge load, cos^2(phi/2) and sin^2(phi/2). Each is stored with full relative accuracy,
+/// since computed from another it would lose digits somewhere (near pull-off, near the ends).
 struct CurvePosition {
   double y, cos2, sin2;
   double t = 0;  // T/y, under a non-monotone law, which leaves cos2 and sin2 unused
 };
 
-/// A point of the curve with its derivatives in phi. All finite: the largest double replaces an infinite value.
+/// A point of the curve with its derivatives in phi. All values are finite: the largest double replaces infinity.
 struct CurvePoint {
   double phi, y, T, a, A, u, psi, f;
   double dy, dT, da, dA, du, dpsi, df;
@@ -109,7 +109,7 @@ inline std::string_view to_string(Jump jump) {
 
 /// Where the driving quantity has an extremum along the curve.
 struct FoldPlace {
-  std::size_t piece;  // of the curve
+  std::size_t piece;  // index of the piece of the curve
   double coordinate;  // logistic, see EquilibriumCurve::position
   CurvePosition position;
   double T;
@@ -120,37 +120,37 @@ struct FoldPlace {
 struct Fold {
   Control control;
   FoldPlace place;
-  double T, u, A, psi;  // T is the place's
+  double T, u, A, psi;  // T equals that of the place
   Jump jumps_to;
   double area_after;  // area of the state after the jump: 0 off contact
   double area_lost;   // A - area_after; negative where the contact regains area
 };
 
-/// What becomes of a contact that is sheared under a constant normal load: it
+/// The regime of a contact that is sheared under a constant normal load: it
 ///
 ///   1 shrinks to a non-Hertzian area    2 shrinks smoothly to Hertz    3 reaches a critical point and jumps
 ///   4 slides first: T = tau0 A, the strength of the interface, is reached before 1, 2 or 3 is complete
 enum class Regime { asymptote = 1, hertz = 2, jump = 3, strength = 4 };
 
 struct RegimeReport {
-  Regime fracture;                   // 1, 2 or 3: without a limit to the strength
+  Regime fracture;                   // 1, 2 or 3: the regime for unlimited strength
   Regime regime;                     // 4 if the strength is reached first, else the same
   double T_end;                      // where 2 or 3 happens; infinite for 1
   std::optional<Jump> jumps_to;      // for 3
   std::optional<double> T_strength;  // smallest T with T = tau0 A on the stable branch; null if none or no tau0
 };
 
-/// A line between regimes in the plane of load and lambda that is known in closed form.
+/// A boundary between regimes in the plane of load and lambda that is known in closed form.
 struct RegimeBoundary {
   std::string_view name;  // jump; off_contact: where a jump ends off contact rather than on Hertz
-  bool of_load;           // the line gives lambda at a load; otherwise the load at a lambda
+  bool of_load;           // `at` gives lambda at a load; otherwise the load at a lambda
   double (*at)(double);   // NaN where there is no line
 };
 
 // ---- Measured points ----
 
 /// Measured points in the plane of T and A: A > 0, both standard errors > 0, T of either sign (equilibrium depends on
-/// T^2). Spans of one size.
+/// T^2). The spans have one size.
 struct PlanePoints {
   std::span<const double> P, T, A, sigma_T, sigma_A;
 };
@@ -160,25 +160,25 @@ struct PlanePoints {
 /// JKR. rough: to first order from a point of the curve beside the measured one, without Newton's method.
 enum class Search { rough, local, global };
 
-/// r is positive where the area of the model is the larger. The nearest point is found again for each value, so that by
-/// the envelope theorem the derivatives are those of -F/|grad F| there, or, at an end or a corner of the curve, those
-/// of the distance from it. `parameters` has those in the model's parameters, point after point. d r/d ln sigma_T is
-/// -r (dT sigma_T)^2, and likewise for A.
+/// r is positive where the model's area is the larger. The nearest point is found anew for each value, so by the
+/// envelope theorem the derivatives are those of -F/|grad F| there, or, at an end or a corner of the curve, those of
+/// the distance from it. `parameters` has the derivatives in the model's parameters, point after point. d r/d ln
+/// sigma_T is -r (dT sigma_T)^2, and likewise for A.
 ///
-/// `place_T` and `place_A`, unless empty, contain starting points, such as the nearest points for similar parameters
-/// (A = 0: none), and afterwards the nearest points.
+/// `place_T` and `place_A`, unless empty, pass in starting points, such as the nearest points for similar parameters (A
+/// = 0: none), and return the nearest points.
 struct CurveDistances {
   std::span<double> r, dP, dT, dA, parameters, place_T{}, place_A{};
 };
 
-/// Measured energies of the two modes with standard errors > 0, and the toughness G_Ic > 0 of each, all in one unit of
-/// energy per area. Spans of one size.
+/// Measured energies of the two modes with standard errors > 0, and the toughness G_Ic > 0 at each point, all in one
+/// unit of energy per area. The spans have one size.
 struct EnergyPoints {
   std::span<const double> G_I, G_II, sigma_I, sigma_II, G_Ic;
 };
 
-/// Signed distances in units of the standard errors, positive where the law's energies are the larger, with their
-/// derivatives in the model's parameters (point after point; not computed if empty) and in ln G_Ic.
+/// Signed distances in units of the standard errors, positive where the law's energies are larger, with derivatives in
+/// the model's parameters (point after point; not computed if empty) and in ln G_Ic.
 struct EnergyDistances {
   std::span<double> value, log_toughness, parameters;
 };

@@ -12,7 +12,7 @@ __attribute__((simd("notinbranch"))) double atan(double) noexcept;
 }
 #endif
 
-// Four doubles at once where the processor can, two elsewhere, chosen at run time. MIXITY_WIDE marks the copy for four.
+// Chooses at run time between vectors of four doubles (MIXITY_WIDE), if the processor has them, and of two.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define MIXITY_WIDE __attribute__((target("avx2")))
 #define MIXITY_HAS_WIDE __builtin_cpu_supports("avx2")
@@ -20,7 +20,7 @@ __attribute__((simd("notinbranch"))) double atan(double) noexcept;
 #define MIXITY_WIDE
 #define MIXITY_HAS_WIDE false
 #endif
-// The same for one function, chosen when the program starts. Not with sanitizers, which are not ready then.
+// The same for one function, chosen at program start. Not with sanitizers, which are not ready by then.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define MIXITY_SIMD __attribute__((target_clones("avx2", "default")))

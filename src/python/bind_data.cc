@@ -91,7 +91,7 @@ void bind_data(nb::module_& m) {
              return numpy_of(std::move(values));
            })
       .def("__len__", [](const Dataset& d) { return d.points.size(); });
-  // contents: of files that were read before, by their paths; null: files are read from disk
+  // contents: files read before, by path; null: files are read from disk
   m.def(
       "read",
       [](const std::vector<std::string>& paths, const Stated& constants, const std::optional<Contents>& contents) {
@@ -107,7 +107,7 @@ void bind_data(nb::module_& m) {
     for (const ColumnKind& kind : kColumnKinds) names.push_back(kind.name);
     return names;
   });
-  m.def("si_units", [] {  // of columns and constants that have a unit
+  m.def("si_units", [] {  // units of columns and constants
     std::map<std::string_view, std::string_view> units;
     for (const ColumnKind& kind : kColumnKinds) units[kind.name] = si_unit(kind.dimension);
     for (const MetadataField& field : metadata_fields()) units[field.name] = si_unit(field.dimension);

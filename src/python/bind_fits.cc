@@ -85,7 +85,7 @@ void bind_fits(nb::module_& m) {
                }
              return nb::make_tuple(numpy_of(x), numpy_of(rise), level);
            })
-      .def("areas",  // with their bands; NaN where not known
+      .def("areas",  // with bands; NaN if unknown
            [](const Analysis& result, std::size_t i, const Numbers& P, const Numbers& T, double confidence) {
              const std::vector<AreaPrediction> found = without_gil([&] {
                return predict_areas_of(result.data, result.fits.at(i), result.request.options, {P.data(), P.size()},

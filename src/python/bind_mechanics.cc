@@ -23,8 +23,8 @@ std::vector<Values> values_of(const std::vector<Numbers>& parameters) {
 }
 std::span<double> span_of(const Output& out) { return {out.data(), out.size()}; }
 
-/// A Python function as a law: it is called with psi and a list of the parameters and returns as many numbers. Laws
-/// share it, and the last of them frees it, on any thread and so with the GIL taken; not after Python has ended.
+/// A Python function as a law: called with psi and a list of the parameters, it returns an array of the length of psi.
+/// Laws share it; the last one frees it, on any thread, taking the GIL; not after Python has ended.
 struct Function {
   std::shared_ptr<const LawSampler> sampler;
 
@@ -37,7 +37,7 @@ struct Function {
     const std::shared_ptr<PyObject> shared(function.release().ptr(), free);
     sampler = std::make_shared<const LawSampler>(
         [shared](std::span<const double> psi, std::span<const double> parameters, std::span<double> f) {
-          const nb::gil_scoped_acquire gil;  // which fits have released
+          const nb::gil_scoped_acquire gil;  // released by fits
           nb::list values;
           for (const double one : parameters) values.append(one);
           const nb::object found = nb::handle(shared.get())(numpy_of({psi.begin(), psi.end()}), values);
@@ -57,7 +57,7 @@ ContactModel model_of(const std::string& key) {
   return *model;
 }
 
-/// One of these contacts.
+/// A model for which these parameters and this load define a contact.
 ContactModel model_of(const std::string& key, const std::vector<double>& parameters, double P) {
   const ContactModel model = model_of(key);
   require(model.problem(parameters, P));
@@ -84,7 +84,7 @@ void bind_mechanics(nb::module_& m) {
   m.def("model_keys", &model_keys);
   m.def("known_models", &known_models);
   m.def("provide_law", [](const std::string& key) { provide_law(key); });
-  m.def("law_definition", [](const std::string& key) {  // None of other models
+  m.def("law_definition", [](const std::string& key) {  // None for other models
     const auto law = find_law(key);
     if (!law) return nb::object(nb::none());
     const LawDefinition& definition = law->definition();
@@ -107,7 +107,7 @@ void bind_mechanics(nb::module_& m) {
     return std::tuple(defined.law->definition().key, defined.law->shown(), std::move(defined.warnings));
   };
   m.def("define_law", define, "text"_a, "parameters"_a, "key"_a, "name"_a, "normalised"_a, "function"_a.none());
-  m.def("parameter_names", [](const std::string& model) {  // none of a key that is none
+  m.def("parameter_names", [](const std::string& model) {  // empty for an unknown key
     std::vector<std::string> names;
     for (const ParameterInfo& one : parameters_of(model)) names.emplace_back(one.name);
     return names;

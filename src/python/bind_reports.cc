@@ -1,4 +1,4 @@
-// What the program says of data, the runs of a log, and reports.
+// What the program reports on data and on the runs of a log, and reports.
 #include <limits>
 
 #include "analysis/reported_data.h"
@@ -37,7 +37,7 @@ FigureFormats formats_of(const std::string& text) {
   return request.formats;
 }
 
-/// The page as text, or, with a folder, what could not be drawn.
+/// The page as text; with a folder, writes the report and returns what could not be drawn.
 std::string report(const std::vector<std::pair<Dataset*, Stated>>& fits, const std::optional<std::string>& folder,
                    const std::string& formats, bool force, const nb::object& progress) {
   std::vector<FitRequest> requests;

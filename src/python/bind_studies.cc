@@ -28,7 +28,7 @@ Plan plan_of(const std::string& model, const std::vector<double>& parameters, co
   plan.sigma_T = error_of("sigma_T", sigma_T);
   plan.sigma_A = error_of("sigma_A", sigma_A);
   Plan whole = plan;
-  if (whole.loads.empty()) whole.loads = {0};  // some are to be found
+  if (whole.loads.empty()) whole.loads = {0};  // a dummy load if all are to be found
   if (const std::string problem = problem_of(whole); !problem.empty()) throw InputError("plan", problem);
   return plan;
 }

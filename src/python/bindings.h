@@ -1,4 +1,4 @@
-// What the parts of the module share: arrays, and progress and Ctrl-C of long work.
+// Shared by the parts of the module: arrays, and progress and Ctrl-C during long work.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -31,7 +31,7 @@ using Numbers = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device:
 using Output = nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Codes = nb::ndarray<std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
-/// Names and texts, as of constants and options.
+/// Names and texts, as for constants and options.
 using Stated = std::vector<std::pair<std::string, std::string>>;
 
 /// Hands an array over to Python.
@@ -41,21 +41,21 @@ inline nb::ndarray<nb::numpy, double> numpy_of(std::vector<double> values) {
   return nb::ndarray<nb::numpy, double>(owned->data(), {owned->size()}, owner);
 }
 
-/// Calls work() without the interpreter's lock.
+/// Calls work() with the interpreter's lock released.
 auto without_gil(const auto& work) {
   const nb::gil_scoped_release released;
   return work();
 }
 
-/// From the arguments of folds(); throws InputError.
+/// Made from the arguments of folds(); throws InputError.
 Control control_of(const std::string& kind, double stiffness);
 
-/// A fold as a dict, with standard errors of T, u and A if they are wanted.
+/// A fold as a dict; `with_errors`: with standard errors of T, u and A.
 nb::dict shown(const FoldPrediction& fold, bool with_errors);
 
 struct Interrupted {};
 
-/// Calls Python's callback and checks for Ctrl-C, on the thread that Python waits on. Once one of them has thrown, all
+/// Calls Python's callback and checks for Ctrl-C, on the thread that Python waits on. Once one of these throws, all
 /// threads stop.
 class Watch {
  public:
@@ -79,10 +79,10 @@ class Watch {
   std::atomic<bool> stop_ = false;
 };
 
-/// One file, or several as one data set.
+/// Reads one file, or several as one data set.
 Dataset load_files(const std::vector<std::string>& paths, const Stated& constants, Inputs& inputs);
 
-/// A request from the options of a fit; throws InputError.
+/// A request made from the options of a fit; throws InputError.
 FitRequest request_of(const Dataset& data, const Stated& options);
 
 void bind_mechanics(nb::module_& m);

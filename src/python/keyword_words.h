@@ -1,4 +1,4 @@
-// Remedies in the words of Python: keyword arguments.
+// Remedies in the words of the Python module: keyword arguments.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,7 @@
 
 namespace mixity {
 
-/// `free="modulus"`, `columns={"P": "1 (mN)"}`, `units={"P": "mN"}`. Fits have their document by to_dict(), where the
-/// program has a format.
+/// `free="modulus"`, `columns={"P": "1 (mN)"}`, `units={"P": "mN"}`. The program's option format becomes to_dict().
 inline std::string keyword_text(const Remedy::Choice& choice) {
   const auto& [option, value, placeholder] = choice;
   if (option == "format" && value == "json") return "to_dict()";

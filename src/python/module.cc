@@ -1,5 +1,5 @@
-// The engine as Python's module mixity._core: arrays in, results as JSON and arrays out. What is Pythonic about it
-// stands in mixity/*.py.
+// The engine as the Python module mixity._core: arrays in, results as JSON and arrays out. The Python interface is in
+// mixity/*.py.
 #include "base/files.h"
 #include "dataset/table/columns.h"
 #include "python/bindings.h"

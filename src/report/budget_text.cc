@@ -32,9 +32,9 @@ std::string variance_shares(const Budget& budget) {
   return text + joined(far, ", ", "; ");
 }
 
-/// How the parameter would move with the constants that were taken as exact; in a unit that suits each change.
+/// How the parameter would move with the constants taken as exact, each change in a suitable unit.
 std::string effects_of_exact_constants(const Budget& budget, double standard_error) {
-  constexpr double kHardly = 0.1;  // of a standard error: of a change no more is said
+  constexpr double kHardly = 0.1;  // of a standard error: smaller changes are not listed
   Texts effects;
   for (const ExactConstant& one : budget.exact) {
     if (!one.effect || (is_change(one.constant) && std::abs(*one.effect) < kHardly * standard_error)) continue;
@@ -48,7 +48,7 @@ std::string effects_of_exact_constants(const Budget& budget, double standard_err
   return joined(effects, ", ", "constants taken as exact; an error in them would shift " + budget.parameter + " by ");
 }
 
-/// Constants that the data ask to be free, the one with the largest fall of chi^2 first.
+/// Constants that the data suggest to free, the largest fall of chi^2 first.
 std::string score_tests(const FitResult& fit) {
   constexpr std::size_t kMost = 3;
   if (!fit.budget) return {};
@@ -103,7 +103,7 @@ std::string heavy_text(const FitResult& fit, const Dataset& data) {
   return fit.consistency->heavy ? text_of(*fit.consistency->heavy, data) : std::string();
 }
 
-/// The farthest first.
+/// Outliers, the farthest first.
 std::string outliers_text(const FitResult& fit, const Dataset& data) {
   constexpr std::size_t kMost = 5;
   std::vector<Outlier> list = fit.outliers;

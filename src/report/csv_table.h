@@ -1,4 +1,4 @@
-// CSV by description: a column is a heading and a function of the row, so that header and rows cannot disagree.
+// CSV tables by description: a column is a heading and a function of the row, so that header and rows always agree.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace mixity {
 
-/// A field: numbers in full precision, 1 or 0 for a bool, the name of an enumerator, and nothing for null.
+/// A field: numbers with full precision, bool as 1 or 0, enumerators by name, null as empty.
 template <class Value>
 std::string csv_cell(const Value& value) {
   if constexpr (std::is_same_v<Value, bool>)
@@ -33,14 +33,14 @@ std::string csv_cell(const Value& value) {
 template <class Row>
 class CsvTable {
  public:
-  /// `get`: a member of Row, or a function of it.
+  /// Adds a column. `get`: a member of Row, or a function of it.
   template <class Get>
   void operator()(const std::string& heading, Get get) {
     text_ += (cells_.empty() ? "" : ",") + heading;
     cells_.push_back([get](const Row& row) { return csv_cell(std::invoke(get, row)); });
   }
 
-  /// A number, which may be null, in a unit that the heading names; `digits`: 0 for full precision.
+  /// Adds a column for a number, which may be null, with its unit in the heading; `digits`: 0 for full precision.
   template <class Get>
   void quantity(const std::string& name, const std::string& unit, int digits, Get get) {
     (*this)(bracketed(name, unit), [get, digits](const Row& row) {
@@ -53,7 +53,7 @@ class CsvTable {
     quantity(name, unit, 0, get);
   }
 
-  /// Once all columns are there.
+  /// Adds a row. All columns must have been added.
   void add(const Row& row) {
     std::string separator = "\n";
     for (const auto& cell : cells_) {

@@ -6,7 +6,7 @@
 namespace mixity {
 namespace {
 
-/// Null if the stated errors cannot be used, which the text reports elsewhere.
+/// Null if the stated errors are unusable, which is reported elsewhere.
 std::optional<UnshearedTest> unsheared_if_errors_allow(const Dataset& data) {
   try {
     return test_unsheared(data, {});
@@ -15,7 +15,7 @@ std::optional<UnshearedTest> unsheared_if_errors_allow(const Dataset& data) {
   }
 }
 
-/// Adds values for missing constants, on which the reading of a file does not depend.
+/// Adds arbitrary values for missing constants; the reading of a file does not depend on them.
 Overrides with_some(const std::vector<std::string>& constants, Overrides stated) {
   for (const std::string& name : constants)
     stated.emplace_back(name, name == "radius" ? "1 mm" : name == "modulus" ? "1 MPa" : "1 J/m^2");

@@ -1,4 +1,4 @@
-// What `mixity check` finds: how data are read, and what is odd about them.
+// What `mixity check` reports: how data are read, and their oddities.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@
 namespace mixity {
 
 struct CheckedData {
-  std::string text;                           // check_text, or reading_text where constants are missing
+  std::string text;                           // check_text, or reading_text if constants are missing
   bool usable = false;                        // there are points
-  std::optional<MissingConstants> missing{};  // constants that the data need and nobody states
+  std::optional<MissingConstants> missing{};  // constants that the data need and that are not stated
 };
 
-/// `load`: reads the data with these constants. Throws what it throws, but for missing constants.
+/// `load` reads the data with these constants. Passes on its exceptions, except for missing constants.
 CheckedData check_data(const std::function<Dataset(const Overrides&)>& load, const Overrides& constants, Wording words);
 
 }  // namespace mixity

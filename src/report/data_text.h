@@ -15,39 +15,39 @@ namespace mixity {
 /// A constant of the experiment as it was stated.
 struct StatedConstant {
   const char *name, *label;      // the label has the symbol: "modulus E*"
-  double value, standard_error;  // in SI; an error of 0: taken as exact
+  double value, standard_error;  // in SI; error 0: taken as exact
   const char* unit;              // of SI; empty if dimensionless
 };
 std::vector<StatedConstant> stated_constants(const Metadata& metadata);
 
-/// Label and value of each, in a unit that suits its size or, of offsets, in that of the file:
-/// {"modulus E*", "2.13 +/- 0.11 MPa"}. Without offsets if the data have no loads or no dimensions.
+/// Label and value of each constant: {"modulus E*", "2.13 +/- 0.11 MPa"}. Units suit the size of the value; offsets are
+/// in those of the file, and left out if the data have no loads or no dimensions.
 std::vector<std::pair<std::string, std::string>> shown_constants(const Dataset& data);
 
 /// The first lines: the heading, the name and the path, without a line end.
 std::string data_heading(const Dataset& data);
 
-/// A line if the data are reconstructed, else empty.
+/// A line for reconstructed data, else empty.
 std::string reconstructed_note(const Dataset& data);
-/// That line and one for each note on the data.
+/// That line, and one for each note on the data.
 std::string data_notes(const Dataset& data, Wording words);
 
 /// "40 data rows, 38 used, 2 excluded".
 std::string row_counts(const Dataset& data);
 
-/// The first 8 excluded points with their reasons, a line each that begins with `beginning`, and how many more there
-/// are. `elsewhere`: where all of them are listed.
+/// The first 8 excluded points with their reasons, one a line beginning with `beginning`, and the number of the others.
+/// `elsewhere`: where all of them are listed.
 std::string first_excluded(const Dataset& data, const std::vector<Excluded>& list, std::string_view beginning,
                            const std::string& elsewhere);
-/// The same of all models, under a heading; empty if no point is excluded.
+/// The same for all models, under a heading; empty if no point is excluded.
 std::string excluded_text(const Dataset& data, const std::string& elsewhere);
 
-/// For `mixity check`: how the file was read, the runs, the excluded points and what is odd. `unsheared`: null if not
+/// For `mixity check`: how the file was read, the runs, the excluded points and the oddities. `unsheared`: null if not
 /// tested.
 std::string check_text(const Dataset& data, const std::optional<UnshearedTest>& unsheared,
                        Wording words = in_neutral_words);
 
-/// The same before the constants are known: no comparison with JKR, no search for oddities.
+/// The part of it that needs no constants: no comparison with JKR, no search for oddities.
 std::string reading_text(const Dataset& data);
 
 }  // namespace mixity

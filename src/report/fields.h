@@ -25,20 +25,20 @@ struct Analysis;
 
 using Json = nlohmann::ordered_json;
 
-/// The fit and the data set to which a value belongs, as they determine units and line numbers; null if there is none.
+/// The fit and the data set of a value, which determine units and line numbers; null if there is none.
 struct Within {
   const Analysis* result = nullptr;
   const FitResult* fit = nullptr;
 };
 
-/// A message in the wording of its request.
+/// A message in the wording that the request states.
 std::string worded(const Message& message, const Within& within);
 
-/// An object with these names, which its schema does not list.
+/// An object with these keys, which its schema does not list.
 template <class Value>
 using Named = std::vector<std::pair<std::string, Value>>;
 
-/// A field that is absent if it has no value. Empty std::optional and null pointers are written as null.
+/// A field that is omitted if it has no value. Fields of empty std::optional and null pointers are written as null.
 template <class Value>
 struct IfAny {
   std::optional<Value> value;
@@ -47,7 +47,7 @@ struct IfAny {
 template <class T>
 class Fields;
 
-/// The list that describe(Fields<T>&) fills, which must be declared where this is used.
+/// The list that describe(Fields<T>&) fills; that function must be declared before this is used.
 template <class T>
 const Fields<T>& fields() {
   static const Fields<T> all = [] {
@@ -136,8 +136,8 @@ Json schema_of() {
 template <class T>
 class Fields {
  public:
-  /// `get`: a member of T, or a function of a const T& and, optionally, a const Within&. `limits`: JSON with further
-  /// keys of the schema.
+  /// Adds a field. `get`: a member of T, or a function of a const T& and, optionally, a const Within&. `limits`: JSON
+  /// with additional keys of the schema.
   template <class Get>
   void operator()(const char* name, const char* meaning, const char* limits, Get get) {
     using Value = std::remove_cvref_t<decltype(got(get, std::declval<const T&>(), Within{}))>;
@@ -149,7 +149,7 @@ class Fields {
     (*this)(name, meaning, "{}", get);
   }
 
-  /// All fields of another type. `get` returns its value for a T.
+  /// Adds all fields of another type. `get` returns its value for a T.
   template <class Get>
   void all_of(Get get) {
     using Other = std::remove_cvref_t<std::invoke_result_t<Get, const T&>>;

@@ -63,7 +63,7 @@ struct ResidualRow {
   const Point& point() const { return data->points[fit->used[index]]; }
 };
 
-/// In the units of the file; P, T and A of data with loads only.
+/// A row in the units of the file; P, T and A only for data with loads.
 struct CurveRow {
   const Dataset* data;
   const FitResult* fit;
@@ -72,8 +72,8 @@ struct CurveRow {
   double psi, f;
 };
 
-/// A table of one data set has the columns that the data set has, with units in the headings. A table of several, where
-/// `alone` is null, has all columns, and others for the data set's name and units.
+/// A table of one data set has that set's columns, with units in the headings. A table of several, where `alone` is
+/// null, has all columns, and additional ones for the data set's name and units.
 template <class Row>
 struct Table {
   explicit Table(const Dataset* the_only_one) : alone(the_only_one) {
@@ -85,7 +85,7 @@ struct Table {
   void of_loads(const std::string& name, std::string DisplayUnits::*unit, Get get) {
     if (!alone || alone->has_loads) column.quantity(name, alone ? alone->display.*unit : "", get);
   }
-  /// The last columns.
+  /// Adds the last columns.
   void units() {
     if (alone) return;
     column("force_unit", [](auto& row) { return row.data->display.force; });

@@ -1,4 +1,4 @@
-// Points, fits, residuals and predicted curves as CSV. Headers are a contract: see README.md beside this file.
+// Points, fits, residuals and predicted curves as CSV. Headers are part of the interface: see README.md in this folder.
 #pragma once
 
 #include <string>
@@ -8,21 +8,21 @@
 
 namespace mixity {
 
-/// A row for each data set, model and parameter.
+/// One row per data set, model and parameter.
 std::string fits_csv(const std::vector<Analysis>& results);
 
-/// A row for each model and used point: what was measured, what the model predicts, and the difference.
+/// One row per model and used point: the measured value, the model's prediction, and the difference.
 std::string residuals_csv(const Analysis& result);
-/// Predicted curves of every fitted model: A(T) at each load of the data, or f(psi) if it has no loads.
+/// Predicted curves of every fitted model: A(T) at each load of the data, or f(psi) without loads.
 std::string curves_csv(const Analysis& result);
 
-// The same of several data sets, each row with the data set's name and its units; fields that a data set without loads
-// does not have are empty.
+// The same for several data sets, each row with the data set's name and units; fields that need loads are empty for
+// data sets without.
 std::string residuals_table(const std::vector<Analysis>& results);
 std::string curves_table(const std::vector<Analysis>& results);
 
-/// The usable points as a file that can be read again, in the units of the files that were read: curve, P, T, A and the
-/// standard errors that are stated of all points; psi and Gc_over_GIc without loads.
+/// The usable points as a file that can be read again, in the units of the input files: curve, P, T, A and the standard
+/// errors stated for all points; psi and Gc_over_GIc without loads.
 std::string used_csv(const Dataset& data);
 
 }  // namespace mixity

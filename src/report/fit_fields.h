@@ -1,4 +1,4 @@
-// The fields of a data set, its fits and their statistics, from which JSON, schemas and fits.csv are made.
+// The fields of data sets, fits and their statistics, from which JSON, schemas and fits.csv are generated.
 #pragma once
 
 #include <string>
@@ -25,20 +25,20 @@ struct Correlation {
   double value;
 };
 void describe(Fields<Correlation>& field);
-/// Of each pair of free parameters.
+/// One entry per pair of free parameters.
 std::vector<Correlation> correlations(const FitResult& fit);
 
-/// The notice on reconstructed data, which every output shows; null for others.
+/// The notice on reconstructed data, which every output shows; null for other data.
 std::optional<std::string_view> notice_on(const Dataset& data);
 
-/// An excluded point with its line in its own file.
+/// An excluded point with the line in its file.
 struct ExcludedLine {
   std::size_t line;
   std::string_view reason;
   IfAny<std::string> file;  // if the data set has several files
 };
 void describe(Fields<ExcludedLine>& field);
-/// `data`: the data set of the points; null for points of another file.
+/// `data`: the data set of the points; null for points from another file.
 std::vector<ExcludedLine> lines_of(const std::vector<Excluded>& excluded, const Dataset* data);
 
 }  // namespace mixity

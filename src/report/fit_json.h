@@ -1,4 +1,4 @@
-// Fits as JSON, schema mixity-fit-1. docs/fits.schema.json describes each field.
+// Fits as JSON, schema mixity-fit-1. docs/fits.schema.json describes the fields.
 #pragma once
 
 #include <map>
@@ -11,18 +11,18 @@
 
 namespace mixity {
 
-/// A part of a list of files, and what all parts of one campaign share.
+/// A part of a list of files, and what all parts of a campaign share.
 struct Shard {
-  std::string part;                            // "2/10"; empty: the whole
-  std::vector<std::string> files{};            // the whole list, as it was given
-  std::map<std::string, std::string> flags{};  // that were given and affect the results, by name
+  std::string part;                            // "2/10"; empty: all files
+  std::vector<std::string> files{};            // the complete list, as given
+  std::map<std::string, std::string> flags{};  // flags that were given and affect the results, by name
 };
 
-/// Part i of n, as "i/n" says.
+/// Part i of n, from the text "i/n".
 struct ShardNumber {
   std::size_t part, of;  // 1 <= part <= of <= 10^6
 };
-/// Null if the text is anything else.
+/// Null for any other text.
 std::optional<ShardNumber> shard_number(const std::string& text);
 
 /// {schema, version, datasets: [...]}, indented, with a final newline.
@@ -32,16 +32,16 @@ std::string to_json(const std::vector<Analysis>& results, const Shard& shard = {
 Json fits_schema();
 Json report_schema();
 
-/// One document of the files with the parts of a campaign, the data sets in the order of its list of files (part i of n
-/// has every n-th one from the i-th on). Throws InputError for a file with another schema, version, list of files or
-/// flags, and for parts that are missing or there twice.
+/// Merges the files with the parts of a campaign into one document, with the data sets in the order of its list of
+/// files (part i of n has every n-th one from the i-th on). Throws InputError if schema, version, list of files or
+/// flags differ, and for missing or repeated parts.
 std::string merge_json(const std::vector<std::string>& paths);
 
 /// Indented, with a final newline. Bytes of names and paths that are not UTF-8 are replaced.
 std::string json_text(const Json& document);
 
 /// A request as the fields of a page: {"constants": {name: text}, "options": {name: text}, "models": [key], "laws":
-/// {key: text of the law as it is typed}}. Options without those that take long, as a page fits at once.
+/// {key: law as typed}}. Leaves out options that take long, since a page fits at once.
 Json request_fields(const FitRequest& request, const Overrides& constants);
 
 }  // namespace mixity

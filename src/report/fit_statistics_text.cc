@@ -72,7 +72,7 @@ std::vector<std::string> raised_errors(const StandardErrors& errors) {
   return texts;
 }
 
-/// What differs from run to run, and what the next run may have.
+/// The quantities that differ from run to run, and the expected range of the next run.
 std::vector<std::string> run_texts(const FitResult& fit, const Dataset& data) {
   std::vector<std::string> texts;
   const RunDifferences& runs = fit.errors->runs;
@@ -139,7 +139,7 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
     out << '\n';
     if (fit.errors->absolute() && fit.rmse && fit.used.size() > fit.free_parameters && fit.loss_scale == 0) {
       const double freedom = static_cast<double>(fit.used.size() - fit.free_parameters);
-      constexpr double kFew = 10;  // of fewer points a small chi^2 says little
+      constexpr double kFew = 10;  // with fewer points a small chi^2 says little
       const double part = fit.sum_of_squares / freedom;
       out << "    chi^2 per degree of freedom = " << rounded(part, 3);
       if (part > 2)

@@ -33,7 +33,7 @@ const ComparedModel* compared(const Analysis& result, const std::string& model) 
   return nullptr;
 }
 
-/// The paper's fit has no standard error: five digits.
+/// The paper's fit has no standard error, so five digits are shown.
 std::vector<std::string> paper_lines(const PaperFit& paper) {
   std::vector<std::string> lines;
   for (const FittedParameter& parameter : paper.parameters)

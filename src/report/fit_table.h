@@ -1,5 +1,4 @@
-// The fits of a data set as a table, rounded for a reader, and sentences about them, for the page and the Markdown
-// summary.
+// The fits of a data set as a rounded table, and sentences about them, for the page and the Markdown summary.
 #pragma once
 
 #include <string>
@@ -9,11 +8,11 @@
 
 namespace mixity {
 
-/// Without columns that are empty for all fits.
+/// Columns that are empty for all fits are left out.
 struct FitTable {
   struct Cell {
     std::vector<std::string> lines;
-    bool alert = false;  // a status other than ok, or a published value with which the fit does not agree
+    bool alert = false;  // a status other than ok, or disagreement with a published value
   };
   std::vector<std::string> headings, short_headings;
   std::vector<std::vector<Cell>> rows;  // [fit][column]
@@ -21,19 +20,19 @@ struct FitTable {
 
 FitTable fit_table(const Analysis& result);
 
-/// The table for a terminal: aligned columns, a line for each fit and more where a cell has several lines.
+/// The table for a terminal: aligned columns; a fit takes several lines where a cell does.
 std::string table_text(const Analysis& result);
 
-/// Text with powers as ² and ³.
+/// Replaces powers in a text by ² and ³.
 std::string with_powers(std::string text);
 
-/// Sentences on the model that predicts best, on every fit with a status other than ok, and the notes on the data.
+/// Sentences on the model that predicts best, on every fit whose status is not ok, and the notes on the data.
 std::vector<std::string> findings(const Analysis& result);
 
-/// What was taken as known or true.
+/// What was assumed.
 std::vector<std::string> assumptions(const Analysis& result);
 
-/// How the fits were made, as name and value.
+/// How the fits were made, as names and values.
 std::vector<std::pair<std::string, std::string>> fit_settings(const Analysis& result);
 
 }  // namespace mixity

@@ -68,7 +68,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& 
   if (!fit.message.empty()) out << ": " << fit.message.text(request.words);
   out << '\n';
   for (const FittedParameter& parameter : fit.parameters) write_parameter(out, readable(parameter), fit.budget);
-  const bool kept = fit.outdone_by.empty();  // the error budget of a rejected model is of no interest
+  const bool kept = fit.outdone_by.empty();  // the error budget of a rejected model is not shown
   const auto write_lines = [&](const std::vector<std::string>& list) {
     for (const std::string& line : list)
       if (kept && !line.empty()) out << "    " << line << '\n';

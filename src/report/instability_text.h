@@ -19,24 +19,24 @@ struct InstabilityUnits {
 struct InstabilityReport {
   std::string model;
   std::vector<std::pair<std::string, Derived>> parameters;
-  std::string source{};  // "mergel2018, status ok": the fit; empty: the parameters were given
+  std::string source{};  // "mergel2018, status ok": the fit; empty: parameters were given
   InstabilityUnits units{};
   struct AtLoad {
     double load;  // as shown
     FoldsPrediction predicted;
   };
   std::vector<AtLoad> loads{};
-  std::optional<double> shear_strength{};  // tau0, dimensionless; null if it is not stated
+  std::optional<double> shear_strength{};  // tau0, dimensionless; null if not stated
 };
 
-/// A table of the folds, and the loads without a fold and those at which the interface slides first.
+/// A table of the folds, and lists of loads without a fold and of loads at which the interface slides first.
 std::string to_text(const InstabilityReport& report);
 
-/// Of given parameters: {model, lambda (or the model's own parameters), units (if there are some), load, folds:
-/// [{control, stiffness (if that is the control), met_on ("loading" or "reversal"), T, u, A, psi, jumps_to,
-/// area_lost}]}. Of a fit: {model, source, parameters: {name: {value, stderr}}, units, slides_first: [loads] (if a
-/// shear strength is stated), loads: [{load, folds, problem (if there are no folds)}]}, with T_stderr, u_stderr and
-/// A_stderr in the folds, null where they are not known. Full precision.
+/// For given parameters: {model, lambda (or the model's own parameters), units (if any), load, folds: [{control,
+/// stiffness (for that control), met_on ("loading" or "reversal"), T, u, A, psi, jumps_to, area_lost}]}. For a fit:
+/// {model, source, parameters: {name: {value, stderr}}, units, slides_first: [loads] (if a shear strength is stated),
+/// loads: [{load, folds, problem (without folds)}]}, with T_stderr, u_stderr and A_stderr in the folds, null where
+/// unknown. Full precision.
 std::string to_json(const InstabilityReport& report);
 
 }  // namespace mixity

@@ -9,7 +9,7 @@
 namespace mixity {
 namespace {
 
-/// A document of mixity fit, which is part `part` of `of`.
+/// A document of mixity fit: part `part` of `of`.
 struct ShardFile {
   std::string path;
   Json document;
@@ -36,8 +36,8 @@ Message flag_text(const Json& flags, const std::string& name) {
                               : "without " + Remedy::set(name);
 }
 
-/// The first difference of a campaign from another one, as the end of a sentence that begins with its file; empty:
-/// none.
+/// The first difference between two campaigns, as the end of a sentence that begins with the file of the first; empty
+/// if there is none.
 Message difference(const Json& one, const Json& other, const std::string& other_path) {
   const Json &files = one["files"], &others = other["files"];
   if (files.size() != others.size())
@@ -63,8 +63,8 @@ bool is_campaign(const Json& campaign) {
          campaign.value("flags", Json()).is_object() && texts(campaign["flags"]);
 }
 
-/// Throws InputError unless the parts have the same list of files and the same flags, and each has its share of the
-/// data sets.
+/// Throws InputError unless the parts have the same list of files and the same flags, and each has its part of the data
+/// sets.
 void require_one_campaign(const std::vector<ShardFile>& parts) {
   for (const ShardFile& part : parts) {
     const Json campaign = part.document.value("campaign", Json());

@@ -13,11 +13,11 @@
 namespace mixity {
 
 struct ReportSettings {
-  std::string command;  // that makes this report again
+  std::string command;  // the command that makes this report again
   Progress progress{};
-  std::string explorer{};  // path of the explorer's page, of which the report gets a copy with its data; empty: none
-  OutputRules outputs{};   // inputs: those beside the inputs of the analyses; figures of former reports are removed
-  std::size_t most_inside = 10'000'000;  // bytes of drawings that the page holds; more lie in files beside it
+  std::string explorer{};  // path of the explorer's page, which is copied into the report with its data; empty: none
+  OutputRules outputs{};   // inputs beside those of the analyses; figures of earlier reports are removed
+  std::size_t most_inside = 10'000'000;  // bytes of drawings embedded in the page; beyond that they are separate files
 };
 
 /// One data set with its figures.
@@ -29,43 +29,43 @@ struct ReportEntry {
 struct ReportContent {
   ReportSettings settings;
   std::vector<ReportEntry> entries;
-  DrawnFigures drawn{};        // all figures
-  bool figures_inside = true;  // the page holds the drawings; else it shows their files
+  DrawnFigures drawn{};        // of all figures
+  bool figures_inside = true;  // the page embeds the drawings; else it refers to their files
 };
 
 // ---- The documents of a report ----
 
-/// report.html: HTML5, well-formed as XML below its first line. It needs no other file if the figures are inside; else
-/// it shows the files of those in sets that a reader opens. The same input gives the same bytes.
+/// report.html: HTML5, well-formed as XML below its first line. With embedded figures it needs no other file; otherwise
+/// it loads the figures of a data set when a reader opens it. The same input gives the same bytes.
 std::string report_page(const ReportContent& content);
-/// explorer.html. `shell`: the explorer as tools/explorer makes it. Each data set is embedded as its file and its TOML,
-/// byte for byte; one of several files as its points. Empty if the shell has no place for them.
+/// explorer.html. `shell`: the explorer built by tools/explorer. Each data set is embedded as its file and its TOML,
+/// byte for byte, or, if it has several files, as its points. Empty if the shell has no place for them.
 std::string explorer_page(std::string shell, const ReportContent& content);
 /// results.json, schema mixity-report-1. docs/results.schema.json describes each field.
 std::string report_json(const ReportContent& content);
-/// summary.md: the tables, for a lab book.
+/// summary.md: the tables, for a lab notebook.
 std::string summary_markdown(const ReportContent& content);
 
-/// Name and version of this program and of the libraries on which numbers depend.
+/// Names and versions of this program and of libraries that affect numbers.
 std::vector<std::pair<std::string, std::string>> versions();
 
 struct ReportFiles {
-  std::vector<OutputFile> files;  // report.html is the last
-  std::string missing;            // what could not be drawn, and why; empty if nothing
+  std::vector<OutputFile> files;  // report.html comes last
+  std::string missing;            // what could not be drawn and why; empty if everything was
 };
 
-/// What write_report writes. `data` refers to `results`, one each.
+/// The files that write_report writes. `data` refers to `results`, one entry each.
 ReportFiles report_files(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
                          const std::string& folder, const ReportSettings& settings);
 
 struct WrittenReport {
   std::string page;     // path of the HTML file
-  std::string missing;  // what could not be drawn, and why; empty if nothing
+  std::string missing;  // what could not be drawn and why; empty if everything was
 };
 
-/// Writes report.html, summary.md, results.json, fits.csv, residuals.csv, curves.csv, figures/ and, if there is one,
-/// explorer.html into the folder, the page last. `data` refers to `results`, one each. Throws OutputError with the
-/// files of the last report in place, also if a file of data would be written over.
+/// Writes report.html, summary.md, results.json, fits.csv, residuals.csv, curves.csv, figures/ and, if requested,
+/// explorer.html into the folder, the page last. `data` refers to `results`, one entry each. Throws OutputError and
+/// leaves the files of the last report in place, also if a data file would be overwritten.
 WrittenReport write_report(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
                            const std::string& folder, const ReportSettings& settings);
 

@@ -6,7 +6,7 @@
 namespace mixity {
 namespace {
 
-/// A figure or a data set with the report that it belongs to.
+/// A figure or a data set with its report.
 struct ListedFigure {
   const Figure* figure;
   const ReportContent* report;
@@ -16,7 +16,7 @@ struct ListedEntry {
   const ReportContent* report;
 };
 
-/// Peaks that were measured, and those that the fits predict.
+/// Measured peaks, and those that the fits predict.
 struct BothPeaks {
   const PeakForces* measured;
   const std::vector<PredictedPeaks>* predicted;

@@ -42,7 +42,7 @@ std::string lag_text(const Frames& frames) {
   return frames.lag_parts.empty() ? rounded(frames.lag, 4) + " s" : lag_text(frames.lag, frames.lag_error);
 }
 
-/// What was made of a clock that is coarser than its rows; `file` is empty if there is only one.
+/// How a clock coarser than its rows was handled; `file` is empty if there is only one.
 std::string clock_text(const TimeBase& clock, const std::string& file) {
   const std::string whose = file.empty() ? "" : " of " + printable(file, std::string::npos);
   std::string text;
@@ -59,7 +59,7 @@ std::string clock_text(const TimeBase& clock, const std::string& file) {
 std::string runs_csv(const ReducedLog& log) {
   struct Row {
     const LoadingRun& run;
-    std::size_t k;  // of its frames
+    std::size_t k;  // index among its frames
     std::size_t frame() const { return run.begin + k; }
   };
   const Frames& frames = log.runs.frames;
@@ -80,7 +80,7 @@ std::string runs_csv(const ReducedLog& log) {
 std::string runs_toml(const ReducedLog& log) {
   std::ostringstream out;
   for (const auto& [name, text] : constants_as_stated(log.metadata)) out << name << " = " << toml_text(text) << '\n';
-  // offsets of 0 with the standard errors of the zeros that were subtracted
+  // offsets of 0 with the standard errors of the subtracted zeros
   const auto write_offset = [&](const char* name, bool stated, double error) {
     if (!stated && error > 0)
       out << name << " = \"0 +/- " << rounded(error / log.force_factor, 2) << ' ' << log.force_unit << "\"\n";
@@ -121,7 +121,7 @@ std::string log_json(const ReducedLog& log) {
 std::string peaks_csv(const ReducedLog& log) {
   struct Row {
     const LoadingRun& run;
-    std::size_t k;  // of its cycles
+    std::size_t k;  // index among its cycles
     const Cycle& cycle() const { return run.cycles[k]; }
   };
   const auto if_minimum = [&](const Row& row, double value) {

@@ -1,4 +1,4 @@
-// The output of `mixity runs`: points to be fitted, phases, peaks and cuts.
+// The output of `mixity runs`: points to fit, phases, peaks and cuts.
 #pragma once
 
 #include <string>
@@ -10,33 +10,33 @@
 
 namespace mixity {
 
-/// curve, time, P, T, A, sigma_T, sigma_A of the frames that are kept, in the units of the log.
+/// curve, time, P, T, A, sigma_T, sigma_A of the kept frames, in the units of the log.
 std::string runs_csv(const ReducedLog& log);
-/// The TOML beside the points: the constants of the log and the source.
+/// The TOML beside the points: the constants of the log and its source.
 std::string runs_toml(const ReducedLog& log);
-/// How the log was read, in JSON: the rows that share a stamp of the clock, and the lag between two clocks with its
-/// standard error and 95 % interval.
+/// JSON on how the log was read: the rows that share a time stamp, and the lag between two clocks with its standard
+/// error and 95 % interval.
 std::string log_json(const ReducedLog& log);
-/// run, P, cycle, time, T_peak, T_min, sigma_T_peak, sigma_T_min: the maximum of T in each cycle of stick and slip, the
+/// run, P, cycle, time, T_peak, T_min, sigma_T_peak, sigma_T_min: the maximum of T in each stick-slip cycle, the
 /// minimum after it (slip_cycles), and their standard errors.
 std::string peaks_csv(const ReducedLog& log);
-/// phase, from, to, frames, whether they are kept, and the reason if not.
+/// phase, from, to, frames, kept, reason (why the frames are not kept).
 std::string phases_csv(const ReducedLog& log);
-/// The cuts as they were made, with their 95 % intervals, in the form that the option cuts reads.
+/// The cuts that were made, with 95 % intervals, in the format of the option cuts.
 std::string cuts_toml(const ReducedLog& log, Wording words = in_neutral_words);
 struct RunsOutput {
   std::vector<OutputFile> files;
-  std::string missing;  // what could not be drawn, and why; empty if nothing
+  std::string missing;  // what could not be drawn and why; empty if everything was
 };
 
-/// All that `mixity runs` writes into a folder: points, peaks, phases, cuts, figures and the definition of a fit.
+/// All files that `mixity runs` writes to a folder: points, peaks, phases, cuts, figures and a fit definition.
 RunsOutput runs_output(const ReducedLog& log, const std::string& folder, const FigureFormats& formats,
                        Wording words = in_neutral_words, const Progress& progress = {});
 
-/// Throws an InputError at this path: the log holds no loading run.
+/// Throws an InputError at this path: the log has no loading run.
 [[noreturn]] void refuse_without_runs(const std::string& path);
 
-/// For a terminal: how the log was read, each run with its cuts, and the frames that are not kept.
+/// For a terminal: how the log was read, each run with its cuts, and the frames that were not kept.
 std::string runs_text(const ReducedLog& log, Wording words = in_neutral_words);
 
 }  // namespace mixity

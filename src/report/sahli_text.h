@@ -1,4 +1,4 @@
-// The parabolas A = A0 - alpha T^2 of a data set as text and CSV, in the units of the file.
+// The parabolas A = A0 - alpha T^2 fitted to a data set, as text and CSV, in the units of the file.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace mixity {
 
-/// `predicted_by`: the model and the parameters of the prediction; empty if there is none.
+/// `predicted_by`: model and parameters of the prediction; empty: none.
 std::string sahli_text(const Dataset& data, const SahliResult& result, const std::string& predicted_by,
                        Wording words = in_neutral_words);
 

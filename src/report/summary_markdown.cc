@@ -10,7 +10,7 @@
 namespace mixity {
 namespace {
 
-/// Foreign text within a table or a line.
+/// Escapes text for a table or a line.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -26,7 +26,7 @@ std::string table_line(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
-/// The rule below the headings of so many columns.
+/// The separator line below the headings of a table with this many columns.
 std::string table_rule(std::size_t columns) {
   std::string line = "|";
   for (std::size_t i = 0; i < columns; ++i) line += "---|";

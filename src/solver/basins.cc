@@ -7,19 +7,19 @@
 namespace mixity {
 namespace {
 
-/// Fractions of the range at which intervals begin. Over a factor of 1000 slopes, curvatures and values may agree by
-/// chance although two basins lie between. Near the upper bound, too: with psi near pi/2 model a has basins at
-/// 1 - lambda of about cot^2 psi, too narrow for eight halvings.
+/// Fractions of the range at which intervals begin. Over a factor of 1000, slopes, curvatures and values may agree by
+/// chance although two basins lie between. The same holds near the upper bound: with psi near pi/2 model a has basins
+/// at 1 - lambda of about cot^2 psi, too narrow for eight halvings.
 constexpr double kShares[] = {1e-12, 1e-6, 3e-5, 1e-3, 0.05, 0.3, 0.7, 1 - 1e-3, 1 - 1e-6};
 constexpr int kHalvings = 8;
 
-/// Whether to work in ln x: the interval spans a large factor.
+/// Whether to work in ln x: for intervals that span a large factor.
 bool logarithmic(double low, double high) { return low > 0 && high > 4 * low; }
 
 double between(double low, double high) { return logarithmic(low, high) ? std::sqrt(low * high) : 0.5 * (low + high); }
 
-/// True if the cubic through slopes and curvatures of both ends gives the rise of the cost to a tenth of its size, and
-/// changes sign no more often than the slopes at the ends show.
+/// True if the cubic through slopes and curvatures at both ends predicts the rise of the cost to a tenth, and changes
+/// sign no more often than the slopes at the ends imply.
 bool understood(const CostSample& left, const CostSample& right, bool in_logarithm) {
   const double h = in_logarithm ? std::log(right.x / left.x) : right.x - left.x;
   const auto derivatives = [&](const CostSample& at) {  // slope, and curvature times h
@@ -42,7 +42,7 @@ bool understood(const CostSample& left, const CostSample& right, bool in_logarit
   return changes <= 1;
 }
 
-/// In x, or where the interval spans a large factor, in ln x.
+/// The same in x, or in ln x where the interval spans a large factor.
 bool understood(const CostSample& left, const CostSample& right) {
   return !left.finite || !right.finite || understood(left, right, false) ||
          (logarithmic(left.x, right.x) && understood(left, right, true));
@@ -50,7 +50,7 @@ bool understood(const CostSample& left, const CostSample& right) {
 
 std::vector<CostSample> sample_range(const std::function<CostSample(double)>& look, double lower, double upper) {
   std::vector<CostSample> samples{look(lower)};
-  // appends what lies between the last sample and `right`, and that
+  // appends the samples between the last one and `right`, and then `right`
   const auto refine = [&](auto&& self, const CostSample& right, int depth) -> void {
     if (depth > 0 && !understood(samples.back(), right)) {
       self(self, look(between(samples.back().x, right.x)), depth - 1);
@@ -64,7 +64,7 @@ std::vector<CostSample> sample_range(const std::function<CostSample(double)>& lo
   return samples;
 }
 
-/// Whether the cost falls outwards to this end, or is level there.
+/// Whether the cost falls outwards to this end, or is flat there.
 bool falls_to(const CostSample& end, double direction) {
   const double zero = 1e-8 * end.slope_size * std::sqrt(2 * end.value);
   const bool highest = std::abs(end.slope) <= zero && end.curvature < 0;
@@ -90,7 +90,7 @@ Basins find_basins(const std::function<CostSample(double)>& look, double lower, 
   for (const CostSample& sample : samples)
     if (sample.finite) finite.push_back(&sample);
   std::sort(finite.begin(), finite.end(), [](auto* one, auto* other) { return one->value > other->value; });
-  // If the cost is little more than rounding, slopes and values may contradict each other.
+  // If the cost is hardly more than rounding, slopes and values may contradict each other.
   if (found.empty() && !finite.empty()) found.push_back({finite.back()->value, finite.back()->x, lower, lower});
   std::sort(found.begin(), found.end(), [](const Basin& one, const Basin& other) { return one.cost < other.cost; });
   Basins basins{std::move(found), {}};

@@ -32,7 +32,7 @@ Covariance covariance(const Problem& problem, const Minimum& best, const std::ve
   if (!(norms.array() > 0).all()) return unconstrained([&](Eigen::Index i) { return !(norms[i] > 0); }, "");
   Eigen::MatrixXd scaled(J.rows(), m);
   for (Eigen::Index i = 0; i < m; ++i) scaled.col(i) = J.col(open[i]) / norms[i];
-  jacobian = std::vector<double>();  // gives its memory back
+  jacobian = std::vector<double>();  // frees its memory
   const std::vector<double> bend = problem.curvatures(best.x);
   // QR of J: J'J would lose half of the digits of nearly dependent parameters.
   const Eigen::MatrixXd R = bend.empty() ? qr_triangle(std::move(scaled)) : qr_triangle(scaled);
@@ -51,7 +51,7 @@ Covariance covariance(const Problem& problem, const Minimum& best, const std::ve
   const double variance = residual_variance(problem, best.sum_of_squares);
   for (Eigen::Index i = 0; i < m; ++i)
     result.standard_errors[static_cast<std::size_t>(open[i])] = std::sqrt(variance * inverse(i, i)) / norms[i];
-  // A parameter with a start has a wide range: with an error of a large part of it, it is not known.
+  // A parameter with a start has a wide range: if its error is a large part of the range, it is unknown.
   const auto unknown = [&](Eigen::Index i) {
     const auto k = static_cast<std::size_t>(open[i]);
     const FreeParameter& parameter = problem.parameters()[k];

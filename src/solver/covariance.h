@@ -13,11 +13,11 @@ namespace mixity {
 
 struct Covariance {
   std::vector<std::optional<double>> standard_errors;  // null at a bound, or where the curvature gives none
-  std::vector<double> correlations;                    // [p x p]; empty unless each of several parameters has an error
-  std::string unconstrained;                           // names of what the data do not constrain; else empty
+  std::vector<double> correlations;                    // [p x p]; empty unless several parameters all have errors
+  std::string unconstrained;                           // names of parameters that the data do not constrain; else empty
 };
 
-/// Of the parameters that are not `at_bound`: (J'J)^-1 times residual_variance; a robust loss enters with its
+/// Covers the parameters that are not `at_bound`: (J'J)^-1 times residual_variance; a robust loss enters by its
 /// curvature.
 Covariance covariance(const Problem& problem, const Minimum& best, const std::vector<bool>& at_bound,
                       const SolverOptions& options = {});

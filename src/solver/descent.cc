@@ -12,7 +12,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-/// Fills `at`, whose memory is used again: with many points allocating takes longer than filling.
+/// Fills `at`, reusing its memory: with many points allocating takes longer than filling.
 void evaluate(const Problem& problem, const Eigen::VectorXd& x, Linearised& at) {
   const auto n = static_cast<Eigen::Index>(problem.residual_count());
   const auto p = static_cast<Eigen::Index>(problem.parameters().size());
@@ -34,8 +34,8 @@ void evaluate(const Problem& problem, const Eigen::VectorXd& x, Linearised& at) 
   }
 }
 
-/// The part of r along the columns of J that may move: the offset of D. M. Bates & D. G. Watts (Technometrics 23,
-/// 1981). Single columns would call a point in a narrow valley stationary that is standard errors off.
+/// The part of r along the columns of J that can move: the offset of D. M. Bates & D. G. Watts (Technometrics 23,
+/// 1981). Tested column by column, a point in a narrow valley would seem stationary although it is standard errors off.
 void measure(Linearised& at, const SolverOptions& options) {
   const Eigen::Index p = at.J.cols();
   Eigen::MatrixXd J(at.J.rows(), p);
@@ -46,7 +46,7 @@ void measure(Linearised& at, const SolverOptions& options) {
     J.col(k) = at.J.col(k) * unit[k];
   }
   const Projection found = project(std::move(J), at.r, options.independent);
-  // Single columns, too: a direction that was left out must not hide a gradient.
+  // Single columns are tested, too: a direction that was left out must not hide a gradient.
   const double r = at.r.norm(), gradient = at.gradient.cwiseProduct(unit).lpNorm<Eigen::Infinity>();
   at.stationarity = r > 0 ? std::max(found.along.norm(), gradient) / r : 0;
   at.step = unit.cwiseProduct(-found.solution);
@@ -66,14 +66,14 @@ bool is_stationary(const Linearised& at, double rounding, const SolverOptions& o
 
 namespace {
 
-/// Rounding hides differences of the cost at sqrt(eps) of x, but not the gradient. Newton steps on the gradient, whose
-/// derivative comes from central differences, take the parameters to their last digits. `rounding` of |r| does not end
-/// them: without noise |r| is all rounding.
+/// At sqrt(eps) of x, rounding hides differences of the cost but not the gradient. Newton steps on the gradient, with
+/// central differences for its derivative, give the last digits of the parameters. The rounding of |r| does not end
+/// them: without noise |r| is only rounding.
 void polish(const Problem& problem, Vector& x, Linearised& at, double rounding, const SolverOptions& options) {
   const Eigen::Index p = x.size();
   Linearised below, above;
   const auto newton = [&](Eigen::MatrixXd H) -> Vector {
-    // Columns of J scaled to 1: else the decomposition takes parameters in a large unit for zero.
+    // Columns of J scaled to 1: otherwise the decomposition would treat parameters in a large unit as zero.
     Vector unit(p);
     for (Eigen::Index k = 0; k < p; ++k) unit[k] = at.gradient[k] == 0 ? 1 : 1 / at.J.col(k).norm();
     H = unit.asDiagonal() * H * unit.asDiagonal();
@@ -105,13 +105,13 @@ void polish(const Problem& problem, Vector& x, Linearised& at, double rounding, 
   };
   const double enough = p == 1 ? options.kernel_stationary : options.newton_stationary;
   for (int iteration = 0; iteration < options.newton_steps && at.stationarity > enough; ++iteration) {
-    // Small residuals: Gauss-Newton is enough, without differences, in which nearly dependent parameters lose digits.
+    // For small residuals Gauss-Newton suffices, without differences, in which nearly dependent parameters lose digits.
     if (take_step(at.step, 0.1)) continue;
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(p, p);
     for (Eigen::Index k = 0; k < p; ++k) {
       if (at.gradient[k] == 0) continue;
       const FreeParameter& parameter = problem.parameters()[static_cast<std::size_t>(k)];
-      // Near an upper bound the distance from it may matter, as for lambda near 1 in model a.
+      // Near an upper bound only the distance from it may matter, as for lambda near 1 in model a.
       const double room = parameter.upper - x[k], size = room > 0 ? std::min(std::abs(x[k]), room) : std::abs(x[k]);
       const double h = options.difference_step * std::max(size, parameter.least_size());
       Vector low = x, high = x;
@@ -124,7 +124,7 @@ void polish(const Problem& problem, Vector& x, Linearised& at, double rounding, 
     }
     const double before = at.stationarity;
     if (take_step(newton(H))) {
-      // Newton squares the error, unless only rounding is left.
+      // Newton's method squares the error, unless only rounding is left.
       if (before <= options.stationary && at.stationarity > 0.5 * before) return;
       continue;
     }
@@ -144,7 +144,7 @@ Minimum polished(const Problem& problem, Vector x, Linearised& at, const SolverO
 
 namespace {
 
-/// With large residuals Gauss-Newton's last steps converge slowly, so Newton steps follow.
+/// With large residuals the last Gauss-Newton steps converge slowly, so Newton steps follow.
 std::optional<Minimum> descend_with_kernel(const Problem& problem, const std::vector<double>& start,
                                            const SolverOptions& options) {
   SolverOptions patient = options;
@@ -168,7 +168,7 @@ std::optional<Minimum> descend(const Problem& problem, const std::vector<double>
     minimum = descend_with_ceres(nearby, start, options);
     if (!minimum || nearby.evaluated_once()) return minimum;
   }
-  // The result must not depend on the path to it: if the memory misled the descent, repeat it without.
+  // The result must not depend on the path: if the memory misled the descent, repeats it without.
   std::vector<double> residuals(problem.residual_count());
   const auto cost = sum_of_squares(problem, minimum->x, residuals);
   const bool same = cost && std::abs(std::sqrt(*cost) - std::sqrt(minimum->sum_of_squares)) <=

@@ -1,5 +1,5 @@
-// One descent to a minimum: Ceres, then Newton steps on the gradient to the last digits. A scale-free test for a
-// minimum.
+// One descent to a minimum: Ceres, then Newton steps on the gradient to the last digits. Includes a scale-free test for
+// a minimum.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,11 +14,11 @@
 
 namespace mixity {
 
-/// From one start, by the engine of the options. Null if no finite cost was found from there.
+/// Descends from one start by the engine of the options. Null if no finite cost was found from there.
 std::optional<Minimum> descend(const Problem& problem, const std::vector<double>& start,
                                const SolverOptions& options = {});
 
-/// The same by Ceres, in a file of its own, which the explorer replaces: it has no Ceres.
+/// The same by Ceres, in its own source file, which the explorer replaces because it has no Ceres.
 std::optional<Minimum> descend_with_ceres(const Problem& problem, const std::vector<double>& start,
                                           const SolverOptions& options);
 
@@ -29,21 +29,21 @@ std::string_view solver_version();
 struct Linearised {
   Eigen::VectorXd r;
   RowMajorMatrix J;
-  Eigen::VectorXd gradient;  // J'r, zero where a bound holds the parameter
-  std::vector<bool> held;    // by a bound
-  Eigen::VectorXd step;      // Gauss-Newton's
+  Eigen::VectorXd gradient;  // J'r; 0 for parameters held by a bound
+  std::vector<bool> held;    // parameters held by a bound
+  Eigen::VectorXd step;      // the Gauss-Newton step
   bool finite = false;
   double stationarity = 0;  // see Minimum
-  bool settled = true;      // Newton's step is below the rounding of x
+  bool settled = true;      // the Newton step is below the rounding of x
 };
 
-/// Fills `at`, whose memory is used again. False if a value is not finite.
+/// Fills `at`, reusing its memory. False if a value is not finite.
 bool linearise(const Problem& problem, const Eigen::VectorXd& x, const SolverOptions& options, Linearised& at);
 
-/// True if the first-order optimality condition holds to rounding error; `rounding` is that of |r|.
+/// True if the first-order optimality condition holds to rounding error; `rounding` is the rounding error of |r|.
 bool is_stationary(const Linearised& at, double rounding, const SolverOptions& options);
 
-/// Newton steps on the gradient from x, linearised there, to the last digits of a minimum close by.
+/// Newton steps on the gradient from x, where `at` is linearised, to the last digits of a nearby minimum.
 Minimum polished(const Problem& problem, Eigen::VectorXd x, Linearised& at, const SolverOptions& options);
 
 }  // namespace mixity

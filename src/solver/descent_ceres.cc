@@ -10,8 +10,8 @@
 namespace mixity {
 namespace {
 
-/// The residuals times `scale`: Ceres damps its steps as if J'J were at least 1e-6, which would dominate where psi is
-/// small.
+/// Multiplies the residuals by `scale`: Ceres damps its steps as if J'J were at least 1e-6, which would dominate where
+/// psi is small.
 class CeresAdapter final : public ceres::CostFunction {
  public:
   CeresAdapter(const Problem& problem, double scale) : problem_(problem), scale_(scale) {
@@ -56,15 +56,15 @@ std::optional<Minimum> descend_with_ceres(const Problem& problem, const std::vec
   ceres::Solver::Options settings;
   settings.linear_solver_type = ceres::DENSE_QR;
   settings.max_num_iterations = options.most_iterations_shown;
-  // An absolute gradient tolerance would call small residuals converged at once; whether the end is a minimum is
-  // judged afterwards, free of scale.
+  // An absolute gradient tolerance would accept small residuals at once; a scale-free test decides afterwards whether
+  // the end is a minimum.
   settings.gradient_tolerance = 0;
   settings.parameter_tolerance = options.ceres_step;
   settings.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   const double rounding = residual_rounding(problem);
   for (const double change : {options.ceres_cost_change, std::numeric_limits<double>::epsilon()}) {
-    // If the gradient is only rounding no step lowers the cost, which Ceres would report as an error.
+    // If the gradient is only rounding, no step lowers the cost, and Ceres would report an error.
     if (!(at.stationarity > (at.J.cols() == 1 ? options.kernel_stationary : options.newton_stationary))) break;
     settings.function_tolerance = change;
     std::copy(start.begin(), start.end(), x.begin());

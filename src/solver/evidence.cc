@@ -46,7 +46,7 @@ class LogDensity {
   /// Minus infinity where the cost is not finite.
   double operator()(double u) {
     const double none = -std::numeric_limits<double>::infinity();
-    constexpr int kMostUnsettled = 5;  // values, each after hundreds of steps: this is no density to integrate
+    constexpr int kMostUnsettled = 5;  // values, each after hundreds of steps: such a density cannot be integrated
     if (unsettled_ > kMostUnsettled) return none;
     const auto here = profile_(problem_.parameters()[0].clamped(outer(u)));
     if (!here) return none;
@@ -63,7 +63,7 @@ class LogDensity {
       of_others = *found;
     }
     if (choice_.unit == 0) return -0.5 * here->cost - 0.5 * of_others;
-    // the average over the unit leaves S^(-n/2) of the data's sum of squares S
+    // averaging over the unit leaves S^(-n/2), where S is the data's sum of squares
     const double squares = (here->cost - of_priors) * choice_.unit * choice_.unit;
     return squares > 0 ? -0.5 * n_ * std::log(squares) - 0.5 * of_priors - 0.5 * of_others : none;
   }
@@ -76,7 +76,7 @@ class LogDensity {
   int unsettled_ = 0;
 };
 
-/// A function on [low, high] through its values at Chebyshev's points.
+/// A function on [low, high] interpolated at Chebyshev points.
 class Interpolated {
  public:
   Interpolated(double low, double high, std::size_t points) : values_(points) {
@@ -87,7 +87,7 @@ class Interpolated {
   std::size_t size() const { return nodes_.size(); }
   double node(std::size_t i) const { return nodes_[i]; }
   double& value(std::size_t i) { return values_[i]; }
-  /// The barycentric form (Berrut & Trefethen 2004).
+  /// Barycentric interpolation (Berrut & Trefethen 2004).
   double operator()(double u) const {
     double above = 0, below = 0;
     for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -100,7 +100,7 @@ class Interpolated {
     }
     return above / below;
   }
-  /// The larger of the last two coefficients of the Chebyshev series: about the error.
+  /// The larger of the last two Chebyshev coefficients, which estimates the error.
   double tail() const {
     const std::size_t last = values_.size() - 1;
     double largest = 0;
@@ -121,10 +121,10 @@ class Interpolated {
   std::vector<double> nodes_, values_;
 };
 
-/// Integrals of e^(density - peak) times 1, x and x^2.
+/// Integrals of e^(density - peak) multiplied by 1, x and x^2.
 using Moments = Eigen::Array3d;
 
-/// The density where it is not negligible.
+/// The density over the range where it is not negligible.
 class Posterior {
  public:
   struct Value {
@@ -133,8 +133,8 @@ class Posterior {
 
   Posterior(const LogDensity& density, double peak) : density_(density), peak_(peak) {}
 
-  /// Interpolates the density between two of its values. False if the most points allowed are too few. `width`: of the
-  /// peak, if known.
+  /// Interpolates the density between two of its values. False if the largest number of points does not suffice.
+  /// `width`: of the peak, if known.
   bool sample(LogDensity& density, Value low, Value high, std::optional<double> width) {
     constexpr std::size_t kFewest = 9, kDoubtful = 65, kMost = 257;
     constexpr double kLeftOut = 1e-7;  // error of the logarithm: relative error of the density
@@ -153,11 +153,11 @@ class Posterior {
       const double error = now.tail(), error_before = before ? before->tail() : 0;
       before = std::move(now);
       if (error <= kLeftOut) break;
-      // The error of a smooth density is squared each time: one that falls less is too far to arrive, or never does.
+      // For a smooth density the error is squared each time; if it falls more slowly, it will not converge in time.
       if (n == kMost || (n >= kDoubtful && error > 0.2 * error_before)) return false;
     }
     interpolated_ = std::move(before);
-    // between ends a peak's width apart ten points are exact
+    // for ends one peak width apart, ten points are exact
     const int panels = static_cast<int>(std::clamp(width ? std::ceil((high.u - low.u) / *width) : 64, 16.0, 1000.0));
     for (int i = 0; i <= panels; ++i) {
       ends_.push_back(low.u + (high.u - low.u) * i / panels);
@@ -209,7 +209,7 @@ class Posterior {
   std::vector<Moments> parts_;  // of each panel
 };
 
-/// Where the density has become negligible, or the bound. Null if it is not finite before.
+/// The place where the density becomes negligible, or the bound. Null if it becomes infinite before.
 std::optional<Posterior::Value> reach(LogDensity& density, double bound, double step, double peak) {
   constexpr double kNothing = 32;  // e^-32 = 1e-14
   const double direction = bound < density.start() ? -1 : 1;

@@ -12,15 +12,15 @@ namespace mixity {
 struct EvidenceOptions {
   RangePrior prior = RangePrior::uniform;  // of parameter 0
   double confidence = 0.95;
-  /// By which residuals of unknown size were divided; it is averaged over with Jeffreys' prior 1/unit. 0: the residuals
-  /// are in standard errors.
+  /// Divisor of residuals whose size is unknown; averaged over with Jeffreys' prior 1/unit. 0: the residuals are in
+  /// standard errors.
   double unit = 0;
 };
 
-/// Of a problem that includes its priors. Integrates over parameter 0 by quadrature, to 1e-6, and over the others by
-/// Laplace's method at each value, with normal priors or uniform ones over their ranges. Null if the range or a cost is
-/// not finite, without scatter, or if the quadrature does not converge (a kink in the profile). Takes about 12 to 40
-/// profiled values.
+/// The evidence of a problem that includes its priors. Integrates over parameter 0 by quadrature, to 1e-6, and over the
+/// others by Laplace's method at each value, with normal priors or uniform ones over their ranges. Null if the range or
+/// a cost is not finite, if there is no scatter, or if the quadrature does not converge (a kink in the profile). Needs
+/// about 12 to 40 profiled values.
 std::optional<Evidence> evidence(const Problem& problem, const Minimum& best, std::optional<double> standard_error,
                                  const EvidenceOptions& choice, const SolverOptions& options = {});
 

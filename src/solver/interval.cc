@@ -18,7 +18,7 @@ struct End {
   EndStatus status;
 };
 
-/// The cost that ends an interval, and a lower cost than the minimum if the search comes upon one.
+/// The cost that ends an interval, and a cost lower than the minimum if the search meets one.
 struct EndSearch {
   double least, allowance;       // the cost at the minimum, and its allowed rise
   double deep;                   // a cost below this is lower than the minimum by more than rounding
@@ -28,11 +28,11 @@ struct EndSearch {
       : least(least_cost),
         allowance(allowed),
         deep(std::pow(std::max(std::sqrt(least_cost) - rounding, 0.0), 2) - part * allowed) {}
-  /// What is left of the allowance, as a difference of roots: linear in x for a parabola, so Newton's step is exact.
+  /// The remaining allowance, as a difference of roots: linear in x for a parabola, so that Newton's step is exact.
   double left(double cost) const { return std::sqrt(allowance) - std::sqrt(std::max(cost - least, 0.0)); }
 };
 
-/// Newton's steps on left() outwards from the minimum, between the last value inside and the first one outside.
+/// Newton's method on left(), outwards from the minimum, between the last value inside and the first one outside.
 End find_end(Profile& profile, const FreeParameter& parameter, double best, double direction, double first_step,
              EndSearch& search, const SolverOptions& options) {
   const double bound = direction < 0 ? parameter.lower : parameter.upper;
@@ -54,11 +54,11 @@ End find_end(Profile& profile, const FreeParameter& parameter, double best, doub
     bracketed |= !within;
     exceeded |= here && !within;
     const double rise = here ? std::sqrt(std::max(here->cost - search.least, 0.0)) : 0;
-    const double slope = rise > 0 ? 0.5 * here->slope / rise : 0;  // of that root
+    const double slope = rise > 0 ? 0.5 * here->slope / rise : 0;  // of that square root
     double next = x + search.left(here ? here->cost : 0) / slope;
     const double farthest = bracketed ? outside : best + 4 * (x - best);
     if (slope * direction > 0 && (next - inside) * direction > 0 && (farthest - next) * direction > 0) {
-      // Newton squares the error
+      // Newton's method squares the error
       if (i > 0 && std::abs(next - x) <= options.interval_step * std::abs(next - best)) return {next, EndStatus::found};
     } else {
       next = bracketed ? 0.5 * (inside + outside) : farthest;
@@ -94,8 +94,8 @@ void Profile::begin(std::size_t k) {
   last_ = best_;
 }
 
-/// To first order the minimum over the others moves by -H_oo^-1 H_ok for each unit of parameter k; what is left of its
-/// gradient at the anchor is corrected, too.
+/// To first order the minimum over the others moves by -H_oo^-1 H_ok per unit of parameter k; the remaining gradient at
+/// the anchor is corrected, too.
 std::optional<Kernel::Held> Profile::descend_from(const Anchor& anchor, double value, double decrease) {
   const auto k = static_cast<Eigen::Index>(k_);
   std::vector<double> x = anchor.x;
@@ -125,7 +125,7 @@ std::optional<Profile::Value> Profile::operator()(double value, double share) {
     const CostValue& cost = kernel_.at(x_);
     return cost.finite ? std::optional(Value{cost.value, 2 * cost.gradient[0]}) : std::nullopt;
   }
-  // From the nearer of the two known minima. If that does not settle, from the other.
+  // Starts from the nearer of the two known minima; if that does not converge, from the other.
   const bool last_is_near = std::abs(value - last_.x[k_]) < std::abs(value - best_.x[k_]);
   auto minimum = descend_from(last_is_near ? last_ : best_, value, share * decrease_);
   Anchor here;
@@ -154,7 +154,7 @@ std::vector<Interval> profile_intervals(const Problem& problem, const Minimum& b
     const FreeParameter& parameter = problem.parameters()[k];
     const double x = best.x[k];
     EndSearch search(best.sum_of_squares, allowance, residual_rounding(problem), options.deeper);
-    // The end of a parabola's interval. Without a standard error (at a bound) a tiny step, which grows fast.
+    // The end of the interval for a parabola. Without a standard error (at a bound) a tiny step, which grows fast.
     const double step = standard_errors[k] ? *standard_errors[k] * std::sqrt(allowance / variance)
                                            : std::max(parameter.least_size(), 1e-9 * std::abs(x));
     const auto end = [&](double bound, double direction) {
@@ -171,7 +171,7 @@ std::vector<Interval> profile_intervals(const Problem& problem, const Minimum& b
 DrawnProfile draw_profile(const Problem& problem, const Minimum& best, std::size_t k, double low, double high,
                           std::size_t count, double allowance, double variance, const SolverOptions& options) {
   DrawnProfile drawn{{{best.x[k], 0.0}}, allowance / variance};
-  // Outwards from the best: each minimum over the others starts from the one before.
+  // Outwards from the best: each minimum over the others starts from the last one.
   const std::size_t half = count / 2;
   Profile profile(problem, best, options.profile_decrease * allowance, options);
   for (const double end : {low, high}) {

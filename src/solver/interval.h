@@ -1,4 +1,4 @@
-// Profile likelihood intervals of a fitted parameter, each end with its own validity.
+// Profile likelihood intervals of a fitted parameter, each end with its own status.
 #pragma once
 
 #include <limits>
@@ -14,13 +14,13 @@ struct Interval {
   double confidence;
   double low, high;  // meaningless where open
   EndStatus low_status, high_status;
-  /// All parameters where the cost is lower than at the minimum, which is then none; else empty.
+  /// All parameters at a cost lower than the supposed minimum, if the search found one; else empty.
   std::vector<double> deeper{};
 };
 
 /// The rise of the cost at which a value of one parameter is rejected: chi^2(1) if the standard errors are known, else
-/// F(1, n - p) times the variance from the scatter. 0 < confidence < 1, n > p. `freedom`: of the variance of the
-/// parameter, if less than that.
+/// F(1, n - p) times the variance from the scatter. 0 < confidence < 1, n > p. `freedom`: that of the parameter's
+/// variance, if lower.
 double cost_allowance(double confidence, double sum_of_squares, std::size_t n, std::size_t p, bool known_errors,
                       double freedom = std::numeric_limits<double>::infinity());
 
@@ -28,23 +28,23 @@ double cost_allowance(double confidence, double sum_of_squares, std::size_t n, s
 class Profile {
  public:
   struct Value {
-    double cost, slope;   // in that parameter; at the minimum over the others these do not contribute
-    bool settled = true;  // at that minimum, not somewhere on the way
+    double cost, slope;   // derivative in that parameter, to which the others do not contribute at the minimum
+    bool settled = true;  // the minimum over the others was reached
   };
 
-  /// `decrease`: the cost may be so far above the minimum over the others; a first-order correction is applied.
+  /// `decrease`: tolerated excess of the cost over the minimum over the others; it is corrected to first order.
   Profile(const Problem& problem, const Minimum& best, double decrease, const SolverOptions& options = {});
-  /// Starts again at the minimum, along parameter k; call it for each side of an interval.
+  /// Restarts at the minimum, along parameter k; call it for each side of an interval.
   void begin(std::size_t k);
   /// Null if no finite cost was found. `share`: factor on `decrease`.
   std::optional<Value> operator()(double value, double share = 1);
-  /// All parameters at the minimum last found.
+  /// All parameters at the minimum found last.
   const std::vector<double>& point() const { return x_; }
-  /// Of several parameters: the cost there with its derivatives.
+  /// The cost there with its derivatives, if there are several parameters.
   const CostValue& cost() const { return last_.cost; }
 
  private:
-  /// A minimum over the others, and the cost there with its derivatives.
+  /// A minimum over the others, with the cost and its derivatives.
   struct Anchor {
     std::vector<double> x;
     CostValue cost;
@@ -60,13 +60,13 @@ class Profile {
 };
 
 /// For each parameter the values between which the cost, minimised over the others, rises by at most `allowance`. An
-/// end is `at_bound` if the bound is inside the interval, and `open` if a parameter with a start reaches its bound or
-/// the cost is not finite before it has risen. Ends to 1e-9 of their distance from the minimum, usually far better.
+/// end is `at_bound` if the bound is inside the interval, and `open` if a parameter with a start reaches its bound, or
+/// the cost becomes infinite before it has risen. Ends are accurate to 1e-9 of their distance from the minimum.
 std::vector<Interval> profile_intervals(const Problem& problem, const Minimum& best, double confidence,
                                         double allowance, const std::vector<std::optional<double>>& standard_errors,
                                         const Progress& progress = {}, const SolverOptions& options = {});
 
-/// About `count` points from low to high, the best included; points without a finite cost are left out.
+/// About `count` points from low to high, including the best; points without a finite cost are left out.
 DrawnProfile draw_profile(const Problem& problem, const Minimum& best, std::size_t k, double low, double high,
                           std::size_t count, double allowance, double variance, const SolverOptions& options = {});
 

@@ -1,4 +1,4 @@
-// Several problems in one. Each has parameters of its own, and all share further ones.
+// Combines several problems into one. Each has its own parameters, and all share further ones.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace mixity {
 
 class JointProblem final : public Problem {
  public:
-  /// The first `own` parameters of each part, part after part, then the common ones, which come behind them in the same
-  /// order in each part. The parts, one at least, must outlive this.
+  /// The parameters are the first `own` of each part, part after part, then the common ones, which follow them in the
+  /// same order in each part. There must be at least one part; the parts must outlive this object.
   JointProblem(std::vector<const Problem*> parts, std::size_t own) : parts_(std::move(parts)), own_(own) {
     for (const Problem* part : parts_) {
       const auto& all = part->parameters();

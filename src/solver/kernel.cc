@@ -117,7 +117,7 @@ Minimum Kernel::newton(double x, double low, double high, bool known, std::span<
     const double move = next - x;
     if (cost_->exact_curvature() && curvature > 0 && next > low && next < high &&
         std::abs(move) <= 1e-9 * std::abs(x)) {
-      // With the exact curvature Newton's step squares the error: it is the last, and the parabola gives the cost.
+      // With exact curvature Newton's step squares the error: it is the last step, and the parabola gives the cost.
       here_.value = std::max(here_.value + move * (2 * slope + curvature * move), 0.0);
       return {{next}, here_.value, 0, true};
     }
@@ -126,7 +126,7 @@ Minimum Kernel::newton(double x, double low, double high, bool known, std::span<
       const double secant = x - slope * (x - last_x) / (slope - last_slope);
       if (std::abs(secant - x) < 0.1 * std::abs(x - last_x)) next = secant;
     }
-    // Test before the bracket, one end of which is x, changes the step.
+    // Test before the bracket, which has x as one end, changes the step.
     if (std::abs(next - x) <= 2e-16 * std::abs(x)) return end(true);
     const bool bounded = std::isfinite(low) && std::isfinite(high);
     if (next <= low)
@@ -188,7 +188,7 @@ bool Kernel::too_long(const std::vector<double>& x, const Start& reach) const {
     const auto at = static_cast<std::size_t>(open_[k]);
     const double below = reach.x[at] - reach.low[at], above = reach.high[at] - reach.x[at], step = step_[k];
     const double growth = std::max(1.0, std::abs(x[at]) / std::max(std::abs(reach.x[at]), above));
-    // a step to a bound at which the box ends is allowed
+    // a step to a bound that is also the end of the box is allowed
     if ((step < 0 && below > 0 && -step > growth * below) || (step > 0 && above > 0 && step > growth * above))
       return true;
   }
@@ -198,7 +198,7 @@ bool Kernel::too_long(const std::vector<double>& x, const Start& reach) const {
 Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weights, std::optional<std::size_t> held,
                              const Start* reach) {
   constexpr double kFirstDamping = 1e-4, kMostDamping = 1e16;
-  // Steps to where the problem is not defined: of a descent that creeps along its edge.
+  // Steps to where the problem is not defined, when a descent creeps along that edge.
   constexpr int kMostUndefined = 200;
   int undefined = 0;
   double damping = 0, size = stationarity(x, held);
@@ -217,7 +217,7 @@ Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weig
     const bool usable = step_.allFinite();
     if (usable) cost_->at(next, weights, there_);
     if (usable && !there_.finite && ++undefined > kMostUndefined) break;
-    const double roundings = 1e-14 * here_.value;  // of a sum of squares, about
+    const double roundings = 1e-14 * here_.value;  // for a sum of squares, roughly
     if (!usable || !there_.finite || !(there_.value <= here_.value + roundings)) {
       damping = std::max(10 * damping, kFirstDamping);
       if (damping > kMostDamping) break;

@@ -1,6 +1,6 @@
-// The kernel: Newton's method for one parameter, damped Gauss-Newton for several, on sums over the residuals. It makes
-// the many fits behind profiles, resampling and cross-validation. The reported fit comes from Ceres (descent.h); tests
-// check that both agree.
+// The kernel: Newton's method for one parameter and damped Gauss-Newton for several, on sums over the residuals. It
+// makes the many fits of profiles, resampling and cross-validation. The reported fit comes from Ceres (descent.h);
+// tests check that both agree.
 #pragma once
 
 #include <memory>
@@ -14,28 +14,28 @@
 
 namespace mixity {
 
-/// Where to start a descent, and the box of the search grid around it, which is taken for its basin; empty: no box.
+/// Where a descent starts, and the box of the search grid around it, taken for its basin; empty: no box.
 struct Start {
   std::vector<double> x, low{}, high{};
-  bool in_bracket = false;  // of one parameter: the cost falls inwards at both ends of the box
+  bool in_bracket = false;  // for one parameter: the cost falls inwards at both ends of the box
 };
 
-/// For one thread: it owns its scratch arrays. The problem must outlive it.
+/// A kernel serves one thread: it owns its scratch arrays. The problem must outlive it.
 class Kernel {
  public:
   explicit Kernel(const Problem& problem, const SolverOptions& options = {});
 
-  /// The minimum reached from `start`. Weights: one per residual, or empty: 1. Parameter number `held`, if any, stays
-  /// where it starts. Null if the cost is not finite there.
+  /// The minimum reached from `start`. Weights: one per residual; empty: 1. Parameter number `held`, if any, keeps its
+  /// start value. Null if the cost is not finite there.
   std::optional<Minimum> descend(std::span<const double> start, std::span<const double> weights = {},
                                  std::optional<std::size_t> held = {});
 
-  /// The same from a start that a search found. One parameter in a bracket stays inside it; steps of several are at
+  /// The same from a start found by a search. A single parameter in a bracket stays inside it; steps of several are at
   /// most as long as the box, which grows with the parameter.
   std::optional<Minimum> explore(const Start& start);
 
-  /// The same with parameter number `held` at its start, until the next step would lower the cost by at most
-  /// `decrease`. That step is not taken; cost and slope (in the held parameter) include it to first order.
+  /// The same with parameter number `held` fixed, until the next step would lower the cost by at most `decrease`. That
+  /// step is not taken; cost and slope (in the held parameter) include it to first order.
   struct Held {
     std::vector<double> x;
     double cost, slope;
@@ -60,16 +60,16 @@ class Kernel {
  private:
   /// Evaluates the cost where a descent starts. False if it is not finite.
   bool begin(std::span<const double> x, std::span<const double> weights);
-  /// Between low and high, which are bounds, or with `known` enclose a minimum.
+  /// Newton's method between low and high, which are bounds or, if `known`, enclose a minimum.
   Minimum newton(double x, double low, double high, bool known, std::span<const double> weights);
-  /// `reach`: null, or the box that limits the steps.
+  /// `reach`: the box that limits the steps, or null.
   Minimum gauss_newton(std::vector<double> x, std::span<const double> weights, std::optional<std::size_t> held,
                        const Start* reach);
   /// Whether the step from x is longer than the box.
   bool too_long(const std::vector<double>& x, const Start& reach) const;
   /// Sets the damped step of the open parameters; returns half of the decrease of the cost that it predicts.
   double find_step(double damping);
-  /// Finds the parameters that may move from x; returns the largest relative gradient of these.
+  /// Finds the parameters that can move from x; returns the largest of their relative gradients.
   double stationarity(const std::vector<double>& x, std::optional<std::size_t> held);
 
   const Problem& problem_;
@@ -77,9 +77,9 @@ class Kernel {
   std::unique_ptr<Cost> cost_;
   CostValue here_, there_;
   double first_ = 0, rounding_;     // rounding error of |r|
-  std::vector<Eigen::Index> open_;  // parameters that may move
-  Eigen::VectorXd step_;            // of these
-  double enough_ = 0;               // a step that lowers the cost by less is not taken
+  std::vector<Eigen::Index> open_;  // parameters that can move
+  Eigen::VectorXd step_;            // of the open parameters
+  double enough_ = 0;               // steps that lower the cost by less are not taken
 };
 
 }  // namespace mixity

@@ -11,13 +11,13 @@ using Eigen::VectorXd;
 MatrixXd qr_triangle(MatrixXd J) {
   const Eigen::Index rows = std::min(J.rows(), J.cols());
   MatrixXd R = MatrixXd::Zero(J.cols(), J.cols());
-  const Eigen::HouseholderQR<Eigen::Ref<MatrixXd>> factors(J);  // in its memory
+  const Eigen::HouseholderQR<Eigen::Ref<MatrixXd>> factors(J);  // in place
   R.topRows(rows) = J.topRows(rows).triangularView<Eigen::Upper>();
   return R;
 }
 
 VectorXd leverages(MatrixXd J) {
-  const Eigen::HouseholderQR<Eigen::Ref<MatrixXd>> qr(J);  // in its memory
+  const Eigen::HouseholderQR<Eigen::Ref<MatrixXd>> qr(J);  // in place
   const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(J.rows(), J.cols());
   VectorXd squares(Q.rows());
   for (Eigen::Index i = 0; i < Q.rows(); ++i) squares[i] = Q.row(i).squaredNorm();
@@ -30,7 +30,7 @@ MatrixXd inverse_of_square(const MatrixXd& R) {
 }
 
 WeakDirection weak_direction(const MatrixXd& R) {
-  // The QR that Eigen begins with by default serves matrices that are not square, and takes 8 s to compile.
+  // Eigen's default QR preconditioner is for matrices that are not square, and takes 8 s to compile.
   const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(R, Eigen::ComputeFullV);
   return {svd.singularValues()[R.cols() - 1], svd.matrixV().col(R.cols() - 1)};
 }
@@ -65,7 +65,7 @@ MatrixXd solve_columns(const MatrixXd& H, const MatrixXd& B) { return B.size() =
 VectorXd solve_any(const MatrixXd& H, const VectorXd& b) { return H.fullPivLu().solve(b); }
 
 Projection project(MatrixXd J, VectorXd b, double independent) {
-  Eigen::ColPivHouseholderQR<Eigen::Ref<MatrixXd>> factors(J);  // in its memory
+  Eigen::ColPivHouseholderQR<Eigen::Ref<MatrixXd>> factors(J);  // in place
   factors.setThreshold(independent);
   b.applyOnTheLeft(factors.householderQ().adjoint());
   const Eigen::Index pivots = factors.nonzeroPivots();

@@ -1,5 +1,5 @@
-// Decompositions of small dense matrices. Eigen's take seconds to compile wherever they are used: only
-// linear_algebra.cc includes them. [n x m]: n rows, m columns.
+// Decompositions of small dense matrices. Only linear_algebra.cc includes Eigen's, which take seconds to compile
+// wherever they are used. [n x m]: n rows, m columns.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,10 +8,10 @@
 
 namespace mixity {
 
-/// Residuals' Jacobians, row by row.
+/// A Jacobian of residuals, stored by rows.
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// An array as a vector, or as a matrix of rows with so many columns.
+/// Views an array as a vector, or as a matrix with this many columns, stored by rows.
 inline Eigen::Map<const Eigen::VectorXd> as_vector(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
@@ -19,7 +19,7 @@ inline Eigen::Map<const RowMajorMatrix> as_matrix(std::span<const double> values
   return {values.data(), static_cast<Eigen::Index>(values.size() / columns), static_cast<Eigen::Index>(columns)};
 }
 
-/// The upper triangle R of J = QR, [m x m]; its last rows are 0 where J has fewer rows than columns.
+/// The upper triangle R of J = QR, [m x m]; its last rows are 0 if J has fewer rows than columns.
 Eigen::MatrixXd qr_triangle(Eigen::MatrixXd J);
 /// Squared norm of each row of Q where J = QR: the leverage of each residual. J has at least as many rows as columns.
 Eigen::VectorXd leverages(Eigen::MatrixXd J);
@@ -47,11 +47,11 @@ struct Eigenvectors {
 };
 Eigenvectors eigenvectors(const Eigen::MatrixXd& symmetric);
 
-/// H x = b for a symmetric H of any size, 0 too (LDL').
+/// Solves H x = b for a symmetric H of any size, also 0 (LDL').
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& H, const Eigen::VectorXd& b);
 /// The same for each column of B.
 Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& H, const Eigen::MatrixXd& B);
-/// H x = b with full pivoting, for an H that may be singular.
+/// Solves H x = b with full pivoting; H may be singular.
 Eigen::VectorXd solve_any(const Eigen::MatrixXd& H, const Eigen::VectorXd& b);
 
 /// `along`: the projection of b onto the columns of J, in an orthonormal basis without the columns whose pivot is below

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Grid of one parameter: logarithmic above a positive lower bound, with values about `neutral`; else logarithmic in
-/// the distance from the lower bound at first, then even.
+/// Grid of one parameter: logarithmic above a positive lower bound, with values about `neutral`; else first logarithmic
+/// in the distance from the lower bound, then uniform.
 std::vector<double> grid_values(const FreeParameter& parameter, std::size_t density) {
   if (parameter.start) return {*parameter.start};
   std::vector<double> values;
@@ -23,7 +23,7 @@ std::vector<double> grid_values(const FreeParameter& parameter, std::size_t dens
   };
   if (parameter.lower > 0) {
     logarithmic(parameter.lower, parameter.upper, 2 * density);
-    if (parameter.neutral > 0 && density >= 16)  // with a coarse grid there is a guess
+    if (parameter.neutral > 0 && density >= 16)  // on a coarse grid a guess serves instead
       for (const double distance : {0.1, 0.03, 0.01, 0.003})
         for (const double side : {-1, 1}) values.push_back(parameter.neutral * (1 + side * distance));
     std::sort(values.begin(), values.end());

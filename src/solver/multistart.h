@@ -1,4 +1,4 @@
-// Where to descend from: the local minima of the cost over the whole range of the parameters without a start.
+// Start points of descents: local minima of the cost over the whole range of the parameters that have no start.
 #pragma once
 
 #include <vector>
@@ -11,15 +11,15 @@ namespace mixity {
 
 struct Starts {
   std::vector<Start> list;  // best first
-  /// The points of the search, highest cost first, as the search took it; empty if every parameter has a start.
+  /// The points tried by the search, highest cost first; empty if every parameter has a start.
   std::vector<std::vector<double>> dearest{};
 };
 
-/// Grids over the parameters without a start (one or two), with the others at theirs; for one parameter with an exact
-/// curvature (problem.h) an adaptive search (basins.h). Empty where the cost is nowhere finite.
+/// Searches on grids over the parameters without a start (one or two), with the others at theirs; for one parameter
+/// with exact curvature (problem.h), adaptively (basins.h). Empty if the cost is finite nowhere.
 Starts find_starts(const Problem& problem, const SolverOptions& options = {});
 
-/// False if the cost is lower just inside this bound of the only parameter. The slope may be zero there by symmetry, as
+/// False if the cost is lower just inside this bound of the only parameter. The slope there may be zero by symmetry, as
 /// for model b at lambda = 2.
 bool lowest_at_bound(const Problem& problem, double bound);
 

@@ -1,4 +1,4 @@
-// What is known of parameters beforehand (FreeParameter::prior), as further residuals: (x - start)/prior.
+// Priors of parameters (FreeParameter::prior) as additional residuals (x - start)/prior.
 #pragma once
 
 #include <algorithm>
@@ -8,15 +8,15 @@
 
 namespace mixity {
 
-/// How many parameters have a prior.
+/// The number of parameters with a prior.
 inline std::size_t prior_count(const Problem& problem) {
   const auto& parameters = problem.parameters();
   return static_cast<std::size_t>(
       std::count_if(parameters.begin(), parameters.end(), [](const FreeParameter& one) { return one.prior > 0; }));
 }
 
-/// A problem with its priors as residuals behind its own, which are divided by `unit`: their standard error, or 1 where
-/// they are in standard errors already. Without priors it is the problem itself.
+/// A problem whose priors are appended as residuals to its own, which are divided by `unit`: their standard error, or 1
+/// if they are in standard errors already. Without priors it equals the problem.
 class ProblemWithPriors final : public WrappedProblem {
  public:
   explicit ProblemWithPriors(const Problem& problem, double unit = 1)

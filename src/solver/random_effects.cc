@@ -12,7 +12,7 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// The restricted likelihood at given spreads, and what follows from it. Within a group V^-1 = 1 - Z K Z'.
+/// The restricted likelihood and derived quantities at given spreads. Within a group V^-1 = 1 - Z K Z'.
 struct Restricted {
   Restricted(const GroupedRows& rows, const Vector& spread) : H(rows.J_J), g(rows.J_r) {
     double squares = rows.r_r;
@@ -33,7 +33,7 @@ struct Restricted {
     log_likelihood = -(determinant + *of_H + squares + g.dot(step)) / 2;
   }
 
-  /// 2 d(ln L)/d(spread^2) of effect q.
+  /// 2 d(ln L)/d(spread^2) for effect q.
   double score(const GroupedRows& rows, Eigen::Index q) const {
     double sum = 0;
     for (std::size_t i = 0; i < rows.groups.size(); ++i) {
@@ -54,11 +54,11 @@ struct Restricted {
   bool determined = false;
 };
 
-/// The spread of effect q of greatest likelihood, the others as in `spread`. Next to the one in `spread` unless that is
-/// 0.
+/// The most likely spread of effect q, the others being as in `spread`: the local maximum near its value in `spread`,
+/// unless that is 0.
 double best_spread(const GroupedRows& rows, Vector spread, Eigen::Index q, double tolerance) {
-  constexpr double kStep = 1;      // of ln(spread), in which the maximum is bracketed
-  constexpr double kLeast = 1e-4;  // of what one group tells: less makes no difference
+  constexpr double kStep = 1;      // of ln(spread), to bracket the maximum
+  constexpr double kLeast = 1e-4;  // of the spread that one group determines: less makes no difference
   constexpr double kMost = 1e4;
   double information = 0;
   for (const auto& group : rows.groups) information = std::max(information, group.Z_Z(q, q));
@@ -102,7 +102,7 @@ double satterthwaite(const GroupedRows& rows, const Vector& spread, const Restri
     more[q] *= std::sqrt(1 + kStep);
     less[q] *= std::sqrt(1 - kStep);
     const Restricted above(rows, more), below(rows, less);
-    const double width = 2 * kStep;  // of spread^2, in itself
+    const double width = 2 * kStep;  // of spread^2, relative
     const double slope = (variance(above) - variance(below)) / width,
                  curvature = (above.score(rows, q) - below.score(rows, q)) / width * spread[q] * spread[q] / 2;
     if (curvature < 0) of_v += slope * slope / -curvature;
@@ -166,7 +166,7 @@ Vector shares_of_noise(const Matrix& J, const Matrix& Z, const Groups& groups, c
 }
 
 std::optional<GroupTest> test_groups(const GroupedRows& rows, std::span<const double> course) {
-  constexpr double kNone = 1e-9;  // of the largest: a direction that the parameters have
+  constexpr double kNone = 1e-9;  // of the largest eigenvalue: a direction that the parameters already have
   const auto n = static_cast<Eigen::Index>(rows.groups.size());
   if (!log_determinant(rows.J_J)) return std::nullopt;
   Matrix C(rows.J_J.rows(), n);
@@ -223,7 +223,7 @@ std::optional<double> jackknife_error(const Matrix& J, const Vector& r, const Gr
 GroupWhitening::GroupWhitening(Matrix Z, const Vector& spread, const Groups& groups) : groups_(groups) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     Matrix left = Z(groups[g], Eigen::all) * spread.asDiagonal();
-    // One effect after the other: (1 + z z')^-1/2 leaves those that follow with other columns.
+    // One effect after the other: (1 + z z')^-1/2 changes the columns of the following ones.
     for (Eigen::Index q = 0; q < left.cols(); ++q) {
       const double square = left.col(q).squaredNorm();
       if (!(square > 0)) continue;

@@ -1,5 +1,5 @@
-// Effects that differ from group to group by chance, in a linear model with noise of variance 1: the residuals of group
-// g are J t + Z_g b_g + e, with b_g normal and of a standard deviation, its spread, for each effect.
+// Random effects of groups in a linear model with noise of variance 1: the residuals of group g are J t + Z_g b_g + e,
+// where b_g is normal with a standard deviation, its spread, for each effect.
 #pragma once
 
 #include <optional>
@@ -26,62 +26,62 @@ struct GroupedRows {
   std::vector<Group> groups;
 };
 
-/// J: rows of the data, then of the priors, as in r. Z: [data x k].
+/// J and r: rows of the data, then of the priors. Z: [data x k].
 GroupedRows grouped_rows(const Eigen::MatrixXd& J, const Eigen::VectorXd& r, const Eigen::MatrixXd& Z,
                          const Groups& groups);
 
-/// Spreads of greatest restricted likelihood (Pinheiro & Bates 2000, Mixed-Effects Models in S and S-PLUS, 2.2).
+/// Spreads of maximum restricted likelihood (Pinheiro & Bates 2000, Mixed-Effects Models in S and S-PLUS, 2.2).
 struct Spreads {
-  Eigen::VectorXd spread;  // [k], 0 or above, to `tolerance` of itself
+  Eigen::VectorXd spread;  // [k], >= 0, to the relative `tolerance`
   double freedom;          // of the variance of the first parameter (Satterthwaite 1946)
 };
-/// Null where the parameters are not determined.
+/// Null if the parameters are not determined.
 std::optional<Spreads> restricted_spreads(const GroupedRows& rows, double tolerance = 1e-9);
-/// The most probable step of the parameters and deviations of the groups with these spreads.
+/// The most probable step of the parameters and deviations of the groups for these spreads.
 struct MostProbable {
   Eigen::VectorXd step;                     // [p]
   double length;                            // of the step, in standard errors
   std::vector<Eigen::VectorXd> deviations;  // per group: [k]
 };
-/// Null where the parameters are not determined.
+/// Null if the parameters are not determined.
 std::optional<MostProbable> most_probable(const GroupedRows& rows, const Eigen::VectorXd& spread);
 
-/// What is left of the residuals beside J t and Z_g b_g, all at their most probable values: 1 - leverage of each row of
-/// the data, by which the noise is estimated.
+/// 1 - leverage of each row of the data: the part of its variance that remains after fitting J t and Z_g b_g, both at
+/// their most probable values. The noise is estimated with it.
 Eigen::VectorXd shares_of_noise(const Eigen::MatrixXd& J, const Eigen::MatrixXd& Z, const Groups& groups,
                                 const Eigen::VectorXd& spread);
 
-/// Where one effect differs between the groups.
+/// Test whether one effect differs between the groups.
 struct GroupTest {
   struct One {
-    double fall = 0, value = 0;       // of the sum of squares with that deviation free; the deviation
-    double change = 0, widening = 1;  // of the first parameter then, in standard errors; factor on these
+    double fall = 0, value = 0;       // fall of the sum of squares with that deviation free; the deviation
+    double change = 0, widening = 1;  // change of the first parameter in standard errors; factor on that error
   };
-  double fall = 0, directions = 0;  // with each group's deviation free; how many are not those of the parameters
-  std::vector<One> groups;          // one group alone
-  One along{};                      // of all groups, in proportion to `course`
+  double fall = 0, directions = 0;  // with every group's deviation free; number of these independent of the parameters
+  std::vector<One> groups;          // one group's deviation free
+  One along{};                      // all groups' deviations in proportion to `course`
   double spread = 0;                // by moments (DerSimonian & Laird 1986)
-  double change = 0, widening = 1;  // as above, with deviations of that spread
+  double change = 0, widening = 1;  // as above, for deviations with that spread
 };
-/// Rows with one effect; `course`: a number for each group. Null where the parameters are not determined.
+/// Rows with one effect; `course`: one number per group. Null if the parameters are not determined.
 std::optional<GroupTest> test_groups(const GroupedRows& rows, std::span<const double> course);
 
-/// Standard error of the first parameter by leaving out each group in turn, to first order (Tukey 1958); null of fewer
-/// than two groups or where the rest does not determine it.
+/// Jackknife standard error of the first parameter, leaving out each group in turn, to first order (Tukey 1958); null
+/// for fewer than two groups, or where the rest does not determine the parameter.
 std::optional<double> jackknife_error(const Eigen::MatrixXd& J, const Eigen::VectorXd& r, const Groups& groups);
 
-/// Makes rows independent whose noise is e + Z_g b_g.
+/// Decorrelates rows whose noise is e + Z_g b_g.
 class GroupWhitening {
  public:
   GroupWhitening(Eigen::MatrixXd Z, const Eigen::VectorXd& spread, const Groups& groups);
-  /// In place; `stride`: from one row to the next.
+  /// Works in place; `stride`: distance between rows.
   void apply(std::span<double> values, std::size_t stride = 1) const;
   double log_determinant() const { return log_determinant_; }
 
  private:
   struct Direction {
     Eigen::VectorXd z;  // of unit length
-    double factor;      // its part of a row is multiplied by 1 + factor
+    double factor;      // the component along z is multiplied by 1 + factor
     std::size_t group;
   };
   Groups groups_;

@@ -19,8 +19,8 @@
 namespace mixity {
 namespace {
 
-/// A problem with shifts added to its last residuals, which are those of priors: the stated values as another
-/// laboratory would have them.
+/// A problem with shifts added to its last residuals, those of priors: the stated values as another laboratory would
+/// have them.
 class Redrawn final : public WrappedProblem {
  public:
   Redrawn(const Problem& problem, std::size_t priors) : WrappedProblem(problem), shifts(priors) {}
@@ -35,20 +35,20 @@ class Redrawn final : public WrappedProblem {
   }
 };
 
-/// Refits from one start; one for each thread. `points`: how many residuals are of data; the others are of priors.
+/// Refits from one start, one object per thread. `points`: number of residuals of data; the others are of priors.
 class Refitter {
  public:
   Refitter(const Problem& problem, const std::vector<double>& start, std::size_t points)
       : problem_(problem, problem.residual_count() - points), start_(start), kernel_(problem_) {
     kernel_.keep(start_);
   }
-  /// Of the residuals of priors: normal, of unit variance.
+  /// Shifts of the residuals of priors: normal with variance 1.
   std::vector<double>& shifts() { return problem_.shifts; }
   /// Empty if no minimum was found.
   std::vector<double> operator()(std::span<const double> weights) {
     const auto points = std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; });
     if (static_cast<std::size_t>(points) <= start_.size()) return {};
-    kernel_.restore();  // so that a refit does not depend on those before it on this thread
+    kernel_.restore();  // so that a refit does not depend on earlier ones on this thread
     const auto minimum = kernel_.descend(start_, weights);
     return minimum && minimum->stationary ? minimum->x : std::vector<double>{};
   }
@@ -63,7 +63,7 @@ class Refitter {
 template <class Body>
 void for_each_refit(const Problem& problem, const std::vector<double>& fitted, std::size_t points, std::size_t n,
                     unsigned threads, const Progress& progress, Body body) {
-  constexpr std::size_t kShare = 16;  // taken at a time
+  constexpr std::size_t kShare = 16;  // number taken at a time
   std::atomic<std::size_t> taken = 0, done = 0;
   const auto work = [&] {
     Refitter refit(problem, fitted, points);
@@ -91,7 +91,7 @@ std::vector<std::vector<std::size_t>> members(const std::vector<std::size_t>& ru
 std::uint32_t low_word(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
 std::uint32_t high_word(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }
 
-/// Linear interpolation between order statistics (the usual type 7).
+/// Linear interpolation between order statistics (the common type 7).
 double quantile_of(const std::vector<double>& sorted, double q) {
   const double rank = q * static_cast<double>(sorted.size() - 1), below = std::floor(rank);
   const auto i = static_cast<std::size_t>(below);
@@ -103,7 +103,7 @@ double quantile_of(const std::vector<double>& sorted, double q) {
 BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fitted,
                           const std::vector<std::size_t>& runs, const BootstrapOptions& options, double confidence,
                           const Progress& progress) {
-  // Fewer runs do not determine an error of their own beside so many parameters.
+  // Fewer runs do not determine their own error for so many parameters.
   const std::size_t fewest = 2 * fitted.size() + 2;
   const auto groups = members(runs);
   const auto points = static_cast<std::ptrdiff_t>(runs.size());  // the other residuals are of priors
@@ -115,7 +115,7 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
              : std::vector<double>();
   std::vector<std::vector<double>> replicates(options.replicates), ratios(options.replicates);
   const auto draw = [&](std::size_t replicate, std::vector<double>& weights, std::vector<double>& shifts) {
-    // Three words of state, so that seeding one stream for each replicate costs little.
+    // Three state words, so that seeding one stream per replicate is cheap.
     const auto words = {low_word(options.seed), high_word(options.seed), low_word(replicate), high_word(replicate)};
     std::seed_seq seed(words);
     boost::random::taus88 random(seed);
@@ -164,7 +164,7 @@ BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fit
                                  mean - parameter.shown(fitted[k])});
     const bool reaches_bound =
         std::any_of(replicates.begin(), replicates.end(), [&](const auto& x) { return parameter.at_bound(x[k]); });
-    if (reaches_bound || parameter.at_bound(fitted[k])) continue;  // changes to one side alone
+    if (reaches_bound || parameter.at_bound(fitted[k])) continue;  // it changes to one side only
     if (error.empty() || 2 * ratios.size() < options.replicates) continue;
     std::vector<double> sorted;
     for (const auto& one : ratios)

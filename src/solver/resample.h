@@ -1,5 +1,5 @@
-// How the fitted parameters depend on the choice of points: bootstrap, jackknife, influence. Values are converted by
-// FreeParameter::shown. Weights remain those of the fit, even if they depend on its parameters.
+// The dependence of fitted parameters on the choice of points: bootstrap, jackknife, influence. Values are converted by
+// FreeParameter::shown. Weights remain those of the fit, even where they depend on its parameters.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace mixity {
 
-/// Refits of resampled points, each from the fit itself. `runs[i]` is the run of point i. Every replicate has a random
-/// stream of its own, so that the result does not depend on the number of threads.
+/// Refits of resampled points, each starting from the fit. `runs[i]` is the run of point i. Every replicate has its own
+/// random stream, so that the result does not depend on the number of threads.
 BootstrapResult bootstrap(const Problem& problem, const std::vector<double>& fitted,
                           const std::vector<std::size_t>& runs, const BootstrapOptions& options, double confidence,
                           const Progress& progress = {});

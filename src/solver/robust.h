@@ -1,6 +1,6 @@
-// Robust losses: large residuals count less. A problem with the cost sum rho(r^2) is one of least squares in the
+// Robust losses: large residuals count less. A problem with the cost sum rho(r^2) is a least-squares problem in the
 // residuals sign(r) sqrt(rho(r^2)), so the rest of the solver needs no special case. With `t` the cost is -2 ln L of
-// Student's distribution, but for a constant: (nu + 1) ln(1 + r^2/scale^2), scale^2 = nu times the square of its scale.
+// Student's distribution up to a constant: (nu + 1) ln(1 + r^2/scale^2), scale^2 = nu times its scale squared.
 #pragma once
 
 #include <cmath>
@@ -16,11 +16,11 @@ namespace mixity {
 
 class RobustProblem final : public WrappedProblem {
  public:
-  /// `scale` > 0 in units of the residuals of `problem`, which must outlive this. `freedom`: nu, of `t`.
+  /// `scale` > 0 in units of the residuals of `problem`, which must outlive this object. `freedom`: nu, for `t`.
   RobustProblem(const Problem& problem, Loss loss, double scale, double freedom = 0)
       : WrappedProblem(problem), loss_(loss), scale_(scale), root_(loss == Loss::t ? std::sqrt(freedom + 1) : scale) {}
 
-  /// A likelihood is one whatever the unit of the residuals.
+  /// A likelihood does not depend on the unit of the residuals.
   bool known_errors() const override { return loss_ == Loss::t || problem_.known_errors(); }
 
   /// The loss may have basins of a standard error's width, narrower than the usual steps.
@@ -34,7 +34,7 @@ class RobustProblem final : public WrappedProblem {
     return true;
   }
 
-  /// d^2(rho/2)/dr^2 over the square of the residual's own slope; 0 for Huber's outliers, negative for Cauchy's.
+  /// d^2(rho/2)/dr^2 divided by the squared slope of the new residual; 0 for Huber's outliers, negative for Cauchy's.
   std::vector<double> curvatures(std::span<const double> x) const override {
     std::vector<double> values(residual_count(), 1.0);
     if (!problem_.evaluate(x, values, {})) return {};
@@ -67,19 +67,19 @@ class RobustProblem final : public WrappedProblem {
   double scale_, root_;  // where the loss bends; the residual where rho is 1
 };
 
-/// Standard error of residuals of unknown size, one at least, from the median of their absolute values.
+/// Standard error of residuals of unknown size (at least one), from the median of their absolute values.
 inline double spread(std::vector<double> residuals) {
   for (double& r : residuals) r = std::abs(r);
   return kOfMedian * median(std::move(residuals));
 }
-/// Of the residuals at x; 0 where there are none, or where one is not finite.
+/// The same for the residuals at x; 0 if there are none, or if one is not finite.
 inline double spread(const Problem& problem, const std::vector<double>& x) {
   std::vector<double> residuals(problem.residual_count());
   if (residuals.empty() || !problem.evaluate(x, residuals, {})) return 0;
   return spread(std::move(residuals));
 }
 
-/// The value of the only parameter with the least spread: outliers may hide every minimum of the squares.
+/// The value of the only parameter with the smallest spread: outliers may hide every minimum of the squares.
 inline std::vector<double> value_of_least_spread(const Problem& problem) {
   if (problem.parameters().size() != 1) return {};
   const FreeParameter& parameter = problem.parameters()[0];

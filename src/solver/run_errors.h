@@ -1,4 +1,4 @@
-// Standard errors that the differences between runs tell, whatever the errors within them.
+// Standard errors from the differences between runs, whatever the errors within them.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,15 +8,15 @@
 
 namespace mixity {
 
-/// To first order about a fit (Liang & Zeger 1986, Biometrika 73, 13). Priors count with the errors that they state.
+/// Cluster-robust, to first order about a fit (Liang & Zeger 1986, Biometrika 73, 13). Priors use their stated errors.
 class RunErrors {
  public:
-  /// `groups`: the residuals of each run; those behind them are of priors.
+  /// `groups`: the residuals of each run; the residuals after these belong to priors.
   RunErrors(const Problem& problem, const std::vector<double>& fitted,
             const std::vector<std::vector<std::size_t>>& groups);
 
-  /// Of each parameter, `change` away from the fit. `drawn`: how often each run counts. Empty where fewer than three
-  /// count, or these do not determine the parameters.
+  /// Standard errors of the parameters at `change` from the fit. `drawn`: how often each run counts. Empty if fewer
+  /// than three runs count, or if these do not determine the parameters.
   std::vector<double> operator()(const std::vector<double>& drawn, const std::vector<double>& change) const;
 
  private:

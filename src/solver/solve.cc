@@ -19,7 +19,7 @@ constexpr double kSettled = 1e-9;  // relative change of that unit
 
 bool lower(const Minimum& one, const Minimum& other) { return one.sum_of_squares < other.sum_of_squares; }
 
-/// The minima that descents ended at, each once.
+/// The distinct minima at which descents ended.
 class Minima {
  public:
   Minima(const Problem& problem, const SolverOptions& options)
@@ -34,7 +34,7 @@ class Minima {
                                 : std::sqrt(minimum.sum_of_squares) + rounding_ < std::sqrt(same->sum_of_squares))
       *same = minimum;
   }
-  /// Whether a minimum of no higher cost is known.
+  /// Whether a minimum with at most this cost is known.
   bool has_below(double cost) const {
     return std::any_of(list.begin(), list.end(),
                        [&](const Minimum& minimum) { return minimum.stationary && minimum.sum_of_squares <= cost; });
@@ -47,7 +47,7 @@ class Minima {
       return minimum.stationary;
     });
   }
-  /// At a bound the slope may vanish by symmetry where the cost is highest: those are no minima.
+  /// Removes peaks: at a bound the slope may vanish by symmetry where the cost is highest.
   void drop_peaks() {
     if (list.size() > 1) std::erase_if(list, [&](const Minimum& minimum) { return is_peak_at_bound(minimum); });
   }
@@ -87,7 +87,7 @@ class Minima {
 FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, const SolverOptions& options) {
   const std::size_t p = problem.parameters().size();
   FoundMinima found;
-  std::vector<Start> list;  // guesses first: they are usually nearest
+  std::vector<Start> list;  // guesses first: they are usually the nearest
   if (!starting.near.empty()) list.push_back({starting.near});
   for (const auto& guess : starting.guesses) list.push_back({guess});
   if (starting.near.empty()) {
@@ -111,9 +111,9 @@ FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, 
     residuals.resize(minimum ? 0 : problem.residual_count());
     if (minimum)
       found.least = std::min(found.least, kernel->first_cost());
-    else if (const auto cost = sum_of_squares(problem, start.x, residuals))  // finite, where the slope is not
+    else if (const auto cost = sum_of_squares(problem, start.x, residuals))  // finite, although the slope is not
       found.least = std::min(found.least, *cost);
-    // From the only start of several parameters try both engines: one may end in a valley or on a plateau.
+    // From the only start of several parameters tries both engines: one may end in a valley or on a plateau.
     const bool lost = !minimum || (!minimum->stationary && !minima.has_below(minimum->sum_of_squares));
     if (lost || (list.size() == 1 && p > 1 && options.engine == Engine::ceres))
       if (const auto other = descend(problem, start.x, options)) {
@@ -127,7 +127,7 @@ FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, 
   found.list = std::move(minima.list);
   if (found.list.empty()) return found;
   std::sort(found.list.begin(), found.list.end(), lower);
-  // The kernel found it; the engine of the options takes it to the last digits.
+  // The kernel found it; the engine of the options refines it to the last digits.
   Minimum& best = found.list.front();
   if (p > 1 || options.engine != Engine::kernel)
     if (const auto minimum = descend(problem, best.x, options);
@@ -162,10 +162,10 @@ SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& st
     const auto square = x.empty() ? std::nullopt : sum_of_squares(of_data, x, residuals);
     return square ? std::sqrt(*square / static_cast<double>(n - unknown)) : 0.0;
   };
-  // The kernel settles the unit first, without a verdict.
+  // The kernel first finds the unit, without a verdict.
   SolverOptions quick = options;
   quick.engine = Engine::kernel;
-  quick.stationary = quick.kernel_stationary_of_several = 1e-6;  // the cost's error is its square
+  quick.stationary = quick.kernel_stationary_of_several = 1e-6;  // the error of the cost is its square
   const auto settle = [&](std::vector<double> x) {
     double unit = unit_at(x);
     for (int i = 0; i < kMostRounds && unit > 0; ++i) {

@@ -1,4 +1,4 @@
-// A fit: finds minima, from a search of the whole range and from guesses, and judges the lowest.
+// A fit: finds minima by a search of the whole range and from guesses, and judges the lowest.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace mixity {
 
-/// Where to start, in addition to a search of the whole range or instead of it.
+/// Start values, in addition to a search of the whole range or in place of it.
 struct StartingPoints {
-  std::vector<double> near{};                  // not empty: instead of the search, for refits of almost the same data
-  std::vector<std::vector<double>> guesses{};  // in addition
+  std::vector<double> near{};                  // if not empty, replaces the search, for refits of almost the same data
+  std::vector<std::vector<double>> guesses{};  // additional starts
 };
 
 /// Judges the lowest minimum found (verdict.h).
@@ -24,7 +24,7 @@ struct SolvedWithPriors {
   double unit;
 };
 
-/// Residuals of unknown size are divided by their own scatter about the fit, which depends on it: iterated until that
+/// Residuals of unknown size are divided by their scatter about the fit, which depends on the result: iterates until it
 /// no longer changes.
 SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& starting = {},
                                    const SolverOptions& options = {});

@@ -24,7 +24,7 @@ std::string values_text(const Problem& problem, const std::vector<double>& x) {
   return text;
 }
 
-/// What the tests of a verdict look at. Each test returns why the fit is not ok, or nothing.
+/// The input of the tests of a verdict. Each test returns why the fit is not ok, or nothing.
 struct Judgement {
   const Problem& problem;
   const SolverOptions& options;
@@ -43,8 +43,8 @@ struct Judgement {
 
 using Finding = std::optional<std::pair<FitStatus, std::string>>;
 
-/// Every value tried fits as well as the best, within the scatter or rounding. One that does not ends the test; four
-/// standard errors from the best there usually is one.
+/// Every value tried fits as well as the best, within the scatter or rounding. The first one that does not ends the
+/// test; there usually is one four standard errors from the best.
 Finding every_value_fits(const Judgement& judgement) {
   if (judgement.found.dearest.empty()) return {};
   const Minimum& best = judgement.verdict.best;
@@ -81,7 +81,7 @@ Finding unconstrained(const Judgement& judgement) {
   return {};
 }
 
-/// The model may not be defined a little further down the slope, which is like a bound for the only parameter.
+/// The model may not be defined a little further down the slope; for the only parameter this is like a bound.
 Finding stopped_on_a_slope(const Judgement& judgement) {
   const Minimum& best = judgement.verdict.best;
   if (best.stationary) return {};

@@ -1,4 +1,4 @@
-// Judging a minimum: each test gives one sentence.
+// Judges a minimum: each test contributes one sentence.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace mixity {
 
-/// The message of a fit that needs more distinct points than it has.
+/// The message for a fit that needs more distinct points than it has.
 std::string too_few_points(std::size_t distinct, std::size_t points, std::size_t parameters);
 
-/// A fit is as good as the best if its sum of squares is at most so much higher: chi^2 of one parameter at 95 %, in
+/// A fit is as good as the best if its sum of squares is higher by at most this: chi^2 of one parameter at 95 %, in
 /// units of residual_variance.
 double fit_tolerance(const Problem& problem, double least);
 

@@ -8,9 +8,9 @@
 namespace mixity {
 namespace {
 
-constexpr double kClosest = 0.98;  // a correlation beyond it is a drift
+constexpr double kClosest = 0.98;  // a larger correlation would be a drift
 
-/// The runs up to about `enough` deviations.
+/// The first runs with about `enough` deviations together.
 TwoProcesses beginning(const TwoProcesses& all, std::size_t enough) {
   TwoProcesses some{{}, all.places, all.first, all.second, all.own};
   std::size_t count = 0;
@@ -22,15 +22,15 @@ TwoProcesses beginning(const TwoProcesses& all, std::size_t enough) {
   return some;
 }
 
-constexpr std::size_t kEnough = 20000;  // deviations that decide
+constexpr std::size_t kEnough = 20000;  // number of deviations used
 
-/// x in [low, high] of the largest f(x), to so many bits (Brent 1973).
+/// The x in [low, high] with the largest f(x), to this many bits (Brent 1973).
 template <class Function>
 double highest_between(const Function& f, double low, double high, int bits) {
   return boost::math::tools::brent_find_minima([&](double x) { return -f(x); }, low, high, bits).first;
 }
 
-/// x in [0, kClosest] of the largest f(x), which may have several maxima.
+/// The x in [0, kClosest] with the largest f(x), which may have several maxima.
 template <class Function>
 double highest(const Function& f) {
   constexpr std::array kTried{0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.85, 0.93, 0.97, kClosest};
@@ -54,7 +54,7 @@ Decorrelation::Decorrelation(const TwoProcesses& processes, const ScaledCorrelat
     return apart == 1 ? correlation : std::pow(correlation, apart);
   };
   for (const auto& run : processes.runs) {
-    double p11 = 1, p12 = 0, p22 = 1;  // the covariance of u and v as predicted
+    double p11 = 1, p12 = 0, p22 = 1;  // the predicted covariance of u and v
     for (std::size_t k = 0; k < run.size(); ++k) {
       const std::size_t i = run[k];
       double d1 = 1, d2 = 1;
@@ -93,15 +93,15 @@ void Decorrelation::apply(std::span<double> values, std::size_t stride) const {
 
 namespace {
 
-/// The sum of squares of the independent deviations, how many there are, and ln of the determinant.
+/// The sum of squares of the decorrelated deviations, their number, and ln of the determinant.
 struct Independent {
   double squares = 0, n = 0, log_determinant = 0;
 };
 
-/// Takes off what multiples of independent columns explain of one run, one column after the other.
+/// Subtracts what multiples of decorrelated columns explain in one run, one column after the other.
 void take_off(const std::vector<std::size_t>& run, std::vector<std::vector<double>> columns,
               const std::vector<double>& values, Independent& result) {
-  constexpr double kNone = 1e-12;  // of a column's square: it depends on those before
+  constexpr double kNone = 1e-12;  // relative to a column's square: it depends on those before
   const auto product = [&](const std::vector<double>& x, const std::vector<double>& y) {
     double sum = 0;
     for (const std::size_t i : run) sum += x[i] * y[i];
@@ -145,7 +145,7 @@ Independent independent(const TwoProcesses& processes, std::span<const double> d
   return result;
 }
 
-/// ln L with the unit of the deviations of greatest likelihood.
+/// ln L with the most likely unit of the deviations.
 double log_likelihood_of_any_unit(const TwoProcesses& processes, std::span<const double> deviations,
                                   const ScaledCorrelations& at) {
   const auto [squares, n, log_determinant] = independent(processes, deviations, at);
@@ -161,8 +161,8 @@ double log_likelihood(const TwoProcesses& processes, std::span<const double> dev
 
 ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<const double> deviations,
                                        const std::function<double(double)>& second_factor) {
-  constexpr int kRounds = 3;        // in turn
-  constexpr double kNear = 2;       // by which ln L at the next of a few values is short of its maximum
+  constexpr int kRounds = 3;        // over the two correlations in turn
+  constexpr double kNear = 2;       // tolerated shortfall of ln L at a few trial values from its maximum
   constexpr double kUndecided = 2;  // of ln L
   const TwoProcesses some = beginning(processes, kEnough);
   std::size_t n = 0;
@@ -175,7 +175,7 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
   ChosenCorrelations best{{}, without};
   double most = without;
   bool promising = false;
-  // ln L rises by n r^2/2 at a small correlation r of the residuals: the first is the least that is worth its price.
+  // ln L rises by n r^2/2 at a small correlation r of the residuals: the first value is the smallest worth its price.
   for (const double tried : {std::sqrt(2 * price / static_cast<double>(n)), 0.3, 0.7, 0.92})
     promising |= std::max(value(tried, 0), value(0, tried)) > most + price - kNear;
   if (!promising) return best;

@@ -1,4 +1,4 @@
-// Deviations along runs of readings whose neighbours resemble each other: sums of two stationary autoregressive
+// Deviations along runs of readings that correlate with their neighbours: sums of two stationary autoregressive
 // processes of order 1, such as the noise of a load cell and that of a camera.
 #pragma once
 
@@ -11,57 +11,57 @@
 
 namespace mixity {
 
-/// Deviations d = first u + second v, where u and v have variance 1.
+/// Deviations d = first u + second v of two processes u and v with variance 1.
 struct TwoProcesses {
   std::vector<std::vector<std::size_t>> runs;  // indices of the deviations of each run, in their order
-  std::vector<double> places;                  // of each deviation: its place along its run, rising
+  std::vector<double> places;                  // per deviation: its position along the run, ascending
   std::vector<double> first, second;           // weights; not both 0
-  /// Columns, a number for each deviation. Each run has its own multiple of each, which is no noise: likelihoods are
-  /// restricted to what is left.
+  /// Columns with one number per deviation. Each run has its own multiple of each column, which is not noise:
+  /// likelihoods are restricted to the remainder.
   std::vector<std::vector<double>> own{};
 };
 
-/// Correlations, and factors of the weights.
+/// Correlations, and factors on the weights.
 struct ScaledCorrelations {
   NeighbourCorrelations correlations;
   double first = 1, second = 1;
 };
 
-/// Turns correlated deviations into independent ones of variance 1, one after the other: each less what those before
-/// it predict, over the standard deviation of that (Kalman's filter; Harvey 1989, Forecasting, Structural Time Series
-/// Models and the Kalman Filter, chapter 3).
+/// Turns correlated deviations into independent ones of variance 1: subtracts from each its prediction from those
+/// before, and divides by the standard deviation of the rest (Kalman's filter; Harvey 1989, Forecasting, Structural
+/// Time Series Models and the Kalman Filter, chapter 3).
 class Decorrelation {
  public:
   Decorrelation(const TwoProcesses& processes, const ScaledCorrelations& at);
 
-  /// `values`: the first deviation, then one every `stride` numbers.
+  /// `values`: every stride-th number is a deviation.
   void apply(std::span<double> values, std::size_t stride = 1) const;
-  /// For each deviation the share, 0..1, of the variance of second u - first v, which it does not contain, that the
-  /// deviations before it predict.
+  /// Per deviation, the fraction 0..1 of the variance of second u - first v that earlier deviations predict. The
+  /// deviation itself does not contain that combination.
   const std::vector<double>& predicted_across() const { return predicted_across_; }
-  /// ln of the determinant of the deviations' covariances.
+  /// ln of the determinant of the covariance matrix of the deviations.
   double log_determinant() const { return log_determinant_; }
 
  private:
   struct Step {
     std::size_t row;
-    bool begins;                    // a run
-    double decay_1, decay_2;        // of the predictions since the step before
+    bool begins;                    // the first deviation of a run
+    double decay_1, decay_2;        // of the predictions since the last step
     double first, second;           // the weights
-    double gain_1, gain_2, per_sd;  // of the innovation; 1/its standard deviation
+    double gain_1, gain_2, per_sd;  // gains for the innovation; 1/its standard deviation
   };
   std::vector<Step> steps_;
   std::vector<double> predicted_across_;
   double log_determinant_ = 0;
 };
 
-/// ln L of the deviations, without -n/2 ln(2 pi).
+/// ln L of the deviations, without the term -n/2 ln(2 pi).
 double log_likelihood(const TwoProcesses& processes, std::span<const double> deviations, const ScaledCorrelations& at);
 
-/// The correlations of greatest likelihood, whatever the unit of the deviations, to 1e-4; 0 where BIC does not ask for
-/// one (Schwarz 1978); both alike where it asks for that and the data do not tell which one it is; ln L with them in
-/// the unit of greatest likelihood, but for a constant. Of many deviations the first 20,000 decide. `second_factor`: by
-/// which the second weights grow with their correlation, where something else than the deviations determines them.
+/// Correlations of maximum likelihood to 1e-4, whatever the unit of the deviations; 0 where BIC rejects one (Schwarz
+/// 1978); equal where BIC requires one and the data do not tell which. ln L is that in the unit of maximum likelihood,
+/// up to a constant. Only the first 20,000 deviations are used. `second_factor`: the factor on the second weights as a
+/// function of their correlation, where these are not determined by the deviations.
 struct ChosenCorrelations {
   NeighbourCorrelations correlations{};
   double log_likelihood = 0;
@@ -69,9 +69,9 @@ struct ChosenCorrelations {
 ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<const double> deviations,
                                        const std::function<double(double)>& second_factor);
 
-/// Those of greatest likelihood next to these correlations; one that is 0 stays so. `more`: ln L of other data, such as
-/// the readings of one axis alone. Each number is changed in turn, a correlation at a fixed variance of the
-/// innovations, since otherwise it would move with the factor; repeat the call until nothing changes.
+/// The local maximum of likelihood from these correlations; one that is 0 stays 0. `more`: ln L of other data, such as
+/// the readings of one axis alone. Changes each number in turn, a correlation at fixed variance of the innovations,
+/// since otherwise it would vary with the factor. Repeat the call until nothing changes.
 ScaledCorrelations improve(const TwoProcesses& processes, std::span<const double> deviations,
                            const NeighbourCorrelations& from,
                            const std::function<double(const ScaledCorrelations&)>& more);

@@ -9,8 +9,8 @@ namespace {
 
 using Columns = std::vector<std::vector<double>>;
 
-/// The sum of squares that least squares leaves of `y`, by modified Gram-Schmidt. A column that others contain is
-/// passed over.
+/// The sum of squares of y that remains after least squares, by modified Gram-Schmidt. Skips columns that others
+/// contain.
 double squares_left(Columns& columns, std::vector<double> y) {
   const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
     double sum = 0;
@@ -32,7 +32,7 @@ double squares_left(Columns& columns, std::vector<double> y) {
   return dot(y, y);
 }
 
-/// One of the forms of a shape: sum of powers of the time behind the break, u, or a line that turns at a knee.
+/// One of the forms of a shape: a sum of powers of the time u after the break, or a line that turns at a knee.
 struct Form {
   std::size_t degree;
   std::vector<double> powers;  // of u; empty: no break
@@ -67,7 +67,7 @@ class Breaks {
   Breaks(const std::vector<double>& time, const std::vector<double>& values, const BreakShape& shape)
       : time_(time), values_(values), shape_(shape), length_(time.back() - time.front()) {}
 
-  /// How many readings are not behind this time.
+  /// The number of readings up to this time.
   std::ptrdiff_t before(double at) const { return std::upper_bound(time_.begin(), time_.end(), at) - time_.begin(); }
 
   double squares(const Form& form, double at) {
@@ -112,7 +112,7 @@ TimeDensity break_times(const std::vector<double>& time, const std::vector<doubl
     squares.emplace_back();
     if (!(spare(form) > 0)) continue;
     for (std::size_t k = 0; k < (form.breaks() ? count : 1); ++k)
-      // between two readings, a course in two parts that do not meet is the same
+      // between two readings, a course in two unconnected parts is the same
       if (k > 0 && form.jumps && breaks.before(density.time(k)) == breaks.before(density.time(k - 1)))
         squares.back().push_back(squares.back().back());
       else
@@ -179,7 +179,7 @@ double quantile(const TimeDensity& density, double share) {
   for (const double one : density.p) sum += one;
   for (std::size_t k = 0; k < density.p.size(); ++k) {
     const double next = below + density.p[k] / sum;
-    // each time stands for the step about it
+    // each time represents the step around it
     if (next >= share) return density.time(k) + density.step * ((share - below) / (next - below) - 0.5);
     below = next;
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kLikely = 3.841458820694124;  // 95 % of chi^2 of one degree of freedom
 
-/// level + slope x, x counted from the first reading, above that reading.
+/// level + slope x, where x counts from the first reading and level is relative to that reading.
 struct Line {
   double level, slope;
   double at(std::size_t x) const { return level + slope * static_cast<double>(x); }
@@ -26,7 +26,7 @@ Line line_between(std::size_t x0, double y0, std::size_t x1, double y1) {
 
 constexpr std::size_t kLeast = 3;  // readings on either side of a change
 
-/// Partial sums of readings, which give the squares about a mean or a line.
+/// Partial sums of readings, from which squares about a mean or a line follow.
 class PartialSums {
  public:
   explicit PartialSums(const std::vector<double>& values, std::size_t begin, std::size_t end) : begin_(begin) {
@@ -66,7 +66,7 @@ class PartialSums {
   }
 
  private:
-  /// Over a stretch of n readings; x of xy and xx from the middle of the stretch.
+  /// Sums over n readings; x of xy and xx is relative to their middle.
   struct Sums {
     double n, middle, y, yy, xy;
     double xx() const { return n * (n * n - 1) / 12; }
@@ -81,7 +81,7 @@ class PartialSums {
   std::vector<double> y_, yy_, xy_;
 };
 
-/// `costs`: twice the negative logarithm of the likelihood of each cut.
+/// `costs`: -2 ln L of each cut.
 ChangePoint best(const std::vector<double>& costs, std::size_t offset) {
   const auto least = std::min_element(costs.begin(), costs.end());
   ChangePoint point{static_cast<std::size_t>(least - costs.begin()), 0, 0};
@@ -127,7 +127,7 @@ std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::
   for (const Course& course : courses) {
     const PartialSums sums(*course.values, begin, end);
     for (std::size_t i = 0; i < costs.size(); ++i) {
-      const std::size_t cut = begin + kLeast + i;  // the first reading behind
+      const std::size_t cut = begin + kLeast + i;  // the first reading after the cut
       costs[i] += (sums.about_line(begin, cut) + sums.about_line(cut, end)) / (course.noise * course.noise);
     }
   }
@@ -140,7 +140,7 @@ ChangePoint beginning_of_drop(const Course& course, std::size_t begin, std::size
   const std::size_t middle = about.at + 1, first = std::max(middle, begin + kLeast + reach) - reach,
                     last = std::min(middle + reach, end - kLeast);
   struct Behind {
-    double level, squares;  // of the line from there on: its value there, and what is left about it
+    double level, squares;  // of the line from there on: its value there, and the squares about it
   };
   std::vector<Behind> behind;
   for (std::size_t low = first; low <= last; ++low)
@@ -168,7 +168,7 @@ std::optional<DropEnds> ends_of_drop(const Course& course, std::size_t begin, st
   if (first > seen) return std::nullopt;
   const PartialSums sums(*course.values, begin, end);
   const double variance = course.noise * course.noise;
-  // `drop`: the first reading of it; `low`: the first one behind
+  // `drop`: its first reading; `low`: the first reading after it
   const auto cost = [&](std::size_t drop, std::size_t low) {
     const Line between = line_between(drop - 1 - begin, sums.line(begin, drop).at(drop - 1 - begin), low - begin,
                                       sums.line(low, end).at(low - begin));
@@ -181,7 +181,7 @@ std::optional<DropEnds> ends_of_drop(const Course& course, std::size_t begin, st
     for (std::size_t i = from; i <= to; ++i) list.push_back(one(i));
     return list;
   };
-  // first a single cut, then a symmetric drop about it, then each end in turn
+  // first a single cut, then a symmetric drop about it, then each end alternately
   const std::size_t cut = best(costs(first, seen, [&](std::size_t i) { return cost(i, i); }), first).at;
   const std::size_t wide = std::min(cut - first, last - cut);
   const std::size_t half = best(costs(0, wide, [&](std::size_t i) { return cost(cut - i, cut + i); }), 0).at;
@@ -212,7 +212,7 @@ std::optional<Hinge> hinge_point(const Course& course, std::size_t begin, std::s
   const double mean = mean_of(y, begin, end);
   double squares = 0;
   for (std::size_t i = begin; i < end; ++i) squares += (y[i] - mean) * (y[i] - mean);
-  double tail_y = 0, tail_xy = 0;  // of readings behind the cut, about the mean; x from the cut
+  double tail_y = 0, tail_xy = 0;  // of readings after the cut, about the mean; x from the cut
   for (std::size_t cut = n - 1; cut-- > 0;) {
     tail_y += y[begin + cut + 1] - mean;
     tail_xy += tail_y;

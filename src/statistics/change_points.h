@@ -7,12 +7,12 @@
 
 namespace mixity {
 
-/// Where the mean of the readings changes: the first index of each segment, including 0. The exact minimum over all
-/// partitions of the sum of squares plus `penalty` variances for each change, by PELT (Killick, Fearnhead & Eckley
-/// 2012, J. Am. Stat. Assoc. 107, 1590).
+/// Where the mean of the readings changes: the first index of each segment, including 0. Minimises the sum of squares
+/// plus `penalty` variances per change exactly over all partitions, by PELT (Killick, Fearnhead & Eckley 2012, J. Am.
+/// Stat. Assoc. 107, 1590).
 std::vector<std::size_t> mean_changes(const std::vector<double>& values, double variance, double penalty);
 
-/// A change behind reading `at`, and its 95 % interval by the likelihood ratio (2 ln L at most 3.84 below its maximum).
+/// A change after reading `at`, and its 95 % interval by the likelihood ratio (2 ln L at most 3.84 below its maximum).
 struct ChangePoint {
   std::size_t at, first, last;
 };
@@ -23,36 +23,36 @@ struct Course {
   double noise;
 };
 
-/// Where in begin..end (end excluded) all courses go from one straight line to another, which need not meet. Null if
-/// fewer than three readings are on either side.
+/// The place in begin..end (end excluded) where all courses change from one straight line to another, which need not
+/// meet. Null if fewer than three readings are on either side.
 std::optional<ChangePoint> break_point(const std::vector<Course>& courses, std::size_t begin, std::size_t end);
 
-/// Where in begin..end a course leaves a line for a drop (or rise) of several readings, after which it follows another
-/// line. `about`: the result of break_point, which finds the middle of such a drop if noise hides its duration; the
-/// change is less than `reach` readings from it.
+/// The place in begin..end where a course leaves a line for a drop (or rise) of several readings, followed by another
+/// line. `about`: the result of break_point, which finds the middle of a drop whose duration noise hides; the place is
+/// less than `reach` readings from it.
 ChangePoint beginning_of_drop(const Course& course, std::size_t begin, std::size_t end, const ChangePoint& about,
                               std::size_t reach);
 
-/// The end or beginning of a line: its value there, and the standard error, including that of the position.
+/// The end or the beginning of a line: the value there and its standard error, including that of the position.
 struct LineEnd {
   double at;  // position in readings, not rounded
   double value, error;
 };
 
-/// Where to look for a drop: its first reading is in first..seen, the first one after it not beyond `last`.
+/// The range for a drop: its first reading is in first..seen, and the first reading after it is at most `last`.
 struct DropSpan {
   std::size_t first, seen, last;
 };
 
-/// The ends of a drop from one line to another along a line between them, or between two readings: least squares over
-/// begin..end (end excluded), alternately in the beginning and the end of the drop. Null if fewer than three readings
-/// are on either side.
+/// The ends of a drop from one line to another, along a line or between two readings. Least squares over begin..end
+/// (end excluded), alternating between the beginning and the end of the drop. Null if fewer than three readings are on
+/// either side.
 struct DropEnds {
   LineEnd top, bottom;
 };
 std::optional<DropEnds> ends_of_drop(const Course& course, std::size_t begin, std::size_t end, const DropSpan& span);
 
-/// Where in begin..end a constant course begins to rise or fall along a straight line, and its value before.
+/// The place in begin..end where a constant course begins to rise or fall along a line, and its value before.
 struct Hinge {
   ChangePoint change;
   double level, slope;  // per reading

@@ -11,7 +11,7 @@ namespace {
 
 namespace bm = boost::math;
 
-// Each interval needs a quantile. In long double it takes eight times as long, a sixth of a whole fit.
+// Each interval needs a quantile. In long double one takes eight times as long, a sixth of a whole fit.
 using InDouble = bm::policies::policy<bm::policies::promote_double<false>>;
 
 }  // namespace
@@ -27,8 +27,8 @@ double student_p_value(double t, double freedom) {
 double chi_squared_p_value(double chi2, double freedom) {
   if (!(chi2 > 0)) return 1;
   if (std::isinf(chi2)) return 0;
-  // Below the mean, Chernoff's bound on what is missing from 1. Boost's series overflows at a chi^2 of exact data and
-  // more than some 3,510 degrees of freedom (1.74).
+  // Below the mean, Chernoff's bound on 1 - p. Boost's series (1.74) overflows for a tiny chi^2 with more than about
+  // 3,510 degrees of freedom.
   constexpr double kRounding = -40;  // ln
   const double ratio = chi2 / freedom;
   if (ratio < 1 && 0.5 * freedom * (1 - ratio + std::log(ratio)) < kRounding) return 1;

@@ -6,20 +6,20 @@ namespace mixity {
 
 /// Probability of a standard normal variable below z.
 double normal_below(double z);
-/// z below which a standard normal variable lies with probability p, 0 < p < 1.
+/// The z below which a standard normal variable lies with probability p, 0 < p < 1.
 double normal_quantile(double p);
 
 /// Two-sided p-value of t under Student's distribution; 1 if t is not a number.
 double student_p_value(double t, double freedom);
 
-/// Probability of so large a chi^2 or a larger one; 1 unless chi2 > 0.
+/// Probability of a chi^2 this large or larger; 1 unless chi2 > 0.
 double chi_squared_p_value(double chi2, double freedom);
-/// chi^2 that is exceeded with probability 1 - p, 0 <= p < 1; to a few roundings.
+/// The chi^2 exceeded with probability 1 - p, 0 <= p < 1; accurate to a few roundings.
 double chi_squared_quantile(double p, double freedom);
 
-/// Probability of so large an F or a larger one; 1 unless F > 0. `freedom`: of the numerator, `rest`: of the denominator.
+/// Probability of an F this large or larger; 1 unless F > 0. `freedom`: of the numerator, `rest`: of the denominator.
 double fisher_p_value(double F, double freedom, double rest);
-/// F that is exceeded with probability 1 - p, 0 <= p < 1; to a few roundings.
+/// The F exceeded with probability 1 - p, 0 <= p < 1; accurate to a few roundings.
 double fisher_quantile(double p, double freedom, double rest);
 
 }  // namespace mixity

@@ -1,9 +1,9 @@
-// How far the noise of neighbouring readings resembles itself.
+// Correlation of the noise of neighbouring readings.
 #pragma once
 
 namespace mixity {
 
-/// Correlations of readings one place apart, 0 to below 1.
+/// Correlations of readings one position apart, from 0 to below 1.
 struct NeighbourCorrelations {
   double first = 0, second = 0;
   bool any() const { return first > 0 || second > 0; }

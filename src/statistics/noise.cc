@@ -14,7 +14,7 @@ double noise_of(const std::vector<double>& values) {
 }
 
 std::size_t remove_spikes(std::vector<double>& values) {
-  constexpr double kSpike = 6;  // standard deviations; of a million readings of noise, none
+  constexpr double kSpike = 6;  // standard deviations; not reached by any of a million readings of noise
   const double noise = noise_of(values);
   if (!(noise > 0)) return 0;
   std::size_t removed = 0;

@@ -1,4 +1,4 @@
-// Parts, means, medians and straight lines of readings.
+// Sections, means, medians and straight lines of readings.
 #pragma once
 
 #include <algorithm>
@@ -18,18 +18,18 @@ inline double mean_of(const std::vector<double>& values, std::size_t begin, std:
          static_cast<double>(end - begin);
 }
 
-inline constexpr double kOfMedian = 1.4826;  // standard deviation over median of |x|, normal
+inline constexpr double kOfMedian = 1.4826;  // standard deviation over median of |x|, for a normal distribution
 
-/// Of at least one.
+/// The median of at least one value.
 inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-/// Least squares through readings begin..end (end not included, one at least).
+/// The least-squares line through readings begin..end (end excluded, at least one).
 struct StraightLine {
-  double mean, slope, middle;  // slope per reading; 0 of fewer than three
+  double mean, slope, middle;  // slope per reading; 0 for fewer than three
   double at(std::size_t i) const { return mean + slope * (static_cast<double>(i) - middle); }
 };
 inline StraightLine line_through(const std::vector<double>& y, std::size_t begin, std::size_t end) {

@@ -1,13 +1,13 @@
-// The steps in which a camera or a converter reads.
+// The resolution (step) with which a camera or a converter reads.
 #pragma once
 
 #include <vector>
 
 namespace mixity {
 
-/// The step of which the differences between readings are multiples, to a twentieth of it as they are printed, if a
-/// fifth of the readings or more are equal to the one before in their run; else 0. `runs`: readings in the order of the
-/// file. Rounding to such a step has the variance step^2/12.
+/// The step of which all differences between readings are multiples, to 1/20 as printed, if at least a fifth of the
+/// readings equal the one before in their run; else 0. `runs`: readings in file order. Rounding to such a step adds the
+/// variance step^2/12.
 double common_step(const std::vector<std::vector<double>>& runs);
 
 }  // namespace mixity

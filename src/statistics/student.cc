@@ -6,7 +6,7 @@
 namespace mixity {
 namespace {
 
-/// The scale of greatest likelihood: the square is the mean of weighted squares, by repeated insertion.
+/// The most likely scale: its square is a mean of weighted squares, found by fixed-point iteration.
 double scale_of(std::span<const double> deviations, double freedom) {
   constexpr int kMost = 1000;
   constexpr double kSettled = 1e-13;

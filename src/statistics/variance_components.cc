@@ -15,7 +15,7 @@ constexpr std::size_t kMost = Deviations::kMostComponents;
 using Vector = std::array<double, kMost>;
 using Matrix = std::array<Vector, kMost>;
 
-/// x of N x = b in the components of `open`, by Cholesky's factors; false unless N is positive definite there.
+/// Solves N x = b restricted to the components in `open`, by Cholesky; false unless N is positive definite there.
 bool solve(const Matrix& N, const Vector& b, std::uint32_t open, Vector& x) {
   std::array<std::size_t, kMost> at{};
   std::size_t n = 0;
@@ -43,7 +43,7 @@ bool solve(const Matrix& N, const Vector& b, std::uint32_t open, Vector& x) {
   return true;
 }
 
-/// theta >= 0 that minimises theta'N theta/2 - b'theta: of all choices of components above 0 the best.
+/// theta >= 0 that minimises theta'N theta/2 - b'theta: the best over all choices of positive components.
 std::optional<Vector> non_negative(const Matrix& N, const Vector& b, std::uint32_t allowed) {
   std::optional<Vector> best;
   double most = -1;
@@ -75,7 +75,7 @@ class Likelihood {
     return sum;
   }
 
-  /// Weighted least squares at the variances of the last call of at().
+  /// One step of weighted least squares at the variances of the last call of at().
   std::optional<Vector> next(std::uint32_t allowed) const {
     Matrix N{};
     Vector b{};
@@ -114,7 +114,7 @@ double log_likelihood(const Deviations& rows, std::span<const double> theta) {
 
 namespace {
 
-/// Where each component alone would explain its part of the squares.
+/// Each component's value if it explained all the squares alone.
 Vector alone(const Deviations& rows, std::uint32_t allowed) {
   const std::size_t m = rows.components;
   Vector theta{};
@@ -131,7 +131,7 @@ Vector alone(const Deviations& rows, std::uint32_t allowed) {
   return theta;
 }
 
-/// From theta on, until no component changes by more than `digits` of its size, or ln L by more than `gain`.
+/// Iterates from theta until no component changes by more than `digits` (relative), or ln L by more than `gain`.
 std::optional<VarianceComponents> scored(const Deviations& rows, std::uint32_t allowed, Vector theta, double digits,
                                          double gain) {
   constexpr int kRounds = 60;
@@ -173,7 +173,7 @@ std::optional<VarianceComponents> fit_variances(const Deviations& rows, std::uin
 }
 
 std::optional<VarianceComponents> choose_variances(const Deviations& rows, std::span<const std::uint32_t> allowed) {
-  constexpr double kHardly = 1e-3;  // of ln L: choices differ by more
+  constexpr double kHardly = 1e-3;  // of ln L: less than the differences between choices
   const double price = std::log(std::accumulate(rows.shares.begin(), rows.shares.end(), 0.0));
   const std::uint32_t any = std::accumulate(allowed.begin(), allowed.end(), 0u, std::bit_or{});
   const auto all = scored(rows, any, alone(rows, any), 0, kHardly);
@@ -183,7 +183,7 @@ std::optional<VarianceComponents> choose_variances(const Deviations& rows, std::
   std::optional<VarianceComponents> best;
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t choice : choices) {
-    // No choice has a greater likelihood than all components together.
+    // No choice is more likely than all components together.
     if (all && best && price * std::popcount(choice) - 2 * (all->log_likelihood + kHardly) >= least) break;
     auto found = scored(rows, choice, alone(rows, choice), 0, kHardly);
     if (!found) continue;

@@ -67,7 +67,7 @@ std::vector<LoadCandidate> next_loads(const Plan& plan, double least, double mos
 Plan best_plan(const Plan& plan, double least, double most, std::size_t runs, Goal goal,
                const std::vector<std::string>& rivals, const Progress& progress) {
   constexpr std::size_t kCandidates = 25;
-  constexpr double kHelps = 1e-3;  // relative; smaller gains of an exchange are noise of the grid
+  constexpr double kHelps = 1e-3;  // relative; smaller gains from an exchange are grid noise
   const std::vector<std::string> others = goal == Goal::error ? std::vector<std::string>{} : rivals;
   Plan best = plan;
   const auto best_next = [&](const Plan& with) {

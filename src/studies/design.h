@@ -1,4 +1,4 @@
-// The expected results of a plan, and the best loads for it.
+// Expected results of a plan, and the best loads for it.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ enum class Goal { error, model };  // the smallest error of the parameter; the l
 /// The expected results of a plan.
 struct Expectation {
   /// Expected standard error of the model's first parameter, from the Fisher information of all points and the priors
-  /// of the constants (nuisance constants: Ds-optimality, Silvey 1980): the error of a fit to the plan without noise.
-  /// Null where the plan does not determine it.
+  /// of the constants (as nuisance constants: Ds-optimality, Silvey 1980): that of a fit to the plan without noise.
+  /// Null if the plan does not determine it.
   std::optional<double> standard_error;
   /// chi^2 of each rival's best fit to the plan without noise: the T-criterion of Atkinson & Fedorov 1975 (Biometrika
   /// 62, 57). Twice the expected logarithm of the odds against it, without the penalty for free parameters.
@@ -28,15 +28,14 @@ struct Expectation {
   std::vector<Rival> rivals;
   /// Infinite without rivals.
   double least_chi2() const;
-  /// To be minimised: the standard error (infinite if there is none), or the least chi^2 with a minus sign.
+  /// The quantity to minimise: the standard error (infinite if there is none), or minus the least chi^2.
   double cost(Goal goal) const;
 };
 
-/// `rivals`: keys of models; the plan's own is left out. Throws as simulate does.
+/// `rivals`: keys of models; the plan's own model is ignored. Throws as simulate does.
 Expectation expect(const Plan& plan, const std::vector<std::string>& rivals);
 
-/// Candidates for the load of one more run, evenly from `least` to `most` [N], with the expectation of the plan that
-/// includes it.
+/// Candidate loads for one more run, evenly from `least` to `most` [N], with the expectation of the extended plan.
 struct LoadCandidate {
   double load;
   Expectation expected;
@@ -44,18 +43,18 @@ struct LoadCandidate {
 std::vector<LoadCandidate> next_loads(const Plan& plan, double least, double most, std::size_t candidates,
                                       const std::vector<std::string>& rivals, const Progress& progress = {});
 
-/// The plan with so many more runs at the best loads for the goal: added one by one, then exchanged until no exchange
-/// helps (Fedorov 1972). `progress` is that of the loads tried for the next run, since their number is not known.
+/// The plan with `runs` more runs at the best loads for the goal: added one by one, then exchanged until no exchange
+/// helps (Fedorov 1972). `progress` refers to the next run alone, since the number of exchanges is unknown.
 Plan best_plan(const Plan& plan, double least, double most, std::size_t runs, Goal goal,
                const std::vector<std::string>& rivals, const Progress& progress = {});
 
-/// Experiments of a plan, simulated and fitted: the actual results that the expectation predicts.
+/// Results of simulated and fitted experiments of a plan, to compare with its expectation.
 struct Outcome {
   std::size_t experiments = 0, with_value = 0, ok = 0;
   double mean = 0, spread = 0;     // of the parameter: mean, standard deviation
   double mean_standard_error = 0;  // of the fits
   double covered = 0;              // share of 95 % intervals that contain the truth
-  std::optional<double> decided;   // share in which the right model's probability exceeds 0.95; null without rivals
+  std::optional<double> decided;   // fraction in which the right model's probability exceeds 0.95; null without rivals
 };
 Outcome try_plan(const Plan& plan, std::uint64_t seed, std::size_t experiments, const std::vector<std::string>& rivals,
                  const Progress& progress = {});

@@ -20,7 +20,7 @@ Contact contact_of(const Metadata& constants) {
   return {*constants.radius, *constants.plane_strain_modulus(), *constants.toughness};
 }
 
-/// The longest T of a stable contact, dimensionless; of one that never jumps the natural scale of T.
+/// The largest T of a stable contact, dimensionless; for a contact that never jumps, the natural scale of T.
 double longest_shear(const ContactModel& model, const Plan& plan, double P) {
   for (const Fold& fold : model.folds(plan.parameters, P, {Control::Kind::load}))
     if (fold.place.maximum) return fold.T;
@@ -31,7 +31,7 @@ double longest_shear(const ContactModel& model, const Plan& plan, double P) {
 std::uint32_t low(std::uint64_t word) { return static_cast<std::uint32_t>(word); }
 std::uint32_t high(std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32); }
 
-/// Standard normal numbers of one experiment; zeros where there is none.
+/// Standard normal numbers for one experiment; zeros if it has no errors.
 class Chance {
  public:
   Chance(std::uint64_t seed, std::optional<std::uint64_t> index) : any_(index.has_value()) {
@@ -97,7 +97,7 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
   add_error(kShearOffset, nominal.force_unit());
   add_error(kAreaOffset, nominal.area_unit());
   add_error(kAreaScale, stated.area_scale.value_or(1));
-  // Those without an error take no random number: plans of earlier versions keep their experiments.
+  // Constants without an error take no random number, so that plans of earlier versions give the same experiments.
   for (const Constant c : kAllConstants)
     if ((c == kForceGain || is_change(c)) && stated.standard_error(kConstantNames[c]) > 0)
       add_error(c, c == kForceGain ? stated.force_gain.value_or(1) : 1);
@@ -129,7 +129,7 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
       const ConstantsScale scale = scale_at(i);
       const double shear = scale.measured_shear(shears[i]) * nominal.force_unit() / kMilli,
                    area = scale.measured_area(areas_found[i]) * nominal.area_unit() / mm2;
-      // errors of the true values, so that noise does not change the weights
+      // errors at the true values, so that noise does not change the weights
       const double dT = error_of(
                        plan.sigma_T,
                        std::max(shear, longest * nominal.force_unit() / kMilli / static_cast<double>(plan.points)),

@@ -13,23 +13,23 @@
 namespace mixity {
 namespace {
 
-using Lags = std::vector<TimeDensity>;  // by one event each, on the same times
+using Lags = std::vector<TimeDensity>;  // from one event each, at the same times
 
-/// What an event tells if it also scatters by a normal deviation.
+/// The lag from an event whose time also scatters with a normal deviation.
 TimeDensity scattered(const TimeDensity& lag, double deviation) {
   TimeDensity wider{lag.begin, lag.step, std::vector<double>(lag.p.size())};
   add_differences(normal_times(0, deviation, lag.step), lag, wider);
   return wider;
 }
 
-/// The product of what events tell, averaged over deviations by which they may scatter beyond their own errors, each
-/// with its probability: none, or a share of what is tried.
+/// The product over events, averaged over additional scatter beyond their own errors, each value with its probability:
+/// none, or a fraction of the range of lags tried.
 TimeDensity together(const Lags& lags) {
   const double tried = lags.front().step * static_cast<double>(lags.front().p.size());
   std::vector<std::vector<double>> products;
   double most = -std::numeric_limits<double>::infinity();
   for (const double share : {0.0, 0.02, 0.1}) {
-    // a deviation more to be estimated, as in BIC
+    // price of one more estimated deviation, as in BIC
     const double beforehand = share > 0 ? -0.5 * std::log(static_cast<double>(lags.size() + 1)) : 0;
     std::vector<double> product(lags.front().p.size(), beforehand);
     for (const TimeDensity& lag : lags) {
@@ -46,7 +46,7 @@ TimeDensity together(const Lags& lags) {
   return all;
 }
 
-/// Events of one kind, counted if they make the lag more probable than it was. Null if none does.
+/// The lag from events of one kind, counting those that make it more probable. Null if none does.
 std::optional<LagPart> part_by(LagEvent::Kind kind, const Lags& lags) {
   if (lags.empty()) return std::nullopt;
   const TimeDensity all = together(lags);
@@ -68,7 +68,7 @@ struct Estimate {
 
 constexpr double kOf95 = 1.96;  // standard errors
 
-/// Where two kinds of events contradict each other, the error and the interval cover both.
+/// If two kinds of events contradict each other, error and interval cover both.
 void cover_both(const LagPart& low, const LagPart& high, Estimate& found) {
   constexpr double kDisagree = 3;  // standard errors
   const double apart = high.lag - low.lag;
@@ -79,7 +79,7 @@ void cover_both(const LagPart& low, const LagPart& high, Estimate& found) {
   found.high = std::max(found.high, high.lag + kOf95 * high.error);
 }
 
-/// Null if no event tells the lag.
+/// Null if no event determines the lag.
 std::optional<Estimate> estimate_by(const std::vector<LagEvent>& events, LagRange range, double interval) {
   Estimate found;
   Lags all;
@@ -100,8 +100,8 @@ std::optional<Estimate> estimate_by(const std::vector<LagEvent>& events, LagRang
   return found;
 }
 
-/// From a lag that is known to some tenths of a second. Contacts come first: near the lag that they tell, falls are not
-/// taken for one another.
+/// Refines a lag known to some tenths of a second. Contacts come first: near the lag that they give, falls are not
+/// mistaken for one another.
 std::optional<Estimate> estimate(const Recording& forces, const Recording& areas, double coarse) {
   constexpr double kWide = 0.6, kNarrow = 0.1, kKnown = 0.05;  // s
   constexpr double kFrames = 3, kErrors = 5;
@@ -116,7 +116,7 @@ std::optional<Estimate> estimate(const Recording& forces, const Recording& areas
   const std::vector<LagEvent> falls = fall_events(make_frames(forces, areas, near.mean), range);
   events.insert(events.end(), falls.begin(), falls.end());
   const auto found = estimate_by(events, range, interval);
-  // if it is known less well, several lags fit
+  // with a larger deviation, several lags are possible
   return found && (found->disagree || found->lag.deviation < std::max(kKnown, 2 * interval)) ? found : std::nullopt;
 }
 
@@ -126,7 +126,7 @@ Frames on_one_clock(const Recording& forces, const Recording& areas, std::option
   if (&forces == &areas || lag) {
     Frames frames = make_frames(forces, areas, lag.value_or(0));
     frames.lag_source = lag ? "stated" : "one clock";
-    // the picture was taken up to a sample before its row
+    // the picture was taken up to one sample before its row
     if (!lag && frames.samples > 1) frames.lag_error = 0.5 * typical_step(forces.time);
     return frames;
   }

@@ -1,4 +1,4 @@
-// Brings forces and areas that were recorded with two clocks to one clock.
+// Converts forces and areas that were recorded with two clocks to one clock.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,9 @@
 
 namespace mixity {
 
-/// make_frames with the lag between the two clocks in s. If it is not stated, it is estimated: to a few tenths of a
-/// second by the records as a whole (coarse_lag.h), then by the events that both show (lag_events.h). Its error is the
-/// standard deviation of the product of what the events tell, or covers what contacts and falls tell where these
+/// make_frames with the lag between the two clocks in s. If not stated, it is estimated: to a few tenths of a second
+/// from the whole records (coarse_lag.h), then from the events that both show (lag_events.h). Its error is the standard
+/// deviation of the product of the events' densities, or covers the lags from contacts and from falls where these
 /// disagree. Throws InputError if the data do not determine the lag.
 Frames on_one_clock(const Recording& forces, const Recording& areas, std::optional<double> lag);
 

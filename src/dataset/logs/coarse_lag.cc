@@ -9,12 +9,12 @@
 namespace mixity {
 namespace {
 
-constexpr double kMostSteps = 1e7;  // of a log: one that pauses for years is no series of equal steps
+constexpr double kMostSteps = 1e7;  // of a log: one that pauses for years is not a series of equal steps
 constexpr double kSure = 6;         // standard deviations
 constexpr double kNearly = 0.85;    // of the best score: another shift with this score makes it ambiguous
 constexpr double kApart = 3;        // frames
 
-/// Means over steps of equal duration from the first reading on. A step without readings repeats the one before.
+/// Means over steps of equal duration from the first reading on. A step without readings repeats the last one.
 std::vector<double> means_over(const std::vector<double>& time, const std::vector<double>& values, double step) {
   std::vector<double> means;
   std::size_t i = 0;
@@ -27,8 +27,8 @@ std::vector<double> means_over(const std::vector<double>& time, const std::vecto
   return means;
 }
 
-/// Times at which T changes suddenly: its means over `step` change within two steps by more than noise and the changes
-/// nearby explain.
+/// Times at which T changes suddenly: its means over `step` change within two steps by more than noise and nearby
+/// changes explain.
 std::vector<double> sudden_changes(const Frames& frames, double step) {
   constexpr double kSudden = 6;  // standard deviations
   constexpr std::size_t kBeside = 10;
@@ -51,20 +51,20 @@ struct Found {
   double lag, sureness;  // s; the score in standard deviations of a score of noise
 };
 
-/// The shift, up to kLongestLag either way, at which sudden changes of T coincide with drops of A: the middle of those
-/// with the largest score, a sum of drops. Null if that is less than kSure standard deviations of a score of noise, or
-/// another shift scores nearly as much.
+/// The shift, within kLongestLag either way, at which sudden changes of T coincide with drops of A: the middle of the
+/// shifts with the largest score, a sum of drops. Null if that is below kSure standard deviations of a noise score, or
+/// if another shift scores nearly as much.
 std::optional<Found> lag_of(const std::vector<double>& events, const Pictures& shown, double interval) {
   constexpr double kMost = 15;     // standard deviations
   constexpr double kSteps = 20;    // of a frame
   constexpr double kLongRise = 2;  // s
-  std::vector<double> touching;    // areas in contact: those out of contact have another noise, or none
+  std::vector<double> touching;    // areas in contact; those out of contact have other noise, or none
   const double largest = *std::max_element(shown.A.begin(), shown.A.end());
   for (const double A : shown.A)
     if (A > 0.3 * largest) touching.push_back(A);
   const double noise = noise_of(touching);
   if (events.empty() || !(noise > 0)) return std::nullopt;
-  // by how much more the area drops from one frame to the next than it changes before and after
+  // by how much the area drops between frames beyond its changes before and after
   std::vector<double> drops(shown.A.size());
   double squares = 0;
   for (std::size_t i = 2; i + 1 < drops.size(); ++i) {
@@ -72,13 +72,13 @@ std::optional<Found> lag_of(const std::vector<double>& events, const Pictures& s
     const double more = drop(i) - std::max(std::abs(drop(i - 1)), std::abs(drop(i + 1)));
     if (shown.A[i - 1] > 0.3 * largest && shown.A[i] > 0)
       drops[i] = std::clamp(more / (std::sqrt(2.0) * noise), 0.0, kMost);
-    squares += std::pow(std::min(drops[i], 3.0), 2);  // of noise
+    squares += std::pow(std::min(drops[i], 3.0), 2);  // limited, to measure noise
   }
   const double by_chance = std::sqrt(squares / static_cast<double>(touching.size()));
   const double step = interval / kSteps;
   const auto half = static_cast<std::ptrdiff_t>(kLongestLag / step);
   std::vector<double> scores(static_cast<std::size_t>(2 * half + 1));
-  // At the drop that ends a long rise the contact loses area; later slips resemble each other.
+  // The contact loses most area at the drop that ends a long rise; later slips resemble each other.
   std::vector<double> weights;
   double weighed = 0;
   for (std::size_t e = 0; e < events.size(); ++e) {
@@ -96,7 +96,7 @@ std::optional<Found> lag_of(const std::vector<double>& events, const Pictures& s
   const auto apart = static_cast<std::ptrdiff_t>(kApart * kSteps);
   for (auto other = scores.begin(); other != scores.end(); ++other)
     if (std::abs(other - best) > apart && *other > kNearly * *best) return std::nullopt;
-  // the interval of nearly the same score, as frames do not resolve more
+  // the interval of nearly equal scores, since frames do not resolve more
   auto first = best, last = best;
   while (first != scores.begin() && *(first - 1) > 0.98 * *best) --first;
   while (last + 1 != scores.end() && *(last + 1) > 0.98 * *best) ++last;
@@ -150,7 +150,7 @@ std::optional<LagByLoad> lag_by_load(const Recording& forces, const Pictures& sh
 
 std::optional<double> lag_by_drops(const Recording& forces, const Recording& areas, const Pictures& shown) {
   const Frames rough = make_frames(forces, areas, 0);
-  // by means over a fifth of a frame, or if noise hides a drop, over half a frame or a whole one
+  // by means over a fifth of a frame; if noise hides a drop, over half a frame or a whole one
   std::optional<Found> found;
   for (const double share : {0.2, 0.5, 1.0}) {
     const double step = std::max(share * rough.interval, typical_step(forces.time));

@@ -27,7 +27,7 @@ std::vector<FrameRange> contacts(const Frames& frames, double noise) {
 
 std::vector<FrameRange> load_steps(const Frames& frames, FrameRange contact, double noise, double range) {
   constexpr std::size_t kFewest = 10;
-  constexpr double kShortest = 0.2;  // s: to a fast camera a ramp of the load looks like stairs
+  constexpr double kShortest = 0.2;  // s: with a fast camera a ramp of the load looks like stairs
   const std::vector<double> inside = part_of(frames.P, contact.begin, contact.end);
   const double n = static_cast<double>(inside.size());
   auto changes = mean_changes(inside, noise * noise, 4 * std::log(std::max(n, 2.0)));
@@ -58,7 +58,7 @@ std::vector<FrameRange> load_steps(const Frames& frames, FrameRange contact, dou
 }
 
 LoadZero load_zero(const Frames& frames, const std::vector<FrameRange>& touching) {
-  constexpr double kFewest = 30, kBeside = 0.2;  // samples; share of each gap in which P may be affected by contact
+  constexpr double kFewest = 30, kBeside = 0.2;  // samples; fraction of each gap in which contact may affect P
   std::vector<double> read;
   std::size_t begin = 0;
   for (std::size_t k = 0; k <= touching.size(); ++k) {
@@ -68,7 +68,7 @@ LoadZero load_zero(const Frames& frames, const std::vector<FrameRange>& touching
     if (k < touching.size()) begin = touching[k].end;
   }
   if (touching.empty() || static_cast<double>(read.size()) * frames.samples < kFewest) return {};
-  // the scatter of the readings includes the wander of the zero, their noise does not
+  // the scatter of the readings includes wander of the zero, their noise does not
   std::vector<double> apart;
   const double zero = median(read);
   for (const double one : read) apart.push_back(std::abs(one - zero));

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kPeak = 0.1;  // of the largest T; T of a sliding contact is higher
 
-/// The lowest reading of a drop. It ends where readings rise by more than `least` again, or do not fall further for
-/// twice its duration, as in steady sliding.
+/// The lowest reading of a drop. It ends where readings rise by more than `least` again, or where they do not fall
+/// further for twice its duration, as in steady sliding.
 std::size_t end_of_drop(const std::vector<double>& T, const Drop& drop, std::size_t end, double least) {
   constexpr std::size_t kFew = 12;
   std::size_t low = drop.seen, lower = drop.seen;  // `lower`: where readings last fell by `least`
@@ -38,7 +38,7 @@ std::vector<Drop> all_drops(const std::vector<double>& T, std::size_t begin, std
   return found;
 }
 
-/// The readings of T from which maxima and minima are taken: samples of the force, or frames.
+/// The readings of T in which maxima and minima are searched: samples of the force, or frames.
 class Source {
  public:
   Source(const Frames& frames, const Shear& shear, std::size_t begin, std::size_t end) : frames_(frames) {
@@ -85,7 +85,7 @@ class Source {
   double noise_ = 0;
 };
 
-/// How many readings of a line give its end: over a tenth of its length T bends little.
+/// The number of readings that determine the end of a line: over a tenth of its length T is nearly straight.
 std::size_t readings_for(std::size_t length) {
   constexpr std::size_t kShare = 10, kFew = 24;
   return std::min(length, std::max(length / kShare, kFew));

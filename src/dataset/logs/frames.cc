@@ -17,7 +17,7 @@ class Means {
       : time_(time), values_(values), sums_(values.size() + 1) {
     for (std::size_t i = 0; i < values.size(); ++i) sums_[i + 1] = sums_[i] + values[i];
   }
-  /// Interpolated in the middle of the interval if it contains no sample. NaN outside the recording.
+  /// Interpolates at the middle of the interval if it contains no sample. NaN outside the recording.
   double over(double begin, double end) const {
     const std::size_t i = index_of(begin, time_), j = index_of(end, time_);
     if (j > i) return (sums_[j] - sums_[i]) / static_cast<double>(j - i);
@@ -61,7 +61,7 @@ Pictures pictures(const Recording& recording) {
   for (std::size_t i = 0, k = 0; i < all.time.size(); ++i) {
     const bool change = k < changed.time.size() && all.time[i] == changed.time[k];
     if (!change && !held.time.empty() && all.time[i] < held.time.back() + 0.999 * step) continue;
-    // the picture that is due is the change right behind this row
+    // the picture that is due is the change right after this row
     if (!change && k < changed.time.size() && changed.time[k] - all.time[i] < 0.5 * step) continue;
     held.time.push_back(all.time[i]);
     held.A.push_back(all.A[i]);

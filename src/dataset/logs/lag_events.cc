@@ -11,7 +11,7 @@
 namespace mixity {
 namespace {
 
-constexpr double kSteps = 20, kMost = 600;  // of a frame; of what is tried, if the frames are short
+constexpr double kSteps = 20, kMost = 600;  // of a frame; of the range tried, if frames are short
 
 double step_of(LagRange range, double interval) {
   return std::max(interval / kSteps, (range.last - range.first) / kMost);
@@ -25,7 +25,7 @@ struct Readings {
     time.assign(times.begin() + static_cast<std::ptrdiff_t>(begin), times.begin() + static_cast<std::ptrdiff_t>(end));
     values = part_of(all, begin, end);
   }
-  /// The last one first, at the negative times.
+  /// Reverses the order, with negative times.
   void reverse() {
     std::reverse(time.begin(), time.end());
     std::reverse(values.begin(), values.end());
@@ -42,7 +42,7 @@ struct Readings {
   }
 };
 
-/// A contact that is made, or one that is lost in reverse.
+/// A contact that is made, or, with reversed time, lost.
 class ContactEvents {
  public:
   ContactEvents(const Recording& forces, const Frames& rough, LagRange range)
@@ -64,8 +64,8 @@ class ContactEvents {
  private:
   static constexpr std::size_t kFew = 3;
 
-  /// The contact is made at frame `at` (or lost, in reverse), out of contact from frame `begin` on, and held before
-  /// frame `end`.
+  /// A contact made at frame `at` (or lost, in reverse): out of contact from frame `begin` on, and held before frame
+  /// `end`.
   void add(std::size_t begin, std::size_t at, std::size_t end, bool lost) {
     if (at < begin + kFew || end < at + kFew || end > frames_.time.size()) return;
     const TimeDensity of_A = in_areas(begin, at, end, lost), of_P = in_loads(begin, at, end, lost);
@@ -73,7 +73,7 @@ class ContactEvents {
       events_.push_back({lost ? LagEvent::Kind::lost : LagEvent::Kind::made, of_P, of_A});
   }
 
-  /// Near the frame at which contact is seen.
+  /// Searches near the frame at which contact is seen.
   TimeDensity in_areas(std::size_t begin, std::size_t at, std::size_t end, bool lost) const {
     constexpr std::size_t kMany = 12;
     Readings area;
@@ -82,7 +82,7 @@ class ContactEvents {
     return beginning(area, noise_A_, frames_.time[at] - near, frames_.time[at] + near, frames_.interval / kSteps, lost);
   }
 
-  /// As far away as the lags that are tried allow.
+  /// Searches as far away as the range of lags allows.
   TimeDensity in_loads(std::size_t begin, std::size_t at, std::size_t end, bool lost) const {
     constexpr std::size_t kBlocks = 150;
     constexpr double kOut = 0.5, kShare = 0.6;  // s; of the ramp of the load
@@ -97,12 +97,12 @@ class ContactEvents {
     const std::size_t n = load.time.size();
     if (n < 4 * kFew) return {};
     const double fine = (load.time.back() - load.time.front()) / (4 * static_cast<double>(n));
-    // the ends must leave readings on either side
+    // there must be readings on either side
     const std::size_t first = lost ? kFew - 1 : kFew, last = lost ? n - 1 - kFew : n - kFew;
     return beginning(load, noise_of(load.values), load.time[first], load.time[last], fine, lost);
   }
 
-  /// When a contact begins, or ends, which in reverse is the same.
+  /// When a contact begins, or, with reversed time, ends.
   static TimeDensity beginning(Readings readings, double noise, double first, double last, double step, bool lost) {
     const BreakShape shape{0, 0, true, 0, false};
     if (!lost) return break_times(readings.time, readings.values, noise, first, last, step, shape);
@@ -121,16 +121,16 @@ class ContactEvents {
   std::vector<LagEvent> events_;
 };
 
-/// When T begins to fall on the clock of the forces, its standard error, and how long it falls.
+/// When T begins to fall by the forces' clock, its standard error, and the duration of the fall.
 struct Fall {
   double time, error, lasts;
-  std::size_t first, last;  // frames between the end of the fall before, or of the contact, and the next one
+  std::size_t first, last;  // frames between the end of the last fall, or of the contact, and the next fall
 };
 
 std::vector<Fall> falls_of(const Frames& frames, const LoadingRun& run) {
   const double sample = frames.samples > 1 ? typical_step(frames.force_time) : frames.interval;
   std::vector<Fall> falls;
-  double free = run.shear.time;  // from where the area may follow its course
+  double free = run.shear.time;  // from when the area may follow its trend
   if (run.onset && (run.cycles.empty() || run.onset->time < run.cycles.front().time - 3 * frames.interval))
     falls.push_back({run.onset->time, (run.onset->high - run.onset->low) / 3.92, 0, run.begin, run.last});
   for (const Cycle& cycle : run.cycles) {
@@ -164,7 +164,7 @@ std::vector<LagEvent> contact_events(const Recording& forces, const Frames& roug
 std::vector<LagEvent> fall_events(const Frames& rough, LagRange range) {
   constexpr std::size_t kBefore = 40, kParabola = 12, kBehind = 12, kFew = 4;  // frames
   constexpr double kSudden = 0.05;                                             // of a frame
-  constexpr double kOfRun = 0.35;  // of the shear: so much of the course before a fall is a polynomial
+  constexpr double kOfRun = 0.35;  // of the shear: this much of the course before a fall is fitted by a polynomial
   RunOptions alone;
   alone.by_shear_alone = true;
   const double step = step_of(range, rough.interval);

@@ -1,4 +1,4 @@
-// Events that forces and areas both show, and the lag between their clocks that each tells.
+// Events that forces and areas both show, and the lag between their clocks that each implies.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace mixity {
 
-/// When the forces show an event, on their clock, and when the areas do, on theirs.
+/// An event: its time in the forces, by their clock, and in the areas, by theirs.
 struct LagEvent {
   enum class Kind { made, lost, fall } kind;
   TimeDensity in_forces, in_areas;
@@ -20,21 +20,21 @@ inline std::string to_string(LagEvent::Kind kind) {
   return kind == made ? "contacts made" : kind == lost ? "contacts lost" : "falls of T";
 }
 
-/// The lags that are tried: from `first` to `last`, s.
+/// The range of lags to try, s.
 struct LagRange {
   double first, last;
 };
 
-/// How probable each lag is by one event, with some probability that forces and areas do not show the same one.
-/// `interval`: of the frames, s.
+/// The probability density of the lag from one event, with some probability that forces and areas do not show the same
+/// one. `interval`: between frames, s.
 TimeDensity lag_by(const LagEvent& event, LagRange range, double interval);
 
-/// Contacts made and lost: P leaves its zero, or returns to it, when the area does. `rough`: frames with a lag that is
-/// known to some tenths of a second.
+/// Contacts made and lost: P leaves or returns to its zero when the area does. `rough`: frames with a lag known to some
+/// tenths of a second.
 std::vector<LagEvent> contact_events(const Recording& forces, const Frames& rough, LagRange range);
 
-/// Falls of T and onsets of sliding: the area leaves its course when T begins to fall, whether it drops, regrows or
-/// stays as it is, and however long T falls.
+/// Falls of T and onsets of sliding: the area departs from its trend when T begins to fall, whether it then drops,
+/// regrows or stays constant, and however long T falls.
 std::vector<LagEvent> fall_events(const Frames& rough, LagRange range);
 
 }  // namespace mixity

@@ -14,9 +14,9 @@
 namespace mixity {
 namespace {
 
-/// The shear of a load step: T starts at 0 and is positive in the direction in which it goes further. It is written to
-/// the places of the step in `sheared`, one array for all steps: copies of the log would cost its length times its
-/// runs.
+/// The shear of a load step: T starts at 0 and is positive in the direction of its larger excursion. It is written to
+/// the places of the step in `sheared`, one array for all steps: copies of the log would take its length times the
+/// number of runs.
 Shear shear_of(const std::vector<double>& T, FrameRange step, std::vector<double>& sheared) {
   const double start = median(
       part_of(T, step.begin, std::min(step.end, step.begin + std::max<std::size_t>(3, (step.end - step.begin) / 20))));
@@ -87,13 +87,13 @@ class Finder {
   }
 
   void find_run(FrameRange step) {
-    constexpr std::size_t kBeforeShear = 5;  // frames before the shear that a run keeps: areas without shear
+    constexpr std::size_t kBeforeShear = 5;  // frames before the shear that a run keeps, as areas without shear
     constexpr double kRises = 12;            // standard deviations of T
     const Frames& frames = found_.frames;
     const Shear shear = shear_of(frames.T, step, sheared_);
     const std::vector<double>& T = shear.T;
     const auto top = static_cast<std::size_t>(std::max_element(T.data() + step.begin, T.data() + step.end) - T.data());
-    // if T comes nearer to its zero, the contact is released, not sheared
+    // if T approaches its zero, the contact is released, not sheared
     if (std::abs(frames.T[top] - rest_T_) < std::abs(frames.T[step.begin] - rest_T_) - kRises * shear.noise)
       return add(step.begin, step.end, "no run", "the shear is only taken back");
     LoadingRun run;
@@ -134,12 +134,12 @@ class Finder {
   }
 
   struct ShearStart {
-    std::size_t frame;  // the first one of the shear
+    std::size_t frame;  // the first frame of the shear
     CutTime cut;
     std::optional<double> rest;  // T before the shear; null: the contact is sheared when the step begins
   };
 
-  /// Where T leaves its baseline: searched until T has risen to a third of its value before it first falls.
+  /// Where T departs from its baseline, searched until T has risen to a third of its value before its first fall.
   ShearStart start_of_shear(const Shear& shear, FrameRange step, std::size_t top, const StatedCut& cuts) const {
     const Frames& frames = found_.frames;
     const std::vector<double>& T = shear.T;
@@ -162,11 +162,11 @@ class Finder {
     }
     const std::size_t frame = hinge->change.at + 1;
     CutTime cut = cut_of(frames, hinge->change);
-    cut.low -= frames.interval / 2;  // the course bends at a frame, not behind it
+    cut.low -= frames.interval / 2;  // the bend is at a frame, not after it
     return {frame, cut, mean_of(T, step.begin, frame)};
   }
 
-  /// The frame behind the last one that the run keeps. Sets the onset of the run.
+  /// The frame after the last one that the run keeps. Sets the onset of the run.
   std::size_t end_of_run(const Shear& shear, FrameRange step, std::size_t begin, std::size_t top, const StatedCut& cuts,
                          LoadingRun& run) const {
     const Frames& frames = found_.frames;
@@ -186,7 +186,7 @@ class Finder {
       return frames_before(exact->time, begin, change->at + 1);
     }
     run.onset = cut_of(frames, *change);
-    // leaves out the last frame if it may slide already
+    // leaves out the last frame if it may already slide
     return change->at + (change->first < change->at ? 0 : 1);
   }
 
@@ -204,7 +204,7 @@ class Finder {
     return std::clamp(index_of(time, found_.frames.time), step.begin, step.end);
   }
 
-  /// The end of the frames that end before this time.
+  /// The end of the range of frames that end before this time.
   std::size_t frames_before(double time, std::size_t begin, std::size_t end) const {
     while (end > begin && found_.frames.time[end - 1] + found_.frames.interval / 2 > time) --end;
     return end;
@@ -222,8 +222,8 @@ class Finder {
   LoadingRuns found_;
   double noise_A_ = 0;            // m^2
   double rest_T_ = 0;             // N
-  std::vector<double> sheared_;   // T of the steps that were searched, see shear_of; NaN elsewhere
-  std::vector<double> constant_;  // replaces the areas if they are not used
+  std::vector<double> sheared_;   // T of the steps searched so far, see shear_of; NaN elsewhere
+  std::vector<double> constant_;  // replaces areas that are not used
 };
 
 }  // namespace

@@ -17,34 +17,34 @@ namespace mixity {
 struct LoadingRun {
   std::string name;
   double P = 0, scatter_P = 0;                        // N: mean and standard deviation of the readings
-  double baseline = 0;                                // N, T before the shear, in its direction; subtracted from T
+  double baseline = 0;                                // N, T before the shear, in its direction; was subtracted from T
   double baseline_time = 0;                           // s, when the baseline was read
   double direction = 1;                               // of the shear; -1: the sign of T was changed
   double noise_T = 0;                                 // N, standard deviation of a frame
-  std::size_t contact = 0, last = 0;                  // frames of the load step, from contact to before last
-  std::size_t begin = 0, end = 0;                     // frames that are kept, from begin to before end
-  CutTime shear;                                      // its start
+  std::size_t contact = 0, last = 0;                  // frames contact..last (last excluded) are the load step
+  std::size_t begin = 0, end = 0;                     // frames begin..end (end excluded) are kept
+  CutTime shear;                                      // the start of the shear
   std::optional<CutTime> onset;                       // of sliding; null: not seen, the run ends at its largest T
-  std::vector<double> smooth_P, T, sigma_T, sigma_A;  // N, N, N, m^2, of the frames that are kept
+  std::vector<double> smooth_P, T, sigma_T, sigma_A;  // of the kept frames: N, N, N, m^2
   std::vector<Cycle> cycles;                          // with the baseline subtracted from T
 };
 
-/// How a range of frames is used.
+/// The use of a range of frames.
 struct Phase {
   std::size_t begin, end;
   std::string_view name;    // "out of contact", "approach", "hold", "shear", "sliding", "no run"
-  std::string_view reason;  // why its frames are not kept; empty: they are
+  std::string_view reason;  // why its frames are not kept; empty if they are
 };
 
 struct StatedCut {
   std::optional<double> shear{}, onset{};  // s
   bool leave_out = false;
-  std::string file{};  // that states the cut, and the places in it
+  std::string file{};  // the file that states the cut, and its places there
   FilePlace shear_place{}, onset_place{};
 };
 
 struct RunOptions {
-  std::map<std::string, StatedCut> cuts{};  // by the name of a run
+  std::map<std::string, StatedCut> cuts{};  // by name of the run
   bool by_shear_alone = false;              // find the onset of sliding without the area
   std::optional<bool> drift{};              // subtract a line through the baselines of all runs; null: if significant
 };
@@ -57,7 +57,7 @@ struct LoadingRuns {
   double drift_T = 0;       // N/s, of the zero of T from run to run
   double drift_error = 0;   // N/s, standard error; 0 if there are only two runs
   bool drift_removed = false;
-  bool drifts = false;  // by more than noise, and the drift was not subtracted
+  bool drifts = false;  // the zero drifts by more than noise, and this was not subtracted
   std::vector<LoadingRun> runs;
   std::vector<Phase> phases;  // of all frames, in order
 };

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t kBefore = 12;  // readings from which a parabola is extrapolated
 
-/// A parabola through the last readings before `end`, extrapolated by a number of steps behind the last one. A straight
-/// line would show breaks that are none: a stage that pulls through a spring bends T, and the area bends towards the
-/// fold. The polynomials 1, x and x^2 - mean of x^2 of the readings at x = -middle..middle are orthogonal.
+/// A parabola through the last readings before `end`, extrapolated by `steps` beyond the last one. A straight line
+/// would show false breaks: a stage that pulls through a spring bends T, and the area bends towards the fold. The
+/// polynomials 1, x and x^2 - mean of x^2 are orthogonal for readings at x = -middle..middle.
 struct Ahead {
   static constexpr double n = kBefore, middle = (n - 1) / 2, mean_square = (n * n - 1) / 12, xx = n * (n * n - 1) / 12,
                           qq = n * (n * n - 1) * (n * n - 4) / 180;
@@ -32,7 +32,7 @@ struct Ahead {
     value = sum / n + first / xx * x + second / qq * (x * x - mean_square);
     slope = first / xx + 2 * second / qq * middle;
   }
-  /// Of the value, in variances of one reading.
+  /// Variance of the value, in variances of one reading.
   static double variance(double steps) {
     const double x = middle + steps, q = x * x - mean_square;
     return 1 / n + x * x / xx + q * q / qq;
@@ -46,7 +46,7 @@ std::vector<double> blocks(const std::vector<double>& y, std::size_t begin, std:
   return means;
 }
 
-/// Where three blocks lie below the extrapolation, in T alone or in T and A, and T has lost a good part of its slope.
+/// A place where three blocks lie below the extrapolation, in T alone or in T and A, and T has lost much of its slope.
 struct Break {
   std::size_t before, seen, width;  // the last frame before the three blocks, their last frame, frames in a block
 };
@@ -71,7 +71,7 @@ std::optional<Break> first_break(const std::vector<double>& T, const std::vector
 
 constexpr std::size_t kAround = 15;
 
-/// Where a break is searched: in first..last; `top` is the last frame that may be before it.
+/// Where to search for a break: in first..last; `top` is the last frame that may precede it.
 struct Place {
   std::size_t first, seen, last, top;
 };
@@ -82,12 +82,12 @@ void take_break(const std::vector<double>& T, const std::vector<double>& A, std:
   for (const std::size_t width : {1, 4, 16})
     if (const auto found = first_break(T, A, begin, end, noise_T, noise_A, width);
         found && (!place || found->seen < place->seen))
-      // a sliding contact does not relax along a line: as little of it as possible is used
+      // a sliding contact does not relax along a line, so as little of it as possible is used
       place = Place{found->before > kAround + width ? found->before - kAround - width : 0, found->seen,
                     found->seen + std::max<std::size_t>(width, 2), found->before};
 }
 
-/// The most likely break of the courses there, without frames before it that are already affected by it.
+/// The most likely break of the courses at this place, excluding frames before it that it already affects.
 ChangePoint settle(const std::vector<Course>& courses, std::size_t begin, std::size_t end, const Place& place) {
   constexpr double kFar = 3.5;  // standard deviations
   ChangePoint found = break_point(courses, std::max(place.first, begin), std::min(place.last, end))
@@ -141,7 +141,7 @@ std::optional<CutTime> onset_in_samples(const Frames& frames, const ChangePoint&
                                         double direction) {
   constexpr double kEnough = 4;  // samples in a frame
   constexpr std::size_t kLead = 8, kFew = 12;
-  constexpr std::size_t kLongestDrop = 400;  // samples; frames show a longer one
+  constexpr std::size_t kLongestDrop = 400;  // samples; a longer drop shows in the frames
   const auto& times = frames.force_time;
   const CutTime rough = cut_of(frames, change);
   if (frames.samples < kEnough) return std::nullopt;

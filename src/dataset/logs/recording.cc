@@ -61,8 +61,7 @@ class LogReader {
     return given ? value * channel.factor : std::nan("");
   }
 
-  /// The seconds from the time of the first row to this one. Without a date, a clock that goes back by hours has passed
-  /// midnight.
+  /// Seconds from the time of the first row. A clock without a date that goes back by hours has passed midnight.
   double clock_time(const CsvRow& row, std::size_t i, bool first) {
     constexpr std::int64_t kDay = 86400;
     auto time = parse_clock(row[i]);
@@ -83,7 +82,7 @@ class LogReader {
     return static_cast<double>(time->seconds - began_->seconds) + (time->fraction - began_->fraction);
   }
 
-  /// Of the time of this row, the last one that was read. Remembers on which line it is.
+  /// Requires that the time of this row, the last one read, does not decrease. Remembers the row's line.
   void require_rise(const CsvRow& row) {
     const Channel& clock = channels_[clock_];
     const std::size_t i = clock.values.size() - 1;
@@ -179,7 +178,7 @@ class LogReader {
   const ContactLengths* lengths() const {
     return contact_lengths([&](ColumnId id) { return has(id); });
   }
-  /// Empty if there is no such column.
+  /// The values of a column; empty if there is none.
   std::vector<double> values(ColumnId id) const { return has(id) ? channel(id)->values : std::vector<double>{}; }
 
   /// Areas from radii or axes; empty if there are neither.
@@ -203,7 +202,7 @@ class LogReader {
   struct LineOfRow {
     std::size_t row, line;
   };
-  std::vector<LineOfRow> lines_;  // where rows are not on the line behind the one before
+  std::vector<LineOfRow> lines_;  // only rows that are not on the line after the last row
   std::optional<ClockTime> began_, last_;
   std::int64_t days_ = 0;
 };

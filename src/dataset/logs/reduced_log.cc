@@ -15,7 +15,7 @@
 namespace mixity {
 namespace {
 
-/// One recording of forces and areas, or two, of forces and of areas. The first file with forces gives the forces.
+/// One recording of forces and areas, or two, of forces and of areas. The first file with forces provides them.
 std::vector<Recording> read_logs(const std::vector<std::string>& paths, const Overrides& constants,
                                  Metadata& metadata) {
   Inputs inputs;
@@ -56,18 +56,18 @@ double correlation(const std::vector<double>& P, const std::vector<double>& A) {
   return pp > 0 && aa > 0 ? pa / std::sqrt(pp * aa) : 0;
 }
 
-/// Whether compression is negative in the log: P is lower in contact than out of it, and the contact area grows as P
-/// falls. False if the data do not show it, for example if the load hardly changes in contact.
+/// Whether compression is negative in the log: P is lower in contact than out of it, and the area grows as P falls.
+/// False if the data do not show this, for example if the load hardly changes in contact.
 bool compression_is_negative(const Recording& forces, const Recording& areas, double lag) {
   constexpr double kOfAll = -0.5, kOfContact = -0.3, kChanges = 0.2;
   Frames frames;
   try {
     frames = make_frames(forces, areas, lag);
-  } catch (const InputError&) {  // no overlap in time: reported when frames are needed
+  } catch (const InputError&) {  // no overlap in time; reported when frames are needed
     return false;
   }
   std::vector<double> P, A;    // in contact
-  double least = 0, most = 0;  // of P in contact, less the zero
+  double least = 0, most = 0;  // of P in contact, minus its zero
   const auto touching = contacts(frames, noise_of(frames.A));
   const double zero = load_zero(frames, touching).value;
   for (const FrameRange& contact : touching)
@@ -81,7 +81,7 @@ bool compression_is_negative(const Recording& forces, const Recording& areas, do
          correlation(P, A) < kOfContact;
 }
 
-/// The lag at which areas follow P best, whatever the sign of compression; 0 if they do not.
+/// The lag at which areas follow P best, for either sign of compression; 0 if they do not.
 double lag_either_way(const Recording& forces, const Recording& areas) {
   const Pictures shown = pictures(areas);
   if (shown.time.size() < 3) return 0;

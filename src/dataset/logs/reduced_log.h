@@ -1,4 +1,4 @@
-// From the files of a log to its loading runs.
+// Reduces the files of a log to its loading runs.
 #pragma once
 
 #include <map>
@@ -12,24 +12,24 @@
 namespace mixity {
 
 struct ReducedLog {
-  Recording forces;      // without its values
-  TimeBase areas_clock;  // of a second file
+  Recording forces;      // without the recorded values
+  TimeBase areas_clock;  // of the second file
   std::string areas_path, force_unit, area_unit;
   double force_factor = 1, area_factor = 1;  // one unit in SI
   Metadata metadata;
   LoadingRuns runs;
-  bool load_turned = false;  // compression is negative in the log
+  bool load_turned = false;  // compression is negative in the log, so loads were reversed
 };
 
 struct ReductionOptions {
-  std::optional<double> lag{};  // s, of the clock of the areas; null: from events
+  std::optional<double> lag{};  // s, of the areas' clock; null: from events
   std::optional<bool> drift{};  // as in RunOptions
-  std::string cuts_path{};      // of a TOML with stated cuts; empty: none
+  std::string cuts_path{};      // a TOML with stated cuts; empty: none
 };
 
-/// Reads a log with forces and areas, or one of forces and one of areas in any order, and finds its loading runs. There
-/// may be none. `constants` override those beside the files. Throws InputError if forces or areas are missing, for
-/// constants that contradict each other, and for cuts of a run that is not found.
+/// Reads a log with forces and areas, or one with forces and one with areas in any order, and finds its loading runs,
+/// possibly none. `constants` override those beside the files. Throws InputError if forces or areas are missing, for
+/// contradictory constants, and for cuts of an unknown run.
 ReducedLog reduce_log(const std::vector<std::string>& paths, const Overrides& constants,
                       const ReductionOptions& options);
 

@@ -10,14 +10,14 @@
 namespace mixity {
 namespace {
 
-/// The typical standard deviation of T in the runs; 0 if there are none.
+/// The typical standard deviation of T in the runs; 0 if there are no runs.
 double noise_of_runs(const LoadingRuns& found) {
   std::vector<double> noise;
   for (const LoadingRun& run : found.runs) noise.push_back(run.noise_T);
   return noise.empty() ? 0 : median(noise);
 }
 
-/// Smoothed by local lines: a held load and the response to a slow shear are nearly straight for about a second.
+/// Smooths by local lines: a held load and the response to slow shear are nearly straight for about a second.
 std::vector<double> smoothed(const std::vector<double>& values) {
   constexpr std::size_t kAround = 25;
   std::vector<double> course;
@@ -43,7 +43,7 @@ void find_drift(std::optional<bool> drift, LoadingRuns& found) {
     tt += (at(run) - t) * (at(run) - t);
     tb += (at(run) - t) * (base(run) - b);
   }
-  if (!(tt > 0)) return;  // zeros read at one time tell no drift
+  if (!(tt > 0)) return;  // zeros read at one time do not determine a drift
   found.drift_T = tb / tt;
   if (runs.size() < 3) return;
   double squares = 0;
@@ -105,7 +105,7 @@ void estimate_errors(double noise_A, LoadingRuns& found) {
   const NoiseModel of_T = noise_model(T, noise_of_runs(found)), of_A = noise_model(A, noise_A);
   for (std::size_t k = 0; k < found.runs.size(); ++k) {
     LoadingRun& run = found.runs[k];
-    // of the smoothed value, as otherwise readings that are low by chance would get more weight than high ones
+    // based on the smoothed value: otherwise readings low by chance would get more weight than high ones
     for (const double one : smoothed(T[k])) run.sigma_T.push_back(of_T.at(one));
     for (const double one : smoothed(A[k])) run.sigma_A.push_back(of_A.at(one));
   }

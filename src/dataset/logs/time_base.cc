@@ -10,7 +10,7 @@
 namespace mixity {
 namespace {
 
-/// Rows with one time.
+/// Rows with the same time.
 struct Stamp {
   double time;
   std::size_t first, count;
@@ -26,12 +26,12 @@ std::vector<Stamp> stamps_of(const std::vector<double>& time) {
   return stamps;
 }
 
-/// Of the clock: its step, and the rows in one step.
+/// The step of a clock, and the number of rows in a step.
 struct Rate {
   double step, rows;
 };
 
-/// Typical of the stamps between the first and the last one, which may be cut.
+/// The typical rate between the first and the last stamp, which may be incomplete.
 Rate rate_of(const std::vector<Stamp>& stamps) {
   std::vector<double> steps, rows;
   for (std::size_t k = 1; k + 1 < stamps.size(); ++k) {
@@ -46,14 +46,14 @@ std::string seconds(double time) { return rounded(time, 6) + " s"; }
 }  // namespace
 
 ClockFault spread_times(std::vector<double>& time, TimeBase& base) {
-  constexpr double kMore = 0.25;         // of the rows of a stamp: a rate that varies by so much is still one
-  constexpr std::size_t kFewStamps = 4;  // two of them whole
+  constexpr double kMore = 0.25;         // of the rows of a stamp: tolerated variation of the rate
+  constexpr std::size_t kFewStamps = 4;  // of which two are complete
   const std::vector<Stamp> stamps = stamps_of(time);
   if (stamps.size() == time.size()) return {};
   if (stamps.size() < kFewStamps)
     return {0, "only " + counted(stamps.size(), "stamp") + " for " + std::to_string(time.size()) + " rows"};
   const Rate rate = rate_of(stamps);
-  const bool coarse = rate.rows > 1;  // where most rows have a time of their own, a pause between two of them is one
+  const bool coarse = rate.rows > 1;  // if most rows have distinct times, a pause is allowed
   std::vector<double> spread = time;
   for (std::size_t k = 0; k < stamps.size(); ++k) {
     const Stamp& one = stamps[k];
@@ -67,7 +67,7 @@ ClockFault spread_times(std::vector<double>& time, TimeBase& base) {
       return {one.first, "the stamp " + seconds(one.time) + " has " + counted(one.count, "row") + " for the " +
                              seconds(lasts) + " up to the next one, where some " + rounded(expected, 2) +
                              " would be usual"};
-    // a stamp that is cut, or before a pause, has the rate of the others
+    // an incomplete stamp, or one before a pause, has the rate of the others
     const bool own_rate = !cut && lasts <= 1.5 * rate.step;
     const double apart = own_rate ? lasts / rows : std::min(lasts / rows, rate.step / rate.rows);
     const double begin = k == 0 && coarse ? stamps[1].time - apart * rows : one.time;

@@ -1,4 +1,4 @@
-// The quantities that the columns of a table may hold.
+// The quantities that the columns of a table may contain.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace mixity {
 
-/// The program's own names, in which case matters: A is an area, a is a radius. a_par and a_perp are semi-axes along
-/// and across the shear; major and minor are full axes, as image programs give them.
+/// The program's own, case-sensitive names: A is an area, a is a radius. a_par and a_perp are semi-axes along and
+/// across the shear; major and minor are full axes, as image programs give them.
 enum class ColumnId {
   P,
   T,
@@ -42,7 +42,7 @@ inline constexpr std::size_t kColumnCount = 23;
 struct ColumnKind {
   ColumnId id;
   std::string_view name;
-  Dimension dimension;  // of its unit; none: the column never has a unit
+  Dimension dimension;  // of its unit; none: the column has no unit
 };
 
 inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
@@ -73,14 +73,14 @@ inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
 
 inline const ColumnKind& kind_of(ColumnId id) { return kColumnKinds[static_cast<std::size_t>(id)]; }
 inline std::string_view to_string(ColumnId id) { return kind_of(id).name; }
-/// Null if no quantity has this name.
+/// The quantity of this name; null if there is none.
 inline std::optional<ColumnId> column_named(std::string_view name) {
   for (const ColumnKind& kind : kColumnKinds)
     if (kind.name == name) return kind.id;
   return std::nullopt;
 }
 
-/// Lengths that give a contact area, pi one other/parts; `other` is `one` for a round contact.
+/// Lengths that give a contact area pi one other/parts; `other` equals `one` for a round contact.
 struct ContactLengths {
   ColumnId one, other;
   double parts;
@@ -92,7 +92,7 @@ inline constexpr std::array<ContactLengths, 4> kContactLengths{{
     {ColumnId::a_par, ColumnId::a_perp, 1},
     {ColumnId::major, ColumnId::minor, 4},
 }};
-/// The first of them of which a table has a column; null if it has none. `has`: whether it has a column.
+/// The first entry for which a table has columns; null if there is none. `has`: whether the table has a column.
 template <class Has>
 constexpr const ContactLengths* contact_lengths(Has has) {
   for (const ContactLengths& lengths : kContactLengths)

@@ -92,7 +92,7 @@ class Names {
     }
   }
 
-  /// Of a set that is complete, only what may stand beside it.
+  /// If the set is complete, adds only optional columns.
   void add_by_vocabulary(const Vocabulary& vocabulary) {
     const bool complete = is_complete();
     const auto is_wanted = [&](ColumnId id) { return is_read(id) && (!complete || is_beside(id)); };
@@ -119,23 +119,23 @@ class Names {
     if (!is_complete() && (!rules_.log || find(ColumnId::P) || find(ColumnId::T))) refuse_unit(vocabulary);
   }
 
-  /// Adds own names whose unit does not fit if no other column is that quantity. The unit is rejected when it is read.
+  /// Adds own names whose unit does not fit if no other column is that quantity. Reading them rejects the unit.
   void add_misfits() {
     for (std::size_t i = 0; i < headings_.size(); ++i)
       if (const auto id = column_named(headings_[i].name); id && is_read(*id) && !find(*id) && !at(i))
         columns_.push_back({*id, i, headings_[i]});
   }
 
-  /// Whether these columns make points.
+  /// Whether these columns suffice for points.
   bool is_complete() const {
     using enum ColumnId;
     const bool loads = find(T) && (find(P) || rules_.load_stated) && is_sized();
-    if (rules_.log) return loads && find(ColumnId::time);  // false of a log of forces or areas alone
+    if (rules_.log) return loads && find(ColumnId::time);  // false for a log of forces or areas alone
     return loads || ((find(psi) || find(mode_ratio)) && (find(Gc) || find(Gc_over_GIc))) || (find(G_I) && find(G_II));
   }
 
-  /// Removes radii or axes beside the areas that were computed from them, or the other way round; of two names of one
-  /// quantity the one that is not mapped, if the other is.
+  /// Removes radii or axes beside areas computed from them, or the reverse. If two names denote one quantity and only
+  /// one is mapped, removes the other.
   void drop_redundant_sizes() {
     using enum ColumnId;
     const auto drop = [&](ColumnId id) {
@@ -150,7 +150,7 @@ class Names {
     }
     if (find(A) && std::none_of(headings_.begin(), headings_.end(), is_called_a)) drop(ColumnId::a);
     if (find(A) || find(ColumnId::a)) drop(diameter);
-    // axes without a unit beside an area with one add nothing that is needed
+    // axes without a unit, beside an area with one, add nothing
     std::vector<ColumnId> axes;
     for (const ContactLengths& lengths : kContactLengths)
       if (!lengths.round()) axes.insert(axes.end(), {lengths.one, lengths.other});
@@ -175,7 +175,7 @@ class Names {
   const NamedColumn* at(std::size_t index) const { return column_with(&NamedColumn::index, index); }
   bool is_mapped(ColumnId id) const { return rules_.mapping.contains(name_of(id)); }
   bool is_read(ColumnId id) const { return rules_.log || id != ColumnId::time; }
-  /// Whether it is a standard error of the columns that make points, a name of runs, or says which rows are used.
+  /// Whether it is a standard error of the columns that make points, a name of runs, or a column that selects rows.
   bool is_beside(ColumnId id) const {
     using enum ColumnId;
     if (rules_.log) return false;
@@ -191,7 +191,7 @@ class Names {
            });
   }
 
-  /// Throws for a heading that names a quantity that is still needed but has an unknown unit or one that does not fit.
+  /// Throws for a heading of a quantity that is still needed, if its unit is unknown or does not fit.
   void refuse_unit(const Vocabulary& vocabulary) const {
     for (std::size_t i = 0; i < headings_.size(); ++i) {
       const Heading& heading = headings_[i];
@@ -211,7 +211,7 @@ class Names {
   std::vector<NamedColumn> columns_;
 };
 
-/// The heading, with its unit or without; its number if that would not be understood in a mapping.
+/// The heading, with or without its unit; its number if a mapping would not understand the heading.
 std::string column_in_mapping(const std::vector<Heading>& headings, std::size_t index, bool with_unit) {
   constexpr std::size_t kLongest = 40;
   const Heading& heading = headings[index];

@@ -1,4 +1,4 @@
-// Which column is which quantity: by a mapping, by the program's own names, or by the vocabulary.
+// Assigns columns to quantities: by a mapping, the program's own names, or the vocabulary.
 #pragma once
 
 #include <map>
@@ -11,9 +11,9 @@
 
 namespace mixity {
 
-/// How to read the columns of a table.
+/// The rules for reading the columns of a table.
 struct ColumnRules {
-  /// From quantities to headings, with or without their unit, or to numbers of columns.
+  /// Quantities to headings (with or without unit) or to column numbers.
   std::map<std::string, std::string> mapping{};
   std::shared_ptr<const Vocabulary> names{};  // null: the shipped vocabulary
   bool load_stated = false;                   // the table needs no column P
@@ -22,24 +22,23 @@ struct ColumnRules {
   bool log = false;                           // the table needs a column of times, and T or A; only logs have times
 };
 
-/// The columns that name quantities, in their order, each quantity once. The mapping of the user comes first, as it may
-/// contradict all names, then the program's own names. The vocabulary, whose names may mean other things in other
-/// files, is used if these are not a complete set; otherwise only for what may stand beside it: standard errors, names
-/// of runs, include. A name counts if its unit fits. One of the program's own names
-/// counts without a fitting unit if there is no other column, so that the unit is rejected. Throws InputError for a
-/// mapping to a column that does not exist, for two headings that name one quantity, and for a name of a required
-/// quantity with a unit that does not fit it.
+/// The columns that name quantities, in their order, each quantity once. The user's mapping comes first, as it may
+/// contradict all names, then the program's own names. If these are incomplete, the vocabulary is used, whose names may
+/// mean other things in other files; otherwise it serves only for optional columns: standard errors, names of runs,
+/// include. A name counts if its unit fits. One of the program's own names counts even if its unit does not fit when
+/// there is no other column, so that the unit is rejected. Throws InputError for a mapping to a column that does not
+/// exist, for two headings of one quantity, and for a required quantity with a unit that does not fit.
 std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,
                                       const ColumnRules& rules);
 
-/// Those of them whose fields must be numbers; none if name_columns throws, which it does again when the table is read.
+/// The named columns whose fields must be numbers; none if name_columns throws, as it will when the table is read.
 std::vector<NamedColumn> number_columns(const std::string& path, const std::vector<Heading>& headings,
                                         const ColumnRules& rules);
 
-/// The mapping of a column to a quantity, as in --columns="P=Load (mN)". By number if its heading would not be
-/// understood there, and with UNIT to be filled in if the unit of the heading is not known or does not fit.
+/// The mapping of a column to a quantity, as in --columns="P=Load (mN)". It uses the column's number if its heading
+/// would not be understood there, and UNIT as a placeholder if the unit of the heading is unknown or does not fit.
 Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t index);
-/// Part of one, "P=Load (mN)", with a unit that the heading lacks.
+/// One entry of a mapping, "P=Load (mN)", with a unit that the heading lacks.
 std::string mapping_with(const std::string& unit, ColumnId id, const std::vector<Heading>& headings, std::size_t index);
 
 }  // namespace mixity

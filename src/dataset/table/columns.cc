@@ -18,7 +18,7 @@ std::string letters_of(std::string_view name) {
   return letters;
 }
 
-/// Words in a column of their own, as LabVIEW's comments on some rows.
+/// Words in a column without a heading, such as LabVIEW's comments on some rows.
 bool is_remark(std::string_view text) {
   return text.find_first_of("+-.,0123456789") != 0 && !is_number(text) && !folded(text).empty();
 }
@@ -143,7 +143,7 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
 
 void Columns::find_unused(const std::vector<Heading>& headings, const std::vector<bool>& used,
                           const Vocabulary& vocabulary) {
-  std::size_t next = 0;  // of the ignored columns
+  std::size_t next = 0;  // index among the ignored columns
   for (std::size_t i = 0; i < headings.size(); ++i) {
     const Heading& heading = headings[i];
     if (used[i] || heading.name.empty()) continue;
@@ -184,7 +184,7 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   const auto fail = [&](const std::string& message, std::optional<ColumnId> missing = {}, const Message& tail = {}) {
     const ColumnId wanted = missing.value_or(P);
     std::string others;
-    std::vector<std::size_t> fitting;  // columns that are not understood, with a unit that fits
+    std::vector<std::size_t> fitting;  // unknown columns with a unit that fits
     for (std::size_t i = 0; rules.vocabulary && i < headings.size(); ++i) {
       if (headings[i].name.empty() ||
           std::any_of(by_id.begin(), by_id.end(), [&](const auto& column) { return column && column->index == i; }))

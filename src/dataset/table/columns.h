@@ -1,4 +1,4 @@
-// The columns of a table: which quantity each contains, in which unit.
+// The columns of a table: the quantity and unit of each.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace mixity {
 
-/// The header of a table has no column for a quantity that is needed.
+/// The header of a table lacks a column for a required quantity.
 class MissingColumn : public InputError {
   using InputError::InputError;
 };
@@ -27,7 +27,7 @@ struct Column {
 
 struct Columns {
   /// Throws InputError as name_columns does, for a text that is not a unit, for a unit that does not fit its quantity,
-  /// and, except of logs, for columns that make no points: MissingColumn if one is missing.
+  /// and, except for logs, for columns that give no points: MissingColumn if one is missing.
   Columns(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules = {});
 
   const Column* find(ColumnId id) const {
@@ -35,11 +35,11 @@ struct Columns {
     return column ? &*column : nullptr;
   }
   bool has(ColumnId id) const { return find(id) != nullptr; }
-  /// P, T and A (or a, or the axes of an ellipse), rather than psi and Gc, or energies.
+  /// True for P, T and A (or a, or the axes of an ellipse); false for psi and Gc, or energies.
   bool holds_loads() const { return has(ColumnId::T); }
-  /// G_I and G_II.
+  /// True for G_I and G_II.
   bool holds_energies() const { return has(ColumnId::G_I); }
-  /// The lengths that give the area; null if it has none.
+  /// The lengths that give the area; null if the table has none.
   const ContactLengths* lengths() const {
     return contact_lengths([&](ColumnId id) { return has(id); });
   }
@@ -47,11 +47,11 @@ struct Columns {
   std::array<std::optional<Column>, kColumnCount> by_id;
   std::size_t count = 0;             // fields in the header, up to the last with a name
   std::vector<std::string> ignored;  // names of columns that are not read
-  /// Ignored columns whose names are known, except of times; with the reason.
+  /// Ignored columns with known names, except times, and why they are ignored.
   std::vector<std::pair<std::string, std::string>> unused;
-  std::vector<std::string> taken;  // headings other than the program's own names: "P from 'Normalkraft (mN)'"
+  std::vector<std::string> taken;  // headings that differ from the program's own names: "P from 'Normalkraft (mN)'"
   /// Columns whose names differ from those of P, T and A only in a number: runs beside the one that is read. Empty if
-  /// there are none.
+  /// none.
   std::string beside;
 
  private:
@@ -63,23 +63,23 @@ struct Columns {
                                 const ColumnRules& rules) const;
 };
 
-// ---- For any file with such a header. Each throws InputError with line and column. ----
+// ---- For any file with such a header. Each function throws InputError with line and column. ----
 
-/// The unit of a heading, which must fit the quantity; that of a plain number if it states none. Pixels become metres
-/// by the size of a pixel. `alone`: it is the only heading of the table.
+/// The unit of a heading, which must fit the quantity; without one, that of a plain number. Pixels become metres by the
+/// size of a pixel. `alone`: the table has no other heading.
 Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& path, bool alone,
              std::optional<double> pixel = {});
 
 bool holds_a_number(const CsvRow& row);
 
-/// Requires as many fields as the header has; further ones must be empty or words.
+/// Requires as many fields as the header has; additional fields must be empty or words.
 void require_width(const std::string& path, const CsvRow& row, std::size_t count);
 
 /// Advice to append to a message about a text that is not a number.
 std::string_view decimal_comma_hint(std::string_view text);
 
-/// Reads the number in field i, without its unit; false if the field is empty. `name`: of the column. `error`: set if
-/// the field states a standard error; null if it must not.
+/// Reads the number in field i, without its unit; false if the field is empty. `name`: of the column. `error`: receives
+/// the standard error that the field states; null if none is allowed.
 bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value,
                double* error = nullptr);
 

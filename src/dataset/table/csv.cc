@@ -15,7 +15,7 @@ std::size_t byte(char c) { return static_cast<unsigned char>(c); }
 
 std::string_view without_line_end(std::string_view line) { return line.substr(0, line.find_last_not_of("\r\n") + 1); }
 
-/// Fields of a line in which quotes are ordinary characters.
+/// Splits a line in which quotes are ordinary characters.
 void split_line(std::string_view line, char delimiter, std::vector<std::string_view>& fields) {
   if (delimiter == kBlanks) {
     for (line = trim(line); !line.empty(); line = trim(line)) {
@@ -32,7 +32,7 @@ void split_line(std::string_view line, char delimiter, std::vector<std::string_v
   }
 }
 
-/// Comma, semicolon or tab, whichever occurs most often outside quotes and the brackets of units.
+/// The one of comma, semicolon and tab that occurs most often outside quotes and brackets of units.
 char delimiter_of(std::string_view line) {
   constexpr std::string_view kCandidates = ",;\t";
   std::array<std::size_t, 3> counts{};
@@ -47,7 +47,7 @@ char delimiter_of(std::string_view line) {
   return kCandidates[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
 }
 
-/// Whether a line of the text ends outside quotes.
+/// Whether any line of the text ends outside quotes.
 bool has_a_row(std::string_view text, const CsvFormat& format) {
   bool quoted = false;
   for (std::size_t end = 0; !text.empty(); text.remove_prefix(end)) {
@@ -123,7 +123,7 @@ void CsvSplitter::fail(std::string_view before, const char* message) const {
   throw InputError(path_, line_ + static_cast<std::size_t>(lines), 1, message);
 }
 
-/// Reads the row at the beginning of the text, blank or not. Returns its number of bytes; 0 if its end is missing.
+/// Reads the row at the beginning of the text, blank or not. Returns its length in bytes; 0 if its end is missing.
 std::size_t CsvSplitter::take(std::string_view text, bool is_rest, CsvRow& row) {
   row.fields_.clear();
   row.unquoted_.clear();
@@ -169,14 +169,14 @@ std::size_t CsvSplitter::take_line(std::string_view text, bool is_rest, CsvRow& 
   const std::size_t end = text.find(format_.line_end);
   if (end == std::string_view::npos && !is_rest) return 0;
   row.raw_ = without_line_end(text.substr(0, end));
-  // rows behind it would be lost with the comment
+  // rows after it would be lost with the comment
   if (row.is_comment_ && row.raw_.find('\r') != std::string_view::npos) fail({}, kReturnInside);
   split_line(row.raw_, format_.delimiter, row.fields_);
   ++line_;
   return std::min(end, text.size() - 1) + 1;
 }
 
-/// Reads a field in quotes. Returns the first non-blank character behind it; null if the quotes are not closed.
+/// Reads a field in quotes. Returns the first non-blank character after it; null if the quotes are not closed.
 const char* CsvSplitter::quoted_field(const char* at, const char* end, CsvRow& row) const {
   const char* const begin = ++at;
   bool doubled = false;
@@ -215,7 +215,7 @@ bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format
     const std::size_t end = std::min(text.find(format.line_end), text.size() - 1) + 1;
     const std::string_view first = without_line_end(text.substr(0, end));
     const bool comment = format.comments && first.starts_with('#') && first.find('\r') == std::string_view::npos;
-    // tells Excel the delimiter, which may be a tab
+    // "sep=" tells Excel the delimiter, which may be a tab
     const bool for_excel = first.starts_with("sep=") && first.size() > 4 && trim(first.substr(5)).empty();
     if (!comment && !for_excel && !trim(first).empty()) {
       format.delimiter = delimiter_of(first);

@@ -1,4 +1,4 @@
-// Rows of comma-separated values (RFC 4180 and what laboratories write besides) with their places in the file.
+// Rows of comma-separated values (RFC 4180 and variants from laboratories) with their places in the file.
 #pragma once
 
 #include <array>
@@ -13,29 +13,29 @@
 namespace mixity {
 
 struct CsvFormat {
-  char delimiter = 0;  // kBlanks: any number of blanks and tabs; quotes are then ordinary characters
+  char delimiter = 0;  // kBlanks: any number of blanks and tabs, and quotes are ordinary characters
   char line_end = '\n', decimal = '.';
   bool grouped = false;  // "1,234" is read as 1234
-  bool comments = true;  // a line that starts with '#' is not part of the table
+  bool comments = true;  // lines that start with '#' are not part of the table
 };
 inline constexpr char kBlanks = ' ';
 
 /// A row or a comment. Its fields are views of the text that it was read from.
 class CsvRow {
  public:
-  std::size_t line() const { return line_; }  // 1-based; the first of a row with quoted line ends
+  std::size_t line() const { return line_; }  // 1-based; the first line of a row with quoted line ends
   bool is_comment() const { return is_comment_; }
   std::size_t size() const { return fields_.size(); }
   /// Field i, unquoted, without blanks around it.
   std::string_view operator[](std::size_t i) const { return fields_[i]; }
-  /// Field i as a number in the format of the file; false if it is none.
+  /// Reads field i as a number in the file's format; false if it is not one.
   bool number(std::size_t i, double& value) const;
   bool blank() const { return fields_.empty() || (fields_.size() == 1 && fields_[0].empty()); }
   /// Where field i starts in the file; beyond the last field, the end of the row.
   FilePlace place(std::size_t i) const;
-  /// Those of all fields and of the end.
+  /// The places of all fields and of the end.
   std::vector<FilePlace> places() const;
-  /// The lines of the row as they are in the file.
+  /// The lines of the row as in the file.
   std::string_view raw() const { return raw_; }
   char delimiter() const { return format_.delimiter; }
   char decimal() const { return format_.decimal; }
@@ -45,7 +45,7 @@ class CsvRow {
   friend class ArrayRows;
 
   std::vector<std::string_view> fields_;
-  std::vector<double> numbers_;      // of a row of arrays, which has no text; else empty
+  std::vector<double> numbers_;      // of a row of arrays, which has no text; otherwise empty
   std::list<std::string> unquoted_;  // fields that had doubled quotes
   std::string_view raw_;
   std::size_t line_ = 0;
@@ -56,14 +56,14 @@ class CsvRow {
 /// Splits a text into rows. A field in quotes may contain delimiters, line ends and doubled quotes.
 class CsvSplitter {
  public:
-  /// `path`: the file in messages. `line`: the number of the first line of the text.
+  /// `path`: the file named in messages. `line`: the number of the first line of the text.
   CsvSplitter(const std::string& path, const CsvFormat& format, std::size_t line = 1);
 
-  /// Removes the next row or comment from the front of the text, and blank rows before it. False if no whole row is
-  /// left. `is_rest`: the text goes on to the end of the file, where a row may lack its line end. Throws InputError for
-  /// unmatched quotes and for a carriage return inside a line.
+  /// Removes the next row or comment from the front of the text, with blank rows before it. False if no complete row is
+  /// left. `is_rest`: the text extends to the end of the file, whose last row may lack a line end. Throws InputError
+  /// for unmatched quotes and for a carriage return inside a line.
   bool next(std::string_view& text, bool is_rest, CsvRow& row);
-  std::size_t line() const { return line_; }  // of what comes next
+  std::size_t line() const { return line_; }  // of the remaining text
 
  private:
   std::size_t take(std::string_view text, bool is_rest, CsvRow& row);
@@ -78,19 +78,19 @@ class CsvSplitter {
   std::array<bool, 256> ends_field_{};
 };
 
-/// All rows and comments of a text, which begins at this line of the file. None if its quotes do not match, as with a
+/// All rows and comments of a text that begins at this line of the file. Empty if its quotes do not match, as with a
 /// wrong delimiter, unless the text ends within quotes.
 std::vector<CsvRow> split_rows(std::string_view text, std::size_t first_line, const CsvFormat& format);
 
 /// Removes what comes before the first row (comments, blank lines, Excel's "sep=;") and counts its lines. The delimiter
-/// becomes the one that the row has most of: comma, semicolon or tab. False, with no text left, if there is no row.
+/// becomes the most frequent one in the row: comma, semicolon or tab. False, with no text left, if there is no row.
 bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format);
 
 /// Text as a CSV field, in quotes if it would not be read back as one field without them.
 std::string csv_field(const std::string& text);
 
-/// The same for tables that are opened in spreadsheets: an apostrophe before a text that these would take for a formula
-/// (= + - @, a tab or a return first), unless it is a number.
+/// The same for tables opened in spreadsheets: puts an apostrophe before a text that would be taken for a formula
+/// (starting with = + - @, tab or return), unless it is a number.
 std::string spreadsheet_field(const std::string& text);
 
 }  // namespace mixity

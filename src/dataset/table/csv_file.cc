@@ -24,7 +24,7 @@ void CsvFile::decode(std::size_t from) {
   decoder_->append(raw, at_end(), text_);
 }
 
-/// No data are of this size: the file is an endless device, or was damaged by a crash.
+/// No data file has a row of this size: it is an endless device, or was damaged by a crash.
 void CsvFile::require_a_row() const {
   if (text_.size() > kMostText)
     throw InputError(path_, splitter_ ? splitter_->line() : line_, 1,
@@ -57,7 +57,7 @@ void CsvFile::begin() {
       throw InputError(path_, "is " + std::string(to_string(encoding_)) + ", which this system's iconv does not know");
     decode(0);
   }
-  // A file without line feeds may end its lines in carriage returns, as the old Macintosh did: read on to find out.
+  // A file without line feeds may end its lines with carriage returns, like old Macintosh files: reads on to find out.
   while (text_.find('\n') == std::string::npos && !at_end()) {
     if (text_.find('\r') == std::string::npos) require_a_row();
     read(std::max(block_bytes_, text_.size()));

@@ -12,28 +12,28 @@
 
 namespace mixity {
 
-/// A file of rows in any encoding of encoding.h, with LF, CRLF or CR. Memory holds one block of it, or its longest row.
+/// A file of rows in any encoding of encoding.h, with LF, CRLF or CR. Holds one block of it, or its longest row.
 class CsvFile {
  public:
   /// Throws InputError if the file cannot be opened.
   CsvFile(const std::string& path, Inputs& inputs, std::size_t block_bytes = std::size_t{1} << 17);
-  /// The complete lines of the first block; valid until the next call of another function. Throws InputError if the
-  /// file cannot be read, is a workbook, or begins with a row of more than kMostText bytes.
+  /// The complete lines of the first block; valid until another member is called. Throws InputError if the file cannot
+  /// be read, is a workbook, or begins with a row of more than kMostText bytes.
   std::string_view start();
-  /// Starts the rows at this byte of start(), on this line of the file. Otherwise find_first_row finds the first row.
+  /// Starts the rows at this byte of start() and line of the file. By default they start where find_first_row says.
   void begin_at(std::size_t offset, std::size_t line, const CsvFormat& format);
   /// Reads the next row or comment; skips comments above the first row. False at the end. Throws InputError as
-  /// CsvSplitter does, and if the file cannot be read or has a row of more than kMostText bytes.
+  /// CsvSplitter does, if the file cannot be read, and for a row of more than kMostText bytes.
   bool next(CsvRow& row);
 
   // After start():
   Encoding encoding() const { return encoding_; }
   char line_end() const { return format_.line_end; }
-  /// Whether the file has been read to its end: start() is then all of it.
+  /// Whether the whole file has been read, so that start() is all of it.
   bool at_end() const { return stream_.at_end(); }
-  /// The share of the file whose rows have been read; 1 if its size is not known (a pipe).
+  /// The fraction of the file whose rows have been read; 1 if its size is unknown (a pipe).
   double progress() const;
-  /// Bytes of memory for the text.
+  /// Bytes of memory used for text.
   std::size_t held() const { return text_.capacity(); }
 
  private:
@@ -47,7 +47,7 @@ class CsvFile {
   InputStream stream_;
   std::size_t block_bytes_, line_ = 1;
   std::string text_;    // decoded
-  std::size_t at_ = 0;  // where its next row starts
+  std::size_t at_ = 0;  // where the next row starts
   CsvFormat format_;
   Encoding encoding_ = Encoding::utf8;
   std::optional<Decoder> decoder_;       // if it is not UTF-8
@@ -64,7 +64,7 @@ inline void read_csv(const std::string& path, const UseRow& use) {
   read_csv(path, inputs, use);
 }
 
-/// The same for a text. `name`: the file in messages. Without comments, '#' is an ordinary character.
+/// The same for a text. `name`: the file named in messages. Without `comments`, '#' is an ordinary character.
 void read_csv_text(std::string_view text, const std::string& name, bool comments, const UseRow& use);
 
 }  // namespace mixity

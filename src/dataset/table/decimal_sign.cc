@@ -13,10 +13,10 @@ namespace {
 /// Field k of a row.
 struct Field {
   std::string_view text{};
-  double value = std::nan("");  // of the number that it is or begins with
+  double value = std::nan("");  // of the number in the field or at its beginning
   double error = 0;
   NumberStyle style{};
-  bool is_valid = false;  // a number, a time or empty; false also of a field that the row lacks
+  bool is_valid = false;  // a number, a time or empty; false if the row lacks the field
 
   Field(const CsvRow& row, std::size_t k, char decimal) {
     if (k >= row.size()) return;

@@ -1,4 +1,4 @@
-// Which decimal sign the numbers of a table have.
+// Finds the decimal sign of the numbers of a table.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 
 namespace mixity {
 
-/// What the fields of some columns are if this is the decimal sign.
+/// What the fields of some columns are when read with this decimal sign.
 struct Reading {
   char decimal = '.';
   std::size_t valid_rows = 0;
   bool grouped = false;  // some numbers certainly have groups of three digits
-  // Fields with a point or comma, those of them that may be one group of three digits, and numbers without either sign.
+  // Numbers of fields: with a point or comma, of these perhaps one group of three digits, and with neither sign.
   std::size_t signs = 0, in_threes = 0, bare = 0;
 };
 
@@ -22,8 +22,8 @@ struct Reading {
 Reading read_numbers(const std::vector<CsvRow>& rows, std::size_t first_row, const std::vector<std::size_t>& columns,
                      char decimal);
 
-/// Reads them with the sign that makes more rows valid, or that the numbers look like. Throws InputError, which shows a
-/// number in both readings, if both signs fit equally well.
+/// Reads them with the sign that makes more rows valid, or that the numbers look like. Throws InputError if both signs
+/// fit equally well; its message shows a number in both readings.
 Reading read_numbers(const std::string& path, const std::vector<CsvRow>& rows, std::size_t first_row,
                      const std::vector<std::size_t>& columns);
 

@@ -17,7 +17,7 @@ bool take_mark(std::string_view& text, std::string_view start) {
   return true;
 }
 
-/// For the start of a text, which may end within a character.
+/// Checks the start of a text, which may end within a character.
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
     utf8proc_int32_t character = 0;

@@ -9,7 +9,7 @@
 namespace mixity {
 
 enum class Encoding { utf8, utf16_le, utf16_be, windows_1252 };
-/// "UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252".
+/// Such as "UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252".
 std::string_view to_string(Encoding encoding);
 
 /// Detects the encoding by the first bytes of a file, and removes its byte order mark. UTF-16 without a mark is
@@ -27,8 +27,8 @@ class Decoder {
   /// False if the system's iconv does not support the encoding.
   bool usable() const { return state_ != reinterpret_cast<iconv_t>(-1); }
 
-  /// Converts bytes that follow those of earlier calls and appends them to the text. An incomplete character is kept
-  /// until its last bytes come; at the end of the file it becomes U+FFFD, as an invalid one does.
+  /// Converts the next bytes and appends them to the text. Keeps an incomplete character until its last bytes come; at
+  /// the end of the file it becomes U+FFFD, as an invalid one does.
   void append(std::string_view bytes, bool is_end, std::string& text);
 
  private:
@@ -37,7 +37,7 @@ class Decoder {
   std::string waiting_;
 };
 
-/// All of a file as UTF-8, without its byte order mark.
+/// A whole file as UTF-8, without its byte order mark.
 std::string to_utf8(std::string_view bytes);
 
 }  // namespace mixity

@@ -11,7 +11,7 @@
 namespace mixity {
 namespace {
 
-constexpr std::size_t kAbove = 5;   // lines above the first row of numbers, among which the headings are searched
+constexpr std::size_t kAbove = 5;   // lines above the first row of numbers that are searched for headings
 constexpr std::size_t kBegins = 4;  // places that look like the first row of a table
 
 /// The headings of a line, for each way to split it.
@@ -33,10 +33,10 @@ std::vector<std::vector<Heading>> split_headings(const CsvRow& line) {
       pieces.emplace_back(line[i], place.line == line.line() ? place.column : 1);
     }
     add(pieces);
-    // NumPy separates headings by blanks whatever separates the fields of its rows.
+    // NumPy separates headings by blanks, whatever separates the fields of its rows.
     if (pieces.size() > 1 || line.raw().find_first_of(" \t") == std::string_view::npos) return ways;
   }
-  // at a tab or two blanks, or at any blank outside brackets and quotes
+  // splits at tabs or double blanks, or at any blank outside brackets and quotes
   const std::string_view text = line.raw();
   const bool quotes = std::count(text.begin(), text.end(), '"') % 2 == 0;
   const std::size_t begin = text.find_first_not_of("#% \t");
@@ -70,9 +70,9 @@ std::vector<std::vector<Heading>> split_headings(const CsvRow& line) {
   return ways;
 }
 
-/// How many quantities the headings name. Headings beyond the width of the rows that name nothing, as LabVIEW's
-/// "Comment", are removed; if they name a quantity, or blanks separate the fields, so that one heading may be several
-/// words, the result is 0.
+/// The number of quantities that the headings name. Removes headings beyond the width of the rows that name nothing,
+/// such as LabVIEW's "Comment". If one of these names a quantity, or if blanks separate the fields, so that a heading
+/// may have several words, returns 0.
 std::size_t count_named(const std::string& path, std::vector<Heading>& headings, std::size_t width,
                         const ColumnRules& rules, bool blanks) {
   try {
@@ -88,8 +88,7 @@ std::size_t count_named(const std::string& path, std::vector<Heading>& headings,
   }
 }
 
-/// Whether rows begin with names without a heading, as R's write.table writes them: a text in quotes, or a count
-/// from 1.
+/// Whether rows begin with names without a heading, as from R's write.table: a quoted text, or a count from 1.
 bool begin_with_names(const std::vector<CsvRow>& lines, std::size_t first, std::size_t width) {
   constexpr std::size_t kLeast = 3;
   std::size_t rows = 0;
@@ -116,14 +115,14 @@ std::vector<std::size_t> first_rows(const std::vector<CsvRow>& lines, std::size_
 
 /// The unit in a field of a row of units; empty if it has none.
 std::string_view unit_in(const CsvRow& row, std::size_t i) {
-  if (row.size() > 0 && row[0] == "#") ++i;  // a field of its own where blanks separate columns
+  if (row.size() > 0 && row[0] == "#") ++i;  // "#" is a separate field if blanks separate columns
   std::string_view text = i < row.size() ? row[i] : std::string_view();
   if (i == 0 && text.starts_with('#')) text.remove_prefix(1);
   text = without_brackets(text);
   return text == "-" || text == "1" ? std::string_view() : text;
 }
 
-/// The fields of a row, in these columns or in all if none are given.
+/// Counts fields of a row, in these columns or, if none are given, in all.
 struct UnitCount {
   std::size_t filled = 0, units = 0, measured = 0;  // measured: units that are not just numbers; 0 if a field is one
 };
@@ -141,7 +140,7 @@ UnitCount count_units(const CsvRow& row, const std::vector<std::size_t>& columns
   return count;
 }
 
-/// Whether a line is units and nothing else, as no headings are: "s,N,N,mm^2".
+/// Whether a line has only units, as headings never have: "s,N,N,mm^2".
 bool holds_only_units(const CsvRow& row) {
   const UnitCount count = count_units(row, {});
   return count.measured > 0 && count.units == count.filled;
@@ -176,7 +175,7 @@ bool is_row_of_numbers(const CsvRow& row) {
 }
 
 std::size_t usual_width(const std::vector<CsvRow>& lines) {
-  std::map<std::size_t, std::size_t> rows;  // by their width
+  std::map<std::size_t, std::size_t> rows;  // by width
   for (const CsvRow& line : lines)
     if (is_row_of_numbers(line)) ++rows[line.size()];
   const auto most = std::max_element(rows.begin(), rows.end(),

@@ -1,4 +1,4 @@
-// The headings of a table, and a row of units beside them.
+// Finds the headings of a table, and a row of units beside them.
 #pragma once
 
 #include <cstddef>
@@ -14,29 +14,29 @@ namespace mixity {
 struct HeadingLine {
   std::vector<Heading> headings;
   std::size_t first_row;             // index of the first row of numbers
-  std::optional<std::size_t> index;  // of the line of headings; null: there is none, and a mapping names the columns
+  std::optional<std::size_t> index;  // the line of headings; null: there is none, and a mapping names the columns
 };
 
-/// With any decimal sign.
+/// Whether a field is a number, with any decimal sign.
 bool has_a_number(const CsvRow& row);
 
-/// Whether two fields are numbers, and it is not a comment.
+/// Whether the row is not a comment and has two numbers.
 bool is_row_of_numbers(const CsvRow& row);
 
 /// The number of fields that most rows of numbers have; 0 if there are none.
 std::size_t usual_width(const std::vector<CsvRow>& lines);
 
 /// The line that names most quantities, among the few lines above each of the first places where rows of `width` fields
-/// begin. A mapping by number names nothing here, and a line of units is none. If none names a quantity, a line of
-/// words. Null if there is no such line either, and no mapping.
+/// begin. Mappings by number do not count, and a line of units is not one of headings. If no line names a quantity, a
+/// line of words is taken. Null if there is none either, and no mapping.
 std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<CsvRow>& lines, std::size_t width,
                                          const ColumnRules& rules);
 
-/// Whether no field is a number, and at least one of these columns has a unit that is not just a number. If no columns
-/// are given, half of all fields must be units.
+/// Whether the row has no numbers, and at least one of these columns has a unit that is not just a number. If no
+/// columns are given, half of all fields must be units.
 bool is_row_of_units(const CsvRow& row, const std::vector<std::size_t>& columns);
 
-/// Gives the headings the units of that row. Throws InputError if the unit of a column that is read is not known or
+/// Adds the units in that row to the headings. Throws InputError if the unit of a column that is read is unknown or
 /// contradicts its heading or mapping.
 void take_units(const std::string& path, const CsvRow& row, const ColumnRules& rules, std::vector<Heading>& headings);
 

@@ -32,7 +32,7 @@ Heading split_heading(std::string_view whole, FilePlace place) {
   const std::size_t open = text.find_first_of("[(");
   if (open == std::string_view::npos) return heading;
   heading.name = trim_name(text.substr(0, open));
-  // "P (load) [mN]": the last bracket holds the unit
+  // "P (load) [mN]": the last brackets contain the unit
   const std::size_t last = text.back() == ']'   ? text.rfind('[')
                            : text.back() == ')' ? text.rfind('(')
                                                 : std::string_view::npos;

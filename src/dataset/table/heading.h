@@ -14,22 +14,22 @@ namespace mixity {
 struct Heading {
   std::string text;                 // as written
   std::string name;                 // before the first bracket, without TeX's $ and braces
-  std::optional<std::string> unit;  // as written in the last bracket, without the brackets; null: there are none
-  bool closed = true;               // false: an opening bracket is not closed at the end of the heading
+  std::optional<std::string> unit;  // as written in the last brackets; null: there are none
+  bool closed = true;               // false: the last bracket is not closed
   FilePlace place;
 };
 
 Heading split_heading(std::string_view text, FilePlace place);
 std::vector<Heading> headings_of(const CsvRow& header);
 
-/// As trim, and without the no-break spaces, zero-width spaces and byte order marks that spreadsheets and web pages
+/// Like trim; also removes the no-break spaces, zero-width spaces and byte order marks that spreadsheets and web pages
 /// add.
 std::string_view trim_name(std::string_view text);
 
 /// The letters and digits of a name, in lower case, without accents. Empty if the text is not UTF-8.
 std::string folded(std::string_view name);
 
-/// The words of a name, folded and sorted, without articles and prepositions: the same for "area reale di contatto" and
+/// The words of a name, folded and sorted, without articles and prepositions: equal for "area reale di contatto" and
 /// "area di contatto reale".
 std::string sorted_words(std::string_view name);
 

@@ -42,7 +42,7 @@ bool join_groups(std::string_view& rest, char decimal, std::string& plain, Numbe
   return true;
 }
 
-/// Removes a pattern from the front of a text: each run of 'd' stands for the digits of a number, other characters for
+/// Removes a pattern from the front of a text: each run of 'd' matches the digits of a number, other characters match
 /// themselves. False if the text does not match.
 bool take(std::string_view& text, std::string_view pattern, std::initializer_list<int*> numbers) {
   if (text.size() < pattern.size()) return false;
@@ -90,7 +90,7 @@ bool parse_number(std::string_view text, char decimal, double& value, NumberStyl
   NumberStyle found;
   std::string plain;
   std::string_view rest = text;
-  constexpr std::string_view kMinus = "\xE2\x88\x92";  // U+2212, the minus sign of typesetting
+  constexpr std::string_view kMinus = "\xE2\x88\x92";  // U+2212, the typographic minus sign
   if (rest.starts_with('-') || rest.starts_with('+')) {
     if (rest[0] == '-') plain = "-";
     rest.remove_prefix(1);
@@ -109,7 +109,7 @@ bool parse_number(std::string_view text, char decimal, double& value, NumberStyl
   const std::size_t before = plain.size();
   plain += rest;
   if (const std::size_t at = plain.find(decimal, before); at != std::string::npos) plain[at] = '.';
-  // Fortran writes an exponent with D.
+  // Fortran writes exponents with D.
   if (const std::size_t at = plain.find_first_of("Dd"); at != std::string::npos) plain[at] = 'e';
   if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) return false;
   if (!parse_number(std::string_view(plain), value)) return false;

@@ -11,19 +11,19 @@ inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// How a number was written.
 struct NumberStyle {
-  bool grouped = false;   // with groups of three digits, as "1,234.5", "1.234,5", "1 234" or "1'234"
-  bool doubtful = false;  // its only group may be decimals: "1,234"
+  bool grouped = false;   // in groups of three digits, as "1,234.5", "1.234,5", "1 234" or "1'234"
+  bool doubtful = false;  // its only group may be decimals, as in "1,234"
 };
 
-/// Reads a field, blanks around it allowed, as one number; false if it is none. `decimal`: '.' or ','; the other one,
-/// an apostrophe, or a blank (also no-break and thin ones) may separate groups of three digits. `style` may be null.
+/// Reads a field, ignoring blanks around it, as one number; false if it is not one. `decimal`: '.' or ','; the other
+/// sign, an apostrophe or a blank (also no-break and thin) may separate groups of three digits. `style` may be null.
 bool parse_number(std::string_view text, char decimal, double& value, NumberStyle* style = nullptr);
 
-/// Reads a value with its standard error: "0.61 +/- 0.05", "0.61±0.05", "0.61 ± 8%", or "0.61(5)", in units of the last
-/// digit. False for anything else.
+/// Reads a value with its standard error: "0.61 +/- 0.05", "0.61±0.05", "0.61 ± 8%", or "0.61(5)", where 5 counts in
+/// the last digit. False for anything else.
 bool parse_with_error(std::string_view text, char decimal, double& value, double& error);
 
-/// Whether a field is a number with one of the decimal signs, perhaps with a standard error.
+/// Whether a field is a number in either decimal sign, with or without a standard error.
 bool is_number(std::string_view field);
 
 /// Whether a text marks a missing number, as in spreadsheets and statistics programs: "NA", "#N/A", "-".

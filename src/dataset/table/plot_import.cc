@@ -23,7 +23,7 @@ std::string import_plot(const std::string& path, const PlotImport& options) {
     text += unit.text.empty() ? "P," : "P [" + unit.text + "],";
   }
   text += options.x_column + "," + options.y_column + "\n";
-  // the header must be readable as two axes with units that fit
+  // the header must be readable as two axes with fitting units
   const std::string name = path + ": the header '" + text.substr(0, text.size() - 1) + "'";
   read_csv_text(text, name, true, [&](const CsvRow& header) {
     const std::vector<Heading> headings = headings_of(header);

@@ -13,7 +13,7 @@ namespace mixity {
 namespace {
 
 /// Whether the cells of a row are alike from pair to pair: "X,Y,X,Y", "dry,dry,wet,wet", "dry x,dry y,wet x,wet y". In
-/// each pair, what is left without the common beginning, or end, is the same.
+/// each pair, the rest after the common beginning, or before the common end, is the same.
 bool repeats_in_pairs(const PlotRows& plot, std::size_t row) {
   if (plot.width < 4 || plot.width % 2 != 0) return false;
   for (const bool reversed : {false, true}) {
@@ -38,7 +38,7 @@ bool repeats_in_pairs(const PlotRows& plot, std::size_t row) {
   return false;
 }
 
-/// Whether every other name, and only these, is the same but for a number: "x,dry,x,wet", "x1,dry,x2,wet".
+/// Whether every other name, and only these, is the same except for a number: "x,dry,x,wet", "x1,dry,x2,wet".
 bool repeats_x(const PlotRows& plot) {
   std::set<std::string> names[2];
   for (std::size_t i = 0; i < plot.width; ++i) {
@@ -71,7 +71,7 @@ std::optional<ColumnId> quantity_of(const Heading& heading) {
   return read ? std::optional(read->id) : std::nullopt;
 }
 
-/// Whether the first column is called as the axis is.
+/// Whether the first column has the name of the axis.
 bool names_the_axis(const PlotRows& plot, const std::string& x_column) {
   const Heading heading = split_heading(plot.text(0, 0), {}), axis = split_heading(x_column, {});
   const std::string name = folded(heading.name);
@@ -94,7 +94,7 @@ std::string quoted(const std::string& name) { return "'" + printable(name, 40) +
 }  // namespace
 
 PlotLayout layout_of(const std::string& path, const PlotRows& plot, const std::string& x_column) {
-  bool over_x = false, over_y = false, all = plot.width > 1;  // where names stand
+  bool over_x = false, over_y = false, all = plot.width > 1;  // where names are placed
   for (std::size_t i = 0; i < plot.width; ++i) {
     const bool named = !plot.text(0, i).empty();
     (i % 2 == 0 ? over_x : over_y) |= named;

@@ -19,7 +19,7 @@
 namespace mixity {
 namespace {
 
-/// The separator by which most rows are numbers and nothing else; that of the first row if there are no such rows.
+/// The separator with which most rows contain only numbers; that of the first row if there are no such rows.
 char delimiter_of(std::string_view text, std::size_t line, const CsvFormat& first) {
   CsvFormat format = first;
   char best = first.delimiter;
@@ -76,7 +76,7 @@ PlotRows split_plot(std::string_view text, const std::string& path, char decimal
   return plot;
 }
 
-/// A number with the digits that stand there; empty if there is none. Throws for anything else.
+/// A number with its digits unchanged; empty if there is none. Throws for anything else.
 std::string number_field(const std::string& path, const CsvRow& row, std::size_t i) {
   std::string text(i < row.size() ? row[i] : std::string_view());
   if (text.empty() || is_missing(text)) return {};
@@ -85,7 +85,7 @@ std::string number_field(const std::string& path, const CsvRow& row, std::size_t
     throw InputError(path, row.place(i),
                      "'" + text + "' is not a finite number" +
                          std::string(row.decimal() == '.' ? decimal_comma_hint(text) : std::string_view()));
-  double plain = 0;  // with a decimal point, as the file that is written has it
+  double plain = 0;  // with a decimal point, as in the written file
   if (parse_number(text, plain)) return text;
   if (row.decimal() == ',') std::replace(text.begin(), text.end(), ',', '.');
   return parse_number(text, plain) && plain == value ? text : shortest(value);
@@ -98,7 +98,7 @@ bool is_label(const PlotRows& plot, std::size_t offset) {
   return true;
 }
 
-/// The columns over which the names of pairs stand: x, as a rule; null if there are none, only labels.
+/// The column of each pair with the names above: usually x; null if there are only labels.
 std::optional<std::size_t> column_of_name(const PlotRows& plot, std::size_t x) {
   bool all_y = plot.width > 2;
   for (std::size_t i = 1; i < plot.width; i += 2) all_y &= !plot.text(0, i).empty();
@@ -156,7 +156,7 @@ std::vector<PlotSeries> read_plot(const std::string& path, PlotLayout layout, co
     for (std::size_t y = 1; y < plot.width; ++y) columns.emplace_back(0, y);
   else
     for (std::size_t x = 0; x < std::min(plot.width, plot.rows[0].size()); x += 2) {
-      if (plot.text(0, x).empty() && x + 1 >= plot.rows[0].size()) break;  // no comma behind the last name
+      if (plot.text(0, x).empty() && x + 1 >= plot.rows[0].size()) break;  // no comma after the last name
       columns.emplace_back(x, x + 1);
     }
   if (columns.empty()) throw InputError(path, plot.rows[0].place(0), "holds no points");

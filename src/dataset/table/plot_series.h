@@ -1,4 +1,4 @@
-// The data sets of a plot, as programs that digitise it export them.
+// The data sets of a plot, as plot digitisers export them.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 namespace mixity {
 
 enum class PlotLayout {
-  found,   // as the file shows
-  pairs,   // two columns x, y for each data set, as WebPlotDigitizer writes them
-  shared,  // one column x, and one column for each data set, as Engauge writes them
+  found,   // as inferred from the file
+  pairs,   // columns x, y for each data set, as WebPlotDigitizer writes them
+  shared,  // one column x, and one column y for each data set, as Engauge writes them
 };
 
 struct PlotSeries {
@@ -18,9 +18,9 @@ struct PlotSeries {
   std::vector<std::pair<std::string, std::string>> points;  // digits as written, with a decimal point
 };
 
-/// The first row has the names of the data sets; a row of words may follow, then the numbers, in the formats that
-/// find_table reads. A data set may lack points. `decimal`: '.' or ',' if it is stated, else 0. Throws InputError with
-/// file, line and column for anything else, for names that stand twice, and for a file that fits both layouts.
+/// Reads an exported plot. The first row has the names of the data sets; a row of words may follow, then the numbers in
+/// the formats of find_table. A data set may lack points. `decimal`: '.' or ',' if stated, else 0. Throws InputError
+/// with file, line and column for anything else, for repeated names, and for a file that fits both layouts.
 std::vector<PlotSeries> read_plot(const std::string& path, PlotLayout layout, const std::string& x_column,
                                   char decimal);
 

@@ -21,7 +21,7 @@ Indices indices_of_numbers(const std::string& path, const std::vector<Heading>& 
   return columns;
 }
 
-/// Takes the units of a row between the headings and the numbers, or above the headings. Returns its line, 0 if none.
+/// Takes the units from a row between the headings and the numbers, or above the headings. Returns its line; 0 if none.
 std::size_t take_row_of_units(const std::string& path, const Lines& lines, const HeadingLine& at,
                               const Indices& columns, const ColumnRules& rules, std::vector<Heading>& headings) {
   constexpr std::size_t kAbove = 12;  // lines
@@ -38,7 +38,7 @@ std::size_t take_row_of_units(const std::string& path, const Lines& lines, const
   return 0;
 }
 
-/// Sets where the rows begin below the headings. Lines of words, as Origin writes them, are skipped.
+/// Finds where the rows below the headings begin. Skips lines of words, as Origin writes them.
 void set_first_row(std::string_view text, const Lines& lines, const HeadingLine& at, Table& table) {
   std::size_t begin = at.index ? *at.index + 1 : at.first_row;
   for (; begin < at.first_row; ++begin) {
@@ -62,14 +62,14 @@ bool names_a_summary(std::string_view text) {
 }
 
 /// The line of the first row of the summary at the end: rows with such a label, as ImageJ's "Mean" below its results,
-/// or with words where all other rows have numbers that are not read. 0 if there are no such rows, or more than a few.
+/// or with words where all other rows have numbers that are not read. 0 if there are no such rows, or too many.
 std::size_t find_summary(const Lines& lines, std::size_t first_row, const Indices& columns, const Table& table) {
   constexpr std::size_t kMostRows = 8, kLeastRows = 3;
-  std::optional<std::size_t> runs;  // the column of names of runs, which may be any word
+  std::optional<std::size_t> runs;  // the column with names of runs, which may be any word
   for (std::size_t i = 0; i < table.headings.size(); ++i)
     if (column_named(table.headings[i].name) == ColumnId::curve) runs = i;
   const std::size_t n = lines.size();
-  const auto numbers_above = [&](std::size_t k) {  // in all rows but those at the end
+  const auto numbers_above = [&](std::size_t k) {  // in all rows except those at the end
     for (std::size_t row = first_row; row + kMostRows < n || row < first_row + kLeastRows; ++row)
       if (k >= lines[row].size() || !is_number(lines[row][k])) return false;
     return true;
@@ -88,15 +88,15 @@ std::size_t find_summary(const Lines& lines, std::size_t first_row, const Indice
   return first < n ? lines[first].line() : 0;
 }
 
-/// The table that one separator gives.
+/// The table found with one separator.
 struct Candidate {
   Table table;
   Indices columns;  // of numbers that are read; empty: the headings name no known quantity
   Reading reading;
 };
 
-/// Guesses what the lines are, in an order in which each step needs only the results of those before it. The separator
-/// comes first, as nothing can be recognised in a line that is not split. Since a wrong one misleads all other steps,
+/// Guesses what the lines are, in an order in which each step depends only on earlier results. The separator comes
+/// first, since nothing can be recognised in a line that is not split. A wrong one misleads all other steps, so
 /// find_table tries every separator and chooses the table that explains most.
 ///
 /// 1. Rows of numbers, by the number of fields that most of them have: every table has these.
@@ -126,7 +126,7 @@ std::optional<Candidate> guess(const std::string& path, std::string_view text, s
   set_first_row(text, lines, *at, table);
   table.summary_line = find_summary(lines, at->first_row, made.columns, table);
   if (made.columns.empty()) return made;
-  // where commas separate columns, the decimal sign of a field without quotes is a point
+  // if commas separate columns, the decimal sign of a field without quotes is a point
   if (decimal == 0 && format.delimiter == ',' && text.find('"') == std::string_view::npos) decimal = '.';
   made.reading = decimal == 0 ? read_numbers(path, lines, at->first_row, made.columns)
                               : read_numbers(lines, at->first_row, made.columns, decimal);
@@ -147,7 +147,7 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
                                 const ColumnRules& rules, char decimal) {
   std::string delimiters = ";\t,| ";
   std::string_view text = start;
-  std::size_t before = 0, first_line = 1;  // of Excel's line "sep=;" above the table
+  std::size_t before = 0, first_line = 1;  // counts Excel's line "sep=;" above the table
   if (const std::string_view first = text.substr(0, text.find(line_end));
       first.starts_with("sep=") && first.size() > 4) {
     delimiters = first[4];

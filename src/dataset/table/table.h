@@ -1,4 +1,4 @@
-// Finds the table in a file exported by a laboratory, and its format: separator, headings, units, decimal sign.
+// Finds the table in a file exported by an instrument, and its format: separator, headings, units, decimal sign.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@ namespace mixity {
 
 struct Table {
   CsvFormat format;
-  std::vector<Heading> headings;     // with the units of a row of units
-  std::size_t offset = 0, line = 1;  // of the first row below the headings: byte of the text, line of the file
+  std::vector<Heading> headings;     // including units from a row of units
+  std::size_t offset = 0, line = 1;  // of the first row below the headings: byte in the text, line in the file
   std::size_t header_line = 0, units_line = 0;  // 0: none
   std::vector<std::size_t> passed_over{};       // lines of words between the headings and the numbers
-  std::size_t summary_line = 0;                 // the first of the rows that summarise those above; 0: there are none
+  std::size_t summary_line = 0;                 // the first row that summarises those above; 0: none
 };
 
-/// The table in the first lines of a file, or in all of it. Its separator and decimal sign are those with which the
+/// The table in the first lines of a file, or in all of it. The separator and the decimal sign are those with which the
 /// headings name most quantities and most rows contain them. Null if no line contains two numbers, or there are no
-/// headings. Throws InputError if two decimal signs fit equally well and give different numbers, and for a row of units
-/// that contradicts the headings. `decimal`: '.' or ',' if it is stated, else 0.
+/// headings. Throws InputError if both decimal signs fit equally well and give different numbers, and for a row of
+/// units that contradicts the headings. `decimal`: '.' or ',' if stated, else 0.
 std::optional<Table> find_table(const std::string& path, std::string_view start, char line_end,
                                 const ColumnRules& rules, char decimal);
 

@@ -45,7 +45,7 @@ void Vocabulary::add(const std::string& path, const TomlTable& table) {
                   "\"" + text + "\" already is a name of " +
                       (at->second ? std::string(to_string(*at->second)) : std::string("error")));
         if (symbols || !id) continue;
-        // Words that name two quantities in two orders name none when sorted.
+        // Words that name two quantities in two orders are ambiguous when sorted.
         const auto [same, first] = words_.try_emplace(sorted_words(text), id);
         if (!first && same->second != id) same->second = std::nullopt;
       }
@@ -94,7 +94,7 @@ std::optional<ColumnId> Vocabulary::find(std::string_view name) const {
   return quantity ? quantity : find_error(name);
 }
 
-/// Also understands a name followed by a symbol of the same quantity: "Normal force F_N", "friction force, T".
+/// Like find; also understands a name followed by a symbol of the quantity: "Normal force F_N", "friction force, T".
 std::optional<ColumnId> Vocabulary::find_with_symbol(std::string_view name) const {
   const auto own_or_found = [&](std::string_view text) { return column_named(text) ? column_named(text) : find(text); };
   if (const auto found = own_or_found(name)) return found;
@@ -121,7 +121,7 @@ std::optional<NamedColumn> Vocabulary::read(const Heading& heading, std::size_t 
     return named(without_brackets(heading.text), heading.unit);
   }
   std::string_view text = heading.text;
-  while (text.ends_with('_')) text.remove_suffix(1);  // MATLAB turns a closing bracket into one
+  while (text.ends_with('_')) text.remove_suffix(1);  // MATLAB replaces a closing bracket by an underscore
   for (const std::string_view sign : {"/", " in ", " en ", ",", "_", " "}) {
     const std::size_t at = text.rfind(sign);
     if (at == std::string_view::npos || at == 0) continue;

@@ -1,5 +1,5 @@
-// Which quantity and unit a heading names. The vocabulary is data/headings.toml, the names of columns in exports of
-// laboratories, and what a user adds to it.
+// Finds the quantity and unit that a heading names. The vocabulary is data/headings.toml, a list of column names in
+// laboratories' exports, and a user's additions.
 #pragma once
 
 #include <cstddef>
@@ -23,18 +23,18 @@ struct NamedColumn {
 
 class Vocabulary {
  public:
-  /// The one that is compiled into the program.
+  /// The vocabulary compiled into the program.
   static const Vocabulary& shipped();
-  /// The shipped one with the additions of the TOML at `path`. Throws InputError, with line and column, for anything in
-  /// it that cannot be understood, and for a name that two quantities would share.
+  /// The shipped one with the additions of the TOML at `path`. Throws InputError, with line and column, for invalid
+  /// content and for a name that two quantities would share.
   static Vocabulary with(const std::string& path, Inputs& inputs);
 
-  /// The quantity of a heading without its unit; null if it is not known. "T_err", "error of friction force" are
-  /// standard errors.
+  /// The quantity of a heading without its unit; null if unknown. "T_err" and "error of friction force" are standard
+  /// errors.
   std::optional<ColumnId> find(std::string_view name) const;
 
-  /// Reads a heading by the program's own names and the vocabulary; null if it names no quantity. `with_unit`: only if
-  /// it ends in a unit.
+  /// Reads a heading by the program's own names and the vocabulary; null if it names no quantity. `with_unit`: accept
+  /// it only if it ends in a unit.
   std::optional<NamedColumn> read(const Heading& heading, std::size_t index, bool with_unit = false) const;
 
  private:
@@ -44,16 +44,16 @@ class Vocabulary {
   std::optional<ColumnId> find_error(std::string_view name) const;
   std::optional<ColumnId> find_with_symbol(std::string_view name) const;
 
-  /// A quantity; null: a word that makes another name that of its standard error.
+  /// A quantity; null: a word that turns another name into that of its standard error.
   using Meaning = std::optional<ColumnId>;
   std::map<std::string, Meaning, std::less<>> symbols_, names_;        // as written; folded
-  std::map<std::string, std::optional<ColumnId>, std::less<>> words_;  // sorted words of names; null: of two quantities
+  std::map<std::string, std::optional<ColumnId>, std::less<>> words_;  // sorted words of names; null: ambiguous
 };
 
-/// Whether a quantity may have this unit, or none.
+/// Whether a quantity may have this unit; null: no unit.
 bool unit_fits(const std::optional<std::string>& unit, ColumnId id);
 
-/// Whether a dimension is pixels or square pixels, and a length or area in them is wanted.
+/// Whether a dimension is in pixels where a length or area is wanted.
 bool is_pixels(const Dimension& found, const Dimension& wanted);
 
 }  // namespace mixity

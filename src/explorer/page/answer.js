@@ -3,7 +3,7 @@ import {shown} from './charts.js';
 
 export const escape = text => text.replace(/[&<>"]/g, c => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[c]);
 export const list = sentences => sentences.map(one => `<li>${escape(one)}</li>`).join('');
-/// A law without a name has a key that nobody has typed.
+/// The key of a law without a name is generated and not shown.
 export const named = text => text.replaceAll(/(\bmodel )?\blaw_\d+\b(, law_\d+\b)?/g, 'your own law');
 
 /// How a file was read. `whole`: with all constants known; `hidden(name)`: whether the form has no field for a constant.
@@ -48,7 +48,7 @@ export function answerHtml({answer, fits}) {
     (answer.cannot_say.length ? `<h3>What the data cannot say</h3><ul>${list(answer.cannot_say)}</ul>` : '');
 }
 
-/// A table, the model that describes the data best first.
+/// A table that begins with the model that describes the data best.
 export function modelsHtml({fits, drawn}) {
   const {comparison = [], fits: all} = fits.datasets[0], best = drawn.models.map(one => one.model);
   const place = fit => (best.includes(fit.model) ? best.indexOf(fit.model) : best.length);

@@ -1,4 +1,4 @@
-// One file of the page: node assemble.mjs ENGINE.js OUT.html, with node_modules beside OUT.html.
+// Assembles the page in one file: node assemble.mjs ENGINE.js OUT.html, with node_modules beside OUT.html.
 import {createHash} from 'node:crypto';
 import {createRequire} from 'node:module';
 import {readFileSync, writeFileSync} from 'node:fs';
@@ -17,12 +17,12 @@ const bundled = await esbuild.build({
   nodePaths: [modules], legalComments: 'inline',
   define: {SAMPLE_CSV: JSON.stringify(text('../../../data/mergel2018.csv')), SAMPLE_TOML: JSON.stringify(text('../../../data/mergel2018.toml'))},
 });
-// the report's style, light, dark and printed, is the page's
+// the page uses the report's style: light, dark and printed
 const style = /R"css\(([\s\S]*?)\)css"/.exec(text('../../report/page/style.h'))[1] + text('style.css');
-// the compiled part by itself: as text within the script it would take a third more
+// the WebAssembly is separate: as text within the script it would be a third longer
 const script = readFileSync(engine, 'utf8'), before = 'data:application/octet-stream;base64,';
 const from = script.lastIndexOf(before) + before.length, compiled = script.slice(from, script.indexOf(script[from - before.length - 1], from));
-// Nothing runs in the page but these two scripts and what was compiled, and nothing is fetched but what it holds.
+// The page runs only these two scripts and the WebAssembly, and fetches nothing from outside.
 const engineScript = script.replace(compiled, ''), pageScript = bundled.outputFiles[0].text.replaceAll('</script', '<\\/script');
 const hash = content => `'sha256-${createHash('sha256').update(content).digest('base64')}'`;
 const policy = `default-src 'none'; script-src ${hash(pageScript)} ${hash(engineScript)} 'wasm-unsafe-eval'; style-src 'unsafe-inline'; ` +

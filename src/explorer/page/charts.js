@@ -1,4 +1,4 @@
-// Figures by Apache ECharts: axes, hover, zoom, drag, SVG and PNG. What is drawn comes from the engine.
+// Figures by Apache ECharts: axes, hover, zoom, drag, SVG and PNG. The data come from the engine.
 import * as echarts from 'echarts/core';
 import {CustomChart, LineChart, ScatterChart} from 'echarts/charts';
 import {DataZoomInsideComponent, GraphicComponent, GridComponent, LegendComponent, TooltipComponent} from 'echarts/components';
@@ -14,7 +14,7 @@ export const colorOfModel = {a: 1, b: 2, c: 3};
 
 export const shown = (value, digits = 4) => value === 0 ? '0' : Number(value.toPrecision(digits)).toString();
 
-/// All that an axis is made of: one that changes its type forgets what it was given before.
+/// All properties of an axis, since one that changes its type loses earlier settings.
 export function axis(name, extra) {
   return {
     type: 'value', name, nameLocation: 'middle', nameGap: 28, scale: true,
@@ -54,7 +54,7 @@ export function figure(id, axes, more = {}) {
   return entry;
 }
 
-/// Of four models the last would not be seen on a narrow figure.
+/// On a narrow figure the last of four models would be hidden.
 const brief = (name, width) => (width < 460 ? name.replace(/^model /, '') : name);
 
 function told({seriesName, value, data}) {
@@ -75,7 +75,7 @@ export function areas(list) {
   }));
 }
 
-/// A dashed line at x that can be dragged; `moved(x)` is told where to, unless it hardly moved.
+/// A dashed line at x that can be dragged; calls `moved(x)` unless it hardly moved.
 export function handle(entry, id, x, moved) {
   const {chart} = entry;
   const place = chart.convertToPixel({xAxisIndex: 0}, x);

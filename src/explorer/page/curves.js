@@ -15,7 +15,7 @@ export function drawCurve(models, name) {
     `${what} for ${names.join(', ') || 'no model'}`, {legend: {data: names}});
 }
 
-/// Of one model what each figure shows, with the model's title and colour.
+/// What each figure shows of one model, with the model's title and colour.
 const series = {
   area(one, title, tint, {T}) {
     const jump = jumpOf(one);
@@ -39,7 +39,7 @@ const series = {
 /// The fold under load control, if there is one.
 const jumpOf = one => one.folds.find(fold => fold.control === 'load');
 
-/// Solid up to the first place where the contact is not stable, dashed from there.
+/// Solid up to the first place where the contact is not stable, then dashed.
 function twoParts(one, title, tint, x, y) {
   const turn = one.curve.stable.indexOf(false), end = turn < 0 ? x.length : turn;
   const along = (from, to) => x.slice(from, to).map((value, i) => [value, y[from + i]]);

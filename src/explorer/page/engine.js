@@ -1,12 +1,12 @@
-// The engine: its script and what was compiled are in the page, compressed.
+// The engine: the page contains its script and its WebAssembly, compressed.
 
 function unpacked(id) {
   const packed = Uint8Array.from(atob(document.getElementById(id).textContent.trim()), c => c.charCodeAt(0));
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
 }
 
-/// The engine's functions, each with a text of JSON answered as an object, or throwing the engine's sentence with the
-/// options that it recommends.
+/// The engine's functions. Each returns the JSON result as an object, or throws the engine's sentence with the
+/// recommended options.
 export async function loadEngine() {
   const script = document.createElement('script');
   script.textContent = await unpacked('engine').text();

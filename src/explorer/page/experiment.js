@@ -31,7 +31,7 @@ export class Experiment {
     for (const button of document.querySelectorAll('[data-save]')) button.addEventListener('click', () => this.save(button.dataset.save));
   }
 
-  /// One file of data, perhaps with what is stated beside it, or with the definition of a fit of it.
+  /// Opens a data file, perhaps with its TOML or with a fit definition.
   async open(files) {
     if (!files.length) return;
     const {data, beside, definition, problem} = await parted(files);
@@ -40,7 +40,7 @@ export class Experiment {
     this.take(data, beside);
   }
 
-  /// A definition as this page saves it: its constants, options, cuts, models and law are used. Its data may be open already.
+  /// Opens a definition saved by this page with its constants, options, cuts, models and law. Its data may already be open.
   openDefinition(definition, data, beside) {
     const {engine, models} = this, former = this.source;
     engine.write(definition.name, definition.bytes);
@@ -109,7 +109,7 @@ export class Experiment {
 
   fields() { return $('constants').querySelectorAll('input:not([type=checkbox])'); }
 
-  /// What the form states: {name: text}.
+  /// The constants in the form: {name: text}.
   constants() {
     const stated = {...this.more};
     for (const field of this.fields()) if (field.value.trim()) stated[field.name] = field.value === field.dataset.shown ? field.dataset.exact : field.value.trim();
@@ -117,7 +117,7 @@ export class Experiment {
     return columns ? {...stated, columns} : stated;
   }
 
-  /// Reads the file with the constants of the form, shows how it was read, and fits: what looks like a log only if `asked`.
+  /// Reads the file with the form's constants, shows how it was read, and fits; if it looks like a log, only if `asked`.
   readAgain(andFit, asked = false) {
     if (!this.name) return;
     this.trouble('');
@@ -131,7 +131,7 @@ export class Experiment {
     this.whole = true;
     for (const [name, text] of Object.entries(told.constants)) {
       const field = $('constants').elements[name];
-      if (!field) this.more[name] = text.exact;  // of a TOML: what is saved must hold it, too
+      if (!field) this.more[name] = text.exact;  // from a TOML; saved files must include it
       if (!field || field.value) continue;
       field.value = field.dataset.shown = text.shown;
       field.dataset.exact = text.exact;
@@ -154,7 +154,7 @@ export class Experiment {
     else if (andFit) this.fit();
   }
 
-  /// Shows why a file was not read; where only the constants are missing, its columns as well.
+  /// Shows why a file was not read; if only constants are missing, also its columns.
   notRead(sentence) {
     this.told = null;
     this.trouble(sentence);
@@ -181,7 +181,7 @@ export class Experiment {
 
   chosen() { return [...document.querySelectorAll('input[name=model]:checked')].map(box => box.value); }
 
-  /// Fits once the browser has shown that it takes a while.
+  /// Fits after the browser has drawn the message that this takes a while.
   fit() {
     clearTimeout(this.fitting);
     if (!this.whole) return;

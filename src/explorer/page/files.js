@@ -1,9 +1,9 @@
-// Files that are dropped or saved, and lines of a file as a text.
+// Dropped and saved files, and line numbers as text.
 
 const textOf = file => new TextDecoder().decode(file.bytes);
 const isToml = file => /\.toml$/i.test(file.name);
 
-/// Files that were dropped: {data, beside: the TOML of the data, definition: of a fit, problem: why they are not used}.
+/// Sorts dropped files: {data, beside: TOML of the data, definition: of a fit, problem: why they are not used}.
 export async function parted(files) {
   const all = await Promise.all(files.map(async file => ({name: file.name.replaceAll('/', '_'), bytes: new Uint8Array(await file.arrayBuffer())})));
   const tomls = all.filter(isToml), definition = tomls.find(file => /^\s*(data\s*=|\[\[runs\]\])/m.test(textOf(file)));
@@ -31,7 +31,7 @@ export function among(text) {
   return n => parts.some(([first, last = first]) => n >= first && n <= last);
 }
 
-/// What is kept of runs without these lines: [first, last] of each, and the lines to leave out in between.
+/// What remains of runs without these lines: [first, last] of each, and the lines to leave out between them.
 export function cropped(runs, text) {
   const out = among(text), kept = runs.map(({lines}) => {
     let first = 0, last = lines.length - 1;

@@ -1,4 +1,4 @@
-// The figures of a file of the reader's own: all runs with the best model, and one run point by point, to be cropped.
+// The figures of the user's file: all runs with the best model, and one run point by point, for cropping.
 import {escape, named} from './answer.js';
 import {areas, color, colorOfModel, figure, handle, line, marks, shown} from './charts.js';
 
@@ -83,12 +83,12 @@ export class FitFigures {
     this.placeHandles();
   }
 
-  /// Two on the run, one for its end on the figure of all runs.
+  /// Adds two marks to the figure of the run, and one for its end to the figure of all runs.
   placeHandles() {
     const {told, kept} = this.experiment, run = told?.runs?.[this.experiment.selected()];
     if (!run || !kept?.length) return;
     const [first, last] = kept[this.experiment.selected()];
-    // of points at the same T that which is nearer to where the run ended
+    // among points at the same T, the one nearer to the last end of the run
     const off = (k, T) => Math.abs(Math.abs(run.T[k]) - T) + 1e-9 * Math.abs(T) * Math.abs(k - last);
     const nearest = T => run.T.reduce((best, _, k) => off(k, T) < off(best, T) ? k : best, last);
     this.run.chart.setOption({graphic: [handle(this.run, 'first', first + .5, x => this.experiment.crop(0, Math.round(x - .5))), handle(this.run, 'last', last + 1.5, x => this.experiment.crop(1, Math.round(x - 1.5)))]});

@@ -17,7 +17,7 @@ async function start() {
     experiment.figures.draw();
   });
   document.getElementById('sample').addEventListener('click', () => experiment.take(...sample()));
-  // what a report holds: its data and what stands beside them
+  // the report's data and the files beside them
   const reported = JSON.parse(document.getElementById('data').textContent) ?? [];
   const take = one => experiment.take({name: one.name, bytes: bytesOf(one.content)}, {bytes: bytesOf(one.toml)}, one);
   if (reported.length) take(reported[0]);
@@ -30,7 +30,7 @@ async function start() {
     button.addEventListener('click', () => take(one));
     choice.append(' ', button);
   }
-  window.explorer = {engine, models, experiment};  // for those who look behind the page
+  window.explorer = {engine, models, experiment};  // for use from the browser's console
 }
 
 start().catch(error => {

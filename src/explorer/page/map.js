@@ -1,10 +1,10 @@
-// The map of what becomes of a contact, by normal load and one parameter of a model.
+// The map of regimes of a contact over normal load and one parameter of a model.
 import {areas, axis, color, marks, shown} from './charts.js';
 import {byDecades, quantities} from './state.js';
 
 const tintOfRegime = {1: 6, 2: 3, 3: 1, n: 7};  // by the first letter of its text
 const mostKept = 40;                            // maps
-const atOnce = 4;                               // ms of work until a slider may have its turn
+const atOnce = 4;                               // ms of work before sliders are served
 const whenIdle = work => (window.requestIdleCallback ? requestIdleCallback(work, {timeout: 300}) : setTimeout(work, 20));
 
 export class RegimeMap {
@@ -18,14 +18,14 @@ export class RegimeMap {
     this.axis.addEventListener('change', () => { models.state.over = this.axis.value; models.redraw(); });
   }
 
-  /// Those of the model that the map is of.
+  /// The parameters of the map's model.
   parameters() {
     const {state, own} = this.models;
     if (state.map === 'own') return own.parameters.map(one => ({...one, logarithmic: byDecades(one)}));
     return [{name: 'λ', lower: 1e-5, upper: quantities.find(q => q.key === state.map).high, logarithmic: true}];
   }
 
-  /// Lets choose among the models and parameters that there are.
+  /// Offers the available models and parameters.
   offer() {
     const {state, own} = this.models;
     if (state.map === 'own' && !own) state.map = 'b';
@@ -41,21 +41,21 @@ export class RegimeMap {
     document.getElementById('map-over').textContent = `by load and ${single ? names[0] : ''}`;
   }
 
-  /// What the engine is asked, and what it is known by. In loads over R G_Ic, up to twice as many as P wants: a map is
-  /// that of every sphere, and of every value on its axis.
+  /// The request to the engine, and its key. Loads are over R G_Ic, and reach up to twice what P needs, so that a map
+  /// serves every sphere and every value on its axis.
   wanted() {
     const {state, own} = this.models, parameters = this.parameters(), chosen = parameters.findIndex(({name}) => name === state.over);
     const {name, lower, upper, logarithmic} = parameters[chosen], model = state.map === 'own' ? own.model : state.map;
     const unit = state.R * state.G * 1e-3, least = 6 * Math.PI, P_most = Math.max(2 * state.P / unit, least), values = this.models.parametersOf(model);
     const request = {model, law: state.map === 'own' ? state.law : '', axis: chosen, low: lower, high: upper, logarithmic, P_low: -.999 * 1.5 * Math.PI};
-    const family = JSON.stringify(request);  // alike but for the other parameters and the loads
+    const family = JSON.stringify(request);  // equal except for the other parameters and the loads
     request.P_high = least * 2 ** Math.max(Math.ceil(Math.log2(1.06 * P_most / least)), 0);
     request.parameters = values.map((value, i) => (i === chosen ? lower : value));
     const others = parameters.flatMap((one, i) => (i === chosen ? [] : [`${one.name} = ${shown(values[i])}`]));
     return {...request, name, unit, P_most, value: values[chosen], others: others.join(', '), family, text: JSON.stringify(request)};
   }
 
-  /// A little of the work whenever nothing else is to do.
+  /// Does a part of the work whenever the page is idle.
   compute() {
     if (this.waiting) return;
     this.waiting = true;
@@ -75,7 +75,7 @@ export class RegimeMap {
     const wanted = this.wanted(), regions = this.known.get(wanted.text);
     if (regions) this.last = {regions, family: wanted.family};
     else this.compute();
-    // until it is known that of former values of the other parameters, paler
+    // until the map is ready, shows that of earlier values of the other parameters, paler
     const drawn = this.last?.family === wanted.family ? this.last.regions : [];
     const regimes = [...new Set(drawn.map(one => one.regime))], single = regimes.length === 1;
     this.says.textContent = this.sentence(wanted, single ? regimes[0] : '', regions);

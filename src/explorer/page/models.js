@@ -44,7 +44,7 @@ export class Models {
     }
   }
 
-  /// Defines the law of a text, which replaces the one before; without a text there is none.
+  /// Defines the law in a text, replacing the last one; removes it if the text is empty.
   define(text, values = []) {
     const {state} = this, says = document.getElementById('law-says');
     let law = null;
@@ -111,7 +111,7 @@ export class Models {
     }
   }
 
-  /// Lets a model be drawn or not.
+  /// Shows or hides a model.
   switchOf(model) {
     const label = document.createElement('label');
     label.innerHTML = '<input type="checkbox"> drawn';
@@ -122,7 +122,7 @@ export class Models {
     return label;
   }
 
-  /// From a fit: {P, R, ...}.
+  /// Sets the sliders from a fit: {P, R, ...}.
   take(values) {
     for (const q of quantities)
       if (Number.isFinite(values[q.key])) {
@@ -143,7 +143,7 @@ export class Models {
     return {radius: R * 1e-3, modulus: E * 1e6, toughness: G * 1e-3};
   }
 
-  /// Asks the engine and draws figures for the time of a frame; the others follow in the next frames.
+  /// Calls the engine and draws figures for the duration of a frame; the others follow in the next frames.
   redraw() {
     const begin = performance.now();
     const {state} = this;
@@ -184,7 +184,7 @@ export class Models {
     requestAnimationFrame(() => { this.following = false; this.drawSome(performance.now()); });
   }
 
-  /// Draws a figure again.
+  /// Redraws a figure.
   drawAgain(name) {
     this.stale.add(name);
     this.follow();

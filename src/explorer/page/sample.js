@@ -1,4 +1,4 @@
-// The shipped reconstruction of Mergel et al. 2018, put in when the page is made.
+// The shipped reconstruction of Mergel et al. 2018, inserted when the page is assembled.
 /* global SAMPLE_CSV, SAMPLE_TOML */
 export function sample() {
   const bytes = text => new TextEncoder().encode(text);

@@ -1,8 +1,8 @@
-// A slider, with a field for its number.
+// A slider with a field for its value.
 import {shown} from './charts.js';
 
-/// Adds one to `form`. `quantity`: {label, unit, low, high, logarithmic}; `tint`: the colour of its model, if it has one.
-/// get() is the value; set(value) takes one that the slider or the field asks for, null if the field's text is no number.
+/// Adds a slider to `form`. `quantity`: {label, unit, low, high, logarithmic}; `tint`: the colour of its model, if any.
+/// get() returns the value; set(value) receives a new one from slider or field, null if the field is not a number.
 export function slider(form, id, {label, unit = '', low, high, logarithmic}, {tint, get, set, parse = Number}) {
   const box = document.createElement('div');
   box.className = tint === undefined ? 'slider' : 'slider model';

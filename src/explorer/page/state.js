@@ -1,6 +1,6 @@
-// What the sliders say, and the page's address, which holds it.
+// The state of the sliders, which is stored in the page's address.
 
-/// With the range of each slider; λ ends where its model does. Loads in mN, R in mm, E* in MPa, G_Ic in mJ/m^2.
+/// The quantities and the ranges of their sliders; λ ends where its model does. Loads in mN, R in mm, E* in MPa, G_Ic in mJ/m^2.
 export const quantities = [
   {key: 'P', label: 'normal load P', unit: 'mN', low: -1, high: 20, value: 4},
   {key: 'T', label: 'tangential load T', unit: 'mN', low: 0, high: 300, value: 60},
@@ -12,7 +12,7 @@ export const quantities = [
   {key: 'c', label: 'λ of model c', low: 1e-5, high: 1, value: .0023, logarithmic: true, model: true},
 ];
 
-/// A text as a value of this quantity; null if it is none. Beyond its slider by a factor of a thousand at most.
+/// A text as a value of this quantity; null if it is not one, or beyond a thousand times the slider's range.
 export function valid(q, text) {
   const value = Number(text), span = Math.max(Math.abs(q.low), q.high);
   if (text === null || text.trim() === '' || !Number.isFinite(value)) return null;
@@ -21,7 +21,7 @@ export function valid(q, text) {
   return Math.abs(value) <= 1e3 * span ? value : null;
 }
 
-/// Whether the range of a parameter is walked through by factors.
+/// Whether the slider of a parameter is logarithmic.
 export const byDecades = ({lower, upper}) => lower > 0 && upper > 20 * lower;
 
 let known = location.hash;  // the address as this page read or wrote it last
@@ -41,7 +41,7 @@ export function read() {
   return state;
 }
 
-/// Unless somebody has just changed the address, which is then to be read first.
+/// Writes the address, unless the user has just changed it, which must then be read first.
 export function write(state) {
   if (location.hash !== known) return;
   const stated = new URLSearchParams();

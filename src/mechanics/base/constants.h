@@ -4,7 +4,7 @@
 namespace mixity {
 
 namespace constants_detail {
-/// What the double nearest to pi leaves of pi.
+/// pi minus the double nearest to it.
 template <class S>
 S pi_rest() {
   return (S(1.1124542208633657e-49) + S(-2.9947698097183397e-33)) + S(1.2246467991473532e-16);

@@ -26,7 +26,7 @@
 //   one_fold_at_most(p)*           whether tau^2 + y^2 is convex in y at fixed T, and tau grows with y
 //   shear_bend(p)*, shear_reach(p)*    bounds of the second derivatives of tau^2; without them the nearest point of a
 //                                  curve is searched for along the whole curve
-//   continuous(p)*                 the parameters next to p at which curves do not change abruptly
+//   continuous(p)*                 the parameters nearest to p at which curves do not change abruptly
 //
 // A published law takes a number in the registry: template <> struct ModelSlot<4> { using type = MyLaw; };
 #pragma once
@@ -52,7 +52,7 @@ struct Mixity {
   S cos, sin;
 };
 
-/// From edge load y > 0 (or y = 0 with T > 0) and tangential load T >= 0.
+/// Mixity of a state with edge load y > 0 (or y = 0 with T > 0) and tangential load T >= 0.
 template <class S>
 Mixity<S> mixity_from_loads(const S& y, const S& T) {
   using std::sqrt;
@@ -61,20 +61,20 @@ Mixity<S> mixity_from_loads(const S& y, const S& T) {
   return {steep ? smaller : larger, steep ? larger : smaller};
 }
 
-/// 90 degrees after conversion from degrees: the double after the one nearest to pi/2.
+/// What 90 degrees become in radians: the double after the one nearest to pi/2.
 inline constexpr double kLargestPhaseAngle = 1.5707963267948968;
 
-/// From the phase angle psi [rad] in [0, pi/2]. The double nearest to pi/2 means pi/2.
+/// Mixity at the phase angle psi [rad] in [0, pi/2]. The double nearest to pi/2 counts as pi/2.
 inline Mixity<double> mixity_from_angle(double psi) {
   const double c = std::cos(psi);
   return {c < 1.3e-16 ? 0.0 : c, std::sin(psi)};
 }
 
-/// From the mode ratio B = G_II/(G_I + G_II) = sin^2 psi in [0, 1].
+/// Mixity at the mode ratio B = G_II/(G_I + G_II) = sin^2 psi in [0, 1].
 inline Mixity<double> mixity_from_mode_ratio(double B) { return {std::sqrt(1 - B), std::sqrt(B)}; }
 
-/// From the energies of the two modes, whose sum is positive: sin^2 psi = G_II/(G_I + G_II). A negative one, which
-/// noise can produce, counts as 0.
+/// Mixity of two mode energies with a positive sum: sin^2 psi = G_II/(G_I + G_II). A negative energy, which noise can
+/// produce, counts as 0.
 inline Mixity<double> mixity_from_energies(double G_I, double G_II) {
   const double I = std::fmax(G_I, 0.0), II = std::fmax(G_II, 0.0), sum = I + II;
   return {std::sqrt(I / sum), std::sqrt(II / sum)};
@@ -90,7 +90,7 @@ S phase_angle(const Mixity<S>& m) {
 struct ParameterInfo {
   std::string_view name;
   double lower, upper;  // closed range in which the published law makes sense
-  double typical;       // shown in help, and the start of a fit where nothing better is known
+  double typical;       // shown in help; the start of a fit where nothing better is known
   double neutral = 0;   // > 0: the value at which f = 1 whatever the other parameters are
 };
 
@@ -100,11 +100,11 @@ struct ModelInfo {
   std::string_view formula;  // as published
 };
 
-/// A point as a vectorised loop takes it, and ln f there for one parameter: ln f = kLogSign log(argument), with an
-/// absolute error of a few eps, and its derivatives in the parameter; excess = argument - 1 without cancellation. No
-/// branches, so that a compiler can process several points at once. The loop uses log(argument) because log1p(excess)
-/// makes it 22 % slower for law a and 44 % for c (mechanics_benchmark, LogToughnessPacked), and a sweep of a fit 12 and
-/// 22 %; kLogSign is -1 for c because dividing first makes the loop 16 % slower.
+/// The input of a vectorised loop for one point, and its result for a law with one parameter: ln f = kLogSign
+/// log(argument), with an absolute error of a few eps, and its derivatives; excess = argument - 1 without cancellation.
+/// Without branches, compilers process several points at once. log1p(excess) in place of log(argument) would make the
+/// loop 22 % slower for law a and 44 % for c (mechanics_benchmark, LogToughnessPacked), a sweep of a fit 12 and 22 %.
+/// kLogSign is -1 for c, because dividing first makes the loop 16 % slower.
 template <class S>
 struct PackedPoint {
   S first, second;
@@ -137,7 +137,7 @@ struct ParametersOf<Law, S> {
 template <class Law, class S = double>
 using Parameters = typename ParametersOf<Law, S>::type;
 
-/// How many parameters a law of this type has at most; a published law has exactly as many.
+/// The largest number of parameters of a law of this type; a published law has exactly as many.
 template <class Law>
 inline constexpr std::size_t parameter_count = ParametersOf<Law, double>::kMost;
 
@@ -182,14 +182,14 @@ struct ShearBend {
   double TT = std::numeric_limits<double>::infinity(), yT = TT, yy = TT;
 };
 
-/// How far bounds at one state are valid. The second derivatives of tau^2 are homogeneous of degree 0. Over a step w,
+/// Bounds the change of tau^2's second derivatives, which are homogeneous of degree 0, around a state. Over a step w,
 /// the larger of narrow dT/(T + T_part y) and narrow dy/(y + y_part T), the sums of moduli by which nearest_proof.h
-/// bounds them grow by a factor (1 + 8 w)^2 at most, up to w = 1/4. `narrow` is infinite where this is unknown.
+/// bounds them grow at most by (1 + 8 w)^2, for w <= 1/4. `narrow` is infinite if unknown.
 struct ShearReach {
   double narrow = std::numeric_limits<double>::infinity(), y_part = 0, T_part = 0;
 };
 
-/// The header of a published law fills the slot of its number; the registry collects them in order.
+/// The header of a published law specialises this for its slot; the registry collects the slots in order.
 template <int Slot>
 struct ModelSlot {};
 

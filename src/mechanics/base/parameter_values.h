@@ -9,7 +9,7 @@
 
 namespace mixity {
 
-/// Up to four numbers, without memory on the heap.
+/// Up to four numbers, stored without heap allocation.
 class ParameterValues {
  public:
   static constexpr std::size_t kMost = 4;

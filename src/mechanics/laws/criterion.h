@@ -1,5 +1,5 @@
-// The root of a fracture criterion: an equation in K_I and K_II is one in q = ln(G_c/G_Ic), as K_I = exp(q/2) cos psi
-// and K_II = exp(q/2) sin psi. A root depends on the equation and the start alone, to the last bit.
+// The root of a fracture criterion. With K_I = exp(q/2) cos psi and K_II = exp(q/2) sin psi, an equation in K_I and
+// K_II is one in q = ln(G_c/G_Ic). The root depends on the equation and the start alone, to the last bit.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@ struct CriterionRoot {
   double q, slope;
 };
 
-/// By Halley's steps from `start`; null where these do not halve, or pass over a nearer root. equation(q) returns the
-/// quantity that is to vanish, with two derivatives in q. Criteria in powers of the intensities are nearly linear in q
-/// as the logarithm of left over right: two or three evaluations.
+/// Finds a root by Halley's steps from `start`; null where these do not halve, or pass over a nearer root. equation(q)
+/// returns the function whose zero is sought, with two derivatives in q. For criteria in powers of the intensities,
+/// log(left/right) is nearly linear in q: two or three evaluations suffice.
 template <class Equation>
 std::optional<CriterionRoot> contracted_root(const Equation& equation, double start) {
   constexpr double kFirst = 60;     // largest first step in ln f
   constexpr double kEnough = 1e-6;  // the cube of such a step is negligible
-  constexpr double kBend = 1e-5;    // if the slope changes by at most this part, whose square remains
+  constexpr double kBend = 1e-5;    // largest relative change of the slope in the last step; the error is its square
   constexpr int kMost = 12;
   double q = start, before = 2 * kFirst, at_start = 0;
   for (int i = 0; i < kMost; ++i) {
@@ -41,8 +41,8 @@ std::optional<CriterionRoot> contracted_root(const Equation& equation, double st
   return std::nullopt;
 }
 
-/// The root nearest to 0, to a factor of two in distance, by a bracketing search; null if there is none up to 600. Some
-/// 14 evaluations.
+/// The root nearest to 0 (to a factor of two in distance) with |q| <= 600, by a bracketing search of about 14
+/// evaluations; null if there is none.
 template <class Equation>
 std::optional<CriterionRoot> enclosed_root(const Equation& equation) {
   constexpr double kFarthest = 600;

@@ -20,14 +20,14 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Errors that ExprTk does not find, or does not explain.
+/// Errors that ExprTk does not detect or explain.
 std::optional<LawError> problem_of(std::string_view text, const std::vector<std::string>& variables) {
   if (text.size() > Expression::kLongest)
     return LawError{Expression::kLongest, "an expression has " + std::to_string(Expression::kLongest) +
                                               " characters at most, this one " + std::to_string(text.size())};
   std::vector<std::size_t> open;
   bool anything = false;
-  bool behind_operand = false;  // from which ExprTk would read on, and drop what came before
+  bool behind_operand = false;  // here ExprTk would continue reading, and drop what came before
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == ' ') {
@@ -82,8 +82,8 @@ std::optional<LawError> problem_of(std::string_view text, const std::vector<std:
   return std::nullopt;
 }
 
-/// One for all threads: it costs more to make than an expression. It keeps what it compiled last, whose reference
-/// counts are not atomic, so that expressions are made and freed under its lock.
+/// One parser for all threads, since it costs more to construct than an expression. It keeps the last compiled
+/// expression, whose reference counts are not atomic, so expressions are made and freed under its lock.
 class SharedParser {
  public:
   std::mutex mutex;
@@ -98,7 +98,7 @@ class SharedParser {
   }
 };
 
-/// Never destroyed, as an expression that a static variable holds may be destroyed after it.
+/// Never destroyed: an expression in a static variable may be destroyed later.
 SharedParser& shared_parser() {
   static SharedParser& one = *new SharedParser;
   return one;

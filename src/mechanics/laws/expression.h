@@ -30,13 +30,13 @@ bool is_name_character(char c);
 /// Whether a variable may have this name: a letter, then letters, digits and underscores; not a word of ExprTk.
 bool is_variable_name(std::string_view name);
 
-/// Not to be shared between threads: an evaluation writes to the expression's own variables.
+/// Not thread-safe: an evaluation writes to the expression's own variables.
 class Expression {
  public:
   static constexpr std::size_t kLongest = 1000;  // characters
   static constexpr std::size_t kDeepest = 60;    // brackets in brackets
 
-  /// The names must satisfy is_variable_name. Takes some 20 microseconds.
+  /// The names must satisfy is_variable_name. Construction takes about 20 microseconds.
   Expression(std::string_view text, const std::vector<std::string>& variables);
   Expression(Expression&&) noexcept;
   Expression& operator=(Expression&&) noexcept;
@@ -45,7 +45,7 @@ class Expression {
   /// Null if the expression can be evaluated.
   const std::optional<LawError>& error() const { return error_; }
 
-  /// One variable for each name. Any number, also NaN, where a function is not defined.
+  /// The value at these variables, one for each name. Where a function is not defined, any number or NaN.
   Taylor operator()(std::span<const Taylor> variables) const;
 
  private:

@@ -1,4 +1,4 @@
-// What ExprTk needs to evaluate expressions on Taylor numbers, and ExprTk without what mixity does not use.
+// The number type that lets ExprTk evaluate expressions on Taylor numbers, and ExprTk without its unused parts.
 #pragma once
 
 #include <boost/preprocessor/seq/for_each.hpp>
@@ -30,7 +30,7 @@ inline bool is_false(const mixity::Taylor& x) { return x.value == 0; }
 
 namespace mixity {
 
-// The functions that ExprTk calls for a number type of ours, which it finds by the type of the last argument.
+// The functions that ExprTk calls for this number type. Overload resolution finds them by the last argument.
 struct TaylorTag {};
 
 inline bool is_nan_impl(const Taylor& x, TaylorTag) { return std::isnan(x.value); }
@@ -63,7 +63,7 @@ MIXITY_ONE(tanh, tanh(x))
 MIXITY_TWO(min, y < x ? y : x)
 MIXITY_TWO(max, x < y ? y : x)
 MIXITY_TWO(pow, pow(x, y))
-// ExprTk wants these, too. Never called, since no expression may name them.
+// ExprTk also requires these. They are never called, since no expression may name them.
 #define MIXITY_NONE_OF_ONE(r, data, name) MIXITY_ONE(name, (static_cast<void>(x), const_qnan_impl(TaylorTag{})))
 #define MIXITY_NONE_OF_TWO(r, data, name) \
   MIXITY_TWO(name, (static_cast<void>(x), static_cast<void>(y), const_qnan_impl(TaylorTag{})))

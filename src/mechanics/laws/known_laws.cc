@@ -26,7 +26,7 @@ std::string range_of(const LawParameter& one) {
   return text;
 }
 
-/// The known law, and how it differs from a given one of the same key.
+/// The known law, and its difference from another one with the same key.
 std::string difference(const UserLaw& known, const UserLaw& given) {
   const LawDefinition &one = known.definition(), &other = given.definition();
   if (one.text != other.text || one.normalised != other.normalised)

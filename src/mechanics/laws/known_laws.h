@@ -1,4 +1,4 @@
-// The laws of users that a process knows by their keys. Safe to call from several threads.
+// The process-wide registry of user laws by key. Thread-safe.
 #pragma once
 
 #include <memory>
@@ -15,10 +15,10 @@ namespace mixity {
 std::shared_ptr<const UserLaw> define_law(const LawDefinition& definition, LawError& error);
 std::shared_ptr<const UserLaw> add_law(const std::shared_ptr<const UserLaw>& made, LawError& error);
 
-/// Null if there is none.
+/// The law with this key; null if there is none.
 std::shared_ptr<const UserLaw> find_law(std::string_view key);
 
-/// In the order in which they were defined.
+/// The keys in order of definition.
 std::vector<std::string> law_keys();
 
 /// Frees all keys. A law itself is freed with its last user.

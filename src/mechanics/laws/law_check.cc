@@ -28,8 +28,8 @@ std::string shown(const std::vector<LawParameter>& parameters, std::span<const d
   return text;
 }
 
-/// An angle at which f has a feature that is too narrow for the angles of LawTraits: g = (1 + tan^2 psi)/f rises and
-/// falls between two of them, f is not a positive number, or f has a pole or a zero. Null if there is none.
+/// An angle at which f has a feature too narrow for the angles of LawTraits: g = (1 + tan^2 psi)/f rises and falls
+/// between two of them, f is not a positive number, or f has a pole or a zero. Null if there is none.
 std::optional<double> unseen(LawWorkspace& law, std::span<const double> parameters) {
   constexpr std::size_t kBetween = 12;
   constexpr double kRounding = 1e-6, kBeyond = 3;  // of a slope; of ln f
@@ -38,7 +38,7 @@ std::optional<double> unseen(LawWorkspace& law, std::span<const double> paramete
   Taylor before = at(before_psi);
   Growth growth = growth_of(before_psi, before, kRounding);
   for (std::size_t i = 1; i + 1 < LawTraits::kAngles; ++i) {
-    std::size_t changes = 0;  // of the sign of the growth
+    std::size_t changes = 0;  // number of sign changes of the growth
     const Growth begins = growth;
     Growth half_way{};
     for (std::size_t k = 1; k <= kBetween; ++k) {
@@ -63,7 +63,7 @@ std::optional<double> unseen(LawWorkspace& law, std::span<const double> paramete
       before_psi = psi;
       before = f;
     }
-    // traits_of finds a dip that shows at both ends
+    // traits_of detects a dip that shows at both ends
     const double dip = 0.125 * (LawTraits::angle(i + 1) - LawTraits::angle(i)) * (begins.slope - growth.slope);
     const double mean = 0.5 * (begins.value + growth.value);
     const bool shows =
@@ -84,7 +84,7 @@ LawCheck check_law(const UserLaw& law) {
   std::size_t tried = 0, falling = 0;
   std::optional<LawTraits> first_falling;
   LawTraits roundest;
-  double lost = 0, lost_at = 0;  // by sampling
+  double lost = 0, lost_at = 0;  // in the sampling of a function
   std::string lost_with;
   const std::size_t count = static_cast<std::size_t>(std::pow(each, n));
   for (std::size_t k = 0; k <= count; ++k) {

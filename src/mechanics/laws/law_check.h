@@ -1,4 +1,4 @@
-// The checks of a law that is defined at run time, before it is used.
+// Checks of a law that is defined at run time, made before its first use.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct LawCheck {
   std::vector<std::string> warnings{};  // where equilibrium is not unique; how many digits are lost
 };
 
-/// At some values over the ranges of the law's parameters.
+/// Evaluates the law at some values over the ranges of its parameters.
 LawCheck check_law(const UserLaw& law);
 
 }  // namespace mixity

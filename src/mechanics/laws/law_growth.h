@@ -9,25 +9,25 @@
 
 namespace mixity {
 
-/// d ln g/d psi at an angle.
+/// d ln g/d psi at an angle, and its derivative.
 struct Growth {
-  double value, slope;  // its derivative in psi
+  double value, slope;  // `slope`: the derivative of `value` in psi
   bool falls;           // value < 0 by more than rounding
 };
 
-/// `f` has its derivatives in psi. `rounding`: relative, of its slope.
+/// `f` carries its derivatives in psi. `rounding`: relative error of its slope.
 inline Growth growth_of(double psi, const Taylor& f, double rounding) {
   const double t = std::tan(psi), growth = 2 * t, decline = f.first / f.value, value = growth - decline;
   return {value, 2 * (1 + t * t) - f.second / f.value + decline * decline,
           !(value >= -rounding * (growth + std::abs(decline)))};
 }
 
-/// Whether both ends of a stretch show that the growth has a dip or a hump between them.
+/// Whether the two ends of an interval imply that the growth has a dip or a hump between them.
 inline bool shows_between(const Growth& one, const Growth& other) {
   return one.falls ? one.slope > 0 && other.slope < 0 : one.slope < 0 && other.slope > 0;
 }
 
-/// An angle between low and high at which g falls although it grows at both; null if none is found.
+/// An angle between low and high at which g falls although it grows at both ends; null if none is found.
 template <class At>
 std::optional<double> falls_between(const At& growth_at, double low, Growth at_low, double high, Growth at_high) {
   constexpr int kSteps = 8;

@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// 1 - f''/2 at psi = 0.
+/// small_shear: 1 - f''/2 at psi = 0.
 double limit_of_small_shear(LawWorkspace& law, std::span<const double> p, const Taylor& f) {
   if (std::abs(f.first) > 1e-12) return f.first > 0 ? -kInfinity : kInfinity;
   if (!std::isnan(f.second)) return 1 - 0.5 * f.second;
-  // No second derivative, such as for an equation in powers: from small shears. The error of the limit there is a power
-  // of T, whose sum to infinity Aitken's formula gives.
+  // Without a second derivative, as for an equation in powers: from small shears. There the error of the limit is a
+  // power of T, which Aitken's formula extrapolates.
   constexpr double kNone = 1e-5;
   const auto share = [&](double t) { return reduced_shear(law, p, t, 1).value / (t * t); };
   const double first = share(1e-2), second = share(1e-3), third = share(kSmallShear);
@@ -29,8 +29,8 @@ double limit_of_small_shear(LawWorkspace& law, std::span<const double> p, const 
   return std::abs(limit) <= kNone ? 0 : limit;
 }
 
-/// Finds T/y below which tau^2 is small_shear T^2 to rounding. If f leaves 1 with a slope or a root, the power of T
-/// between tau^2/y^2 = 1e-8 and 1e-12 instead; below that rounding would show.
+/// Finds T/y below which tau^2 is small_shear T^2 to rounding. If f leaves 1 with a slope or like a root, finds instead
+/// the power of T between tau^2/y^2 = 1e-8 and 1e-12; below, rounding would show.
 void set_small_power(LawWorkspace& law, std::span<const double> p, LawTraits& traits) {
   const auto at = [&](double t) { return reduced_shear(law, p, t, 1).value; };
   constexpr double kRounding = 1e-15, kFirst = 1e-8, kLast = 1e-12, kLeast = 1e-140;
@@ -47,19 +47,19 @@ void set_small_power(LawWorkspace& law, std::span<const double> p, LawTraits& tr
   if (first > 0) traits.small_power = std::log(at(first) / traits.small_value) / std::log(first / t);
 }
 
-/// How strongly tau^2 bends: logarithms of the sums of moduli of its second derivatives that nearest_proof.h takes, on
-/// the unit circle in y and T.
+/// The curvature of tau^2: logarithms of the sums of moduli of its second derivatives that nearest_proof.h uses, on the
+/// unit circle in y and T.
 struct LawBend {
   double psi = 0, TT = 0, yT = 0, yy = 0;
 };
 
-/// At psi with sine s and cosine c. `f` has its derivatives in psi.
+/// At psi with sine s and cosine c. `f` carries its derivatives in psi.
 LawBend bend_of(const Taylor& f, double psi, double s, double c) {
   // along y at fixed T: psi' = -s, psi'' = 2 s c
   const Taylor along{f.value, -s * f.first, s * s * f.second + 2 * s * c * f.first}, y{c, 1, 0};
   const Taylor tau2 = (y * y + Taylor(s * s)) / along - y * y;
   const double m1 = std::abs(tau2.first), m2 = std::abs(tau2.second);
-  // a term that is far smaller than the others is rounding
+  // a term far smaller than the others is rounding
   const double TT = (2 * (tau2.value + c * m1) + c * c * m2) / (s * s), least = 1e-3 * (TT + 1e-3);
   return {psi, std::log(TT), std::log(std::max((m1 + c * m2) / s, least)),
           std::log(std::max(m2 + m1 / (c + s), least))};
@@ -77,10 +77,10 @@ ShearBend bend_everywhere(std::span<const LawBend> bends) {
   return {bound(&LawBend::TT), bound(&LawBend::yT), bound(&LawBend::yy)};
 }
 
-/// How fast the sums change from one angle to the next, with a margin of two: with dT/(T + T_part y) where T < y, and
-/// with dy/(y + y_part T) where y < T. The larger the part, the further a step reaches.
+/// The rate of change of the sums between angles, with a margin of two: with dT/(T + T_part y) where T < y, and with
+/// dy/(y + y_part T) where y < T. A larger part makes a step reach further.
 ShearReach reach_of(std::span<const LawBend> bends) {
-  constexpr double kAllowed = 4.4;  // of d ln(sum) for a way of 1: (1 + 8 w)^2 is exp(2 * 4.4 w) at w = 1/4
+  constexpr double kAllowed = 4.4;  // largest d ln(sum) over a distance 1: (1 + 8 w)^2 is exp(2 * 4.4 w) at w = 1/4
   ShearReach reach{1, 0, 0};
   for (const bool steep : {false, true}) {
     double& chosen = steep ? reach.y_part : reach.T_part;
@@ -119,7 +119,7 @@ std::optional<Taylor> LawTraits::about(const Taylor& psi) const {
   const double share = std::acos(std::clamp(1 - 4 * psi.value / pi<double>(), -1.0, 1.0)) / pi<double>();
   const std::size_t i = std::min(static_cast<std::size_t>(share * kAngles), kAngles - 1);
   const double length = angle(i + 1) - angle(i);
-  const auto over = [&](const Taylor& f) {  // derivatives in the share of the way, the second halved
+  const auto over = [&](const Taylor& f) {  // derivatives in the fraction of the interval, the second one halved
     return Taylor{f.value, f.first * length, 0.5 * f.second * length * length};
   };
   const Taylor from = over(log_f[i]), to = over(log_f[i + 1]);
@@ -203,7 +203,7 @@ LawTraits traits_of(LawWorkspace& law, std::span<const double> p, bool with_roun
   }
   if (traits.non_monotone()) {
     traits.tau_grows = false;
-    traits.shear_limit = kInfinity;  // T has no limit where tau/y has one
+    traits.shear_limit = kInfinity;  // T has no limit where tau/y does
     return traits;
   }
   traits.reach = reach_of(bends);

@@ -65,8 +65,8 @@ const SampledToughness* LawWorkspace::sampled(std::span<const double> p) {
   return sampled_[last_sampled_].toughness.get();
 }
 
-/// Derivatives are those of the quartic through five values a step apart: the step is a thousandth of the parameter (of
-/// a thousandth of its range about 0), so that what is left is the fourth power of that, and rounding 1e-15 over it.
+/// Derivatives of the quartic through five values a step apart. The step is a thousandth of the parameter (near 0, of a
+/// thousandth of its range), so the error is its fourth power, plus rounding of 1e-15 over the step.
 double LawWorkspace::sampled_log_value(const LawState& state, ParameterValues p, std::span<double> gradient) {
   constexpr double kDifference = 1e-3, kLeastPart = 1e-3;
   constexpr double kWeights[3][5] = {// at the first, second and third of the five
@@ -77,14 +77,14 @@ double LawWorkspace::sampled_log_value(const LawState& state, ParameterValues p,
   for (std::size_t k = 0; k < gradient.size(); ++k) {
     const LawParameter& range = law_.definition().parameters[k];
     const double x = p[k], width = range.upper - range.lower;
-    // near a bound the distance from it may be all that matters, as that of lambda from 1 in model a
+    // near a bound only the distance from it may matter, such as that of lambda from 1 in model a
     const double room_left = std::min(x - range.lower, range.upper - x);
     const double least = kLeastPart * (range.lower <= 0 && range.upper >= 0 ? width : std::abs(x));
     const double size = std::max(std::min(std::abs(x), room_left), least);
     const double step = std::min(kDifference * size, 0.125 * width);
     const auto room = [&](double distance) { return distance < step ? 0 : distance < 2 * step ? 1 : 2; };
     const int below = room(x - range.lower), above = room(range.upper - x);
-    const double direction = below <= above ? 1 : -1;  // from a near bound inwards
+    const double direction = below <= above ? 1 : -1;  // from the nearer bound inwards
     const int at = std::min(below, above);
     double sum = 0;
     for (int i = 0; i < 5; ++i) {
@@ -115,11 +115,11 @@ Taylor LawWorkspace::value(const LawState& state, std::span<const double> p) {
     variables[4] = size * state.sin;
     return (*solved->form)(used);
   };
-  // derivatives of q along the direction: what is left of the equation at each order, over its slope in q
+  // derivatives of q along the direction: the remainder of the equation at each order, over its slope in q
   const Taylor about = state.about.value_or(Taylor());
   const Taylor rest = left({root, about.first, about.second});
   const double lacks = -rest.first / slope, first = about.first + lacks;
-  // the second derivative only steers searches: an error of the first may remain in it
+  // the second derivative only steers searches; it may contain an error of the first
   const bool known = std::abs(lacks) <= kSteers * (1 + std::abs(first));
   const double second = known ? about.second - rest.second / slope : -left({root, first, 0}).second / slope;
   return exp(Taylor{root, first, second});

@@ -14,8 +14,8 @@
 
 namespace mixity {
 
-/// What one thread needs to evaluate a law: its compiled expressions, and what was computed for recent parameters. A
-/// result depends on the arguments alone and is the same in every workspace.
+/// What one thread needs to evaluate a law: compiled expressions, and cached results for recent parameters. A result
+/// depends on the arguments alone and is the same in every workspace.
 class LawWorkspace {
  public:
   explicit LawWorkspace(const UserLaw& law);
@@ -25,18 +25,18 @@ class LawWorkspace {
   /// f with its first two derivatives along the direction in which the state changes. NaN where the law is not defined.
   Taylor toughness(const LawState& state, std::span<const double> p);
 
-  /// ln f, with its derivatives in the parameters unless `gradient` is empty, which costs less.
+  /// ln f, and its derivatives in the parameters unless `gradient` is empty, which saves time.
   double log_toughness(const Mixity<double>& mixity, std::span<const double> p, std::span<double> gradient);
 
-  /// Null unless the law is a function. Valid until the next call of a member.
+  /// The samples of a law that is a function, else null. Valid until the next call of a member.
   const SampledToughness* sampled(std::span<const double> p);
 
-  /// Valid until the next call.
+  /// Valid until the next call of a member.
   const LawTraits& traits(std::span<const double> p);
 
  private:
-  static constexpr std::size_t kBefore = 7;    // variables before the parameters
-  static constexpr std::size_t kSampled = 32;  // sets of parameters; a gradient asks for four beside each parameter
+  static constexpr std::size_t kBefore = 7;    // variables that precede the parameters
+  static constexpr std::size_t kSampled = 32;  // cached sets of parameters; a gradient needs four beside each parameter
   using Variables = std::array<Taylor, kBefore + UserLaw::kMostParameters>;
   struct Solved {
     CriterionRoot root;  // in q = ln f

@@ -11,14 +11,14 @@ namespace {
 
 constexpr double kBeyondAll = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 4e-15;    // of ln f in samples
-constexpr double kNoise = 1e-6;        // coefficients below this that stop falling with the degree are noise of f,
-constexpr double kSmallNoise = 1e-10;  // and so below this if they stop falling with the length of a piece
+constexpr double kNoise = 1e-6;        // coefficients below this are noise of f if they stop falling with the degree,
+constexpr double kSmallNoise = 1e-10;  // and below this if they stop falling with the length of a piece
 constexpr std::size_t kMostPieces = 300;
-constexpr double kSmooth = 1e-2;  // [rad] f has derivatives at 0 if the piece from 0 on is longer
-constexpr double kNear = 1e-4;    // [rad] where the power of ln f is determined otherwise
+constexpr double kSmooth = 1e-2;  // [rad] f has derivatives at 0 if the first piece is longer
+constexpr double kNear = 1e-4;    // [rad] below, the power of ln f is determined in another way
 constexpr double kRight = 1.5707963267948966;
 
-/// Ends of the parts that a piece is cut into: halves, towards 0 and 90 degrees four times over.
+/// Ends of the parts of a piece: two halves; towards 0 and 90 degrees, halved four times.
 std::vector<double> cuts_of(double begin, double end) {
   const double length = end - begin;
   if (begin == 0) return {0, length / 16, length / 8, length / 4, length / 2, length};
@@ -28,14 +28,14 @@ std::vector<double> cuts_of(double begin, double end) {
 
 struct Pending {
   double begin, end;
-  double before;  // last coefficients of the piece that it was cut from
+  double before;  // last coefficients of the piece it was cut from
 };
 
 }  // namespace
 
 Taylor SampledToughness::Piece::at(double psi) const {
   const double half = 0.5 * (end - begin), x = std::clamp((psi - begin) / half - 1, -1.0, 1.0);
-  Taylor one, two;  // Clenshaw's sums, with their derivatives in x
+  Taylor one, two;  // Clenshaw's sums, with derivatives in x
   for (std::size_t k = count; k-- > 1;) {
     const Taylor next{coefficients[k] + 2 * x * one.value - two.value, 2 * one.value + 2 * x * one.first - two.first,
                       4 * one.first + 2 * x * one.second - two.second};
@@ -140,7 +140,7 @@ Taylor SampledToughness::at_zero() const {
   }
   const double one = log_toughness(kNear, std::cos(kNear)) - log_f0_;
   const double two = log_toughness(2 * kNear, std::cos(2 * kNear)) - log_f0_;
-  // the second derivative of a power below 2 is infinite; for other powers it is not known here
+  // for a power below 2 the second derivative is infinite; for other powers it is unknown here
   return {log_f0_, 0, std::abs(two) < 3.99 * std::abs(one) ? std::copysign(kBeyondAll, one) : NAN};
 }
 

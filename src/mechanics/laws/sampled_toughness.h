@@ -13,15 +13,15 @@
 
 namespace mixity {
 
-/// Fills f = G_c/G_Ic at phase angles psi [rad], 0 <= psi < pi/2. Called on any thread, on several at once. Exceptions
-/// reach the caller who evaluates the law.
+/// Fills f = G_c/G_Ic at phase angles psi [rad], 0 <= psi < pi/2. Must be thread-safe. Its exceptions reach the caller
+/// who evaluates the law.
 using LawSampler =
     std::function<void(std::span<const double> psi, std::span<const double> parameters, std::span<double> f)>;
 
 /// Immutable.
 class SampledToughness {
  public:
-  /// Calls the sampler with some hundred angles, and again for the pieces on which these do not suffice: towards 0 and
+  /// Calls the sampler with some hundred angles, then again for the pieces on which these do not suffice: towards 0 and
   /// 90 degrees, where f may be any power of psi or cos psi, and at kinks.
   SampledToughness(const LawSampler& sampler, std::span<const double> parameters);
 
@@ -30,8 +30,8 @@ class SampledToughness {
   Taylor toughness(const Taylor& psi, const Taylor& cosine) const;
   double log_toughness(double psi, double cosine) const;
 
-  /// Largest error, beyond rounding, of f or of 1/f, whichever is smaller, that further samples would not reduce; and
-  /// the psi of it.
+  /// Largest error, beyond rounding, that further samples would not reduce (of f or of 1/f, whichever is smaller), and
+  /// its psi.
   double error() const { return error_; }
   double error_at() const { return error_at_; }
   /// The smallest psi at which a sample is not a positive number; infinite if there is none.
@@ -39,7 +39,7 @@ class SampledToughness {
 
  private:
   static constexpr std::size_t kNodes = 21;  // Chebyshev nodes of a piece
-  /// h = ln f + power ln cos psi in Chebyshev polynomials, without the last ones if these are rounding.
+  /// h = ln f + power ln cos psi as a Chebyshev series, without the last terms if these are rounding.
   struct Piece {
     double begin, end;
     std::array<double, kNodes> coefficients{};

@@ -1,5 +1,5 @@
-// A number with its first two derivatives along one direction: what an expression is evaluated on, so that its
-// derivatives are exact.
+// A number with its first two derivatives along one direction. Evaluating an expression on such numbers gives exact
+// derivatives.
 #pragma once
 
 #include <cmath>
@@ -18,8 +18,8 @@ struct Taylor {
   Taylor(double f, double slope, double bend) : value(f), first(slope), second(bend) {}
   explicit operator double() const { return value; }
 
-  /// f(x) of a function with these values of f, f' and f'' there. What does not change with the direction has no
-  /// derivative, even where that of the function is infinite.
+  /// f(x) of a function whose value and derivatives at x are f, f' and f''. If x does not change along the direction,
+  /// its derivatives are 0 even where f' is infinite.
   Taylor through(double f, double slope, double bend) const {
     if (first == 0) return {f, 0, second == 0 ? 0 : slope * second};
     return {f, slope * first, slope * second + bend * first * first};
@@ -47,7 +47,7 @@ struct Taylor {
     return {value, first, (x.second - 2 * first * y.first - value * y.second) * inverse};
   }
 
-  // Order and equality are those of the values.
+  // Numbers are compared by value alone.
   friend bool operator==(const Taylor& x, const Taylor& y) { return x.value == y.value; }
   friend auto operator<=>(const Taylor& x, const Taylor& y) { return x.value <=> y.value; }
 
@@ -102,14 +102,14 @@ struct Taylor {
     if (y.first == 0 && y.second == 0) {
       if (x.first == 0 && x.second == 0) return {power, 0, 0};
       if (x.value != 0 && power != 0 &&
-          std::isfinite(power)) {  // one power is known: the others cost more than all else
+          std::isfinite(power)) {  // from the one power: more calls of pow would cost more than all else
         const double slope = n * power / x.value;
         return x.through(power, slope, (n - 1) * slope / x.value);
       }
       return x.through(power, n == 0 ? 0 : n * std::pow(x.value, n - 1),
                        n == 0 || n == 1 ? 0 : n * (n - 1) * std::pow(x.value, n - 2));
     }
-    if (x.value == 0 && n > 0) return {0, 0, 0};  // whatever the exponent
+    if (x.value == 0 && n > 0) return {0, 0, 0};  // whatever the exponent's derivatives
     const Taylor exponent = y * log(x);
     return {power, power * exponent.first, power * (exponent.second + exponent.first * exponent.first)};
   }

@@ -13,7 +13,7 @@ constexpr const char* kVariables[] = {"psi", "B", "t", "K_I", "K_II"};
 constexpr const char* kOwn[] = {"sin_psi", "cos_psi"};  // replace sin(psi) and cos(psi)
 constexpr const char* kNormalised = ", over its value at psi = 0";
 
-/// The first position, from `from` on, at which a text contains a name; npos if there is none.
+/// The first position, at `from` or later, at which a text contains a name; npos if there is none.
 std::size_t find_name(std::string_view text, std::string_view name, std::size_t from = 0) {
   for (std::size_t at = text.find(name, from); at != std::string_view::npos; at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
@@ -25,7 +25,7 @@ std::size_t find_name(std::string_view text, std::string_view name, std::size_t 
 
 bool uses(std::string_view text, std::string_view name) { return find_name(text, name) != std::string_view::npos; }
 
-/// The text with `value` in place of function(psi).
+/// The text with function(psi) replaced by `value`.
 std::string with_value_of(std::string text, std::string_view function, std::string_view value) {
   const auto skip = [&](std::size_t at, std::string_view expected) {  // npos if something else follows
     at = text.find_first_not_of(' ', at);
@@ -41,14 +41,14 @@ std::string with_value_of(std::string text, std::string_view function, std::stri
   return text;
 }
 
-/// Replaces tan(psi), sin(psi) and cos(psi) by variables: computed from psi they would magnify its rounding near 90
+/// Replaces tan(psi), sin(psi) and cos(psi) by variables: computed from psi, they would magnify its rounding near 90
 /// degrees.
 std::string with_known_functions(std::string text) {
   text = with_value_of(std::move(text), "tan", "t");
   return with_value_of(with_value_of(std::move(text), "sin", kOwn[0]), "cos", kOwn[1]);
 }
 
-/// What is wrong with the key and the parameters. Appends the parameters' names to `variables`.
+/// Why the key or the parameters are invalid. Appends the parameters' names to `variables`.
 std::optional<LawError> problem_of(const LawDefinition& definition, std::vector<std::string>& variables) {
   constexpr std::size_t kMost = UserLaw::kMostParameters;
   const auto error = [](std::string message) { return LawError{{}, std::move(message)}; };

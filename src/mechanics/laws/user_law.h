@@ -19,40 +19,41 @@ namespace mixity {
 struct LawParameter {
   std::string name;     // lambda, n, r_II, ...
   double lower, upper;  // closed range, finite
-  double start;         // in it
+  double start;         // within the range
 };
 
 struct LawDefinition {
-  std::string key;   // what --models takes: letters, digits and underscores; not the key of a published model
-  std::string text;  // of psi, B = sin^2 psi, t = tan psi, K_I and K_II in units of the toughness; with a = an equation
+  std::string key;  // what --models takes: letters, digits and underscores; not the key of a published model
+  std::string
+      text;  // in psi, B = sin^2 psi, t = tan psi, or K_I and K_II in units of the toughness; with a =, an equation
   std::vector<LawParameter> parameters{};       // 1 to UserLaw::kMostParameters
   std::string name{};                           // shown beside the key; empty: the key
-  bool normalised = false;                      // f is the expression over its value at psi = 0
-  std::shared_ptr<const LawSampler> sampler{};  // computes f; `text` is then only shown. Equal if the same object
+  bool normalised = false;                      // f is the expression divided by its value at psi = 0
+  std::shared_ptr<const LawSampler> sampler{};  // computes f; `text` is then only shown. Compared by identity
 };
 
 /// Whether two definitions agree in everything but the name.
 bool same_law(const LawDefinition& one, const LawDefinition& other);
 
-/// A definition as it is evaluated.
+/// A definition in the form in which it is evaluated.
 struct LawForm {
   bool equation = false;    // in K_I and K_II
   std::string text{};       // f, or left minus right of an equation; empty for a function
-  std::string logarithm{};  // log(left/right) of an equation if it can be read, else empty
+  std::string logarithm{};  // log(left/right) of an equation if it can be parsed, else empty
   std::vector<std::string> variables{};
   bool uses_psi = true, uses_B = true, uses_t = true;
 };
 
 class LawWorkspace;
 
-/// A definition that has been read. Immutable; threads may share it. Each thread evaluates it in a workspace
-/// (law_workspace.h), which LawLease borrows. The law keeps idle workspaces and frees them in the end.
+/// A parsed definition. Immutable and shared by threads. Each thread evaluates it in a workspace (law_workspace.h),
+/// which LawLease borrows. The law owns the idle workspaces.
 class UserLaw {
  public:
   static constexpr std::size_t kMostParameters = 3;
 
-  /// Null, with the reason in `error`, if the definition cannot be evaluated. Does not check the values of f: see
-  /// law_check.h.
+  /// Null, with the reason in `error`, if the definition cannot be evaluated. The values of f are not checked here but
+  /// in law_check.h.
   static std::shared_ptr<const UserLaw> make(LawDefinition definition, LawError& error);
   ~UserLaw();
 
@@ -78,7 +79,7 @@ class UserLaw {
   mutable std::vector<std::unique_ptr<LawWorkspace>> idle_;
 };
 
-/// Borrows a workspace of a law for one thread. The law must outlive it.
+/// Borrows a workspace for one thread. The law must outlive the lease.
 class LawLease {
  public:
   explicit LawLease(const UserLaw& law);

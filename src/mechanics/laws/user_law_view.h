@@ -1,4 +1,4 @@
-// A law that is defined at run time with the members that base/law.h lists.
+// Adapts a law that is defined at run time to the interface of base/law.h.
 #pragma once
 
 #include <string_view>
@@ -11,7 +11,7 @@
 
 namespace mixity {
 
-/// Refers to a workspace. To be used on one thread, while that workspace is leased.
+/// Refers to a workspace. Use it on one thread only, while that workspace is leased.
 class UserLawView {
  public:
   using Parameters = ParameterValues;

@@ -12,8 +12,8 @@ struct BenzeggaghKenane {
   static constexpr ModelInfo info{"bk", "Benzeggagh-Kenane 1996", "f = 1 + (r-1) B^eta, B = sin^2(psi)"};
   static constexpr std::array<ParameterInfo, 2> parameters{{{"r", 1e-3, 1e3, 2, 1}, {"eta", 1e-2, 1e2, 2}}};
 
-  /// B = sin^2 psi, C = 1 - B and ln B. `tiny` where B underflows, which B^eta need not: 1e-300^0.01 = 0.001; then
-  /// scaled = 2^600 sin psi is used instead of B, since T/y may be less than any double, too.
+  /// B = sin^2 psi, C = 1 - B and ln B. `tiny` is set where B underflows although B^eta may not: 1e-300^0.01 = 0.001.
+  /// Then scaled = 2^600 sin psi replaces B, since T/y may be less than any double, too.
   template <class S>
   struct ModeRatio {
     S B, C, log_B, scaled;
@@ -24,7 +24,7 @@ struct BenzeggaghKenane {
       if (tiny) scaled = mixity.sin * S(kScale);
       set_log();
     }
-    /// From the ratio of the loads, without the roots of sin psi and cos psi: each rounding of B counts eta times.
+    /// From the ratio of the loads, without the roots of sin psi and cos psi: eta multiplies each rounding of B.
     ModeRatio(const S& y, const S& T) : scaled(T) {
       const bool steep = T > y;
       const S t = steep ? S(y / T) : S(T / y), square = t * t, larger = S(1) / (S(1) + square),
@@ -39,7 +39,7 @@ struct BenzeggaghKenane {
    private:
     static constexpr double kScale = 0x1p600;
     static bool is_tiny(const S& B) { return !(B > S(1e-290)); }
-    /// From C where B is near 1, so that the exponent does not magnify a rounding of B.
+    /// Uses C where B is near 1, so that the exponent does not magnify a rounding of B.
     void set_log() {
       using std::log, std::log1p;
       log_B = tiny ? S(S(2) * (log(scaled) - log(S(kScale)))) : B < S(0.5) ? S(log(B)) : S(log1p(-C));
@@ -47,7 +47,7 @@ struct BenzeggaghKenane {
     friend struct BenzeggaghKenane;
   };
 
-  /// B^eta and what follows from it, for B > 0. 1 - B^eta comes from ln B, so that a small r magnifies no rounding.
+  /// B^eta and derived quantities, for B > 0. 1 - B^eta comes from ln B, so that a small r magnifies no rounding.
   template <class S>
   struct Power {
     S reduced, value, f;  // reduced = B^(eta-1), meaningless if tiny; value = B^eta, f = (1 - B^eta) + r B^eta
@@ -57,7 +57,7 @@ struct BenzeggaghKenane {
       if (mode.tiny) {
         reduced = S(0);
         value = pow(mode.scaled, S(2) * p[1]) * pow(S(1 / ModeRatio<S>::kScale), S(2) * p[1]);
-      } else if (p[1] < S(0.5)) {  // eta - 1 would round eta off, times ln B
+      } else if (p[1] < S(0.5)) {  // eta - 1 would lose digits of eta, multiplied by ln B
         value = pow(B, p[1]);
         reduced = value / B;
       } else {
@@ -81,16 +81,16 @@ struct BenzeggaghKenane {
   }
 
   /// tau^2 = (y^2 + T^2)/f - y^2 = T^2 (1 - (f - 1) y^2/T^2)/f, with (f - 1) y^2/T^2 = k (1 - B), k = (r - 1)
-  /// B^(eta-1). Up to k = 1 its difference from 1 is (1 - k) + k B, for the sake of eta = 1, r = 2 where it is B, and 1
-  /// - k is a sum of two terms that do not cancel; beyond, where 1 - k is negative and would cancel with k B, the first
-  /// form is used.
+  /// B^(eta-1). For k <= 1, the bracket is computed as (1 - k) + k B, which is B for eta = 1 and r = 2, and 1 - k as a
+  /// sum of two terms that do not cancel. For k > 1, where 1 - k < 0 would cancel with k B, it is computed as 1 - k (1
+  /// - B).
   template <class S>
   static ShearTerm<S> shear_term(const std::array<S, 2>& p, const S& y, const S& T) {
     using std::expm1;
     if (!(T > S(0))) return {S(0), S(0), S(0)};
     const S& eta = p[1];
     const ModeRatio<S> mode(y, T);
-    if (mode.tiny && p[0] >= S(1)) return {S(0), S(0), S(0)};  // eta >= 1 then: of the size of T^2, which underflows
+    if (mode.tiny && p[0] >= S(1)) return {S(0), S(0), S(0)};  // here eta >= 1: tau^2 is of order T^2 and underflows
     const Power<S> power(p, mode);
     const S& f = power.f;
     const S k = (p[0] - S(1)) * power.reduced, q = (p[0] - S(1)) * power.value;
@@ -108,7 +108,7 @@ struct BenzeggaghKenane {
     if (p[1] > 1 || p[0] == 1) return 1;
     return p[1] == 1 ? 2 - p[0] : p[0] < 1 ? kInfinity : -kInfinity;
   }
-  /// B^eta near psi = pi/2 is exp(-eta cos^2 psi), and f changes from its slope to r where eta cos^2 psi = r.
+  /// Near psi = pi/2 B^eta is exp(-eta cos^2 psi), and f bends from its slope to r where eta cos^2 psi = r.
   static ShearReach shear_reach(const std::array<double, 2>& p) {
     const double eta = p[1], narrow = std::sqrt(std::fmin(p[0], 1) / std::fmax(eta, 1));
     return {eta > 2 ? std::sqrt(eta) : 1, narrow, eta >= 2 ? narrow : 0};
@@ -118,9 +118,9 @@ struct BenzeggaghKenane {
     return p[0] >= 1 ? p[1] >= p[0] : p[1] <= p[0];
   }
 
-  /// The map from psi to the circle is one-to-one when g = (1 + tan^2 psi)/f grows with psi:
-  /// 1 - (r - 1) B^(eta-1) (eta - (eta+1) B) >= 0. For r <= 1 that holds always; for r > 1 the worst B is
-  /// (eta-1)/(eta+1), which leaves (r - 1) ((eta-1)/(eta+1))^(eta-1) <= 1, and eta < 1 never qualifies.
+  /// The map from psi to the circle is one-to-one when g = (1 + tan^2 psi)/f grows with psi: 1 - (r - 1) B^(eta-1) (eta
+  /// - (eta+1) B) >= 0. This always holds for r <= 1. For r > 1 the worst B is (eta-1)/(eta+1), which leaves (r - 1)
+  /// ((eta-1)/(eta+1))^(eta-1) <= 1; it never holds for eta < 1.
   static std::string_view equilibrium_domain(const std::array<double, 2>& p) {
     const double r = p[0], eta = p[1];
     if (r <= 1) return {};

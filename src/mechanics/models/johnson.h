@@ -12,7 +12,7 @@ struct Johnson {
   static constexpr ModelInfo info{"a", "Johnson 1996", "f = 1 + (1-lambda) tan^2(psi)"};
   static constexpr std::array<ParameterInfo, 1> parameters{{{"lambda", 0, 1, 0.15}}};
 
-  /// Infinite at psi = pi/2 for lambda < 1: must not be called there.
+  /// Infinite at psi = pi/2 for lambda < 1; must not be called there.
   template <class S>
   static Differentiated<S, 1> log_toughness(const std::array<S, 1>& p, const Mixity<S>& mixity) {
     return log_toughness_of_packed_form<Johnson>(p, mixity);
@@ -35,7 +35,7 @@ struct Johnson {
   static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {
     const S& lambda = p[0];
     const S m = S(1) - lambda;
-    const bool steep = T > y;  // everything in the smaller ratio
+    const bool steep = T > y;  // compute with the smaller of y/T and T/y
     const S w = steep ? S(y / T) : S(T / y), square = w * w;
     const S d = steep ? S(square + m) : S(S(1) + m * square), of_II = steep ? m : S(m * square);
     const S side = steep ? y : T;
@@ -59,8 +59,8 @@ struct Johnson {
   static double small_shear(const std::array<double, 1>& p) { return p[0]; }
   /// Infinite for lambda = 1.
   static double shear_limit(const std::array<double, 1>& p) { return p[0] / (1 - p[0]); }
-  /// At lambda = 1 the curve ends at Hertz; for any smaller lambda it runs on along an asymptote that tends to Hertz. A
-  /// fit uses the limit of the latter at the bound, where its cost would jump otherwise.
+  /// At lambda = 1 the curve ends at Hertz; for any smaller lambda it continues along an asymptote that tends to Hertz.
+  /// A fit uses the latter limit at the bound, where its cost would otherwise jump.
   static std::array<double, 1> continuous(const std::array<double, 1>& p) { return {std::fmin(p[0], 1 - 0x1p-53)}; }
   /// With w = m T^2/y^2: 2 l (1 - 3w)/(1 + w)^3, 8 l sqrt(w^3/m)/(1 + w)^3 and 2 (l/m) w^2 (w - 3)/(1 + w)^3.
   static ShearBend shear_bend(const std::array<double, 1>& p) {
@@ -70,7 +70,7 @@ struct Johnson {
   }
   static ShearReach shear_reach(const std::array<double, 1>& p) { return {1, std::sqrt(1 - p[0]), 1}; }
   static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
-  /// d^2(tau^2)/dy^2 is least where y^2 = (1-lambda) T^2, -lambda/(2 (1-lambda)): not below -2 up to here.
+  /// The minimum of d^2(tau^2)/dy^2, at y^2 = (1-lambda) T^2, is -lambda/(2 (1-lambda)): >= -2 up to lambda = 0.8.
   static bool one_fold_at_most(const std::array<double, 1>& p) { return p[0] <= 0.8; }
   static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
 };

@@ -16,7 +16,7 @@ struct PapangeloCiavarella {
     return log_toughness_of_packed_form<PapangeloCiavarella>(p, mixity);
   }
 
-  /// In B = sin^2 psi and 1 - B, of 1/f: a sum of positive terms.
+  /// Computes 1/f from B = sin^2 psi and 1 - B, as a sum of positive terms.
   static constexpr int kLogSign = -1;
   template <class S>
   static PackedPoint<S> packed_point(const Mixity<S>& mixity) {
@@ -28,7 +28,7 @@ struct PapangeloCiavarella {
     return {argument, (lambda - S(1)) * point.first, slope, slope * slope};
   }
 
-  /// tau = sqrt(lambda) T, whatever y: the equilibrium is a closed form.
+  /// tau = sqrt(lambda) T does not depend on y, so equilibrium has a closed form.
   template <class S>
   static S shear_on_circle(const std::array<S, 1>& p, const S& T) {
     using std::sqrt;
@@ -50,8 +50,8 @@ struct PapangeloCiavarella {
   static ShearBend shear_bend(const std::array<double, 1>& p) { return {2 * p[0], 0, 0}; }
   static ShearReach shear_reach(const std::array<double, 1>&) { return {1, 1, 1}; }
 
-  /// Where the only fold lies, as y - 3 pi. Load control: the top of the circle, 0. Displacement control: du = 0 on the
-  /// circle is 2 v^2 + 3 (3 pi + P) v + S0^2 = 0 for v = y - 3 pi, whose upper root it is.
+  /// y - 3 pi of the only fold. Load control: 0, the top of the circle. Displacement control: du = 0 on the circle
+  /// reads 2 v^2 + 3 (3 pi + P) v + S0^2 = 0 with v = y - 3 pi; the fold is its upper root.
   static double fold_offset(const std::array<double, 1>&, double P, bool displacement) {
     if (!displacement) return 0;
     const double square = 6 * pi<double>() * above_pull_off(P), b = 3 * (3 * pi<double>() + P);

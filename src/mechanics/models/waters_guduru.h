@@ -22,9 +22,9 @@ struct WatersGuduru {
     return {value, {-psi / cosine * sine}};
   }
 
-  /// The law as printed, whose tangent magnifies the rounding of psi by 1/(pi/2 - psi). The cheapest form that does
-  /// not, the cotangent of (pi/2 - psi) + h beyond k psi = pi/4, costs 53 % more of the loop (mechanics_benchmark,
-  /// LogToughnessPacked) and 36 % of a sweep of a fit.
+  /// The law as printed; its tangent magnifies rounding of psi by 1/(pi/2 - psi). The cheapest form that does not, the
+  /// cotangent of (pi/2 - psi) + h for k psi > pi/4, makes the loop 53 % slower (mechanics_benchmark,
+  /// LogToughnessPacked) and a sweep of a fit 36 %.
   static constexpr int kLogSign = 1;
   template <class S>
   static PackedPoint<S> packed_point(const Mixity<S>& mixity) {
@@ -46,7 +46,7 @@ struct WatersGuduru {
     const S half = S(0.5) * p[0], k = S(1) - half;
     const bool steep = T > y;
     const S near = atan(steep ? S(y / T) : S(T / y)), psi = steep ? S(S(0.5) * pi<S>() - near) : near;
-    // sin h and cos h from one tangent, which has a vector form where the pair has none
+    // sin h and cos h from one tangent, which has a vector form; the pair has none
     const S h = half * psi, tan_h = tan(h), cos_h = S(1) / sqrt(S(1) + tan_h * tan_h), sin_h = tan_h * cos_h;
     const S value = sin_h * (S(2) * y * T * cos_h + (T - y) * (T + y) * sin_h);
     const Mixity<S> mixity = mixity_from_loads(y, T);
@@ -60,8 +60,8 @@ struct WatersGuduru {
 
   /// sin(h) sin(2 psi - h)/psi^2 at psi -> 0: lambda - lambda^2/4.
   static double small_shear(const std::array<double, 1>& p) { return p[0] * (1 - 0.25 * p[0]); }
-  /// -psi tan(k psi), k = 1 - lambda/2; where k psi may come near pi/2 from sin and cos of psi - k psi as in
-  /// shear_term. At lambda = 2 it vanishes exactly: by that a fit knows that the bound is its minimum.
+  /// -psi tan(k psi), k = 1 - lambda/2; where k psi may come near pi/2, from tan h, h = lambda psi/2. At lambda = 2 it
+  /// is exactly 0, which tells a fit that the bound is its minimum.
   [[gnu::always_inline]] static inline std::array<double, 1> log_toughness_slope(const std::array<double, 1>& p,
                                                                                  double y, double T) {
     const bool steep = T > y, small = p[0] > 1;
@@ -69,17 +69,16 @@ struct WatersGuduru {
     const double share = small ? 1 - 0.5 * p[0] : 0.5 * p[0], tangent = std::tan(share * psi);
     return {-psi * (small ? tangent : (T - y * tangent) / (y + T * tangent))};
   }
-  /// In polar coordinates tau^2 = r^2 S(psi), S = (cos 2 k psi - cos 2 psi)/2, with the second derivatives 2 S, S' and
-  /// S'' + 2 S. |S| <= pi l/4, |S'| <= (1 + pi) l/2 and |S'' + 2 S| <= (2 + pi/2) l, which bounds the norm by their
-  /// sum.
+  /// In polar coordinates tau^2 = r^2 S(psi), S = (cos 2 k psi - cos 2 psi)/2; its second derivatives are 2 S, S' and
+  /// S'' + 2 S. With |S| <= pi l/4, |S'| <= (1 + pi) l/2 and |S'' + 2 S| <= (2 + pi/2) l, their sum bounds the norm.
   static ShearBend shear_bend(const std::array<double, 1>& p) {
     const double bound = 5.7 * p[0];
     return {bound, bound, bound};
   }
   static ShearReach shear_reach(const std::array<double, 1>&) { return {1, 1, 1}; }
   static bool tau_grows_with_edge_load(const std::array<double, 1>&) { return true; }
-  /// 2 + d^2(tau^2)/dy^2 = 1 + cos(2 k psi) (1 - 2 k^2 sin^2 psi) + k sin(2 psi) sin(2 k psi), in which no term of the
-  /// second product is negative and the first is at least -1.
+  /// 2 + d^2(tau^2)/dy^2 = 1 + cos(2 k psi) (1 - 2 k^2 sin^2 psi) + k sin(2 psi) sin(2 k psi). The last term is not
+  /// negative, and the second is at least -1.
   static bool one_fold_at_most(const std::array<double, 1>&) { return true; }
   static std::string_view equilibrium_domain(const std::array<double, 1>&) { return {}; }
 };

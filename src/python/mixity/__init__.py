@@ -10,8 +10,8 @@
 >>> round(fits["c"].params["lambda"].value, 4)
 0.0089
 
-Quantities are floats in SI, strings with units as the program takes them ("2.133 +/- 0.1 MPa"), or pint quantities.
-Input that cannot be used raises :class:`InputError` with the message of the program. ``logging.getLogger("mixity")`` gets the
+Quantities are floats in SI, strings with units as in the program ("2.133 +/- 0.1 MPa"), or pint quantities.
+Invalid input raises :class:`InputError` with the program's message. ``logging.getLogger("mixity")`` gets the
 progress of fits (see :func:`fit`), and the notes of a data set as warnings.
 """
 

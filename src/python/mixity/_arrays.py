@@ -8,7 +8,7 @@ from ._units import carries_units, plain_array, si_number
 
 
 class Units:
-    """Units of dimensionless quantities: 1, or in SI those of a contact."""
+    """Units of dimensionless quantities: 1, or the SI units of a contact."""
 
     def __init__(self, contact):
         self.contact = contact
@@ -39,7 +39,7 @@ class Units:
 
 
 def flat_arrays(*arrays):
-    """The common shape, and the arrays as rows of it: one number stays one, others are copied only if they must be."""
+    """The common shape, and the arrays broadcast to it and flattened. Single numbers stay single; copies only if necessary."""
     shape = np.broadcast_shapes(*(array.shape for array in arrays))
     flat = [
         array.reshape(1) if array.size == 1 else np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)
@@ -49,7 +49,7 @@ def flat_arrays(*arrays):
 
 
 def _parameters(model, lam):
-    """One array for each parameter: of a model with several, a tuple of them."""
+    """One array per parameter; a tuple of arrays for a model with several."""
     names = _core.parameter_names(model)
     if not names:
         raise _core.InputError(f"there is no model '{model}'; there are {', '.join(_core.known_models())}")
@@ -64,7 +64,7 @@ def numbers(lam):
 
 
 def target(out, shape, inputs):
-    """Where results are computed: in ``out``, or in a new array if it overlaps an argument that is still to be read."""
+    """The array for the results: ``out``, or a new one if ``out`` overlaps an argument that is still to be read."""
     if out is None:
         return np.empty(shape)
     if not isinstance(out, np.ndarray):

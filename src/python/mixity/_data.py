@@ -22,7 +22,7 @@ COLUMNS = [name for name in _core.column_names() if name not in ("curve", "inclu
 def _column(name, values, units):
     if isinstance(values, str):
         raise _core.InputError(f"arrays: column '{name}' is the text '{values}'; a percentage is an option of fit({name}=...)")
-    # a copy: later changes of the array do not change the data set
+    # a copy, so that later changes of the array do not affect the data set
     array = np.array(plain_array(name, values), order="C")
     if array.ndim != 1:
         raise _core.InputError(f"arrays: column '{name}' must have one dimension, not {array.ndim}")
@@ -43,7 +43,7 @@ class Dataset:
     runs : array_like of str or int, shape (n,), optional
         The loading run of each point; without a name (None, NaN), points of one load form a run.
     units : dict, "SI" or None
-        Units of the columns, as in ``{"P": "mN", "A": "mm^2"}``; SI for those that are not named. None: dimensionless
+        Units of the columns, as in ``{"P": "mN", "A": "mm^2"}``; SI for columns not named. None: dimensionless
         as in the paper (loads in R G_Ic, areas in (R/xi)^2).
     name : str
         Shown in texts and messages.
@@ -55,7 +55,7 @@ class Dataset:
     Raises
     ------
     InputError
-        As the program reports it for a file with these columns. Row i is called line i + 2.
+        As for a file with these columns. Row i is called line i + 2.
     """
 
     def __init__(
@@ -95,12 +95,12 @@ class Dataset:
         made._source = source
         return made
 
-    # A pickled data set holds what it was made from, files with their contents: they may be others later, or gone.
+    # A pickled data set contains its inputs, with the contents of files, which may change or vanish later.
     def __reduce__(self) -> tuple[Any, ...]:
         kind, arguments = self._source
         return _again, (kind, (*arguments, self._core.contents()) if kind == "file" else arguments)
 
-    # It does not change, so that a copy is itself.
+    # Immutable, so a copy is the object itself.
     def __copy__(self) -> Dataset:
         return self
 
@@ -121,12 +121,12 @@ class Dataset:
 
     @property
     def notes(self) -> list[str]:
-        """What was ignored or reinterpreted in the data: sentences."""
+        """Sentences on what was ignored or reinterpreted in the data."""
         return self._core.notes
 
     @property
     def inputs(self) -> list[tuple[str, int, str]]:
-        """[(path, bytes, xxh128)] of the files that were read: as ``xxh128sum`` prints it. Empty of arrays."""
+        """[(path, bytes, xxh128)] of the files that were read, hashed as by ``xxh128sum``. Empty for arrays."""
         return self._core.inputs
 
     @property
@@ -136,7 +136,7 @@ class Dataset:
 
     @property
     def excluded(self) -> list[tuple[int, str]]:
-        """[(line, reason)] of rows that are left out."""
+        """[(line, reason)] of rows that were left out."""
         return self._core.excluded
 
     @property
@@ -206,7 +206,7 @@ def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **cons
     path : str, path, or list of them
         A CSV or another export of a table; a pattern such as ``"run_*.csv"``, or several files, are one data set.
     **constants
-        Replace those that the TOML states: as for :class:`Dataset`, and how to read the file (``columns``, ``decimal``,
+        Replace those in the TOML: as for :class:`Dataset`, and how to read the file (``columns``, ``decimal``,
         ``pixel``, ``load``, ``load_from``, ``headings``).
     """
     files, stated = files_and_constants(path, constants)

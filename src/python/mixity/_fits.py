@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class _Described:
-    """Has the fields of a part of the program's JSON as attributes."""
+    """Gives the fields of a part of the program's JSON as attributes."""
 
     _fields: dict[str, Any]
 
@@ -38,7 +38,7 @@ class _Described:
 
 class Parameter(_Described):
     """A parameter of a fit: ``value``, ``stderr``, ``interval`` (low, high), ``unit``, ``lower``, ``upper``, ``at_bound``, ``held``,
-    ``bootstrap``, ``prior``, and ``budget`` of the one that has it. None where a number is not known."""
+    ``bootstrap``, ``prior``, and, for one parameter, ``budget``. None where a number is not known."""
 
     name: str
     value: float
@@ -104,7 +104,7 @@ class Fit(_Described):
 
     @property
     def suspect(self) -> str | None:
-        """The sentence that says what is wrong and what helps; None if the status is not suspect."""
+        """The sentence that states what is wrong and its remedy; None if the status is not suspect."""
         return self.message if self.status == "suspect" else None
 
     @property
@@ -114,7 +114,7 @@ class Fit(_Described):
 
     @property
     def residuals(self) -> FloatArray:
-        """Of the points in ``used_points``, shape (m,): model minus data, in standard errors where these are known."""
+        """Model minus data of the points in ``used_points``, shape (m,), in standard errors where these are known."""
         return self._fits._results.residuals(self._index)
 
     @property
@@ -123,7 +123,7 @@ class Fit(_Described):
         return self._fits._results.used(self._index).astype(int)
 
     def area(self, P: ArrayLike, T: ArrayLike, confidence: float = 0.95) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Predicted area, as it would be read, with its band.
+        """Predicted area, as it would be measured, with its band.
 
         Parameters
         ----------
@@ -146,7 +146,7 @@ class Fit(_Described):
         return A, low, high
 
     def _load(self, name: str, loads: Any) -> FloatArray:
-        """Dimensionless, of loads in the data's unit or of pint quantities."""
+        """Dimensionless loads, from loads in the data's unit or pint quantities."""
         core = self.data._core
         array = plain_array(name, loads)
         if not carries_units(loads):
@@ -156,7 +156,7 @@ class Fit(_Described):
         return array / core.force_unit
 
     def folds(self, P: ArrayLike, control: str = "load", stiffness: float = 0.0) -> list[dict[str, Any]]:
-        """The folds of the fitted contact at load P (in ``data.units["force"]``), as they would be read.
+        """The folds of the fitted contact at load P (in ``data.units["force"]``), as they would be measured.
 
         Returns
         -------
@@ -209,7 +209,7 @@ class Fits:
         return copy.deepcopy(self._document)
 
     def keys(self) -> list[str]:
-        """Keys of the models, in the order in which they were asked for."""
+        """Keys of the models, in the order of the request."""
         return self._results.models()
 
     def __len__(self) -> int:
@@ -238,7 +238,7 @@ class Fits:
 
     @property
     def comparison(self) -> list[dict[str, Any]]:
-        """Per model AICc, evidence and error on loads left out, as in the program's JSON."""
+        """AICc, evidence and error on left-out loads for each model, as in the program's JSON."""
         return self._document["datasets"][0]["comparison"]
 
     def __str__(self) -> str:
@@ -263,7 +263,7 @@ class Fits:
         messages = "".join(f"<p>{html.escape(k)}: {html.escape(f.message)}</p>" for k, f in self.items() if f.message)
         return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(rows)}</tbody></table>{messages}"
 
-    # Results are a pure function of data and options, so unpickling repeats the fit and finds the same numbers to the last bit.
+    # Results are a pure function of data and options, so unpickling repeats the fit and reproduces them to the last bit.
     def __reduce__(self) -> tuple[Any, ...]:
         return _refit, (self.data, self._results.options(), definitions(self.keys()))
 

@@ -55,7 +55,7 @@ def fit(
     free : list of str, optional
         Constants of the experiment that are fitted without a prior.
     progress : callable or bool, optional
-        Called with the share done, 0..1, on the calling thread; True: a bar of tqdm, if that is installed.
+        Called with the fraction done, 0..1, on the calling thread; True: a tqdm bar if that is installed.
     **options
         The options of ``mixity fit``: sigma_T="2%", loss="cauchy", hold={"lambda": 0.3}, bootstrap=1000, per="curve",
         exclude=[17], checks=False. ``sigma_T`` and ``sigma_A`` may be floats in SI (dimensionless as the data are) or pint
@@ -64,16 +64,16 @@ def fit(
     Returns
     -------
     Fits
-        By model. The same numbers as the program's, to the last digit.
+        By model. The numbers equal the program's to the last digit.
 
     Raises
     ------
     InputError
-        With the message of the program. Ctrl-C ends a fit between its parts (KeyboardInterrupt), a bootstrap at once.
+        With the program's message. Ctrl-C raises KeyboardInterrupt: in a bootstrap at once, otherwise between parts of a fit.
 
     Notes
     -----
-    ``logging.getLogger("mixity")`` gets data, statuses and seconds at INFO, options and messages at DEBUG.
+    ``logging.getLogger("mixity")`` receives data, statuses and seconds at INFO, options and messages at DEBUG.
     """
     if not isinstance(data, Dataset):
         raise TypeError("data must be a mixity.Dataset: Dataset(P=..., T=..., A=...), from_frame(...) or read(...)")
@@ -84,7 +84,7 @@ def fit(
         if name in ("sigma_T", "sigma_A") and value is not None:
             value = error_text(name, value, bool(data._core.force_unit_text))
         text = None if value is None else _option_text(value)
-        if text is not None and not (text == "" and not isinstance(value, str)):  # an empty list is none
+        if text is not None and not (text == "" and not isinstance(value, str)):  # an empty list states nothing
             stated.append((name, text))
     bar = None
     if progress is True:
@@ -114,7 +114,7 @@ def fit(
 
 
 def _described() -> str:
-    """The options that are no parameters of :func:`fit` itself."""
+    """The options that are not parameters of :func:`fit` itself."""
     lines = []
     for name, (help, initial) in _OPTIONS.items():
         if name not in ("models", "objective", "free"):
@@ -122,5 +122,5 @@ def _described() -> str:
     return "".join(f"\n        {line}\n" for line in lines)
 
 
-if fit.__doc__:  # python -OO has none
+if fit.__doc__:  # absent with python -OO
     fit.__doc__ = fit.__doc__.replace("        quantities.\n", "        quantities.\n" + _described(), 1)

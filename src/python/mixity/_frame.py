@@ -11,10 +11,10 @@ from ._data import COLUMNS, Dataset
 
 
 def _one_unit(name, heading, own, stated):
-    """The unit of a column whose heading has the unit ``own``, and of which ``units`` says ``stated``; None: neither does."""
+    """The unit of a column with ``own`` in its heading and ``stated`` in ``units``; None if neither has one."""
     if own is None or stated is None:
         return own if stated is None else stated
-    if not _core.same_unit(own, own):  # brackets that hold no unit
+    if not _core.same_unit(own, own):  # brackets without a unit
         return stated
     if not _core.same_unit(own, stated):
         raise _core.InputError(f"{name}: column '{heading}' is in {own}, units says {stated or 'that it has none'}")
@@ -36,19 +36,19 @@ def from_frame(
     ----------
     frame : DataFrame
     columns : dict, optional
-        Which column is which: ``{"P": "Normal force [mN]", "T": "Friction", "A": "Area"}``. By default the columns whose headings the
+        Columns of the quantities: ``{"P": "Normal force [mN]", "T": "Friction", "A": "Area"}``. By default the columns whose headings the
         program knows in a file, such as "T [mN]" or "Normal force (mN)".
     runs : str or array_like, optional
         The column that names runs, or the names. By default a column ``curve``, if there is one.
     units : dict, "SI" or None
-        As for :class:`Dataset`, for columns whose heading states no unit; one that states another is refused.
+        As for :class:`Dataset`, for columns without a unit in the heading; a different unit there is an error.
     name, **constants
         As for :class:`Dataset`.
 
     Raises
     ------
     InputError
-        As :class:`Dataset`, and for columns that are not there or not known.
+        As for :class:`Dataset`, and for columns that are missing or unknown.
     """
     headings = list(frame)
     texts = list(map(str, headings))

@@ -30,7 +30,7 @@ class Law:
     name : str, optional
         Shown beside the key.
     normalised : bool
-        f over its value at psi = 0, which must be 1.
+        Divide f by its value at psi = 0, which otherwise must be 1.
     **parameters
         For each parameter (least, greatest) or (least, greatest, start).
 
@@ -46,7 +46,7 @@ class Law:
     accuracy, including any power of psi or cos psi at the ends, and kinks. A larger interpolation error is reported in a
     warning, and refused above 1e-6 of f. Derivatives in the parameters are finite differences, accurate to about 1e-10.
 
-    It may be called on any thread of a fit, by one at a time. An exception that it raises ends the fit and is raised there.
+    It may be called on any thread of a fit, by one at a time. An exception in it ends the fit, which raises it again.
     The law, and fits with it, can be pickled if the function can.
 
     Examples
@@ -104,7 +104,7 @@ class Law:
         return _again, (_definition(self.key),)
 
 
-_functions: list = []  # (function, names of its parameters, its values when it was given, what the engine calls)
+_functions: list = []  # (function, names of its parameters, sampled values, callable for the engine)
 _by_key: dict = {}  # functions of laws
 
 
@@ -114,7 +114,7 @@ def _let_go():
 
 
 def _known(f, names, ranges):
-    """What the engine calls for a function: the same object for the same function, so that the law is the same."""
+    """The callable that the engine uses for a function: the same object for the same function, so that the laws are equal."""
     says = _sayings(f, names, ranges)
     for other, of_other, said, called in _functions:
         if of_other == names and said == says and _same(f, other):
@@ -124,14 +124,14 @@ def _known(f, names, ranges):
 
 
 def _sayings(f, names, ranges):
-    """The function's values at a few places, which differ if its globals have changed."""
+    """The function's values at a few points, which change if its globals do."""
     call = _checked(f, names)
     psi = np.linspace(0.05, 1.5, 8)
     return b"".join(call(psi, [low + share * (high - low) for _, low, high, *_ in ranges]).tobytes() for share in (0.11, 0.47, 0.83))
 
 
 def _same(one, other):
-    """Whether two functions are the same, as when a notebook's cell is run again."""
+    """Whether two functions are equal, as when a notebook cell is run again."""
     if one is other or not (isinstance(one, types.FunctionType) and isinstance(other, types.FunctionType)):
         return one is other
     parts = ("__code__", "__defaults__", "__kwdefaults__", "__closure__")
@@ -191,7 +191,7 @@ def define(laws):
 
 
 def key_of(model):
-    """The key of a model, which may be a Law; one of data/laws.toml is made ready."""
+    """The key of a model, which may be a Law; defines it if it is from data/laws.toml."""
     if isinstance(model, Law):
         return model.key
     if isinstance(model, str):
@@ -203,7 +203,7 @@ _BUILT_IN = frozenset(_core.model_keys())
 
 
 def model_keys(models: Any) -> Any:
-    """Keys of models as :func:`fit` takes them: a text or a list. "abc" are three models."""
+    """Keys of models from the argument of :func:`fit`, a text or a list. "abc" are three models."""
     if isinstance(models, Law):
         return models.key
     if isinstance(models, (list, tuple)):

@@ -1,5 +1,5 @@
-"""Messages to ``logging.getLogger("mixity")``: of each fit data, models, statuses and seconds at INFO and options at DEBUG; the
-notes of a data set at WARNING. The package adds no handler that would show them."""
+"""Messages to ``logging.getLogger("mixity")``: for each fit data, models, statuses and seconds at INFO, options at DEBUG; the
+notes of a data set at WARNING. The package adds no handler."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import logging
 
-# The levels of logging, which is not imported here: that takes longer than to import the engine.
+# The levels of logging, which is not imported here because that takes longer than importing the engine.
 DEBUG, INFO, WARNING = 10, 20, 30
 
 _logger: logging.Logger | None = None

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     Parameters = ArrayLike | tuple[ArrayLike, ...]
     Contact = Sequence[Any] | None
 
-#: What the status arrays mean.
+#: Names of the values in status arrays.
 STATUS = ("ok", "no_equilibrium", "invalid")
 
 
@@ -52,7 +52,7 @@ def area(
     model : str
         "a", "b", "c" or "bk".
     lam : array_like, or tuple of array_like
-        The model's parameter; of one with several a tuple, in the order of :func:`models`.
+        The model's parameter; for several a tuple, in the order of :func:`models`.
     P, T : array_like
         Normal and tangential load, broadcast against each other and ``lam``. Equilibrium depends on T**2.
     contact : (radius [m], modulus [Pa], toughness [J/m^2]), optional
@@ -148,7 +148,7 @@ def phase_angle(
     contact: Contact = None,
     out: tuple[FloatArray | None, FloatArray | None] = (None, None),
 ) -> tuple[FloatArray, FloatArray]:
-    """(psi [rad], G_c/G_Ic) that follow from a measured area.
+    """(psi [rad], G_c/G_Ic) from a measured area.
 
     Units as for :func:`area`; ``out`` is a pair of arrays. Both are NaN where the area does not exceed that of Hertz, so
     that there is no phase angle, and where an argument is NaN.
@@ -174,13 +174,13 @@ def folds(
     stiffness: float = 0.0,
     contact: Contact = None,
 ) -> list[dict[str, Any]]:
-    """The folds at which the contact loses stability, in the order in which they are met from T = 0.
+    """The folds at which the contact loses stability, in order along the curve from T = 0.
 
     Parameters
     ----------
     P : float
     control : {"load", "displacement", "stiffness"}
-        What is controlled; "stiffness": a spring of ``stiffness`` (dimensionless, k/(xi^2 G_Ic)) in series.
+        The controlled quantity; "stiffness": a spring of ``stiffness`` (dimensionless, k/(xi^2 G_Ic)) in series.
 
     Returns
     -------
@@ -198,7 +198,7 @@ def regime(
 ) -> dict[str, Any]:
     """The regime of the contact when it is sheared: 1 shrinks to an asymptote, 2 to Hertz, 3 jumps, 4 slides first.
 
-    ``shear_strength`` is tau_0 of T = tau_0 A. Returns a dict: regime, fracture (without a limit to the strength),
+    ``shear_strength`` is tau_0 of T = tau_0 A. Returns a dict: regime, fracture (the regime for unlimited strength),
     T_end, T_strength, jumps_to.
     """
     units = Units(contact)

@@ -1,4 +1,4 @@
-"""What the program says of data, and reports."""
+"""Checks of data, and reports."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from ._log import WARNING, listening
 
 
 def check(data: Dataset | str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **constants: Any) -> str:
-    """What was understood of data, and what is odd about them: the text of ``mixity check``.
+    """How data are read, and their oddities: the text of ``mixity check``.
 
     Parameters
     ----------
     data : Dataset, path, or list of paths
     **constants
-        As for :func:`read`. Constants that are missing are named at the end of the text.
+        As for :func:`read`. Missing constants are named at the end of the text.
     """
     if isinstance(data, Dataset):
         if constants:
@@ -35,20 +35,20 @@ def report(
     force: bool = False,
     progress: Callable[[float], Any] | None = None,
 ) -> str:
-    """A report with figures and tables, as ``mixity report`` makes it. The fits are repeated with what its figures need.
+    """Makes a report with figures and tables, as ``mixity report`` does. Repeats the fits with what the figures need.
 
     Parameters
     ----------
     fits : Fits, or list of them
-        Of one data set each.
+        One per data set.
     folder : path, optional
-        Where report.html, results.json, tables and figures are written, all of them or none.
+        The folder for report.html, results.json, tables and figures; all of them are written or none.
     formats : {"pdf", "png", "gnuplot"}, or list of them
-        Further files of each figure; needs gnuplot.
+        Additional files of each figure; needs gnuplot.
     force : bool
         Also replace files that mixity did not write, or that were edited since.
     progress : callable, optional
-        Called with the share done, 0..1.
+        Called with the fraction done, 0..1.
 
     Returns
     -------

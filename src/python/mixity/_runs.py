@@ -20,7 +20,7 @@ class Runs:
     Attributes
     ----------
     data : Dataset
-        The points of all runs, ready to fit: the same numbers as those of the file that the program writes.
+        The points of all runs, ready to fit, with the same numbers as in the program's file.
     """
 
     def __init__(self, log: Any, paths: Sequence[str]) -> None:
@@ -32,19 +32,19 @@ class Runs:
 
     @property
     def runs(self) -> list[dict[str, Any]]:
-        """A dict of each run: ``name``; ``P`` [N], the mean of its readings, and ``P_scatter``; ``T_zero`` [N], which is
-        subtracted from T, and ``T_noise`` of a frame; ``frames`` that are kept; ``shear`` and ``sliding`` (None where it is
+        """One dict per run: ``name``; ``P`` [N], the mean of its readings, and ``P_scatter``; ``T_zero`` [N], which was
+        subtracted from T, and ``T_noise`` of a frame; the kept ``frames``; ``shear`` and ``sliding`` (None where it is
         not seen): dicts of ``time`` [s], its 95 % interval ``low`` .. ``high``, and whether it was ``stated``."""
         return self._log.runs()
 
     @property
     def peaks(self) -> list[dict[str, Any]]:
-        """The stick and slip of each run: a dict of each row of peaks.csv, in the units of its header."""
+        """Stick-slip cycles of the runs: one dict per row of peaks.csv, in the units of its header."""
         return _rows(self._log.peaks())
 
     @property
     def phases(self) -> list[dict[str, Any]]:
-        """How the frames of the log are used: a dict of each row of phases.csv."""
+        """The use of the log's frames: one dict per row of phases.csv."""
         return _rows(self._log.phases())
 
     def save(self, folder: str | os.PathLike[str], *, formats: str | Sequence[str] = "", force: bool = False) -> None:
@@ -91,20 +91,20 @@ def runs(
     log : path
         A table with a column of times, P, T and A; or without A.
     areas : path, optional
-        A table of times and areas, if they were recorded by another clock.
+        A table of times and areas, if recorded with another clock.
     lag : float, optional
-        How far the clock of the areas is ahead of that of the forces [s]; by default found from events that both show.
+        Lead of the areas' clock over that of the forces [s]; by default estimated from events that both show.
     zero_drift : bool, optional
-        Whether a straight line through the zeros of all runs is subtracted from T; by default if the drift is certain.
+        Whether to subtract a line through the zeros of all runs from T; by default if the drift is significant.
     cuts : path, optional
-        A TOML of cuts, as :meth:`Runs.save` writes cuts.toml.
+        A TOML of cuts, such as the cuts.toml of :meth:`Runs.save`.
     **constants
         As for :func:`read`.
 
     Raises
     ------
     InputError
-        With the message of the program, also if there is no loading run.
+        With the program's message; also if there is no loading run.
     """
     paths = [os.fspath(one) for one in (log, areas) if one is not None]
     _, stated = files_and_constants([], constants)

@@ -29,9 +29,9 @@ class Plan:
     lam : float or tuple
         The guess; a tuple for a model with several parameters.
     loads : sequence of float, or str
-        Normal load of each run [N], a text with units ("1,4 mN") or pint quantities; empty if they are to be found.
+        Normal load of each run [N], a text with units ("1,4 mN") or pint quantities; empty to have them found.
     points : int
-        Number of points of a run, at equal steps of T from 0.
+        Number of points per run, at equal steps of T from 0.
     reach : float
         The largest T, as a fraction of the T at which the contact jumps.
     sigma_T, sigma_A : str or float
@@ -82,12 +82,12 @@ class Plan:
         return _plan_again(tuple(given))
 
     def simulate(self, seed: int = 1, index: int | None = 0) -> Dataset:
-        """Experiment ``index`` of the stream ``seed`` as a data set: the same wherever it is made."""
+        """Experiment ``index`` of the stream ``seed`` as a data set, the same on every machine."""
         seed, index = whole_number("seed", seed), None if index is None else whole_number("index", index)
         return Dataset._of(self._core.simulate(seed, index), ("simulated", (self, seed, index)))
 
     def expect(self, rivals: Models = "abc") -> dict[str, Any]:
-        """What the plan will determine: {"standard_error": of lambda, "chi2": {rival: T-criterion}}.
+        """The expected results of the plan: {"standard_error": of lambda, "chi2": {rival: T-criterion}}.
 
         The error is that of the Fisher information with the constants as nuisance parameters (Ds-optimality, Silvey
         1980); chi2/2 is the expected logarithm of the odds against a rival (Atkinson & Fedorov 1975).
@@ -144,7 +144,7 @@ def _some(function, indices):
 
 
 def campaign(function: Callable[[int], Any], count: int, executor: Any = None, chunk: int | None = None) -> list[Any]:
-    """Results of ``function(0)`` to ``function(count - 1)``, in order, the same wherever they are computed.
+    """Results of ``function(0)`` to ``function(count - 1)``, in order, the same on every machine.
 
     Parameters
     ----------

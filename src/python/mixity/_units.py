@@ -1,10 +1,10 @@
-"""Quantities as the program takes them: texts with units."""
+"""Quantities in the program's form: texts with units."""
 
 import numpy as np
 
 from . import _core
 
-_SI = _core.si_units()  # of columns and constants that have a unit
+_SI = _core.si_units()  # units of columns and constants
 _PINT = {"J/m^2": "J/m**2", "m^2": "m**2"}
 
 
@@ -42,27 +42,27 @@ def carries_units(value):
 
 
 def in_si(name, quantity):
-    """Magnitude of a pint quantity in the SI unit of that name."""
+    """Magnitude of a pint quantity in the SI unit of the column or constant ``name``."""
     unit = si_unit(name)
     try:
         return quantity.to(_PINT.get(unit, unit) or "dimensionless").magnitude
-    except Exception as error:  # pint's own, which this package does not import
+    except Exception as error:  # raised by pint, which this package does not import
         raise _core.InputError(f"'{name}' must be in {unit or 'no unit'}: {error}") from None
 
 
 def si_number(name, value):
-    """A number, which is in SI, or a pint quantity as a float in SI."""
+    """A number in SI or a pint quantity, as a float in SI."""
     return float(in_si(name, value) if is_pint(value) else value)
 
 
 def _with_error(name, value):
-    """(value, standard error) of a number of uncertainties or pint's plus_minus; (value,) of another."""
+    """(value, standard error) of a number from uncertainties or pint's plus_minus; (value,) of any other."""
     plain = in_si(name, value) if is_pint(value) else value
     return (plain.nominal_value, plain.std_dev) if hasattr(plain, "nominal_value") else (plain,)
 
 
 def _quantity_text(name, value, dimensional=True):
-    """A number, which is in SI or else dimensionless, or a pint quantity as a text."""
+    """A number (in SI, or dimensionless) or a pint quantity, as a text."""
     if isinstance(value, (bool, np.bool_)):
         raise TypeError("a truth value is not a quantity")
     return f"{si_number(name, value)!r} {si_unit(name) if dimensional or is_pint(value) else ''}".strip()
@@ -81,7 +81,7 @@ def error_text(name, value, dimensional=True):
 
 
 def load_list(name, value):
-    """Loads [N] as a list of floats: of numbers in SI, texts ("1,4 mN", or one for each) and pint quantities."""
+    """Loads [N] as a list of floats, from numbers in SI, texts ("1,4 mN", or one per load) and pint quantities."""
     if isinstance(value, str):
         return _core.forces(name, value)
     if isinstance(value, (list, tuple)) and any(isinstance(one, str) or is_pint(one) for one in value):
@@ -98,7 +98,7 @@ def load_number(name, value):
 
 
 def whole_number(name, value, least=0):
-    """An int, of what is a whole number not below ``least``."""
+    """The value as an int, if it is a whole number not below ``least``."""
     try:
         number = int(value)
     except (TypeError, ValueError, OverflowError):
@@ -109,7 +109,7 @@ def whole_number(name, value, least=0):
 
 
 def constant_text(name, value):
-    """A constant as a text: strings stay, floats are SI, a pair is a value and its standard error, as is a number with one."""
+    """A constant as a text: strings unchanged, floats in SI, pairs and uncertain numbers as value and standard error."""
     if isinstance(value, str):
         return value
     parts = value if isinstance(value, (tuple, list)) else _with_error(name, value)

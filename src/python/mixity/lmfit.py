@@ -17,7 +17,7 @@ from .scipy import areas_to_the_fold, slopes
 class _Area(lmfit.Model):
     """Gives leastsq, lmfit's default, the engine's derivatives."""
 
-    # made of a function of its own, which does not pickle
+    # made from a local function, which cannot be pickled
     def __reduce__(self):
         return _again, (definitions([self.key]), self.key, self.contact, self.prefix, self.param_hints)
 
@@ -40,7 +40,7 @@ class _Area(lmfit.Model):
         return super().fit(data, params, weights, method, fit_kws=fit_kws, **given)
 
     def _slopes_of_residual(self, params, data, weights, *, P, T, **_):
-        """Of what lmfit minimises, data less model."""
+        """Derivatives of what lmfit minimises, data minus model."""
         x = [params[name].value for name in self.param_names]
         by_name = dict(zip(self.param_names, slopes(self.key, x, *self.loads(P, T))))
         columns = [np.broadcast_to(by_name[name], np.shape(data)) for name in params if params[name].vary]
@@ -50,7 +50,7 @@ class _Area(lmfit.Model):
 
 
 def model(key: str | Law, *, contact: Any = None) -> lmfit.Model:
-    """An ``lmfit.Model`` of the area, independent variables P and T, parameters those of the model in their bounds.
+    """An ``lmfit.Model`` of the area: independent variables P and T, the model's parameters within their bounds.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ from ._core import InputError, parameter_names
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-# As in the report: distinct without colour, too.
+# As in the report; also distinct without colour.
 _STYLE = {"a": ("#0072b2", "--"), "b": ("#d55e00", "-."), "c": ("#009e73", "-"), "bk": ("#cc79a7", ":")}
 _POINTS: dict[str, Any] = {"linestyle": "none", "marker": "o", "fillstyle": "none", "color": "0.3", "markersize": 4}
 
@@ -76,7 +76,7 @@ def area(fit: Any, ax: Axes | None = None) -> Axes:
         load = np.median(P[run == i])
         jumps = fit.folds(load)
         end = jumps[0]["T"] if jumps else 1.1 * np.max(T[run == i])
-        # closer towards the fold, where the curve is steep
+        # denser towards the fold, where the curve is steep
         shear = end * (1 - np.linspace(1, 0, 200) ** 2) * (1 - 1e-12)
         A_fit, low, high = fit.area(load, shear)
         ax.fill_between(shear, low, high, color=colour, alpha=0.25, linewidth=0)
@@ -124,7 +124,7 @@ def residuals(fit: Any, ax: Axes | None = None) -> Axes:
 def profile(fit: Any, parameter: str | None = None, ax: Axes | None = None) -> Axes:
     """Draws the profile likelihood of a parameter: the rise of the cost when it is held, and the limit of the interval.
 
-    ``parameter`` is the model's first by default; the rest as for :func:`area`. An InputError if there is no such
+    ``parameter`` is the model's first by default; the rest as for :func:`area`. Raises InputError if there is no such
     parameter, or if it is held, at a bound or not identifiable.
     """
     if parameter is None:
@@ -143,7 +143,7 @@ def profile(fit: Any, parameter: str | None = None, ax: Axes | None = None) -> A
 def budget(fit: Any, ax: Axes | None = None) -> Axes:
     """Draws the shares of the first parameter's variance: scatter, and the uncertainty of each constant.
 
-    Arguments and return value as for :func:`area`. An InputError if the fit has no budget.
+    Arguments and return value as for :func:`area`. Raises InputError if the fit has no budget.
     """
     ax = _axes(ax)
     found = fit.budget

@@ -32,7 +32,7 @@ def residuals(
     Returns
     -------
     fun, jac : callables
-        ``fun(x)``: shape (n,), the model's area less A; beyond the last equilibrium the area there. ``jac(x)``: shape
+        ``fun(x)``: shape (n,), the model's area minus A; beyond the last equilibrium the area at the fold. ``jac(x)``: shape
         (n, p), the engine's derivatives dA/dx = -F_x/F_A of the equilibrium F = 0; 0 on and beyond the fold.
 
     Examples
@@ -60,7 +60,7 @@ def residuals(
 
 
 def areas_to_the_fold(model, x, P, T):
-    """Areas; beyond the last equilibrium that at it, so that a minimiser sees no NaN. Dimensionless."""
+    """Dimensionless areas; beyond the last equilibrium the area at the fold, so that a minimiser sees no NaN."""
     lam = tuple(map(float, x))
     shape = np.broadcast_shapes(np.shape(P), np.shape(T))
     A, status = map(np.atleast_1d, _mechanics.area(model, lam, P, T, return_status=True))

@@ -17,7 +17,7 @@ Points areas(const std::vector<DrawnPoint>& curve) {
   return points;
 }
 
-/// The area figures of one data set share its points and axes.
+/// The area figures of one data set, which share points and axes.
 class AreaFigures {
  public:
   explicit AreaFigures(const ReportedData& reported) : reported_(reported), data_(reported.result.data), units_(data_) {
@@ -55,7 +55,7 @@ class AreaFigures {
     return series;
   }
 
-  /// The axes fit the data and the jumps of the model under load control, as far as the data keep half of the width.
+  /// The axes include the data and the model's jumps under load control, as long as the data cover half of the width.
   /// The caption names the jumps beyond.
   Figure empty(const std::string& name, const std::string& title, const ModelCurves& model) const {
     const double T_data = reported_.figured.T_data;
@@ -100,7 +100,7 @@ class AreaFigures {
     return figure;
   }
 
-  /// How many runs and points the figures leave out.
+  /// The numbers of runs and points that the figures leave out.
   std::string unshown() const {
     const std::string runs =
         runs_.size() < data_.curves.size()
@@ -152,7 +152,7 @@ class AreaFigures {
                            ", u = " + with_unit(fold.u, 4, units_.displacement_unit) + ", to " + fold.jumps_to);
   }
 
-  /// Where the interface slides. False if no strength is stated.
+  /// Adds the line of sliding. False if no strength is stated.
   bool add_strength(Figure& figure) const {
     const auto strength = stated_strength(data_);
     if (!strength) return false;
@@ -170,7 +170,7 @@ class AreaFigures {
   DrawnUnits units_;
   const std::vector<std::size_t>& runs_ = reported_.figured.runs;
   std::vector<std::vector<std::size_t>> points_ = points_by_curve(data_);  // by run
-  std::vector<Series> measured_{};                                         // of each shown run
+  std::vector<Series> measured_{};                                         // per shown run
   std::size_t points_shown_ = 0, all_points_ = 0;
 };
 

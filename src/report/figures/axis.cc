@@ -9,7 +9,7 @@
 namespace mixity {
 namespace {
 
-constexpr double kMargin = 0.04;  // share of the span of the points; no symbol is cut
+constexpr double kMargin = 0.04;  // of the span of the points, so that no symbol is cut
 
 /// The range of the points and bars of a figure along one axis.
 AxisRange span_of(const Figure& figure, bool x) {
@@ -28,7 +28,7 @@ AxisRange span_of(const Figure& figure, bool x) {
   return span;
 }
 
-/// 0.0025 or, for large and small values, 2.5×10^{−7}. `decimals`: as many as the axis needs; -1: as the value needs.
+/// 0.0025 or, for large and small values, 2.5×10^{−7}. `decimals`: number of decimals; -1: as many as the value needs.
 std::string tick_label(double value, int decimals = -1) {
   char fixed[32];
   std::string text = rounded(value, 6);

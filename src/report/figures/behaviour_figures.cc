@@ -22,7 +22,7 @@ Figure beside_key(const ReportedData& reported, const std::string& name, const s
   return figure;
 }
 
-/// Whole equilibrium curves, a colour for each load and the model's line.
+/// Whole equilibrium curves, one colour per load, with the model's line.
 Figure equilibrium_curves(const ReportedData& reported, const std::string& name, const std::string& title, Axis x,
                           Axis y, double DrawnPoint::*x_value, double DrawnPoint::*y_value) {
   const Dataset& data = reported.result.data;
@@ -43,7 +43,7 @@ Figure equilibrium_curves(const ReportedData& reported, const std::string& name,
       }
       figure.series.push_back(std::move(series));
     }
-  // As far as stable branches go: towards Hertz at small a, u = 3/4 T/a grows without limit.
+  // Only as far as stable branches extend: towards Hertz at small a, u = 3/4 T/a grows without limit.
   figure.x.high = 1.05 * x_most;
   figure.y.high = 1.1 * y_most;
   figure.caption = "Equilibrium curves at the data's loads and the fitted parameters; u = 3/4 T/a, not measured.";

@@ -1,4 +1,4 @@
-// The figures of one data set and its fits that apply to it, and why the others are left out.
+// The figures that apply to one data set and its fits, and the reasons why others are left out.
 #pragma once
 
 #include <string>
@@ -23,36 +23,36 @@ struct DataFigures {
 
 DataFigures data_figures(const ReportedData& data);
 
-/// 0 to n - 1.
+/// The indices 0 to n - 1.
 std::vector<std::size_t> first_indices(std::size_t n);
 
-/// Points that a figure shows of one of `series` series: all, or a share spread evenly, so that a figure has 2000
-/// points at most.
+/// The points that a figure of `series` series shows: all, or an evenly spread part, so that the figure has at most
+/// 2000.
 std::vector<std::size_t> shown_points(const std::vector<std::size_t>& points, std::size_t series = 1);
 
-/// " 2000 of 50000 points are shown." where not all are; else empty.
+/// " 2000 of 50000 points are shown.", or empty if all are.
 std::string shown_note(std::size_t shown, std::size_t all);
 
-// ---- One figure or kind of figure each; empty where it would show nothing. Names begin with the stem. ----
+// ---- Each function makes one figure or kind of figure, none if it would be empty. Names begin with the stem. ----
 
 /// f(psi): data, models and the bands of their intervals (the paper's Fig. 3, 7, 9).
 std::vector<Figure> toughness_figures(const ReportedData& data);
-/// A(T) of all models at once, then of each with both branches, instabilities and strength (Fig. 8, 10).
+/// A(T) of all models together, then of each with both branches, instabilities and strength (Fig. 8, 10).
 std::vector<Figure> area_figures(const ReportedData& data);
 /// Residuals against psi, T and load.
 std::vector<Figure> residual_figures(const ReportedData& data);
-/// Quantiles of the residuals against those of a normal distribution; of 8 points or more, without models that another
-/// one leaves far behind.
+/// Quantiles of the residuals against those of a normal distribution, for 8 points or more; not for models that
+/// describe the data far worse than another.
 std::vector<Figure> normal_figures(const ReportedData& data);
 /// The cost profiled along each free parameter.
 std::vector<Figure> profile_figures(const ReportedData& data);
-/// The parameter of each run by itself, beside the pooled value.
+/// The parameter fitted to each run alone, beside the pooled value.
 std::vector<Figure> run_figures(const ReportedData& data);
-/// Error in A on loads left out of the fit.
+/// Error in A for loads left out of the fit.
 std::vector<Figure> left_out_figures(const ReportedData& data);
-/// u(T), A(u) (Fig. 6) and a(P) (Fig. 4) at the fitted parameters.
+/// u(T), A(u) (Fig. 6) and a(P) (Fig. 4) for the fitted parameters.
 std::vector<Figure> behaviour_figures(const ReportedData& data);
-/// What becomes of a contact over load and lambda, with the data's loads; a map that is one regime is left out.
+/// Regimes over load and lambda, with the data's loads; a map with a single regime is left out.
 std::vector<Figure> regime_figures(const ReportedData& data, std::vector<MissingFigure>& left_out);
 /// alpha against A0 with the exponents -5/4 and -3/2.
 std::vector<Figure> sahli_figures(const ReportedData& data);

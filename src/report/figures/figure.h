@@ -9,8 +9,8 @@
 
 namespace mixity {
 
-/// Lines as in the paper: model a dash-dot, b dashed, c solid; dotted for unstable branches and references.
-/// band: the area within the points as a polygon, tinted.
+/// Lines as in the paper: model a dash-dot, b dashed, c solid; dotted for unstable branches and references. band: a
+/// tinted area, whose outline is the polygon of the points.
 enum class Look { solid, dashed, dash_dot, dash_dots, dotted, circles, squares, triangles, diamonds, band };
 
 struct Bars {
@@ -20,36 +20,36 @@ struct Bars {
 using Points = std::vector<std::pair<double, double>>;  // (x, y)
 
 struct Series {
-  std::string label{};  // in the key; empty: not in the key
+  std::string label{};  // shown in the key; empty: not in the key
   Look look = Look::solid;
   std::string color{};  // "#rrggbb"
   Points points{};
-  std::vector<Bars> bars{};          // one for each point, or none
-  std::vector<std::string> hover{};  // the tooltip of each point, or none
+  std::vector<Bars> bars{};          // one per point, or empty
+  std::vector<std::string> hover{};  // tooltip of each point, or empty
 };
 
 struct Axis {
-  std::string label{};                  // quantity and unit; _{} and ^{} as gnuplot has them
-  std::optional<double> low{}, high{};  // null: fits the points
+  std::string label{};                  // quantity and unit; _{} and ^{} as in gnuplot
+  std::optional<double> low{}, high{};  // null: fitted to the points
   bool logarithmic = false;
 };
 
 enum class KeyPlace { above, beside, top_left };
 
 struct Figure {
-  std::string name{};   // of its files, without ending
+  std::string name{};   // of its files, without extension
   std::string title{};  // one line
   Axis x{}, y{};
   std::vector<Series> series{};
-  std::vector<std::pair<std::string, Look>> key{};  // further entries that explain the looks
+  std::vector<std::pair<std::string, Look>> key{};  // additional entries that explain the looks
   KeyPlace key_place = KeyPlace::above;
   std::string key_title{};
-  bool wide = false;      // over the page instead of a column
+  bool wide = false;      // as wide as the page instead of a column
   std::string caption{};  // one to three sentences: what is drawn and what it shows
-  std::string drawn{};    // a finished SVG, shown as it is; empty: drawn from the members above
+  std::string drawn{};    // a finished SVG, shown unchanged; empty: drawn from the members above
 };
 
-/// The area between two lines with the same direction.
+/// The area between two lines that run in the same direction.
 Series band(const std::string& label, const std::string& color, Points low, const Points& high);
 
 /// Colours that colour-blind readers can distinguish (Okabe & Ito 2008), by number.

@@ -22,7 +22,7 @@
 namespace mixity {
 namespace {
 
-/// gnuplot on these scripts, in the folder. Null if it cannot be started.
+/// Starts gnuplot with these scripts in the folder. Null if it cannot be started.
 std::optional<pid_t> start_gnuplot(const std::vector<std::string>& scripts, const std::string& folder) {
   std::vector<std::string> words{"gnuplot"};
   words.insert(words.end(), scripts.begin(), scripts.end());
@@ -41,7 +41,7 @@ std::optional<pid_t> start_gnuplot(const std::vector<std::string>& scripts, cons
   return failure == 0 ? std::optional(child) : std::nullopt;
 }
 
-/// Calls `meanwhile`, unless it is null, every 20 ms.
+/// Calls `meanwhile`, unless it is null, every 20 ms until the child ends.
 void wait_for(pid_t child, const std::function<void()>& meanwhile) {
   int status = 0;
   for (pid_t ended = 0; ended == 0 || (ended < 0 && errno == EINTR);) {
@@ -52,7 +52,7 @@ void wait_for(pid_t child, const std::function<void()>& meanwhile) {
   }
 }
 
-/// As many programs as the machine has processors. False if gnuplot is not installed.
+/// Runs as many processes as the machine has processors. False if gnuplot is not installed.
 bool run_gnuplot(const std::vector<std::string>& scripts, const std::string& folder,
                  const std::function<void()>& meanwhile = {}) {
   const std::size_t programs = std::min(processors(), std::max<std::size_t>(scripts.size(), 1));
@@ -67,7 +67,7 @@ bool run_gnuplot(const std::vector<std::string>& scripts, const std::string& fol
 
 constexpr std::string_view kScratch = "mixity-figures-";
 
-/// Locks a folder as long as the descriptor is open; below zero if another program has it.
+/// Locks a folder while the descriptor is open; negative if another program holds the lock.
 int locked(const std::filesystem::path& folder) {
   const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
@@ -75,8 +75,8 @@ int locked(const std::filesystem::path& folder) {
   return -1;
 }
 
-/// Removes folders that killed programs of this user left: they are not locked, and no longer as young as one that is
-/// about to be.
+/// Removes folders left by killed programs of this user: they are not locked, and are older than one that is just about
+/// to be.
 void remove_left_behind(const std::filesystem::path& temporary) {
   constexpr std::time_t kYoung = 60;  // s
   std::error_code error;
@@ -95,7 +95,7 @@ void remove_left_behind(const std::filesystem::path& temporary) {
   }
 }
 
-/// A folder of its own, gone at the end of the scope.
+/// A temporary folder that is removed at the end of the scope.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -122,7 +122,7 @@ class ScratchFolder {
   int lock_ = -1;
 };
 
-/// What gnuplot drew, or nothing if the file does not end as one does: gnuplot does not report a full disk.
+/// The file that gnuplot drew, or nothing if it has no proper end: gnuplot does not report a full disk.
 std::string whole(const std::string& path) {
   if (!std::filesystem::exists(path)) return {};
   std::string text = read_file(path);
@@ -164,7 +164,7 @@ GnuplotFigures draw_by_gnuplot(const std::vector<const Figure*>& figures, const 
         if (std::string file = whole(path(*figures[i], ending)); !file.empty()) files.push_back(std::move(file));
       return files.size() == endings.size();
     };
-    // A script that fails takes with it those that the same program would have drawn next.
+    // If a script fails, those after it in the same process are not drawn either.
     if (is_drawn() || (run_gnuplot({scripts[i]}, scratch.path()) && is_drawn())) continue;
     files.clear();
     drawn.missing += (drawn.missing.empty() ? "gnuplot failed at " : ", ") + figures[i]->name;

@@ -9,19 +9,17 @@
 namespace mixity {
 namespace {
 
-/// As a gnuplot string in double quotes.
+/// Quotes a text as a gnuplot string.
 std::string script_string(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
-    out += static_cast<unsigned char>(c) < ' ' ? ' '
-           : c == '`'                          ? '\''
-                                               : c;  // gnuplot runs text in backquotes as a command
+    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c == '`' ? '\'' : c;  // gnuplot executes text in backquotes
   }
   return out + '"';
 }
 
-/// A field of the data file. gnuplot ends it at a quote, and its SVG writes it between apostrophes.
+/// A field of the data file. gnuplot ends it at a quote, and writes it between apostrophes in its SVG.
 std::string data_text(std::string_view text) {
   std::string out = "\"";
   for (const char c : text)
@@ -48,7 +46,7 @@ std::string style(Look look, const std::string& color, bool bars) {
          " ps 0.6" + paint(color);
 }
 
-/// Within two decades gnuplot itself labels too little.
+/// Within two decades gnuplot's own labels are too few.
 std::string axis_commands(const Figure& figure, bool x) {
   const Axis& axis = x ? figure.x : figure.y;
   const std::string name(1, x ? 'x' : 'y');
@@ -125,8 +123,8 @@ std::string figure_script(const Figure& figure, const std::vector<std::string>& 
   out << '\n';
   for (const std::string& ending : endings) {
     out << "set terminal ";
-    // A column of a journal is 8.6 cm wide; text is then 8 pt. Less than 9 cm high gnuplot would put the key of eight
-    // runs into two columns, in place of the figure. gnuplot has 96 dots an inch, and 300 are wanted.
+    // A journal column is 8.6 cm wide; text is then 8 pt. In a figure less than 9 cm high, gnuplot would draw the key
+    // of eight runs in two columns over the figure. gnuplot has 96 dots an inch; 300 are needed.
     if (ending == ".svg")
       out << "svg size " << (figure.wide ? "890,400" : "430,305") << " dynamic font \"Helvetica,13\"";
     else if (ending == ".pdf")

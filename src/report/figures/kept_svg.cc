@@ -44,19 +44,19 @@ std::string hexadecimal(std::string value) {
   return value;
 }
 
-// What our own drawings consist of.
+// The elements and attributes of our own drawings.
 constexpr std::string_view kElements = " circle desc g line path polygon polyline rect svg text title tspan ";
 constexpr std::string_view kAttributes =
     " cx cy d dx dy fill fill-opacity font-family font-size font-style font-weight height lengthAdjust points r rx ry "
     "stroke stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity stroke-width text-anchor textLength "
     "transform viewBox width x x1 x2 y y1 y2 ";
 
-/// `name`: of XML, which has no blanks.
+/// `name`: an XML name, without blanks.
 bool is_one_of(std::string_view list, const std::string& name) {
   return list.find(' ' + name + ' ') != std::string_view::npos;
 }
 
-/// Numbers, names, colours and lists of them, but no address of anything else.
+/// Whether a value has only numbers, names, colours and lists of them, and no references.
 bool is_plain(std::string_view value) {
   const bool plain = std::all_of(value.begin(), value.end(), [](unsigned char c) {
     return std::isalnum(c) || std::isspace(c) ||
@@ -67,10 +67,10 @@ bool is_plain(std::string_view value) {
   return plain && std::search(value.begin(), value.end(), kAddress.begin(), kAddress.end(), same) == value.end();
 }
 
-/// Copies what is allowed of an element and of those in it.
+/// Copies the allowed parts of an element and of its descendants.
 class Copier {
  public:
-  /// False where elements are nested more deeply than those of a drawing.
+  /// False if elements are nested more deeply than in a drawing.
   bool copy(const pugi::xml_node& from, pugi::xml_node to, int depth = 0) {
     constexpr int kDeepest = 32;  // ours have 5 levels
     if (depth == kDeepest) return false;
@@ -100,7 +100,7 @@ class Copier {
   }
   void copy(const pugi::xml_attribute& attribute, pugi::xml_node& to, bool outermost) {
     const std::string name = attribute.name();
-    // The page gives the drawing its size; its name and its text alternative are ours.
+    // The page sets the drawing's size; name and text alternative are our own.
     if (outermost && (name == "width" || name == "height" || name == "role" || name == "aria-label" || name == "xmlns"))
       return;
     if (is_one_of(kAttributes, name) && is_plain(attribute.value()))

@@ -57,7 +57,7 @@ std::vector<Figure> sahli_figures(const ReportedData& reported) {
 std::vector<Figure> peak_figures(const ReportedData& reported) {
   if (!reported.peaks) return {};
   const PeakForces& forces = *reported.peaks;
-  // the first cycle of each load, which a fold can predict, apart from later cycles
+  // the first cycle of each load, which a fold can predict, separate from later cycles
   Series peak{"first maximum", Look::triangles, color(1)}, minimum{"following minimum", Look::circles, color(2)},
       later_peak{"maxima of later cycles", Look::triangles, color(7)},
       later_minimum{"their minima", Look::circles, color(7)};

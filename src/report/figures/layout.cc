@@ -19,8 +19,8 @@ std::vector<KeyEntry> key_entries(const Figure& figure) {
 
 double width_of(const KeyEntry& entry) { return kSample + kSampleGap + label_width(entry.label, kFont); }
 
-/// In lines above the frame, whose left is set; sets its top. In several lines entries begin at even steps, so that
-/// most of them line up.
+/// Places the key in lines above the frame, whose left is set; sets the frame's top. If there are several lines,
+/// entries begin at equal steps, so that most of them are aligned.
 void key_above(Layout& layout, const std::string& title) {
   if (layout.key.empty()) return;
   constexpr double kGap = 14;
@@ -46,7 +46,7 @@ void key_above(Layout& layout, const std::string& title) {
   layout.top = line + kLine;
 }
 
-/// One below another from the frame's top on.
+/// Places the key as a column that starts at the frame's top.
 void key_column(Layout& layout, const std::string& title, double x) {
   double line = layout.top + 0.5 * kFont;
   layout.title_x = x;
@@ -69,7 +69,7 @@ void fit(AxisScale& scale, const AxisRange& range, double first, double last) {
   scale.from = first;
 }
 
-/// Whether labels that stand side by side would touch.
+/// Whether neighbouring labels would touch.
 bool crowded(const AxisScale& scale) {
   double end = -1e9;
   for (const Tick& tick : scale.ticks) {

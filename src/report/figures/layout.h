@@ -1,5 +1,4 @@
-// The ranges and ticks of a figure's axes, and where its parts lie in the drawing, in units of 1/96 inch from the top
-// left.
+// The ranges and ticks of a figure's axes, and the positions of its parts in units of 1/96 inch from the top left.
 #pragma once
 
 #include <cmath>
@@ -15,15 +14,15 @@ struct AxisRange {
   double low, high;  // low < high; both above 0 on a logarithmic axis
 };
 
-/// The ends of an axis of the figure. An end that the axis does not state is a little beyond the points and their bars.
-/// Null if there is no end.
+/// The range of an axis of the figure. An end that the axis does not state is slightly beyond the points and their
+/// bars. Null if there is none.
 std::optional<AxisRange> axis_range(const Figure& figure, bool x);
 
-/// 1, 2, 2.5 or 5 times a power of ten: the smallest that makes at most `most` steps of a width.
+/// The smallest of 1, 2, 2.5 or 5 times a power of ten that divides `width` into at most `most` steps.
 double tick_step(double width, int most);
 
 /// Labelled positions of a logarithmic axis of at most two decades: 1, 2, 5 or, if those are fewer than three, every
-/// digit. Empty if these are fewer than three, too, and for more than two decades: then powers of ten are labelled.
+/// digit. Empty if these are also fewer than three, and for more than two decades, where powers of ten are labelled.
 std::vector<double> digit_ticks(const AxisRange& range);
 
 struct Tick {
@@ -31,11 +30,11 @@ struct Tick {
   std::string label;  // empty: a small tick
 };
 
-/// All ticks by rising value, with at most about `most` steps between labels.
+/// All ticks in ascending order, with at most about `most` steps between labels.
 std::vector<Tick> axis_ticks(const AxisRange& range, bool logarithmic, int most);
 
 inline constexpr double kFont = 13, kTick = 4;
-inline constexpr double kSample = 20, kSampleGap = 8;  // of the key: lines and symbols before the labels
+inline constexpr double kSample = 20, kSampleGap = 8;  // samples of lines and symbols before the labels of the key
 
 /// Maps the values of an axis to positions in the drawing.
 struct AxisScale {
@@ -62,7 +61,7 @@ struct Layout {
   double title_x = 0, title_y = 0;  // of the key
 };
 
-/// Of a wide figure at the width of a page or, if `narrow`, of a phone. No texts touch, with the widths of label_width.
+/// Lays out a wide figure for the width of a page or, if `narrow`, of a phone. By label_width no texts touch.
 Layout lay_out(const Figure& figure, bool narrow);
 
 }  // namespace mixity

@@ -15,7 +15,7 @@ namespace {
 constexpr double kBeside = 0.25;
 constexpr std::size_t kMostShown = 1500;
 
-/// The first frame and the one after the last.
+/// The first frame shown and the one after the last.
 std::pair<std::size_t, std::size_t> shown_frames(const LoadingRuns& found, const LoadingRun& run) {
   const auto margin = static_cast<std::size_t>(kBeside * static_cast<double>(run.end - run.begin)) + 5;
   return {std::max(run.contact, run.begin > margin ? run.begin - margin : 0),
@@ -28,7 +28,7 @@ Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t nu
                  const std::string& quantity, const std::string& unit) {
   const auto [begin, end] = shown_frames(found, run);
   const Frames& frames = found.frames;
-  std::vector<double> values;  // of the frames shown, not of the log, which may have many runs
+  std::vector<double> values;  // only of the frames shown, since a log may have many runs
   for (std::size_t i = begin; i < end; ++i) values.push_back(value(i));
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const double room = 0.06 * (*most - *least), low = *least - room, high = *most + room;

@@ -8,10 +8,10 @@
 
 namespace mixity {
 
-/// Two for each run: run_1_T, run_1_A, ...
+/// Two figures per run: run_1_T, run_1_A, ...
 std::vector<Figure> log_figures(const ReducedLog& log);
 
-/// The fit definition that `mixity runs` writes: points, peaks, and the figures of T(t) for the report.
+/// The fit definition that `mixity runs` writes: points, peaks, and figures of T(t) for the report.
 std::string runs_definition(const std::vector<Figure>& figures);
 
 }  // namespace mixity

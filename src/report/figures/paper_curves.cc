@@ -15,7 +15,7 @@ struct PaperModel {
 
   ContactModel model() const { return ContactModel::find(key).value(); }
   Look look() const { return model_line(key); }
-  /// Evenly from JKR to the end of the curve, or to T_most where it runs to infinite T.
+  /// Samples evenly from JKR to the end of the curve, or to T_most where T becomes infinite.
   std::vector<CurvePoint> curve(double P, double T_most) const {
     return model()
         .curve(ParameterValues{lambda}, P, {.points = kPaperPoints, .T_most = T_most, .first_range_only = true})
@@ -32,7 +32,7 @@ using Projected = std::function<std::pair<double, double>(const CurvePoint&)>;
 
 std::pair<double, double> area_over_T(const CurvePoint& q) { return {q.T, q.A}; }
 
-/// Whole equilibrium curves of one model, a colour for each load; only c names the loads.
+/// Whole equilibrium curves of one model, one colour per load; only model c names the loads in the key.
 void add_curves(Figure& figure, const PaperModel& model, const std::vector<double>& loads, double T_most,
                 const Projected& project, bool stable_only) {
   for (std::size_t k = 0; k < loads.size(); ++k) {
@@ -46,8 +46,8 @@ void add_curves(Figure& figure, const PaperModel& model, const std::vector<doubl
   }
 }
 
-/// Marks where the contacts jump: triangles under load control, diamonds under displacement control, which are on the
-/// branch that is unstable under load control.
+/// Marks where the contacts jump: triangles under load control, diamonds under displacement control. The latter are on
+/// the branch that is unstable under load control.
 void add_jumps(Figure& figure, const PaperModel& model, const std::vector<double>& loads, const Projected& project) {
   for (const auto& [kind, look] :
        {std::pair(Control::Kind::load, Look::triangles), std::pair(Control::Kind::displacement, Look::diamonds)}) {

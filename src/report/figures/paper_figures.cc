@@ -31,7 +31,7 @@ Figure fig4(const std::string& key, const std::vector<double>& shears) {
     for (int i = 1; i <= 1000; ++i) edge_loads.push_back(largest * std::pow(i / 1000.0, 2));
     for (const ConstantShearPoint& q : model.at_constant_shear(ParameterValues{0.15}, shears[k], edge_loads)) {
       (q.dP_dy > 0 ? stable : unstable).points.emplace_back(q.P, q.a);
-      // the two meet at pull-off
+      // the two parts meet at pull-off
       if (q.dP_dy > 0 && stable.points.size() == 1) unstable.points.emplace_back(q.P, q.a);
     }
     figure.series.push_back(std::move(stable));

@@ -6,7 +6,7 @@
 namespace mixity {
 namespace {
 
-/// The parts where `inside`, a linear function of the point, is 0 or more.
+/// The parts where `inside`, a linear function of the point, is at least 0.
 template <class Inside>
 std::vector<Polyline> cut(const std::vector<Polyline>& lines, bool closed, const Inside& inside) {
   std::vector<Polyline> kept;

@@ -20,7 +20,7 @@ std::vector<std::reference_wrapper<const FitResult>> last_first(const Analysis& 
   return {result.fits.rbegin(), result.fits.rend()};
 }
 
-constexpr std::size_t kLeastOfNormalFigure = 8;  // points: fewer lie on any line
+constexpr std::size_t kLeastOfNormalFigure = 8;  // points: fewer always look like a line
 
 std::string residuals_note(const ReportedData& reported) {
   std::size_t shown = 0, all = 0;
@@ -31,7 +31,7 @@ std::string residuals_note(const ReportedData& reported) {
   return shown_note(shown, all);
 }
 
-/// Residuals of every fit over the value of `abscissa` at point i.
+/// Residuals of every fit against `abscissa` at point i.
 Figure residuals_against(const ReportedData& reported, const std::string& name, const std::string& title,
                          const std::string& label, const std::function<double(std::size_t)>& abscissa) {
   const Dataset& data = reported.result.data;
@@ -59,7 +59,7 @@ Figure residuals_against(const ReportedData& reported, const std::string& name, 
   return figure;
 }
 
-/// Where the k-th of n sorted normal numbers lies with a probability of 95 %.
+/// The 95 % range of the k-th of n sorted normal numbers.
 std::pair<double, double> usual_range(std::size_t k, std::size_t n) {
   const auto below = static_cast<double>(k), from_it_on = static_cast<double>(n + 1 - k);
   const auto at = [&](double p) {

@@ -10,8 +10,8 @@
 namespace mixity {
 namespace {
 
-constexpr double kUnseen = 0.04;          // distance by which a line may differ from its points
-constexpr std::size_t kManyPoints = 500;  // of one series: drawn as dots
+constexpr double kUnseen = 0.04;          // distance by which a line may visibly differ from its points
+constexpr std::size_t kManyPoints = 500;  // in one series: drawn as dots
 
 bool is_symbol(Look look) { return look >= Look::circles && look != Look::band; }
 
@@ -67,7 +67,7 @@ class Drawing {
  private:
   std::string paint(const std::string& hex) const { return page_ ? themed(hex) : hex; }
 
-  /// `room`: the width for the text; longer text is compressed.
+  /// `room`: the available width; longer text is compressed.
   void add_label(const std::string& label, double x, double y, const char* anchor, double room, bool upright = false) {
     out_ << "<text text-anchor=\"" << anchor;
     if (upright)

@@ -1,4 +1,4 @@
-// Draws figures as SVG, and keeps drawings that others made.
+// Draws figures as SVG, and sanitises drawings from other sources.
 #pragma once
 
 #include <optional>
@@ -9,28 +9,27 @@
 
 namespace mixity {
 
-/// For a file, on white; for a page, without a background and in the colours of the page's style: --ink and --color-N
-/// for color(N).
+/// file: on white. page: without background, in the colours of the page's style, --ink and --color-N for color(N).
 enum class Medium { file, page };
 
-/// A figure with its title and caption as text alternatives, and a tooltip at each point that has a hover text. A wide
-/// one is 890 by 400, others and, for phones, `narrow` ones are 430 wide. One that is already drawn stays as it is.
+/// A figure with title and caption as text alternatives, and a tooltip at each point that has a hover text. Wide
+/// figures are 890 by 400, others and `narrow` ones, for phones, 430 wide. A finished drawing is returned unchanged.
 std::string svg(const Figure& figure, Medium medium, bool narrow = false);
 
-/// A figure that somebody else drew, or why there is none.
+/// A figure drawn elsewhere, or why it is unusable.
 struct KeptFigure {
   std::optional<Figure> figure;
   std::string reason;                // "is no SVG"
-  std::vector<std::string> dropped;  // names of elements and attributes that our own drawings do not use, each once
+  std::vector<std::string> dropped;  // removed elements and attributes that our own drawings do not use, each once
 };
 /// An SVG file as a figure with its title and caption, rebuilt from the elements and attributes that our own drawings
-/// use: nothing in it runs, looks anything up or has an id.
+/// use: it contains no scripts, references or ids.
 KeptFigure kept_figure(const std::string& svg, const std::string& name);
 
-/// "var(--ink)" for black, "var(--color-N)" for color(N), "var(--paper)" for white; other colours stay.
+/// "var(--ink)" for black, "var(--color-N)" for color(N), "var(--paper)" for white; other colours unchanged.
 std::string themed(const std::string& color);
 
-/// The drawing of a kept figure without its background, in the colours of the page's style.
+/// A kept figure's drawing without background, in the colours of the page's style.
 std::string themed_svg(const std::string& svg);
 
 }  // namespace mixity

@@ -14,7 +14,7 @@ constexpr double kScript = 0.72;  // size of subscripts and superscripts
 
 struct Piece {
   std::string text;
-  int shift;  // 1 higher, -1 lower
+  int shift;  // 1: raised, -1: lowered
 };
 
 std::vector<Piece> pieces_of(std::string_view label) {
@@ -46,7 +46,7 @@ std::vector<Piece> pieces_of(std::string_view label) {
   return pieces;
 }
 
-/// Of the font's size.
+/// Width relative to the font size.
 double character_width(char c) {
   const auto in = [c](std::string_view set) { return set.find(c) != std::string_view::npos; };
   if (in(" ',.IJijl-/:;\\f|")) return 0.36;
@@ -77,7 +77,7 @@ SvgText& SvgText::operator<<(double value) {
 std::string xml_escaped(std::string_view text) {
   std::string out;
   out.reserve(text.size());
-  std::size_t kept = 0;  // the text before is in `out`
+  std::size_t kept = 0;  // text before this is already in `out`
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     const bool control = static_cast<unsigned char>(c) < ' ';

@@ -1,4 +1,4 @@
-// Text of SVG: numbers, and labels of figures.
+// Text in SVG: numbers, and labels of figures.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace mixity {
 
-/// Text that grows, with numbers rounded to hundredths.
+/// Text to append to, with numbers rounded to hundredths.
 struct SvgText {
   std::string text{};
 
@@ -17,11 +17,11 @@ struct SvgText {
   }
 };
 
-/// For text between elements and for attributes; control characters become blanks.
+/// Escapes text between elements and in attributes; control characters become blanks.
 std::string xml_escaped(std::string_view text);
 
 /// The content of a text element. A character or {several} after _ or ^ become a subscript or superscript; a character
-/// after \ stays as it is. `font`: its size.
+/// after \ is literal. `font`: font size.
 std::string label_markup(std::string_view label, double font);
 
 /// The width of a label in DejaVu Sans, one of the widest fonts that a page may use.

@@ -114,7 +114,7 @@ std::string excluded_points(const Analysis& result) {
   std::vector<std::string> lines;
   for (const Excluded& point : result.data.excluded)
     lines.push_back(result.data.line_text(point.line) + ": " + std::string(point.reason));
-  std::map<std::pair<std::size_t, std::string_view>, std::vector<std::string>> models;  // of line and reason
+  std::map<std::pair<std::size_t, std::string_view>, std::vector<std::string>> models;  // by line and reason
   for (const FitResult& fit : result.fits)
     for (const Excluded& point : fit.excluded) models[{point.line, point.reason}].push_back(fit.model);
   for (const auto& [point, without] : models)
@@ -125,7 +125,7 @@ std::string excluded_points(const Analysis& result) {
   return lines.empty() ? text_element("p", "None.") : list_of(lines);
 }
 
-/// A(T) of the best model; without loads the toughness. Null without a fit that has values.
+/// A(T) of the best model; f(psi) without loads. Null if no fit has values.
 const Figure* leading_figure(const ReportEntry& entry) {
   const FitResult* const fit = entry.data->answer.fit;
   if (!fit) return nullptr;
@@ -137,7 +137,7 @@ const Figure* leading_figure(const ReportEntry& entry) {
   return nullptr;
 }
 
-/// A data set that a reader opens: its name and result stand in the line that does so.
+/// A data set that a reader opens; the line to click shows its name and result.
 std::string closed_set(const ReportEntry& entry, const std::string& content, bool open) {
   const Answer& answer = entry.data->answer;
   std::string line = text_element("h2", entry.data->result.data.name);
@@ -146,7 +146,7 @@ std::string closed_set(const ReportEntry& entry, const std::string& content, boo
   if (!answer.fit || answer.fit->status != FitStatus::ok)
     line += " " + text_element("span", answer.fit ? std::string(to_string(answer.fit->status)) : "no fit has a value",
                                "alert");
-  // an address that ends in the name opens the set, as that is within it
+  // a link with the name as its anchor opens the set, because the anchor is inside
   Attributes attributes{{"class", "set"}};
   if (open) attributes.emplace_back("open", "open");
   return element("details", element("summary", line) + element("div", content, {{"id", entry.data->stem}}), attributes);

@@ -1,4 +1,4 @@
-// What the report's page says of one data set.
+// The section on one data set in the report's page.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace mixity {
 
-/// Markup. Where the figures are not inside the page, the set is closed until a reader opens it.
+/// Returns markup. If the figures are in separate files, the section is folded until a reader opens it.
 std::string data_set_section(const ReportContent& content, const ReportEntry& entry);
 
 }  // namespace mixity

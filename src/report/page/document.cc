@@ -54,9 +54,9 @@ std::string folded_section(const std::string& title, const std::string& content)
 
 namespace {
 
-/// The figure's file, which opens by itself with the tooltips of its points. It is loaded when it comes into view.
+/// Refers to the figure's file, which opens alone with tooltips of its points. It is loaded when it comes into view.
 std::string shown_file(const Figure& figure, const std::string& file, bool narrow) {
-  std::string size;  // kept drawings have their own
+  std::string size;  // kept drawings state theirs
   if (figure.drawn.empty()) {
     const Layout layout = lay_out(figure, narrow);
     size = " width=\"" + std::to_string(layout.width) + "\" height=\"" + std::to_string(layout.height) + '"';
@@ -93,7 +93,7 @@ std::string figure_element(const Figure& figure, const std::vector<std::string>&
 }
 
 std::string html_page(const std::string& title, const std::string& body, Images images) {
-  // a page of text and drawings: nothing in it runs, and nothing is fetched but drawings from its folder
+  // a page of text and drawings: no scripts run, and only drawings from its folder are loaded
   const std::string policy = std::string("default-src 'none'; ") +
                              (images == Images::of_files_beside ? "img-src 'self' file:; " : "") +
                              "style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";

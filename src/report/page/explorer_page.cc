@@ -22,7 +22,7 @@ const InputFile* find_input(const Dataset& data, const std::string& path) {
   return found == data.inputs.end() ? nullptr : &*found;
 }
 
-/// The file as it was read; of several files, and of one that is too large to be kept, the points that are used.
+/// The file as it was read; the used points if there are several files or one too large to be stored.
 Json as_embedded(const Analysis& result) {
   const FitRequest& request = result.request;
   const InputFile* const file = request.runs.empty() ? find_input(result.data, request.data_path) : nullptr;

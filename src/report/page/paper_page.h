@@ -1,4 +1,4 @@
-// The paper's figures on one page. Below each figure are its equations and the errors of the paper's print.
+// A page with the paper's figures. Below each one are its equations and the errors in the paper's print.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace mixity {
 
-/// `drawn`: the figures, in order; the page lies in their folder.
+/// `drawn`: the files of `figures`, in the same order; the page is in their folder.
 std::string paper_page(const std::vector<Figure>& figures, const DrawnFigures& drawn);
 
 }  // namespace mixity

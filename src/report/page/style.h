@@ -1,4 +1,4 @@
-// How the report's page looks: light and dark, narrow and wide, on paper.
+// The style sheet of the report's page: light and dark, narrow and wide, printed.
 #pragma once
 
 namespace mixity {
