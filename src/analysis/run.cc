@@ -8,6 +8,7 @@
 
 #include "analysis/judgement.h"
 #include "base/threads.h"
+#include "fitting/causes.h"
 #include "fitting/comparison.h"
 #include "fitting/consistency.h"
 
@@ -110,9 +111,12 @@ Analysis run(const FitRequest& asked, Dataset data, const Progress& progress) {
     if (request.compare && models > 1) result.comparison = compare_models(result.data, result.fits, options);
   });
   // Searching for the cause of a failed test costs more than the fit. The search is shorter if another model has won.
-  const bool decided = winner(result) != nullptr;
+  std::optional<double> to_beat;
+  if (const ComparedModel* const best = winner(result))
+    for (const FitResult& fit : result.fits)
+      if (fit.model == best->model) to_beat = misfit(fit);
   parallel_for(models, [&](std::size_t i) {
-    find_cause(result.data, result.fits[i], request.options, decided);
+    find_cause(result.data, result.fits[i], request.options, to_beat);
     part(i, [](const FitOptions&) {});  // lets the callback stop the analysis
   });
   if (request.options.checks) result.unsheared = test_unsheared(result.data, with_errors_of_best(result));

@@ -179,6 +179,20 @@ double implausibility(const Case& of, const Cause& cause) {
   return implausibility(of.data, cause.name, found - constants_of(of.data, of.options)[constant], 0);
 }
 
+/// Whether the fit with this constant free may come near the misfit of the model that fits far better. Far from its
+/// minimum the linearised fall of chi^2 is too small, but not by this factor.
+bool may_reach(const Case& of, Constant constant) {
+  constexpr double kAtMost = 3, kNear = 20;
+  const FitResult& fit = of.fit;
+  const auto exact = std::find_if(fit.budget->exact.begin(), fit.budget->exact.end(),
+                                  [&](const ExactConstant& one) { return one.constant == kConstantNames[constant]; });
+  if (exact == fit.budget->exact.end() || !exact->score) return true;
+  const double squares = comparable_squares(fit), n = static_cast<double>(fit.used.size());
+  const double unit = fit.known_errors ? 1 : squares / static_cast<double>(fit.freedom());
+  const double after = std::max(squares - kAtMost * exact->score->fall * unit, 1e-9 * squares);
+  return (fit.known_errors ? after : n * std::log(after / n)) < *of.to_beat + kNear;
+}
+
 /// Whether a fit fails clearly, whatever the proportions of the errors.
 bool is_hopeless(const Dataset& data, const FitResult& fit) {
   constexpr double kSurely = 1e-6;
@@ -213,17 +227,17 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
   // If another model has won, errors need not be estimated for each cause, and differing runs explain nothing.
   FitOptions bare = of.options;
   bare.fitted_errors = false;
-  const Case by_readings{of.data, of.fit, bare, of.refit, of.left_behind};
+  const Case by_readings{of.data, of.fit, bare, of.refit, of.to_beat};
   for (const Constant constant : suspected_constants(of.fit)) {
     const auto cause = [&](const Case& with, const Points& which) { return with_free(with, constant, which); };
-    if (of.left_behind)
-      consider(by_readings, cause);
-    else if (!is_hopeless(of.data, cause(by_readings, some).fit))
+    if (of.to_beat) {
+      if (may_reach(of, constant)) consider(by_readings, cause);
+    } else if (!is_hopeless(of.data, cause(by_readings, some).fit))
       consider(of, cause);
   }
   // A course common to all runs is not a difference between them.
   const bool shared = of.fit.consistency && of.fit.consistency->residuals.course_p < kChance;
-  if (!of.left_behind && !shared)
+  if (!of.to_beat && !shared)
     for (const std::string& quantity : differing_quantities(of.fit))
       consider(of, [&](const Case& with, const Points& which) { return by_run(with, quantity, which); });
   for (Cause& one : list) one.misfit = misfit(one.fit);

@@ -51,15 +51,16 @@ using Refit = std::function<FitResult(const FitOptions& options, const std::vect
                                       const std::vector<FittedParameter>* near)>;
 
 /// The best explanation for failed tests and its remedy, in one sentence: a wrong constant of the experiment, points
-/// past the onset of sliding, errors that are too small, or a wrong model. Empty if no test fails. `left_behind`:
-/// another model fits far better, so only a constant that explains everything is considered.
+/// past the onset of sliding, errors that are too small, or a wrong model. Empty if no test fails. `to_beat`: the
+/// misfit (causes.h) of a model that fits far better, so that only a constant that explains everything as well is
+/// considered.
 struct Diagnosis {
   Message reason;
   std::optional<double> explained{};  // the cost with the best cause that explains everything
   std::vector<Explanation> explanations{};
 };
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
-                   bool left_behind);
+                   std::optional<double> to_beat = {});
 
 /// For a fit that passes its tests, an explanation that is better nevertheless (shape_instead_of_memory); else no
 /// reason.

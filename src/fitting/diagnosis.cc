@@ -87,7 +87,7 @@ std::optional<Message> of_heavy_points(const Case& of) {
 
 bool sliding_is_tried(const Case& of, const Points& points) {
   constexpr std::size_t kSome = 50;
-  if (!of.data.has_loads || of.left_behind) return false;
+  if (!of.data.has_loads || of.to_beat) return false;
   if (points.size() < 2 * kSome) return true;
   const std::optional<Cut> cut = before_sliding(of, thinned(points, kSome), 1);
   return cut && explains(of.data, cut->fit);
@@ -96,11 +96,11 @@ bool sliding_is_tried(const Case& of, const Points& points) {
 }  // namespace
 
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
-                   bool left_behind) {
+                   std::optional<double> to_beat) {
   const Message failed = failed_test(data, fit);
   const bool pinned = fit.consistency && fit.consistency->pinned;
   if (failed.empty() || fit.loss_scale > 0 || pinned) return {failed, {}, {}};
-  const Case of{data, fit, options, refit, left_behind};
+  const Case of{data, fit, options, refit, to_beat};
   if (auto heavy = of_heavy_points(of)) return {std::move(*heavy), {}, {}};
   if (!fit.budget) return {failed, {}, {}};
   constexpr std::size_t kEnough = 5000;  // points to distinguish causes
@@ -122,7 +122,7 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
   }
   const auto cut = sliding_is_tried(of, points) ? before_sliding(of, points, kFew) : std::nullopt;
   if (cut && explains(data, cut->fit)) return {sliding_text(of, whole, *cut, points.size()), {}, {}};
-  if (!left_behind && data.has_loads && fit.consistency && fit.consistency->residuals.ends_p < kChance)
+  if (!to_beat && data.has_loads && fit.consistency && fit.consistency->residuals.ends_p < kChance)
     if (const FitResult without = without_ends(of, whole, points); is_found(without) && explains(data, without))
       return {"the model describes the points but for the last tenth of each run; without it " + lambda_text(without),
               {},
@@ -133,7 +133,7 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
 }
 
 Diagnosis second_thought(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit) {
-  const auto cause = shape_instead_of_memory({data, fit, options, refit, false});
+  const auto cause = shape_instead_of_memory({data, fit, options, refit});
   if (!cause) return {};
   Explanation memory{"memory", "", "noise with a memory", Message(), first_free(fit), 0};
   Explanation shape{

@@ -16,7 +16,7 @@ struct Case {
   const FitResult& fit;
   const FitOptions& options;
   const Refit& refit;
-  bool left_behind;  // see diagnose
+  std::optional<double> to_beat{};  // see diagnose
 };
 
 /// At most `enough` of the points, evenly spaced.

@@ -15,10 +15,10 @@ FitResult fit_model(const Dataset& data, std::string_view model, const FitOption
                     const std::vector<std::size_t>* points = nullptr);
 
 /// The two steps of fit_model. The first marks a fit whose tests fail as `suspect`; the second adds an explanation to
-/// the message if there is one. `left_behind`: see diagnose in consistency.h.
+/// the message if there is one. `to_beat`: see diagnose in consistency.h.
 FitResult fit_and_test(const Dataset& data, std::string_view model, const FitOptions& options,
                        const std::vector<std::size_t>* points = nullptr);
-void find_cause(const Dataset& data, FitResult& fit, const FitOptions& options, bool left_behind = false);
+void find_cause(const Dataset& data, FitResult& fit, const FitOptions& options, std::optional<double> to_beat = {});
 
 /// Refits almost the same data, for the values alone. Starts from the minimum of `whole`; searches the whole range if
 /// that fails or if a parameter of `whole` has no standard error. Throws as fit_model does.

@@ -49,13 +49,13 @@ FitResult fit_and_test(const Dataset& data, std::string_view model, const FitOpt
   return fit(data, model, options, Purpose::shown, points, nullptr);
 }
 
-void find_cause(const Dataset& data, FitResult& result, const FitOptions& options, bool left_behind) {
+void find_cause(const Dataset& data, FitResult& result, const FitOptions& options, std::optional<double> to_beat) {
   if (!result.consistency) return;
   const Refit refit = [&](const FitOptions& with, const std::vector<std::size_t>& points,
                           const std::vector<FittedParameter>* near) {
     return fit(data, result.model, with, Purpose::tried, &points, near);
   };
-  Diagnosis found = diagnose(data, result, value_only(options), refit, left_behind);
+  Diagnosis found = diagnose(data, result, value_only(options), refit, to_beat);
   if (found.reason.empty() && result.status == FitStatus::ok && options.checks) {
     found = second_thought(data, result, value_only(options), refit);
     if (!found.reason.empty()) result.status = FitStatus::suspect;
