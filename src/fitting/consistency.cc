@@ -125,7 +125,7 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   const std::vector<double> T = data.has_loads ? shears(data, fit) : std::vector<double>();
   if (const auto course = data.has_loads ? test_course(data, fit.used, T, unexpected(fit)) : std::nullopt) {
     tests.course = course->F;
-    tests.course_p = course->p_value;
+    tests.course_p = course->exceeds_noise(fit.used.size(), residual_unit(fit)) ? course->p_value : 1;
   }
   // With one or two runs, correlated noise cannot be distinguished from a wrong model.
   const bool independent = tests.course && fit.innovations.size() == fit.residuals.size();

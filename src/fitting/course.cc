@@ -68,7 +68,7 @@ std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::
   }
   if (!(freedom > 0 && differences > 0)) return std::nullopt;
   const double F = course / parts / (differences / freedom);
-  return CourseTest{F, fisher_p_value(F, parts, freedom), std::sqrt(course / points)};
+  return CourseTest{F, fisher_p_value(F, parts, freedom), parts, std::sqrt(course / points)};
 }
 
 }  // namespace mixity

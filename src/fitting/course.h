@@ -2,6 +2,7 @@
 // autocorrelated, has no common course.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,7 +15,15 @@ namespace mixity {
 /// the runs with the differences between the runs. Correlated noise raises both alike.
 struct CourseTest {
   double F, p_value;
+  double parts;
   double size;  // of the course: root mean square of the means, in the unit of the residuals
+
+  /// Whether it is larger than independent noise of this standard error makes it in the mean of so many points. Noise
+  /// that cancels along each run, as of readings in pairs, makes a smaller one, which the differences between the runs,
+  /// smaller still, call significant.
+  bool exceeds_noise(std::size_t points, double unit) const {
+    return size * size * static_cast<double>(points) > parts * unit * unit;
+  }
 };
 
 /// `used`: indices of the points of `residuals`. `T`: their tangential loads at the fitted curve, in any unit. With

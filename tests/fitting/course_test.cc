@@ -101,6 +101,25 @@ TEST(Course, OfTheFirstWeightsDoesNotKeepTheErrorsFromBeingFound) {
   }
 }
 
+/// Each true area is read a tenth too large and a tenth too small: the means are 0 but for rounding, alike in all runs.
+TEST(Course, OfReadingsInPairsIsTooSmallToMatter) {
+  Dataset data = exact_runs(15);
+  std::vector<Point> pairs;
+  for (const Point& point : data.points)
+    for (const double factor : {1.1, 0.9}) {
+      pairs.push_back(point);
+      pairs.back().T *= factor;
+      pairs.back().A *= factor;
+      pairs.back().line = pairs.size() + 1;
+    }
+  data.points = pairs;
+  data.rows = pairs.size();
+  const FitResult fit = fit_model(data, "c", {});
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
+  EXPECT_LT(fit.parameters[0].interval->low, 0.15);
+  EXPECT_GT(fit.parameters[0].interval->high, 0.15);
+}
+
 TEST(Course, OfAWrongModelIsAnAlarmAlsoUnderWideNoise) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     Dataset data = exact_runs(100);
