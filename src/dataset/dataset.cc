@@ -24,7 +24,8 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
   const Metadata& metadata = data.metadata;
   const ColumnRules rules = rules_of(metadata, inputs);
   CsvFile file(data.path, inputs);
-  const auto table = find_table(data.path, file.start(), file.line_end(), rules, metadata.decimal);
+  const std::string_view start = file.start();  // which finds the line ends
+  const auto table = find_table(data.path, start, file.line_end(), rules, metadata.decimal);
   CsvRow row;
   std::vector<Heading> headings;
   std::size_t summary_line = 0;

@@ -137,7 +137,8 @@ class LogReader {
 
   void find_columns() {
     using enum ColumnId;
-    const auto table = find_table(recording_.path, file_.start(), file_.line_end(), rules_, metadata_.decimal);
+    const std::string_view start = file_.start();  // which finds the line ends
+    const auto table = find_table(recording_.path, start, file_.line_end(), rules_, metadata_.decimal);
     if (!table) throw InputError(recording_.path, "holds no table with headings and rows of numbers");
     recording_.reading = describe(*table);
     const Columns columns(recording_.path, table->headings, rules_);

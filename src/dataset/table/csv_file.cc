@@ -68,7 +68,7 @@ void CsvFile::begin() {
 std::string_view CsvFile::start() {
   begin();
   const std::string_view rest = std::string_view(text_).substr(at_);
-  return at_end() ? rest : rest.substr(0, rest.rfind(format_.line_end) + 1);
+  return at_end() ? rest : rest.substr(0, rest.find_last_of("\r\n") + 1);
 }
 
 void CsvFile::begin_at(std::size_t offset, std::size_t line, const CsvFormat& format) {
