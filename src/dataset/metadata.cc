@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/input_error.h"
 #include "base/number_text.h"
@@ -13,7 +14,7 @@
 namespace mixity {
 namespace {
 
-constexpr std::array<MetadataField, 25> kFields{{
+constexpr std::array<MetadataField, 26> kFields{{
     {"radius", "radius of the sphere, such as \"9.42 mm\"", true, &Metadata::radius, dimension::length, "9.42 mm"},
     {"modulus", "plane-strain modulus E*, such as \"2.133 MPa\"", true, &Metadata::modulus, dimension::stress,
      "2.133 MPa"},
@@ -55,6 +56,8 @@ constexpr std::array<MetadataField, 25> kFields{{
      dimension::length, "1.7 um"},
     {"load", "normal load P of all points, where no column states it", false, &Metadata::load, dimension::force,
      "4.68 mN"},
+    {"table", "which table is read, of a file that has several with different headings, such as 2", false,
+     &Metadata::table, dimension::none, "2"},
     {"load_from", "where a file's name states the normal load: \"run_{P}mN\"", false},
 }};
 
@@ -184,6 +187,9 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
   const double value = uncertain->quantity.si();
   if (name == "poisson_ratio") {
     if (!(value >= 0 && value <= 0.5)) return given + "it must lie between 0 and 0.5";
+  } else if (name == "table") {
+    if (!(value >= 1 && value <= 1e6 && value == std::floor(value)))
+      return given + "it must be a whole number, such as 2";
   } else if (is_change(name)) {
     if (value != 0)
       return given + "a change is about 0: state \"0 +/- " + shortest(std::abs(value)) +
@@ -258,6 +264,10 @@ void require_whole_modulus(const Metadata& metadata, const std::string& path, co
   for (const auto& [name, text] : overrides)
     if (name == given) throw InputError(Remedy::given(name), "needs " + std::string(missing) + ", too");
   if (!metadata.modulus) throw InputError(path, "states " + std::string(given) + " without " + std::string(missing));
+}
+
+std::optional<std::size_t> number_of_table(const Metadata& metadata) {
+  return metadata.table ? std::optional(static_cast<std::size_t>(*metadata.table)) : std::nullopt;
 }
 
 ColumnRules rules_of(const Metadata& metadata, Inputs& inputs) {

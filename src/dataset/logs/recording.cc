@@ -10,7 +10,7 @@
 #include "dataset/table/columns.h"
 #include "dataset/table/csv_file.h"
 #include "dataset/table/number.h"
-#include "dataset/table/table.h"
+#include "dataset/table/table_rows.h"
 
 namespace mixity {
 namespace {
@@ -23,7 +23,7 @@ struct Channel {
   std::vector<double> values{};
 };
 
-class LogReader {
+class LogReader : public UseOfRows {
  public:
   LogReader(const std::string& path, const Metadata& metadata, Inputs& inputs)
       : file_(path, inputs), metadata_(metadata), rules_(rules_of(metadata, inputs)) {
@@ -32,13 +32,14 @@ class LogReader {
   }
 
   Recording read() {
-    find_columns();
-    for (CsvRow row; file_.next(row);) {
-      if (row.is_comment()) continue;
-      require_width(recording_.path, row, width_);
-      for (Channel& channel : channels_) channel.values.push_back(value_of(row, channel));
-      require_rise(row);
-    }
+    TableRows rows(recording_.path, file_,
+                   {rules_, metadata_.decimal, number_of_table(metadata_),
+                    [&](const Table& table) { return holds_readings(table); }});
+    find_columns(rows);
+    rows.read(*this);
+    recording_.reading = describe(rows);
+    for (const auto& [line, names] : rows.other_tables())
+      recording_.reading += ", the table in line " + std::to_string(line) + " not read";
     using enum ColumnId;
     if (channel(ColumnId::time)->values.size() < 3)
       throw InputError(recording_.path, "holds fewer than three rows of a log");
@@ -49,6 +50,17 @@ class LogReader {
     recording_.P = has(P) || !has(T) ? values(P) : std::vector<double>(times.size(), metadata_.load.value_or(0));
     return std::move(recording_);
   }
+
+  void row(const CsvRow& row) override {
+    require_width(recording_.path, row, width_);
+    values_.clear();
+    for (const Channel& channel : channels_) values_.push_back(value_of(row, channel));
+    values_[clock_] += shift_;
+    require_rise(row, values_[clock_]);
+    for (std::size_t k = 0; k < channels_.size(); ++k) channels_[k].values.push_back(values_[k]);
+  }
+  void left_out(std::size_t, std::string_view) override {}
+  void begin_table(const std::string&) override { anew_ = true; }
 
  private:
   /// The value in SI; NaN if the field is empty.
@@ -83,18 +95,24 @@ class LogReader {
     return static_cast<double>(time->seconds - began_->seconds) + (time->fraction - began_->fraction);
   }
 
-  /// Of the time of this row, the last one that was read. Remembers on which line it is.
-  void require_rise(const CsvRow& row) {
+  /// Of the time of this row. The clock of another table of the same log may start anew: the table then follows the one
+  /// before at the same step. Remembers on which line the row is.
+  void require_rise(const CsvRow& row, double& time) {
     const Channel& clock = channels_[clock_];
-    const std::size_t i = clock.values.size() - 1;
-    const double time = clock.values[i];
+    const std::size_t i = clock.values.size();
     const auto fail = [&](const std::string& what) {
       throw InputError(recording_.path, row.place(clock.index), "column 'time': " + what);
     };
     if (!std::isfinite(time)) fail("the row has no time; leave it out, or " + by_rate());
+    if (anew_ && i > 1 && time < clock.values[i - 1]) {
+      const double next = 2 * clock.values[i - 1] - clock.values[i - 2];
+      shift_ += next - time;
+      time = next;
+    }
     if (i > 0 && time < clock.values[i - 1])
       fail(rounded(time, 9) + " s after " + rounded(clock.values[i - 1], 9) +
            " s: the clock goes back; each part in which it rises is a log of its own");
+    anew_ = false;
     if (lines_.empty() || row.line() != lines_.back().line + (i - lines_.back().row)) lines_.push_back({i, row.line()});
   }
 
@@ -135,12 +153,19 @@ class LogReader {
                        "column 'time': " + fault.reason + ": no clock of one rate; " + by_rate());
   }
 
-  void find_columns() {
+  bool holds_readings(const Table& table) const {
+    try {
+      const Columns columns(recording_.path, table.headings, rules_);
+      return columns.has(ColumnId::T) || columns.has(ColumnId::A) || columns.lengths();
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  void find_columns(const TableRows& rows) {
     using enum ColumnId;
-    const std::string_view start = file_.start();  // which finds the line ends
-    const auto table = find_table(recording_.path, start, file_.line_end(), rules_, metadata_.decimal);
+    const std::optional<Table>& table = rows.table();
     if (!table) throw InputError(recording_.path, "holds no table with headings and rows of numbers");
-    recording_.reading = describe(*table);
     const Columns columns(recording_.path, table->headings, rules_);
     recording_.taken = columns.taken;
     width_ = columns.count;
@@ -168,7 +193,6 @@ class LogReader {
       fail("column 'time' is missing; to say which it is: " + Remedy::set("columns", "time=HEADING (s)"));
     if (!has(T) && !has(A) && !lengths()) fail("neither T nor A is there");
     if (has(T) && !has(P) && !metadata_.load) fail("column 'P' is missing, and no load is stated");
-    file_.begin_at(table->offset, table->line, table->format);
   }
 
   const Channel* channel(ColumnId id) const {
@@ -200,6 +224,9 @@ class LogReader {
   ColumnRules rules_;
   Recording recording_;
   std::vector<Channel> channels_;
+  std::vector<double> values_;         // of the row, by channel
+  double shift_ = 0;                   // s, of the clock of this table
+  bool anew_ = false;                  // a table begins
   std::size_t width_ = 0, clock_ = 0;  // fields in a row; the channel of times
   struct LineOfRow {
     std::size_t row, line;

@@ -98,6 +98,11 @@ bool CsvFile::next(CsvRow& row) {
   }
 }
 
+std::string_view CsvFile::rest_from(std::size_t offset) {
+  while (!at_end() && text_.size() <= kMostText) read(std::max(block_bytes_, text_.size()));
+  return std::string_view(text_).substr(offset);
+}
+
 double CsvFile::progress() const {
   if (!stream_.size()) return 1;
   return static_cast<double>(stream_.bytes_read() - (text_.size() - at_)) / static_cast<double>(*stream_.size());

@@ -59,6 +59,27 @@ TEST(Recordings, OfLabVIEWHaveALabelBeforeTheirUnits) {
   }
 }
 
+/// As universal testers and rheometers write steps.
+TEST(Recordings, OfSeveralTablesAreOneLog) {
+  const std::string head = "Time (s),Fz (N),Fx (N),Area (mm^2)\n",
+                    zero = "0,0,0,0\n0.5,0.004,0,0.3\n1,0.004,0.01,0.3\n",
+                    on = "1.5,0.004,0.02,0.2\n2,0.004,0.03,0.2\n", anew = "0,0.004,0.02,0.2\n0.5,0.004,0.03,0.2\n";
+  for (const std::string& text :
+       {"Step 1\n" + head + zero + "\nStep 2\n" + head + on + "END\n",
+        "Step 1\n" + head + zero + "Step 2\n" + head + anew + "END OF DATA,,,\n",
+        "Step,1,20\n" + head + zero + "Step,2,20\n" + head + anew, "Step 1\n" + head + zero + "Step 2\n" + on}) {
+    const Recording log = read(text);
+    EXPECT_EQ(log.time, (std::vector<double>{0, 0.5, 1, 1.5, 2})) << text;
+    EXPECT_EQ(log.T[4], 0.03) << text;
+    EXPECT_NE(log.reading.find("2 tables"), std::string::npos) << log.reading;
+  }
+  const std::string other = "Speed (mm/s),Stroke (mm),Cycles\n1,2,3\n1,2,4\n1,2,5\n";
+  EXPECT_EQ(read(other + head + zero + other).time.size(), 3u);
+  EXPECT_EQ(error_of(head + zero + anew),
+            "log.csv:5:1: column 'time': 0 s after 1 s: the clock goes back; each part in which it rises is a log of "
+            "its own");
+}
+
 /// Rows at `rate` a second, whose times are cut to whole steps of the clock, with an area that tells them apart.
 std::string coarse(double rate, double step, int rows, int first = 0, int pause_at = -1) {
   std::string text = "time [s],P [mN],T [mN],A [mm^2]\n";
