@@ -17,7 +17,7 @@ struct Dimension {
 
 namespace dimension {
 inline constexpr Dimension none{}, force{1, 0, 0}, length{0, 1, 0}, area{0, 2, 0}, stress{1, -2, 0},
-    energy_per_area{1, -1, 0}, angle{0, 0, 1}, time{0, 0, 0, 1};
+    energy_per_area{1, -1, 0}, angle{0, 0, 1}, time{0, 0, 0, 1}, frequency{0, 0, 0, -1};
 }
 
 /// A unit and what one of it is in SI (N, m, rad).
@@ -27,7 +27,7 @@ struct Unit {
   std::string text;  // as written
 };
 
-/// Null if the text is not a unit. An SI prefix (p n u µ m c d k M G) may stand before m, N, Pa, J, rad and s;
+/// Null if the text is not a unit. An SI prefix (p n u µ m c d k M G) may stand before m, N, Pa, J, rad, s and Hz;
 /// powers as ^2, 2 or ²; products by space, '*' or '·'; '/' divides by the one unit that follows it.
 std::optional<Unit> parse_unit(std::string_view text);
 

@@ -43,6 +43,7 @@ struct Metadata {
   std::optional<double> modulus_drift, toughness_drift, shape, hysteresis;  // 0, as a name for their standard errors
   std::optional<double> pixel;                                              // m, the side of a pixel, > 0
   std::optional<double> load;                                               // N, of all points, if no column states it
+  std::optional<double> rate, fps;                                          // 1/s, of the rows; of frames
   std::optional<double> table;                                              // its number in the file, from 1
   std::map<std::string, double, std::less<>> standard_errors;               // by the name of a constant, in its unit
   Provenance provenance = Provenance::unstated;

@@ -46,6 +46,7 @@ TableRows::TableRows(const std::string& path, CsvFile& file, const Rules& rules)
   table_ = find_table(path_, start, file_.line_end(), rules_.columns, rules_.decimal);
   if (!table_) return;
   choose(start);
+  head_ = file_.start().substr(0, table_->offset);
   file_.begin_at(table_->offset, table_->line, table_->format);
 }
 
@@ -123,7 +124,7 @@ void TableRows::read(UseOfRows& use) {
       continue;
     }
     if (refusal && has_a_number(row)) throw *refusal;
-    if (rows > 0 && !listed_ && table_ && may_be_words(row) && is_title(row, form_)) {
+    if (rows > 0 && !listed_ && table_ && !form_.begins_with_words && may_be_words(row) && is_title(row, form_)) {
       list_rest(row);
       continue;
     }

@@ -45,6 +45,7 @@ class TableRows {
   /// Null if none was found: then the first row is the headings.
   const std::optional<Table>& table() const { return table_; }
   const std::string& title() const { return title_; }  // of the first table
+  const std::string& head() const { return head_; }    // the lines above its first row
 
   /// Reads all rows. Throws InputError for a row that is not understood, except for lines of words below the last one
   /// and between tables.
@@ -66,7 +67,7 @@ class TableRows {
   CsvFile& file_;
   Rules rules_;
   std::optional<Table> table_;
-  std::string title_;
+  std::string title_, head_;
   std::vector<ListedTable> kinds_;  // the first table of each
   std::vector<ListedTable> rest_;   // tables behind the first row that is not understood
   std::size_t next_ = 0;            // of rest_: the first that does not lie before the row
