@@ -29,8 +29,9 @@ constexpr std::array kSymbols{
     Symbol{"erg", 1e-7, {1, 1, 0}, false},           Symbol{"bar", 1e5, dimension::stress, false},
     Symbol{"Newton", 1, dimension::force, false},    Symbol{"s", 1, dimension::time, true},
     Symbol{"sec", 1, dimension::time, false},        Symbol{"min", 60, dimension::time, false},
-    Symbol{"px", 1, {0, 0, 0, 0, 1}, false},         Symbol{"pixel", 1, {0, 0, 0, 0, 1}, false},
-    Symbol{"pixels", 1, {0, 0, 0, 0, 1}, false},     Symbol{"Pixel", 1, {0, 0, 0, 0, 1}, false},
+    Symbol{"Hz", 1, dimension::frequency, true},     Symbol{"px", 1, {0, 0, 0, 0, 1}, false},
+    Symbol{"pixel", 1, {0, 0, 0, 0, 1}, false},      Symbol{"pixels", 1, {0, 0, 0, 0, 1}, false},
+    Symbol{"Pixel", 1, {0, 0, 0, 0, 1}, false},
 };
 
 struct Prefix {
@@ -336,6 +337,7 @@ std::string_view example_unit(const Dimension& d) {
   if (d == dimension::stress) return "MPa";
   if (d == dimension::energy_per_area) return "mJ/m^2";
   if (d == dimension::time) return "s";
+  if (d == dimension::frequency) return "Hz";
   return {};
 }
 
@@ -351,6 +353,7 @@ std::string describe(const Dimension& d) {
   if (d == dimension::energy_per_area) return such_as("an energy per area");
   if (d == dimension::angle) return "an angle (rad or deg)";
   if (d == dimension::time) return such_as("a time");
+  if (d == dimension::frequency) return such_as("a rate");
   return "N^" + std::to_string(d.force) + " m^" + std::to_string(d.length);
 }
 

@@ -17,7 +17,7 @@ struct Dimension {
 
 namespace dimension {
 inline constexpr Dimension none{}, force{1, 0, 0}, length{0, 1, 0}, area{0, 2, 0}, stress{1, -2, 0},
-    energy_per_area{1, -1, 0}, angle{0, 0, 1}, time{0, 0, 0, 1};
+    energy_per_area{1, -1, 0}, angle{0, 0, 1}, time{0, 0, 0, 1}, frequency{0, 0, 0, -1};
 }
 
 /// A unit and its size in SI (N, m, rad).
@@ -27,7 +27,7 @@ struct Unit {
   std::string text;  // as written
 };
 
-/// Null if the text is not a unit. m, N, Pa, J, rad and s may have an SI prefix (p n u µ m c d k M G). Powers are
+/// Null if the text is not a unit. m, N, Pa, J, rad, s and Hz may have an SI prefix (p n u µ m c d k M G). Powers are
 /// written ^2, 2 or ², products with a space, '*' or '·'; '/' divides by the next unit only.
 std::optional<Unit> parse_unit(std::string_view text);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/input_error.h"
 #include "base/number_text.h"
@@ -110,6 +111,22 @@ void Collector::comment(const CsvRow& row) {
   if (row.size() >= columns().count && holds_a_number(row) && comments_++ == 0) first_comment_ = row.line();
 }
 
+void Collector::begin_table(const std::string& title) { tables_.push_back({data_.points.size(), title}); }
+
+/// Names the runs by the titles of the tables, or by numbers if these are not all different.
+void Collector::take_tables_as_runs() {
+  std::set<std::string> titles;
+  for (const TableBegin& one : tables_) titles.insert(one.title);
+  const bool by_title = titles.size() == tables_.size() && !titles.contains("");
+  runs_ = {};
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < data_.points.size(); ++i) {
+    while (k + 1 < tables_.size() && i >= tables_[k + 1].point) ++k;
+    const std::string name = by_title ? tables_[k].title : "table " + std::to_string(k + 1);
+    data_.points[i].curve = runs_.of(name, data_.points[i], data_);
+  }
+}
+
 void Collector::finish() {
   const std::string passed_over = std::to_string(comments_) +
                                   (comments_ == 1 ? " row that begins" : " rows that begin") +
@@ -119,6 +136,7 @@ void Collector::finish() {
                      "has a header but no data rows" + (comments_ > 0 ? ", only " + passed_over : ""));
   if (errors_in_fields_) data_.notes.push_back("standard errors: stated in the fields of the values");
   if (comments_ > 0) data_.notes.push_back("passed over as comments: " + passed_over);
+  if (tables_are_runs()) take_tables_as_runs();
   const bool reads_loads = columns().has(ColumnId::P), is_negative = reads_loads && compression_is_negative(data_);
   if (is_negative) runs_.reverse_loads_in_names(data_);
   data_.curves = runs_.names();
@@ -132,7 +150,7 @@ void Collector::finish() {
     data_.notes.push_back("the file has a column of times, and " + std::to_string(data_.excluded.size()) + " of " +
                           std::to_string(data_.rows) +
                           " rows are no points: if it is a log, mixity runs makes loading runs of it");
-  if (reads_loads && !columns().has(ColumnId::curve)) {
+  if (reads_loads && !columns().has(ColumnId::curve) && !tables_are_runs()) {
     if (data_.curves.size() > 1) join_noisy_loads(data_);
     split_repeated_shear(data_);
   }

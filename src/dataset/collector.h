@@ -45,6 +45,9 @@ class Collector {
   /// Adds a line that is not a row as excluded. `reason`: a fixed text.
   void leave_out(std::size_t line, std::string_view reason);
   void comment(const CsvRow& row);
+  /// The next rows are those of another table, which is a run if there are several and no column names runs.
+  void begin_table(const std::string& title);
+  bool tables_are_runs() const { return tables_.size() > 1 && !columns().has(ColumnId::curve); }
   /// Completes what needs all points: runs, signs, notes. Throws InputError if there were no rows.
   void finish();
 
@@ -52,6 +55,7 @@ class Collector {
 
  private:
   bool has_times() const;
+  void take_tables_as_runs();
   void add_note_on_axes();
 
   std::string metadata_path_;
@@ -60,6 +64,11 @@ class Collector {
   bool has_errors_;                // the table has a column of standard errors, or fields with them
   bool errors_in_fields_ = false;  // "0.61 +/- 0.05"
   Runs runs_;
+  struct TableBegin {
+    std::size_t point;  // the first point of the table
+    std::string title;
+  };
+  std::vector<TableBegin> tables_;
   std::size_t comments_ = 0, first_comment_ = 0;  // comments that would be rows without '#'; the line of the first
   double largest_axes_ = 1;                       // the largest ratio of the axes of elliptic contacts
   std::size_t line_of_largest_ = 0;

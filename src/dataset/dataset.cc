@@ -8,60 +8,65 @@
 #include "base/input_error.h"
 #include "dataset/collector.h"
 #include "dataset/table/csv_file.h"
-#include "dataset/table/header_lines.h"
-#include "dataset/table/table.h"
+#include "dataset/table/table_rows.h"
 
 namespace mixity {
 namespace {
 
-constexpr std::string_view kSummaryRow = "summary row (text where the rows above have numbers)",
-                           kWordsBelow = "words below the table";
+/// Makes points of the rows of a file.
+class PointsOfRows : public UseOfRows {
+ public:
+  PointsOfRows(Collector& collector, const CsvFile& file, Dataset& data)
+      : collector_(collector), file_(file), data_(data) {}
+
+  void row(const CsvRow& row) override {
+    constexpr std::size_t kSample = 1000;  // points
+    collector_.row(row);
+    // Memory for all points, estimated from the first: a growing vector takes up to three times as much.
+    if (data_.points.size() == kSample)
+      data_.points.reserve(static_cast<std::size_t>(1.25 * kSample / file_.progress()));
+  }
+  void comment(const CsvRow& row) override { collector_.comment(row); }
+  void left_out(std::size_t line, std::string_view reason) override { collector_.leave_out(line, reason); }
+  void begin_table(const std::string& title) override { collector_.begin_table(title); }
+
+ private:
+  Collector& collector_;
+  const CsvFile& file_;
+  Dataset& data_;
+};
 
 /// Reads the table of a file into a data set. If no table is found, reads the first row as headings; its error message
 /// then says what is wrong.
 void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data) {
-  constexpr std::size_t kSample = 1000;  // points
-  const Metadata& metadata = data.metadata;
-  const ColumnRules rules = rules_of(metadata, inputs);
+  const ColumnRules rules = rules_of(data.metadata, inputs);
   CsvFile file(data.path, inputs);
-  const auto table = find_table(data.path, file.start(), file.line_end(), rules, metadata.decimal);
-  CsvRow row;
+  const auto makes_points = [&](const Table& table) {
+    try {
+      return Columns(data.path, table.headings, rules).count > 0;
+    } catch (const InputError&) {
+      return false;
+    }
+  };
+  TableRows rows(data.path, file, {rules, data.metadata.decimal, number_of_table(data.metadata), makes_points});
   std::vector<Heading> headings;
-  std::size_t summary_line = 0;
-  if (file.encoding() != Encoding::utf8) data.reading = to_string(file.encoding());
-  if (table) {
-    headings = table->headings;
-    const std::string how = describe(*table);
-    if (how != "commas") data.reading += (data.reading.empty() ? "" : ", ") + how;
-    if (file.at_end()) summary_line = table->summary_line;
-    file.begin_at(table->offset, table->line, table->format);
+  if (rows.table()) {
+    headings = rows.table()->headings;
   } else {
+    CsvRow row;
     if (!file.next(row)) throw InputError(data.path, 1, 1, "is empty: a header row is missing");
     headings = headings_of(row);
   }
   Collector collector(metadata_path, headings, rules, data);
-  std::vector<std::size_t> words;  // lines without a number, which at the end of the table are not rows
-  std::optional<InputError> refusal;
-  while (file.next(row)) {
-    if (row.is_comment()) {
-      collector.comment(row);
-      continue;
-    }
-    if (refusal && has_a_number(row)) throw *refusal;
-    try {
-      if (summary_line > 0 && row.line() >= summary_line)
-        collector.leave_out(row.line(), kSummaryRow);
-      else
-        collector.row(row);
-    } catch (const InputError& error) {
-      if (has_a_number(row) || data.rows == 0) throw;
-      if (!refusal) refusal = error;
-      words.push_back(row.line());
-    }
-    // Reserves memory for all points, estimated from the first ones: a growing vector takes up to three times as much.
-    if (data.points.size() == kSample) data.points.reserve(static_cast<std::size_t>(1.25 * kSample / file.progress()));
-  }
-  for (const std::size_t line : words) collector.leave_out(line, kWordsBelow);
+  collector.begin_table(rows.title());
+  PointsOfRows use(collector, file, data);
+  rows.read(use);
+  if (file.encoding() != Encoding::utf8) data.reading = to_string(file.encoding());
+  if (rows.table())
+    if (const std::string how = describe(rows); how != "commas")
+      data.reading += (data.reading.empty() ? "" : ", ") + how + (collector.tables_are_runs() ? ", each a run" : "");
+  for (const auto& [line, names] : rows.other_tables())
+    data.notes.push_back("the table in line " + std::to_string(line) + " is not read: " + names);
   collector.finish();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/input_error.h"
 #include "base/number_text.h"
@@ -13,7 +14,7 @@
 namespace mixity {
 namespace {
 
-constexpr std::array<MetadataField, 25> kFields{{
+constexpr std::array<MetadataField, 28> kFields{{
     {"radius", "radius of the sphere, such as \"9.42 mm\"", true, &Metadata::radius, dimension::length, "9.42 mm"},
     {"modulus", "plane-strain modulus E*, such as \"2.133 MPa\"", true, &Metadata::modulus, dimension::stress,
      "2.133 MPa"},
@@ -55,6 +56,12 @@ constexpr std::array<MetadataField, 25> kFields{{
      dimension::length, "1.7 um"},
     {"load", "normal load P of all points, where no column states it", false, &Metadata::load, dimension::force,
      "4.68 mN"},
+    {"rate", "of the rows of a log without a column of times: \"400 Hz\", or the time between two: \"2.5 ms\"", false,
+     &Metadata::rate, dimension::frequency, "400 Hz"},
+    {"fps", "frames a second, of a log with a column of frames in place of times, such as 25", false, &Metadata::fps,
+     dimension::none, "25"},
+    {"table", "which table is read, of a file that has several with different headings, such as 2", false,
+     &Metadata::table, dimension::none, "2"},
     {"load_from", "where a file's name states the normal load: \"run_{P}mN\"", false},
 }};
 
@@ -118,6 +125,7 @@ std::string_view si_unit(const Dimension& d) {
          : d == dimension::force           ? "N"
          : d == dimension::area            ? "m^2"
          : d == dimension::angle           ? "rad"
+         : d == dimension::frequency       ? "Hz"
                                            : "";
 }
 
@@ -179,11 +187,15 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
   if (!uncertain)
     return given + "it must be a number with a unit, such as " +
            (states_error(text) ? "\"1 mm +/- 2%\" or \"1 +/- 0.02 mm\"" : quoted(field->example));
-  if (uncertain->quantity.unit.dimension != field->dimension)
+  const bool interval = name == "rate" && uncertain->quantity.unit.dimension == dimension::time;
+  if (uncertain->quantity.unit.dimension != field->dimension && !interval)
     return given + "it must be " + describe(field->dimension) + ", written " + quoted(field->example);
-  const double value = uncertain->quantity.si();
+  const double value = interval ? 1 / uncertain->quantity.si() : uncertain->quantity.si();
   if (name == "poisson_ratio") {
     if (!(value >= 0 && value <= 0.5)) return given + "it must lie between 0 and 0.5";
+  } else if (name == "table") {
+    if (!(value >= 1 && value <= 1e6 && value == std::floor(value)))
+      return given + "it must be a whole number, such as 2";
   } else if (is_change(name)) {
     if (value != 0)
       return given + "a change is about 0: state \"0 +/- " + shortest(std::abs(value)) +
@@ -192,9 +204,10 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
     return given + "it must be positive";
   }
   if (!field->of_experiment && uncertain->standard_error > 0)
-    return given + "its error belongs in " +
-           (name == "pixel" ? "area_scale, which has twice that of a length: area_scale = \"1 +/- 2%\""
-                            : "load_offset: load_offset = \"0 +/- 0.5 mN\"");
+    return given + (name == "pixel" ? "its error belongs in area_scale, which has twice that of a length: area_scale = "
+                                      "\"1 +/- 2%\""
+                    : name == "load" ? "its error belongs in load_offset: load_offset = \"0 +/- 0.5 mN\""
+                                     : "it is taken as exact");
   if (name == "load") metadata.load_from.clear();  // load and load_from replace each other
   metadata.*field->number = value;
   metadata.standard_errors.erase(std::string(name));
@@ -258,6 +271,10 @@ void require_whole_modulus(const Metadata& metadata, const std::string& path, co
   for (const auto& [name, text] : overrides)
     if (name == given) throw InputError(Remedy::given(name), "needs " + std::string(missing) + ", too");
   if (!metadata.modulus) throw InputError(path, "states " + std::string(given) + " without " + std::string(missing));
+}
+
+std::optional<std::size_t> number_of_table(const Metadata& metadata) {
+  return metadata.table ? std::optional(static_cast<std::size_t>(*metadata.table)) : std::nullopt;
 }
 
 ColumnRules rules_of(const Metadata& metadata, Inputs& inputs) {

@@ -43,6 +43,8 @@ struct Metadata {
   std::optional<double> modulus_drift, toughness_drift, shape, hysteresis;  // 0; they only name their errors
   std::optional<double> pixel;                                              // m, the side of a pixel, > 0
   std::optional<double> load;                                               // N, of all points, if no column states it
+  std::optional<double> rate, fps;                                          // 1/s, of the rows; of frames
+  std::optional<double> table;                                              // its number in the file, from 1
   std::map<std::string, double, std::less<>> standard_errors;               // by the name of a constant, in its unit
   Provenance provenance = Provenance::unstated;
   std::string source, note;
@@ -112,6 +114,9 @@ void apply_overrides(const Overrides& overrides, Metadata& metadata);
 /// Throws InputError if the constants that give the modulus are contradictory or incomplete. The message names the
 /// override if that is one half of a pair, otherwise the file at `path`.
 void require_whole_modulus(const Metadata& metadata, const std::string& path, const Overrides& overrides = {});
+
+/// The number of the table to be read; null if none is stated.
+std::optional<std::size_t> number_of_table(const Metadata& metadata);
 
 /// The rules for reading the columns of its table. Throws InputError for an invalid file of names (headings).
 ColumnRules rules_of(const Metadata& metadata, Inputs& inputs);

@@ -38,7 +38,7 @@ Metadata read_metadata(const std::string& path, Inputs& inputs) {
       text = mapping_text(path, *node.as_table());
     else if (node.is_string())
       text = node.as_string()->get();
-    else if (name == "poisson_ratio" && node.is_number())
+    else if ((name == "poisson_ratio" || name == "table" || name == "fps") && node.is_number())
       text =
           shortest(node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get());
     else

@@ -106,7 +106,9 @@ TEST(RunsCommand, SaysInOneLineWhatItCannotUse) {
   EXPECT_EQ(run_program({"runs"}).exit_code, 2);
   EXPECT_EQ(run_program({"runs", kLog, "--lag=3"}).exit_code, 2);
   EXPECT_EQ(complaint({"runs", points}),
-            "mixity: points.csv:1:1: column 'time' is missing; to say which it is: --columns=\"time=HEADING (s)\"");
+            "mixity: points.csv:1:1: column 'time' is missing; state the rate of the rows, such as --rate=\"400 Hz\", "
+            "or which "
+            "column it is: --columns=\"time=HEADING (s)\"");
   EXPECT_EQ(complaint({"runs", still}),
             "mixity: still.csv: holds no loading run: no contact under one load in which T rises");
   EXPECT_EQ(complaint({"runs", kLog, "--cuts=" + cuts}),

@@ -35,9 +35,10 @@ enum class ColumnId {
   sigma_GII,
   curve,
   include,
-  time
+  time,
+  frame
 };
-inline constexpr std::size_t kColumnCount = 23;
+inline constexpr std::size_t kColumnCount = 24;
 
 struct ColumnKind {
   ColumnId id;
@@ -69,8 +70,11 @@ inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
     {ColumnId::curve, "curve", dimension::none},
     {ColumnId::include, "include", dimension::none},
     {ColumnId::time, "time", dimension::time},
+    {ColumnId::frame, "frame", dimension::none},
 }};
 
+/// Times and numbers of frames or rows, which only logs have.
+inline bool is_clock(ColumnId id) { return id == ColumnId::time || id == ColumnId::frame; }
 inline const ColumnKind& kind_of(ColumnId id) { return kColumnKinds[static_cast<std::size_t>(id)]; }
 inline std::string_view to_string(ColumnId id) { return kind_of(id).name; }
 /// The quantity of this name; null if there is none.

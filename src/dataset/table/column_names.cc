@@ -103,7 +103,7 @@ class Names {
       const NamedColumn* before = find(column->id);
       if (!before)
         columns_.push_back(std::move(*column));
-      else if (!is_mapped(column->id) && !column_named(headings_[before->index].name))
+      else if (!is_mapped(column->id) && column->id != ColumnId::frame && !column_named(headings_[before->index].name))
         throw InputError(path_, headings_[i].place,
                          "'" + before->heading.text + "' and '" + headings_[i].text + "' may both be " +
                              name_of(column->id) + "; say which: " + mapping(column->id, headings_, before->index) +
@@ -130,7 +130,8 @@ class Names {
   bool is_complete() const {
     using enum ColumnId;
     const bool loads = find(T) && (find(P) || rules_.load_stated) && is_sized();
-    if (rules_.log) return loads && find(ColumnId::time);  // false for a log of forces or areas alone
+    if (rules_.log)
+      return loads && (find(ColumnId::time) || find(ColumnId::frame));  // false for a log of forces or areas alone
     return loads || ((find(psi) || find(mode_ratio)) && (find(Gc) || find(Gc_over_GIc))) || (find(G_I) && find(G_II));
   }
 
@@ -174,7 +175,7 @@ class Names {
   const NamedColumn* find(ColumnId id) const { return column_with(&NamedColumn::id, id); }
   const NamedColumn* at(std::size_t index) const { return column_with(&NamedColumn::index, index); }
   bool is_mapped(ColumnId id) const { return rules_.mapping.contains(name_of(id)); }
-  bool is_read(ColumnId id) const { return rules_.log || id != ColumnId::time; }
+  bool is_read(ColumnId id) const { return rules_.log || !is_clock(id); }
   /// Whether it is a standard error of the columns that make points, a name of runs, or a column that selects rows.
   bool is_beside(ColumnId id) const {
     using enum ColumnId;

@@ -120,7 +120,7 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
                          Remedy::set("columns", "P=1 (mN),T=2 (mN),A=3 (mm^2)"));
   std::vector<bool> used(headings.size());
   for (const NamedColumn& column : name_columns(path, headings, rules)) {
-    if (rules.log && column.id > ColumnId::minor && column.id != ColumnId::time) continue;
+    if (rules.log && column.id > ColumnId::minor && !is_clock(column.id)) continue;
     const ColumnKind& kind = kind_of(column.id);
     by_id[static_cast<std::size_t>(column.id)] =
         Column{column.id, column.index, unit_of(column.heading, kind, path, headings.size() == 1, rules.pixel)};
@@ -151,7 +151,7 @@ void Columns::find_unused(const std::vector<Heading>& headings, const std::vecto
     auto id = column_named(heading.name);
     if (const auto read = id ? std::nullopt : vocabulary.read(heading, i)) id = read->id;
     if (!id) id = vocabulary.find(heading.name);
-    if (!id || id == ColumnId::time || (has(*id) && !beside.empty())) continue;
+    if (!id || is_clock(*id) || (has(*id) && !beside.empty())) continue;
     const std::string quantity(to_string(*id));
     if (const Column* const other = find(*id))
       unused.emplace_back(name, quantity + " is read from '" + printable(headings[other->index].text, 60) + "'");

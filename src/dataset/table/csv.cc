@@ -9,11 +9,19 @@
 namespace mixity {
 namespace {
 
-constexpr const char* kReturnInside = "has a carriage return inside the line";
-
 std::size_t byte(char c) { return static_cast<unsigned char>(c); }
 
 std::string_view without_line_end(std::string_view line) { return line.substr(0, line.find_last_not_of("\r\n") + 1); }
+
+/// Bytes of the first line with its end: a line feed, or a carriage return that no line feed follows. 0 if its end is
+/// missing. `is_rest`: the text goes on to the end of the file.
+std::size_t line_size(std::string_view text, char line_end, bool is_rest) {
+  const std::size_t end = text.find(line_end);
+  const std::size_t last = text.substr(0, end).find_last_not_of(" \t\r\n"), size = last + 1;
+  if (const std::size_t inside = text.substr(0, size).find('\r'); inside != std::string_view::npos) return inside + 1;
+  if (end == std::string_view::npos) return is_rest ? text.size() : 0;
+  return end + 1;
+}
 
 /// Splits a line in which quotes are ordinary characters.
 void split_line(std::string_view line, char delimiter, std::vector<std::string_view>& fields) {
@@ -138,6 +146,11 @@ std::size_t CsvSplitter::take(std::string_view text, bool is_rest, CsvRow& row) 
   };
   bool quotes = false;
   skip_returns();
+  if (at != end && *at != format_.line_end && *text.data() == '\r') {  // blank lines that end in carriage returns
+    at = text.data() + text.substr(0, before().size()).rfind('\r') + 1;
+    line_ += static_cast<std::size_t>(std::count(text.data(), at, '\r'));
+    return before().size();
+  }
   for (;; ++at) {
     while (at != end && is_blank(*at)) ++at;
     if (at != end && *at == '"') {
@@ -154,26 +167,26 @@ std::size_t CsvSplitter::take(std::string_view text, bool is_rest, CsvRow& row) 
   }
   if (at != end && *at != format_.line_end) {
     if (*at != '\r') fail(before(), "a quote (\") inside a field is not doubled or not closed");
+    const char* const first = at;
     skip_returns();
-    if (at != end && *at != format_.line_end) fail(before(), kReturnInside);
+    if (at != end && *at != format_.line_end) at = first;  // ends the line as a line feed does
   }
   if (at == end && !is_rest) return 0;
   row.raw_ = without_line_end(before());
   if (at != end) ++at;
-  line_ += quotes ? static_cast<std::size_t>(std::count(text.data(), at, format_.line_end)) : 1;
+  line_ +=
+      quotes ? std::max<std::size_t>(1, static_cast<std::size_t>(std::count(text.data(), at, format_.line_end))) : 1;
   return before().size();
 }
 
 /// The same for a line in which quotes are ordinary characters.
 std::size_t CsvSplitter::take_line(std::string_view text, bool is_rest, CsvRow& row) {
-  const std::size_t end = text.find(format_.line_end);
-  if (end == std::string_view::npos && !is_rest) return 0;
-  row.raw_ = without_line_end(text.substr(0, end));
-  // rows after it would be lost with the comment
-  if (row.is_comment_ && row.raw_.find('\r') != std::string_view::npos) fail({}, kReturnInside);
+  const std::size_t size = line_size(text, format_.line_end, is_rest);
+  if (size == 0) return 0;
+  row.raw_ = without_line_end(text.substr(0, size));
   split_line(row.raw_, format_.delimiter, row.fields_);
   ++line_;
-  return std::min(end, text.size() - 1) + 1;
+  return size;
 }
 
 /// Reads a field in quotes. Returns the first non-blank character after it; null if the quotes are not closed.
@@ -212,9 +225,9 @@ std::vector<CsvRow> split_rows(std::string_view text, std::size_t first_line, co
 
 bool find_first_row(std::string_view& text, std::size_t& line, CsvFormat& format) {
   for (; !text.empty(); ++line) {
-    const std::size_t end = std::min(text.find(format.line_end), text.size() - 1) + 1;
+    const std::size_t end = line_size(text, format.line_end, true);
     const std::string_view first = without_line_end(text.substr(0, end));
-    const bool comment = format.comments && first.starts_with('#') && first.find('\r') == std::string_view::npos;
+    const bool comment = format.comments && first.starts_with('#');
     // "sep=" tells Excel the delimiter, which may be a tab
     const bool for_excel = first.starts_with("sep=") && first.size() > 4 && trim(first.substr(5)).empty();
     if (!comment && !for_excel && !trim(first).empty()) {

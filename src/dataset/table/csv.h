@@ -60,8 +60,8 @@ class CsvSplitter {
   CsvSplitter(const std::string& path, const CsvFormat& format, std::size_t line = 1);
 
   /// Removes the next row or comment from the front of the text, with blank rows before it. False if no complete row is
-  /// left. `is_rest`: the text extends to the end of the file, whose last row may lack a line end. Throws InputError
-  /// for unmatched quotes and for a carriage return inside a line.
+  /// left. `is_rest`: the text extends to the end of the file, whose last row may lack a line end. A carriage return
+  /// outside quotes ends a row, whatever follows it. Throws InputError for unmatched quotes.
   bool next(std::string_view& text, bool is_rest, CsvRow& row);
   std::size_t line() const { return line_; }  // of the remaining text
 

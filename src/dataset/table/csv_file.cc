@@ -68,7 +68,7 @@ void CsvFile::begin() {
 std::string_view CsvFile::start() {
   begin();
   const std::string_view rest = std::string_view(text_).substr(at_);
-  return at_end() ? rest : rest.substr(0, rest.rfind(format_.line_end) + 1);
+  return at_end() ? rest : rest.substr(0, rest.find_last_of("\r\n") + 1);
 }
 
 void CsvFile::begin_at(std::size_t offset, std::size_t line, const CsvFormat& format) {
@@ -96,6 +96,11 @@ bool CsvFile::next(CsvRow& row) {
     if (found || at_end()) return found;
     read_more();
   }
+}
+
+std::string_view CsvFile::rest_from(std::size_t offset) {
+  while (!at_end() && text_.size() <= kMostText) read(std::max(block_bytes_, text_.size()));
+  return std::string_view(text_).substr(offset);
 }
 
 double CsvFile::progress() const {

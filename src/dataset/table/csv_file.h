@@ -20,11 +20,17 @@ class CsvFile {
   /// The complete lines of the first block; valid until another member is called. Throws InputError if the file cannot
   /// be read, is a workbook, or begins with a row of more than kMostText bytes.
   std::string_view start();
-  /// Starts the rows at this byte of start() and line of the file. By default they start where find_first_row says.
+  /// Starts the rows at this byte of start() or rest_from(0), and at this line of the file. By default they start where
+  /// find_first_row says.
   void begin_at(std::size_t offset, std::size_t line, const CsvFormat& format);
   /// Reads the next row or comment; skips comments above the first row. False at the end. Throws InputError as
   /// CsvSplitter does, if the file cannot be read, and for a row of more than kMostText bytes.
   bool next(CsvRow& row);
+
+  /// Where the row that was read last begins, for begin_at.
+  std::size_t offset_of(const CsvRow& row) const { return static_cast<std::size_t>(row.raw().data() - text_.data()); }
+  /// Reads the file to its end, or up to kMostText bytes. The text from this byte on; other texts are no longer valid.
+  std::string_view rest_from(std::size_t offset);
 
   // After start():
   Encoding encoding() const { return encoding_; }

@@ -156,7 +156,7 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
     text.remove_prefix(before);
   }
   const bool cut = text.size() > kSearched;
-  if (cut) text = text.substr(0, text.rfind(line_end, kSearched) + 1);
+  if (cut) text = text.substr(0, text.find_last_of("\r\n", kSearched) + 1);
   std::optional<Candidate> best;
   for (const char delimiter : delimiters) {
     if (text.find_first_of(delimiter == kBlanks ? " \t" : std::string(1, delimiter)) == std::string_view::npos)

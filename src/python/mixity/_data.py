@@ -206,7 +206,7 @@ def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **cons
     path : str, path, or list of them
         A CSV or another export of a table; a pattern such as ``"run_*.csv"``, or several files, are one data set.
     **constants
-        Replace those in the TOML: as for :class:`Dataset`, and how to read the file (``columns``, ``decimal``,
+        Replace those in the TOML: as for :class:`Dataset`, and how to read the file (``columns``, ``decimal``, ``table``, ``rate``, ``fps``,
         ``pixel``, ``load``, ``load_from``, ``headings``).
     """
     files, stated = files_and_constants(path, constants)

@@ -59,6 +59,90 @@ TEST(Recordings, OfLabVIEWHaveALabelBeforeTheirUnits) {
   }
 }
 
+/// As universal testers and rheometers write steps.
+TEST(Recordings, OfSeveralTablesAreOneLog) {
+  const std::string head = "Time (s),Fz (N),Fx (N),Area (mm^2)\n",
+                    zero = "0,0,0,0\n0.5,0.004,0,0.3\n1,0.004,0.01,0.3\n",
+                    on = "1.5,0.004,0.02,0.2\n2,0.004,0.03,0.2\n", anew = "0,0.004,0.02,0.2\n0.5,0.004,0.03,0.2\n";
+  for (const std::string& text :
+       {"Step 1\n" + head + zero + "\nStep 2\n" + head + on + "END\n",
+        "Step 1\n" + head + zero + "Step 2\n" + head + anew + "END OF DATA,,,\n",
+        "Step,1,20\n" + head + zero + "Step,2,20\n" + head + anew, "Step 1\n" + head + zero + "Step 2\n" + on}) {
+    const Recording log = read(text);
+    EXPECT_EQ(log.time, (std::vector<double>{0, 0.5, 1, 1.5, 2})) << text;
+    EXPECT_EQ(log.T[4], 0.03) << text;
+    EXPECT_NE(log.reading.find("2 tables"), std::string::npos) << log.reading;
+  }
+  const std::string other = "Speed (mm/s),Stroke (mm),Cycles\n1,2,3\n1,2,4\n1,2,5\n";
+  EXPECT_EQ(read(other + head + zero + other).time.size(), 3u);
+  EXPECT_EQ(error_of(head + zero + anew),
+            "log.csv:5:1: column 'time': 0 s after 1 s: the clock goes back; each part in which it rises is a log of "
+            "its own");
+}
+
+Recording read_with(const std::string& text, const Overrides& stated) {
+  const TemporaryFolder folder;
+  Metadata metadata;
+  apply_overrides(stated, metadata);
+  return read_recording(folder.write("log.csv", text), metadata);
+}
+std::string error_with(const std::string& text, const Overrides& stated) {
+  return input_error([&] { read_with(text, stated); });
+}
+
+TEST(Recordings, WithoutTimesHaveThoseOfARate) {
+  const std::vector<double> times{0, 0.0025, 0.005};
+  const std::string rows = "0\t0\t0\n4\t0\t0.35\n4\t10\t0.349\n", head = "P [mN]\tT [mN]\tA [mm^2]\n";
+  EXPECT_EQ(read("Sampling rate [Hz]:\t400\n" + head + rows).time, times);
+  EXPECT_EQ(read("# Sample interval: 2.5 ms\n" + head + rows).reading,
+            "tabs, headings in line 2, times by the rate in line 1, 400 Hz");
+  for (const char* rate : {"400 Hz", "0.4 kHz", "2.5 ms", "0,0025 s"})
+    EXPECT_EQ(read_with(head + rows, {{"rate", rate}}).time, times) << rate;
+  EXPECT_EQ(read_with("Sampling rate [Hz]:\t100\n" + head + rows, {{"rate", "400 Hz"}}).time, times);
+  // a column of times that is empty, as LabVIEW's without one
+  EXPECT_EQ(read("Delta_X\t0.0025\t0.0025\t0.0025\nX_Value\tP [mN]\tT [mN]\tA [mm^2]\tComment\n"
+                 "\t0\t0\t0\n\t4\t0\t0.35\tcontact\n\t4\t10\t0.349\n")
+                .time,
+            times);
+  EXPECT_EQ(
+      error_of(head + rows),
+      "log.csv:1:1: column 'time' is missing; state the rate of the rows, such as --rate=\"400 Hz\", or which column "
+      "it is: --columns=\"time=HEADING (s)\"");
+  EXPECT_EQ(error_of("t [s]\t" + head + "\t0\t0\t0\n\t4\t0\t0.35\n\t4\t10\t0.349\n"),
+            "log.csv:1:1: column 'time' is empty; state the rate of the rows, such as --rate=\"400 Hz\"");
+  EXPECT_EQ(error_of("dt = 1\nt [s]\t" + head + "\t0\t0\t0\n1\t4\t0\t0.35\n\t4\t10\t0.349\n"),
+            "log.csv:4:1: column 'time': the row has a time where rows above have none");
+  EXPECT_EQ(read("Sample rate: 1 Hz\nt [s]\t" + head + "0\t0\t0\t0\n5\t4\t0\t0.35\n6\t4\t10\t0.349\n").time,
+            (std::vector<double>{0, 5, 6}));  // the column has the word
+}
+
+TEST(Recordings, MayCountFrames) {
+  const std::string rows = "1,0.35\n2,0.349\n5,0.347\n";
+  for (const char* head :
+       {"Slice,Area (mm^2)\n", "Frame,A [mm^2]\n", "Bild,Kontaktfläche (mm²)\n", "Index,A [mm^2]\n"}) {
+    EXPECT_EQ(read_with(head + rows, {{"fps", "25"}}).time, (std::vector<double>{0.04, 0.08, 0.2})) << head;
+    EXPECT_EQ(read(std::string("Frame rate: 25\n") + head + rows).time, (std::vector<double>{0.04, 0.08, 0.2})) << head;
+  }
+  // ImageJ: rows are numbered without a heading
+  EXPECT_EQ(
+      read_with(" ,Label,Area (mm^2),Slice\n1,a.tif:1,0.35,1\n2,a.tif:2,0.349,2\n3,a.tif:5,0.347,5\n", {{"fps", "25"}})
+          .time[2],
+      0.2);
+  EXPECT_NE(
+      error_with("Slice,Area (mm^2)\n" + rows, {})
+          .find(":1:1: column 'time' is missing, and 'Slice' counts frames or rows: say how many a second: --fps=25, "
+                "or which column it is"),
+      std::string::npos);
+  EXPECT_NE(error_with("Slice,Area (mm^2)\n1,0.3\n1,0.3\n2,0.3\n", {{"fps", "25"}})
+                .find("column 'frame': frame 1 after frame 1: each row needs a frame of its own"),
+            std::string::npos);
+  // beside forces of another rate: frames are those of the areas
+  const Overrides both{{"fps", "25"}, {"rate", "400 Hz"}};
+  EXPECT_EQ(read_with("Slice,Area (mm^2)\n" + rows, both).time[0], 0.04);
+  EXPECT_EQ(read_with("Index,P [mN],T [mN]\n0,1,2\n1,1,2\n2,1,2\n", both).time[1], 0.0025);
+  EXPECT_EQ(read_with("Area (mm^2)\tmean\n0.3\t4\n0.3\t4\n0.3\t4\n", {{"fps", "25"}}).time[1], 0.04);
+}
+
 /// Rows at `rate` a second, whose times are cut to whole steps of the clock, with an area that tells them apart.
 std::string coarse(double rate, double step, int rows, int first = 0, int pause_at = -1) {
   std::string text = "time [s],P [mN],T [mN],A [mm^2]\n";

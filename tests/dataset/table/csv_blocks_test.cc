@@ -14,8 +14,8 @@ namespace csv_blocks_test {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// RFC 4180 as a state machine over the characters of a text. Null if quotes do not match or a line goes on behind a
-/// carriage return. Blanks around fields are dropped, rows without anything in them left out.
+/// RFC 4180 as a state machine over the characters of a text. Null if quotes do not match. A carriage return ends a row
+/// with or without a line feed behind it. Blanks around fields are dropped, rows without anything in them left out.
 std::optional<Rows> by_character(const std::string& text, char delimiter) {
   enum { kBegin, kPlain, kQuoted, kQuote, kReturn } state = kBegin;  // kQuote: behind a quote in quotes
   Rows rows(1);
@@ -29,8 +29,9 @@ std::optional<Rows> by_character(const std::string& text, char delimiter) {
   bool blanks_behind = false;
   for (const char c : text + '\n') {
     if (state == kReturn && c != '\n') {
-      if (c == delimiter || !(is_blank(c) || c == '\r')) return {};
-      continue;
+      if (c != delimiter && (is_blank(c) || c == '\r')) continue;
+      rows.emplace_back();
+      state = kBegin;
     }
     if (state == kQuoted) {
       if (c == '"')

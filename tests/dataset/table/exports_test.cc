@@ -39,6 +39,29 @@ TEST(Exports, WithHeadingsInOtherLanguages) {
     expect_the_experiment(std::string(headings) + "\n" + german());
 }
 
+/// Whole files of the old Macintosh, files to which another program added lines, a header pasted from elsewhere.
+TEST(Exports, WithCarriageReturnsHaveEachEndALine) {
+  const std::string header = "P [mN],T [mN],A [mm^2]", blanks = "P_mN T_mN A_mm2";
+  const auto with = [](std::string text, char from, const char* to, std::size_t first = 0, std::size_t last = 1000) {
+    std::string out;
+    std::size_t n = 0;
+    for (const char c : text)
+      if (c == from && ++n > first && n <= last)
+        out += to;
+      else
+        out += c;
+    return out;
+  };
+  const std::string file = "Lab book\n# a note\n" + header + "\n" + lines({}), parted = blanks + "\n" + lines({' '});
+  expect_the_experiment(with(file, '\n', "\r"));
+  expect_the_experiment(with(file, '\n', "\r", 0, 3));
+  expect_the_experiment(with(file, '\n', "\r", 3));
+  expect_the_experiment(with(file, '\n', "\r\n", 6));
+  expect_the_experiment(with(file, '\n', "\r\r", 2, 6));
+  expect_the_experiment(with(parted, '\n', "\r", 4));
+  expect_the_experiment(encoded(with(file, '\n', "\r", 5, 9), "UTF-16"));
+}
+
 TEST(Exports, WithARowOfUnits) {
   const std::string rows = lines({'\t'});
   expect_the_experiment("Normal load\tTangential load\tContact area\nmN\tmN\tmm^2\n\tsample 3\t\n" + rows);  // Origin

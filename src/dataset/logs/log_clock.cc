@@ -1,0 +1,159 @@
+#include "dataset/logs/log_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/input_error.h"
+#include "base/number_text.h"
+#include "base/text.h"
+#include "dataset/logs/stated_rate.h"
+
+namespace mixity {
+namespace {
+
+std::string own_times() { return "give each row its own: its number divided by the rate of the rows"; }
+
+}  // namespace
+
+LogClock::LogClock(const std::string& path, const Table& table, const Columns& columns, const Metadata& metadata,
+                   std::string_view head)
+    : path_(path),
+      table_(table),
+      metadata_(metadata),
+      head_(head),
+      time_(columns.find(ColumnId::time)),
+      frame_(columns.find(ColumnId::frame)),
+      forces_(columns.has(ColumnId::T)),
+      areas_(columns.has(ColumnId::A) || columns.lengths()) {
+  if (!time_) count_by_rate(false);
+}
+
+/// The rate as an option or a line of the file states it. Where forces and areas are two files, frames are those of the
+/// areas.
+std::optional<double> LogClock::stated(bool by_frames) {
+  const bool both = forces_ && areas_;
+  const auto option = [&](const char* name, const std::optional<double>& value) {
+    text_ = by_frames ? "times by the numbers of frames, " + rounded(*value, 6) + " a second"
+                      : "times by the " + std::string(name) + " that is stated, " + rounded(*value, 6) + " Hz";
+    return value;
+  };
+  if (metadata_.fps && (areas_ && (by_frames || both || !metadata_.rate))) return option("fps", metadata_.fps);
+  if (metadata_.rate && (!by_frames || forces_)) return option("rate", metadata_.rate);
+  const auto found = stated_rate(path_, head_);
+  if (!found) return std::nullopt;
+  text_ = std::string(by_frames ? "times by the numbers of frames and" : "times by") + " the rate in line " +
+          std::to_string(found->line) + ", " + rounded(found->rate, 6) + " Hz";
+  return found->rate;
+}
+
+/// Counts frames, or rows. Throws if their rate is not known.
+void LogClock::count_by_rate(bool column_is_empty) {
+  if (column_is_empty) {
+    empty_ = time_->index;
+    time_ = nullptr;
+  }
+  const auto rate = stated(frame_ != nullptr);
+  if (rate) {
+    rate_ = *rate;
+    return;
+  }
+  const Remedy by_rate = Remedy::set("rate", "400 Hz"), by_frames = Remedy::set("fps", "25");
+  Message text = column_is_empty ? "column 'time' is empty" : "column 'time' is missing";
+  if (frame_)
+    text += ", and '" + printable(table_.headings[frame_->index].text, 40) +
+            "' counts frames or rows: say how many a " + "second: " + (areas_ ? by_frames : by_rate);
+  else
+    text += "; state the rate of the rows, such as " + (areas_ && !forces_ ? by_frames : by_rate);
+  if (!column_is_empty) text += ", or which column it is: " + Remedy::set("columns", "time=HEADING (s)");
+  throw InputError(path_, table_.header_line, 1, text);
+}
+
+double LogClock::time_of(const CsvRow& row) {
+  if (times_.empty() && time_ && (row[time_->index].empty() || is_missing(row[time_->index]))) count_by_rate(true);
+  const std::size_t i = times_.size();
+  const std::size_t column = time_ ? time_->index : frame_ ? frame_->index : 0;
+  const auto fail = [&](const std::string& name, const std::string& what) {
+    throw InputError(path_, row.place(column), "column '" + name + "': " + what);
+  };
+  double time = 0;
+  if (empty_ && !row[*empty_].empty() && !is_missing(row[*empty_]))
+    fail("time", "the row has a time where rows above have none");
+  if (time_ && row.number(column, time))
+    time *= time_->unit.factor;
+  else if (time_ && !row[column].empty() && !is_missing(row[column]))
+    time = clock_time(row);
+  else if (time_)
+    fail("time", "the row has no time; leave it out, or " + own_times());
+  else if (frame_)
+    time = frame_time(row);
+  else
+    time = static_cast<double>(i) / rate_;
+  if (!std::isfinite(time)) fail("time", "the row has no time; leave it out, or " + own_times());
+  time += shift_;
+  if (i == 0) return time;
+  if (anew_ && i > 1 && time < times_[i - 1]) {
+    const double next = 2 * times_[i - 1] - times_[i - 2];
+    shift_ += next - time;
+    time = next;
+  }
+  if (!time_ && frame_ && !(time > times_[i - 1]))
+    fail("frame", "frame " + std::string(row[column]) + " after frame " + rounded(times_[i - 1] * rate_, 9) +
+                      ": each row needs a frame of its own");
+  if (time < times_[i - 1])
+    fail("time", rounded(time, 9) + " s after " + rounded(times_[i - 1], 9) +
+                     " s: the clock goes back; each part in which it rises is a log of its own");
+  return time;
+}
+
+void LogClock::keep(const CsvRow& row, double time) {
+  const std::size_t i = times_.size();
+  times_.push_back(time);
+  anew_ = false;
+  if (lines_.empty() || row.line() != lines_.back().line + (i - lines_.back().row)) lines_.push_back({i, row.line()});
+}
+
+double LogClock::frame_time(const CsvRow& row) const {
+  double number = 0;
+  if (!number_at(path_, row, frame_->index, "frame", number) || number != std::floor(number))
+    throw InputError(path_, row.place(frame_->index),
+                     "column 'frame': '" + printable(row[frame_->index], 40) + "' is no number of a frame");
+  return number / rate_;
+}
+
+/// The seconds from the time of the first row to this one. Without a date, a clock that goes back by hours has passed
+/// midnight.
+double LogClock::clock_time(const CsvRow& row) {
+  constexpr std::int64_t kDay = 86400;
+  const bool first = times_.empty();
+  auto time = parse_clock(row[time_->index]);
+  if (!time || (!first && (!began_ || began_->dated != time->dated)))
+    throw InputError(path_, row.place(time_->index),
+                     "column 'time': '" + printable(row[time_->index], 60) +
+                         (!time ? "' is neither a number nor a time such as 10:05:00.25 or 2026-05-01T10:05:00.25"
+                                : "' is of another kind than the times above"));
+  if (first) began_ = last_ = time;
+  if (!time->dated) {
+    time->seconds += days_ * kDay;
+    if (time->seconds < last_->seconds - kDay / 2) {
+      time->seconds += kDay;
+      ++days_;
+    }
+  }
+  last_ = time;
+  return static_cast<double>(time->seconds - began_->seconds) + (time->fraction - began_->fraction);
+}
+
+std::size_t LogClock::line_of(std::size_t i) const {
+  const auto behind = std::upper_bound(lines_.begin(), lines_.end(), i,
+                                       [](std::size_t row, const LineOfRow& one) { return row < one.row; });
+  return (behind - 1)->line + (i - (behind - 1)->row);
+}
+
+std::vector<double> LogClock::spread(std::vector<double> times, TimeBase& base) const {
+  if (const ClockFault fault = spread_times(times, base); !fault.reason.empty())
+    throw InputError(path_, line_of(fault.row), time_ && time_->index == 0 ? 1 : 0,
+                     "column 'time': " + fault.reason + ": no clock of one rate; " + own_times());
+  return times;
+}
+
+}  // namespace mixity

@@ -1,0 +1,64 @@
+// The times of the rows of a log: by a column of times, of frames, or by the rate of its rows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/logs/time_base.h"
+#include "dataset/metadata.h"
+#include "dataset/table/columns.h"
+#include "dataset/table/number.h"
+#include "dataset/table/table.h"
+
+namespace mixity {
+
+class LogClock {
+ public:
+  /// `head`: the lines above the rows, which may state a rate. Throws InputError, which names the options, if there is
+  /// neither a column of times nor a rate, and for a column of frames without frames a second. Texts and metadata must
+  /// outlive this.
+  LogClock(const std::string& path, const Table& table, const Columns& columns, const Metadata& metadata,
+           std::string_view head);
+
+  /// The time of the next row in s. Throws InputError if it has none, or it lies before that of the row above; the
+  /// clock of another table may start anew, which then follows the one before at the same step.
+  double time_of(const CsvRow& row);
+  /// Adds it to the times.
+  void keep(const CsvRow& row, double time);
+  void begin_table() { anew_ = true; }
+
+  const std::vector<double>& times() const { return times_; }
+  /// Gives rows that share a stamp times of their own (time_base.h). Throws InputError if these tell no rate.
+  std::vector<double> spread(std::vector<double> times, TimeBase& base) const;
+  /// "times by the rate in line 3, 400 Hz"; empty if a column states them.
+  const std::string& text() const { return text_; }
+
+ private:
+  double clock_time(const CsvRow& row);
+  double frame_time(const CsvRow& row) const;
+  void count_by_rate(bool column_is_empty);
+  std::size_t line_of(std::size_t row) const;
+  std::optional<double> stated(bool by_frames);
+
+  const std::string& path_;
+  const Table& table_;
+  const Metadata& metadata_;
+  std::string head_, text_;
+  const Column *time_, *frame_;  // null: there is no such column, or it is not read
+  bool forces_, areas_;
+  double rate_ = 0;                   // 1/s, of rows or frames
+  std::optional<std::size_t> empty_;  // the column of times, if it is empty
+  std::vector<double> times_;
+  double shift_ = 0;   // s, of the clock of this table
+  bool anew_ = false;  // a table begins
+  struct LineOfRow {
+    std::size_t row, line;
+  };
+  std::vector<LineOfRow> lines_;  // where rows are not on the line behind the one before
+  std::optional<ClockTime> began_, last_;
+  std::int64_t days_ = 0;
+};
+
+}  // namespace mixity

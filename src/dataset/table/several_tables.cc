@@ -1,0 +1,199 @@
+#include "dataset/table/several_tables.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/input_error.h"
+#include "base/text.h"
+#include "dataset/table/header_lines.h"
+#include "dataset/table/number.h"
+
+namespace mixity {
+namespace {
+
+constexpr std::size_t kHead = 60;  // lines between two tables that are looked at
+
+std::size_t count_filled(const CsvRow& row) {
+  std::size_t filled = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) filled += !row[i].empty();
+  return filled;
+}
+
+std::size_t count_numbers(const CsvRow& row) {
+  std::size_t numbers = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) numbers += is_number(row[i]);
+  return numbers;
+}
+
+/// The fields of a line as one text; empty if that is long.
+std::string title_of(const CsvRow& line) {
+  constexpr std::size_t kLongest = 40;
+  std::string title;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (!line[i].empty()) title += (title.empty() ? "" : " ") + std::string(line[i]);
+  return title.size() <= kLongest ? printable(title, kLongest) : "";
+}
+
+std::string title_letters(const std::string& title) {
+  std::string letters = folded(title);
+  std::erase_if(letters, is_digit);
+  return letters;
+}
+
+bool has_a_digit(const std::string& text) { return std::any_of(text.begin(), text.end(), is_digit); }
+
+/// A line of a text, kept while it may belong to the head of a table.
+struct HeadLine {
+  CsvRow row;
+  std::size_t offset;
+};
+
+/// Where a table lies in the text.
+struct TablePart {
+  std::size_t offset, line;             // of the first line of its head
+  std::size_t headings, first_row = 0;  // lines; of a part without headings the same
+  std::size_t row_offset = 0;           // of the first row
+  std::size_t last_line = 0;
+  std::string title;
+  bool has_headings;
+};
+
+/// The line that may be the headings of a row; null if there is none.
+const HeadLine* headings_above(const std::vector<HeadLine>& above, const CsvRow& row) {
+  const std::size_t numbers = count_numbers(row);
+  const auto found = std::find_if(above.rbegin(), above.rend(), [&](const HeadLine& line) {
+    return !has_a_number(line.row) && !is_row_of_units(line.row, {}) && count_filled(line.row) >= 2 &&
+           count_filled(line.row) + 1 >= numbers;
+  });
+  return found == above.rend() ? nullptr : &*found;
+}
+
+/// Finds where tables begin and end.
+class TableParts {
+ public:
+  explicit TableParts(const ListingRules& rules) : rows_(rules.rows), title_(rules.title) {}
+
+  void take(const CsvRow& row, std::size_t offset) {
+    const bool may_be_data =
+        is_row_of_numbers(row) && !(rows_ ? is_title(row, *rows_) : RowForm(row).begins_with_words);
+    if (const HeadLine* const headings = may_be_data ? headings_above(above_, row) : nullptr)
+      begin(*headings, true);
+    else if (may_be_data && rows_ && !above_.empty() && repeats_title(above_.back()))
+      begin(above_.back(), false);
+    if (!may_be_data || !rows_) {
+      if (above_.size() == kHead) above_.erase(above_.begin());
+      above_.push_back({row, offset});
+      return;
+    }
+    above_.clear();
+    if (parts_.empty()) return;
+    TablePart& last = parts_.back();
+    if (last.first_row == 0) {
+      rows_ = RowForm(row);
+      last.first_row = row.line();
+      last.row_offset = offset;
+    }
+    last.last_line = row.line();
+  }
+
+  std::vector<TablePart> found() && { return std::move(parts_); }
+
+ private:
+  bool repeats_title(const HeadLine& line) const {
+    const std::string title = title_of(line.row);
+    return !title_.empty() && title != title_ && has_a_digit(title) && title_letters(title) == title_letters(title_);
+  }
+
+  void begin(const HeadLine& headings, bool has_headings) {
+    std::string title;
+    for (const HeadLine& line : above_) {
+      if (has_headings && line.row.line() >= headings.row.line()) break;
+      if (!is_row_of_units(line.row, {})) title = title_of(line.row);
+    }
+    parts_.push_back(
+        {above_.front().offset, above_.front().row.line(), headings.row.line(), 0, 0, 0, title, has_headings});
+    title_ = title;
+    rows_ = RowForm{};
+  }
+
+  std::vector<TablePart> parts_;
+  std::vector<HeadLine> above_;  // lines of words since the last row of numbers
+  std::optional<RowForm> rows_;  // of the table that goes on
+  std::string title_;
+};
+
+}  // namespace
+
+RowForm::RowForm(const CsvRow& row) : numbers(count_numbers(row)) {
+  std::size_t i = 0;
+  while (i < row.size() && row[i].empty()) ++i;
+  begins_with_words =
+      i < row.size() && row[i].find_first_of("+-.,0123456789") != 0 && !is_missing(row[i]) && !is_number(row[i]);
+}
+
+bool is_title(const CsvRow& line, const RowForm& rows) {
+  const RowForm form(line);
+  return form.begins_with_words && !rows.begins_with_words && form.numbers < rows.numbers;
+}
+
+std::vector<ListedTable> list_tables(std::string_view text, std::size_t first_line, const ListingRules& rules) {
+  TableParts parts(rules);
+  CsvSplitter splitter({}, rules.format, first_line);
+  try {
+    std::string_view rest = text;
+    for (CsvRow row; splitter.next(rest, true, row);)
+      if (!row.is_comment()) parts.take(row, static_cast<std::size_t>(row.raw().data() - text.data()));
+  } catch (const InputError&) {  // of quotes, which are reported when the rows are read
+  }
+  const std::vector<TablePart> found = std::move(parts).found();
+  std::vector<ListedTable> tables;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const TablePart& part = found[k];
+    ListedTable listed{{}, part.title, part.line, part.headings, part.last_line};
+    if (part.has_headings) {
+      const std::size_t end = k + 1 < found.size() ? found[k + 1].offset : text.size();
+      std::optional<Table> table;
+      try {
+        table = find_table(rules.path, text.substr(part.offset, end - part.offset), rules.format.line_end,
+                           rules.columns, rules.decimal);
+      } catch (const InputError&) {  // of its units: its rows will not be understood
+      }
+      if (!table) continue;
+      const std::size_t before = part.line - 1;
+      table->offset += part.offset;
+      for (std::size_t* const line : {&table->line, &table->header_line, &table->units_line, &table->summary_line})
+        if (*line > 0) *line += before;
+      for (std::size_t& line : table->passed_over) line += before;
+      if (table->header_line > 0) listed.first_line = table->header_line;
+      listed.table = std::move(*table);
+    } else {
+      listed.table.format = rules.format;
+      listed.table.offset = part.row_offset;
+      listed.table.line = part.first_row;
+    }
+    tables.push_back(std::move(listed));
+  }
+  return tables;
+}
+
+bool same_headings(const Table& one, const Table& other) {
+  return one.headings.empty() || other.headings.empty() ||
+         std::equal(one.headings.begin(), one.headings.end(), other.headings.begin(), other.headings.end(),
+                    [](const Heading& first, const Heading& second) {
+                      return folded(first.name) == folded(second.name) && first.unit == second.unit;
+                    });
+}
+
+std::string headings_text(const Table& table) {
+  constexpr std::size_t kShown = 8;
+  std::string text;
+  for (std::size_t i = 0; i < table.headings.size(); ++i) {
+    if (i == kShown) return text + ", ...";
+    const Heading& heading = table.headings[i];
+    text += (text.empty() ? "" : ", ") + printable(heading.name, 40);
+    if (heading.unit) text += " [" + printable(*heading.unit, 20) + "]";
+  }
+  return text;
+}
+
+}  // namespace mixity

@@ -1,0 +1,56 @@
+// The rate of the rows as instruments write it above their tables.
+#include "dataset/logs/stated_rate.h"
+
+#include <gtest/gtest.h>
+
+#include "base/input_error.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+namespace stated_rate_test {
+
+TEST(StatedRates, AreReadInTheWordsOfInstruments) {
+  for (const auto& [line, rate] :
+       std::vector<std::pair<std::string, double>>{{"Sampling rate [Hz]:\t400", 400},
+                                                   {"Sample rate: 400 Hz", 400},
+                                                   {"Sampling interval, 2.5 ms", 400},
+                                                   {"Delta_X\t0.0025\t0.0025\t0.0025\t", 400},
+                                                   {"Delta_X\t0,0025", 400},
+                                                   {"# acquisition rate = 1 kHz", 1000},
+                                                   {"\"Data Acquisition Rate\",\"100\",\"Hz\"", 100},
+                                                   {"Abtastrate;0,5 kHz", 500},
+                                                   {"Abtastrate in Hz;50,0", 50},
+                                                   {"Frame rate (fps),25,,,", 25},
+                                                   {"FPS: 12.5", 12.5},
+                                                   {"Sampling Rate 128 S/s", 128},
+                                                   {"% dt = 0.01", 100},
+                                                   {"Sample Interval,1.000000e-03,s", 1000},
+                                                   {"Samples per second: 20", 20},
+                                                   {"Fréquence d'échantillonnage : 200 Hz", 200},
+                                                   {"Scan interval (µs)\t500", 2000},
+                                                   {"Rate: 40 Hz", 40}}) {
+    const auto found = stated_rate("a.txt", "Test 7, 3.5.2026\n" + line + "\nSpeed: 0.1 mm/s\n");
+    ASSERT_TRUE(found) << line;
+    EXPECT_NEAR(found->rate, rate, 1e-9 * rate) << line;  // a quotient of two decimal numbers
+    EXPECT_EQ(found->line, 2u);
+  }
+}
+
+TEST(StatedRates, AreNotTakenFromOtherNumbers) {
+  for (const std::string line :
+       {"Shear rate: 0.1 1/s", "Oscillation frequency: 1 Hz", "Sampling interval: 2.5", "Loading rate (mN/s): 4",
+        "Sample: 400", "Samples\t400\t400", "Rate: 0.1", "Sample rate: fast", "Sample rate: 1,000 Hz",
+        "Date: 2026-05-01", "Sample rate: 0 Hz", "X0\t0.5"})
+    EXPECT_FALSE(stated_rate("a.txt", line + "\n")) << line;
+}
+
+TEST(StatedRates, ThatContradictEachOtherAreRefused) {
+  EXPECT_EQ(stated_rate("a.txt", "Sample rate: 400 Hz\r\nInterval\r\nSampling interval: 2.5 ms\r\n")->line, 1u);
+  EXPECT_EQ(
+      input_error([] { stated_rate("a.txt", "Sample rate: 400 Hz\r\n\r\nFrame rate: 25 Hz\r\n"); }),
+      "a.txt:3:1: states a rate of 25 Hz, line 1 one of 400 Hz; say which is that of the rows: --rate=\"400 Hz\", "
+      "or the key rate");
+}
+
+}  // namespace stated_rate_test
+}  // namespace mixity
