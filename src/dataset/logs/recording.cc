@@ -24,9 +24,10 @@ struct Channel {
 
 class LogReader : public UseOfRows {
  public:
-  LogReader(const std::string& path, const Metadata& metadata, Inputs& inputs)
+  LogReader(const std::string& path, const Metadata& metadata, Inputs& inputs, bool one_of_two)
       : file_(path, inputs), metadata_(metadata), rules_(rules_of(metadata, inputs)) {
     rules_.log = true;
+    rules_.shared_mapping = one_of_two;
     recording_.path = path;
   }
 
@@ -171,8 +172,18 @@ class LogReader : public UseOfRows {
 
 }  // namespace
 
-Recording read_recording(const std::string& path, const Metadata& metadata, Inputs& inputs) {
-  return LogReader(path, metadata, inputs).read();
+std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata) {
+  Inputs inputs;
+  CsvFile file(path, inputs);
+  ColumnRules rules = rules_of(metadata, inputs);
+  rules.log = rules.shared_mapping = true;
+  const std::string_view start = file.start();  // which finds the line ends
+  const auto table = find_table(path, start, file.line_end(), rules, metadata.decimal);
+  return table ? table->headings : std::vector<Heading>{};
+}
+
+Recording read_recording(const std::string& path, const Metadata& metadata, Inputs& inputs, bool one_of_two) {
+  return LogReader(path, metadata, inputs, one_of_two).read();
 }
 
 }  // namespace mixity

@@ -6,6 +6,7 @@
 
 #include "dataset/logs/time_base.h"
 #include "dataset/metadata.h"
+#include "dataset/table/heading.h"
 
 namespace mixity {
 
@@ -26,11 +27,15 @@ struct Recording {
 
 /// Reads a log with a column of times, and P and T, or A (or a, or axes), or all of these, with units. The load may be
 /// stated beside the file, as for data. Throws InputError as load_dataset does, and for times that go back, or
-/// that rows share in a way that no constant rate explains (time_base.h).
-Recording read_recording(const std::string& path, const Metadata& metadata, Inputs& inputs);
+/// that rows share in a way that no constant rate explains (time_base.h). `one_of_two`: the mapping of columns is that
+/// of two files, and this one may lack some.
+Recording read_recording(const std::string& path, const Metadata& metadata, Inputs& inputs, bool one_of_two = false);
 inline Recording read_recording(const std::string& path, const Metadata& metadata) {
   Inputs inputs;
   return read_recording(path, metadata, inputs);
 }
+
+/// The headings of its table; none if it has no table.
+std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata);
 
 }  // namespace mixity

@@ -9,27 +9,56 @@
 #include "dataset/logs/clocks.h"
 #include "dataset/logs/coarse_lag.h"
 #include "dataset/logs/contacts.h"
+#include "dataset/table/column_names.h"
+#include "dataset/table/several_tables.h"
 #include "statistics/noise.h"
 #include "statistics/readings.h"
 
 namespace mixity {
 namespace {
 
+/// Throws for a quantity of the mapping whose column is in neither file.
+void require_mapped(const std::vector<std::string>& paths, const Overrides& constants) {
+  Metadata metadata;
+  apply_overrides(constants, metadata);
+  ColumnRules rules;
+  rules.mapping = metadata.columns;
+  std::string there;
+  for (const std::string& path : paths) {
+    const std::vector<Heading> headings = headings_of_log(path, metadata);
+    for (const ColumnId id : mapped_in(headings, rules)) metadata.columns.erase(std::string(to_string(id)));
+    Table table;
+    table.headings = headings;
+    there += (there.empty() ? "" : "; ") + headings_text(table);
+  }
+  for (const auto& [name, heading] : metadata.columns)
+    throw InputError(paths[0], "no column '" + heading + "', which is to be " + name + ", and none in " + paths[1] +
+                                   "; there are " + there);
+}
+
 /// One recording of forces and areas, or two, of forces and of areas. The first file with forces gives the forces.
 std::vector<Recording> read_logs(const std::vector<std::string>& paths, const Overrides& constants,
                                  Metadata& metadata) {
   Inputs inputs;
   std::vector<Recording> logs;
+  const bool mapped = paths.size() > 1 && std::any_of(constants.begin(), constants.end(),
+                                                      [](const auto& one) { return one.first == "columns"; });
   for (const std::string& path : paths) {
     Metadata own = read_metadata(metadata_path(path), inputs);
     apply_overrides(constants, own);
-    logs.push_back(read_recording(path, own, inputs));
+    try {
+      logs.push_back(read_recording(path, own, inputs, mapped));
+    } catch (const InputError&) {
+      if (mapped) require_mapped(paths, constants);
+      throw;
+    }
     if (logs.size() == 1)
       metadata = own;
     else if (const std::string problem = add_constants(own, metadata); !problem.empty())
       throw InputError(metadata_path(path), problem);
   }
   Recording& first = logs.front();
+  if (mapped) require_mapped(paths, constants);
   if (logs.size() == 1) {
     if (!first.holds_forces() || !first.holds_areas())
       throw InputError(paths[0], std::string("holds no ") + (first.holds_forces() ? "areas" : "forces") +
