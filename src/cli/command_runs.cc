@@ -28,23 +28,22 @@ std::optional<double> seconds(const std::string& flag) {
 }  // namespace
 
 int run_runs(const Arguments& arguments) {
-  if (arguments.empty() || arguments.size() > 2)
-    throw UsageError("runs needs a log, or one of forces and one of areas (see mixity help runs)");
-  const ReducedLog log =
-      reduce_log(arguments, data_overrides(),
-                 {seconds("lag"), is_set("zero_drift") ? std::optional(FLAGS_zero_drift) : std::nullopt, FLAGS_cuts});
-  if (log.runs.runs.empty()) {
-    std::cout << runs_text(log, in_flags);
+  if (arguments.empty()) throw UsageError("runs needs a log, or one of forces and one of areas (see mixity help runs)");
+  const ReducedLogs logs =
+      reduce_logs(arguments, data_overrides(),
+                  {seconds("lag"), is_set("zero_drift") ? std::optional(FLAGS_zero_drift) : std::nullopt, FLAGS_cuts});
+  if (has_no_run(logs)) {
+    std::cout << runs_text(logs, in_flags);
     refuse_without_runs(arguments[0]);
   }
   if (!FLAGS_out.empty()) {
-    const RunsOutput output = runs_output(log, FLAGS_out, figure_formats(), in_flags, progress_line("figures"));
+    const RunsOutput output = runs_output(logs, FLAGS_out, figure_formats(), in_flags, progress_line("figures"));
     std::vector<std::string> inputs(arguments.begin(), arguments.end());
     for (const std::string& path : arguments) inputs.push_back(metadata_path(path));
     write_outputs(output.files, inputs);
     if (!output.missing.empty()) warn(output.missing);
   }
-  std::cout << runs_text(log, in_flags);
+  std::cout << runs_text(logs, in_flags);
   if (!FLAGS_out.empty())
     std::cout << "Written to " << FLAGS_out << "; next: mixity report " << FLAGS_out << "/fit.toml --out=DIR\n";
   return kFine;

@@ -13,6 +13,11 @@
 namespace mixity {
 namespace {
 
+/// Not the vector itself, which would become a list.
+struct Reduction {
+  ReducedLogs logs;
+};
+
 std::string checked_files(const std::vector<std::string>& paths, const Stated& constants) {
   const nb::gil_scoped_release released;
   const auto load = [&](const Overrides& with) {
@@ -91,27 +96,28 @@ void bind_reports(nb::module_& m) {
   m.def("checked_files", &checked_files);
   m.def("checked_data", &checked_data);
   m.def("report", &report, nb::arg(), nb::arg().none(), nb::arg(), nb::arg(), nb::arg().none());
-  nb::class_<ReducedLog>(m, "ReducedLog")
-      .def("csv", [](const ReducedLog& log) { return runs_csv(log); })
-      .def("toml", [](const ReducedLog& log) { return runs_toml(log); })
-      .def("peaks", [](const ReducedLog& log) { return peaks_csv(log); })
-      .def("phases", [](const ReducedLog& log) { return phases_csv(log); })
-      .def("text", [](const ReducedLog& log) { return runs_text(log, in_keywords); })
+  nb::class_<Reduction>(m, "ReducedLog")
+      .def("csv", [](const Reduction& of) { return runs_csv(of.logs); })
+      .def("toml", [](const Reduction& of) { return runs_toml(of.logs); })
+      .def("peaks", [](const Reduction& of) { return peaks_csv(of.logs); })
+      .def("phases", [](const Reduction& of) { return phases_csv(of.logs); })
+      .def("text", [](const Reduction& of) { return runs_text(of.logs, in_keywords); })
       .def("save",
-           [](const ReducedLog& log, const std::string& folder, const std::string& formats, bool force,
+           [](const Reduction& of, const std::string& folder, const std::string& formats, bool force,
               const std::vector<std::string>& inputs) {
              const FigureFormats wanted = formats_of(formats);
              const nb::gil_scoped_release released;
-             RunsOutput output = runs_output(log, folder, wanted, in_keywords);
+             RunsOutput output = runs_output(of.logs, folder, wanted, in_keywords);
              keep_former(output.files);
              std::vector<std::string> read = inputs;
              for (const std::string& path : inputs) read.push_back(metadata_path(path));
              write_files(output.files, {read, force, {}});
              return output.missing;
            })
-      .def("runs", [](const ReducedLog& log) {
+      .def("runs", [](const Reduction& of) {
         nb::list all;
-        for (const LoadingRun& run : log.runs.runs) all.append(shown(run));
+        for (const ReducedLog& log : of.logs)
+          for (const LoadingRun& run : log.runs.runs) all.append(shown(run));
         return all;
       });
   m.def(
@@ -119,9 +125,9 @@ void bind_reports(nb::module_& m) {
       [](const std::vector<std::string>& paths, const Stated& constants, std::optional<double> lag,
          std::optional<bool> drift, const std::string& cuts) {
         const nb::gil_scoped_release released;
-        ReducedLog log = reduce_log(paths, constants, {lag, drift, cuts});
-        if (log.runs.runs.empty()) refuse_without_runs(paths[0]);
-        return log;
+        ReducedLogs logs = reduce_logs(paths, constants, {lag, drift, cuts});
+        if (has_no_run(logs)) refuse_without_runs(paths[0]);
+        return Reduction{std::move(logs)};
       },
       nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg());
 }

@@ -173,5 +173,32 @@ TEST(PooledFiles, GiveTheNumbersOfOneFileAndOfTheDefinitionThatIsSaved) {
     }
 }
 
+TEST(RunsCommand, MapsColumnsInTheFileThatHasThem) {
+  const TemporaryFolder folder;
+  const auto seen = [&](const std::string& mapping, const std::string& forces, const std::string& areas,
+                        const std::string& constant = "--lag=0 s") {
+    return run_program(
+        {"runs", folder.write("F.csv", forces), folder.write("A.csv", areas), "--columns=" + mapping, constant});
+  };
+  const std::string forces = "time [s],Kanal 1 [mN],Kanal 2 [mN]\n0,0,0\n0.1,4,0\n0.2,4,5\n0.3,4,10\n",
+                    areas = "time [s],A [mm^2]\n0,0\n0.1,0.35\n0.2,0.349\n0.3,0.347\n",
+                    german = "Zeit [s];Kanal 7 [mm^2]\n0;0\n0,1;0,35\n0,2;0,349\n0,3;0,347\n";
+  for (const ProgramResult& one :
+       {seen("P=Kanal 1 (mN),T=Kanal 2 (mN)", forces, areas), seen("P=Kanal 1,T=Kanal 2", forces, areas),
+        seen("P=2,T=3", forces, areas), seen("P=2,T=3,A=2", forces, german),
+        seen("P=Kanal 1,T=Kanal 2,A=Kanal 7,time=1", forces, german)})
+    EXPECT_NE(one.out.find("4 frames, 10 a second"), std::string::npos) << one.out << one.err;
+  const ProgramResult swapped = run_program(
+      {"runs", folder.path("A.csv"), folder.path("F.csv"), "--columns=P=Kanal 1,T=Kanal 2,A=Kanal 7", "--lag=0 s"});
+  EXPECT_NE(swapped.out.find("4 frames, 10 a second"), std::string::npos) << swapped.err;
+  EXPECT_EQ(
+      folder.left_out_of(seen("P=Kanal 1,T=Kanal 9", forces, areas).complaint()),
+      "mixity: F.csv: no column 'Kanal 9', which is to be T, and none in A.csv; there are time [s], Kanal 1 [mN], "
+      "Kanal 2 [mN]; time [s], A [mm^2]");
+  EXPECT_EQ(folder.left_out_of(seen("P=Kanal 1 (N),T=Kanal 2 (N)", forces, areas).complaint()),
+            "mixity: F.csv:1:10: column 'Kanal 1 [mN]' is in mN, the mapping says N; to read it as the file says: "
+            "--columns=\"P=Kanal 1,T=Kanal 2\"");
+}
+
 }  // namespace command_runs_test
 }  // namespace mixity::cli

@@ -211,7 +211,7 @@ class Finder {
   }
 
   std::string name_of(double P) const {
-    std::vector<std::string> names;
+    std::vector<std::string> names = options_.taken;
     for (const LoadingRun& run : found_.runs) names.push_back(run.name);
     return distinct_name("P=" + rounded(P / factor_, 3) + " " + unit_, names);
   }

@@ -46,6 +46,7 @@ struct StatedCut {
 struct RunOptions {
   std::map<std::string, StatedCut> cuts{};  // by name of the run
   bool by_shear_alone = false;              // find the onset of sliding without the area
+  std::vector<std::string> taken{};         // names that other runs have
   std::optional<bool> drift{};              // subtract a line through the baselines of all runs; null: if significant
 };
 

@@ -96,6 +96,7 @@ double LogClock::time_of(const CsvRow& row) {
     shift_ += next - time;
     time = next;
   }
+  if (time < times_[i - 1] && starts_anew(time)) return time;
   if (!time_ && frame_ && !(time > times_[i - 1]))
     fail("frame", "frame " + std::string(row[column]) + " after frame " + rounded(times_[i - 1] * rate_, 9) +
                       ": each row needs a frame of its own");
@@ -105,8 +106,16 @@ double LogClock::time_of(const CsvRow& row) {
   return time;
 }
 
+/// Whether this time, which lies before that of the row above, is about the first of the log.
+bool LogClock::starts_anew(double time) const {
+  constexpr double kSteps = 2;
+  const std::size_t first = logs_.back();
+  return times_.size() > first + 2 && std::abs(time - times_[first]) <= kSteps * (times_[first + 1] - times_[first]);
+}
+
 void LogClock::keep(const CsvRow& row, double time) {
   const std::size_t i = times_.size();
+  if (logs_.empty() || time < times_[i - 1]) logs_.push_back(i);
   times_.push_back(time);
   anew_ = false;
   if (lines_.empty() || row.line() != lines_.back().line + (i - lines_.back().row)) lines_.push_back({i, row.line()});
@@ -149,9 +158,9 @@ std::size_t LogClock::line_of(std::size_t i) const {
   return (behind - 1)->line + (i - (behind - 1)->row);
 }
 
-std::vector<double> LogClock::spread(std::vector<double> times, TimeBase& base) const {
+std::vector<double> LogClock::spread(std::vector<double> times, std::size_t first, TimeBase& base) const {
   if (const ClockFault fault = spread_times(times, base); !fault.reason.empty())
-    throw InputError(path_, line_of(fault.row), time_ && time_->index == 0 ? 1 : 0,
+    throw InputError(path_, line_of(first + fault.row), time_ && time_->index == 0 ? 1 : 0,
                      "column 'time': " + fault.reason + ": no clock of one rate; " + own_times());
   return times;
 }

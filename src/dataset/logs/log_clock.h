@@ -22,16 +22,21 @@ class LogClock {
   LogClock(const std::string& path, const Table& table, const Columns& columns, const Metadata& metadata,
            std::string_view head);
 
-  /// The time of the next row in s. Throws InputError if it has none, or it lies before that of the row above; the
-  /// clock of another table may start anew, which then follows the one before at the same step.
+  /// The time of the next row in s. A clock that starts anew begins another log; that of another table follows the
+  /// table before at the same step. Throws InputError if the row has no time, or if the clock goes back otherwise.
   double time_of(const CsvRow& row);
   /// Adds it to the times.
   void keep(const CsvRow& row, double time);
   void begin_table() { anew_ = true; }
 
   const std::vector<double>& times() const { return times_; }
-  /// Gives rows that share a stamp times of their own (time_base.h). Throws InputError if these tell no rate.
-  std::vector<double> spread(std::vector<double> times, TimeBase& base) const;
+  /// The first row of each log; none without rows.
+  const std::vector<std::size_t>& logs() const { return logs_; }
+  /// The line of the file that has this row.
+  std::size_t line_of(std::size_t row) const;
+  /// Gives rows that share a stamp times of their own (time_base.h). `first`: the row of the first time. Throws
+  /// InputError if no constant rate explains them.
+  std::vector<double> spread(std::vector<double> times, std::size_t first, TimeBase& base) const;
   /// "times by the rate in line 3, 400 Hz"; empty if a column states them.
   const std::string& text() const { return text_; }
 
@@ -39,7 +44,7 @@ class LogClock {
   double clock_time(const CsvRow& row);
   double frame_time(const CsvRow& row) const;
   void count_by_rate(bool column_is_empty);
-  std::size_t line_of(std::size_t row) const;
+  bool starts_anew(double time) const;
   std::optional<double> stated(bool by_frames);
 
   const std::string& path_;
@@ -51,6 +56,7 @@ class LogClock {
   double rate_ = 0;                   // 1/s, of rows or frames
   std::optional<std::size_t> empty_;  // the column of times, if it is empty
   std::vector<double> times_;
+  std::vector<std::size_t> logs_;
   double shift_ = 0;   // s, of the clock of this table
   bool anew_ = false;  // a table begins
   struct LineOfRow {

@@ -10,6 +10,7 @@
 #include "dataset/table/columns.h"
 #include "dataset/table/csv_file.h"
 #include "dataset/table/table_rows.h"
+#include "statistics/readings.h"
 
 namespace mixity {
 namespace {
@@ -24,13 +25,14 @@ struct Channel {
 
 class LogReader : public UseOfRows {
  public:
-  LogReader(const std::string& path, const Metadata& metadata, Inputs& inputs)
+  LogReader(const std::string& path, const Metadata& metadata, Inputs& inputs, bool one_of_two)
       : file_(path, inputs), metadata_(metadata), rules_(rules_of(metadata, inputs)) {
     rules_.log = true;
+    rules_.shared_mapping = one_of_two;
     recording_.path = path;
   }
 
-  Recording read() {
+  std::vector<Recording> read() {
     TableRows rows(recording_.path, file_,
                    {rules_, metadata_.decimal, number_of_table(metadata_),
                     [&](const Table& table) { return holds_readings(table); }});
@@ -43,14 +45,19 @@ class LogReader : public UseOfRows {
     if (!clock_->text().empty()) recording_.reading += ", " + clock_->text();
     for (const auto& [line, names] : rows.other_tables())
       recording_.reading += ", the table in line " + std::to_string(line) + " not read";
-    if (clock_->times().size() < 3) throw InputError(recording_.path, "holds fewer than three rows of a log");
-    take_times();
-    const std::size_t n = recording_.time.size();
-    using enum ColumnId;
-    recording_.T = values(T);
-    recording_.A = has(A) ? values(A) : areas();
-    recording_.P = has(P) || !has(T) ? values(P) : std::vector<double>(n, metadata_.load.value_or(0));
-    return std::move(recording_);
+    std::vector<std::size_t> begins = clock_->logs();
+    if (begins.size() < 2) return {recording_of(0, clock_->times().size())};
+    std::vector<Recording> logs;
+    const std::vector<Channel> all = std::move(channels_);
+    begins.push_back(clock_->times().size());
+    for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
+      channels_.clear();
+      for (const Channel& one : all)
+        channels_.push_back({one.id, one.index, one.factor, part_of(one.values, begins[k], begins[k + 1])});
+      logs.push_back(recording_of(begins[k], begins[k + 1]));
+      logs.back().line = clock_->line_of(begins[k]);
+    }
+    return logs;
   }
 
   void row(const CsvRow& row) override {
@@ -73,9 +80,24 @@ class LogReader : public UseOfRows {
     return given ? value * channel.factor : std::nan("");
   }
 
+  /// The log in rows begin..end (end excluded), whose values the channels hold.
+  Recording recording_of(std::size_t begin, std::size_t end) {
+    using enum ColumnId;
+    Recording log = recording_;
+    if (end < begin + 3) {
+      const bool whole = end == clock_->times().size() && begin == 0;
+      throw InputError(log.path, whole ? 0 : clock_->line_of(begin), 0, "holds fewer than three rows of a log");
+    }
+    log.time = times_of(begin, end, log.clock);
+    log.T = values(T);
+    log.A = has(A) ? values(A) : areas();
+    log.P = has(P) || !has(T) ? values(P) : std::vector<double>(log.time.size(), metadata_.load.value_or(0));
+    return log;
+  }
+
   /// Rows that share a time: left out if each repeats the row before it, otherwise spread over the step of the clock.
-  void take_times() {
-    std::vector<double> stamps = clock_->times();
+  std::vector<double> times_of(std::size_t begin, std::size_t end, TimeBase& clock) {
+    std::vector<double> stamps = part_of(clock_->times(), begin, end);
     const auto shares = [&](std::size_t i) { return i > 0 && stamps[i] == stamps[i - 1]; };
     const auto repeats = [&](std::size_t i) {
       return std::all_of(channels_.begin(), channels_.end(), [&](const Channel& one) {
@@ -90,7 +112,7 @@ class LogReader : public UseOfRows {
       else
         all_repeat = repeats(i);
     if (all_repeat && kept.size() >= 3 && kept.size() < stamps.size()) {
-      recording_.clock.repeated = stamps.size() - kept.size();
+      clock.repeated = stamps.size() - kept.size();
       const auto keep = [&](std::vector<double>& values) {
         for (std::size_t k = 0; k < kept.size(); ++k) values[k] = values[kept[k]];
         values.resize(kept.size());
@@ -98,7 +120,7 @@ class LogReader : public UseOfRows {
       for (Channel& one : channels_) keep(one.values);
       keep(stamps);
     }
-    recording_.time = clock_->spread(std::move(stamps), recording_.clock);
+    return clock_->spread(std::move(stamps), begin, clock);
   }
 
   bool holds_readings(const Table& table) const {
@@ -171,8 +193,19 @@ class LogReader : public UseOfRows {
 
 }  // namespace
 
-Recording read_recording(const std::string& path, const Metadata& metadata, Inputs& inputs) {
-  return LogReader(path, metadata, inputs).read();
+std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata) {
+  Inputs inputs;
+  CsvFile file(path, inputs);
+  ColumnRules rules = rules_of(metadata, inputs);
+  rules.log = rules.shared_mapping = true;
+  const std::string_view start = file.start();  // which finds the line ends
+  const auto table = find_table(path, start, file.line_end(), rules, metadata.decimal);
+  return table ? table->headings : std::vector<Heading>{};
+}
+
+std::vector<Recording> read_recordings(const std::string& path, const Metadata& metadata, Inputs& inputs,
+                                       bool one_of_two) {
+  return LogReader(path, metadata, inputs, one_of_two).read();
 }
 
 }  // namespace mixity

@@ -6,12 +6,14 @@
 
 #include "dataset/logs/time_base.h"
 #include "dataset/metadata.h"
+#include "dataset/table/heading.h"
 
 namespace mixity {
 
 /// Values are in SI. Quantities without a column are empty; empty fields are NaN.
 struct Recording {
   std::string path;
+  std::size_t line = 0;      // of the first row; 0 if the file has one log
   std::vector<double> time;  // s, rising
   TimeBase clock;
   std::vector<double> P, T, A;
@@ -24,13 +26,18 @@ struct Recording {
   bool holds_areas() const { return !A.empty(); }
 };
 
-/// Reads a log with a column of times, and columns P and T, or A (or a, or axes), or all of these, with units. The load
-/// may be stated beside the file, as for data. Throws InputError as load_dataset does, for decreasing times, and for
-/// repeated times that no constant rate explains (time_base.h).
-Recording read_recording(const std::string& path, const Metadata& metadata, Inputs& inputs);
-inline Recording read_recording(const std::string& path, const Metadata& metadata) {
+/// Reads the logs of a file, each with a column of times or a rate, and columns P and T, or A (or a, or axes), or all
+/// of these, with units. A file has several logs if its clock starts anew. The load may be stated beside the file, as
+/// for data. Throws InputError as load_dataset does, for decreasing times, and for repeated times that no constant rate
+/// explains (time_base.h). `one_of_two`: the mapping of columns is that of two files, and this one may lack some.
+std::vector<Recording> read_recordings(const std::string& path, const Metadata& metadata, Inputs& inputs,
+                                       bool one_of_two = false);
+inline std::vector<Recording> read_recordings(const std::string& path, const Metadata& metadata) {
   Inputs inputs;
-  return read_recording(path, metadata, inputs);
+  return read_recordings(path, metadata, inputs);
 }
+
+/// The headings of its table; none if it has no table.
+std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata);
 
 }  // namespace mixity

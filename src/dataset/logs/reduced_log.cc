@@ -9,37 +9,89 @@
 #include "dataset/logs/clocks.h"
 #include "dataset/logs/coarse_lag.h"
 #include "dataset/logs/contacts.h"
+#include "dataset/table/column_names.h"
+#include "dataset/table/several_tables.h"
 #include "statistics/noise.h"
 #include "statistics/readings.h"
 
 namespace mixity {
 namespace {
 
-/// One recording of forces and areas, or two, of forces and of areas. The first file with forces provides them.
-std::vector<Recording> read_logs(const std::vector<std::string>& paths, const Overrides& constants,
-                                 Metadata& metadata) {
+/// Throws for a quantity of the mapping whose column is in neither file.
+void require_mapped(const std::vector<std::string>& paths, const Overrides& constants) {
+  Metadata metadata;
+  apply_overrides(constants, metadata);
+  ColumnRules rules;
+  rules.mapping = metadata.columns;
+  std::string there;
+  for (const std::string& path : paths) {
+    const std::vector<Heading> headings = headings_of_log(path, metadata);
+    for (const ColumnId id : mapped_in(headings, rules)) metadata.columns.erase(std::string(to_string(id)));
+    Table table;
+    table.headings = headings;
+    there += (there.empty() ? "" : "; ") + headings_text(table);
+  }
+  for (const auto& [name, heading] : metadata.columns)
+    throw InputError(paths[0], "no column '" + heading + "', which is to be " + name + ", and none in " +
+                                   (paths.size() == 2 ? paths[1] : "the others") + "; there are " + there);
+}
+
+/// The recordings of one log: of forces and areas, or of forces and then of areas.
+using Recordings = std::vector<Recording>;
+
+bool is_complete(const Recording& one) { return one.holds_forces() && one.holds_areas(); }
+
+/// The logs of files that each hold both, or of files in pairs. The first file of a pair with forces provides them.
+std::vector<Recordings> logs_of(std::vector<Recordings> files) {
+  std::vector<Recordings> logs;
+  if (std::all_of(files.begin(), files.end(), [](const Recordings& file) { return is_complete(file.front()); })) {
+    for (Recordings& file : files)
+      for (Recording& one : file) logs.push_back({std::move(one)});
+    return logs;
+  }
+  if (files.size() % 2 != 0) {
+    const auto part = std::find_if(files.begin(), files.end(), [](const auto& file) { return !is_complete(file[0]); });
+    throw InputError(part->front().path, std::string("holds no ") +
+                                             (part->front().holds_forces() ? "areas" : "forces") +
+                                             "; name the file that does, too: mixity runs FORCES.csv AREAS.csv");
+  }
+  for (std::size_t k = 0; k < files.size(); k += 2) {
+    Recordings &forces = files[k], &areas = files[k + 1];
+    if (!forces[0].holds_forces()) std::swap(forces, areas);
+    if (!forces[0].holds_forces())
+      throw InputError(forces[0].path, "holds no forces, and neither does " + areas[0].path);
+    if (!areas[0].holds_areas()) throw InputError(areas[0].path, "holds no areas");
+    if (forces.size() != areas.size())
+      throw InputError(forces[0].path, "has " + std::to_string(forces.size()) +
+                                           " logs, as its clock starts anew, and " + areas[0].path + " has " +
+                                           std::to_string(areas.size()));
+    for (std::size_t i = 0; i < forces.size(); ++i) logs.push_back({std::move(forces[i]), std::move(areas[i])});
+  }
+  return logs;
+}
+
+std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const Overrides& constants,
+                                  Metadata& metadata) {
   Inputs inputs;
-  std::vector<Recording> logs;
+  std::vector<Recordings> files;
+  const bool mapped = paths.size() > 1 && std::any_of(constants.begin(), constants.end(),
+                                                      [](const auto& one) { return one.first == "columns"; });
   for (const std::string& path : paths) {
     Metadata own = read_metadata(metadata_path(path), inputs);
     apply_overrides(constants, own);
-    logs.push_back(read_recording(path, own, inputs));
-    if (logs.size() == 1)
+    try {
+      files.push_back(read_recordings(path, own, inputs, mapped));
+    } catch (const InputError&) {
+      if (mapped) require_mapped(paths, constants);
+      throw;
+    }
+    if (files.size() == 1)
       metadata = own;
     else if (const std::string problem = add_constants(own, metadata); !problem.empty())
       throw InputError(metadata_path(path), problem);
   }
-  Recording& first = logs.front();
-  if (logs.size() == 1) {
-    if (!first.holds_forces() || !first.holds_areas())
-      throw InputError(paths[0], std::string("holds no ") + (first.holds_forces() ? "areas" : "forces") +
-                                     "; name the file that does, too: mixity runs FORCES.csv AREAS.csv");
-    return logs;
-  }
-  if (!first.holds_forces()) std::swap(first, logs[1]);
-  if (!first.holds_forces()) throw InputError(paths[0], "holds no forces, and neither does " + paths[1]);
-  if (!logs[1].holds_areas()) throw InputError(logs[1].path, "holds no areas");
-  return logs;
+  if (mapped) require_mapped(paths, constants);
+  return logs_of(std::move(files));
 }
 
 /// Correlation of load and area; 0 if one of them is constant.
@@ -90,37 +142,48 @@ double lag_either_way(const Recording& forces, const Recording& areas) {
   return best ? best->lag : 0;
 }
 
-}  // namespace
-
-ReducedLog reduce_log(const std::vector<std::string>& paths, const Overrides& constants,
-                      const ReductionOptions& options) {
-  RunOptions run_options;
-  run_options.drift = options.drift;
-  if (!options.cuts_path.empty()) run_options.cuts = read_cuts(options.cuts_path);
+ReducedLog reduced(Recordings recordings, const Metadata& metadata, std::optional<double> lag,
+                   const RunOptions& options) {
   ReducedLog log;
-  std::vector<Recording> logs = read_logs(paths, constants, log.metadata);
-  Recording& forces = logs.front();
-  const Recording& areas = logs.back();
+  log.metadata = metadata;
+  Recording& forces = recordings.front();
+  const Recording& areas = recordings.back();
+  const bool two = recordings.size() > 1;
   log.areas_path = areas.path;
-  if (logs.size() > 1) log.areas_clock = areas.clock;
+  if (two) log.areas_clock = areas.clock;
   log.force_unit = forces.force_unit;
   log.force_factor = forces.force_factor;
   log.area_unit = areas.area_unit;
   log.area_factor = areas.area_factor;
-  log.load_turned =
-      compression_is_negative(forces, areas, options.lag.value_or(logs.size() > 1 ? lag_either_way(forces, areas) : 0));
+  log.load_turned = compression_is_negative(forces, areas, lag.value_or(two ? lag_either_way(forces, areas) : 0));
   if (log.load_turned) {
     for (double& P : forces.P) P = 0 - P;
     if (log.metadata.load_offset) *log.metadata.load_offset = 0 - *log.metadata.load_offset;
   }
-  log.runs = find_loading_runs(on_one_clock(forces, areas, options.lag), log.force_unit, log.force_factor, run_options);
-  for (const auto& [name, cut] : run_options.cuts)
-    if (!cut.leave_out && std::none_of(log.runs.runs.begin(), log.runs.runs.end(),
-                                       [&, &name = name](const LoadingRun& run) { return run.name == name; }))
-      throw InputError(options.cuts_path, "states cuts of a run '" + name + "', which the log does not have");
+  log.runs = find_loading_runs(on_one_clock(forces, areas, lag), log.force_unit, log.force_factor, options);
   forces.time = forces.P = forces.T = forces.A = {};
   log.forces = std::move(forces);
   return log;
+}
+
+}  // namespace
+
+ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& constants,
+                        const ReductionOptions& options) {
+  RunOptions run_options;
+  run_options.drift = options.drift;
+  if (!options.cuts_path.empty()) run_options.cuts = read_cuts(options.cuts_path);
+  Metadata metadata;
+  ReducedLogs logs;
+  for (Recordings& recordings : read_logs(paths, constants, metadata)) {
+    logs.push_back(reduced(std::move(recordings), metadata, options.lag, run_options));
+    for (const LoadingRun& run : logs.back().runs.runs) run_options.taken.push_back(run.name);
+  }
+  const std::vector<std::string>& names = run_options.taken;
+  for (const auto& [name, cut] : run_options.cuts)
+    if (!cut.leave_out && std::find(names.begin(), names.end(), name) == names.end())
+      throw InputError(options.cuts_path, "states cuts of a run '" + name + "', which the log does not have");
+  return logs;
 }
 
 std::map<std::string, StatedCut> read_cuts(const std::string& path) {

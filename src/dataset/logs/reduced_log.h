@@ -1,4 +1,4 @@
-// Reduces the files of a log to its loading runs.
+// Reduces logs to their loading runs.
 #pragma once
 
 #include <map>
@@ -27,11 +27,13 @@ struct ReductionOptions {
   std::string cuts_path{};      // a TOML with stated cuts; empty: none
 };
 
-/// Reads a log with forces and areas, or one with forces and one with areas in any order, and finds its loading runs,
-/// possibly none. `constants` override those beside the files. Throws InputError if forces or areas are missing, for
-/// contradictory constants, and for cuts of an unknown run.
-ReducedLog reduce_log(const std::vector<std::string>& paths, const Overrides& constants,
-                      const ReductionOptions& options);
+/// Reads logs of forces and areas, or files in pairs, one of forces and one of areas in any order, and finds the
+/// loading runs of each, possibly none. Each log has a clock and zeros of its own; runs of all have different names.
+/// `constants` override those beside the files. Throws InputError if forces or areas are missing, for contradictory
+/// constants, and for cuts of an unknown run.
+using ReducedLogs = std::vector<ReducedLog>;
+ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& constants,
+                        const ReductionOptions& options);
 
 /// Reads a TOML with tables [[cuts]], which have `run`, and shear = "2.1 s", onset = "4.31 s" or leave_out = true.
 /// Throws InputError, with line and column, for anything else.

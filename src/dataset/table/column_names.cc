@@ -11,9 +11,10 @@ namespace {
 
 std::string name_of(ColumnId id) { return std::string(to_string(id)); }
 
-/// "Kanal 3 (mN)" names a heading with or without its unit, "3" the third.
-NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& headings, ColumnId id,
-                          const std::string& wanted) {
+/// "Kanal 3 (mN)" names a heading with or without its unit, "3" the third. Null if there is none. Throws if there are
+/// two.
+std::optional<std::size_t> find_mapped(const std::string& path, const std::vector<Heading>& headings, ColumnId id,
+                                       const std::string& wanted) {
   const Heading given = split_heading(wanted, {});
   std::optional<std::size_t> found;
   const auto find = [&](const auto& is_it) {
@@ -33,6 +34,25 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
   const double number = parse_number(given.name).value_or(0);
   if (!found && number >= 1 && number <= static_cast<double>(headings.size()) && number == std::floor(number))
     found = static_cast<std::size_t>(number) - 1;
+  return found;
+}
+
+/// The mapping without the units that the headings themselves state.
+std::string without_units(const std::vector<Heading>& headings, const std::map<std::string, std::string>& mapping) {
+  std::string text;
+  for (const auto& [name, wanted] : mapping) {
+    const auto column = find_mapped({}, headings, *column_named(name), wanted);
+    const bool has_own = !column || headings[*column].unit;
+    text += (text.empty() ? "" : ",") + name + "=" + (has_own ? split_heading(wanted, {}).name : wanted);
+  }
+  return text;
+}
+
+NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& headings, ColumnId id,
+                          const std::map<std::string, std::string>& mapping) {
+  const std::string& wanted = mapping.at(name_of(id));
+  const Heading given = split_heading(wanted, {});
+  const std::optional<std::size_t> found = find_mapped(path, headings, id, wanted);
   if (!found) {
     std::string names;
     for (const Heading& heading : headings)
@@ -48,7 +68,8 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
     if (own && mapped && (own->factor != mapped->factor || own->dimension != mapped->dimension))
       throw InputError(
           path, column.heading.place,
-          "column '" + column.heading.text + "' is in " + own->text + ", the mapping says " + mapped->text);
+          "column '" + column.heading.text + "' is in " + own->text + ", the mapping says " + mapped->text +
+              "; to read it as the file says: " + Remedy::set("columns", without_units(headings, mapping)));
     column.heading.unit = given.unit;
     column.heading.closed = given.closed;
   }
@@ -62,8 +83,10 @@ class Names {
       : path_(path), headings_(headings), rules_(rules) {}
 
   void add_mapped() {
+    const std::vector<ColumnId> here = rules_.shared_mapping ? mapped_in(headings_, rules_) : std::vector<ColumnId>{};
     for (const auto& [name, heading] : rules_.mapping) {
-      NamedColumn column = mapped_column(path_, headings_, *column_named(name), heading);
+      if (rules_.shared_mapping && std::find(here.begin(), here.end(), *column_named(name)) == here.end()) continue;
+      NamedColumn column = mapped_column(path_, headings_, *column_named(name), rules_.mapping);
       if (const NamedColumn* other = at(column.index))
         throw InputError(
             path_, column.heading.place,
@@ -245,6 +268,19 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
   if (rules.vocabulary) names.add_misfits();
   names.drop_redundant_sizes();
   return std::move(names).sorted();
+}
+
+std::vector<ColumnId> mapped_in(const std::vector<Heading>& headings, const ColumnRules& rules) {
+  std::vector<ColumnId> found;
+  for (const auto& [name, heading] : rules.mapping) {
+    const ColumnId id = *column_named(name);
+    const auto column = find_mapped({}, headings, id, heading);
+    const bool by_number = parse_number(split_heading(heading, {}).name).has_value();
+    const auto given = split_heading(heading, {}).unit;
+    if (column && (!by_number || (unit_fits(headings[*column].unit, id) && (headings[*column].unit || given))))
+      found.push_back(id);
+  }
+  return found;
 }
 
 std::vector<NamedColumn> number_columns(const std::string& path, const std::vector<Heading>& headings,

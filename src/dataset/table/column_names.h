@@ -20,6 +20,7 @@ struct ColumnRules {
   std::optional<double> pixel{};              // m, the side of a pixel
   bool vocabulary = true;                     // false: only the program's own names count
   bool log = false;                           // the table needs a column of times, and T or A; only logs have times
+  bool shared_mapping = false;                // the mapping is that of two tables: one may lack its columns
 };
 
 /// The columns that name quantities, in their order, each quantity once. The user's mapping comes first, as it may
@@ -30,6 +31,9 @@ struct ColumnRules {
 /// exist, for two headings of one quantity, and for a required quantity with a unit that does not fit.
 std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,
                                       const ColumnRules& rules);
+
+/// The quantities of the mapping whose columns are in the table. A number of a column is in it if its unit fits.
+std::vector<ColumnId> mapped_in(const std::vector<Heading>& headings, const ColumnRules& rules);
 
 /// The named columns whose fields must be numbers; none if name_columns throws, as it will when the table is read.
 std::vector<NamedColumn> number_columns(const std::string& path, const std::vector<Heading>& headings,

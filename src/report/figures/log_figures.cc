@@ -64,8 +64,9 @@ Figure figure_of(const LoadingRuns& found, const LoadingRun& run, std::size_t nu
 
 }  // namespace
 
-std::vector<Figure> log_figures(const ReducedLog& log) {
-  std::vector<Figure> figures;
+namespace {
+
+void add_figures(const ReducedLog& log, std::vector<Figure>& figures) {
   const Frames& frames = log.runs.frames;
   for (const LoadingRun& run : log.runs.runs) {
     const std::size_t number = figures.size() / 2 + 1;
@@ -83,6 +84,13 @@ std::vector<Figure> log_figures(const ReducedLog& log) {
     if (!run.cycles.empty()) figures.back().caption += " Squares: maxima of T, circles: the minima behind them.";
     figures.push_back(figure_of(log.runs, run, number, A, "A", log.area_unit));
   }
+}
+
+}  // namespace
+
+std::vector<Figure> log_figures(const ReducedLogs& logs) {
+  std::vector<Figure> figures;
+  for (const ReducedLog& log : logs) add_figures(log, figures);
   return figures;
 }
 

@@ -9,7 +9,7 @@
 namespace mixity {
 
 /// Two figures per run: run_1_T, run_1_A, ...
-std::vector<Figure> log_figures(const ReducedLog& log);
+std::vector<Figure> log_figures(const ReducedLogs& logs);
 
 /// The fit definition that `mixity runs` writes: points, peaks, and figures of T(t) for the report.
 std::string runs_definition(const std::vector<Figure>& figures);

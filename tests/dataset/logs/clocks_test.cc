@@ -140,7 +140,8 @@ TEST(Lag, OfNegativeCompressionIsFoundBeforeItsSignIs) {
               std::to_string(made.forces.T[i]) + "\n";
   for (std::size_t i = 0; i < made.areas.time.size(); ++i)
     areas += std::to_string(made.areas.time[i]) + "," + std::to_string(1e6 * made.areas.A[i]) + "e-6\n";
-  const ReducedLog log = reduce_log({folder.write("f.csv", forces), folder.write("a.csv", areas)}, {}, {});
+  const ReducedLog log =
+      reduce_logs({folder.write("f.csv", forces), folder.write("a.csv", areas)}, {}, {}).front();
   EXPECT_TRUE(log.load_turned);
   EXPECT_NEAR(log.runs.frames.lag, made.lag, 4 * log.runs.frames.lag_error);
 }

@@ -280,7 +280,7 @@ TEST(Frames, OfOneFileAreItsRowsWithAnArea) {
   std::string text = "time [s],P [mN],T [N],A [mm^2]\n";
   for (int i = 0; i < 100; ++i)
     text += std::to_string(0.01 * i) + "," + std::to_string(i) + ",0.001," + (i % 10 == 5 ? "0.3" : "") + "\n";
-  const Recording log = read_recording(folder.write("log.csv", text), {});
+  const Recording log = read_recordings(folder.write("log.csv", text), {}).front();
   const Frames frames = make_frames(log, log);
   ASSERT_EQ(frames.time.size(), 10u);
   EXPECT_NEAR(frames.interval, 0.1, 1e-12);

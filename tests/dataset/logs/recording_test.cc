@@ -15,12 +15,12 @@ Recording read(const std::string& text, const std::string& columns = "") {
   const TemporaryFolder folder;
   Metadata metadata;
   if (!columns.empty()) set_field(metadata, "columns", columns);
-  return read_recording(folder.write("log.csv", text), metadata);
+  return read_recordings(folder.write("log.csv", text), metadata).front();
 }
 std::string error_of(const std::string& text) {
   const TemporaryFolder folder;
   const std::string path = folder.write("log.csv", text);
-  return folder.left_out_of(input_error([&] { read_recording(path, Metadata{}); }));
+  return folder.left_out_of(input_error([&] { read_recordings(path, Metadata{}); }));
 }
 
 TEST(Recordings, MayHaveTimesOfAClock) {
@@ -84,7 +84,7 @@ Recording read_with(const std::string& text, const Overrides& stated) {
   const TemporaryFolder folder;
   Metadata metadata;
   apply_overrides(stated, metadata);
-  return read_recording(folder.write("log.csv", text), metadata);
+  return read_recordings(folder.write("log.csv", text), metadata).front();
 }
 std::string error_with(const std::string& text, const Overrides& stated) {
   return input_error([&] { read_with(text, stated); });

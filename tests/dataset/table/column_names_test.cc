@@ -32,7 +32,8 @@ TEST(ColumnNames, OfALogMayBeTheProgramsAndALaboratorysInOneFile) {
   for (const char* header : {"time [s],F_N [mN],F_T [mN],A [mm^2]", "time [s],P [mN],F_T [mN],A [mm^2]",
                              "time [s],P [mN],T [mN],Contact area (mm^2)", "t [s],F_N [mN],T [mN],A [mm^2]"}) {
     const Recording log =
-        read_recording(folder.write("m.csv", std::string(header) + "\n0,1,2,0.3\n1,1,3,0.3\n2,1,4,0.2\n"), Metadata{});
+        read_recordings(folder.write("m.csv", std::string(header) + "\n0,1,2,0.3\n1,1,3,0.3\n2,1,4,0.2\n"), Metadata{})
+            .front();
     EXPECT_TRUE(log.holds_forces()) << header;
     EXPECT_TRUE(log.holds_areas()) << header;
     EXPECT_EQ(log.P.size(), 3u) << header;
