@@ -103,7 +103,7 @@ class LogReader {
     return (behind - 1)->line + (i - (behind - 1)->row);
   }
 
-  static std::string by_rate() { return "give each row its own: its number divided by the rate of the rows"; }
+  static std::string by_rate() { return "give each row its own time: row number divided by the sampling rate"; }
 
   /// Rows that share a time: left out if each repeats the row before it, otherwise spread over the step of the clock.
   void take_times() {
@@ -131,7 +131,7 @@ class LogReader {
     recording_.time = stamps;
     if (const ClockFault fault = spread_times(recording_.time, recording_.clock); !fault.reason.empty())
       throw InputError(recording_.path, line_of(fault.row), channels_[clock_].index == 0 ? 1 : 0,
-                       "column 'time': " + fault.reason + ": no clock of one rate; " + by_rate());
+                       "column 'time': " + fault.reason + ": the rows do not come at a constant rate; " + by_rate());
   }
 
   void find_columns() {

@@ -154,7 +154,7 @@ TEST(Lag, ThatNothingTellsIsAskedFor) {
   made.areas.path = "areas.csv";
   made.forces.path = "forces.csv";
   EXPECT_EQ(input_error([&] { on_one_clock(made.forces, made.areas, {}); }),
-            "areas.csv: no contact or fall of T that it shares with forces.csv tells the lag between their clocks; "
+            "areas.csv: no contact or fall of T that forces.csv also shows determines the lag between their clocks; "
             "state it: --lag=\"0 s\"");
 }
 
