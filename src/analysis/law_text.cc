@@ -41,8 +41,8 @@ LawDefinition read_law_text(const std::string& what, std::string_view text, std:
     }
     const std::size_t word = item.find(" start");
     if (equals == std::string_view::npos || dots == std::string_view::npos || dots < equals)
-      fail(from,
-           "'" + std::string(item) + "' is no parameter: name=least..greatest, with start VALUE behind it if need be");
+      fail(from, "'" + std::string(item) +
+                     "' is not a parameter; write name=least..greatest, optionally followed by start VALUE");
     const auto lower = parse_number(trim(item.substr(equals + 1, dots - equals - 1)));
     const std::string_view last = trim(item.substr(dots + 2, word == std::string_view::npos ? word : word - dots - 2));
     const auto upper = parse_number(last);
@@ -64,8 +64,8 @@ LawDefinition read_law_text(const std::string& what, std::string_view text, std:
 
 std::string law_toml(const LawDefinition& law) {
   if (law.sampler)
-    throw InputError("law " + law.key, "is a function, " + law.text +
-                                           ": it has no text that a file could hold; state it as an expression");
+    throw InputError("law " + law.key,
+                     "is a function, " + law.text + ", which a file cannot store; state it as an expression");
   std::string text = "[laws." + law.key + "]\n";
   if (!law.name.empty()) text += "name = " + toml_text(law.name) + '\n';
   text += (law.text.find('=') == std::string::npos ? "f = " : "criterion = ") + toml_text(law.text) + '\n';

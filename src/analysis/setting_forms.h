@@ -114,7 +114,7 @@ Complaint for_each_item(std::string_view text, const auto& use) {
   if (text.empty()) return "is empty";
   for (const std::string_view part : split(text)) {
     const std::string item(part);
-    if (item.empty()) return "has an empty entry, number " + std::to_string(items.size() + 1);
+    if (item.empty()) return "has an empty entry at position " + std::to_string(items.size() + 1);
     if (std::find(items.begin(), items.end(), item) != items.end()) return "names " + in_quotes(item) + " twice";
     if (Complaint problem = use(item); !problem.empty()) return problem;
     items.push_back(item);

@@ -134,7 +134,7 @@ struct Runs {
   static Complaint read(std::string_view text, std::vector<std::string>& runs) {
     runs.clear();
     for (const std::string_view name : split(text)) {
-      if (name.empty()) return "has an empty entry, number " + std::to_string(runs.size() + 1);
+      if (name.empty()) return "has an empty entry at position " + std::to_string(runs.size() + 1);
       runs.emplace_back(name);
     }
     return {};
@@ -273,7 +273,8 @@ std::optional<Contradiction> contradiction(const FitRequest& request) {
   if ((options.sigma_T || options.sigma_A) && options.objective == toughness && !options.weighted)
     return Contradiction{options.sigma_A ? "sigma_A" : "sigma_T", "needs objective=curve, or weighted"};
   if (options.loss == Loss::t && request.per_curve)
-    return Contradiction{"loss", "is t, which each run would have of its own: with per=curve take huber or cauchy"};
+    return Contradiction{"loss",
+                         "cannot be t with per=curve, since each run would have its own t; use huber or cauchy"};
   if (options.loss_scale && (options.loss == Loss::none || options.loss == Loss::t))
     return Contradiction{"loss_scale", "needs loss=huber or cauchy"};
   const bool resampled = options.bootstrap.replicates > 0;

@@ -30,7 +30,7 @@ void print_at_load(const ContactModel& model, const ParameterValues& p, const Ou
     sampling.points = point_count();
   const std::vector<CurvePoint> points = model.curve(p, load.dimensionless, sampling).points;
   for (const CurvePoint& q : points)
-    if (!(q.T < kFar)) throw UsageError("the curve runs to tangential loads beyond 1e150, where no T can be told");
+    if (!(q.T < kFar)) throw UsageError("the curve reaches tangential loads above 1e150, which cannot be computed");
 
   std::cout << units.headings("phi,P,T,y,a,A,u,psi,f,stable") << '\n';
   for (const CurvePoint& q : points) {
@@ -66,7 +66,7 @@ void print_at_shear(const ContactModel& model, const ParameterValues& p, const O
 int run_curve(const Arguments& arguments) {
   if (!arguments.empty()) {
     if (is_set("shear") || is_set("chord"))
-      throw UsageError("flags '--shear' and '--chord' are of a contact by itself");
+      throw UsageError("flags '--shear' and '--chord' describe a single contact without data");
     const std::size_t points = point_count();
     const FittedContact fitted("curve", arguments);
     fitted.print_areas([&](const Load& P) { return fitted.shears_to_the_jump(P, points); });

@@ -75,11 +75,11 @@ void require_definition_path(const std::string& path) {
 
 int run_fit(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("fit needs a data CSV or a fit definition (see mixity help fit)");
-  if (!FLAGS_shard.empty() && FLAGS_pool) throw UsageError("flag '--shard' parts data sets; with --pool there is one");
+  if (!FLAGS_shard.empty() && FLAGS_pool)
+    throw UsageError("flag '--shard' divides data sets, but with --pool there is only one");
   const std::vector<FitRequest> requests = requests_for(shard_of(arguments));
   const Shard shard = campaign_of(arguments);
-  if (!FLAGS_save.empty() && requests.size() > 1)
-    throw UsageError("flag '--save' is of one data set: a definition names one");
+  if (!FLAGS_save.empty() && requests.size() > 1) throw UsageError("flag '--save' needs exactly one data set");
   if (!FLAGS_save.empty()) require_definition_path(FLAGS_save);
   std::vector<Analysis> results;
   bool all_ok = true;

@@ -97,7 +97,7 @@ std::span<const Command> commands() {
        {"text", "csv"}},
       {"simulate", run_simulate,
        "simulate --model=KEY --lambda=L --loads=P1,P2 [--seed=N] [--index=N] [--out=DATA.csv] [flags]",
-       "Simulates a planned experiment: the model, and noise from a seed.", with_plan_flags({"index", "out", "force"})},
+       "Simulates a planned experiment from the model with seeded noise.", with_plan_flags({"index", "out", "force"})},
       {"merge",
        run_merge,
        "merge PART1.json PART2.json ... [--out=FITS.json]",

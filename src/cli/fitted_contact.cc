@@ -21,7 +21,8 @@ Analysis fitted(const std::string& command, const Arguments& arguments) {
   const std::string& path = arguments[0];
   for (const char* flag : {"lambda", "parameters", "units"})
     if (is_set(flag))
-      throw UsageError("flag '--" + std::string(flag) + "' is of a contact by itself; " + path + " is fitted");
+      throw UsageError("flag '--" + std::string(flag) + "' describes a single contact without data; " + path +
+                       " is fitted");
   FitRequest request = request_for(path);
   if (is_set("model")) {
     require_model("model", FLAGS_model);

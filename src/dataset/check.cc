@@ -115,9 +115,9 @@ void check_shear_units(const Dataset& data, Lines& odd) {
   }
   constexpr double kHardly = 0.005, kWholly = 1.565;  // rad; of pi/2
   if (largest > 0 && largest < kHardly)
-    probably("psi stays below " + rounded(kHardly, 1) + " rad, as if nothing were sheared");
+    probably("psi stays below " + rounded(kHardly, 1) + " rad, as if there were no shear");
   else if (largest > 0 && smallest > kWholly)
-    probably("psi is above " + rounded(kWholly, 4) + " rad at all points with shear, as if nothing were pulled");
+    probably("psi is above " + rounded(kWholly, 4) + " rad at all points with shear, as if there were no edge load");
   if (!data.contact || !data.metadata.shear_strength) return;
   double ratio = 0;  // T/(tau0 A)
   for (const Point& point : data.points)
@@ -177,7 +177,8 @@ void check_loads(const Dataset& data, const Curves& curves, Lines& odd) {
     if (curve.P_max - curve.P_min > 0.05 * std::max({std::abs(curve.P_min), std::abs(curve.P_max), 1.0}))
       odd.push_back("run " + curve.name + ": the load varies from " + rounded(curve.P_min * unit, 4) + " to " +
                     rounded(curve.P_max * unit, 4) + " within the run");
-  if (data.curves.size() == 1) odd.push_back("only one load: whether lambda depends on load cannot be seen");
+  if (data.curves.size() == 1)
+    odd.push_back("there is only one load, so a dependence of lambda on load cannot be detected");
 }
 
 void check_toughness(const Dataset& data, Lines& odd) {

@@ -75,19 +75,19 @@ void finish_energies(const std::string& metadata_path, Dataset& data) {
                     [](const PointEnergies& energies) { return energies.G_I < 0 || energies.G_II < 0; }));
   if (below > 0)
     data.notes.push_back(std::to_string(below) + " of " + std::to_string(data.points.size()) +
-                         (below == 1 ? " points has" : " points have") +
-                         " G_I or G_II < 0, noise about zero: used as pure mode II or I of toughness G_I + G_II");
+                         (below == 1 ? " points has" : " points have") + " G_I or G_II < 0 (noise about zero): " +
+                         (below == 1 ? "it is" : "they are") + " used as pure mode II or I with toughness G_I + G_II");
   std::size_t zeros = 0;
   for (const PointEnergies& energies : data.energies) zeros += (energies.sigma_GI == 0) + (energies.sigma_GII == 0);
   if (zeros > 0)
-    data.notes.push_back(std::to_string(zeros) + (zeros == 1 ? " error" : " errors") +
-                         " of G_I or G_II stated as 0: in objective curve " + rounded(100 * kLeastError, 2) +
-                         "% of the largest energy stands for each");
+    data.notes.push_back(std::to_string(zeros) +
+                         (zeros == 1 ? " error of G_I or G_II is" : " errors of G_I or G_II are") +
+                         " stated as 0: objective curve replaces " + (zeros == 1 ? "it" : "each") + " by " +
+                         rounded(100 * kLeastError, 2) + " % of the largest energy");
   if (data.curves.size() > 1 && !series_have_toughness(data))
     data.notes.push_back(
-        "the points of some series have one phase angle, which tells no toughness of their own from the law: all "
-        "series "
-        "have one G_Ic");
+        "the points of some series have a single phase angle, so their own toughness cannot be separated from the law: "
+        "all series share one G_Ic");
 }
 
 }  // namespace mixity

@@ -38,7 +38,7 @@ double load_in_name(const Dataset& data) {
         (parse_number(text, '.', value, &style) || parse_number(text, ',', value, &style))) {
       if (style.doubtful) fail("'" + text + "' in the file's name may be a thousand or a decimal");
       if (text[0] == '-' && first > 0 && std::isalnum(static_cast<unsigned char>(name[first - 1])))
-        fail("'-' in the file's name may be a sign or part two words; write it into load_from where it parts them");
+        fail("'-' in the file's name may be a sign or a separator; if it is a separator, include it in load_from");
       return value * unit->factor;
     }
   }
@@ -70,13 +70,12 @@ void add_notes(const Columns& columns, Dataset& data) {
   for (const std::string_view name : {"toughness_II", "shear_strength"})
     if (data.metadata.standard_error(name) > 0)
       data.notes.push_back("the standard error of " + std::string(name) +
-                           " is in no result: its value is taken as exact");
+                           " affects no result: its value is taken as exact");
   for (const std::string& one : columns.taken)
     if (one.starts_with("sigma_")) data.notes.push_back("standard errors: " + one);
   if (!columns.beside.empty())
-    data.notes.push_back(
-        "one run is read and those beside it are not: " + columns.beside +
-        " have the names of its columns but for a number; they are to stand below it, or in files of their own");
+    data.notes.push_back("one run is read, and the runs beside it are not: " + columns.beside +
+                         " are named like its columns except for a number; put them below it, or in separate files");
   for (const auto& [name, reason] : columns.unused)
     data.notes.push_back("column '" + name + "' is not used: " + reason);
 }

@@ -67,8 +67,8 @@ void note_sphere(const Dataset& part, const std::string& name, Dataset& whole) {
   whole.several_spheres = true;
   const double times = whole.contact->radius / part.contact->radius;
   whole.notes.push_back(name + ": on a sphere of " + rounded(part.contact->radius * 1e3, 6) +
-                        " mm; shown as on one of " + rounded(whole.contact->radius * 1e3, 6) +
-                        " mm, where the same contact has " + rounded(times, 4) + " times the load and shear and " +
+                        " mm; shown as the equivalent contact on " + rounded(whole.contact->radius * 1e3, 6) +
+                        " mm, with " + rounded(times, 4) + " times the load and shear and " +
                         rounded(std::cbrt(times * times * times * times), 4) + " times the area");
 }
 

@@ -98,7 +98,7 @@ void split_repeated_shear(Dataset& data) {
     }
     data.points[i].curve = number[part_of_point[i]];
   }
-  data.notes.push_back("T goes back to where it began and rises anew: taken for several runs at one load: " + split);
+  data.notes.push_back("T returns to its start and rises again: split into several runs at one load: " + split);
 }
 
 }  // namespace mixity

@@ -57,8 +57,9 @@ void reverse_negative_runs(Dataset& data) {
   for (const ShearRange& range : ranges) data.shear_reversed.push_back(range.is_negative());
   for (Point& point : data.points)
     if (data.shear_reversed[point.curve]) point.T = reversed(point.T);
-  data.notes.push_back((runs.size() == 1 ? "a run is" : std::to_string(runs.size()) + " runs are") +
-                       " sheared the other way and turned round (T -> -T): " + names_of(data, runs, kFew) +
+  data.notes.push_back((runs.size() == 1 ? "a run" : std::to_string(runs.size()) + " runs") +
+                       " sheared in the negative direction " + (runs.size() == 1 ? "was" : "were") +
+                       " reversed (T -> -T): " + names_of(data, runs, kFew) +
                        (runs.size() > kFew ? " and " + std::to_string(runs.size() - kFew) + " more" : ""));
 }
 

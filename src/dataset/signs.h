@@ -10,7 +10,7 @@ namespace mixity {
 /// The note that reverse_loads adds.
 inline constexpr const char* kLoadsReversed =
     "compression is negative in the file: its loads lie far below JKR's pull-off load, and its areas are those of "
-    "-P; loads are turned round (P -> -P)";
+    "-P; loads were reversed (P -> -P)";
 
 /// Whether compression is certainly negative: there are contacts at loads far below JKR's pull-off load -3 pi/2 R G_Ic,
 /// none far above it, and areas grow as P falls or match JKR at -P.

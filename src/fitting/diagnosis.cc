@@ -37,10 +37,11 @@ std::string deciding_experiment(const std::vector<Cause>& list) {
   std::vector<std::string> constants;
   for (const Cause& one : list) {
     if (one.kind != Cause::Kind::constant || one.name.ends_with("_drift"))
-      return "the first load repeated at the end would tell, as it tells a drift from a dependence on the load";
+      return "repeating the first load at the end would decide, since it separates a drift from a dependence on the "
+             "load";
     constants.push_back(one.name);
   }
-  return "a separate measurement of " + joined(constants, " or ") + " would tell";
+  return "a separate measurement of " + joined(constants, " or ") + " would decide";
 }
 
 /// All causes that do about as well, with their values.
@@ -129,18 +130,21 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
               {}};
   if (!wrong_constant(fit) && !runs_differ(fit, kChance)) return {failed, {}, {}};
   return {
-      "no single cause among constants and runs explains the points: the model is wrong, or several of them", {}, {}};
+      "no single constant or difference between runs explains the points: the model is wrong, or there are several "
+      "causes",
+      {},
+      {}};
 }
 
 Diagnosis second_thought(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit) {
   const auto cause = shape_instead_of_memory({data, fit, options, refit});
   if (!cause) return {};
-  Explanation memory{"memory", "", "noise with a memory", Message(), first_free(fit), 0};
+  Explanation memory{"memory", "", "autocorrelated noise", Message(), first_free(fit), 0};
   Explanation shape{
       cause->name, cause->run, cause->size, cause->remedy, first_free(cause->fit), cause->misfit - misfit(fit)};
-  return {cause->size + " (" + lambda_text(cause->fit) + "; " + cause->remedy + "), or the noise of T has a memory (" +
-              lambda_text(fit) +
-              "): both explain the points about as well; a separate measurement of the shape would tell",
+  return {cause->size + " (" + lambda_text(cause->fit) + "; " + cause->remedy +
+              "), or the noise of T is autocorrelated (" + lambda_text(fit) +
+              "): both explain the points about as well; a separate measurement of the shape would decide",
           comparable_squares(cause->fit),
           {std::move(shape), std::move(memory)}};
 }

@@ -20,7 +20,7 @@ std::string_view to_string(Objective objective);
 std::optional<Objective> parse_objective(std::string_view text);
 /// The message for the objective `area` of earlier versions.
 inline constexpr std::string_view kNoAreaObjective =
-    "the objective area took T as exact and covered 57 to 97 % of a nominal 95 %: use curve";
+    "objective area was removed: it took T as exact, and its 95 % intervals covered only 57 to 97 %; use curve";
 
 /// For objective toughness: fits ln(Gc/GIc) or Gc/GIc.
 enum class Scale { log, linear };

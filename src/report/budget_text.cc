@@ -26,7 +26,7 @@ std::string variance_shares(const Budget& budget) {
   for (const BudgetPart& part : budget.parts) {
     text += ", " + part.constant + " " + percent(part.share);
     if (std::abs(part.pull) > kFarFromStated)
-      far.push_back("FAR FROM WHAT WAS STATED: " + part.constant + " by " + rounded(part.pull, 2) +
+      far.push_back("FAR FROM ITS STATED VALUE: " + part.constant + ", by " + rounded(part.pull, 2) +
                     " of its standard errors");
   }
   return text + joined(far, ", ", "; ");
@@ -119,7 +119,7 @@ std::string outliers_text(const FitResult& fit, const Dataset& data) {
   if (list.empty()) return {};
   if (list.size() > kMost) points.push_back(std::to_string(list.size() - kMost) + " more");
   const bool weighted = fit.known_errors || fit.objective == Objective::curve;
-  return counted(list.size(), "outlier") + ": " + joined(points) + "; one clean fit in 100 has any" +
+  return counted(list.size(), "outlier") + ": " + joined(points) + "; 1 % of fits to clean data have any" +
          (weighted ? "" : " where all points scatter alike");
 }
 

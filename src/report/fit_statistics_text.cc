@@ -146,7 +146,7 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
         out << ": the scatter is larger than these errors; intervals are too narrow";
       else if (part < 0.5 && freedom > kFew)
         out << ": these errors are " << rounded(1 / std::sqrt(part), 2)
-            << " times what the points scatter; the interval is that of the errors as stated";
+            << " times as large as the scatter of the points; the interval uses the stated errors";
       out << '\n';
     }
   }

@@ -221,7 +221,7 @@ std::vector<std::string> assumptions(const Analysis& result) {
     if (const std::string text = estimated_errors(errors, data.display); !text.empty())
       list.push_back("Standard errors: " + text + ".");
     if (const std::string text = correlation_text(*with_errors); !text.empty())
-      list.push_back("The noise has a memory: " + text + ".");
+      list.push_back("The noise is autocorrelated: " + text + ".");
     for (const std::string& raised : raised_errors(errors))
       list.push_back("A distance needs errors in both axes: " + raised + ".");
   }

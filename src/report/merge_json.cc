@@ -69,7 +69,7 @@ void require_one_campaign(const std::vector<ShardFile>& parts) {
   for (const ShardFile& part : parts) {
     const Json campaign = part.document.value("campaign", Json());
     if (!is_campaign(campaign))
-      throw InputError(part.path, "does not say which files and flags its campaign has: make it once more");
+      throw InputError(part.path, "does not state the files and flags of its campaign: create it again");
     if (const Message other = difference(campaign, parts[0].document["campaign"], parts[0].path); !other.empty())
       throw InputError(part.path, other);
     const std::size_t share = (campaign["files"].size() + part.number.of - part.number.part) / part.number.of,

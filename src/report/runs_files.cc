@@ -248,17 +248,17 @@ std::string log_text(const ReducedLog& log, Wording words) {
         << " replaced by the median of " << (frames.spikes == 1 ? "its" : "their") << " neighbours\n";
   if (found.zero_P_error > 0)
     out << "    P reads " << force(log.load_turned ? 0 - found.zero_P : found.zero_P, 3)
-        << " out of contact; taken off\n";
+        << " out of contact; subtracted\n";
   else
-    out << "    too little is read out of contact to tell the zero of P: it is taken as it stands\n";
+    out << "    there are too few readings out of contact to find the zero of P: no zero was subtracted\n";
   if (found.drift_removed || found.drifts) {
     const std::string other = words(Remedy::set("zero_drift", found.drift_removed ? "false" : "true"));
     out << "    the zero of T drifts by " << force(found.drift_T, 2) << " a second from run to run; "
-        << (found.drift_removed ? "taken off within runs, too (" + other + " leaves it)"
-                                : other + " takes that off within runs, too")
+        << (found.drift_removed ? "this drift was also subtracted within runs (" + other + " leaves it)"
+                                : other + " also subtracts this drift within runs")
         << '\n';
   }
-  if (log.load_turned) out << "    P is negative in compression there and was turned round (P -> -P)\n";
+  if (log.load_turned) out << "    P is negative in compression there and was reversed (P -> -P)\n";
   return out.str();
 }
 
@@ -278,9 +278,9 @@ std::string loading_runs_text(const ReducedLog& log, bool several) {
   for (const LoadingRun& run : found.runs) {
     out << "    " << run.name << ": " << run.T.size() << " frames, P = " << force(run.P, 4) << " +/- "
         << force(run.scatter_P, 2) << ", T to " << force(*std::max_element(run.T.begin(), run.T.end()), 4)
-        << (run.direction < 0 ? " (turned round)" : "") << "\n        zero of T " << force(run.baseline, 3)
-        << ", noise " << force(run.sigma_T.front(), 2) << " in T, " << rounded(run.sigma_A.front() / log.area_factor, 2)
-        << " " << log.area_unit << " in A\n        shear from " << cut_text(run.shear, frames.interval) << "; "
+        << (run.direction < 0 ? " (reversed)" : "") << "\n        zero of T " << force(run.baseline, 3) << ", noise "
+        << force(run.sigma_T.front(), 2) << " in T, " << rounded(run.sigma_A.front() / log.area_factor, 2) << " "
+        << log.area_unit << " in A\n        shear from " << cut_text(run.shear, frames.interval) << "; "
         << (run.onset ? "sliding from " + cut_text(*run.onset, frames.interval)
                       : std::string("no onset of sliding seen, kept to the largest T"))
         << '\n';

@@ -72,7 +72,7 @@ TEST(LawText, IsRefusedWithItsColumn) {
   EXPECT_TRUE(refusal_of("k: 1 + q*t^2; p=0..1").starts_with("--law:1:8: 'q' is not known; there are "));
   EXPECT_EQ(refusal_of("k: 1 + p*t^2; p=0.."), "--law:1:14: the range of 'p' must be two numbers: least..greatest");
   EXPECT_EQ(refusal_of("k: 1 + p*t^2; p"),
-            "--law:1:14: 'p' is no parameter: name=least..greatest, with start VALUE behind it if need be");
+            "--law:1:14: 'p' is not a parameter; write name=least..greatest, optionally followed by start VALUE");
   EXPECT_EQ(refusal_of("c: 1 + p*t^2; p=0..1"), "--law:1:1: 'c' is one of the published models: choose another key");
   EXPECT_EQ(refusal_of("k: 2 + p*t^2; p=0..1"),
             "--law:1:4: f at psi = 0 is 2 with p = 0, not 1; normalised = true divides f by it");
@@ -115,7 +115,7 @@ TEST_F(Definitions, StateLawsThatAreModels) {
   ASSERT_EQ(law->definition().parameters.size(), 2u);
   EXPECT_EQ(law->definition().parameters[0].name, "p");  // as they are written
   EXPECT_EQ(law->definition().parameters[1].start, 2);
-  EXPECT_EQ(request.law_notes.size(), 1u);  // n < 2: one area stands for several T
+  EXPECT_EQ(request.law_notes.size(), 1u);  // n < 2: several T have the same area
 }
 
 TEST_F(Definitions, FitTheirLawsWhereTheyNameNoModels) {

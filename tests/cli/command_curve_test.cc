@@ -77,7 +77,7 @@ TEST(CurveCommand, RefusesACurveThatLeavesTheNumbers) {
   for (const char* lambda : {"--lambda=1e-300", "--lambda=1e-320"})
     for (const char* how : {"--points=5", "--chord=0.01"})
       expect_refused({"curve", "--model=c", lambda, "--load=1", how}, 2,
-                     "the curve runs to tangential loads beyond 1e150, where no T can be told");
+                     "the curve reaches tangential loads above 1e150, which cannot be computed");
 }
 
 TEST(CurveCommand, PrintsTheOtherViewAtConstantShear) {

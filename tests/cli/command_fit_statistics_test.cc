@@ -15,7 +15,8 @@ namespace command_fit_statistics_test {
 using Json = nlohmann::json;
 
 constexpr const char* kGone =
-    "is 'area'; the objective area took T as exact and covered 57 to 97 % of a nominal 95 %: use curve";
+    "is 'area'; objective area was removed: it took T as exact, and its 95 % intervals covered only 57 to 97 %; use "
+    "curve";
 
 /// Three runs of model c with lambda = 1/4: A = pi (3/4 (3 pi + P + sqrt(9 pi^2 + 6 pi P - T^2/4)))^(2/3), with half a
 /// percent of scatter.

@@ -78,7 +78,7 @@ TEST(Program, ASavedDefinitionGivesTheSameNumbers) {
   EXPECT_EQ(other.err, "");
   EXPECT_NE(other.out, again.out);
   expect_refused({"fit", saved, saved, "--save=" + folder.path("both.toml")}, 2,
-                 "flag '--save' is of one data set: a definition names one");
+                 "flag '--save' needs exactly one data set");
 }
 
 TEST(Program, JsonHasTheKeysOfItsSchema) {

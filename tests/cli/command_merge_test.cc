@@ -86,7 +86,7 @@ TEST_F(Shards, ThatDoNotBelongTogetherAreRefused) {
   less["datasets"].erase(0);
   says(refused(folder_.write("less.json", less.dump())), "holds 1 of the 2 data sets of its share");
   less.erase("campaign");
-  says(refused(folder_.write("old.json", less.dump())), "does not say which files and flags");
+  says(refused(folder_.write("old.json", less.dump())), "does not state the files and flags");
 
   std::swap(files_[0], files_[4]);
   says(refused(part("e.json", "2/2", {"--models=c"})), "is of another list of files than " + first + ": number 1 is '");

@@ -135,7 +135,7 @@ TEST(RunsCommand, TurnsALogRoundThatHasCompressionAsNegative) {
   ASSERT_EQ(run_program({"runs", kLog, "--out=" + folder.path("one")}).exit_code, 0);
   const ProgramResult turned = run_program({"runs", negative, "--out=" + folder.path("other")});
   ASSERT_EQ(turned.exit_code, 0) << turned.err;
-  EXPECT_NE(turned.out.find("P is negative in compression there and was turned round (P -> -P)"), std::string::npos);
+  EXPECT_NE(turned.out.find("P is negative in compression there and was reversed (P -> -P)"), std::string::npos);
   EXPECT_EQ(content_of(folder.path("one/runs.csv")), content_of(folder.path("other/runs.csv")));
 }
 

@@ -83,7 +83,7 @@ TEST(Check, LoadsThatAreOffByAThousandAreNoticed) {
   // Loads a thousand times too small compare the area of P = 5 with that of P = 0.005: 23.887/18.374 = 1.3000.
   EXPECT_EQ(joined(oddities(two_runs(1e-3))),
             "run P=0.005: the area at the smallest T is 1.3 times that of JKR at this load\n"
-            "units: psi stays below 0.005 rad, as if nothing were sheared; the unit of T is probably off by a power of "
+            "units: psi stays below 0.005 rad, as if there were no shear; the unit of T is probably off by a power of "
             "ten\n");
 }
 
@@ -153,7 +153,7 @@ TEST(Check, ALoadBelowPullOffIsNamed) {
 
 TEST(Check, OneLoadAloneIsAMissedChance) {
   EXPECT_EQ(joined(oddities("P,T,A\n1,0,19.6\n1,1,19.5\n1,2,19.4\n")),
-            "only one load: whether lambda depends on load cannot be seen\n");
+            "there is only one load, so a dependence of lambda on load cannot be detected\n");
 }
 
 TEST(Check, AnglesBeyondARightAngleAreAQuestionOfDegrees) {
@@ -171,7 +171,7 @@ TEST(Check, StandardErrorsOfSomePointsOnlyAreMentioned) {
   EXPECT_EQ(joined(oddities("psi,Gc\n0,1\n1,2\n")), "");
   EXPECT_EQ(joined(oddities("G_I,G_II,sigma_GI,sigma_GII\n1,0,0.1,0.1\n1,1,0.1,\n1,2,0,\n")),
             "sigma_GII is empty at 2 of 3 points, first in line 3; a fit that needs it refuses the file\n"
-            "1 error of G_I or G_II stated as 0: in objective curve 0.01% of the largest energy stands for each\n");
+            "1 error of G_I or G_II is stated as 0: objective curve replaces it by 0.01 % of the largest energy\n");
 }
 
 TEST(Check, UnusedColumnsAndUnstatedProvenanceAreMentioned) {

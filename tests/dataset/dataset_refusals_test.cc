@@ -134,9 +134,8 @@ TEST(Dataset, ABrokenFileIsRefusedWithItsPlace) {
            {"P,T,A\n1,0,20\n1,abc,20\n", "3:3: column 'T': 'abc' is not a number"},
            {"P,T,A\r\n1,0,20\r\n1,0,2o\r\n", "3:5: column 'A': '2o' is not a number"},
            {"P,T,A\n1,0,5,20\n",
-            "2:7: the row has more fields than the header's 3 (commas that part columns and decimal commas cannot be "
-            "told "
-            "apart)"},
+            "2:7: the row has more fields than the header's 3 (separating commas cannot be distinguished from "
+            "decimal commas)"},
            {"P,T,A\n1,0\n", "2:4: the row has 2 fields, the header 3"},
            {"curve,P,T,A\n\"two\nlines\",1,0,20\nµ,1,x,20\n", "4:5: column 'T': 'x' is not a number"},
            {"P,T,A,include\n1,0,20,yes\n", "2:8: column 'include': 'yes' is neither 0 nor 1"},

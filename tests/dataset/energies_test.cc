@@ -69,8 +69,8 @@ TEST(Energies, BelowZeroAreNoiseAboutIt) {
   EXPECT_EQ(data.energies[1].G_I, -0.02);
   EXPECT_EQ(excluded_lines(data), "5 G_I + G_II <= 0\n6 G_I + G_II <= 0\n7 G_I + G_II <= 0\n");
   EXPECT_EQ(texts_of(data.notes),
-            std::vector<std::string>{"2 of 3 points have G_I or G_II < 0, noise about zero: used as pure "
-                                     "mode II or I of toughness G_I + G_II"});
+            std::vector<std::string>{"2 of 3 points have G_I or G_II < 0 (noise about zero): they are used as pure "
+                                     "mode II or I with toughness G_I + G_II"});
 }
 
 TEST(Energies, ThatCannotBeUsedAreListed) {
@@ -110,7 +110,7 @@ TEST(Energies, TakeTheLargestOfModeOneForAToughnessThatIsNotStated) {
       "toughness is not stated and has to be fitted (--free=toughness); where it is not, the largest G_I, 0.5 N/mm, "
       "stands for it");
   EXPECT_EQ(texts_of(open.notes)[2],
-            "1 error of G_I or G_II stated as 0: in objective curve 0.01% of the largest energy stands for each");
+            "1 error of G_I or G_II is stated as 0: objective curve replaces it by 0.01 % of the largest energy");
 }
 
 TEST(Energies, ThatTheUnitOfOthersPutsOutOfRangeAreListedInTheOrderOfTheFile) {

@@ -59,7 +59,7 @@ TEST(LargeFile, ARunIsTurnedRoundByAllOfItsPoints) {
   const Dataset data = load_text(text);
   ASSERT_EQ(data.points.size(), kRows);
   ASSERT_EQ(data.notes.size(), 2);
-  EXPECT_EQ(texts_of(data.notes)[0], "a run is sheared the other way and turned round (T -> -T): run 1");
+  EXPECT_EQ(texts_of(data.notes)[0], "a run sheared in the negative direction was reversed (T -> -T): run 1");
   EXPECT_EQ(texts_of(data.notes)[1], "15000 of 60000 points have T < 0, used as they are: equilibrium depends on T^2");
   for (std::size_t i = 1; i < kRows; i += 3)
     ASSERT_EQ(data.points[i].T, i >= kRows / 2 ? 0.1 : i / 3 % 2 ? -1e-3 : 1e-3);

@@ -40,7 +40,7 @@ TEST(PointReader, AColumnThatIncludesEachRowChangesNothing) {
                                      "1,1,3,,,x",       "1,1,3,0,1e400,x", "1,1,3,1e-90,0,x",   "1,1e70,3,0,0,x",
                                      "1e400,1,3,0,0,x", "+1,1,3,0,0,x",    "-2.5,1e-80,3,0,0,x"};
   const std::string stated = "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n";
-  std::size_t below = 0, turned = 0;
+  std::size_t below = 0, reversed = 0;
   for (const std::string header :
        {"P,T,a,sigma_T,sigma_A,curve", "P [mN],T [mN],a [mm],sigma_T [%],sigma_A [mm^2],curve",
         "P [mN],T [uN],A [mm^2],sigma_T [mN],sigma_A [%],curve", "P,T,A,x,y,z"}) {
@@ -66,10 +66,11 @@ TEST(PointReader, AColumnThatIncludesEachRowChangesNothing) {
     EXPECT_EQ(several.curves, single.curves);
     EXPECT_EQ(texts_of(several.notes), texts_of(single.notes));
     below += points_below_zero(several);
-    for (const std::string& note : texts_of(several.notes)) turned += note.find("turned round") != std::string::npos;
+    for (const std::string& note : texts_of(several.notes))
+      reversed += note.find("reversed (T -> -T)") != std::string::npos;
   }
   EXPECT_GT(below, 0);
-  EXPECT_GT(turned, 0);
+  EXPECT_GT(reversed, 0);
 }
 
 }  // namespace point_reader_test

@@ -62,10 +62,9 @@ TEST(Pooled, ARunOnAnotherSphereIsTheSameContactAtOtherScale) {
   EXPECT_NEAR(data.errors[1].A, data.errors[0].A, 1e-13 * data.errors[0].A);
   EXPECT_TRUE(data.several_spheres);
   ASSERT_EQ(data.notes.size(), 1u);
-  EXPECT_EQ(
-      texts_of(data.notes)[0],
-      "b: on a sphere of 1 mm; shown as on one of 8 mm, where the same contact has 8 times the load and shear and "
-      "16 times the area");
+  EXPECT_EQ(texts_of(data.notes)[0],
+            "b: on a sphere of 1 mm; shown as the equivalent contact on 8 mm, with 8 times the load and shear and "
+            "16 times the area");
   // the share of the radius that is uncertain is that of every sphere, the first as well
   const Dataset turned = load_pooled({{other, "", "", "1 mm"}, {one}});
   EXPECT_DOUBLE_EQ(turned.metadata.standard_error("radius"), 0.02e-3);

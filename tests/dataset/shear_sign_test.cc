@@ -1,4 +1,4 @@
-// Shear below zero: noise that is kept and counted, and runs that are turned round.
+// Shear below zero: noise that is kept and counted, and runs that are reversed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,7 +41,7 @@ TEST(ShearSign, ARunOfTheOtherDirectionIsTurnedRound) {
       load_text("curve,P,T,A\nx,1,0,19\nx,1,3,19\ny,1,0,19\ny,1,0.4,19\ny,1,-4,18\ny,1,-2,18\nz,1,-1,19\nz,1,5,18\n");
   EXPECT_EQ(shears(data), (std::vector<double>{0, 3, 0, -0.4, 4, 2, -1, 5}));
   EXPECT_FALSE(std::signbit(data.points[2].T));
-  EXPECT_EQ(texts_of(data.notes), (Notes{"a run is sheared the other way and turned round (T -> -T): y",
+  EXPECT_EQ(texts_of(data.notes), (Notes{"a run sheared in the negative direction was reversed (T -> -T): y",
                                          "2 of 8 points have T < 0, used as they are: equilibrium depends on T^2"}));
 }
 
@@ -53,7 +53,7 @@ TEST(ShearSign, ARunIsTurnedUpToATenthAboveZeroAndFromThreePoints) {
       text += "1," + shear.substr(begin, end - begin) + ",19\n";
       begin = end + 1;
     }
-    return texts_of(load_text(text).notes)[0].starts_with("a run is sheared the other way");
+    return texts_of(load_text(text).notes)[0].starts_with("a run sheared in the negative direction was reversed");
   };
   EXPECT_TRUE(turned("1 -5 -10"));
   EXPECT_FALSE(turned("1.001 -5 -10"));
@@ -68,8 +68,9 @@ TEST(ShearSign, NamesOfTurnedRunsAreBoundedInNumberAndLength) {
   for (int run = 0; run < 7; ++run)
     for (int i = 1; i < 4; ++i)
       text += std::string(run == 1 ? 500 : 1, static_cast<char>('a' + run)) + ",1,-" + std::to_string(i) + ",19\n";
-  EXPECT_EQ(texts_of(load_text(text).notes), Notes{"7 runs are sheared the other way and turned round (T -> -T): a, " +
-                                                   std::string(40, 'b') + "..., c, d and 3 more"});
+  EXPECT_EQ(texts_of(load_text(text).notes),
+            Notes{"7 runs sheared in the negative direction were reversed (T -> -T): a, " + std::string(40, 'b') +
+                  "..., c, d and 3 more"});
 }
 
 TEST(ShearSign, OfALeftOutPointDoesNotCount) {

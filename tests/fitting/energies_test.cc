@@ -105,7 +105,7 @@ TEST(Energies, OfOneAngleInASeriesGiveOneToughnessWithANote) {
     EXPECT_NEAR(*fit.parameters[2].value, 2, 1e-9);  // data of 16 digits
     EXPECT_NEAR(*fit.parameters[0].value, 2.5, 1e-9);
     EXPECT_NEAR(*fit.parameters[1].value, 2, 1e-9);
-    EXPECT_NE(data.notes.back().text().find("all series have one G_Ic"), std::string::npos);
+    EXPECT_NE(data.notes.back().text().find("all series share one G_Ic"), std::string::npos);
   }
   const Dataset apart = rows({{"dry", {0, 0.5, 1}}, {"wet", {0.1, 0.7}}});
   EXPECT_EQ(fit_model(apart, "bk", {.objective = Objective::curve, .free = {kToughness}}).parameters.size(), 4u);

@@ -57,7 +57,7 @@ def test_what_is_wrong_is_said_with_its_column():
         mixity.Law("2 + p*t^2", p=(0, 1))
     with pytest.raises(mixity.InputError, match=r"must be \(least, greatest\)"):
         mixity.Law("1 + p*t^2", p=3)
-    with pytest.warns(UserWarning, match="one area stands for several T in"):
+    with pytest.warns(UserWarning, match="several T have the same area in"):
         mixity.Law("1 + (r - 1)*B^n", r=(0.5, 20, 2), n=(1, 4))
 
 
@@ -176,7 +176,7 @@ def test_what_a_function_returns_must_be_f_at_each_psi():
     ):
         with pytest.raises(mixity.InputError, match=said):
             mixity.Law(function, p=(0, 1))
-    with pytest.warns(UserWarning, match="near psi = 40.11 deg .* f is known to"):
+    with pytest.warns(UserWarning, match="near psi = 40.11 deg .* f is known only to"):
         mixity.Law(lambda psi, p: 1 - 0.1 * p * np.maximum(0, psi - 0.7), p=(0, 1))
 
 

@@ -157,17 +157,17 @@ TEST(FitStatisticsText, NamesTheFarthestOutliersFirst) {
   result.data.points[10].curve = 2;
   EXPECT_EQ(
       consistency_lines(fit, result.data).back(),
-      "2 outliers: line 12 of run P=9 (17 standard errors off), line 5 of run P=1 (4.3); one clean fit in 100 has "
-      "any");
+      "2 outliers: line 12 of run P=9 (17 standard errors off), line 5 of run P=1 (4.3); 1 % of fits to clean data "
+      "have any");
   fit.outliers.assign(6, {4, 5.0});
-  EXPECT_NE(consistency_lines(fit, result.data).back().find("line 6 of run P=1 (5), 1 more; one clean"),
+  EXPECT_NE(consistency_lines(fit, result.data).back().find("line 6 of run P=1 (5), 1 more; 1 % of fits"),
             std::string::npos);
   result.data.curves[0] = "";
   fit.outliers.resize(1);
   EXPECT_EQ(consistency_lines(fit, result.data).back(),
-            "1 outlier: line 6 (5 standard errors off); one clean fit in 100 has any");
+            "1 outlier: line 6 (5 standard errors off); 1 % of fits to clean data have any");
   fit.objective = Objective::toughness;
-  EXPECT_TRUE(consistency_lines(fit, result.data).back().ends_with("has any where all points scatter alike"));
+  EXPECT_TRUE(consistency_lines(fit, result.data).back().ends_with("have any where all points scatter alike"));
 }
 
 }  // namespace fit_statistics_text_test

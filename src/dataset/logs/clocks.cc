@@ -136,8 +136,8 @@ Frames on_one_clock(const Recording& forces, const Recording& areas, std::option
   const auto coarse = by_load ? std::optional(by_load->lag) : lag_by_drops(forces, areas, shown);
   const auto found = coarse ? estimate(forces, areas, *coarse) : std::nullopt;
   if (!found)
-    throw InputError(areas.path, "no contact or fall of T that it shares with " + forces.path +
-                                     " tells the lag between their clocks; state it: " +
+    throw InputError(areas.path, "no contact or fall of T that " + forces.path +
+                                     " also shows determines the lag between their clocks; state it: " +
                                      Remedy::set("lag", coarse ? rounded(*coarse, 3) + " s" : "0 s") +
                                      (by_load ? " is where the area follows the load, to some tenths" : ""));
   Frames frames = make_frames(forces, areas, found->lag.mean);

@@ -11,7 +11,7 @@
 namespace mixity {
 namespace {
 
-std::string own_times() { return "give each row its own: its number divided by the rate of the rows"; }
+std::string own_times() { return "give each row its own time: row number divided by the sampling rate"; }
 
 }  // namespace
 
@@ -102,7 +102,7 @@ double LogClock::time_of(const CsvRow& row) {
                       ": each row needs a frame of its own");
   if (time < times_[i - 1])
     fail("time", rounded(time, 9) + " s after " + rounded(times_[i - 1], 9) +
-                     " s: the clock goes back; each part in which it rises is a log of its own");
+                     " s: the clock goes back, and not to the start of the log; split the file there");
   return time;
 }
 
@@ -161,7 +161,7 @@ std::size_t LogClock::line_of(std::size_t i) const {
 std::vector<double> LogClock::spread(std::vector<double> times, std::size_t first, TimeBase& base) const {
   if (const ClockFault fault = spread_times(times, base); !fault.reason.empty())
     throw InputError(path_, line_of(first + fault.row), time_ && time_->index == 0 ? 1 : 0,
-                     "column 'time': " + fault.reason + ": no clock of one rate; " + own_times());
+                     "column 'time': " + fault.reason + ": the rows do not come at a constant rate; " + own_times());
   return times;
 }
 

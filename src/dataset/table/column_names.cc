@@ -21,10 +21,11 @@ std::optional<std::size_t> find_mapped(const std::string& path, const std::vecto
     for (std::size_t i = 0; i < headings.size(); ++i) {
       if (!is_it(headings[i])) continue;
       if (found)
-        throw InputError(path, headings[i].place,
-                         "columns " + std::to_string(*found + 1) + " and " + std::to_string(i + 1) + " are both '" +
-                             wanted + "', which is to be " + name_of(id) + "; say which by its number: " +
-                             Remedy::set("columns", name_of(id) + "=" + std::to_string(i + 1)));
+        throw InputError(
+            path, headings[i].place,
+            "columns " + std::to_string(*found + 1) + " and " + std::to_string(i + 1) + " are both named '" + wanted +
+                "', which is mapped to " + name_of(id) +
+                "; choose one by its number: " + Remedy::set("columns", name_of(id) + "=" + std::to_string(i + 1)));
       found = i;
     }
   };
@@ -58,7 +59,7 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
     for (const Heading& heading : headings)
       if (!heading.text.empty()) names += (names.empty() ? "'" : ", '") + printable(heading.text, 40) + "'";
     throw InputError(path, headings.empty() ? 1 : headings.front().place.line, 1,
-                     "no column '" + wanted + "', which is to be " + name_of(id) + "; there are " +
+                     "no column '" + wanted + "', which is mapped to " + name_of(id) + "; there are " +
                          (names.empty() ? "none with a name" : names));
   }
   NamedColumn column{id, *found, headings[*found]};

@@ -72,7 +72,7 @@ void require_width(const std::string& path, const CsvRow& row, std::size_t count
       throw InputError(path, row.place(i),
                        "the row has more fields than the header's " + std::to_string(count) +
                            (row.delimiter() == ',' && row.raw().find('.') == std::string_view::npos
-                                ? " (commas that part columns and decimal commas cannot be told apart)"
+                                ? " (separating commas cannot be distinguished from decimal commas)"
                                 : ""));
 }
 

@@ -115,9 +115,8 @@ LawCheck check_law(const UserLaw& law) {
       return check;
     }
     if (const auto psi = unseen(workspace, p)) {
-      check.error =
-          "f turns, or is no positive and finite number, within less than 3 deg near psi = " + degrees(*psi) + there +
-          ", which is too narrow to be followed: narrow the ranges of the parameters, or correct the expression";
+      check.error = "f has a feature narrower than 3 deg, or is not positive and finite, near psi = " + degrees(*psi) +
+                    there + ": narrow the ranges of the parameters, or correct the expression";
       return check;
     }
     ++tried;
@@ -130,7 +129,7 @@ LawCheck check_law(const UserLaw& law) {
   if (first_falling) {
     // tau/y is at most S0/sqrt(-6 pi P) on the circle of a load P < 0
     const double psi = first_falling->falls_at.value_or(0), g = first_falling->falling_g;
-    check.warnings.push_back("one area stands for several T in " + std::to_string(falling) + " of " +
+    check.warnings.push_back("several T have the same area in " + std::to_string(falling) + " of " +
                              std::to_string(tried) +
                              " parts of the parameters' ranges, where (1 + tan^2 psi)/f falls " +
                              "and shear enlarges the contact: first with " + shown(parameters, first_falling->p) +
@@ -144,12 +143,12 @@ LawCheck check_law(const UserLaw& law) {
     return check;
   }
   if (lost > kLost)
-    check.warnings.push_back("near psi = " + degrees(lost_at) + lost_with + " f is known to " + shown(lost) +
-                             ": it bends or scatters there more than samples tell");
+    check.warnings.push_back("near psi = " + degrees(lost_at) + lost_with + ", f is known only to " + shown(lost) +
+                             ": it has a kink or noise there that further samples do not resolve");
   if (roundest.rounding > 1e-13)
-    check.warnings.push_back("near psi = " + degrees(roundest.rounding_at) + " f is known to " +
-                             shown(roundest.rounding) + " of itself, as it is computed from psi, which is rounded: t " +
-                             "for tan psi and B for sin^2 psi are exact");
+    check.warnings.push_back("near psi = " + degrees(roundest.rounding_at) + ", f has a relative error of " +
+                             shown(roundest.rounding) +
+                             ", because psi is rounded; use t for tan psi and B for sin^2 psi");
   return check;
 }
 

@@ -38,7 +38,7 @@ class Law:
     ------
     InputError
         For a syntax error, with its column; if f is not a positive number; if a function does not return an array of
-        the angles' shape. A UserWarning is issued if one area corresponds to several T, or if the form loses digits.
+        the angles' shape. A UserWarning is issued if several T have the same area, or if the form loses digits.
 
     Notes
     -----

@@ -32,7 +32,7 @@ Figure regime_figure(const ReportedData& reported, const ModelCurves& curves) {
   const std::string& model = curves.fit->model;
   const RegimeMapFrame& frame = curves.map->frame;
   Figure figure{.name = reported.stem + "_regimes_" + model,
-                .title = "What becomes of the contact over load and lambda, model " + model,
+                .title = "Regimes of the contact over load and lambda, model " + model,
                 .x = {units.P(), frame.P_low * units.force, frame.P_high * units.force},
                 .y = {"λ", frame.low, frame.high, frame.logarithmic},
                 .caption = "Regimes of model " + model +

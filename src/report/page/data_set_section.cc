@@ -20,7 +20,7 @@ std::string provenance_banner(const Metadata& metadata) {
                                 : provenance == Provenance::unstated
                                     ? "Nothing says where these data come from; state it in the TOML beside the file."
                                 : provenance == Provenance::digitised
-                                    ? "Read off a figure: errors of reading are part of the scatter."
+                                    ? "Digitised from a figure: reading errors are part of the scatter."
                                     : "";
   return element("p",
                  text_element("strong", "Provenance: " + std::string(to_string(provenance)) + ". ") + std::string(note),

@@ -140,8 +140,7 @@ TEST(Lag, OfNegativeCompressionIsFoundBeforeItsSignIs) {
               std::to_string(made.forces.T[i]) + "\n";
   for (std::size_t i = 0; i < made.areas.time.size(); ++i)
     areas += std::to_string(made.areas.time[i]) + "," + std::to_string(1e6 * made.areas.A[i]) + "e-6\n";
-  const ReducedLog log =
-      reduce_logs({folder.write("f.csv", forces), folder.write("a.csv", areas)}, {}, {}).front();
+  const ReducedLog log = reduce_logs({folder.write("f.csv", forces), folder.write("a.csv", areas)}, {}, {}).front();
   EXPECT_TRUE(log.load_turned);
   EXPECT_NEAR(log.runs.frames.lag, made.lag, 4 * log.runs.frames.lag_error);
 }
@@ -155,7 +154,7 @@ TEST(Lag, ThatNothingTellsIsAskedFor) {
   made.areas.path = "areas.csv";
   made.forces.path = "forces.csv";
   EXPECT_EQ(input_error([&] { on_one_clock(made.forces, made.areas, {}); }),
-            "areas.csv: no contact or fall of T that it shares with forces.csv tells the lag between their clocks; "
+            "areas.csv: no contact or fall of T that forces.csv also shows determines the lag between their clocks; "
             "state it: --lag=\"0 s\"");
 }
 

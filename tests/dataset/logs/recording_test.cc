@@ -75,9 +75,7 @@ TEST(Recordings, OfSeveralTablesAreOneLog) {
   }
   const std::string other = "Speed (mm/s),Stroke (mm),Cycles\n1,2,3\n1,2,4\n1,2,5\n";
   EXPECT_EQ(read(other + head + zero + other).time.size(), 3u);
-  EXPECT_EQ(error_of(head + zero + anew),
-            "log.csv:5:1: column 'time': 0 s after 1 s: the clock goes back; each part in which it rises is a log of "
-            "its own");
+  EXPECT_EQ(error_of(head + zero + anew), "log.csv:5: holds fewer than three rows of a log");
 }
 
 Recording read_with(const std::string& text, const Overrides& stated) {
@@ -180,9 +178,8 @@ TEST(Recordings, WithRowsTwiceHaveThemOnce) {
 }
 
 TEST(Recordings, OfAClockThatTellsNoTimesAreRefused) {
-  const std::string header = "time [s],P [mN],T [mN],A [mm^2]\n", own =
-                                                                      "give each row its own: its number divided by "
-                                                                      "the rate of the rows";
+  const std::string header = "time [s],P [mN],T [mN],A [mm^2]\n",
+                    own = "give each row its own time: row number divided by the sampling rate";
   const auto rows = [&](const std::vector<std::pair<double, int>>& stamps) {
     std::string text = header;
     int row = 0;
@@ -191,24 +188,22 @@ TEST(Recordings, OfAClockThatTellsNoTimesAreRefused) {
     return text;
   };
   EXPECT_EQ(error_of(rows({{7, 20}})),
-            "log.csv:2:1: column 'time': only 1 stamp for 20 rows: no clock of one rate; " + own);
-  EXPECT_EQ(
-      error_of(rows({{0, 1}, {1, 1}, {2, 1}, {3, 30}, {4, 1}, {5, 1}})),
-      "log.csv:5:1: column 'time': 30 rows share the stamp 3 s, where some 1 would be usual: no clock of one rate; " +
-          own);
+            "log.csv:2:1: column 'time': only 1 stamp for 20 rows: the rows do not come at a constant rate; " + own);
+  EXPECT_EQ(error_of(rows({{0, 1}, {1, 1}, {2, 1}, {3, 30}, {4, 1}, {5, 1}})),
+            "log.csv:5:1: column 'time': 30 rows share the stamp 3 s, where some 1 would be usual: the rows do not "
+            "come at a constant rate; " +
+                own);
   EXPECT_EQ(error_of(rows({{0, 4}, {1, 1}, {2, 9}, {3, 2}, {4, 7}, {5, 4}})),
             "log.csv:6:1: column 'time': the stamp 1 s has 1 row for the 1 s up to the next one, where some 7 would be "
-            "usual: no "
-            "clock of one rate; " +
+            "usual: the rows do not come at a constant rate; " +
                 own);
   EXPECT_EQ(error_of("# a note\n" + coarse(40, 0.1, 100, 0, 41)),
             "log.csv:43:1: column 'time': the stamp 1 s has 1 row for the 2.5 s up to the next one, where some 100 "
-            "would be usual: "
-            "no clock of one rate; " +
+            "would be usual: the rows do not come at a constant rate; " +
                 own);
   EXPECT_EQ(error_of(header + "0,1,2,3\n1,1,2,3\n0.5,1,2,3\n1,1,2,3\n"),
-            "log.csv:4:1: column 'time': 0.5 s after 1 s: the clock goes back; each part in which it rises is a log of "
-            "its own");
+            "log.csv:4:1: column 'time': 0.5 s after 1 s: the clock goes back, and not to the start of the "
+            "log; split the file there");
   EXPECT_EQ(error_of(header + "0,1,2,3\n\n# a comment\n,1,2,3\n2,1,2,3\n"),
             "log.csv:5:1: column 'time': the row has no time; leave it out, or " + own);
 }

@@ -153,8 +153,8 @@ TEST(ColumnNames, OfRunsBesideEachOtherAreSaidWhereOneIsRead) {
     return texts_of(load_text(header + "\n" + rows, "", stated).notes);
   };
   EXPECT_EQ(notes("P1 [mN],T1 [mN],A1 [mm^2],P2 [mN],T2 [mN],A2 [mm^2]", "P=P1,T=T1,A=A1").at(0),
-            "one run is read and those beside it are not: 'P2 [mN]', 'T2 [mN]', 'A2 [mm^2]' have the names of its "
-            "columns but for a number; they are to stand below it, or in files of their own");
+            "one run is read, and the runs beside it are not: 'P2 [mN]', 'T2 [mN]', 'A2 [mm^2]' are named like its "
+            "columns except for a number; put them below it, or in separate files");
   EXPECT_EQ(notes("P [mN],T [mN],A [mm^2],P [mN],T [mN],A [mm^2]", "P=4,T=5,A=6").size(), 1u);
   EXPECT_EQ(notes("P1 [mN],T1 [mN],A1 [mm^2],P2 [mN],x,y", "P=P1,T=T1,A=A1").size(), 0u);
 }

@@ -106,7 +106,7 @@ TEST(Exports, WithoutALoadTakeItFromTheirNameOrAFlag) {
   };
   EXPECT_NE(refused("run_7,250mN.csv", {{"load_from", "run_{P}mN"}}).find("may be a thousand or a decimal"),
             std::string::npos);
-  EXPECT_NE(refused("run-7mN.csv", {{"load_from", "run{P}mN"}}).find("may be a sign or part two words"),
+  EXPECT_NE(refused("run-7mN.csv", {{"load_from", "run{P}mN"}}).find("may be a sign or a separator"),
             std::string::npos);
   EXPECT_NE(refused("a.csv", {{"load", "3 mN +/- 1 mN"}}).find("its error belongs in load_offset"), std::string::npos);
   EXPECT_NE(refused("a.csv", {{"pixel", "1.7 um +/- 5%"}}).find("its error belongs in area_scale"), std::string::npos);
@@ -156,7 +156,7 @@ TEST(Exports, WithAMappingThatCannotBeAreRefused) {
   const std::string twice = "Force (mN),Force (mN),A (mm^2)\n1,2,3\n2,2,3\n";
   EXPECT_EQ(error(twice, "P=1,T=1"), "a.csv:1:1: column 1 is mapped to T and to P");
   EXPECT_EQ(error(twice, "P=Force (mN),T=2"),
-            "a.csv:1:12: columns 1 and 2 are both 'Force (mN)', which is to be P; say which by its number: "
+            "a.csv:1:12: columns 1 and 2 are both named 'Force (mN)', which is mapped to P; choose one by its number: "
             "--columns=\"P=2\"");
   // what is mapped stands over what is understood
   const TemporaryFolder folder;

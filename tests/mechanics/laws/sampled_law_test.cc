@@ -161,7 +161,7 @@ TEST(SampledLaws, AreCheckedAsTypedOnesAre) {
       << *below;
   const LawCheck turns = checked([](double psi, Parameter p) { return 1 + (3 + p[0]) * square(std::tan(psi)); });
   ASSERT_EQ(turns.warnings.size(), 1u);
-  EXPECT_TRUE(turns.warnings[0].starts_with("one area stands for several T in 18 of 18 parts")) << turns.warnings[0];
+  EXPECT_TRUE(turns.warnings[0].starts_with("several T have the same area in 18 of 18 parts")) << turns.warnings[0];
   EXPECT_TRUE(checked([](double psi, Parameter p) { return 1 + p[0] * square(std::tan(psi)); }).warnings.empty());
   const LawCheck jump = checked([](double psi, Parameter p) { return psi > 0.7 ? 1 + 0.1 * p[0] : 1.0; });
   ASSERT_TRUE(jump.error);

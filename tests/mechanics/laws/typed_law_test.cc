@@ -256,7 +256,7 @@ TEST(TypedLaws, AreCheckedBeforeTheyAreUsed) {
   const LawCheck partly = checked("1 + (r-1)*B^n", {{"r", 1, 20, 2}, {"n", 1, 4, 2}});
   EXPECT_FALSE(partly.error);
   ASSERT_EQ(partly.warnings.size(), 1u);
-  EXPECT_TRUE(partly.warnings[0].starts_with("one area stands for several T in ")) << partly.warnings[0];
+  EXPECT_TRUE(partly.warnings[0].starts_with("several T have the same area in ")) << partly.warnings[0];
   EXPECT_TRUE(checked("1 + p*t^2", {{"p", 0, 1, 0.5}}).warnings.empty());
   const LawCheck rounded = checked("1 + tan((1-p/2)*psi)^2", {{"p", 0, 2, 0.5}});
   ASSERT_EQ(rounded.warnings.size(), 1u);
@@ -267,7 +267,7 @@ TEST(TypedLaws, AreCheckedBeforeTheyAreUsed) {
 TEST(TypedLaws, WithFeaturesTooNarrowToBeFollowedAreRefused) {
   const auto near = [](const LawCheck& check) {
     constexpr std::string_view begin =
-        "f turns, or is no positive and finite number, within less than 3 deg near psi = ";
+        "f has a feature narrower than 3 deg, or is not positive and finite, near psi = ";
     return check.error && check.error->starts_with(begin) ? std::stod(check.error->substr(begin.size())) : -1;
   };
   const std::vector<LawParameter> p{{"p", 0.05, 0.6, 0.3}};
