@@ -84,8 +84,9 @@ std::span<const Command> commands() {
       {"points", run_points, "points DATA.csv [--out=POINTS.csv] [flags]",
        "Prints each point with its phase angle and toughness ratio, as CSV.", with_metadata_flags({"out", "force"})},
       {"runs", run_runs,
-       "runs LOG.csv [AREAS.csv] [--out=DIR] [--lag=L] [--zero_drift] [--cuts=CUTS.toml] [--formats=pdf] [flags]",
-       "Cuts a log of forces and areas over time into loading runs: points to fit, peaks, and figures of the cuts.",
+       "runs LOG.csv [AREAS.csv] ... [--out=DIR] [--lag=L] [--zero_drift] [--cuts=CUTS.toml] [--formats=pdf] [flags]",
+       "Cuts logs of forces and areas over time into loading runs: points to fit, peaks, and figures of the cuts. Each "
+       "file is a log, or files are in pairs: forces and areas.",
        with_metadata_flags({"out", "force", "lag", "zero_drift", "cuts", "formats"})},
       {"design",
        run_design,

@@ -96,3 +96,15 @@ def test_excluded_rows_stay_excluded_in_a_report(data, tmp_path):
     mixity.report(fits, tmp_path)
     assert mixity.fit(data, "c", exclude=[3])["c"].params["lambda"].value != mixity.fit(data, "c")["c"].params["lambda"].value
     assert repr(fits["c"].params["lambda"].value)[:12] in (tmp_path / "results.json").read_text()
+
+
+def test_several_logs_are_one_set_of_runs(log, program, tmp_path):
+    runs = mixity.runs(log, log)
+    assert len(runs) == 6 and len(set(run["name"] for run in runs.runs)) == 6
+    assert runs.runs[0]["shear"] == runs.runs[3]["shear"]
+    assert {row["log"] for row in runs.phases} == {str(log)}
+    runs.save(tmp_path / "python")
+    subprocess.run([program, "runs", log, log, f"--out={tmp_path}/program"], check=True, capture_output=True)
+    assert (tmp_path / "python/runs.csv").read_text() == (tmp_path / "program/runs.csv").read_text()
+    with pytest.raises(TypeError):
+        mixity.runs(log, 3)

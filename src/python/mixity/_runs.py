@@ -76,22 +76,23 @@ def _rows(text):
 
 
 def runs(
-    log: str | os.PathLike[str],
+    *logs: str | os.PathLike[str],
     areas: str | os.PathLike[str] | None = None,
-    *,
     lag: float | None = None,
     zero_drift: bool | None = None,
     cuts: str | os.PathLike[str] | None = None,
     **constants: Any,
 ) -> Runs:
-    """Finds the loading runs of a log of forces and areas over time.
+    """Finds the loading runs of logs of forces and areas over time.
 
     Parameters
     ----------
-    log : path
-        A table with a column of times, P, T and A; or without A.
+    *logs : path
+        Tables with a column of times, P, T and A, each a log with a clock and zeros of its own, such as one for each
+        load; or in pairs, one of forces and one of areas, recorded with two clocks. A file whose clock starts anew has
+        several logs.
     areas : path, optional
-        A table of times and areas, if recorded with another clock.
+        The table of times and areas that belongs to a single log of forces.
     lag : float, optional
         Lead of the areas' clock over that of the forces [s]; by default estimated from events that both show.
     zero_drift : bool, optional
@@ -106,6 +107,6 @@ def runs(
     InputError
         With the program's message; also if there is no loading run.
     """
-    paths = [os.fspath(one) for one in (log, areas) if one is not None]
+    paths = [os.fspath(one) for one in (*logs, areas) if one is not None]
     _, stated = files_and_constants([], constants)
     return Runs(_core.runs(paths, stated, lag, zero_drift, "" if cuts is None else os.fspath(cuts)), paths)
