@@ -99,7 +99,7 @@ TEST(ShearSign, IsThatOfReadingsWithTheStatedOffset) {
                     rows = "P [mN],T [mN],A [mm^2]\n1,-3,0.3\n1,-2,0.3\n1,-1,0.3\n1,0,0.3\n1,5,0.3\n";
   EXPECT_EQ(texts_of(load_text(rows, units).notes).size(), 1);
   EXPECT_EQ(texts_of(load_text(rows, units + "shear_offset = \"3 mN\"").notes), Notes{});
-  EXPECT_TRUE(texts_of(load_text(rows, units + "shear_offset = \"-6 mN\"").notes)[0].starts_with("a run is sheared"));
+  EXPECT_TRUE(texts_of(load_text(rows, units + "shear_offset = \"-6 mN\"").notes)[0].starts_with("a run sheared"));
 }
 
 TEST(ShearSign, TheAreaToCompareWithJkrIsThatNearestToZero) {
