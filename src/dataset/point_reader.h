@@ -37,8 +37,9 @@ struct ReadPoint {
   ToughnessPoint converted;
   PointErrors errors;
   PointEnergies energies;
-  double axes = 1;             // of an elliptic contact, the longer over the shorter
-  bool states_errors = false;  // in the fields of its values
+  double axes = 1;              // of an elliptic contact, the longer over the shorter
+  bool states_errors = false;   // in the fields of its values
+  bool negative_angle = false;  // psi is read without its sign
 };
 
 class PointReader {

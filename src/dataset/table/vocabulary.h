@@ -53,6 +53,9 @@ class Vocabulary {
 /// Whether a quantity may have this unit, or none.
 bool unit_fits(const std::optional<std::string>& unit, ColumnId id);
 
+/// Whether a unit is one of mass, which a balance gives where a force is wanted: "g", "mg", "kg".
+bool is_mass(std::string_view unit);
+
 /// Whether a dimension is pixels or square pixels, and a length or area in them is wanted.
 bool is_pixels(const Dimension& found, const Dimension& wanted);
 
