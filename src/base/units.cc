@@ -24,14 +24,14 @@ constexpr std::array kSymbols{
     Symbol{"m", 1, dimension::length, true},         Symbol{"N", 1, dimension::force, true},
     Symbol{"Pa", 1, dimension::stress, true},        Symbol{"J", 1, {1, 1, 0}, true},
     Symbol{"rad", 1, dimension::angle, true},        Symbol{"deg", kPi / 180, dimension::angle, false},
-    Symbol{"°", kPi / 180, dimension::angle, false}, Symbol{"gf", 9.80665e-3, dimension::force, false},
+    Symbol{"°", kPi / 180, dimension::angle, false}, Symbol{"gf", 9.80665e-3, dimension::force, true},
     Symbol{"kgf", 9.80665, dimension::force, false}, Symbol{"dyn", 1e-5, dimension::force, false},
     Symbol{"erg", 1e-7, {1, 1, 0}, false},           Symbol{"bar", 1e5, dimension::stress, false},
-    Symbol{"Newton", 1, dimension::force, false},    Symbol{"s", 1, dimension::time, true},
-    Symbol{"sec", 1, dimension::time, false},        Symbol{"min", 60, dimension::time, false},
-    Symbol{"Hz", 1, dimension::frequency, true},     Symbol{"px", 1, {0, 0, 0, 0, 1}, false},
-    Symbol{"pixel", 1, {0, 0, 0, 0, 1}, false},      Symbol{"pixels", 1, {0, 0, 0, 0, 1}, false},
-    Symbol{"Pixel", 1, {0, 0, 0, 0, 1}, false},
+    Symbol{"Newton", 1, dimension::force, false},    Symbol{"Newtons", 1, dimension::force, false},
+    Symbol{"s", 1, dimension::time, true},           Symbol{"sec", 1, dimension::time, false},
+    Symbol{"min", 60, dimension::time, false},       Symbol{"Hz", 1, dimension::frequency, true},
+    Symbol{"px", 1, {0, 0, 0, 0, 1}, false},         Symbol{"pixel", 1, {0, 0, 0, 0, 1}, false},
+    Symbol{"pixels", 1, {0, 0, 0, 0, 1}, false},     Symbol{"Pixel", 1, {0, 0, 0, 0, 1}, false},
 };
 
 struct Prefix {

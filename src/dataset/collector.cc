@@ -6,6 +6,7 @@
 
 #include "base/input_error.h"
 #include "base/number_text.h"
+#include "base/phrases.h"
 #include "base/text.h"
 #include "dataset/energies.h"
 #include "dataset/signs.h"
@@ -14,6 +15,8 @@
 
 namespace mixity {
 namespace {
+
+constexpr std::string_view kNegativeAngle = "psi < 0 beside positive phase angles";
 
 std::string name_by_load(double load, const DisplayUnits& units) {
   return "P=" + rounded(load * units.force_scale, 6) + unit_text(units.force);
@@ -96,6 +99,7 @@ void Collector::row(const CsvRow& row) {
     has_errors_ = errors_in_fields_ = true;
     data_.errors.resize(data_.points.size());
   }
+  if (read.negative_angle) negative_angles_.push_back(data_.points.size());
   data_.points.push_back(read.point);
   if (!data_.has_loads) data_.converted.push_back(read.converted);
   if (has_errors_) data_.errors.push_back(read.errors);
@@ -127,6 +131,51 @@ void Collector::take_tables_as_runs() {
   }
 }
 
+/// Phase angles below 0 are those of another convention if there are no others. Beside positive ones they are left out:
+/// an interface may have another toughness for K_II of the other sign.
+void Collector::finish_angles() {
+  const std::size_t count = negative_angles_.size();
+  if (count == 0) return;
+  std::vector<bool> negative(data_.points.size());
+  for (const std::size_t i : negative_angles_) negative[i] = true;
+  bool beside = false;
+  for (std::size_t i = 0; i < data_.points.size(); ++i) beside |= !negative[i] && data_.converted[i].psi() > 0;
+  if (!beside) {
+    data_.notes.push_back(
+        "all phase angles are negative: read without their sign, as the sign of K_II does not matter");
+    return;
+  }
+  data_.notes.push_back(counted(count, "phase angle") + (count == 1 ? " lies" : " lie") + " below 0 and " +
+                        (count == 1 ? "is" : "are") +
+                        " left out, as others lie above: whether the toughness is the same for K_II of the other sign "
+                        "is not known; written without their sign they are used");
+  std::vector<std::size_t> runs(data_.curves.size(), data_.curves.size());  // their new numbers
+  std::vector<std::string> names;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < data_.points.size(); ++i) {
+    if (negative[i]) {
+      data_.excluded.push_back({data_.points[i].line, kNegativeAngle});
+      continue;
+    }
+    std::size_t& run = runs[data_.points[i].curve];
+    if (run == data_.curves.size()) {
+      run = names.size();
+      names.push_back(data_.curves[data_.points[i].curve]);
+    }
+    data_.points[kept] = data_.points[i];
+    data_.points[kept].curve = run;
+    data_.converted[kept] = data_.converted[i];
+    if (!data_.errors.empty()) data_.errors[kept] = data_.errors[i];
+    ++kept;
+  }
+  data_.points.resize(kept);
+  data_.converted.resize(kept);
+  if (!data_.errors.empty()) data_.errors.resize(kept);
+  data_.curves = names;
+  std::stable_sort(data_.excluded.begin(), data_.excluded.end(),
+                   [](const Excluded& one, const Excluded& other) { return one.line < other.line; });
+}
+
 void Collector::finish() {
   const std::string passed_over = std::to_string(comments_) +
                                   (comments_ == 1 ? " row that begins" : " rows that begin") +
@@ -140,6 +189,7 @@ void Collector::finish() {
   const bool reads_loads = columns().has(ColumnId::P), is_negative = reads_loads && compression_is_negative(data_);
   if (is_negative) runs_.reverse_loads_in_names(data_);
   data_.curves = runs_.names();
+  finish_angles();
   if (data_.has_energies) finish_energies(metadata_path_, data_);
   if (!data_.has_loads) return;
   data_.curve_loads = runs_.loads();

@@ -56,6 +56,7 @@ class Collector {
  private:
   bool has_times() const;
   void take_tables_as_runs();
+  void finish_angles();
   void add_note_on_axes();
 
   std::string metadata_path_;
@@ -64,6 +65,7 @@ class Collector {
   bool has_errors_;                // the table has a column of standard errors, or fields with them
   bool errors_in_fields_ = false;  // "0.61 +/- 0.05"
   Runs runs_;
+  std::vector<std::size_t> negative_angles_;  // points
   struct TableBegin {
     std::size_t point;  // the first point of the table
     std::string title;

@@ -53,7 +53,7 @@ class Reader {
   }
 
   void row(const CsvRow& row) {
-    require_width(forces_.path, row, width_);
+    require_width(forces_.path, row, width_, width_);
     std::array<std::optional<double>, 3> values;
     double value = 0;
     for (const Force q : {kLoad, kPeak, kMinimum})

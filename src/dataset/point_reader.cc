@@ -79,7 +79,7 @@ PointReader::PointReader(const std::string& metadata_path, const std::vector<Hea
 }
 
 std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
-  require_width(path_, row, columns_.count);
+  require_width(path_, row, columns_.count, columns_.needed);
   if (const Column* include = columns_.find(ColumnId::include)) {
     const std::string_view text = row[include->index];
     if (text != "0" && text != "1")
@@ -131,7 +131,9 @@ std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const
 
 std::string_view PointReader::read_toughness(Numbers& number, ReadPoint& read) const {
   const bool by_angle = columns_.has(ColumnId::psi);
-  const double mixity = number(by_angle ? ColumnId::psi : ColumnId::mode_ratio);
+  double mixity = number(by_angle ? ColumnId::psi : ColumnId::mode_ratio);
+  read.negative_angle = by_angle && mixity < 0;
+  if (read.negative_angle) mixity = -mixity;
   if (mixity < 0 || mixity > (by_angle ? kLargestPhaseAngle : 1))
     return by_angle ? "psi outside 0..90 degrees" : "mode_ratio outside 0..1";
   double in_Gc = kNotStated;

@@ -37,8 +37,9 @@ struct ReadPoint {
   ToughnessPoint converted;
   PointErrors errors;
   PointEnergies energies;
-  double axes = 1;             // of an elliptic contact, longer over shorter axis
-  bool states_errors = false;  // the fields of its values contain standard errors
+  double axes = 1;              // of an elliptic contact, longer over shorter axis
+  bool states_errors = false;   // the fields of its values contain standard errors
+  bool negative_angle = false;  // psi is read without its sign
 };
 
 class PointReader {

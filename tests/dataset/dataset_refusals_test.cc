@@ -112,10 +112,34 @@ TEST(Dataset, AnAreaBelowHertzIsReadAndHasNoToughness) {
   EXPECT_FALSE(data.toughness(1));
 }
 
+TEST(Dataset, PhaseAnglesBelowZeroAreLeftOutWithANoteUnlessThereAreNoOthers) {
+  const auto notes = [](const Dataset& data) {
+    std::string text;
+    for (const Message& note : data.notes) text += note.text() + "\n";
+    return text;
+  };
+  const std::string right =
+      "phase angles lie below 0 and are left out, as others lie above: whether the toughness is the "
+      "same for K_II of the other sign is not known; written without their sign they are used\n";
+  const Dataset both = load_text("psi [deg],Gc_over_GIc,curve\n-50,4.4,n\n-20,4.1,n\n0,4,p\n30,5.1,p\n60,11,p\n");
+  EXPECT_EQ(excluded_lines(both), "2 psi < 0 beside positive phase angles\n3 psi < 0 beside positive phase angles\n");
+  EXPECT_EQ(notes(both), "2 " + right);
+  EXPECT_EQ(both.curves, std::vector<std::string>{"p"});
+  EXPECT_EQ(both.points[2].line, 6u);
+  EXPECT_EQ(both.converted.size(), 3u);
+  const Dataset turned = load_text("psi [deg],Gc_over_GIc,sigma_Gc\n0,4,0.1\n-30,5.1,0.1\n-60,11,0.1\n");
+  EXPECT_EQ(turned.points.size(), 3u);
+  EXPECT_NEAR(turned.converted[2].psi(), std::acos(-1.0) / 3, 1e-12);  // the digits of pi
+  EXPECT_EQ(notes(turned),
+            "all phase angles are negative: read without their sign, as the sign of K_II does not matter\n");
+  EXPECT_EQ(excluded_lines(load_text("psi [rad],Gc_over_GIc\n-2,4\n0.1,5\n")), "2 psi outside 0..90 degrees\n");
+}
+
 TEST(Dataset, ConvertedPointsThatCannotBeUsedAreListedToo) {
-  EXPECT_EQ(excluded_lines(load_text("psi [deg],Gc\n91,1\n-1,1\n45,0\n45,-1\nnan,1\n45,\n45,inf\n45,1\n")),
-            "2 psi outside 0..90 degrees\n3 psi outside 0..90 degrees\n4 Gc <= 0\n5 Gc <= 0\n6 psi is not finite\n"
-            "7 Gc is empty\n8 Gc is not finite\n");
+  EXPECT_EQ(
+      excluded_lines(load_text("psi [deg],Gc\n91,1\n-1,1\n45,0\n45,-1\nnan,1\n45,\n45,inf\n45,1\n")),
+      "2 psi outside 0..90 degrees\n3 psi < 0 beside positive phase angles\n4 Gc <= 0\n5 Gc <= 0\n6 psi is not finite\n"
+      "7 Gc is empty\n8 Gc is not finite\n");
   EXPECT_EQ(excluded_lines(load_text("mode_ratio,Gc\n1.01,1\n-0.1,1\n1,1\n")),
             "2 mode_ratio outside 0..1\n3 mode_ratio outside 0..1\n");
 }

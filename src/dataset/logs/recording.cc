@@ -37,9 +37,9 @@ class LogReader : public UseOfRows {
                    {rules_, metadata_.decimal, number_of_table(metadata_),
                     [&](const Table& table) { return holds_readings(table); }});
     if (!rows.table()) throw InputError(recording_.path, "holds no table with headings and rows of numbers");
-    const Columns columns(recording_.path, rows.table()->headings, rules_);
-    find_columns(*rows.table(), columns);
-    clock_.emplace(recording_.path, *rows.table(), columns, metadata_, rows.head());
+    columns_ = Columns(recording_.path, rows.table()->headings, rules_);
+    find_columns(*rows.table(), columns_);
+    clock_.emplace(recording_.path, *rows.table(), columns_, metadata_, rows.head());
     rows.read(*this);
     recording_.reading = describe(rows);
     if (!clock_->text().empty()) recording_.reading += ", " + clock_->text();
@@ -61,7 +61,7 @@ class LogReader : public UseOfRows {
   }
 
   void row(const CsvRow& row) override {
-    require_width(recording_.path, row, width_);
+    require_width(recording_.path, row, columns_.count, columns_.needed);
     const double time = clock_->time_of(row);
     values_.clear();
     for (const Channel& channel : channels_) values_.push_back(value_of(row, channel));
@@ -135,7 +135,6 @@ class LogReader : public UseOfRows {
   void find_columns(const Table& table, const Columns& columns) {
     using enum ColumnId;
     recording_.taken = columns.taken;
-    width_ = columns.count;
     for (const auto& column : columns.by_id) {
       if (!column || is_clock(column->id)) continue;
       const Heading& heading = table.headings[column->index];
@@ -187,8 +186,8 @@ class LogReader : public UseOfRows {
   Recording recording_;
   std::vector<Channel> channels_;
   std::vector<double> values_;  // of the row, by channel
+  Columns columns_;
   std::optional<LogClock> clock_;
-  std::size_t width_ = 0;  // fields in a row
 };
 
 }  // namespace

@@ -77,6 +77,12 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
   return column;
 }
 
+/// Advice on a mass where a force is wanted: "if it is the weight of grams: --columns="P=Load (gf)"".
+Message weight_of(const std::string& unit, ColumnId id, const std::vector<Heading>& headings, std::size_t index) {
+  return "it is a mass; if a weight is meant: " +
+         Message(Remedy::set("columns", mapping_with(unit + "f", id, headings, index)));
+}
+
 /// The columns named so far.
 class Names {
  public:
@@ -116,6 +122,13 @@ class Names {
     }
   }
 
+  /// "T (s)", as testers of friction write it: T is a time where its unit is one.
+  void add_times_called_T() {
+    for (std::size_t i = 0; i < headings_.size() && rules_.log; ++i)
+      if (is_time_called_T(headings_[i]) && !at(i) && !find(ColumnId::time) && !is_mapped(ColumnId::time))
+        columns_.push_back({ColumnId::time, i, headings_[i]});
+  }
+
   /// If the set is complete, adds only optional columns.
   void add_by_vocabulary(const Vocabulary& vocabulary) {
     const bool complete = is_complete();
@@ -127,7 +140,8 @@ class Names {
       const NamedColumn* before = find(column->id);
       if (!before)
         columns_.push_back(std::move(*column));
-      else if (!is_mapped(column->id) && column->id != ColumnId::frame && !column_named(headings_[before->index].name))
+      else if (!is_mapped(column->id) && !repeats_clock(*before, headings_[i]) &&
+               !column_named(headings_[before->index].name))
         throw InputError(path_, headings_[i].place,
                          "'" + before->heading.text + "' and '" + headings_[i].text + "' may both be " +
                              name_of(column->id) + "; say which: " + mapping(column->id, headings_, before->index) +
@@ -140,13 +154,14 @@ class Names {
           if (auto better = vocabulary.read(headings_[column.index], column.index, true);
               better && better->id == column.id)
             column = std::move(*better);
-    if (!is_complete() && (!rules_.log || find(ColumnId::P) || find(ColumnId::T))) refuse_unit(vocabulary);
+    if (!is_complete()) refuse_unit(vocabulary, rules_.log && !find(ColumnId::P) && !find(ColumnId::T));
   }
 
   /// Adds own names whose unit does not fit if no other column is that quantity. Reading them rejects the unit.
   void add_misfits() {
     for (std::size_t i = 0; i < headings_.size(); ++i)
-      if (const auto id = column_named(headings_[i].name); id && is_read(*id) && !find(*id) && !at(i))
+      if (const auto id = column_named(headings_[i].name);
+          id && is_read(*id) && !find(*id) && !at(i) && !is_time_called_T(headings_[i]))
         columns_.push_back({*id, i, headings_[i]});
   }
 
@@ -190,6 +205,16 @@ class Names {
   }
 
  private:
+  static bool is_time_called_T(const Heading& heading) {
+    const auto unit = (heading.name == "T" || heading.name.ends_with(".T")) && heading.unit ? parse_unit(*heading.unit)
+                                                                                            : std::nullopt;
+    return unit && unit->dimension == dimension::time;
+  }
+  /// Whether a second column of frames, or of times with the same heading, as LabVIEW writes one for each channel.
+  static bool repeats_clock(const NamedColumn& before, const Heading& heading) {
+    return before.id == ColumnId::frame || (before.id == ColumnId::time && before.heading.text == heading.text);
+  }
+
   template <class Value>
   const NamedColumn* column_with(Value NamedColumn::*member, Value value) const {
     const auto found = std::find_if(columns_.begin(), columns_.end(),
@@ -216,17 +241,21 @@ class Names {
            });
   }
 
-  /// Throws for a heading of a quantity that is still needed, if its unit is unknown or does not fit.
-  void refuse_unit(const Vocabulary& vocabulary) const {
+  /// Throws for a heading of a quantity that is still needed, if its unit is unknown or does not fit. `masses`: only
+  /// for a unit of mass, as a log of areas needs no forces.
+  void refuse_unit(const Vocabulary& vocabulary, bool masses) const {
     for (std::size_t i = 0; i < headings_.size(); ++i) {
       const Heading& heading = headings_[i];
+      if (masses && !(heading.unit && is_mass(*heading.unit))) continue;
       const auto id = vocabulary.find(heading.name);
       if (!id || unit_fits(heading.unit, *id) || find(*id)) continue;
       if (*id == ColumnId::T || (*id == ColumnId::P && !rules_.load_stated) || (*id == ColumnId::A && !is_sized()))
-        throw InputError(path_, heading.place,
-                         "'" + printable(heading.text, 60) + "' may be " + name_of(*id) + ", but '" + *heading.unit +
-                             "' is not " + describe(kind_of(*id).dimension) +
-                             "; if it is another way to write one: " + mapping(*id, headings_, i));
+        throw InputError(
+            path_, heading.place,
+            "'" + printable(heading.text, 60) + "' may be " + name_of(*id) + ", but '" + *heading.unit + "' is not " +
+                describe(kind_of(*id).dimension) +
+                (is_mass(*heading.unit) ? ": " + weight_of(*heading.unit, *id, headings_, i)
+                                        : "; if it is another way to write one: " + mapping(*id, headings_, i)));
     }
   }
 
@@ -265,6 +294,7 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
   Names names(path, headings, rules);
   names.add_mapped();
   names.add_own_names();
+  names.add_times_called_T();
   if (rules.vocabulary) names.add_by_vocabulary(rules.names ? *rules.names : Vocabulary::shipped());
   if (rules.vocabulary) names.add_misfits();
   names.drop_redundant_sizes();

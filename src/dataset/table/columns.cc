@@ -40,6 +40,9 @@ Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& 
   const auto parsed = parse_unit(*heading.unit);
   const std::string wanted =
       describe(kind.dimension) + (kind.dimension == dimension::none ? "" : ", or no unit if dimensionless");
+  if (!parsed && is_mass(*heading.unit) && kind.dimension == dimension::force)
+    fail("'" + *heading.unit + "' of column '" + heading.name + "' is a mass; if a weight is meant: " +
+         Remedy::set("columns", std::string(kind.name) + "=" + heading.name + " (" + *heading.unit + "f)"));
   if (!parsed) fail("'" + *heading.unit + "' of column '" + heading.name + "' is no unit; wanted " + wanted);
   // "T [mN] (N)"
   for (std::size_t open = text.find_first_of("[("); open != std::string_view::npos;
@@ -63,8 +66,8 @@ Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& 
   return *parsed;
 }
 
-void require_width(const std::string& path, const CsvRow& row, std::size_t count) {
-  if (row.size() < count)
+void require_width(const std::string& path, const CsvRow& row, std::size_t count, std::size_t needed) {
+  if (row.size() < count && (row.size() < needed || row.delimiter() == kBlanks))
     throw InputError(path, row.place(row.size()),
                      "the row has " + std::to_string(row.size()) + " fields, the header " + std::to_string(count));
   for (std::size_t i = count; i < row.size(); ++i)
@@ -125,6 +128,7 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
     by_id[static_cast<std::size_t>(column.id)] =
         Column{column.id, column.index, unit_of(column.heading, kind, path, headings.size() == 1, rules.pixel)};
     used[column.index] = true;
+    needed = std::max(needed, column.index + 1);
     count = std::max(count, column.index + 1);
     if (column.heading.name != kind.name)
       taken.push_back(std::string(kind.name) + " from '" + printable(headings[column.index].text, 60) + "'");

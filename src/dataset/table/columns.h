@@ -29,6 +29,7 @@ struct Columns {
   /// Throws InputError as name_columns does, for a text that is not a unit, for a unit that does not fit its quantity,
   /// and, except for logs, for columns that give no points: MissingColumn if one is missing.
   Columns(const std::string& path, const std::vector<Heading>& headings, const ColumnRules& rules = {});
+  Columns() = default;
 
   const Column* find(ColumnId id) const {
     const auto& column = by_id[static_cast<std::size_t>(id)];
@@ -46,6 +47,7 @@ struct Columns {
 
   std::array<std::optional<Column>, kColumnCount> by_id;
   std::size_t count = 0;             // fields in the header, up to the last with a name
+  std::size_t needed = 0;            // of them, up to the last that is read
   std::vector<std::string> ignored;  // names of columns that are not read
   /// Ignored columns with known names, except times, and why they are ignored.
   std::vector<std::pair<std::string, std::string>> unused;
@@ -72,8 +74,9 @@ Unit unit_of(const Heading& heading, const ColumnKind& kind, const std::string& 
 
 bool holds_a_number(const CsvRow& row);
 
-/// Requires as many fields as the header has; additional fields must be empty or words.
-void require_width(const std::string& path, const CsvRow& row, std::size_t count);
+/// Requires as many fields as the header has; additional fields must be empty or words. If separators other than blanks
+/// divide them, fields after the `needed` ones may be missing, as LabVIEW's comments are in most rows.
+void require_width(const std::string& path, const CsvRow& row, std::size_t count, std::size_t needed);
 
 /// Advice to append to a message about a text that is not a number.
 std::string_view decimal_comma_hint(std::string_view text);

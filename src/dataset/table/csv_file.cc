@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "base/input_error.h"
+#include "dataset/table/binary_file.h"
 
 namespace mixity {
 
@@ -45,9 +46,7 @@ void CsvFile::begin() {
   if (begun_) return;
   begun_ = true;
   read(std::max(block_bytes_, kForEncoding));
-  for (const std::string_view magic : {"PK\x03\x04", "\xD0\xCF\x11\xE0"})
-    if (text_.starts_with(magic))
-      throw InputError(path_, "is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)");
+  refuse_binary(path_, text_);
   std::string_view marked = text_;
   encoding_ = detect_encoding(marked);
   text_.erase(0, text_.size() - marked.size());

@@ -174,13 +174,26 @@ bool is_row_of_numbers(const CsvRow& row) {
   return numbers == 2;
 }
 
+bool begins_with_words(const CsvRow& row) {
+  std::size_t i = 0;
+  while (i < row.size() && row[i].empty()) ++i;
+  return i < row.size() && row[i].find_first_of("+-.,0123456789") != 0 && !is_missing(row[i]) && !is_number(row[i]);
+}
+
 std::size_t usual_width(const std::vector<CsvRow>& lines) {
-  std::map<std::size_t, std::size_t> rows;  // by width
-  for (const CsvRow& line : lines)
-    if (is_row_of_numbers(line)) ++rows[line.size()];
-  const auto most = std::max_element(rows.begin(), rows.end(),
-                                     [](const auto& one, const auto& other) { return one.second < other.second; });
-  return most == rows.end() ? 0 : most->first;
+  std::map<std::size_t, std::size_t> rows, with_words;  // by their width
+  std::size_t count = 0, count_with_words = 0;
+  for (const CsvRow& line : lines) {
+    if (!is_row_of_numbers(line)) continue;
+    const bool words = begins_with_words(line);
+    ++(words ? with_words : rows)[line.size()];
+    ++(words ? count_with_words : count);
+  }
+  if (2 * count < count_with_words)
+    for (const auto& [width, n] : with_words) rows[width] += n;
+  std::pair<std::size_t, std::size_t> most;  // rows, width: the wider of equally many, as heads have fewer fields
+  for (const auto& [width, n] : rows) most = std::max(most, {n, width});
+  return most.second;
 }
 
 std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<CsvRow>& lines, std::size_t width,
@@ -237,6 +250,9 @@ void take_units(const std::string& path, const CsvRow& row, const ColumnRules& r
           path, row.place(column.index),
           "the row of units has '" + printable(text, 40) + "' for column '" + heading.text + "', which " + message);
     };
+    if (!unit && !own && is_mass(text) && kind_of(column.id).dimension == dimension::force)
+      fail("is a mass; if a weight is meant: " +
+           Message(Remedy::set("columns", mapping_with(std::string(text) + "f", column.id, given, column.index))));
     if (!unit && !own && given[column.index].unit)
       fail("is no unit that is known; if it is another way to write one: " + mapping(column.id, given, column.index));
     if (unit && own && (own->factor != unit->factor || own->dimension != unit->dimension))

@@ -23,7 +23,11 @@ bool has_a_number(const CsvRow& row);
 /// Whether the row is not a comment and has two numbers.
 bool is_row_of_numbers(const CsvRow& row);
 
-/// The number of fields that most rows of numbers have; 0 if there are none.
+/// Whether its first field that is filled holds words.
+bool begins_with_words(const CsvRow& row);
+
+/// The number of fields that most rows of numbers have; 0 if there are none. Rows that begin with words, as lines of a
+/// head do ("Samples 39 39"), count only if they are most.
 std::size_t usual_width(const std::vector<CsvRow>& lines);
 
 /// The line that names most quantities, among the few lines above each of the first places where rows of `width` fields

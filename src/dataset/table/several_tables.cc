@@ -74,8 +74,7 @@ class TableParts {
   explicit TableParts(const ListingRules& rules) : rows_(rules.rows), title_(rules.title) {}
 
   void take(const CsvRow& row, std::size_t offset) {
-    const bool may_be_data =
-        is_row_of_numbers(row) && !(rows_ ? is_title(row, *rows_) : RowForm(row).begins_with_words);
+    const bool may_be_data = is_row_of_numbers(row) && !(rows_ ? is_title(row, *rows_) : begins_with_words(row));
     if (const HeadLine* const headings = may_be_data ? headings_above(above_, row) : nullptr)
       begin(*headings, true);
     else if (may_be_data && rows_ && !above_.empty() && repeats_title(above_.back()))
@@ -124,12 +123,7 @@ class TableParts {
 
 }  // namespace
 
-RowForm::RowForm(const CsvRow& row) : numbers(count_numbers(row)) {
-  std::size_t i = 0;
-  while (i < row.size() && row[i].empty()) ++i;
-  begins_with_words =
-      i < row.size() && row[i].find_first_of("+-.,0123456789") != 0 && !is_missing(row[i]) && !is_number(row[i]);
-}
+RowForm::RowForm(const CsvRow& row) : begins_with_words(mixity::begins_with_words(row)), numbers(count_numbers(row)) {}
 
 bool is_title(const CsvRow& line, const RowForm& rows) {
   const RowForm form(line);

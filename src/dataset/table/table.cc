@@ -141,10 +141,22 @@ std::string name_of(char delimiter) {
                              : "blanks";
 }
 
+/// The decimal sign that a line above a table of LabVIEW states, "Decimal_Separator ,"; 0 if there is none.
+char stated_sign(std::string_view start) {
+  if (!start.starts_with("LabVIEW Measurement")) return 0;
+  constexpr std::string_view kName = "Decimal_Separator";
+  const std::size_t at = start.find(kName);
+  if (at == std::string_view::npos) return 0;
+  // behind the tab or comma that parts the columns
+  const std::string_view value = start.substr(std::min(at + kName.size() + 1, start.size()));
+  return value.starts_with(',') ? ',' : value.starts_with('.') ? '.' : 0;
+}
+
 }  // namespace
 
 std::optional<Table> find_table(const std::string& path, std::string_view start, char line_end,
                                 const ColumnRules& rules, char decimal) {
+  if (decimal == 0) decimal = stated_sign(start);
   std::string delimiters = ";\t,| ";
   std::string_view text = start;
   std::size_t before = 0, first_line = 1;  // counts Excel's line "sep=;" above the table

@@ -2,6 +2,9 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "base/toml_file.h"
 
 namespace mixity {
@@ -98,6 +101,13 @@ std::optional<ColumnId> Vocabulary::find(std::string_view name) const {
 std::optional<ColumnId> Vocabulary::find_with_symbol(std::string_view name) const {
   const auto own_or_found = [&](std::string_view text) { return column_named(text) ? column_named(text) : find(text); };
   if (const auto found = own_or_found(name)) return found;
+  // "DAQ.Fx": of a device, not "max.Fx"
+  constexpr std::string_view kNoDevices[] = {"max", "min", "mean",   "avg",   "std",
+                                             "abs", "set", "target", "delta", "cmd"};
+  const std::size_t dot = name.rfind('.');
+  if (dot != std::string_view::npos && dot > 1 && name.find(' ') == std::string_view::npos &&
+      std::find(std::begin(kNoDevices), std::end(kNoDevices), folded(name.substr(0, dot))) == std::end(kNoDevices))
+    if (const auto of_device = own_or_found(name.substr(dot + 1))) return of_device;
   const std::size_t behind = name.find_last_of(" ,");
   if (behind == std::string_view::npos) return std::nullopt;
   const auto first = find(trim_name(name.substr(0, name.find_last_not_of(" ,", behind) + 1)));
@@ -140,6 +150,8 @@ bool unit_fits(const std::optional<std::string>& unit, ColumnId id) {
   if (parsed->text == "%") return kind.name.starts_with("sigma_");
   return parsed->dimension == kind.dimension || is_pixels(parsed->dimension, kind.dimension);
 }
+
+bool is_mass(std::string_view unit) { return unit == "g" || unit == "mg" || unit == "kg"; }
 
 bool is_pixels(const Dimension& found, const Dimension& wanted) {
   constexpr Dimension kPixels{0, 0, 0, 0, 1}, kSquarePixels{0, 0, 0, 0, 2};

@@ -53,6 +53,9 @@ class Vocabulary {
 /// Whether a quantity may have this unit; null: no unit.
 bool unit_fits(const std::optional<std::string>& unit, ColumnId id);
 
+/// Whether a unit is one of mass, which a balance shows where a force is wanted: "g", "mg", "kg".
+bool is_mass(std::string_view unit);
+
 /// Whether a dimension is in pixels where a length or area is wanted.
 bool is_pixels(const Dimension& found, const Dimension& wanted);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 
 #include "base/input_error.h"
 #include "dataset/temporary_folder.h"
@@ -139,6 +140,65 @@ TEST(Recordings, MayCountFrames) {
   EXPECT_EQ(read_with("Slice,Area (mm^2)\n" + rows, both).time[0], 0.04);
   EXPECT_EQ(read_with("Index,P [mN],T [mN]\n0,1,2\n1,1,2\n2,1,2\n", both).time[1], 0.0025);
   EXPECT_EQ(read_with("Area (mm^2)\tmean\n0.3\t4\n0.3\t4\n0.3\t4\n", {{"fps", "25"}}).time[1], 0.04);
+}
+
+/// The forms that the writer of LabVIEW has.
+TEST(Recordings, OfLabVIEWAreReadInEachForm) {
+  const std::string first =
+      "LabVIEW Measurement\t\nWriter_Version\t2\nReader_Version\t2\nSeparator\tTab\n"
+      "Decimal_Separator\t.\nMulti_Headings\tYes\nX_Columns\tOne\nTime_Pref\tRelative\nOperator\t"
+      "x\nDate\t2026/05/01\nTime\t10:00:00.5\n***End_of_Header***\t\n\t\n";
+  const auto head = [](const std::string& x) {
+    return "Channels\t3\t\t\t\nSamples\t3\t3\t3\t\nDate\t2026/05/01\t2026/05/01\t2026/05/01\t\n"
+           "Time\t10:00:00.5\t10:00:00.5\t10:00:00.5\t\nY_Unit_Label\tNewtons\tNewtons\tmm^2\t\n"
+           "X_Dimension\tTime\tTime\tTime\t\nX0\t" +
+           x + "\t" + x + "\t" + x + "\t\nDelta_X\t0.5\t0.5\t0.5\t\n***End_of_Header***\t\t\t\t\n";
+  };
+  const std::string names = "X_Value\tNormal force\tShear force\tContact area\tComment\n";
+  const auto expect = [](const Recording& log, std::size_t rows, const char* form) {
+    ASSERT_EQ(log.time.size(), rows) << form;
+    for (std::size_t i = 0; i < rows; ++i) EXPECT_NEAR(log.time[i], 0.5 * static_cast<double>(i), 1e-12) << form;
+    EXPECT_EQ(log.P[1], 0.008) << form;
+    EXPECT_EQ(log.T[2], 0.02) << form;
+    EXPECT_NEAR(log.A[1], 0.3e-6, 1e-20) << form;
+  };
+  expect(
+      read(first + head("0") + names + "0.0\t0\t0\t0\n0.5\t0.008\t0.01\t0.3\tstart of shear\n1.0\t0.008\t0.02\t0.3\n"),
+      3, "One, a comment in one row");
+  expect(read(first + head("0") + names + "\t0\t0\t0\n\t0.008\t0.01\t0.3\n\t0.008\t0.02\t0.3\n"), 3, "No");
+  const std::string multi = std::regex_replace(
+      head("0"), std::regex("\t(3|0|0.5|2026/05/01|10:00:00.5|Newtons|mm\\^2|Time)(?=\t)"), "\t$1\t");
+  expect(read(first + multi +
+              "X_Value\tNormal force\tX_Value\tShear force\tX_Value\tContact area\tComment\n"
+              "0\t0\t0\t0\t0\t0\n0.5\t0.008\t0.5\t0.01\t0.5\t0.3\n1\t0.008\t1\t0.02\t1\t0.3\n"),
+         3, "Multi");
+  expect(read(first + head("0") + names + "0.0\t0\t0\t0\n0.5\t0.008\t0.01\t0.3\n1.0\t0.008\t0.02\t0.3\n\n" +
+              head("1.5") + names + "1.5\t0.008\t0.03\t0.2\tlast\n2.0\t0.008\t0.04\t0.2\n2.5\t0.008\t0.05\t0.2\n"),
+         6, "segments");
+  std::string comma = first + head("0") + names +
+                      "0.000\t0.000\t0.000\t0.000\n0.500\t0.008\t0.010\t0.300\n1.000\t0.008\t0.020\t0.300\n";
+  std::replace(comma.begin() + static_cast<std::ptrdiff_t>(comma.find("Decimal")), comma.end(), '.', ',');
+  expect(read(comma), 3, "decimal commas that could be groups of three");
+}
+
+TEST(Recordings, OfTestersOfFrictionAreRead) {
+  const std::vector<double> times{0, 0.5, 1};
+  for (const char* head :
+       {"T (s),Fz (N),Fx (N),A (mm^2)\n", "DAQ.T (s),DAQ.Fz (N),DAQ.Fx (N),Cam.Area (mm^2)\n",
+        "Zeit / s,Kraft normal / N,Kraft tangential / N,Fläche Kontakt / mm²\n",
+        "\"Time, s\",\"Normal Force, N\",\"Friction Force, N\",\"Contact area, mm^2\"\n", "T,Fz,Fx,A\ns,N,N,mm^2\n"}) {
+    const Recording log = read(std::string(head) + "0,0,0,0\n0.5,0.008,0.01,0.3\n1,0.008,0.02,0.3\n");
+    EXPECT_EQ(log.time, times) << head;
+    EXPECT_EQ(log.T[2], 0.02) << head;
+    EXPECT_EQ(log.P[2], 0.008) << head;
+  }
+  EXPECT_EQ(error_of("time (s),Load (g),Friction (g),A (mm^2)\n0,0,0,0\n0.5,0.8,1,0.3\n1,0.8,2,0.3\n"),
+            "log.csv:1:10: 'Load (g)' may be P, but 'g' is not a force such as mN: it is a mass; if a weight is meant: "
+            "--columns=\"P=Load (gf)\"");
+  const Recording weighed = read("time (s),Load (g),Friction (mg),A (mm^2)\n0,0,0,0\n0.5,0.8,1,0.3\n1,0.8,2,0.3\n",
+                                 "P=Load (gf),T=Friction (mgf)");
+  EXPECT_NEAR(weighed.P[1], 0.8 * 9.80665e-3, 1e-15);
+  EXPECT_NEAR(weighed.T[2], 2 * 9.80665e-6, 1e-15);
 }
 
 /// Rows at `rate` a second, whose times are cut to whole steps of the clock, with an area that tells them apart.

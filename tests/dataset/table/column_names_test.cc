@@ -43,12 +43,15 @@ TEST(ColumnNames, OfALogMayBeTheProgramsAndALaboratorysInOneFile) {
 TEST(ColumnNames, WithAUnitThatIsNotKnownAreRefusedAndNotTakenForAnother) {
   const std::string remedy = "; if it is another way to write one: --columns=";
   EXPECT_EQ(read("Load (g),T [mN],A [mm^2]"),
-            "1:1: 'Load (g)' may be P, but 'g' is not a force such as mN" + remedy + "\"P=Load (UNIT)\"");
+            "1:1: 'Load (g)' may be P, but 'g' is not a force such as mN: it is a mass; if a weight is meant: "
+            "--columns=\"P=Load (gf)\"");
   EXPECT_EQ(read("P [mN],T [mN],Contact area (microns^2)"),
             "1:15: 'Contact area (microns^2)' may be A, but 'microns^2' is not an area such as mm^2" + remedy +
                 "\"A=Contact area (UNIT)\"");
   EXPECT_EQ(read("Load (g),T [mN],A [mm^2]", {{"columns", "P=Load (mN)"}}), "P from 'Load (g)'");  // as stated
-  EXPECT_NE(read("Load (g),T [mN],A [mm^2]", {{"columns", "P=Load (g)"}}).find("'g' of column 'Load' is no unit"),
+  EXPECT_NE(read("Load (g),T [mN],A [mm^2]", {{"columns", "P=Load (g)"}})
+                .find("'g' of column 'Load' is a mass; if a weight is meant: "
+                      "--columns=\"P=Load (gf)\""),
             std::string::npos);
 }
 

@@ -139,10 +139,9 @@ TEST(Exports, ThatCanBeReadInTwoWaysAreRefusedWithBoth) {
             std::string::npos);
   EXPECT_EQ(error("P [mN],T [mN],A [mm^2]\nN,mN,mm^2\n1,2,3\n2,2,3\n"),
             "a.csv:2:1: the row of units has 'N' for column 'P [mN]', which itself says mN");
-  EXPECT_EQ(
-      error("P,T,A\nkg,mN,mm^2\n1,2,3\n2,2,3\n"),
-      "a.csv:2:1: the row of units has 'kg' for column 'P', which is no unit that is known; if it is another way to "
-      "write one: --columns=\"P=P (UNIT)\"");
+  EXPECT_EQ(error("P,T,A\nkg,mN,mm^2\n1,2,3\n2,2,3\n"),
+            "a.csv:2:1: the row of units has 'kg' for column 'P', which is a mass; if a weight is meant: "
+            "--columns=\"P=P (kgf)\"");
   EXPECT_EQ(error("PK\x03\x04..."),
             "a.csv: is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)");
 }
