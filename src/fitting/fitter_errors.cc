@@ -67,11 +67,12 @@ void Fitter::restore_errors() {
 /// and estimates those that come from the scatter, until nothing changes. x: the minimum with them; emptied if the
 /// model is not defined there. False, with the errors as before, where the model does not describe the data.
 bool Fitter::settle_errors(std::vector<double>& x) {
-  constexpr int kRounds = 40, kRoundsOfTrial = 8, kNextIterations = 15;
+  constexpr int kRounds = 40, kRoundsOfTrial = 8, kNextIterations = 15, kLast = 10;
   // The rounds of each stage. Runs that differ are linearised at a first fit that may be far off.
   const bool by_run = !options_.by_run.empty();
   const int more = by_run ? 6 : 0, weighting = 2 + more, choosing = 4 + more, refining = 12 + more;
   constexpr double kSettled = 1e-10;  // of an error or a residual: an interval changes by as much
+  constexpr double kLeap = 0.1;       // of an error or a residual, in one of the last rounds
   constexpr double kSurely = 1e-6;    // of the fit with the first errors, whose weights may be wrong
   StandardErrors& errors = *prepared_.errors;
   SolverOptions quick;
@@ -83,6 +84,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   ErrorModels models;
   if (errors.source_T == ErrorSource::scatter) models.T = errors.model_T;
   if (errors.source_A == ErrorSource::scatter) models.A = errors.model_A;
+  double largest = 0;  // change of the last rounds
   bool apart = false;  // the runs differ, so that each tells of the errors beside a level of its own
   const int most = (purpose_ == Purpose::tried ? kRoundsOfTrial : kRounds) + more;
   for (int round = 0; round < most; ++round) {
@@ -152,6 +154,12 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
     if (change <= kSettled && round > choosing) break;
+    // Errors that leap to and fro tell nothing of the data: rounding decides where they stop.
+    if (round >= most - kLast) largest = std::max(largest, change);
+    if (round + 1 == most && largest > kLeap && purpose_ != Purpose::tried && !by_run) {
+      restore_errors();
+      return false;
+    }
   }
   if (free && starting_.near.empty()) starting_.guesses.push_back(x);
   return true;

@@ -33,6 +33,9 @@ struct SolverOptions {
   double difference_step = 1e-5;
   /// At a minimum at most this part of |r| lies along the columns of J of the parameters that no bound holds.
   double stationary = 1e-8;
+  /// More steps than these of Newton's method with one parameter: residuals so large that the curvature which
+  /// Gauss-Newton neglects is a good part of the whole. Then minima may lie closer to each other than a search looks.
+  int many_steps = 15;
   /// Where the kernel stops with one parameter, and with several: |J_k' r|/(|J_k| |r|) of each.
   double kernel_stationary = 1e-14, kernel_stationary_of_several = 3e-13;
 
