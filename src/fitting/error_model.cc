@@ -18,14 +18,20 @@ constexpr std::uint32_t kOfA = kConstantA | kShareA, kOfT = kConstantT | kShareT
 
 double square(double x) { return x * x; }
 
+/// How many neighbours become one row: of many points those of a run have almost the same variance.
+std::size_t pool_of(std::size_t points) {
+  constexpr std::size_t kRows = kManyPoints / 2;
+  return points < kManyPoints ? 1 : points / kRows;
+}
+
 Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
                          std::span<const double> leverages, const AxisErrors& T, const AxisErrors& A,
                          const ErrorModels& before) {
   constexpr double kMostLeverage = 0.9;  // beyond it a residual says little about its error
-  Deviations rows(4);
-  for (std::size_t i = 0; i < nearest.residuals.size(); ++i) {
+  Deviations rows(4, pool_of(used.size()));
+  const auto add = [&](std::size_t i) {
     const double share = 1 - leverages[i], r = nearest.residuals[i];
-    if (share < 1 - kMostLeverage) continue;
+    if (share < 1 - kMostLeverage) return;
     const double alone = square(nearest.load_A[i]) * independence(before.correlations.first) +
                          square(nearest.load_T[i]) * independence(before.correlations.second);
     const double factor = square(before.factor(data.points[used[i]].curve));
@@ -34,6 +40,11 @@ Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used,
     const std::array<double, 4> shape{factor * by_A, factor * by_A * square(nearest.A[i]), factor * by_T,
                                       factor * by_T * square(nearest.T[i])};
     rows.add(r * r / share, share * alone, fixed, shape);
+  };
+  if (rows.pool > 1) {
+    for (const auto& run : used_runs(data, used).groups) std::for_each(run.begin(), run.end(), add);
+  } else {
+    for (std::size_t i = 0; i < nearest.residuals.size(); ++i) add(i);
   }
   return rows;
 }
@@ -68,7 +79,7 @@ ReadingsOfT readings_of_T(const Dataset& data, std::span<const std::size_t> used
                           const AxisErrors& T, ErrorModels models) {
   ReadingsOfT sum;
   models.correlations = {};
-  Deviations differences(4);
+  Deviations differences(4, pool_of(used.size()));
   add_differences_of_T(data, used, nearest, T.least, models, differences);
   const ErrorModel now = models.T.value_or(ErrorModel{});
   for (std::size_t i = 0; i < differences.size(); ++i) {
@@ -181,26 +192,31 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
                                            Stage stage, const std::vector<std::vector<double>>& own) {
   constexpr double kContradicted = 6;  // fall of ln L of the residuals where the differences of T are counted
   ErrorModels models = before;
-  TwoProcesses processes = processes_of(data, used, nearest.load_T, nearest.load_A);
-  processes.own = own;
   constexpr std::size_t kFewest = 12;  // residuals from which a correlation can be told
   constexpr double kScatter = 0.5;
   const bool choose = stage == Stage::weighting || stage == Stage::choosing, ends = stage == Stage::ending;
   const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(data, used, nearest, T, models);
+  std::optional<TwoProcesses> made;
+  const auto processes = [&]() -> const TwoProcesses& {
+    if (!made) made = processes_of(data, used, nearest.load_T, nearest.load_A);
+    made->own = own;
+    return *made;
+  };
   // Points that scatter far less than their stated errors say tell nothing of these errors.
   double squares = 0;
   for (const double r : nearest.residuals) squares += r * r;
   const bool scatter = !(T.known && A.known) || squares > kScatter * static_cast<double>(used.size());
   if (stage == Stage::choosing && scatter && used.size() >= kFewest) {
-    const ChosenCorrelations chosen = choose_correlations(processes, nearest.residuals, [&](double rho) {
+    const ChosenCorrelations chosen = choose_correlations(processes(), nearest.residuals, [&](double rho) {
       return rho > 0 && readings.rows > 0 ? std::sqrt(readings.squares / readings.rows / kept(rho)) : 1.0;
     });
     models.correlations = chosen.correlations;
     models.log_likelihood = chosen.log_likelihood;
   }
   if (models.correlations.any() && !choose) {
-    if (!ends) improve_correlated(nearest, processes, readings, T.known, A.known, models);
+    if (!ends) improve_correlated(nearest, processes(), readings, T.known, A.known, models);
   } else if (!T.known || !A.known) {
+    made.reset();
     const Deviations residuals = residual_rows(data, used, nearest, leverages, T, A, models);
     Deviations all = residuals;
     if (!T.known && (choose || before.differences)) add_differences_of_T(data, used, nearest, T.least, models, all);
@@ -226,7 +242,8 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   // While parts are chosen, factors would stand for them: areas of different runs differ.
   if (!choose && !T.known && !A.known) {
     std::vector<double> innovations = nearest.residuals;
-    Decorrelation(processes, {models.correlations}).apply(innovations);
+    if (models.correlations.any() || used.size() < kManyPoints)
+      Decorrelation(processes(), {models.correlations}).apply(innovations);
     models.run_factors = run_factors(data, used, innovations, leverages, before);
   }
   return models;

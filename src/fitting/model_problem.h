@@ -22,7 +22,8 @@ struct Candidate {
 struct MeasuredPoint {
   double P, T, A, sigma_T, sigma_A;
   PointPlace place{};
-  std::size_t run = 0;  // whose parameters it has, where these differ
+  std::size_t run = 0;            // whose parameters it has, where these differ
+  double near_T = 0, near_A = 0;  // a place, as it would be read, near the curve's nearest one; A = 0: not known
 };
 
 /// Measured points, each made when it is needed: of millions an array of these would be most of what a fit holds.

@@ -41,6 +41,9 @@ struct RunDifferences {
   bool any() const { return !names.empty(); }
 };
 
+/// Points from which a fit looks for less that would not show: what is then left of a thousandth of a standard error.
+inline constexpr std::size_t kManyPoints = 1 << 16;
+
 /// The sum of the squares of the distances that curvature leads one to expect, in standard errors, from which it
 /// matters.
 inline constexpr double kCurvatureMatters = 1;
