@@ -32,7 +32,7 @@ std::vector<std::string> tested_quantities(const Dataset& data, const PreparedFi
 
 namespace {
 
-/// A fit with further free constants, whose residuals are the distances as they are.
+/// A fit with further free constants, whose points are independent.
 struct Widened {
   PreparedFit prepared;
   std::vector<double> x;
@@ -41,17 +41,14 @@ struct Widened {
 Widened with_quantities(const PreparedFit& prepared, const std::vector<double>& x,
                         const std::vector<std::string>& quantities) {
   Widened wide{prepared, x};
-  // What they need of the errors: of millions of points each list counts.
-  const StandardErrors& from = *prepared.errors;
-  StandardErrors& errors = *(wide.prepared.errors = std::make_shared<StandardErrors>());
-  errors.T = from.T;
-  errors.A = from.A;
-  errors.source_T = from.source_T;
-  errors.source_A = from.source_A;
-  errors.place_T = from.place_T;
-  errors.place_A = from.place_A;
-  errors.runs = from.runs;
-  errors.runs.spreads.clear();  // their shifts remain
+  // Only their slopes are used, on which expected distances do not act: of independent points the errors serve as they
+  // are, and of millions no list is copied.
+  if (prepared.errors->correlations.any() || prepared.errors->runs.any()) {
+    StandardErrors& errors = *(wide.prepared.errors = std::make_shared<StandardErrors>(*prepared.errors));
+    errors.correlations = {};
+    errors.runs.spreads.clear();  // their shifts remain
+    errors.expected.clear();
+  }
   wide.prepared.start.clear();
   for (const std::string& name : quantities) {
     const auto constant = constant_named(name);
