@@ -91,16 +91,51 @@ ReadingsOfT readings_of_T(const Dataset& data, std::span<const std::size_t> used
   return sum;
 }
 
+/// What decides about correlations: the first deviations, one run after the other.
+struct Deciding {
+  TwoProcesses processes;
+  std::vector<double> deviations{};
+};
+
+/// `own`: as estimate_errors has it.
+Deciding deciding_deviations(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+                             const std::vector<std::vector<double>>& own) {
+  struct Found {
+    std::size_t row, place;
+  };
+  std::vector<std::vector<Found>> runs(data.curves.size());
+  std::vector<std::size_t> passed(data.curves.size());
+  std::vector<std::uint32_t> places;
+  places.reserve(data.points.size());
+  for (const Point& point : data.points) places.push_back(static_cast<std::uint32_t>(passed[point.curve]++));
+  for (std::size_t row = 0; row < used.size(); ++row)
+    if (auto& run = runs[data.points[used[row]].curve]; run.size() < kDeciding) run.push_back({row, places[used[row]]});
+  Deciding some{{{}, {}, {}, {}, std::vector<std::vector<double>>(own.size())}};
+  for (const auto& run : runs) {
+    auto& list = some.processes.runs.emplace_back();
+    for (const auto [i, place] : run) {
+      if (some.deviations.size() == kDeciding) break;
+      list.push_back(some.deviations.size());
+      some.deviations.push_back(nearest.residuals[i]);
+      some.processes.places.push_back(static_cast<double>(place));
+      some.processes.first.push_back(nearest.load_A[i]);
+      some.processes.second.push_back(nearest.load_T[i]);
+      for (std::size_t q = 0; q < own.size(); ++q) some.processes.own[q].push_back(own[q][i]);
+    }
+  }
+  return some;
+}
+
 /// Improves the sizes of the errors that are not known, and all correlations, by the likelihood of the correlated
 /// residuals and of the second differences of T.
-void improve_correlated(const NearestPlaces& nearest, const TwoProcesses& processes, const ReadingsOfT& readings,
-                        bool T_known, bool A_known, ErrorModels& models) {
+void improve_correlated(const Deciding& deciding, const ReadingsOfT& readings, bool T_known, bool A_known,
+                        ErrorModels& models) {
   const auto [squares, rows] = models.differences ? readings : ReadingsOfT{};
   const auto of_readings = [&, squares = squares, rows = rows](const ScaledCorrelations& at) {
     const double variance = square(at.second) * kept(at.correlations.second);
     return -(rows * std::log(variance) + squares / variance) / 2;
   };
-  ScaledCorrelations found = improve(processes, nearest.residuals, models.correlations, of_readings);
+  ScaledCorrelations found = improve(deciding.processes, deciding.deviations, models.correlations, of_readings);
   models.correlations = found.correlations;
   const auto scale = [](std::optional<ErrorModel>& model, bool known, double factor) {
     if (model && !known) *model = {model->constant * factor, model->share * factor};
@@ -196,10 +231,9 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   constexpr double kScatter = 0.5;
   const bool choose = stage == Stage::weighting || stage == Stage::choosing, ends = stage == Stage::ending;
   const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(data, used, nearest, T, models);
-  std::optional<TwoProcesses> made;
-  const auto processes = [&]() -> const TwoProcesses& {
-    if (!made) made = processes_of(data, used, nearest.load_T, nearest.load_A);
-    made->own = own;
+  std::optional<Deciding> made;
+  const auto deciding = [&]() -> const Deciding& {
+    if (!made) made = deciding_deviations(data, used, nearest, own);
     return *made;
   };
   // Points that scatter far less than their stated errors say tell nothing of these errors.
@@ -207,14 +241,14 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   for (const double r : nearest.residuals) squares += r * r;
   const bool scatter = !(T.known && A.known) || squares > kScatter * static_cast<double>(used.size());
   if (stage == Stage::choosing && scatter && used.size() >= kFewest) {
-    const ChosenCorrelations chosen = choose_correlations(processes(), nearest.residuals, [&](double rho) {
+    const ChosenCorrelations chosen = choose_correlations(deciding().processes, deciding().deviations, [&](double rho) {
       return rho > 0 && readings.rows > 0 ? std::sqrt(readings.squares / readings.rows / kept(rho)) : 1.0;
     });
     models.correlations = chosen.correlations;
     models.log_likelihood = chosen.log_likelihood;
   }
   if (models.correlations.any() && !choose) {
-    if (!ends) improve_correlated(nearest, processes(), readings, T.known, A.known, models);
+    if (!ends) improve_correlated(deciding(), readings, T.known, A.known, models);
   } else if (!T.known || !A.known) {
     made.reset();
     const Deviations residuals = residual_rows(data, used, nearest, leverages, T, A, models);
@@ -243,7 +277,7 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   if (!choose && !T.known && !A.known) {
     std::vector<double> innovations = nearest.residuals;
     if (models.correlations.any() || used.size() < kManyPoints)
-      Decorrelation(processes(), {models.correlations}).apply(innovations);
+      Decorrelation(processes_of(data, used, nearest.load_T, nearest.load_A), {models.correlations}).apply(innovations);
     models.run_factors = run_factors(data, used, innovations, leverages, before);
   }
   return models;

@@ -34,8 +34,6 @@ Beginning beginning(const TwoProcesses& all, std::span<const double> deviations,
   return some;
 }
 
-constexpr std::size_t kEnough = 20000;  // deviations that decide
-
 /// x in [low, high] of the largest f(x), to so many bits (Brent 1973).
 template <class Function>
 double highest_between(const Function& f, double low, double high, int bits) {
@@ -176,7 +174,7 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
   constexpr int kRounds = 3;        // in turn
   constexpr double kNear = 2;       // by which ln L at the next of a few values is short of its maximum
   constexpr double kUndecided = 2;  // of ln L
-  const Beginning some = beginning(processes, deviations, kEnough);
+  const Beginning some = beginning(processes, deviations, kDeciding);
   const std::size_t n = some.deviations.size();
   const auto value = [&](double first, double second) {
     return log_likelihood_of_any_unit(some.processes, some.deviations, {{first, second}, 1, second_factor(second)});
@@ -221,7 +219,7 @@ ScaledCorrelations improve(const TwoProcesses& processes, std::span<const double
                            const std::function<double(const ScaledCorrelations&)>& more) {
   constexpr double kReach = 0.25;  // of ln(factor) and atanh(correlation)
   constexpr int kBits = 16;
-  const Beginning some = beginning(processes, deviations, kEnough);
+  const Beginning some = beginning(processes, deviations, kDeciding);
   ScaledCorrelations best{from};
   const auto value = [&](const ScaledCorrelations& at) {
     return log_likelihood(some.processes, some.deviations, at) + more(at);

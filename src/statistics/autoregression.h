@@ -21,6 +21,9 @@ struct TwoProcesses {
   std::vector<std::vector<double>> own{};
 };
 
+/// Deviations that decide about correlations: of more the first ones.
+inline constexpr std::size_t kDeciding = 20000;
+
 /// Correlations, and factors of the weights.
 struct ScaledCorrelations {
   NeighbourCorrelations correlations;
@@ -60,7 +63,7 @@ double log_likelihood(const TwoProcesses& processes, std::span<const double> dev
 
 /// The correlations of greatest likelihood, whatever the unit of the deviations, to 1e-4; 0 where BIC does not ask for
 /// one (Schwarz 1978); both alike where it asks for that and the data do not tell which one it is; ln L with them in
-/// the unit of greatest likelihood, but for a constant. Of many deviations the first 20,000 decide. `second_factor`: by
+/// the unit of greatest likelihood, but for a constant. Of many deviations the first kDeciding decide. `second_factor`: by
 /// which the second weights grow with their correlation, where something else than the deviations determines them.
 struct ChosenCorrelations {
   NeighbourCorrelations correlations{};
