@@ -18,17 +18,18 @@ constexpr std::uint32_t kOfA = kConstantA | kShareA, kOfT = kConstantT | kShareT
 
 double square(double x) { return x * x; }
 
-/// How many neighbours become one row: of many points those of a run have almost the same variance.
-std::size_t pool_of(std::size_t points) {
+/// How many neighbours become one row: of many points those of a run have almost the same variance. `own`: where runs
+/// are taken apart, the rows stay as they are.
+std::size_t pool_of(std::size_t points, bool own) {
   constexpr std::size_t kRows = kManyPoints / 2;
-  return points < kManyPoints ? 1 : points / kRows;
+  return points < kManyPoints || own ? 1 : points / kRows;
 }
 
 Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
                          std::span<const double> leverages, const AxisErrors& T, const AxisErrors& A,
-                         const ErrorModels& before) {
+                         const ErrorModels& before, std::size_t pool) {
   constexpr double kMostLeverage = 0.9;  // beyond it a residual says little about its error
-  Deviations rows(4, pool_of(used.size()));
+  Deviations rows(4, pool);
   const auto add = [&](std::size_t i) {
     const double share = 1 - leverages[i], r = nearest.residuals[i];
     if (share < 1 - kMostLeverage) return;
@@ -76,10 +77,10 @@ struct ReadingsOfT {
 };
 
 ReadingsOfT readings_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
-                          const AxisErrors& T, ErrorModels models) {
+                          const AxisErrors& T, ErrorModels models, std::size_t pool) {
   ReadingsOfT sum;
   models.correlations = {};
-  Deviations differences(4, pool_of(used.size()));
+  Deviations differences(4, pool);
   add_differences_of_T(data, used, nearest, T.least, models, differences);
   const ErrorModel now = models.T.value_or(ErrorModel{});
   for (std::size_t i = 0; i < differences.size(); ++i) {
@@ -227,10 +228,11 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
                                            Stage stage, const std::vector<std::vector<double>>& own) {
   constexpr double kContradicted = 6;  // fall of ln L of the residuals where the differences of T are counted
   ErrorModels models = before;
+  const std::size_t pool = pool_of(used.size(), !own.empty());
   constexpr std::size_t kFewest = 12;  // residuals from which a correlation can be told
   constexpr double kScatter = 0.5;
   const bool choose = stage == Stage::weighting || stage == Stage::choosing, ends = stage == Stage::ending;
-  const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(data, used, nearest, T, models);
+  const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(data, used, nearest, T, models, pool);
   std::optional<Deciding> made;
   const auto deciding = [&]() -> const Deciding& {
     if (!made) made = deciding_deviations(data, used, nearest, own);
@@ -251,7 +253,7 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
     if (!ends) improve_correlated(deciding(), readings, T.known, A.known, models);
   } else if (!T.known || !A.known) {
     made.reset();
-    const Deviations residuals = residual_rows(data, used, nearest, leverages, T, A, models);
+    const Deviations residuals = residual_rows(data, used, nearest, leverages, T, A, models, pool);
     Deviations all = residuals;
     if (!T.known && (choose || before.differences)) add_differences_of_T(data, used, nearest, T.least, models, all);
     std::optional<VarianceComponents> found;
