@@ -157,16 +157,20 @@ void CurveObjective::take_off_and_whiten(std::span<double> residuals, std::span<
   for (std::size_t i = 0; i < expected_.size(); ++i) residuals[i] -= expected_[i];
   if (!whitening_) return;
   whitening_->apply(residuals);
-  const std::size_t width = choice_.size();
-  if (!jacobian.empty())
-    for (std::size_t k = 0; k < width; ++k) whitening_->apply(jacobian.subspan(k), width);
+  if (!jacobian.empty()) whiten(jacobian);
 }
 
-std::optional<NearestPlaces> CurveObjective::nearest(std::span<const double> x) const {
+void CurveObjective::whiten(std::span<double> jacobian) const {
+  const std::size_t width = choice_.size();
+  for (std::size_t k = 0; whitening_ && k < width; ++k) whitening_->apply(jacobian.subspan(k), width);
+}
+
+std::optional<NearestPlaces> CurveObjective::nearest(std::span<const double> x, std::span<double> jacobian) const {
   NearestPlaces found;
   for (std::vector<double>* const list : {&found.residuals, &found.T, &found.A, &found.load_T, &found.load_A})
     list->resize(points_.size);
-  if (!all_blocks(x, points_, Search::global, {found.residuals, {}, {}, &found})) return std::nullopt;
+  if (!all_blocks(x, points_, Search::global, {found.residuals, jacobian, {}, &found})) return std::nullopt;
+  if (!jacobian.empty()) whiten(jacobian);
   return found;
 }
 
@@ -180,6 +184,10 @@ std::optional<std::vector<double>> CurveObjective::expected(std::span<const doub
       MeasuredPoint point = points_.at(i);
       point.T = places.T[i] + side * places.load_A[i] * point.sigma_T;
       point.A = std::max(places.A[i] - side * places.load_T[i] * point.sigma_A, 0.5 * places.A[i]);
+      if (n >= kManyPoints) {
+        point.near_T = places.T[i];
+        point.near_A = places.A[i];
+      }
       return point;
     });
     if (!all_blocks(x, beside, Search::global, {distances, {}, {}})) return std::nullopt;
@@ -221,28 +229,33 @@ Candidate CurveObjective::of_run(const Candidate& of_all, std::size_t run) const
 bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,
                                const Range& range, Search search, Workspace& workspace, const Wanted& wanted) const {
   const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
-  const bool varies = varies_ || has_changes(at.constants);
+  const bool varies = varies_ || has_changes(at.constants), places_act = varies || !choice_.constants().empty();
   ConstantsScale scale(at.constants);
   const auto array = [&](std::size_t which) { return workspace.array(which, n); };
   const auto P = array(0), T = array(1), A = array(2), sigma_T = array(3), sigma_A = array(4);
+  CurveDistances out{array(5), array(6), array(7), array(8), {workspace.values.get() + 11 * workspace.size, n * p}};
+  const bool near = points.at(index_of(begin)).near_A > 0;
+  if (!wanted.places.empty()) {
+    out.place_T = wanted.places.subspan(begin, n);
+    out.place_A = wanted.places.subspan(points.size + begin, n);
+  } else if (wanted.nearest || near) {
+    out.place_T = array(9);
+    out.place_A = array(10);
+    std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
+  }
   for (std::size_t i = 0; i < n; ++i) {
     const MeasuredPoint point = points.at(index_of(begin + i));
     if (varies) scale = ConstantsScale(at.constants, point.place);
+    if (near && !(out.place_A[i] > 0)) {
+      out.place_T[i] = std::abs(scale.shear(point.near_T));
+      out.place_A[i] = scale.true_area(point.near_A);
+    }
     P[i] = scale.load(point.P);
     T[i] = scale.shear(point.T);
     A[i] = scale.true_area(point.A);
     sigma_T[i] = scale.force * point.sigma_T;
     sigma_A[i] = scale.area * point.sigma_A;
     if (!(A[i] > 0)) return false;
-  }
-  CurveDistances out{array(5), array(6), array(7), array(8), {workspace.values.get() + 11 * workspace.size, n * p}};
-  if (!wanted.places.empty()) {
-    out.place_T = wanted.places.subspan(begin, n);
-    out.place_A = wanted.places.subspan(points.size + begin, n);
-  } else if (wanted.nearest) {
-    out.place_T = array(9);
-    out.place_A = array(10);
-    std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
   }
   if (!model().curve_distances(at.parameters, {P, T, A, sigma_T, sigma_A}, search,
                                !wanted.jacobian.empty() || wanted.nearest, out))
@@ -251,7 +264,7 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     const std::size_t index = index_of(begin + i), to = range.first ? begin + i - *range.first : index;
     wanted.residuals[to] = out.r[i];
     if (wanted.jacobian.empty() && !wanted.nearest) continue;
-    const PointPlace place = points.at(index).place;  // drifts act at T = 0, too
+    const PointPlace place = places_act ? points.at(index).place : PointPlace{};  // drifts act at T = 0, too
     if (varies) scale = ConstantsScale(at.constants, place);
     if (wanted.nearest) {
       const double load_T = std::copysign(out.dT[i], out.dT[i] * T[i]) * sigma_T[i];  // equilibrium knows |T| alone

@@ -40,8 +40,9 @@ class CurveObjective final : public ModelProblem {
 
   /// Computes residuals and the distances that they come from. False where a value is not finite.
   bool evaluate_both(std::span<const double> x, std::span<double> residuals, std::vector<double>& distances) const;
-  /// The distances and the nearest points of the curves. Null where a value is not finite.
-  std::optional<NearestPlaces> nearest(std::span<const double> x) const;
+  /// The distances and the nearest points of the curves. `jacobian`: as evaluate() fills it, or empty. Null where a
+  /// value is not finite.
+  std::optional<NearestPlaces> nearest(std::span<const double> x, std::span<double> jacobian = {}) const;
   /// The mean distance of readings with these true values and with noise of the standard errors: by Gauss-Hermite
   /// quadrature of order 3 over the noise along the curve, whose middle node contributes 0. Null where a value is not
   /// finite.
@@ -61,6 +62,7 @@ class CurveObjective final : public ModelProblem {
   };
   void sort_points();
   std::size_t index_of(std::size_t rank) const { return order_.empty() ? rank : order_[rank]; }
+  void whiten(std::span<double> jacobian) const;
   void take_off_and_whiten(std::span<double> residuals, std::span<double> jacobian) const;
   bool residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                     std::span<double> places) const;

@@ -18,14 +18,21 @@ constexpr std::uint32_t kOfA = kConstantA | kShareA, kOfT = kConstantT | kShareT
 
 double square(double x) { return x * x; }
 
+/// How many neighbours become one row: of many points those of a run have almost the same variance. `own`: where runs
+/// are taken apart, the rows stay as they are.
+std::size_t pool_of(std::size_t points, bool own) {
+  constexpr std::size_t kRows = kManyPoints / 2;
+  return points < kManyPoints || own ? 1 : points / kRows;
+}
+
 Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
                          std::span<const double> leverages, const AxisErrors& T, const AxisErrors& A,
-                         const ErrorModels& before) {
+                         const ErrorModels& before, std::size_t pool) {
   constexpr double kMostLeverage = 0.9;  // a residual with a larger one says little about its error
-  Deviations rows(4);
-  for (std::size_t i = 0; i < nearest.residuals.size(); ++i) {
+  Deviations rows(4, pool);
+  const auto add = [&](std::size_t i) {
     const double share = 1 - leverages[i], r = nearest.residuals[i];
-    if (share < 1 - kMostLeverage) continue;
+    if (share < 1 - kMostLeverage) return;
     const double alone = square(nearest.load_A[i]) * independence(before.correlations.first) +
                          square(nearest.load_T[i]) * independence(before.correlations.second);
     const double factor = square(before.factor(data.points[used[i]].curve));
@@ -34,6 +41,11 @@ Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used,
     const std::array<double, 4> shape{factor * by_A, factor * by_A * square(nearest.A[i]), factor * by_T,
                                       factor * by_T * square(nearest.T[i])};
     rows.add(r * r / share, share * alone, fixed, shape);
+  };
+  if (rows.pool > 1) {
+    for (const auto& run : used_runs(data, used).groups) std::for_each(run.begin(), run.end(), add);
+  } else {
+    for (std::size_t i = 0; i < nearest.residuals.size(); ++i) add(i);
   }
   return rows;
 }
@@ -65,10 +77,10 @@ struct ReadingsOfT {
 };
 
 ReadingsOfT readings_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
-                          const AxisErrors& T, ErrorModels models) {
+                          const AxisErrors& T, ErrorModels models, std::size_t pool) {
   ReadingsOfT sum;
   models.correlations = {};
-  Deviations differences(4);
+  Deviations differences(4, pool);
   add_differences_of_T(data, used, nearest, T.least, models, differences);
   const ErrorModel now = models.T.value_or(ErrorModel{});
   for (std::size_t i = 0; i < differences.size(); ++i) {
@@ -80,16 +92,51 @@ ReadingsOfT readings_of_T(const Dataset& data, std::span<const std::size_t> used
   return sum;
 }
 
+/// What decides about correlations: the first deviations, one run after the other.
+struct Deciding {
+  TwoProcesses processes;
+  std::vector<double> deviations{};
+};
+
+/// `own`: as estimate_errors has it.
+Deciding deciding_deviations(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+                             const std::vector<std::vector<double>>& own) {
+  struct Found {
+    std::size_t row, place;
+  };
+  std::vector<std::vector<Found>> runs(data.curves.size());
+  std::vector<std::size_t> passed(data.curves.size());
+  std::vector<std::uint32_t> places;
+  places.reserve(data.points.size());
+  for (const Point& point : data.points) places.push_back(static_cast<std::uint32_t>(passed[point.curve]++));
+  for (std::size_t row = 0; row < used.size(); ++row)
+    if (auto& run = runs[data.points[used[row]].curve]; run.size() < kDeciding) run.push_back({row, places[used[row]]});
+  Deciding some{{{}, {}, {}, {}, std::vector<std::vector<double>>(own.size())}};
+  for (const auto& run : runs) {
+    auto& list = some.processes.runs.emplace_back();
+    for (const auto [i, place] : run) {
+      if (some.deviations.size() == kDeciding) break;
+      list.push_back(some.deviations.size());
+      some.deviations.push_back(nearest.residuals[i]);
+      some.processes.places.push_back(static_cast<double>(place));
+      some.processes.first.push_back(nearest.load_A[i]);
+      some.processes.second.push_back(nearest.load_T[i]);
+      for (std::size_t q = 0; q < own.size(); ++q) some.processes.own[q].push_back(own[q][i]);
+    }
+  }
+  return some;
+}
+
 /// Improves the sizes of the errors that are not known, and all correlations, by the likelihood of the correlated
 /// residuals and of the second differences of T.
-void improve_correlated(const NearestPlaces& nearest, const TwoProcesses& processes, const ReadingsOfT& readings,
-                        bool T_known, bool A_known, ErrorModels& models) {
+void improve_correlated(const Deciding& deciding, const ReadingsOfT& readings, bool T_known, bool A_known,
+                        ErrorModels& models) {
   const auto [squares, rows] = models.differences ? readings : ReadingsOfT{};
   const auto of_readings = [&, squares = squares, rows = rows](const ScaledCorrelations& at) {
     const double variance = square(at.second) * kept(at.correlations.second);
     return -(rows * std::log(variance) + squares / variance) / 2;
   };
-  ScaledCorrelations found = improve(processes, nearest.residuals, models.correlations, of_readings);
+  ScaledCorrelations found = improve(deciding.processes, deciding.deviations, models.correlations, of_readings);
   models.correlations = found.correlations;
   const auto scale = [](std::optional<ErrorModel>& model, bool known, double factor) {
     if (model && !known) *model = {model->constant * factor, model->share * factor};
@@ -181,27 +228,32 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
                                            Stage stage, const std::vector<std::vector<double>>& own) {
   constexpr double kContradicted = 6;  // fall of ln L of the residuals when the differences of T are included
   ErrorModels models = before;
-  TwoProcesses processes = processes_of(data, used, nearest.load_T, nearest.load_A);
-  processes.own = own;
+  const std::size_t pool = pool_of(used.size(), !own.empty());
   constexpr std::size_t kFewest = 12;  // residuals needed to estimate a correlation
   constexpr double kScatter = 0.5;
   const bool choose = stage == Stage::weighting || stage == Stage::choosing, ends = stage == Stage::ending;
-  const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(data, used, nearest, T, models);
+  const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(data, used, nearest, T, models, pool);
+  std::optional<Deciding> made;
+  const auto deciding = [&]() -> const Deciding& {
+    if (!made) made = deciding_deviations(data, used, nearest, own);
+    return *made;
+  };
   // Points that scatter far less than their stated errors say nothing about these errors.
   double squares = 0;
   for (const double r : nearest.residuals) squares += r * r;
   const bool scatter = !(T.known && A.known) || squares > kScatter * static_cast<double>(used.size());
   if (stage == Stage::choosing && scatter && used.size() >= kFewest) {
-    const ChosenCorrelations chosen = choose_correlations(processes, nearest.residuals, [&](double rho) {
+    const ChosenCorrelations chosen = choose_correlations(deciding().processes, deciding().deviations, [&](double rho) {
       return rho > 0 && readings.rows > 0 ? std::sqrt(readings.squares / readings.rows / kept(rho)) : 1.0;
     });
     models.correlations = chosen.correlations;
     models.log_likelihood = chosen.log_likelihood;
   }
   if (models.correlations.any() && !choose) {
-    if (!ends) improve_correlated(nearest, processes, readings, T.known, A.known, models);
+    if (!ends) improve_correlated(deciding(), readings, T.known, A.known, models);
   } else if (!T.known || !A.known) {
-    const Deviations residuals = residual_rows(data, used, nearest, leverages, T, A, models);
+    made.reset();
+    const Deviations residuals = residual_rows(data, used, nearest, leverages, T, A, models, pool);
     Deviations all = residuals;
     if (!T.known && (choose || before.differences)) add_differences_of_T(data, used, nearest, T.least, models, all);
     std::optional<VarianceComponents> found;
@@ -226,7 +278,8 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   // While parts are being chosen, factors could replace them, since areas of different runs differ.
   if (!choose && !T.known && !A.known) {
     std::vector<double> innovations = nearest.residuals;
-    Decorrelation(processes, {models.correlations}).apply(innovations);
+    if (models.correlations.any() || used.size() < kManyPoints)
+      Decorrelation(processes_of(data, used, nearest.load_T, nearest.load_A), {models.correlations}).apply(innovations);
     models.run_factors = run_factors(data, used, innovations, leverages, before);
   }
   return models;

@@ -43,6 +43,7 @@ class Fitter {
   void restore_errors();
   double take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest);
   bool expects_distances(const std::vector<double>& x);
+  std::optional<NearestPlaces> nearest_and_leverages(const std::vector<double>& x, std::vector<double>& leverage) const;
   std::vector<double> leverages_of_data(const Problem& cost, const std::vector<double>& x) const;
   std::optional<ErrorModels> estimated_errors(const NearestPlaces& nearest, const std::vector<double>& leverage,
                                               const ErrorModels& before, Stage stage,

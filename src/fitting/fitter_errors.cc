@@ -67,11 +67,15 @@ void Fitter::restore_errors() {
 /// curve, and estimates those that come from the scatter, until nothing changes. x: the minimum with them; emptied if
 /// the model is not defined there. False, with the errors as before, where the model does not describe the data.
 bool Fitter::settle_errors(std::vector<double>& x) {
-  constexpr int kRounds = 40, kRoundsOfTrial = 8, kNextIterations = 15;
+  constexpr int kRounds = 40, kRoundsOfTrial = 8, kNextIterations = 15, kLast = 10;
   // The rounds of each stage. The first fit, about which differing runs are linearised, may be far off.
-  const bool by_run = !options_.by_run.empty();
-  const int more = by_run ? 6 : 0, weighting = 2 + more, choosing = 4 + more, refining = 12 + more;
+  const bool by_run = !options_.by_run.empty(), many = prepared_.used.size() >= kManyPoints && !by_run;
+  const int more = by_run ? 6 : 0, weighting = (many ? 1 : 2) + more, choosing = 2 * weighting - more,
+            refining = 12 + more;
   constexpr double kSettled = 1e-10;  // relative change of an error or a residual; an interval changes as much
+  constexpr double kLeap = 0.1;       // relative change in one of the last rounds
+  constexpr double kLeft = 3e-4;      // of many points: standard errors by which all further rounds would move the fit
+  constexpr double kEnough = 1e-4;    // of many points: standard errors to which a round finds the minimum
   constexpr double kSurely = 1e-6;
   constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
   constexpr double kLargeCourse = 2;     // more than the wrong weights of the first errors cause
@@ -80,11 +84,15 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   quick.engine = Engine::kernel;
   quick.last_digits = false;
   quick.most_iterations_shown = quick.most_iterations;  // the rest is left to the next round
+  const double points = static_cast<double>(prepared_.used.size());
+  if (many) quick.kernel_stationary = kEnough / std::sqrt(points);
+  double moved = 0;  // by the last round, at most: the parameters, in their standard errors
   const bool free = !problem_->parameters().empty();
   if (free && x.empty()) return true;
   ErrorModels models;
   if (errors.source_T == ErrorSource::scatter) models.T = errors.model_T;
   if (errors.source_A == ErrorSource::scatter) models.A = errors.model_A;
+  double largest = 0;  // change of the last rounds
   bool apart = false;  // the runs differ: each one's level is removed before errors are estimated
   const int most = (purpose_ == Purpose::tried ? kRoundsOfTrial : kRounds) + more;
   for (int round = 0; round < most; ++round) {
@@ -99,13 +107,15 @@ bool Fitter::settle_errors(std::vector<double>& x) {
       quick.most_iterations = quick.most_iterations_shown = kNextIterations;
     }
     const auto& objective = static_cast<const CurveObjective&>(*problem_);
-    std::vector<double> leverage = leverages_of_data(cost, x);
-    auto nearest = leverage.empty() ? std::nullopt : objective.nearest(x);
+    std::vector<double> leverage;
+    if (!many) leverage = leverages_of_data(cost, x);
+    auto nearest = many ? nearest_and_leverages(x, leverage) : leverage.empty() ? std::nullopt : objective.nearest(x);
     auto expected = nearest ? objective.expected(x, *nearest) : std::nullopt;
     if (!expected) return true;
     double freedom = 0;
     for (const double one : leverage) freedom += 1 - one;
     double change = take_expected_off(*expected, freedom, *nearest);
+    const double of_expected = change;
     expected.reset();
     if (by_run && !find_run_differences(x, *nearest, leverage, change)) return true;
     if (options_.loss == Loss::t) weigh_as_student(nearest->residuals);
@@ -134,7 +144,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     }
     std::vector<std::vector<double>> own;
     // A course common to all runs is not a difference between them.
-    if (!by_run && (apart || (round < choosing && !shared)))
+    if (!by_run && (apart || (round < choosing && !shared && (!many || round == weighting))))
       own = take_runs_apart(x, *nearest, leverage, models, apart);
     const auto found = estimated_errors(*nearest, leverage, models,
                                         round < weighting  ? Stage::weighting
@@ -156,8 +166,22 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
     if (change <= kSettled && round > choosing) break;
+    if (many) {
+      const double before = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));
+      if (round >= (known && !models.correlations.any() ? weighting : choosing) && moved < before &&
+          moved * moved <= kLeft * (before - moved))
+        break;
+    }
+    // Errors that leap to and fro tell nothing of the data: rounding decides where they stop.
+    if (round >= most - kLast) largest = std::max(largest, change);
+    if (round + 1 == most && largest > kLeap && purpose_ != Purpose::tried && !by_run) {
+      restore_errors();
+      return false;
+    }
   }
-  if (free && starting_.near.empty()) starting_.guesses.push_back(x);
+  if (!free || !starting_.near.empty()) return true;
+  if (many) starting_.guesses.clear();  // the rounds began at the best of them
+  starting_.guesses.push_back(x);
   return true;
 }
 
@@ -206,6 +230,26 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
   return true;
 }
 
+/// The nearest places, and the leverages of the data's residuals, in one pass over many points.
+std::optional<NearestPlaces> Fitter::nearest_and_leverages(const std::vector<double>& x,
+                                                           std::vector<double>& leverage) const {
+  std::vector<double> jacobian(prepared_.used.size() * x.size());
+  auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x, jacobian);
+  leverage.assign(prepared_.used.size(), 0.0);
+  if (!nearest || x.empty()) return nearest;
+  const auto J = as_matrix(jacobian, x.size());
+  Eigen::MatrixXd H = J.transpose() * J;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (const double prior = problem_->parameters()[k].prior; prior > 0) H(i, i) += 1 / (prior * prior);
+  }
+  const Eigen::MatrixXd inverse = solve_columns(H, Eigen::MatrixXd::Identity(H.rows(), H.cols()));
+  if (!inverse.allFinite()) return std::nullopt;
+  for (Eigen::Index i = 0; i < J.rows(); ++i)
+    leverage[static_cast<std::size_t>(i)] = J.row(i).dot(inverse * J.row(i).transpose());
+  return nearest;
+}
+
 /// Leverages of the data's residuals; empty if the cost cannot be linearised.
 std::vector<double> Fitter::leverages_of_data(const Problem& cost, const std::vector<double>& x) const {
   std::vector<double> list(prepared_.used.size(), 0.0);
@@ -226,11 +270,12 @@ std::optional<ErrorModels> Fitter::estimated_errors(const NearestPlaces& nearest
   constexpr std::size_t kFewest = 12;  // points needed to distinguish the parts of their errors
   const std::vector<std::size_t>& used = prepared_.used;
   const StandardErrors& errors = *prepared_.errors;
-  std::vector<double> sigma_T, sigma_A;
+  const bool all = used.size() == errors.T.size();
+  const std::vector<double> some_T = all ? std::vector<double>() : of_points(errors.T, used),
+                            some_A = all ? std::vector<double>() : of_points(errors.A, used);
+  const std::vector<double>&sigma_T = all ? errors.T : some_T, &sigma_A = all ? errors.A : some_A;
   double T = 0, A = 0;
   for (const std::size_t i : used) {
-    sigma_T.push_back(errors.T[i]);
-    sigma_A.push_back(errors.A[i]);
     T = std::max(T, data_.points[i].shear());
     A = std::max(A, data_.points[i].A);
   }

@@ -26,6 +26,20 @@ Eigen::VectorXd free_spreads(const RunRows& rows, const Groups& groups) {
   return spread;
 }
 
+/// Whether a deviation of each run in one of the quantities explains the residuals beyond chance. `rest`: how many
+/// residuals there are more than parameters.
+bool any_differs(const RunRows& rows, const Groups& groups, double rest) {
+  const std::vector<double> course(groups.size(), 1.0);
+  bool differ = false;
+  for (Eigen::Index q = 0; q < rows.Zw.cols(); ++q) {
+    const auto test = test_groups(grouped_rows(rows.J, rows.r, rows.Zw.col(q), groups), course);
+    if (!test || !(test->fall > 0) || !(rest > test->directions)) continue;
+    const double left = (rows.r.squaredNorm() - test->fall) / (rest - test->directions);
+    differ |= fisher_p_value(test->fall / test->directions / left, test->directions, rest - test->directions) < kChance;
+  }
+  return differ;
+}
+
 }  // namespace
 
 /// Where runs differ, leaves the remainder after each run has its own first parameter and scale of the areas; otherwise
@@ -38,6 +52,11 @@ std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<doubl
   if (groups.size() < 2 || groups.size() > kMostRuns || may_be_memory) return {};
   const std::vector<std::string> names{tested_quantities(data_, prepared_).front(),
                                        std::string(kConstantNames[kAreaScale])};
+  if (prepared_.used.size() >= kManyPoints && !apart && !prepared_.errors->correlations.any()) {
+    const auto sums = summed_run_rows(data_, options_, prepared_, x, nearest.residuals, names, 1);
+    const double rest = static_cast<double>(prepared_.used.size() + prior_count(*problem_) - x.size());
+    if (!sums || !any_differs(sums->rows, sums->groups, rest)) return {};
+  }
   const auto rows = run_rows(data_, options_, prepared_, x, nearest.residuals, names, 1);
   if (!rows) return {};
   if (!apart) apart = differ_more_than_neighbours(*rows, groups, nearest, leverage, models);
@@ -61,15 +80,7 @@ std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<doubl
 bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& groups, const NearestPlaces& nearest,
                                          const std::vector<double>& leverage, const ErrorModels& models) const {
   const double rest = static_cast<double>(rows.r.size() - rows.J.cols());
-  const std::vector<double> course(groups.size(), 1.0);
-  bool differ = false;
-  for (Eigen::Index q = 0; q < rows.Zw.cols(); ++q) {
-    const auto test = test_groups(grouped_rows(rows.J, rows.r, rows.Zw.col(q), groups), course);
-    if (!test || !(test->fall > 0) || !(rest > test->directions)) continue;
-    const double left = (rows.r.squaredNorm() - test->fall) / (rest - test->directions);
-    differ |= fisher_p_value(test->fall / test->directions / left, test->directions, rest - test->directions) < kChance;
-  }
-  if (!differ) return false;
+  if (!any_differs(rows, groups, rest)) return false;
   const auto by_neighbours = estimated_errors(nearest, leverage, models, Stage::choosing, {});
   if (!by_neighbours || !by_neighbours->correlations.any()) return true;
   constexpr double kEnough = 1e-3;  // of a spread; ln L, which decides, is stationary there
@@ -125,13 +136,14 @@ void Fitter::widen_by_jackknife(const RunRows& rows, const Groups& groups) {
 void Fitter::test_runs(const std::vector<double>& x) {
   result_.run_tests.clear();
   const bool curves = prepared_.objective == Objective::curve && data_.has_loads && prepared_.errors;
-  const UsedRuns in_runs = used_runs(data_, prepared_.used);
-  const Groups& groups = in_runs.groups;
+  UsedRuns in_runs = used_runs(data_, prepared_.used);
+  Groups& groups = in_runs.groups;
   const std::vector<std::size_t>& runs = in_runs.runs;
   if (!curves || groups.size() < 2 || groups.size() > kMostRuns || robust_) return;
-  const auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x);
+  auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x);
   if (!nearest) return;
-  std::vector<double> residuals = nearest->residuals;
+  std::vector<double> residuals = std::move(nearest->residuals);
+  nearest.reset();
   const std::vector<double> off = taken_off(data_, prepared_.used, *prepared_.errors);
   for (std::size_t i = 0; i < off.size(); ++i) residuals[i] -= off[i];
   const std::vector<std::string> tested = tested_quantities(data_, prepared_);
@@ -142,7 +154,15 @@ void Fitter::test_runs(const std::vector<double>& x) {
   const double unit = known ? std::max(1.0, scatter) : scatter;
   const bool judged_by_scatter = !known || scatter > 1;
   if (!(unit > 0)) return;
-  auto rows = run_rows(data_, options_, prepared_, x, residuals, tested, unit);
+  std::optional<RunRows> rows;
+  if (residuals.size() >= kManyPoints && !prepared_.errors->correlations.any() && !prepared_.errors->runs.any()) {
+    if (auto sums = summed_run_rows(data_, options_, prepared_, x, residuals, tested, unit)) {
+      rows = std::move(sums->rows);
+      groups = std::move(sums->groups);
+    }
+  } else {
+    rows = run_rows(data_, options_, prepared_, x, residuals, tested, unit);
+  }
   if (!rows) return;
   // Removes what is already fitted by run.
   const auto neighbours = neighbours_of(data_, prepared_.used, *prepared_.errors);

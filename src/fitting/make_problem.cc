@@ -39,12 +39,17 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
     std::vector<std::size_t> used{};  // empty: all, in their order
     std::optional<PointPlaces> places{};
     std::vector<PointPlace> runs{};
+    bool near = false;  // whether the places of the fit so far are known
 
     MeasuredPoint at(std::size_t k) const {
       const std::size_t i = used.empty() ? k : used[k];
       const Point& p = data.points[i];
       MeasuredPoint point{p.P, data.shear_as_read(i), p.A, errors ? errors->T[i] : 1, errors ? errors->A[i] : 1};
       point.run = p.curve;
+      if (near) {
+        point.near_T = errors->place_T[i];
+        point.near_A = errors->place_A[i];
+      }
       if (!places) return point;
       point.place = runs.empty() ? PointPlace{} : runs[p.curve];
       const bool fitted = errors && !errors->place_T.empty();
@@ -59,6 +64,7 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
   bool all = true;
   for (std::size_t k = 0; all && k < prepared.used.size(); ++k) all = prepared.used[k] == k;
   if (!all) source.used = prepared.used;
+  source.near = data.points.size() >= kManyPoints && prepared.errors && !prepared.errors->place_T.empty();
   if (places_matter(prepared)) source.places.emplace(data);
   if (prepared.errors && prepared.errors->runs.any()) source.runs = constants_of_runs(data, prepared.errors->runs);
   return {prepared.used.size(),

@@ -22,7 +22,8 @@ struct Candidate {
 struct MeasuredPoint {
   double P, T, A, sigma_T, sigma_A;
   PointPlace place{};
-  std::size_t run = 0;  // the run, where parameters differ between runs
+  std::size_t run = 0;            // the run, where parameters differ between runs
+  double near_T = 0, near_A = 0;  // a reading of a place near the nearest point of the curve; A = 0: not known
 };
 
 /// Measured points, each computed on demand: an array of millions would be most of the memory of a fit.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fitting/fitted_errors.h"
+#include "solver/linear_algebra.h"
 #include "statistics/distributions.h"
 
 namespace mixity {
@@ -29,65 +30,148 @@ std::vector<std::string> tested_quantities(const Dataset& data, const PreparedFi
   return list;
 }
 
-std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
-                                const std::vector<double>& x, const std::vector<double>& residuals,
-                                const std::vector<std::string>& quantities, double unit) {
-  PreparedFit all = prepared;
-  all.errors = std::make_shared<StandardErrors>(*prepared.errors);
-  all.errors->correlations = {};
-  all.errors->runs.spreads.clear();  // their shifts remain
-  all.errors->expected.clear();
-  all.start.clear();
-  std::vector<double> beside = x;
+namespace {
+
+/// A fit with further free constants, whose points are independent.
+struct Widened {
+  PreparedFit prepared;
+  std::vector<double> x;
+};
+
+Widened with_quantities(const PreparedFit& prepared, const std::vector<double>& x,
+                        const std::vector<std::string>& quantities) {
+  Widened wide{prepared, x};
+  // Only their slopes are used, on which expected distances do not act: of independent points the errors serve as they
+  // are, and of millions no list is copied.
+  if (prepared.errors->correlations.any() || prepared.errors->runs.any()) {
+    StandardErrors& errors = *(wide.prepared.errors = std::make_shared<StandardErrors>(*prepared.errors));
+    errors.correlations = {};
+    errors.runs.spreads.clear();  // their shifts remain
+    errors.expected.clear();
+  }
+  wide.prepared.start.clear();
   for (const std::string& name : quantities) {
     const auto constant = constant_named(name);
     const bool fitted = std::any_of(prepared.fitted.begin(), prepared.fitted.end(),
                                     [&](const FittedConstant& one) { return one.constant == constant; });
     if (!constant || fitted) continue;
-    all.fitted.push_back({*constant, prepared.constants[*constant], 0});
-    beside.push_back(prepared.constants[*constant]);
+    wide.prepared.fitted.push_back({*constant, prepared.constants[*constant], 0});
+    wide.x.push_back(prepared.constants[*constant]);
   }
+  return wide;
+}
+
+/// Of each quantity its column of the Jacobian; empty if one has none.
+std::vector<Eigen::Index> columns_of(const std::vector<FreeParameter>& parameters,
+                                     const std::vector<std::string>& quantities) {
+  std::vector<Eigen::Index> columns;
+  for (const std::string& quantity : quantities) {
+    const auto named = std::find_if(parameters.begin(), parameters.end(),
+                                    [&](const FreeParameter& one) { return one.name == quantity; });
+    if (named == parameters.end()) return {};
+    columns.push_back(named - parameters.begin());
+  }
+  return columns;
+}
+
+/// Parameters that have one, as rows behind those of the data.
+void add_priors(const std::vector<FreeParameter>& parameters, const std::vector<double>& x, RunRows& rows) {
+  std::vector<std::size_t> priors;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (parameters[k].prior > 0) priors.push_back(k);
+  const Eigen::Index data = rows.r.size(), all = data + static_cast<Eigen::Index>(priors.size());
+  rows.J.conservativeResize(all, Eigen::NoChange);
+  rows.r.conservativeResize(all);
+  rows.J.bottomRows(all - data).setZero();
+  for (std::size_t i = 0; i < priors.size(); ++i) {
+    const FreeParameter& parameter = parameters[priors[i]];
+    const auto row = data + static_cast<Eigen::Index>(i);
+    rows.J(row, static_cast<Eigen::Index>(priors[i])) = 1 / parameter.prior;
+    rows.r[row] = (x[priors[i]] - *parameter.start) / parameter.prior;
+  }
+}
+
+}  // namespace
+
+std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
+                                const std::vector<double>& x, const std::vector<double>& residuals,
+                                const std::vector<std::string>& quantities, double unit) {
+  const auto [all, beside] = with_quantities(prepared, x, quantities);
   const auto problem = make_problem(data, options, all);
   const std::size_t n = problem->residual_count(), width = beside.size(), p = x.size();
   std::vector<double> bare(n), jacobian(n * width);
   if (!problem->evaluate(beside, bare, jacobian)) return std::nullopt;
   const auto& parameters = problem->parameters();
-  std::vector<std::size_t> priors;
-  for (std::size_t k = 0; k < p; ++k)
-    if (parameters[k].prior > 0) priors.push_back(k);
   const auto rows = static_cast<Eigen::Index>(n), columns = static_cast<Eigen::Index>(p),
              effects = static_cast<Eigen::Index>(quantities.size());
-  RunRows found{Eigen::MatrixXd::Zero(rows + static_cast<Eigen::Index>(priors.size()), columns), {}, {}, {}};
-  found.r = Eigen::VectorXd::Zero(found.J.rows());
+  const std::vector<Eigen::Index> of_quantities = columns_of(parameters, quantities);
+  if (of_quantities.size() != quantities.size()) return std::nullopt;
+  RunRows found;
   found.Z.resize(rows, effects);
   const auto whole = as_matrix(jacobian, width);
-  for (Eigen::Index q = 0; q < effects; ++q) {
-    const auto named = std::find_if(parameters.begin(), parameters.end(), [&](const FreeParameter& one) {
-      return one.name == quantities[static_cast<std::size_t>(q)];
-    });
-    if (named == parameters.end()) return std::nullopt;
-    found.Z.col(q) = whole.col(named - parameters.begin()) / unit;
-  }
+  for (Eigen::Index q = 0; q < effects; ++q)
+    found.Z.col(q) = whole.col(of_quantities[static_cast<std::size_t>(q)]) / unit;
   const auto neighbours = neighbours_of(data, prepared.used, *prepared.errors);
   std::vector<double> r = residuals;
   if (neighbours) {
     neighbours->apply(r);
     for (std::size_t k = 0; k < width; ++k) neighbours->apply(std::span(jacobian).subspan(k), width);
   }
-  found.J.topRows(rows) = whole.leftCols(columns) / unit;
-  found.r.head(rows) = as_vector(r) / unit;
+  found.J = whole.leftCols(columns) / unit;
+  found.r = as_vector(r) / unit;
   found.Zw = found.Z;
   if (neighbours)
     for (Eigen::Index q = 0; q < effects; ++q)
       neighbours->apply({found.Zw.col(q).data(), static_cast<std::size_t>(rows)});
-  for (std::size_t i = 0; i < priors.size(); ++i) {
-    const FreeParameter& parameter = parameters[priors[i]];
-    const auto row = rows + static_cast<Eigen::Index>(i);
-    found.J(row, static_cast<Eigen::Index>(priors[i])) = 1 / parameter.prior;
-    found.r[row] = (x[priors[i]] - *parameter.start) / parameter.prior;
-  }
+  add_priors(parameters, x, found);
   if (!found.J.allFinite() || !found.Zw.allFinite() || !found.r.allFinite()) return std::nullopt;
   return found;
+}
+
+std::optional<SummedRows> summed_run_rows(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
+                                          const std::vector<double>& x, const std::vector<double>& residuals,
+                                          const std::vector<std::string>& quantities, double unit) {
+  constexpr std::size_t kAtOnce = kManyPoints / 2;
+  auto [all, beside] = with_quantities(prepared, x, quantities);
+  const auto p = static_cast<Eigen::Index>(x.size()), effects = static_cast<Eigen::Index>(quantities.size()),
+             width = p + effects + 1;
+  const Groups groups = used_runs(data, prepared.used).groups;
+  Eigen::MatrixXd triangles(static_cast<Eigen::Index>(groups.size()) * width, width);
+  SummedRows sums;
+  std::vector<double> bare, jacobian;
+  std::vector<FreeParameter> parameters;
+  for (const std::vector<std::size_t>& group : groups) {
+    Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero(width, width);
+    for (std::size_t begin = 0; begin < group.size(); begin += kAtOnce) {
+      const std::size_t n = std::min(kAtOnce, group.size() - begin);
+      all.used.clear();
+      for (std::size_t i = 0; i < n; ++i) all.used.push_back(prepared.used[group[begin + i]]);
+      const auto problem = make_problem(data, options, all);
+      parameters = problem->parameters();
+      const std::vector<Eigen::Index> of_quantities = columns_of(parameters, quantities);
+      bare.resize(n);
+      jacobian.resize(n * beside.size());
+      if (of_quantities.size() != quantities.size() || !problem->evaluate(beside, bare, jacobian)) return std::nullopt;
+      Eigen::MatrixXd stack(width + static_cast<Eigen::Index>(n), width);
+      stack.topRows(width) = triangle;
+      auto rows = stack.bottomRows(static_cast<Eigen::Index>(n));
+      const auto whole = as_matrix(jacobian, beside.size());
+      rows.leftCols(p) = whole.leftCols(p) / unit;
+      for (Eigen::Index q = 0; q < effects; ++q)
+        rows.col(p + q) = whole.col(of_quantities[static_cast<std::size_t>(q)]) / unit;
+      for (std::size_t i = 0; i < n; ++i)
+        rows(static_cast<Eigen::Index>(i), width - 1) = residuals[group[begin + i]] / unit;
+      triangle = qr_triangle(std::move(stack));
+    }
+    const auto first = static_cast<Eigen::Index>(sums.groups.size()) * width;
+    triangles.middleRows(first, width) = triangle;
+    std::vector<std::size_t>& list = sums.groups.emplace_back();
+    for (Eigen::Index i = 0; i < width; ++i) list.push_back(static_cast<std::size_t>(first + i));
+  }
+  if (!triangles.allFinite()) return std::nullopt;
+  sums.rows = {triangles.leftCols(p), triangles.rightCols(1), {}, triangles.middleCols(p, effects)};
+  add_priors(parameters, x, sums.rows);
+  return sums;
 }
 
 RunTest run_test(const Dataset& data, const std::string& quantity, const GroupTest& test,

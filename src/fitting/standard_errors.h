@@ -41,6 +41,9 @@ struct RunDifferences {
   bool any() const { return !names.empty(); }
 };
 
+/// From this number of points on, a fit stops at what is left of a thousandth of a standard error.
+inline constexpr std::size_t kManyPoints = 1 << 16;
+
 /// Curvature matters if the squares of the distances expected from it, in standard errors, add up to this.
 inline constexpr double kCurvatureMatters = 1;
 

@@ -98,6 +98,7 @@ std::optional<Minimum> Kernel::explore(const Start& start) {
 /// cost falls towards it.
 Minimum Kernel::newton(double x, double low, double high, bool known, std::span<const double> weights) {
   double last_x = x, last_slope = 0;
+  int steps = 0;
   bool low_known = known, high_known = known;
   const auto relative = [&] {
     const double scale = here_.slope_size[0] * std::sqrt(here_.value);
@@ -105,9 +106,10 @@ Minimum Kernel::newton(double x, double low, double high, bool known, std::span<
   };
   const auto end = [&](bool converged) {
     const double size = relative();
-    return Minimum{{x}, here_.value, size, converged || size <= options_.stationary};
+    return Minimum{{x}, here_.value, size, converged || size <= options_.stationary, steps > options_.many_steps};
   };
   for (int i = 0; i < options_.most_iterations; ++i) {
+    steps = i;
     const double slope = here_.gradient[0], curvature = here_.hessian(0, 0);
     if (relative() <= options_.kernel_stationary) return end(true);
     if ((slope > 0 && x <= low) || (slope < 0 && x >= high)) return {{x}, here_.value, 0, true};

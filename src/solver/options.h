@@ -33,6 +33,9 @@ struct SolverOptions {
   double difference_step = 1e-5;
   /// At a minimum, at most this fraction of |r| lies along the columns of J for parameters that no bound holds.
   double stationary = 1e-8;
+  /// If Newton's method with one parameter takes more steps than this, the residuals are so large that the curvature
+  /// that Gauss-Newton neglects is a good part of the whole. Minima may then lie closer together than a search looks.
+  int many_steps = 15;
   /// Where the kernel stops, with one parameter and with several: largest |J_k' r|/(|J_k| |r|).
   double kernel_stationary = 1e-14, kernel_stationary_of_several = 3e-13;
 

@@ -28,6 +28,7 @@ struct Minimum {
   double sum_of_squares;
   double stationarity;  // fraction of |r| along the columns of J for parameters that can move; 0 at a minimum
   bool stationary;      // within SolverOptions::stationary, or within rounding of the data
+  bool slow = false;    // of one parameter: Newton's method needed many steps
 };
 
 /// Where the descents from all starts ended.

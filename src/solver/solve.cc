@@ -84,6 +84,34 @@ class Minima {
   double rounding_;
 };
 
+/// The lowest minimum within three standard errors, by the scatter of the residuals, of one of a single parameter.
+/// Residuals far larger than the errors put bends into the cost where points change the branch of the curve that is
+/// next to them. Which side of one Newton's method ends at is chance, and the grid is too wide to show.
+Minimum lowest_nearby(const Problem& problem, Minimum best, const SolverOptions& options) {
+  constexpr int kSides = 12, kMost = 5;  // samples on each side; times that a lower minimum is looked around
+  constexpr double kReach = 3;
+  const std::size_t n = problem.residual_count();
+  const FreeParameter& parameter = problem.parameters()[0];
+  std::vector<double> residuals(n);
+  for (int round = 0; round < kMost; ++round) {
+    Kernel kernel(problem, options);
+    const double slope = kernel.at(best.x).slope_size.norm(),
+                 scatter = std::sqrt(best.sum_of_squares / static_cast<double>(n - 1));
+    if (!(slope > 0)) break;
+    Minimum lowest = best;
+    for (int k = -kSides; k <= kSides; ++k) {
+      const std::vector<double> x{parameter.clamped(best.x[0] + kReach * scatter / slope * k / kSides)};
+      const auto cost = sum_of_squares(problem, x, residuals);
+      if (cost && *cost < lowest.sum_of_squares * (1 - options.lower_cost)) lowest = {x, *cost, 1, false};
+    }
+    if (lowest.x == best.x) break;
+    const auto minimum = kernel.explore({lowest.x});
+    if (!minimum || !lower(*minimum, lowest)) break;
+    best = *minimum;
+  }
+  return best;
+}
+
 FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, const SolverOptions& options) {
   const std::size_t p = problem.parameters().size();
   FoundMinima found;
@@ -127,8 +155,9 @@ FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, 
   found.list = std::move(minima.list);
   if (found.list.empty()) return found;
   std::sort(found.list.begin(), found.list.end(), lower);
-  // The kernel found it; the engine of the options refines it to the last digits.
   Minimum& best = found.list.front();
+  if (p == 1 && best.slow && starting.near.empty()) best = lowest_nearby(problem, best, options);
+  // The kernel found it; the engine of the options takes it to the last digits.
   if (p > 1 || options.engine != Engine::kernel)
     if (const auto minimum = descend(problem, best.x, options);
         minimum && (minimum->stationary || lower(*minimum, best)))

@@ -10,19 +10,29 @@ namespace {
 
 constexpr double kClosest = 0.98;  // a larger correlation would be a drift
 
-/// The first runs with about `enough` deviations together.
-TwoProcesses beginning(const TwoProcesses& all, std::size_t enough) {
-  TwoProcesses some{{}, all.places, all.first, all.second, all.own};
-  std::size_t count = 0;
+/// The first runs with about `enough` deviations together, and these.
+struct Beginning {
+  TwoProcesses processes;
+  std::vector<double> deviations{};
+};
+
+Beginning beginning(const TwoProcesses& all, std::span<const double> deviations, std::size_t enough) {
+  Beginning some{{{}, {}, {}, {}, std::vector<std::vector<double>>(all.own.size())}};
+  TwoProcesses& to = some.processes;
   for (const auto& run : all.runs) {
-    const std::size_t n = std::min(run.size(), enough - std::min(enough, count));
-    some.runs.emplace_back(run.begin(), run.begin() + static_cast<std::ptrdiff_t>(n));
-    count += n;
+    auto& copy = to.runs.emplace_back();
+    for (const std::size_t i : run) {
+      if (some.deviations.size() >= enough) break;
+      copy.push_back(some.deviations.size());
+      some.deviations.push_back(deviations[i]);
+      to.places.push_back(all.places[i]);
+      to.first.push_back(all.first[i]);
+      to.second.push_back(all.second[i]);
+      for (std::size_t q = 0; q < to.own.size(); ++q) to.own[q].push_back(all.own[q][i]);
+    }
   }
   return some;
 }
-
-constexpr std::size_t kEnough = 20000;  // number of deviations used
 
 /// The x in [low, high] with the largest f(x), to this many bits (Brent 1973).
 template <class Function>
@@ -164,11 +174,10 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
   constexpr int kRounds = 3;        // over the two correlations in turn
   constexpr double kNear = 2;       // tolerated shortfall of ln L at a few trial values from its maximum
   constexpr double kUndecided = 2;  // of ln L
-  const TwoProcesses some = beginning(processes, kEnough);
-  std::size_t n = 0;
-  for (const auto& run : some.runs) n += run.size();
+  const Beginning some = beginning(processes, deviations, kDeciding);
+  const std::size_t n = some.deviations.size();
   const auto value = [&](double first, double second) {
-    return log_likelihood_of_any_unit(some, deviations, {{first, second}, 1, second_factor(second)});
+    return log_likelihood_of_any_unit(some.processes, some.deviations, {{first, second}, 1, second_factor(second)});
   };
   const double price = 0.5 * std::log(static_cast<double>(std::max<std::size_t>(n, 2)));
   const double without = value(0, 0);
@@ -210,9 +219,11 @@ ScaledCorrelations improve(const TwoProcesses& processes, std::span<const double
                            const std::function<double(const ScaledCorrelations&)>& more) {
   constexpr double kReach = 0.25;  // of ln(factor) and atanh(correlation)
   constexpr int kBits = 16;
-  const TwoProcesses some = beginning(processes, kEnough);
+  const Beginning some = beginning(processes, deviations, kDeciding);
   ScaledCorrelations best{from};
-  const auto value = [&](const ScaledCorrelations& at) { return log_likelihood(some, deviations, at) + more(at); };
+  const auto value = [&](const ScaledCorrelations& at) {
+    return log_likelihood(some.processes, some.deviations, at) + more(at);
+  };
   const auto change = [&](auto&& set) {
     const ScaledCorrelations before = best;
     const double step = highest_between(

@@ -21,6 +21,9 @@ struct TwoProcesses {
   std::vector<std::vector<double>> own{};
 };
 
+/// Number of deviations that decide about correlations: the first ones.
+inline constexpr std::size_t kDeciding = 20000;
+
 /// Correlations, and factors on the weights.
 struct ScaledCorrelations {
   NeighbourCorrelations correlations;
@@ -60,8 +63,8 @@ double log_likelihood(const TwoProcesses& processes, std::span<const double> dev
 
 /// Correlations of maximum likelihood to 1e-4, whatever the unit of the deviations; 0 where BIC rejects one (Schwarz
 /// 1978); equal where BIC requires one and the data do not tell which. ln L is that in the unit of maximum likelihood,
-/// up to a constant. Only the first 20,000 deviations are used. `second_factor`: the factor on the second weights as a
-/// function of their correlation, where these are not determined by the deviations.
+/// up to a constant. Only the first kDeciding deviations are used. `second_factor`: the factor on the second weights as
+/// a function of their correlation, where these are not determined by the deviations.
 struct ChosenCorrelations {
   NeighbourCorrelations correlations{};
   double log_likelihood = 0;

@@ -100,6 +100,15 @@ class Likelihood {
 }  // namespace
 
 void Deviations::add(double square, double share, double fixed_part, std::span<const double> shape) {
+  if (added++ % pool > 0) {
+    shares.back() += share;
+    const double part = shares.back() > 0 ? share / shares.back() : 0;
+    const auto move = [part](double& mean, double to) { mean += part * (to - mean); };
+    move(squares.back(), square);
+    move(fixed.back(), fixed_part);
+    for (std::size_t k = 0; k < components; ++k) move(shapes[shapes.size() - components + k], shape[k]);
+    return;
+  }
   squares.push_back(square);
   shares.push_back(share);
   fixed.push_back(fixed_part);

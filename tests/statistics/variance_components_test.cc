@@ -3,16 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <random>
 
 namespace mixity {
 namespace variance_components_test {
 
 /// Deviations of readings x = 0..1 whose variance is constant + proportional x^2.
-Deviations readings(std::size_t n, double constant, double proportional, unsigned seed) {
+Deviations readings(std::size_t n, double constant, double proportional, unsigned seed, std::size_t pooled = 1) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
-  Deviations rows(2);
+  Deviations rows(2, pooled);
   for (std::size_t i = 0; i < n; ++i) {
     const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(n);
     const double e = normal(random) * std::sqrt(constant + proportional * x * x);
@@ -62,6 +63,24 @@ TEST(VarianceComponents, AreTheTrueOnesWithinTheirScatter) {
   }
   EXPECT_NEAR(constant, 1, 0.05);  // four standard errors of the mean of 200
   EXPECT_NEAR(proportional, 9, 0.35);
+}
+
+/// Rows that are pooled have the mean of the shapes, which within a pool differ by a hundredth here: less than a
+/// hundredth of the scatter of what is found.
+TEST(VarianceComponents, OfPooledRowsAreThoseOfAllRows) {
+  constexpr std::size_t kRows = 20000, kPool = 30;  // the last pool is not full
+  const Deviations all = readings(kRows, 1, 9, 5), pools = readings(kRows, 1, 9, 5, kPool);
+  EXPECT_EQ(pools.size(), kRows / kPool + 1);
+  const auto found = fit_variances(all, 3), of_pools = fit_variances(pools, 3);
+  ASSERT_TRUE(found && of_pools);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(of_pools->theta[k], found->theta[k], 2e-4 * found->theta[k]);
+  double squares = 0, shares = 0;
+  for (std::size_t i = 0; i < pools.size(); ++i) {
+    squares += pools.shares[i] * pools.squares[i];
+    shares += pools.shares[i];
+  }
+  EXPECT_NEAR(shares, kRows, 1e-8 * kRows);
+  EXPECT_NEAR(squares, std::accumulate(all.squares.begin(), all.squares.end(), 0.0), 1e-10 * squares);
 }
 
 TEST(VarianceComponents, AddToTheFixedPart) {

@@ -25,6 +25,9 @@ VALUE = 1e-7  # relative: minima are found to rounding of the cost, of which the
 # Standard errors, where the points' errors come from scatter: fit and errors are found in turn, in 40 rounds at most.
 SETTLED = 1e-3
 ERROR = 1e-5  # relative: standard errors come from curvatures there
+# Of seed 77: two minima of areas far off the model, and two sets whose errors from scatter never settle. Whether a fit
+# of these depended on the order of their rows was for its rounding to say.
+HARD = (77, [1655, 2779, 4573])
 BARE = ["--checks=false", "--fitted_errors=false"]
 CONSTANTS = {"radius": "9.42 mm", "modulus": "2.133 MPa", "toughness": "27 mJ/m^2"}
 
@@ -118,11 +121,11 @@ def apart(one, other, factor, from_scatter):
     return ""
 
 
-def try_some(program, seed, begin, end):
+def try_some(program, seed, numbers):
     faults, statuses = [], {}
     with tempfile.TemporaryDirectory(prefix="mixity-invariances-") as folder:
         whole, bare = [], []  # (file, set, what, factor)
-        for i in range(begin, end):
+        for i in numbers:
             for what, (text, factor) in variants(*random_set(random.Random(f"{seed} {i}"))).items():
                 file = pathlib.Path(folder) / f"{i}_{what.replace(' ', '_')}.csv"
                 file.write_text(text)
@@ -156,14 +159,12 @@ def main():
     step = 50
     statuses, faults = {}, []
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        begins = range(0, options.sets, step)
-        for some, counts in pool.map(
-            lambda begin: try_some(options.program, options.seed, begin, min(begin + step, options.sets)), begins
-        ):
+        tasks = [(options.seed, range(i, min(i + step, options.sets))) for i in range(0, options.sets, step)] + [HARD]
+        for some, counts in pool.map(lambda task: try_some(options.program, *task), tasks):
             faults += some
             for status, n in counts.items():
                 statuses[status] = statuses.get(status, 0) + n
-    print(f"{options.sets} data sets, five variants of each: {len(faults)} differ; statuses: {statuses}")
+    print(f"{options.sets + len(HARD[1])} data sets, five variants of each: {len(faults)} differ; statuses: {statuses}")
     for fault in faults[:20]:
         print(f"FAULT: {fault}", file=sys.stderr)
     return 1 if faults else 0

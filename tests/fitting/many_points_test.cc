@@ -1,0 +1,107 @@
+// Fits of so many points that what would not show is left out: the answer is the same.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fitting/curve_objective.h"
+#include "fitting/fit.h"
+#include "fitting/measured_runs.h"
+#include "fitting/run_differences.h"
+
+namespace mixity {
+namespace many_points_test {
+
+constexpr double kTruth = 0.15, kNoise = 0.01;
+
+Dataset many_points() { return measured_runs(1, {}, kManyPoints / 6 + 100); }
+
+FitOptions unchecked() {
+  FitOptions options;
+  options.checks = false;
+  return options;
+}
+
+/// The rounds of fit and errors end early: one more must not move lambda by a thousandth of its error. All distances
+/// that change alike move it by their size times the root of the number of points.
+TEST(ManyPoints, EndWhereAnotherRoundWouldMoveTheFitByLessThanAThousandthOfItsError) {
+  const Dataset data = many_points();
+  const FitOptions options = unchecked();
+  const FitResult fit = fit_model(data, "c", options);
+  ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
+  EXPECT_LT(std::abs(*fit.parameters[0].value - kTruth), 4 * *fit.parameters[0].stderr_);
+  // a part of the noise in T is told as noise in A, and the reverse
+  ASSERT_TRUE(fit.errors->model_T && fit.errors->model_A);
+  EXPECT_NEAR(fit.errors->model_T->share, kNoise, 0.03 * kNoise);
+  EXPECT_NEAR(fit.errors->model_A->share, kNoise, 0.03 * kNoise);
+
+  PreparedFit prepared = prepare(data, model_named("c"), options, Objective::curve, nullptr);
+  prepared.errors = std::make_shared<StandardErrors>(*fit.errors);
+  const auto problem = make_problem(data, options, prepared);
+  const auto& objective = static_cast<const CurveObjective&>(*problem);
+  const std::vector<double> x{*fit.parameters[0].value};
+  const auto nearest = objective.nearest(x);
+  ASSERT_TRUE(nearest);
+  const auto expected = objective.expected(x, *nearest);
+  ASSERT_TRUE(expected);
+  const double n = static_cast<double>(data.points.size());
+  double squares = 0, largest = 0;
+  for (std::size_t i = 0; i < expected->size(); ++i)
+    squares += std::pow(nearest->residuals[i] - fit.errors->expected[i], 2);
+  for (std::size_t i = 0; i < expected->size(); ++i)
+    largest = std::max(largest, std::abs(squares / (n - 1) * (*expected)[i] - fit.errors->expected[i]));
+  EXPECT_LT(largest * std::sqrt(n), 1e-3);
+}
+
+/// A nearest point is looked for from where the last fit had it. It is the same as without.
+TEST(ManyPoints, HaveTheSameNearestPlacesWhereverTheSearchBegins) {
+  Dataset data = many_points();
+  const FitOptions options = unchecked();
+  PreparedFit prepared = prepare(data, model_named("c"), options, Objective::curve, nullptr);
+  const std::vector<double> x{0.16};
+  const auto blind = static_cast<const CurveObjective&>(*make_problem(data, options, prepared)).nearest(x);
+  ASSERT_TRUE(blind);
+  for (const double off : {1.0, 0.7, 1.4}) {
+    prepared.errors->place_T = blind->T;
+    prepared.errors->place_A = blind->A;
+    for (double& A : prepared.errors->place_A) A *= off;
+    const auto seen = static_cast<const CurveObjective&>(*make_problem(data, options, prepared)).nearest(x);
+    ASSERT_TRUE(seen);
+    double largest = 0;
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+      largest = std::max(largest, std::abs(seen->residuals[i] - blind->residuals[i]));
+    EXPECT_LT(largest, 1e-9) << off;  // rounding of readings of some 100 errors, where Newton's method ends
+  }
+}
+
+/// Sums of squares and products are all that tests of differences between runs use of the rows.
+TEST(ManyPoints, HaveSumsOfRunsWithTheProductsOfAllRows) {
+  const Dataset data = measured_runs(3, {}, 40);
+  const FitOptions options = unchecked();
+  const FitResult fit = fit_model(data, "c", options);
+  PreparedFit prepared = prepare(data, model_named("c"), options, Objective::curve, nullptr);
+  prepared.errors = std::make_shared<StandardErrors>(*fit.errors);
+  prepared.errors->correlations = {};
+  const std::vector<double> x{*fit.parameters[0].value};
+  const std::vector<std::string> names = tested_quantities(data, prepared);
+  const auto rows = run_rows(data, options, prepared, x, fit.residuals, names, 2);
+  const auto sums = summed_run_rows(data, options, prepared, x, fit.residuals, names, 2);
+  ASSERT_TRUE(rows && sums);
+  const GroupedRows whole = grouped_rows(rows->J, rows->r, rows->Zw, used_runs(data, prepared.used).groups),
+                    few = grouped_rows(sums->rows.J, sums->rows.r, sums->rows.Zw, sums->groups);
+  const auto same = [](const auto& one, const auto& other) {
+    EXPECT_LT((one - other).norm(), 1e-12 * one.norm() + 1e-300);  // rounding of sums of 40 squares
+  };
+  same(whole.J_J, few.J_J);
+  EXPECT_NEAR(whole.r_r, few.r_r, 1e-12 * whole.r_r);
+  EXPECT_LT((whole.J_r - few.J_r).norm(), 1e-12 * std::sqrt(whole.J_J.norm() * whole.r_r));
+  ASSERT_EQ(whole.groups.size(), few.groups.size());
+  for (std::size_t g = 0; g < whole.groups.size(); ++g) {
+    same(whole.groups[g].Z_Z, few.groups[g].Z_Z);
+    same(whole.groups[g].J_Z, few.groups[g].J_Z);
+    EXPECT_LT((whole.groups[g].Z_r - few.groups[g].Z_r).norm(),
+              1e-12 * std::sqrt(whole.groups[g].Z_Z.norm() * whole.r_r));
+  }
+}
+
+}  // namespace many_points_test
+}  // namespace mixity
