@@ -23,7 +23,7 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
   constexpr std::size_t kSample = 1000;  // points
   const Metadata& metadata = data.metadata;
   const ColumnRules rules = rules_of(metadata, inputs);
-  CsvFile file(data.path, inputs);
+  CsvFile file(data.path, inputs, {metadata.sheet, metadata.decimal, &rules});
   const auto table = find_table(data.path, file.start(), file.line_end(), rules, metadata.decimal);
   CsvRow row;
   std::vector<Heading> headings;
@@ -31,7 +31,7 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
   if (file.encoding() != Encoding::utf8) data.reading = to_string(file.encoding());
   if (table) {
     headings = table->headings;
-    const std::string how = describe(*table);
+    const std::string how = file.sheet() ? describe(*file.sheet(), describe(*table)) : describe(*table);
     if (how != "commas") data.reading += (data.reading.empty() ? "" : ", ") + how;
     if (file.at_end()) summary_line = table->summary_line;
     file.begin_at(table->offset, table->line, table->format);
@@ -39,6 +39,7 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
     if (!file.next(row)) throw InputError(data.path, 1, 1, "is empty: a header row is missing");
     headings = headings_of(row);
   }
+  if (file.sheet()) data.notes = file.sheet()->notes;
   Collector collector(metadata_path, headings, rules, data);
   std::vector<std::size_t> words;  // lines without a number, which at the end of the table are not rows
   std::optional<InputError> refusal;
@@ -90,12 +91,15 @@ void refuse_value(const Dataset& data, const Point& point, std::string_view colu
   std::optional<std::size_t> index;
   try {
     Inputs as_read(data.inputs);
-    read_csv(path, as_read, [&](const CsvRow& row) {
-      const auto headings = headings_of(row);
-      for (std::size_t i = 0; i < headings.size() && !index; ++i)
-        if (headings[i].name == column) index = i;
-      if (row.line() == place.line && index) place = row.place(*index);
-    });
+    const ColumnRules rules = rules_of(data.metadata, as_read);
+    read_csv(path, as_read,
+             [&](const CsvRow& row) {
+               const auto headings = headings_of(row);
+               for (std::size_t i = 0; i < headings.size() && !index; ++i)
+                 if (headings[i].name == column) index = i;
+               if (row.line() == place.line && index) place = row.place(*index);
+             },
+             {data.metadata.sheet, data.metadata.decimal, &rules});
   } catch (const InputError&) {  // too large to be stored
   }
   throw InputError(path, place, message);

@@ -26,7 +26,9 @@ struct Channel {
 class LogReader {
  public:
   LogReader(const std::string& path, const Metadata& metadata, Inputs& inputs)
-      : file_(path, inputs), metadata_(metadata), rules_(rules_of(metadata, inputs)) {
+      : metadata_(metadata),
+        rules_(rules_of(metadata, inputs)),
+        file_(path, inputs, {metadata.sheet, metadata.decimal, &rules_}) {
     rules_.log = true;
     recording_.path = path;
   }
@@ -138,7 +140,9 @@ class LogReader {
     using enum ColumnId;
     const auto table = find_table(recording_.path, file_.start(), file_.line_end(), rules_, metadata_.decimal);
     if (!table) throw InputError(recording_.path, "holds no table with headings and rows of numbers");
-    recording_.reading = describe(*table);
+    recording_.reading = file_.sheet() ? describe(*file_.sheet(), describe(*table)) : describe(*table);
+    if (file_.sheet())
+      for (const Message& note : file_.sheet()->notes) recording_.reading += "; " + note.text();
     const Columns columns(recording_.path, table->headings, rules_);
     recording_.taken = columns.taken;
     width_ = columns.count;
@@ -193,9 +197,9 @@ class LogReader {
     return areas;
   }
 
-  CsvFile file_;
   const Metadata& metadata_;
   ColumnRules rules_;
+  CsvFile file_;
   Recording recording_;
   std::vector<Channel> channels_;
   std::size_t width_ = 0, clock_ = 0;  // fields in a row; the channel of times

@@ -148,7 +148,8 @@ TEST(Csv, WhatIsNoCsvIsRefusedWithItsPlace) {
            {"# c\ra,b\r1,2\r\n", ":1:1: has a carriage return inside the line"},
            {"a,b\n1,2\r\"3,4\n5\",6\n", ":2:1: has a carriage return inside the line"},
            {"a,b\n1,2\r3", ":2:1: has a carriage return inside the line"},
-           {"PK\x03\x04", ": is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)"},
+           {"PK\x03\x04",
+            ": is a workbook or an archive that is damaged or incomplete (Not a zip archive); save or copy it again"},
        })
     EXPECT_EQ(error_of(text), "a.csv" + std::string(error)) << text;
 }
