@@ -48,12 +48,15 @@ std::string number_field(std::string text, char decimal) {
   return text;
 }
 
-/// Days since the first day of the workbook as "2026-05-01T10:05:00.25", or without the date. Writers round to 15
-/// digits, which is 5 us in a time with a date.
-std::string time_field(double days, bool dated, bool timed, int days_before_1970) {
-  const double unit = dated ? 1e-5 : 1e-6;
-  const auto units = std::llround(days * 86400 / unit), a_day = std::llround(86400 / unit);
-  const long long rest = (units % a_day + a_day) % a_day, day = (units - rest) / a_day;
+/// Days since the first day of the workbook as "2026-05-01T10:05:00.25", or without the date. `stored`: these days as
+/// text; some writers round them to 15 digits, which leaves 10 us in a time with a date.
+std::string time_field(double days, std::string_view stored, bool dated, bool timed, int days_before_1970) {
+  const bool rounded = dated && std::count_if(stored.begin(), stored.end(), is_digit) <= 15;
+  const double unit = rounded ? 1e-5 : 1e-6;
+  // the fraction of a day is exact, the seconds of many days are not
+  const double whole = std::floor(days);
+  const long long a_day = std::llround(86400 / unit), units = std::llround((days - whole) * 86400 / unit),
+                  rest = units % a_day, day = static_cast<long long>(whole) + units / a_day;
   std::string text;
   char part[40];
   if (dated) {
@@ -70,7 +73,7 @@ std::string time_field(double days, bool dated, bool timed, int days_before_1970
   std::snprintf(part, sizeof part, "%02lld:%02lld:%02lld", seconds / 3600, seconds / 60 % 60, seconds % 60);
   text += part;
   if (fraction == 0) return text;
-  std::snprintf(part, sizeof part, dated ? ".%05lld" : ".%06lld", fraction);
+  std::snprintf(part, sizeof part, rounded ? ".%05lld" : ".%06lld", fraction);
   text += part;
   return text.substr(0, text.find_last_not_of('0') + 1);
 }
@@ -194,7 +197,7 @@ class RowsReader {
       return number_field(value, given_.decimal);
     const bool dated = number >= 1;
     (dated ? with_date_ : without_date_).insert(column);
-    return time_field(number, dated || given_.dated.count(column) > 0, format == CellFormat::time,
+    return time_field(number, value, dated || given_.dated.count(column) > 0, format == CellFormat::time,
                       book_.days_before_1970);
   }
 

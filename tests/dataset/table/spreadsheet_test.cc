@@ -139,7 +139,8 @@ TEST(Spreadsheet, DatesAndTimesAreThoseShown) {
                       settings);
   };
   EXPECT_EQ(cell("1", "46143.420138888891"), "2026-05-01T10:05:00\t0");
-  EXPECT_EQ(cell("1", "46143.4201417824"), "2026-05-01T10:05:00.25\t0");  // 15 digits, as LibreOffice writes
+  EXPECT_EQ(cell("1", "46143.4201417824"), "2026-05-01T10:05:00.25\t0");     // 15 digits, as LibreOffice writes
+  EXPECT_EQ(cell("1", "46143.99965280671"), "2026-05-01T23:59:30.0025\t0");  // 16, as Python writes
   EXPECT_EQ(cell("1", "44681.420138888891", "<workbookPr date1904=\"1\"/>"), "2026-05-01T10:05:00\t0");
   EXPECT_EQ(cell("2", "0.42014178240740741"), "10:05:00.25\t0");
   EXPECT_EQ(cell("2", "0.999999999999"), "00:00:00\t0");
