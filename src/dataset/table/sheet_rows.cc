@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <iterator>
 #include <optional>
 
 #include "base/input_error.h"
@@ -49,14 +51,17 @@ std::string number_field(std::string text, char decimal) {
 }
 
 /// Days since the first day of the workbook as "2026-05-01T10:05:00.25", or without the date. `stored`: these days as
-/// text; some writers round them to 15 digits, which leaves 10 us in a time with a date.
+/// text. In a time with a date, doubles are good to 1 us, and to 10 us from writers that round them to 15 digits; such
+/// remainders would make uneven steps of even ones.
 std::string time_field(double days, std::string_view stored, bool dated, bool timed, int days_before_1970) {
-  const bool rounded = dated && std::count_if(stored.begin(), stored.end(), is_digit) <= 15;
-  const double unit = rounded ? 1e-5 : 1e-6;
-  // the fraction of a day is exact, the seconds of many days are not
+  constexpr long long kSecond = 1000000, kDay = 86400 * kSecond;  // us
   const double whole = std::floor(days);
-  const long long a_day = std::llround(86400 / unit), units = std::llround((days - whole) * 86400 / unit),
-                  rest = units % a_day, day = static_cast<long long>(whole) + units / a_day;
+  long long time = std::llround((days - whole) * static_cast<double>(kDay));
+  const long long even = (time + 5) / 10 * 10;
+  const bool coarse = std::count_if(stored.begin(), stored.end(), is_digit) <= 15;
+  if (dated && (coarse || std::abs(time - even) <= 1)) time = even;
+  const long long day = static_cast<long long>(whole) + time / kDay;
+  time %= kDay;
   std::string text;
   char part[40];
   if (dated) {
@@ -65,17 +70,16 @@ std::string time_field(double days, std::string_view stored, bool dated, bool ti
     std::snprintf(part, sizeof part, "%04d-%02u-%02u", static_cast<int>(date.year()),
                   static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
     text = part;
-    if (rest == 0 && !timed) return text;
+    if (time == 0 && !timed) return text;
     text += 'T';
   }
-  const long long seconds = static_cast<long long>(static_cast<double>(rest) * unit + unit / 2);
-  const long long fraction = rest - std::llround(static_cast<double>(seconds) / unit);
-  std::snprintf(part, sizeof part, "%02lld:%02lld:%02lld", seconds / 3600, seconds / 60 % 60, seconds % 60);
+  const long long seconds = time / kSecond;
+  std::snprintf(part, sizeof part, "%02lld:%02lld:%02lld.%06lld", seconds / 3600, seconds / 60 % 60, seconds % 60,
+                time % kSecond);
   text += part;
-  if (fraction == 0) return text;
-  std::snprintf(part, sizeof part, rounded ? ".%05lld" : ".%06lld", fraction);
-  text += part;
-  return text.substr(0, text.find_last_not_of('0') + 1);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
 }
 
 struct Cell {
