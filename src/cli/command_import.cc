@@ -25,7 +25,7 @@ int run_import(const Arguments& arguments) {
   if (FLAGS_x.empty() || FLAGS_y.empty()) throw UsageError("import needs the axes: --x=\"T [mN]\" --y=\"A [mm^2]\"");
   Metadata reading;
   apply_overrides(data_overrides(), reading);
-  PlotImport options{FLAGS_x, FLAGS_y, {}, layout(), reading.decimal};
+  PlotImport options{FLAGS_x, FLAGS_y, {}, layout(), reading.decimal, reading.sheet};
   if (is_set("loads")) options.loads = quantities_from("loads");
   for (const Quantity& load : options.loads)
     if (load.unit.text != options.loads.front().unit.text ||

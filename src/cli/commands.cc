@@ -108,7 +108,7 @@ std::span<const Command> commands() {
        run_import,
        "import EXPORT.csv --x=\"T [mN]\" --y=\"A [mm^2]\" --loads=\"P1,P2,... mN\" [--out=DATA.csv]",
        "Converts the export of a program that digitises plots (WebPlotDigitizer, Engauge) to a data CSV.",
-       {"x", "y", "loads", "layout", "decimal", "out", "force"}},
+       {"x", "y", "loads", "layout", "decimal", "sheet", "out", "force"}},
       {"help", run_help, "help [COMMAND]", "Explains the program or a command.", {}},
   };
   return table;

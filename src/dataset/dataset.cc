@@ -40,7 +40,7 @@ class PointsOfRows : public UseOfRows {
 /// then says what is wrong.
 void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data) {
   const ColumnRules rules = rules_of(data.metadata, inputs);
-  CsvFile file(data.path, inputs);
+  CsvFile file(data.path, inputs, {data.metadata.sheet, data.metadata.decimal, &rules});
   const auto makes_points = [&](const Table& table) {
     try {
       return Columns(data.path, table.headings, rules).count > 0;
@@ -57,13 +57,15 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
     if (!file.next(row)) throw InputError(data.path, 1, 1, "is empty: a header row is missing");
     headings = headings_of(row);
   }
+  if (file.sheet()) data.notes = file.sheet()->notes;
   Collector collector(metadata_path, headings, rules, data);
   collector.begin_table(rows.title());
   PointsOfRows use(collector, file, data);
   rows.read(use);
   if (file.encoding() != Encoding::utf8) data.reading = to_string(file.encoding());
   if (rows.table())
-    if (const std::string how = describe(rows); how != "commas")
+    if (const std::string how = file.sheet() ? describe(*file.sheet(), describe(rows)) : describe(rows);
+        how != "commas")
       data.reading += (data.reading.empty() ? "" : ", ") + how + (collector.tables_are_runs() ? ", each a run" : "");
   for (const auto& [line, names] : rows.other_tables())
     data.notes.push_back("the table in line " + std::to_string(line) + " is not read: " + names);
@@ -95,12 +97,15 @@ void refuse_value(const Dataset& data, const Point& point, std::string_view colu
   std::optional<std::size_t> index;
   try {
     Inputs as_read(data.inputs);
-    read_csv(path, as_read, [&](const CsvRow& row) {
-      const auto headings = headings_of(row);
-      for (std::size_t i = 0; i < headings.size() && !index; ++i)
-        if (headings[i].name == column) index = i;
-      if (row.line() == place.line && index) place = row.place(*index);
-    });
+    const ColumnRules rules = rules_of(data.metadata, as_read);
+    read_csv(path, as_read,
+             [&](const CsvRow& row) {
+               const auto headings = headings_of(row);
+               for (std::size_t i = 0; i < headings.size() && !index; ++i)
+                 if (headings[i].name == column) index = i;
+               if (row.line() == place.line && index) place = row.place(*index);
+             },
+             {data.metadata.sheet, data.metadata.decimal, &rules});
   } catch (const InputError&) {  // too large to be stored
   }
   throw InputError(path, place, message);

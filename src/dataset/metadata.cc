@@ -14,7 +14,7 @@
 namespace mixity {
 namespace {
 
-constexpr std::array<MetadataField, 28> kFields{{
+constexpr std::array<MetadataField, 29> kFields{{
     {"radius", "radius of the sphere, such as \"9.42 mm\"", true, &Metadata::radius, dimension::length, "9.42 mm"},
     {"modulus", "plane-strain modulus E*, such as \"2.133 MPa\"", true, &Metadata::modulus, dimension::stress,
      "2.133 MPa"},
@@ -52,6 +52,7 @@ constexpr std::array<MetadataField, 28> kFields{{
     {"columns", "which column is which: \"P=Kanal 3 (mN),T=Kanal 4 (N)\", by heading or number", false},
     {"headings", "a TOML that adds to the names of columns that are known (data/headings.toml)", false},
     {"decimal", "the decimal sign, where a file can be read in two ways: , or .", false},
+    {"sheet", "the sheet of a workbook (.xlsx), by name or number", false},
     {"pixel", "the side of a camera's pixel, for areas in pixels: \"1.7 um\"", false, &Metadata::pixel,
      dimension::length, "1.7 um"},
     {"load", "normal load P of all points, where no column states it", false, &Metadata::load, dimension::force,
@@ -163,6 +164,7 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
     return given + "it must be measured, digitised or reconstructed";
   }
   if (name == "columns") return read_mapping(text, metadata.columns);
+  if (name == "sheet") return metadata.sheet = text, "";
   if (name == "headings") return metadata.headings = text, "";
   if (name == "load_from") {
     if (text.find("{P}") == std::string_view::npos)

@@ -53,6 +53,7 @@ struct Metadata {
   std::string headings;                        // path of a TOML that adds to the vocabulary
   std::string load_from;                       // "run_{P}mN": where the file's name states the load
   char decimal = 0;                            // '.' or ','; 0: inferred from the numbers
+  std::string sheet;                           // of a workbook: name or number; empty: inferred from the headings
 
   /// modulus, or E* from youngs_modulus and poisson_ratio; null if neither is stated.
   std::optional<double> plane_strain_modulus() const;

@@ -101,7 +101,7 @@ PeakForces load_peak_forces(const std::string& path) {
   Inputs inputs;
   forces.metadata = read_metadata(metadata_path(path), inputs);
   require_whole_modulus(forces.metadata, metadata_path(path));
-  CsvFile file(path, inputs);
+  CsvFile file(path, inputs, {forces.metadata.sheet, forces.metadata.decimal});
   CsvRow row;
   if (!file.next(row)) throw InputError(path, 1, 1, "is empty: a header row is missing");
   Reader reader(row, metadata_path(path), forces);

@@ -70,7 +70,7 @@ TEST_F(BadInput, EveryMessageOfExitThreeNamesTheFileAndThePlaceInIt) {
       "missing"
       "|.*out of range|objective \\w+ needs .*|parameter .*|a bootstrap of curves .*|the header '.*"
       "|holds \\(G_I, G_II\\) points; .*|sigma_T and sigma_A are errors .*"
-      "|has no (point|run) .*|is a workbook or an archive; .*|no file has such a name");
+      "|has no (point|run) .*|is a workbook (or an archive that is damaged|of Excel 97).*|no file has such a name");
   const std::regex placed("([^:]+):([1-9][0-9]*):([1-9][0-9]*): (.+)"), unplaced("([^:]+): (.+)");
   std::size_t seen = 0;
   for (const Expected& row : table()) {

@@ -119,7 +119,7 @@ TEST(Metadata, WhatCannotBeUnderstoodIsRefusedWithItsPlace) {
             "shear_strength, load_offset, shear_offset, area_offset, area_scale, force_gain, modulus_drift, "
             "toughness_drift, "
             "shape, hysteresis, pixel, load, rate, fps, table, provenance, source, note, columns, headings, decimal, "
-            "load_from)"},
+            "sheet, load_from)"},
        })
     EXPECT_EQ(error_of(toml), "a.toml:" + error) << toml;
 }

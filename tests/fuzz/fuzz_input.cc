@@ -94,7 +94,7 @@ void check_metadata(const Metadata& metadata) {
 /// Rows do not depend on the size of blocks.
 void check_blocks(const std::string& path) {
   Inputs inputs;
-  CsvFile whole(path, inputs), parts(path, inputs, 1);
+  CsvFile whole(path, inputs), parts(path, inputs, {}, 1);
   whole.start();
   parts.start();
   if (whole.encoding() != parts.encoding()) return;  // the first block decides it

@@ -26,7 +26,9 @@ struct Channel {
 class LogReader : public UseOfRows {
  public:
   LogReader(const std::string& path, const Metadata& metadata, Inputs& inputs, bool one_of_two)
-      : file_(path, inputs), metadata_(metadata), rules_(rules_of(metadata, inputs)) {
+      : metadata_(metadata),
+        rules_(rules_of(metadata, inputs)),
+        file_(path, inputs, {metadata.sheet, metadata.decimal, &rules_}) {
     rules_.log = true;
     rules_.shared_mapping = one_of_two;
     recording_.path = path;
@@ -41,7 +43,9 @@ class LogReader : public UseOfRows {
     find_columns(*rows.table(), columns_);
     clock_.emplace(recording_.path, *rows.table(), columns_, metadata_, rows.head());
     rows.read(*this);
-    recording_.reading = describe(rows);
+    recording_.reading = file_.sheet() ? describe(*file_.sheet(), describe(rows)) : describe(rows);
+    if (file_.sheet())
+      for (const Message& note : file_.sheet()->notes) recording_.reading += "; " + note.text();
     if (!clock_->text().empty()) recording_.reading += ", " + clock_->text();
     for (const auto& [line, names] : rows.other_tables())
       recording_.reading += ", the table in line " + std::to_string(line) + " not read";
@@ -180,9 +184,9 @@ class LogReader : public UseOfRows {
     return areas;
   }
 
-  CsvFile file_;
   const Metadata& metadata_;
   ColumnRules rules_;
+  CsvFile file_;
   Recording recording_;
   std::vector<Channel> channels_;
   std::vector<double> values_;  // of the row, by channel
@@ -194,9 +198,9 @@ class LogReader : public UseOfRows {
 
 std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata) {
   Inputs inputs;
-  CsvFile file(path, inputs);
   ColumnRules rules = rules_of(metadata, inputs);
   rules.log = rules.shared_mapping = true;
+  CsvFile file(path, inputs, {metadata.sheet, metadata.decimal, &rules});
   const std::string_view start = file.start();  // which finds the line ends
   const auto table = find_table(path, start, file.line_end(), rules, metadata.decimal);
   return table ? table->headings : std::vector<Heading>{};

@@ -11,11 +11,7 @@ struct BinaryForm {
   std::string_view begins, is;  // its first bytes; what the file is, and what to do
 };
 
-constexpr std::string_view kWorkbook =
-    "is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)";
 constexpr BinaryForm kForms[] = {
-    {"PK\x03\x04"sv, kWorkbook},
-    {"\xD0\xCF\x11\xE0"sv, kWorkbook},
     {"TDSm"sv,
      "is a TDMS file of LabVIEW; export it as text: open it in Excel (TDMS add-in) and save as CSV, or in Python "
      "nptdms.TdmsFile.read(\"FILE.tdms\").as_dataframe(time_index=True).to_csv(\"FILE.csv\")"},

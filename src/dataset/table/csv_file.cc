@@ -8,8 +8,8 @@
 
 namespace mixity {
 
-CsvFile::CsvFile(const std::string& path, Inputs& inputs, std::size_t block_bytes)
-    : path_(path), stream_(path, inputs), block_bytes_(block_bytes) {}
+CsvFile::CsvFile(const std::string& path, Inputs& inputs, const SheetChoice& choice, std::size_t block_bytes)
+    : path_(path), stream_(path, inputs), choice_(choice), block_bytes_(block_bytes) {}
 
 /// Reads up to this many bytes, decodes them and appends them to the text.
 void CsvFile::read(std::size_t bytes) {
@@ -40,12 +40,24 @@ void CsvFile::read_more() {
   read(text_.size() < block_bytes_ ? block_bytes_ - text_.size() : text_.size());
 }
 
+/// Reads the rest of the file, which has its contents at the end, and unpacks it.
+void CsvFile::begin_workbook() {
+  while (!at_end()) {
+    read(text_.size());
+    if (text_.size() > kMostText) throw InputError(path_, "is a workbook or an archive of more than 256 MB");
+  }
+  sheet_ = read_workbook(path_, text_, choice_);
+  text_ = std::move(sheet_->text);
+  sheet_->text.clear();
+}
+
 /// Reads the first block, and finds the encoding and the line ends.
 void CsvFile::begin() {
   constexpr std::size_t kForEncoding = 64;  // bytes: a byte order mark and a few characters
   if (begun_) return;
   begun_ = true;
   read(std::max(block_bytes_, kForEncoding));
+  if (is_workbook(text_)) return begin_workbook();
   refuse_binary(path_, text_);
   std::string_view marked = text_;
   encoding_ = detect_encoding(marked);
@@ -103,14 +115,20 @@ std::string_view CsvFile::rest_from(std::size_t offset) {
 }
 
 double CsvFile::progress() const {
+  if (sheet_) return text_.empty() ? 1 : static_cast<double>(at_) / static_cast<double>(text_.size());
   if (!stream_.size()) return 1;
   return static_cast<double>(stream_.bytes_read() - (text_.size() - at_)) / static_cast<double>(*stream_.size());
 }
 
-void read_csv(const std::string& path, Inputs& inputs, const UseRow& use) {
-  CsvFile file(path, inputs);
+void read_csv(const std::string& path, Inputs& inputs, const UseRow& use, const SheetChoice& choice) {
+  CsvFile file(path, inputs, choice);
   for (CsvRow row; file.next(row);)
     if (!row.is_comment()) use(row);
+}
+
+std::string read_text(const std::string& path, const SheetChoice& choice) {
+  const std::string bytes = read_file(path);
+  return is_workbook(bytes) ? read_workbook(path, bytes, choice).text : to_utf8(bytes);
 }
 
 void read_csv_text(std::string_view text, const std::string& name, bool comments, const UseRow& use) {

@@ -5,13 +5,12 @@
 #include <numeric>
 #include <optional>
 
-#include "base/files.h"
 #include "base/input_error.h"
 #include "base/number_text.h"
 #include "base/text.h"
 #include "dataset/table/columns.h"
+#include "dataset/table/csv_file.h"
 #include "dataset/table/decimal_sign.h"
-#include "dataset/table/encoding.h"
 #include "dataset/table/header_lines.h"
 #include "dataset/table/number.h"
 #include "dataset/table/plot_layout.h"
@@ -143,9 +142,9 @@ std::vector<PlotSeries> read_columns(const std::string& path, const PlotRows& pl
 }  // namespace
 
 std::vector<PlotSeries> read_plot(const std::string& path, PlotLayout layout, const std::string& x_column,
-                                  char decimal) {
-  const std::string text = to_utf8(read_file(path));
-  const PlotRows plot = split_plot(text, path, decimal);
+                                  const SheetChoice& choice) {
+  const std::string text = read_text(path, choice);
+  const PlotRows plot = split_plot(text, path, choice.decimal);
   bool is_point = plot.rows[0].size() > 1;
   for (std::size_t i = 0; i < plot.rows[0].size(); ++i) is_point &= is_number(plot.rows[0][i]);
   if (is_point)

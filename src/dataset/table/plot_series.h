@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "dataset/table/spreadsheet.h"
+
 namespace mixity {
 
 enum class PlotLayout {
@@ -19,9 +21,9 @@ struct PlotSeries {
 };
 
 /// Reads an exported plot. The first row has the names of the data sets; a row of words may follow, then the numbers in
-/// the formats of find_table. A data set may lack points. `decimal`: '.' or ',' if stated, else 0. Throws InputError
+/// the formats of find_table. A data set may lack points. Throws InputError
 /// with file, line and column for anything else, for repeated names, and for a file that fits both layouts.
 std::vector<PlotSeries> read_plot(const std::string& path, PlotLayout layout, const std::string& x_column,
-                                  char decimal);
+                                  const SheetChoice& choice = {});
 
 }  // namespace mixity

@@ -2,6 +2,8 @@
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 
+#include "dataset/table/column_names.h"
+#include "dataset/table/spreadsheet.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"
 #include "report/report.h"
@@ -22,6 +24,14 @@ const InputFile* find_input(const Dataset& data, const std::string& path) {
   return found == data.inputs.end() ? nullptr : &*found;
 }
 
+/// The content of the data file. The page cannot unpack a workbook: it gets the text of the sheet, with the same lines.
+std::string readable(const InputFile& file, const Dataset& data) {
+  if (!is_workbook(*file.content)) return *file.content;
+  Inputs as_read(data.inputs);
+  const ColumnRules rules = rules_of(data.metadata, as_read);
+  return read_workbook(file.path, *file.content, {data.metadata.sheet, data.metadata.decimal, &rules}).text;
+}
+
 /// The file as it was read; the used points if there are several files or one too large to be stored.
 Json as_embedded(const Analysis& result) {
   const FitRequest& request = result.request;
@@ -31,7 +41,7 @@ Json as_embedded(const Analysis& result) {
   if (file) {
     const InputFile* const stated = find_input(result.data, metadata_path(request.data_path));
     embedded["name"] = request.data_path.substr(request.data_path.find_last_of('/') + 1);
-    embedded["content"] = base64(*file->content);
+    embedded["content"] = base64(readable(*file, result.data));
     embedded["toml"] = base64(stated ? *stated->content : "");
   } else {
     embedded["name"] = result.data.name + ".csv";

@@ -152,7 +152,7 @@ TEST(CsvBlocks, ABlockOfAnySizeChangesNothing) {
     for (const std::size_t block_bytes : {1, 2, 3, 7, 16, 64, 1000}) {
       const auto in_blocks = outcome([&](const UseRow& use) {
         Inputs inputs;
-        CsvFile file(path, inputs, block_bytes);
+        CsvFile file(path, inputs, {}, block_bytes);
         for (CsvRow row; file.next(row);)
           if (!row.is_comment()) use(row);
       });
@@ -168,7 +168,7 @@ TEST(CsvBlocks, NoMoreOfAFileIsHeldThanABlock) {
   std::string text = "P,T\n";
   for (int i = 0; i < 5000; ++i) text += std::to_string(i) + ",1\n";
   Inputs inputs;
-  CsvFile file(folder.write("a.csv", text), inputs, 512);
+  CsvFile file(folder.write("a.csv", text), inputs, {}, 512);
   std::size_t rows = 0, most = 0;
   double progress = 0;
   for (CsvRow row; file.next(row); ++rows) {

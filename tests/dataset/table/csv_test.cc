@@ -155,7 +155,8 @@ TEST(Csv, WhatIsNoCsvIsRefusedWithItsPlace) {
            {"a,b\n\"1\"2,3\n", ":2:1: a quote (\") inside a field is not doubled or not closed"},
            {"a,b\n1,\"2\n3,4\n", ":2:1: a quote (\") is opened but not closed before the end of the file"},
            {"\"", ":1:1: a quote (\") is opened but not closed before the end of the file"},
-           {"PK\x03\x04", ": is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)"},
+           {"PK\x03\x04",
+            ": is a workbook or an archive that is damaged or incomplete (Not a zip archive); save or copy it again"},
            {"TDSm\x0E",
             ": is a TDMS file of LabVIEW; export it as text: open it in Excel (TDMS add-in) and save as CSV, or in "
             "Python "
@@ -166,7 +167,6 @@ TEST(Csv, WhatIsNoCsvIsRefusedWithItsPlace) {
            {"\x89HDF\r\n\x1A\n",
             ": is an HDF5 file; export its data sets as CSV, such as by h5dump -y -w 0 -d DATASET -o FILE.csv, or hand "
             "them to the Python package as arrays"},
-           {"\xD0\xCF\x11\xE0", ": is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)"},
            {"\x1F\x8B\x08", ": is compressed; unpack it with gunzip"},
        })
     EXPECT_EQ(error_of(text), "a.csv" + std::string(error)) << text;

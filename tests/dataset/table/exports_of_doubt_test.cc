@@ -142,8 +142,9 @@ TEST(Exports, ThatCanBeReadInTwoWaysAreRefusedWithBoth) {
   EXPECT_EQ(error("P,T,A\nkg,mN,mm^2\n1,2,3\n2,2,3\n"),
             "a.csv:2:1: the row of units has 'kg' for column 'P', which is a mass; if a weight is meant: "
             "--columns=\"P=P (kgf)\"");
-  EXPECT_EQ(error("PK\x03\x04..."),
-            "a.csv: is a workbook or an archive; export its sheet as CSV (Excel: Save As, CSV UTF-8)");
+  EXPECT_EQ(
+      error("PK\x03\x04..."),
+      "a.csv: is a workbook or an archive that is damaged or incomplete (Not a zip archive); save or copy it again");
 }
 
 TEST(Exports, WithAMappingThatCannotBeAreRefused) {

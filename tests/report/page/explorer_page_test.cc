@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/laws.h"
+#include "analysis/run.h"
 #include "analysis/settings.h"
 #include "base/files.h"
+#include "dataset/table/workbook_files.h"
 #include "report/example_results.h"
 #include "report/report.h"
 
@@ -39,6 +41,20 @@ TEST(ExplorerPage, HoldsTheFileAndWhatStandsBesideItByteForByte) {
   EXPECT_EQ(data[0]["name"], "mergel2018.csv");
   EXPECT_EQ(from_base64(data[0]["content"]), read_file(MIXITY_ROOT "/data/mergel2018.csv"));
   EXPECT_EQ(from_base64(data[0]["toml"]), read_file(MIXITY_ROOT "/data/mergel2018.toml"));
+}
+
+TEST(ExplorerPage, HoldsTheSheetOfAWorkbookAsText) {
+  const TemporaryFolder folder;
+  const auto rows = [](const std::string& first) {
+    return rows_xml({{"P [mN]", "T [mN]", "A [mm^2]"}, {"5", first, "0.4"}, {"5", "2", "0.39"}, {"5", "4", "0.37"}});
+  };
+  FitRequest request;
+  request.data_path = folder.write("a.xlsx", zipped(workbook_parts({{"One", rows("0")}, {"Two", rows("0.5")}})));
+  request.models = {"c"};
+  request.constants = {{"radius", "9 mm"}, {"modulus", "2 MPa"}, {"toughness", "27 mJ/m^2"}, {"sheet", "Two"}};
+  const auto data = embedded(run(request));
+  EXPECT_EQ(data[0]["name"], "a.xlsx");
+  EXPECT_EQ(from_base64(data[0]["content"]), "P [mN]\tT [mN]\tA [mm^2]\n5\t0.5\t0.4\n5\t2\t0.39\n5\t4\t0.37");
 }
 
 TEST(ExplorerPage, HasTheRequestsOptionsAndConstantsAndCannotBeEndedByThem) {
