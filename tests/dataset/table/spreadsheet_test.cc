@@ -178,7 +178,7 @@ TEST(Spreadsheet, TimesOfALogCountFromItsFirstRow) {
     rows += "<row><c s=\"1\"><v>" + std::string(time) + "</v></c><c><v>5</v></c><c><v>1</v></c></row>";
   const std::string path =
       folder.write("log.xlsx", zipped(workbook_parts({{"Log", rows}}, {}, {"dd.mm.yyyy hh:mm:ss"})));
-  const Recording log = read_recording(path, Metadata{});
+  const Recording log = read_recordings(path, Metadata{}).front();
   ASSERT_EQ(log.time.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(log.time[i], 0.05 * static_cast<double>(i), 1e-9);  // of sums
   EXPECT_EQ(log.reading, "sheet 'Log'");
