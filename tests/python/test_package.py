@@ -13,6 +13,7 @@ import subprocess
 import sys
 import threading
 import time
+import zipfile
 
 import numpy as np
 import pytest
@@ -128,6 +129,28 @@ def test_data_of_files_travel_whole(tmp_path, monkeypatch, root):
     monkeypatch.chdir(tmp_path / "other")
     assert pickle.loads(stored)["c"].params["lambda"].value == fits["c"].params["lambda"].value
     assert pickle.loads(pickle.dumps(pickle.loads(stored).data)).A.tolist() == data.A.tolist()
+
+
+def test_sheets_of_workbooks_are_read(tmp_path, caplog):
+    def sheet(T):
+        cells = [["P [mN]", "T [mN]", "A [mm^2]"], [5, 0, 0.4], [5, T, 0.39]]
+        write = lambda x: f"<c><v>{x!r}</v></c>" if not isinstance(x, str) else f'<c t="str"><v>{x}</v></c>'
+        return "<worksheet><sheetData>" + "".join(f"<row>{''.join(map(write, row))}</row>" for row in cells) + "</sheetData></worksheet>"
+
+    path = tmp_path / "run.xlsx"
+    relation = '<Relationship Id="{0}" Type="x/worksheet" Target="{0}.xml"/>'.format
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as book:
+        book.writestr("xl/workbook.xml", '<workbook xmlns:r="r"><sheets><sheet name="A" r:id="a"/><sheet name="B" r:id="b"/></sheets></workbook>')
+        book.writestr("xl/_rels/workbook.xml.rels", f"<Relationships>{relation('a')}{relation('b')}</Relationships>")
+        book.writestr("xl/a.xml", sheet(2.0))
+        book.writestr("xl/b.xml", sheet(3.0))
+    constants = dict(radius=9e-3, modulus=2e6, toughness=0.027)
+    assert mixity.read(path, **constants).T[1] == pytest.approx(2, rel=1e-15)
+    assert "to read another ('B'): sheet=\"B\"" in caplog.text
+    data = mixity.read(path, sheet="B", **constants)
+    assert data.T[1] == pytest.approx(3, rel=1e-15)  # its units are converted twice
+    path.unlink()
+    assert pickle.loads(pickle.dumps(data)).T[1] == data.T[1]
 
 
 def test_several_files_travel_whole(tmp_path):

@@ -72,7 +72,7 @@ bool has_a_row(std::string_view text, const CsvFormat& format) {
 std::vector<FilePlace> CsvRow::places() const {
   std::vector<FilePlace> found;
   found.reserve(size() + 1);
-  if (!numbers_.empty()) {
+  if (!numbers_.empty() || format_.cells) {
     for (std::size_t i = 0; i <= size(); ++i) found.push_back({line_, i + 1});
     return found;
   }

@@ -17,6 +17,7 @@ struct CsvFormat {
   char line_end = '\n', decimal = '.';
   bool grouped = false;  // "1,234" is read as 1234
   bool comments = true;  // lines that start with '#' are not part of the table
+  bool cells = false;    // of a sheet: places count its columns, not characters
 };
 inline constexpr char kBlanks = ' ';
 

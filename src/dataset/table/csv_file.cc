@@ -84,7 +84,9 @@ std::string_view CsvFile::start() {
 
 void CsvFile::begin_at(std::size_t offset, std::size_t line, const CsvFormat& format) {
   at_ = offset;
-  splitter_.emplace(path_, format, line);
+  CsvFormat known = format;
+  known.cells = sheet_.has_value();
+  splitter_.emplace(path_, known, line);
 }
 
 bool CsvFile::next(CsvRow& row) {

@@ -28,6 +28,12 @@ Fit fit_of(const Workbook& book, const Workbook::Sheet& sheet, const SheetChoice
   }
 }
 
+/// What chooses a sheet: its name, or its number if a shell reads other things in the name.
+std::string typed(const Workbook& book, const Workbook::Sheet& sheet) {
+  if (sheet.name.find_first_of("\"'\\`$!") == std::string::npos) return sheet.name;
+  return std::to_string(&sheet - book.sheets.data() + 1);
+}
+
 /// The sheet that is read, with a note on others that fit as well.
 const Workbook::Sheet& choose(const Workbook& book, const SheetChoice& choice, std::vector<Message>& notes) {
   if (!choice.sheet.empty()) return book.sheet(choice.sheet);
@@ -47,7 +53,7 @@ const Workbook::Sheet& choose(const Workbook& book, const SheetChoice& choice, s
         another.clear();
       } else if (fit == most && fit >= Fit::table) {
         others += (others.empty() ? "'" : ", '") + one.name + "'";
-        if (another.empty()) another = one.name;
+        if (another.empty()) another = typed(book, one);
       }
     }
   if (!others.empty())

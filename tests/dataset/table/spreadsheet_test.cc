@@ -192,7 +192,7 @@ TEST(Spreadsheet, ADateAmongForcesIsRefused) {  // Excel makes dates of "1.5"
   const std::string error = input_error([&] {
     load_dataset(path, {{"radius", "9.42 mm"}, {"modulus", "2.133 MPa"}, {"toughness", "27 mJ/m^2"}});
   });
-  EXPECT_NE(error.find("a.xlsx:3:"), std::string::npos) << error;
+  EXPECT_NE(error.find("a.xlsx:3:2: "), std::string::npos) << error;  // row and column of the sheet
   EXPECT_NE(error.find("'2024-05-01' is not a number"), std::string::npos) << error;
 }
 
@@ -248,6 +248,13 @@ TEST(Spreadsheet, TheFirstSheetWhoseHeadingsAreKnownIsRead) {
   // a mapping names headings that no one knows
   const ColumnRules rules{{{"T", "bin"}, {"A", "count"}}, nullptr, true, {}};
   EXPECT_EQ(read({"", 0, &rules}).name, "Chart data");
+}
+
+TEST(Spreadsheet, ANameThatAShellWouldChangeIsRecommendedByItsNumber) {
+  const std::string table = kHead + rows_xml({{"5", "1", "2"}});
+  const auto notes =
+      read_workbook("a.xlsx", zipped(workbook_parts({{"A", table}, {"5 &quot;kPa&quot;", table}})), {}).notes;
+  EXPECT_EQ(texts_of(notes), std::vector<std::string>{"sheet 'A' is read; to read another ('5 \"kPa\"'): --sheet=2"});
 }
 
 TEST(Spreadsheet, HiddenSheetsComeLast) {
