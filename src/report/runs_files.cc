@@ -249,7 +249,7 @@ std::string log_text(const ReducedLog& log, Wording words) {
   if (found.zero_P_error > 0)
     out << "    P reads " << force(log.load_turned ? 0 - found.zero_P : found.zero_P, 3)
         << " out of contact; subtracted\n";
-  else
+  else if (!frames.load_is_stated)
     out << "    there are too few readings out of contact to find the zero of P: no zero was subtracted\n";
   if (found.drift_removed || found.drifts) {
     const std::string other = words(Remedy::set("zero_drift", found.drift_removed ? "false" : "true"));

@@ -58,6 +58,7 @@ std::vector<FrameRange> load_steps(const Frames& frames, FrameRange contact, dou
 }
 
 LoadZero load_zero(const Frames& frames, const std::vector<FrameRange>& touching) {
+  if (frames.load_is_stated) return {};
   constexpr double kFewest = 30, kBeside = 0.2;  // samples; fraction of each gap in which contact may affect P
   std::vector<double> read;
   std::size_t begin = 0;

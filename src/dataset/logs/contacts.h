@@ -21,7 +21,8 @@ std::vector<FrameRange> contacts(const Frames& frames, double noise);
 /// `range`: of P in the log.
 std::vector<FrameRange> load_steps(const Frames& frames, FrameRange contact, double noise, double range);
 
-/// The zero of the load, from readings out of contact, and its standard error; both 0 if there are too few readings.
+/// The zero of the load, from readings out of contact, and its standard error; both 0 if there are too few readings,
+/// or if the load is stated.
 struct LoadZero {
   double value = 0, error = 0;
 };

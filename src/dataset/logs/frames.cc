@@ -79,6 +79,7 @@ Frames make_frames(const Recording& forces, const Recording& areas, double lag) 
   std::vector<double> loads = forces.P;
   frames.force_T = forces.T;
   frames.spikes = remove_spikes(loads) + remove_spikes(frames.force_T);
+  frames.load_is_stated = forces.load_is_stated;
   frames.noise_P = noise_of(loads);
   frames.samples = std::max(1.0, frames.interval / typical_step(forces.time));
   const Means P_means(forces.time, loads), T_means(forces.time, frames.force_T);

@@ -21,6 +21,7 @@ struct Frames {
   std::vector<double> time;  // s, on the clock of the areas
   std::vector<double> P, T, A;
   double samples = 1;                // typical number of samples of the force in a frame
+  bool load_is_stated = false;       // and has no zero to be read
   double noise_P = 0;                // N, standard deviation of one sample
   std::size_t spikes = 0;            // force samples that were outliers and were replaced
   double lag_error = 0;              // s, standard error

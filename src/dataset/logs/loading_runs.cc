@@ -107,13 +107,16 @@ class Finder {
     const StatedCut cuts = stated == options_.cuts.end() ? StatedCut{} : stated->second;
     require_inside(cuts.shear, cuts, cuts.shear_place, run.name, step);
     require_inside(cuts.onset, cuts, cuts.onset_place, run.name, step);
-    if (cuts.leave_out) return add(step.begin, step.end, "left out", "left out as stated");
     if (!(T[top] > kRises * shear.noise)) return add(step.begin, step.end, "hold", "T does not rise above its noise");
     const ShearStart start = start_of_shear(shear, step, top, cuts);
     run.shear = start.cut;
     run.end = end_of_run(shear, step, start.frame, top, cuts, run);
     if (run.end < start.frame + 3)
       return add(step.begin, step.end, "no run", "fewer than three frames between the start of the shear and its end");
+    if (cuts.leave_out) {
+      found_.left_out.push_back(run.name);
+      return add(step.begin, step.end, "left out", "left out as stated");
+    }
     run.begin = start.rest ? start.frame - std::min(kBeforeShear, start.frame - step.begin) : start.frame;
     const double zero = start.rest.value_or(-shear.start);
     run.baseline = zero + shear.start;
@@ -213,6 +216,7 @@ class Finder {
   std::string name_of(double P) const {
     std::vector<std::string> names = options_.taken;
     for (const LoadingRun& run : found_.runs) names.push_back(run.name);
+    names.insert(names.end(), found_.left_out.begin(), found_.left_out.end());
     return distinct_name("P=" + rounded(P / factor_, 3) + " " + unit_, names);
   }
 

@@ -60,7 +60,8 @@ struct LoadingRuns {
   bool drift_removed = false;
   bool drifts = false;  // the zero drifts by more than noise, and this was not subtracted
   std::vector<LoadingRun> runs;
-  std::vector<Phase> phases;  // of all frames, in order
+  std::vector<std::string> left_out;  // names of runs that are left out as stated, which others do not take
+  std::vector<Phase> phases;          // of all frames, in order
 };
 
 /// Finds the contacts of a log and the load steps in each (contacts.h). The shear of a step begins where T leaves its

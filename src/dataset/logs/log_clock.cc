@@ -97,6 +97,10 @@ double LogClock::time_of(const CsvRow& row) {
     time = next;
   }
   if (time < times_[i - 1] && starts_anew(time)) return time;
+  if (goes_on(time))
+    fail("time", "after " + rounded(times_[logs_.back() - 1], 9) + " s the clock goes back to " +
+                     rounded(times_[logs_.back()], 9) + " s, and on from " + rounded(time, 9) +
+                     " s, so that no log begins there; " + own_times());
   if (!time_ && frame_ && !(time > times_[i - 1]))
     fail("frame", "frame " + std::string(row[column]) + " after frame " + rounded(times_[i - 1] * rate_, 9) +
                       ": each row needs a frame of its own");
@@ -111,6 +115,16 @@ bool LogClock::starts_anew(double time) const {
   constexpr double kSteps = 2;
   const std::size_t first = logs_.back();
   return times_.size() > first + 2 && std::abs(time - times_[first]) <= kSteps * (times_[first + 1] - times_[first]);
+}
+
+/// Whether this time is where the clock would be had it not gone back, and the row above is not: a fault of the clock.
+bool LogClock::goes_on(double time) const {
+  constexpr double kSteps = 2;
+  if (logs_.size() < 2) return false;
+  const std::size_t first = logs_[logs_.size() - 2], begin = logs_.back();
+  const double last = times_[begin - 1], step = (last - times_[first]) / static_cast<double>(begin - 1 - first);
+  const double expected = last + step * static_cast<double>(times_.size() - begin + 1);
+  return std::abs(time - expected) <= kSteps * step && time - times_.back() > kSteps * step;
 }
 
 void LogClock::keep(const CsvRow& row, double time) {

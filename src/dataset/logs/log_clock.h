@@ -45,6 +45,7 @@ class LogClock {
   double frame_time(const CsvRow& row) const;
   void count_by_rate(bool column_is_empty);
   bool starts_anew(double time) const;
+  bool goes_on(double time) const;
   std::optional<double> stated(bool by_frames);
 
   const std::string& path_;

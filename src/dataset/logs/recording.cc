@@ -95,6 +95,7 @@ class LogReader : public UseOfRows {
     log.time = times_of(begin, end, log.clock);
     log.T = values(T);
     log.A = has(A) ? values(A) : areas();
+    log.load_is_stated = has(T) && !has(P);
     log.P = has(P) || !has(T) ? values(P) : std::vector<double>(log.time.size(), metadata_.load.value_or(0));
     return log;
   }

@@ -17,6 +17,7 @@ struct Recording {
   std::vector<double> time;  // s, rising
   TimeBase clock;
   std::vector<double> P, T, A;
+  bool load_is_stated = false;               // P has no column and no zero to be read
   std::string force_unit, area_unit;         // in the file; mm^2 for areas in pixels and areas from radii or axes
   double force_factor = 1, area_factor = 1;  // one unit in SI
   std::string reading;                       // the format of the file: "tabs, decimal commas"

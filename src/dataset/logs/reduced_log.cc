@@ -41,31 +41,38 @@ using Recordings = std::vector<Recording>;
 
 bool is_complete(const Recording& one) { return one.holds_forces() && one.holds_areas(); }
 
-/// The logs of files that each hold both, or of files in pairs. The first file of a pair with forces provides them.
+/// The logs of a pair of files. The first with forces provides them.
+void add_pair(Recordings& one, Recordings& other, std::vector<Recordings>& logs) {
+  Recordings &forces = one[0].holds_forces() ? one : other, &areas = one[0].holds_forces() ? other : one;
+  if (!forces[0].holds_forces()) throw InputError(other[0].path, "holds no forces, and neither does " + one[0].path);
+  if (!areas[0].holds_areas()) throw InputError(areas[0].path, "holds no areas");
+  if (forces.size() != areas.size())
+    throw InputError(forces[0].path, "has " + std::to_string(forces.size()) + " logs, as its clock starts anew, and " +
+                                         areas[0].path + " has " + std::to_string(areas.size()));
+  for (std::size_t i = 0; i < forces.size(); ++i) logs.push_back({std::move(forces[i]), std::move(areas[i])});
+}
+
+/// The logs of files that hold both, and of files in pairs. A file that holds both is a log of its own, unless the
+/// number of those that do not and stand behind it is odd: then it is one of a pair.
 std::vector<Recordings> logs_of(std::vector<Recordings> files) {
   std::vector<Recordings> logs;
-  if (std::all_of(files.begin(), files.end(), [](const Recordings& file) { return is_complete(file.front()); })) {
-    for (Recordings& file : files)
-      for (Recording& one : file) logs.push_back({std::move(one)});
-    return logs;
-  }
-  if (files.size() % 2 != 0) {
-    const auto part = std::find_if(files.begin(), files.end(), [](const auto& file) { return !is_complete(file[0]); });
-    throw InputError(part->front().path, std::string("holds no ") +
-                                             (part->front().holds_forces() ? "areas" : "forces") +
-                                             "; name the file that does, too: mixity runs FORCES.csv AREAS.csv");
-  }
-  for (std::size_t k = 0; k < files.size(); k += 2) {
-    Recordings &forces = files[k], &areas = files[k + 1];
-    if (!forces[0].holds_forces()) std::swap(forces, areas);
-    if (!forces[0].holds_forces())
-      throw InputError(forces[0].path, "holds no forces, and neither does " + areas[0].path);
-    if (!areas[0].holds_areas()) throw InputError(areas[0].path, "holds no areas");
-    if (forces.size() != areas.size())
-      throw InputError(forces[0].path, "has " + std::to_string(forces.size()) +
-                                           " logs, as its clock starts anew, and " + areas[0].path + " has " +
-                                           std::to_string(areas.size()));
-    for (std::size_t i = 0; i < forces.size(); ++i) logs.push_back({std::move(forces[i]), std::move(areas[i])});
+  const auto part_from = [&](std::size_t k) {
+    return static_cast<std::size_t>(std::find_if(files.begin() + static_cast<std::ptrdiff_t>(k), files.end(),
+                                                 [](const Recordings& file) { return is_complete(file.front()); }) -
+                                    files.begin());
+  };
+  for (std::size_t k = 0; k < files.size();) {
+    if (is_complete(files[k].front()) && (part_from(k + 1) - k) % 2 == 1) {
+      for (Recording& one : files[k]) logs.push_back({std::move(one)});
+      ++k;
+      continue;
+    }
+    const Recording& first = files[k].front();
+    if (k + 1 == files.size())
+      throw InputError(first.path, std::string("holds no ") + (first.holds_forces() ? "areas" : "forces") +
+                                       "; name the file that does, too: mixity runs FORCES.csv AREAS.csv");
+    add_pair(files[k], files[k + 1], logs);
+    k += 2;
   }
   return logs;
 }
@@ -177,7 +184,9 @@ ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& 
   ReducedLogs logs;
   for (Recordings& recordings : read_logs(paths, constants, metadata)) {
     logs.push_back(reduced(std::move(recordings), metadata, options.lag, run_options));
-    for (const LoadingRun& run : logs.back().runs.runs) run_options.taken.push_back(run.name);
+    const LoadingRuns& found = logs.back().runs;
+    for (const LoadingRun& run : found.runs) run_options.taken.push_back(run.name);
+    run_options.taken.insert(run_options.taken.end(), found.left_out.begin(), found.left_out.end());
   }
   const std::vector<std::string>& names = run_options.taken;
   for (const auto& [name, cut] : run_options.cuts)

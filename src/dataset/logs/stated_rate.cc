@@ -42,9 +42,14 @@ std::optional<Unit> rate_unit(std::string_view text) {
   const auto unit = parse_unit(text);
   if (unit && (unit->dimension == dimension::frequency || unit->dimension == dimension::time)) return unit;
   const std::string word = folded(text);
-  for (const std::string_view name : {"fps", "framespersecond", "framess", "framessec", "samplespersecond", "sampless",
-                                      "samplessec", "samplessecond", "ss", "sas", "sps", "pointss", "hertz", "bilders"})
+  // "kS/s", "MSa/s"
+  const double prefix = text.starts_with('k') ? 1e3 : text.starts_with('M') ? 1e6 : 1;
+  for (const std::string_view name :
+       {"fps", "framespersecond", "framess", "framessec", "samplespersecond", "sampless", "samplessec", "samplessecond",
+        "ss", "sas", "sps", "pointss", "pointssec", "pointspersecond", "ptss", "ptssec", "hz", "hertz", "bilders"}) {
     if (word == name) return Unit{1, dimension::frequency, std::string(text)};
+    if (prefix > 1 && word.substr(1) == name) return Unit{prefix, dimension::frequency, std::string(text)};
+  }
   for (const std::string_view name : {"seconds", "second", "sekunden", "secs", "secondes", "secondi", "segundos"})
     if (word == name) return Unit{1, dimension::time, std::string(text)};
   if (word == "msec" || word == "milliseconds") return Unit{1e-3, dimension::time, std::string(text)};
@@ -58,7 +63,11 @@ struct Statement {
   std::optional<Unit> unit;
 };
 
-/// Splits "words: number unit" at the first colon, equals sign or separator of columns, else at the number.
+/// What stands behind a number up to a remark: "Hz" of "Hz (of 4 kHz)" or of "Hz, filtered".
+std::string_view without_remark(std::string_view text) { return trim(text.substr(0, text.find_first_of("(,", 1))); }
+
+/// Splits "words: number unit" at the first colon, equals sign or separator of columns, else at the number. Null if
+/// what stands behind the number is no unit, such as "samples/min", unless the words have one.
 std::optional<Statement> read_statement(std::string_view line) {
   line = line.substr(std::min(line.find_first_not_of("#%;\"' \t"), line.size()));
   std::size_t open = 0, cut = 0;  // of brackets; where the words end
@@ -89,7 +98,8 @@ std::optional<Statement> read_statement(std::string_view line) {
   const Heading heading = split_heading(words, {});
   made.words = folded(heading.name);
   std::string_view behind = trim(value.substr(digits));
-  if (behind.empty()) {  // "400\tHz"
+  const bool beside = behind.empty();
+  if (beside) {  // "400\tHz"
     const std::size_t next = rest.find_first_of(ends);
     if (next != std::string_view::npos) {
       std::string_view other = trim(rest.substr(next + 1));
@@ -97,11 +107,17 @@ std::optional<Statement> read_statement(std::string_view line) {
     }
   }
   made.unit = rate_unit(behind);
+  if (!made.unit) made.unit = rate_unit(without_remark(behind));
+  if (!made.unit && behind.starts_with('/')) made.unit = rate_unit("1" + std::string(behind));  // "400/s"
   if (!made.unit && heading.unit) made.unit = rate_unit(*heading.unit);
   for (const std::string_view part : {" in ", "/", "_", " "})  // "Abtastrate in Hz", "rate/Hz"
     if (const std::size_t at = heading.name.rfind(part);
         !made.unit && at != std::string::npos && made.words.find("persecond") == std::string::npos)
       made.unit = rate_unit(std::string_view(heading.name).substr(at + part.size()));
+  // "12,5 Hz" may be split at its decimal comma
+  const bool decimals =
+      sign == ',' && beside && value.find('.') == std::string_view::npos && !behind.empty() && is_digit(behind[0]);
+  if (decimals || (!made.unit && !beside && !behind.starts_with('('))) return std::nullopt;
   return made;
 }
 

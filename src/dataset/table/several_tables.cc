@@ -19,6 +19,16 @@ std::size_t count_filled(const CsvRow& row) {
   return filled;
 }
 
+/// Whether its fields differ, as headings do: "OVL,OVL,OVL" is a row of an instrument that is overloaded.
+bool has_different_words(const CsvRow& row) {
+  std::string_view first;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (first.empty()) first = row[i];
+    if (!row[i].empty() && row[i] != first) return true;
+  }
+  return false;
+}
+
 std::size_t count_numbers(const CsvRow& row) {
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < row.size(); ++i) numbers += is_number(row[i]);
@@ -62,7 +72,7 @@ struct TablePart {
 const HeadLine* headings_above(const std::vector<HeadLine>& above, const CsvRow& row) {
   const std::size_t numbers = count_numbers(row);
   const auto found = std::find_if(above.rbegin(), above.rend(), [&](const HeadLine& line) {
-    return !has_a_number(line.row) && !is_row_of_units(line.row, {}) && count_filled(line.row) >= 2 &&
+    return !has_a_number(line.row) && !is_row_of_units(line.row, {}) && has_different_words(line.row) &&
            count_filled(line.row) + 1 >= numbers;
   });
   return found == above.rend() ? nullptr : &*found;

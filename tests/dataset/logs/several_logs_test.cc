@@ -104,6 +104,75 @@ TEST(SeveralLogs, MayBeFilesInPairs) {
             "f.csv: holds no areas");
 }
 
+/// Not "base.csv as forces of more.csv".
+TEST(SeveralLogs, MayBeFilesOfBothBesidePairs) {
+  const TemporaryFolder folder;
+  const auto rows = shipped_rows();
+  auto pictures = rows;
+  std::erase_if(pictures, [](const auto& row) { return row[3].empty(); });
+  const std::string both = folder.write("both.csv", kHeadings + rows_text(rows, {0, 1, 2, 3})),
+                    forces = folder.write("f.csv", "time [s],P [mN],T [mN]\n" + rows_text(rows, {0, 1, 2})),
+                    areas = folder.write("a.csv", "time [s],A [mm^2]\n" + rows_text(pictures, {0, 3}));
+  const auto paths = [&](const std::vector<std::string>& files) {
+    std::string text;
+    for (const ReducedLog& log : reduce_logs(files, {}, {.lag = 0.0}))
+      text += (text.empty() ? "" : " ") + log.forces.path + "+" + log.areas_path;
+    return folder.left_out_of(text);
+  };
+  const auto log = [](const std::string& one, const std::string& other) { return one + "+" + other; };
+  const std::string own = folder.left_out_of(log(both, both)), pair = folder.left_out_of(log(forces, areas));
+  EXPECT_EQ(paths({both, both, forces, areas}), own + " " + own + " " + pair);
+  EXPECT_EQ(paths({both, forces, areas}), own + " " + pair);
+  EXPECT_EQ(paths({areas, forces, both}), pair + " " + own);
+  // areas of the second file where the first has some, too
+  EXPECT_EQ(paths({both, areas}), folder.left_out_of(log(both, areas)));
+  EXPECT_EQ(paths({forces, both, forces, both}),
+            folder.left_out_of(log(forces, both)) + " " + folder.left_out_of(log(forces, both)));
+}
+
+/// The names of the others stay as cuts.toml has them.
+TEST(SeveralLogs, KeepTheirNamesIfOneRunIsLeftOut) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("1.csv", kHeadings + rows_text(shipped_rows(), {0, 1, 2, 3}));
+  std::vector<std::string> expected = names(reduce_logs({log, log}, {}, {}));
+  const std::string cuts =
+      folder.write("cuts.toml", "[[cuts]]\nrun = \"" + expected.front() + "\"\nleave_out = true\n");
+  expected.erase(expected.begin());
+  EXPECT_EQ(names(reduce_logs({log, log}, {}, {.cuts_path = cuts})), expected);
+}
+
+/// A stated load has no zero to be read out of contact.
+TEST(SeveralLogs, HaveTheLoadsThatAreStated) {
+  const TemporaryFolder folder;
+  std::vector<std::vector<std::string>> first, second;
+  for (const auto& row : shipped_rows()) (std::stod(row[0]) < 7.5 ? first : second).push_back(row);
+  std::erase_if(second, [](const auto& row) { return std::stod(row[0]) > 14.8; });
+  const std::string headings = "time [s],T [mN],A [mm^2]\n";
+  const std::string one = folder.write("1.csv", headings + rows_text(first, {0, 2, 3})),
+                    two = folder.write("2.csv", headings + rows_text(second, {0, 2, 3}));
+  folder.write("1.toml", "load = \"7.73 mN\"\n");
+  folder.write("2.toml", "load = \"2.92 mN\"\n");
+  const ReducedLogs logs = reduce_logs({one, two}, {}, {});
+  EXPECT_EQ(names(logs), (std::vector<std::string>{"P=7.73 mN", "P=2.92 mN"}));
+  for (const ReducedLog& log : logs) EXPECT_EQ(log.runs.zero_P, 0);
+}
+
+TEST(SeveralLogs, DoNotBeginWhereAClockGoesBackForARow) {
+  const TemporaryFolder folder;
+  for (const std::size_t fault : {1u, 3u}) {
+    auto rows = shipped_rows();
+    for (std::size_t i = 0; i < fault; ++i) rows[1800 + i][0] = rows[i][0];
+    const std::string log = folder.write("1.csv", kHeadings + rows_text(rows, {0, 1, 2, 3}));
+    EXPECT_EQ(folder.left_out_of(input_error([&] { reduce_logs({log}, {}, {}); })),
+              "1.csv:" + std::to_string(1802 + fault) +
+                  ":1: column 'time': after 4.4975 s the clock goes back to 0 s, "
+                  "and on from " +
+                  rows[1800 + fault][0] +
+                  " s, so that no log begins there; give each row its own time: "
+                  "row number divided by the sampling rate");
+  }
+}
+
 /// A time of the log itself, though another log has it, too.
 TEST(SeveralLogs, HaveCutsOnTheirOwnClocks) {
   const TemporaryFolder folder;

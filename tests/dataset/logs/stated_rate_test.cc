@@ -28,7 +28,14 @@ TEST(StatedRates, AreReadInTheWordsOfInstruments) {
                                                    {"Samples per second: 20", 20},
                                                    {"Fréquence d'échantillonnage : 200 Hz", 200},
                                                    {"Scan interval (µs)\t500", 2000},
-                                                   {"Rate: 40 Hz", 40}}) {
+                                                   {"Rate: 40 Hz", 40},
+                                                   {"Sample rate: 0.4 kS/s", 400},
+                                                   {"Sample rate 400/s", 400},
+                                                   {"Sample Rate\t2\tMSa/s", 2e6},
+                                                   {"Sample rate: 0.4 kHz (of 4 kHz)", 400},
+                                                   {"Sample rate: 0.4 kHz, 16 bit", 400},
+                                                   {"Acquisition rate: 400 pts/sec", 400},
+                                                   {"Bildrate [1/s]: 25 Bilder", 25}}) {
     const auto found = stated_rate("a.txt", "Test 7, 3.5.2026\n" + line + "\nSpeed: 0.1 mm/s\n");
     ASSERT_TRUE(found) << line;
     EXPECT_NEAR(found->rate, rate, 1e-9 * rate) << line;  // a quotient of two decimal numbers
@@ -40,7 +47,8 @@ TEST(StatedRates, AreNotTakenFromOtherNumbers) {
   for (const std::string line :
        {"Shear rate: 0.1 1/s", "Oscillation frequency: 1 Hz", "Sampling interval: 2.5", "Loading rate (mN/s): 4",
         "Sample: 400", "Samples\t400\t400", "Rate: 0.1", "Sample rate: fast", "Sample rate: 1,000 Hz",
-        "Date: 2026-05-01", "Sample rate: 0 Hz", "X0\t0.5"})
+        "Date: 2026-05-01", "Sample rate: 0 Hz", "X0\t0.5", "Sample rate: 24000 samples/min", "Sample rate: 1/400 s",
+        "Sampling rate: 1 sample every 2.5 ms", "Sampling rate: 0.4k", "Sample rate, 12,5 Hz", "Data rate,1,5 kHz"})
     EXPECT_FALSE(stated_rate("a.txt", line + "\n")) << line;
 }
 

@@ -129,6 +129,9 @@ TEST(SeveralTables, DoNotExcuseARowThatIsNotUnderstood) {
             "a.csv:5:9: the row has 1 fields, the header 3");
   EXPECT_EQ(load_error(kHeadings + kOne + "1.2,1.3\n" + kHeadings + kTwo, kConstants),
             "a.csv:5:8: the row has 2 fields, the header 3");
+  // no headings of the rows below
+  EXPECT_EQ(load_error(kHeadings + kOne + "OVL,OVL,OVL\n" + kTwo, kConstants),
+            "a.csv:5:1: column 'P': 'OVL' is not a number");
 }
 
 TEST(SeveralTables, OfAnyLengthAreRead) {
