@@ -126,6 +126,12 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   if (const auto course = data.has_loads ? test_course(data, fit.used, T, unexpected(fit)) : std::nullopt) {
     tests.course = course->F;
     tests.course_p = course->exceeds_noise(fit.used.size(), residual_unit(fit)) ? course->p_value : 1;
+    // With few runs, noise with a memory is hardly distinguished from a wrong model: less evidence is enough against
+    // it.
+    constexpr std::size_t kFewRuns = 5;
+    constexpr double kLess = 1e-2;
+    const bool few = data.curves.size() < kFewRuns && fit.errors && fit.errors->correlations.any();
+    tests.shares_course = tests.course_p < (few ? kLess : kChance);
   }
   // With one or two runs, correlated noise cannot be distinguished from a wrong model.
   const bool independent = tests.course && fit.innovations.size() == fit.residuals.size();

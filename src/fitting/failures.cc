@@ -95,7 +95,7 @@ Message failed_test(const Dataset& data, const FitResult& fit) {
   if (is_far(tests.residuals))
     return "the points lie " + rounded(*tests.residuals.over_scatter, 2) +
            " times as far from the curve as neighbours scatter: the model or a constant is wrong";
-  if (tests.residuals.course_p < kChance)
+  if (tests.residuals.shares_course)
     return "the residuals take the same course over T in all runs (F = " + rounded(*tests.residuals.course, 3) +
            "): the model or a constant is wrong";
   if (tests.residuals.together)

@@ -127,7 +127,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     const double p_value = course && course->size > kSmallCourse ? course->p_value : 1;
     const bool shared = p_value < kChance, tried = purpose_ == Purpose::tried, first = round == 0 && !by_run;
     const bool surely = p_value < kSurely && (!first || course->size > kLargeCourse);
-    const bool off = (round == weighting && shared) || ((first || (tried && round >= more)) && surely) ||
+    const bool off = (round >= weighting && shared) || ((first || (tried && round >= more)) && surely) ||
                      (round == choosing && !course && models.correlations.any());
     if (off) {
       off_course_ = course;

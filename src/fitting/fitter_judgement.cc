@@ -128,6 +128,7 @@ void Fitter::test_residuals(const std::vector<double>& x) {
   if (off_course_ && off_course_->p_value < residuals.course_p) {
     residuals.course = off_course_->F;
     residuals.course_p = off_course_->p_value;
+    residuals.shares_course = true;
   }
   // Where ln f comes from loads and areas, its scatter differs from point to point.
   const bool common_scale = prepared_.objective == Objective::curve || options_.weighted || !data_.has_loads;

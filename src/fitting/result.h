@@ -132,6 +132,7 @@ struct ResidualTests {
   bool coarse = false;             // the resolution of the readings makes neighbours alike
   std::optional<double> course{};  // F of a course common to all runs (course.h); null with fewer than three
   double course_p = 1;
+  bool shares_course = false;           // more than by chance
   double ends = 0, ends_p = 1;          // z of the residuals at the ends of the runs against the points before
   static constexpr double kEnd = 0.05;  // share of a run that is its end; at least one point
   static constexpr std::size_t kLeastRun = 8;
