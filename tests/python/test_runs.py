@@ -99,12 +99,15 @@ def test_excluded_rows_stay_excluded_in_a_report(data, tmp_path):
 
 
 def test_several_logs_are_one_set_of_runs(log, program, tmp_path):
-    runs = mixity.runs(log, log)
+    other = tmp_path / "other.csv"
+    other.write_text(log.read_text())
+    other.with_suffix(".toml").write_text(log.with_suffix(".toml").read_text())
+    runs = mixity.runs(log, other)
     assert len(runs) == 6 and len(set(run["name"] for run in runs.runs)) == 6
     assert runs.runs[0]["shear"] == runs.runs[3]["shear"]
-    assert {row["log"] for row in runs.phases} == {str(log)}
+    assert {row["log"] for row in runs.phases} == {str(log), str(other)}
     runs.save(tmp_path / "python")
-    subprocess.run([program, "runs", log, log, f"--out={tmp_path}/program"], check=True, capture_output=True)
+    subprocess.run([program, "runs", log, other, f"--out={tmp_path}/program"], check=True, capture_output=True)
     assert (tmp_path / "python/runs.csv").read_text() == (tmp_path / "program/runs.csv").read_text()
     with pytest.raises(TypeError):
         mixity.runs(log, 3)

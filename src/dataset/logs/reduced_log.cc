@@ -84,6 +84,8 @@ std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const O
   const bool mapped = paths.size() > 1 && std::any_of(constants.begin(), constants.end(),
                                                       [](const auto& one) { return one.first == "columns"; });
   for (const std::string& path : paths) {
+    if (std::count(paths.begin(), paths.end(), path) > 1)
+      throw InputError(path, "is named twice: its runs would count twice");
     Metadata own = read_metadata(metadata_path(path), inputs);
     apply_overrides(constants, own);
     try {
@@ -182,8 +184,15 @@ ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& 
   if (!options.cuts_path.empty()) run_options.cuts = read_cuts(options.cuts_path);
   Metadata metadata;
   ReducedLogs logs;
-  for (Recordings& recordings : read_logs(paths, constants, metadata)) {
-    logs.push_back(reduced(std::move(recordings), metadata, options.lag, run_options));
+  std::vector<Recordings> all = read_logs(paths, constants, metadata);
+  const bool pairs = std::any_of(all.begin(), all.end(), [](const Recordings& one) { return one.size() > 1; });
+  for (Recordings& recordings : all) {
+    const auto lag = pairs && recordings.size() == 1 ? std::nullopt : options.lag;  // a lag is between two clocks
+    logs.push_back(reduced(std::move(recordings), metadata, lag, run_options));
+    if (metadata.load_offset && logs.back().load_turned != logs.front().load_turned)
+      throw InputError(logs.back().forces.path,
+                       "has the other sign of compression than " + logs.front().forces.path +
+                           ", and one load_offset is stated for both: reverse P in one of the files");
     const LoadingRuns& found = logs.back().runs;
     for (const LoadingRun& run : found.runs) run_options.taken.push_back(run.name);
     run_options.taken.insert(run_options.taken.end(), found.left_out.begin(), found.left_out.end());

@@ -69,8 +69,9 @@ TEST(SeveralLogs, AreInOneFileIfItsClockStartsAnew) {
   const TemporaryFolder folder;
   const auto rows = shipped_rows();
   const std::string text = rows_text(rows, {0, 1, 2, 3}), one = folder.write("one.csv", kHeadings + text),
+                    two = folder.write("two.csv", kHeadings + text),
                     both = folder.write("both.csv", kHeadings + text + text);
-  const ReducedLogs files = reduce_logs({one, one}, {}, {}), anew = reduce_logs({both}, {}, {});
+  const ReducedLogs files = reduce_logs({one, two}, {}, {}), anew = reduce_logs({both}, {}, {});
   ASSERT_EQ(anew.size(), 2u);
   EXPECT_EQ(names(anew), names(files));
   EXPECT_EQ(anew[0].forces.line, 2u);
@@ -88,20 +89,26 @@ TEST(SeveralLogs, MayBeFilesInPairs) {
   auto pictures = rows;
   std::erase_if(pictures, [](const auto& row) { return row[3].empty(); });
   const std::string forces = folder.write("f.csv", "time [s],P [mN],T [mN]\n" + rows_text(rows, {0, 1, 2})),
-                    areas = folder.write("a.csv", "time [s],A [mm^2]\n" + rows_text(pictures, {0, 3}));
-  const ReducedLogs logs = reduce_logs({forces, areas, areas, forces}, {}, {.lag = 0.0});
+                    areas = folder.write("a.csv", "time [s],A [mm^2]\n" + rows_text(pictures, {0, 3})),
+                    more_forces = folder.write("f2.csv", "time [s],P [mN],T [mN]\n" + rows_text(rows, {0, 1, 2})),
+                    more_areas = folder.write("a2.csv", "time [s],A [mm^2]\n" + rows_text(pictures, {0, 3}));
+  const ReducedLogs logs = reduce_logs({forces, areas, more_areas, more_forces}, {}, {.lag = 0.0});
   ASSERT_EQ(logs.size(), 2u);
   EXPECT_EQ(logs[0].areas_path, areas);
-  EXPECT_EQ(logs[1].areas_path, areas);
+  EXPECT_EQ(logs[1].areas_path, more_areas);
   EXPECT_EQ(logs[0].runs.runs.size(), logs[1].runs.runs.size());
   EXPECT_EQ(folder.left_out_of(input_error([&] {
-    reduce_logs({forces, areas, forces}, {}, {});
+    reduce_logs({forces, areas, more_forces}, {}, {});
   })),
-            "f.csv: holds no areas; name the file that does, too: mixity runs FORCES.csv AREAS.csv");
+            "f2.csv: holds no areas; name the file that does, too: mixity runs FORCES.csv AREAS.csv");
   EXPECT_EQ(folder.left_out_of(input_error([&] {
-    reduce_logs({forces, forces, forces, areas}, {}, {});
+    reduce_logs({forces, more_forces}, {}, {});
   })),
-            "f.csv: holds no areas");
+            "f2.csv: holds no areas");
+  EXPECT_EQ(folder.left_out_of(input_error([&] {
+    reduce_logs({forces, areas, forces, areas}, {}, {});
+  })),
+            "f.csv: is named twice: its runs would count twice");
 }
 
 /// Not "base.csv as forces of more.csv".
@@ -121,24 +128,23 @@ TEST(SeveralLogs, MayBeFilesOfBothBesidePairs) {
   };
   const auto log = [](const std::string& one, const std::string& other) { return one + "+" + other; };
   const std::string own = folder.left_out_of(log(both, both)), pair = folder.left_out_of(log(forces, areas));
-  EXPECT_EQ(paths({both, both, forces, areas}), own + " " + own + " " + pair);
   EXPECT_EQ(paths({both, forces, areas}), own + " " + pair);
   EXPECT_EQ(paths({areas, forces, both}), pair + " " + own);
   // areas of the second file where the first has some, too
   EXPECT_EQ(paths({both, areas}), folder.left_out_of(log(both, areas)));
-  EXPECT_EQ(paths({forces, both, forces, both}),
-            folder.left_out_of(log(forces, both)) + " " + folder.left_out_of(log(forces, both)));
+  EXPECT_EQ(paths({forces, both}), folder.left_out_of(log(forces, both)));
 }
 
 /// The names of the others stay as cuts.toml has them.
 TEST(SeveralLogs, KeepTheirNamesIfOneRunIsLeftOut) {
   const TemporaryFolder folder;
-  const std::string log = folder.write("1.csv", kHeadings + rows_text(shipped_rows(), {0, 1, 2, 3}));
-  std::vector<std::string> expected = names(reduce_logs({log, log}, {}, {}));
+  const std::string log = folder.write("1.csv", kHeadings + rows_text(shipped_rows(), {0, 1, 2, 3})),
+                    other = folder.write("2.csv", kHeadings + rows_text(shipped_rows(), {0, 1, 2, 3}));
+  std::vector<std::string> expected = names(reduce_logs({log, other}, {}, {}));
   const std::string cuts =
       folder.write("cuts.toml", "[[cuts]]\nrun = \"" + expected.front() + "\"\nleave_out = true\n");
   expected.erase(expected.begin());
-  EXPECT_EQ(names(reduce_logs({log, log}, {}, {.cuts_path = cuts})), expected);
+  EXPECT_EQ(names(reduce_logs({log, other}, {}, {.cuts_path = cuts})), expected);
 }
 
 /// A stated load has no zero to be read out of contact.
@@ -176,13 +182,14 @@ TEST(SeveralLogs, DoNotBeginWhereAClockGoesBackForARow) {
 /// A time of the log itself, though another log has it, too.
 TEST(SeveralLogs, HaveCutsOnTheirOwnClocks) {
   const TemporaryFolder folder;
-  const std::string log = folder.write("1.csv", kHeadings + rows_text(shipped_rows(), {0, 1, 2, 3}));
-  const ReducedLogs found = reduce_logs({log, log}, {}, {});
+  const std::string log = folder.write("1.csv", kHeadings + rows_text(shipped_rows(), {0, 1, 2, 3})),
+                    other = folder.write("2.csv", kHeadings + rows_text(shipped_rows(), {0, 1, 2, 3}));
+  const ReducedLogs found = reduce_logs({log, other}, {}, {});
   const LoadingRun& run = found[1].runs.runs.front();
   const double onset = run.onset->time - 0.25;
   const std::string cuts =
       folder.write("cuts.toml", "[[cuts]]\nrun = \"" + run.name + "\"\nonset = \"" + rounded(onset, 9) + " s\"\n");
-  const ReducedLogs cut = reduce_logs({log, log}, {}, {.cuts_path = cuts});
+  const ReducedLogs cut = reduce_logs({log, other}, {}, {.cuts_path = cuts});
   EXPECT_EQ(cut[0].runs.runs.front().onset->time, found[0].runs.runs.front().onset->time);
   EXPECT_NEAR(cut[1].runs.runs.front().onset->time, onset, 1e-6);
 }
