@@ -69,7 +69,10 @@ struct PointReader::Numbers {
 
 PointReader::PointReader(const std::string& metadata_path, const std::vector<Heading>& headings,
                          const ColumnRules& rules, Dataset& data)
-    : load_(stated_load(data)), path_(data.path), columns_(data.path, headings, rules) {
+    : load_(stated_load(data)),
+      path_(data.path),
+      columns_(data.path, headings, rules),
+      clocks_(data.path, headings, columns_, rules) {
   if (columns_.has(ColumnId::P) && load_) {
     load_.reset();
     data.notes.emplace_back(kLoadNotUsed);
@@ -78,8 +81,9 @@ PointReader::PointReader(const std::string& metadata_path, const std::vector<Hea
   units_ = take_header(columns_, metadata_path, data);
 }
 
-std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) const {
+std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) {
   require_width(path_, row, columns_.count, columns_.needed);
+  clocks_.take(row);
   if (const Column* include = columns_.find(ColumnId::include)) {
     const std::string_view text = row[include->index];
     if (text != "0" && text != "1")

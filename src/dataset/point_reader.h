@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dataset/dataset.h"
+#include "dataset/table/channel_clocks.h"
 #include "dataset/table/columns.h"
 #include "dataset/table/csv.h"
 
@@ -50,7 +51,7 @@ class PointReader {
 
   /// Reads a row into a point, except for its run. Returns why the row cannot be used, or an empty text. Throws
   /// InputError for a row that cannot be understood.
-  std::string_view read(const CsvRow& row, ReadPoint& point) const;
+  std::string_view read(const CsvRow& row, ReadPoint& point);
 
   const Columns& columns() const { return columns_; }
 
@@ -63,6 +64,7 @@ class PointReader {
   std::optional<double> load_;  // common to all points, in SI; null if a column states the loads
   std::string path_;
   Columns columns_;
+  ChannelClocks clocks_;
   PointUnits units_;
 };
 

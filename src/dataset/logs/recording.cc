@@ -7,6 +7,7 @@
 #include "base/input_error.h"
 #include "base/text.h"
 #include "dataset/logs/log_clock.h"
+#include "dataset/table/channel_clocks.h"
 #include "dataset/table/columns.h"
 #include "dataset/table/csv_file.h"
 #include "dataset/table/table_rows.h"
@@ -41,6 +42,7 @@ class LogReader : public UseOfRows {
     if (!rows.table()) throw InputError(recording_.path, "holds no table with headings and rows of numbers");
     columns_ = Columns(recording_.path, rows.table()->headings, rules_);
     find_columns(*rows.table(), columns_);
+    channel_clocks_ = ChannelClocks(recording_.path, rows.table()->headings, columns_, rules_);
     clock_.emplace(recording_.path, *rows.table(), columns_, metadata_, rows.head());
     rows.read(*this);
     recording_.reading = file_.sheet() ? describe(*file_.sheet(), describe(rows)) : describe(rows);
@@ -69,6 +71,7 @@ class LogReader : public UseOfRows {
     const double time = clock_->time_of(row);
     values_.clear();
     for (const Channel& channel : channels_) values_.push_back(value_of(row, channel));
+    channel_clocks_.take(row);
     clock_->keep(row, time);
     for (std::size_t k = 0; k < channels_.size(); ++k) channels_[k].values.push_back(values_[k]);
   }
@@ -193,6 +196,7 @@ class LogReader : public UseOfRows {
   std::vector<double> values_;  // of the row, by channel
   Columns columns_;
   std::optional<LogClock> clock_;
+  ChannelClocks channel_clocks_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "base/input_error.h"
 #include "base/text.h"
+#include "dataset/table/channel_clocks.h"
 
 namespace mixity {
 namespace {
@@ -140,8 +141,7 @@ class Names {
       const NamedColumn* before = find(column->id);
       if (!before)
         columns_.push_back(std::move(*column));
-      else if (!is_mapped(column->id) && !repeats_clock(*before, headings_[i]) &&
-               !column_named(headings_[before->index].name))
+      else if (!is_mapped(column->id) && !repeats_clock(*before, i) && !column_named(headings_[before->index].name))
         throw InputError(path_, headings_[i].place,
                          "'" + before->heading.text + "' and '" + headings_[i].text + "' may both be " +
                              name_of(column->id) + "; say which: " + mapping(column->id, headings_, before->index) +
@@ -198,6 +198,19 @@ class Names {
       for (const ColumnId axis : axes) drop(axis);
   }
 
+  /// Where each channel has a column of times, takes that of the first channel that is read.
+  void take_clock_of_channels() {
+    const NamedColumn* const time = find(ColumnId::time);
+    if (!time || is_mapped(ColumnId::time)) return;
+    std::optional<std::size_t> first;
+    for (const NamedColumn& column : columns_)
+      if (column.id < ColumnId::psi) first = std::min(first.value_or(column.index), column.index);
+    const auto clock = first ? clock_of(headings_, time->index, *first, *first) : std::nullopt;
+    if (!clock || *clock == time->index || at(*clock)) return;
+    for (NamedColumn& column : columns_)
+      if (column.id == ColumnId::time) column = {ColumnId::time, *clock, headings_[*clock]};
+  }
+
   std::vector<NamedColumn> sorted() && {
     std::sort(columns_.begin(), columns_.end(),
               [](const NamedColumn& one, const NamedColumn& other) { return one.index < other.index; });
@@ -210,9 +223,13 @@ class Names {
                                                                                             : std::nullopt;
     return unit && unit->dimension == dimension::time;
   }
-  /// Whether a second column of frames, or of times with the same heading, as LabVIEW writes one for each channel.
-  static bool repeats_clock(const NamedColumn& before, const Heading& heading) {
-    return before.id == ColumnId::frame || (before.id == ColumnId::time && before.heading.text == heading.text);
+  /// Whether a column repeats the clock: frames, or the times of another channel.
+  bool repeats_clock(const NamedColumn& before, std::size_t index) const {
+    if (before.id == ColumnId::frame) return true;
+    if (before.id != ColumnId::time) return false;
+    const std::vector<std::size_t> clocks = clocks_of_channels(headings_, before.index);
+    return before.heading.text == headings_[index].text ||
+           std::find(clocks.begin(), clocks.end(), index) != clocks.end();
   }
 
   template <class Value>
@@ -298,6 +315,7 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
   if (rules.vocabulary) names.add_by_vocabulary(rules.names ? *rules.names : Vocabulary::shipped());
   if (rules.vocabulary) names.add_misfits();
   names.drop_redundant_sizes();
+  names.take_clock_of_channels();
   return std::move(names).sorted();
 }
 

@@ -11,13 +11,6 @@
 namespace mixity {
 namespace {
 
-/// The common part of "P1" and "P2", or "P" and "P.1".
-std::string letters_of(std::string_view name) {
-  std::string letters = folded(name);
-  std::erase_if(letters, is_digit);
-  return letters;
-}
-
 /// Words in a column without a heading, such as LabVIEW's comments on some rows.
 bool is_remark(std::string_view text) {
   return text.find_first_of("+-.,0123456789") != 0 && !is_number(text) && !folded(text).empty();

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "dataset/table/number.h"
 
 namespace mixity {
 
@@ -68,6 +69,12 @@ std::string folded(std::string_view name) {
     at += length;
   }
   return kept;
+}
+
+std::string letters_of(std::string_view name) {
+  std::string letters = folded(name);
+  std::erase_if(letters, is_digit);
+  return letters;
 }
 
 std::string sorted_words(std::string_view name) {

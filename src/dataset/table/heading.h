@@ -29,6 +29,9 @@ std::string_view trim_name(std::string_view text);
 /// The letters and digits of a name, in lower case, without accents. Empty if the text is not UTF-8.
 std::string folded(std::string_view name);
 
+/// The common part of "P1" and "P2", or "P" and "P.1".
+std::string letters_of(std::string_view name);
+
 /// The words of a name, folded and sorted, without articles and prepositions: equal for "area reale di contatto" and
 /// "area di contatto reale".
 std::string sorted_words(std::string_view name);

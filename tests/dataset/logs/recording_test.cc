@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
+#include <sstream>
 
 #include "base/input_error.h"
 #include "dataset/temporary_folder.h"
@@ -179,6 +181,62 @@ TEST(Recordings, OfLabVIEWAreReadInEachForm) {
                       "0.000\t0.000\t0.000\t0.000\n0.500\t0.008\t0.010\t0.300\n1.000\t0.008\t0.020\t0.300\n";
   std::replace(comma.begin() + static_cast<std::ptrdiff_t>(comma.find("Decimal")), comma.end(), '.', ',');
   expect(read(comma), 3, "decimal commas that could be groups of three");
+}
+
+/// LabVIEW's form Multi, and tables of other programs that have a column of times for each channel.
+TEST(Recordings, WithAColumnOfTimesForEachChannelAreReadIfTheseAgree) {
+  const std::vector<double> times{0, 0.5, 1};
+  const auto rows = [](const std::string& x, const std::string& of_area) {  // "0 0.5 1"
+    std::string text;
+    std::istringstream xs(x), areas(of_area);
+    for (std::string one, other; xs >> one && areas >> other;)
+      text += one + "\t1\t" + one + "\t2\t" + other + "\t0.3\n";
+    return text;
+  };
+  const std::string names = "X_Value\tP [mN]\tX_Value\tT [mN]\tX_Value\tA [mm^2]\n";
+  const std::string numbered = "Time 1 (s)\tP [mN]\tTime 2 (s)\tT [mN]\tTime 3 (s)\tA [mm^2]\n";
+  EXPECT_EQ(read(names + rows("0 0.5 1", "0 0.5 1")).time, times);
+  EXPECT_EQ(read(names + rows("0 0.5 1", "1e-6 0.500001 1.000001")).time, times);  // rounded
+  EXPECT_EQ(read(numbered + rows("0 0.5 1", "0 0.5 1"), "time=Time 1 (s)").time, times);
+  EXPECT_EQ(read("Time (s)\tP [mN]\tTime (s)\tT [mN]\tTime (ms)\tA [mm^2]\n" + rows("0 0.5 1", "0 500 1000")).time,
+            times);
+  // other rate, other start, other start by the clock
+  const std::string refusal =
+      ": the channels have clocks of their own; resample them to one before the export, and export one column of times";
+  const std::string as_two = ", or export forces and areas as two files";
+  EXPECT_EQ(error_of(names + rows("0 0.5 1", "0 0.4 0.8")),
+            "log.csv:3:13: the time of A is 0.4, but column 1 'X_Value' says 0.5" + refusal + as_two);
+  EXPECT_EQ(error_of(names + rows("0 0.5 1", "0.02 0.52 1.02")),
+            "log.csv:3:13: the time of A is 0.52, but column 1 'X_Value' says 0.5" + refusal + as_two);
+  EXPECT_EQ(error_of(names + rows("10:00:00.0 10:00:00.5 10:00:01.0", "10:00:00.1 10:00:00.6 10:00:01.1")),
+            "log.csv:2:27: the time of A is 10:00:00.1, but column 1 'X_Value' says 10:00:00.0" + refusal + as_two);
+  EXPECT_EQ(error_of("X_Value\tP [mN]\tX_Value\tT [mN]\tA [mm^2]\n0\t1\t0\t2\t3\n1\t1\t1.5\t2\t3\n"),
+            "log.csv:3:5: the time of T, A is 1.5, but column 1 'X_Value' says 1" + refusal);
+  const TemporaryFolder folder;
+  Metadata first;
+  set_field(first, "columns", "time=Time 1 (s)");
+  const std::string path = folder.write("log.csv", numbered + rows("0 0.5 1", "0 0.4 0.8"));
+  EXPECT_NE(input_error([&] { read_recordings(path, first); }).find("the time of A is 0.4, but column 1 'Time 1'"),
+            std::string::npos);
+  // rates that the decimal comma hides, and a slower channel that ends
+  std::string commas = names + rows("0 0.5 1", "0 0.4 0.8");
+  std::replace(commas.begin(), commas.end(), '.', ',');
+  EXPECT_NE(error_of(commas).find("the time of A is 0.4"), std::string::npos);
+  EXPECT_EQ(read(names + rows("0 0.5 1", "0 0.5 1") + "1.5\t1\t1.5\t2\t\t\n").time.size(), 4u);
+}
+
+TEST(Recordings, TakeTheTimesOfTheChannelsThatAreRead) {
+  // a thermometer at another rate, whose times come first; T in s, which is no force
+  EXPECT_EQ(read("X_Value,Temp (°C),X_Value,P [mN],X_Value,T [mN],X_Value,A [mm^2]\n"
+                 "0,20,0,1,0,2,0,0.3\n2,20,0.5,1,0.5,2,0.5,0.3\n4,20,1,1,1,2,1,0.3\n")
+                .time,
+            (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(read("T (s),Fz (N),T (N),A (mm^2)\n0,1,7,0.3\n1,1,8,0.3\n2,1,9,0.3\n").time,
+            (std::vector<double>{0, 1, 2}));
+  // times behind their channels
+  EXPECT_EQ(error_of("P [mN],Time (s),T [mN],Time (s),A [mm^2],Time (s)\n1,0,2,0,0.3,0\n1,1,2,1,0.3,2\n1,2,2,2,0.3,4\n")
+                .substr(0, 70),
+            "log.csv:3:13: the time of A is 2, but column 2 'Time' says 1: the chan");
 }
 
 TEST(Recordings, OfTestersOfFrictionAreRead) {

@@ -40,6 +40,14 @@ TEST(ColumnNames, OfALogMayBeTheProgramsAndALaboratorysInOneFile) {
   }
 }
 
+TEST(ColumnNames, OfPointsMayHaveATimeForEachChannelIfTheseAgree) {
+  const std::string header = "X_Value,P [mN],X_Value,T [mN],X_Value,A [mm^2]";
+  EXPECT_EQ(read(header, {}, "0,4.68,0,0,0,0.3\n1,4.67,1,1,1,0.29\n2,4.69,2,2,2,0.28\n"), "");
+  EXPECT_EQ(read(header, {}, "0,4.68,0,0,0,0.3\n1,4.67,1,1,2,0.29\n2,4.69,2,2,4,0.28\n"),
+            "3:12: the time of A is 2, but column 1 'X_Value' says 1: the channels have clocks of their own; resample "
+            "them to one before the export, and export one column of times");
+}
+
 TEST(ColumnNames, WithAUnitThatIsNotKnownAreRefusedAndNotTakenForAnother) {
   const std::string remedy = "; if it is another way to write one: --columns=";
   EXPECT_EQ(read("Load (g),T [mN],A [mm^2]"),
