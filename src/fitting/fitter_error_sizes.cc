@@ -35,6 +35,14 @@ Eigen::Matrix2d covariance_of_sizes(const StandardErrors& errors, const std::vec
   } else if (A && information(1, 1) > 0) {
     covariance(1, 1) = 1 / information(1, 1);
   }
+  // The effect is linearised: beyond a factor of two in a variance, and where an axis hardly acts, it would be far too
+  // large.
+  constexpr double kMost = 0.7;
+  for (const Eigen::Index axis : {0, 1})
+    if (const double sd = std::sqrt(covariance(axis, axis)); sd > kMost) {
+      covariance.row(axis) *= kMost / sd;
+      covariance.col(axis) *= kMost / sd;
+    }
   return covariance;
 }
 
