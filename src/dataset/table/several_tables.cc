@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::size_t kHead = 60;  // lines between two tables that are looked at
 
-std::size_t count_filled(const CsvRow& row) {
-  std::size_t filled = 0;
-  for (std::size_t i = 0; i < row.size(); ++i) filled += !row[i].empty();
-  return filled;
-}
-
 std::size_t count_numbers(const CsvRow& row) {
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < row.size(); ++i) numbers += is_number(row[i]);
