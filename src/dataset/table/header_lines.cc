@@ -162,6 +162,12 @@ bool is_label_of_units(std::string_view text) {
 
 }  // namespace
 
+std::size_t count_filled(const CsvRow& row) {
+  std::size_t filled = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) filled += !row[i].empty();
+  return filled;
+}
+
 bool has_a_number(const CsvRow& row) {
   for (std::size_t i = 0; i < row.size(); ++i)
     if (is_number(row[i])) return true;

@@ -17,6 +17,7 @@ struct HeadingLine {
   std::optional<std::size_t> index;  // the line of headings; null: there is none, and a mapping names the columns
 };
 
+std::size_t count_filled(const CsvRow& row);  // its fields that are not empty
 /// Whether a field is a number, with any decimal sign.
 bool has_a_number(const CsvRow& row);
 

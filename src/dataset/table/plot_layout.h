@@ -9,7 +9,7 @@
 
 namespace mixity {
 
-/// The rows of an exported plot: the first has names, the second may have labels or units.
+/// Rows of an exported plot with one row of names: the first has names, the second may have labels or units.
 struct PlotRows {
   std::vector<CsvRow> rows;
   std::size_t first = 0;  // the first row of numbers

@@ -21,8 +21,8 @@ struct PlotSeries {
 };
 
 /// Reads an exported plot. The first row has the names of the data sets; a row of words may follow, then the numbers in
-/// the formats of find_table. A data set may lack points. Throws InputError
-/// with file, line and column for anything else, for repeated names, and for a file that fits both layouts.
+/// the formats of find_table. Other names with numbers may stand below them. A data set may lack points. Throws
+/// InputError with file, line and column for anything else, for repeated names, and for a file that fits both layouts.
 std::vector<PlotSeries> read_plot(const std::string& path, PlotLayout layout, const std::string& x_column,
                                   const SheetChoice& choice = {});
 

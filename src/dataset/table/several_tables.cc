@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::size_t kHead = 60;  // lines between two tables that are looked at
 
-std::size_t count_filled(const CsvRow& row) {
-  std::size_t filled = 0;
-  for (std::size_t i = 0; i < row.size(); ++i) filled += !row[i].empty();
-  return filled;
-}
-
 /// Whether its fields differ, as headings do: "OVL,OVL,OVL" is a row of an instrument that is overloaded.
 bool has_different_words(const CsvRow& row) {
   std::string_view first;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "dataset/dataset.h"
 #include "dataset/temporary_folder.h"
@@ -162,6 +164,45 @@ TEST(PlotImport, NamesThatRepeatInPairsAreOfPairs) {
   // a gap in the first column is of no shared x
   EXPECT_EQ(import("dry,one,wet,two\n0,2,0,3\n,,2,2.5\n", bare("T", "A", 2)),
             "curve,P,T,A\ndry,1,0,2\nwet,1,0,3\nwet,1,2,2.5\n");
+}
+
+/// Engauge's "one curve on each line", and digitisers that write a title above each curve.
+TEST(PlotImport, CurvesBelowOneAnotherAreSeveral) {
+  const PlotImport options{"psi [deg]", "Gc [mJ/m^2]", {}};
+  const std::string expected =
+      "curve,psi [deg],Gc [mJ/m^2]\ndry,0,21.5\ndry,15,22.9\nwet,0,20.1\nold,15,19.6\nold,30,18\n";
+  for (const char* text : {
+           "x,dry\n0,21.5\n15,22.9\n\nx,wet\n0,20.1\n\nx,old\n15,19.6\n30,18\n",
+           "x,dry\n0,21.5\n15,22.9\nx,wet\n0,20.1\nx,old\n15,19.6\n30,18",                          // no blank lines
+           "# x\tdry\n0\t21.5\n15\t22.9\n\n\n# x\twet\n0\t20.1\n\n\n# x\told\n15\t19.6\n30\t18\n",  // for gnuplot
+           "\"x\",\"dry\"\r\n0,21.5\r\n15,22.9\r\n\r\n\"x\",\"wet\"\r\n0,20.1\r\n\r\n\"x\",\"old\"\r\n15,19.6\r\n30,"
+           "18\r\n",
+           "x;dry\n0;21,5\n15;22,9\n\nx;wet\n0;20,1\n\nx;old\n15;19,6\n30;18\n",
+           "x,dry\n0,21.5\n15,22.9\n30,\n\nx,wet\n0,20.1\n15,\n30,\n\nx,old\n0,\n15,19.6\n30,18\n",  // raw points
+           "psi,dry\n0,21.5\n15,22.9\n\npsi,wet,old\n0,20.1,\n15,,19.6\n30,,18\n",
+           "dry,\nX,Y\n0,21.5\n15,22.9\n\nwet,\nX,Y\n0,20.1\n\nold,\nX,Y\n15,19.6\n30,18\n",
+           "dry\n0,21.5\n15,22.9\n\nwet\n0,20.1\n\nold\n15,19.6\n30,18\n",
+           "dry,,wet,\nX,Y,X,Y\n0,21.5,0,20.1\n15,22.9,,\n\nold,\nX,Y\n15,19.6\n30,18\n",
+       })
+    EXPECT_EQ(import(text, options), expected) << text;
+  // loads in their order, names that are numbers, a curve without points
+  EXPECT_EQ(import("x,5\n0,2\n\nx,10\n0,3\n1,2.5\n", in_milli({5, 10})),
+            "curve,P [mN],T [mN],A [mm^2]\n5,5,0,2\n10,10,0,3\n10,10,1,2.5\n");
+  EXPECT_EQ(import("x,one\n\nx,two\n0,3\n1,2.5\n", in_milli({5, 10})),
+            "curve,P [mN],T [mN],A [mm^2]\ntwo,10,0,3\ntwo,10,1,2.5\n");
+  EXPECT_EQ(import("x;a, 5 mN\n0,5;2,25\n\nx;b, 10 mN\n0,5;3,25\n", in_milli({5, 10})),
+            "curve,P [mN],T [mN],A [mm^2]\n\"a, 5 mN\",5,0.5,2.25\n\"b, 10 mN\",10,0.5,3.25\n");
+}
+
+TEST(PlotImport, WhatIsNotUnderstoodBelowACurveIsNoOtherCurve) {
+  const PlotImport options{"psi [deg]", "Gc [mJ/m^2]", {}};
+  for (const auto& [text, error] : std::vector<std::pair<std::string, std::string>>{
+           {"x,dry\n0,21.5\nO,22.9\n", "3:1: 'O' is not a finite number"},
+           {"x,dry\n0,21.5\nO,\n30,1\n", "3:1: 'O' is not a finite number"},
+           {"x,dry\n0,21.5\n\nx,dry\n30,1\n", "4:3: a second data set is named 'dry'"},
+           {"x,dry\n0,21.5\n\nx,wet\n3O,1\n", "5:1: '3O' is not a finite number"},
+       })
+    EXPECT_EQ(error_of(text, options), "plot.csv:" + error) << text;
 }
 
 TEST(PlotImport, WhatFitsBothLayoutsIsRefusedUntilOneIsStated) {
