@@ -10,7 +10,8 @@
 
 namespace mixity {
 std::string import_plot(const std::string& path, const PlotImport& options) {
-  const std::vector<PlotSeries> series = read_plot(path, options.layout, options.x_column, {options.sheet, options.decimal});
+  const std::vector<PlotSeries> series =
+      read_plot(path, options.layout, options.x_column, {options.sheet, options.decimal});
   const bool with_loads = !options.loads.empty();
   if (with_loads && options.loads.size() != series.size())
     throw InputError(path, 1, 1,
