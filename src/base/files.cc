@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <set>
 
 #include "base/inputs.h"
 #include "base/text.h"
@@ -23,6 +25,17 @@ std::string plain_file_name(std::string_view name) {
     name.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return result;
+}
+
+std::optional<std::string> named_twice(const std::vector<std::string>& paths) {
+  std::set<std::filesystem::path> seen;
+  for (const std::string& path : paths) {
+    std::error_code none;
+    const auto place = std::filesystem::weakly_canonical(path, none);
+    if (!seen.insert(std::filesystem::is_regular_file(place, none) ? place : std::filesystem::path(path)).second)
+      return path;
+  }
+  return std::nullopt;
 }
 
 }  // namespace mixity

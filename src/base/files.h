@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -31,6 +32,9 @@ class OutputError : public std::runtime_error {
 /// A file name without special meaning to the system, a shell or gnuplot: keeps letters, digits, blanks and "._-+=,()",
 /// and replaces all else, and a first character that is neither a letter nor a digit, by '_'.
 std::string plain_file_name(std::string_view name);
+
+/// The first path that names the same regular file as an earlier one, or is spelled alike; null if there is none.
+std::optional<std::string> named_twice(const std::vector<std::string>& paths);
 
 struct OutputFile {
   std::string path, content;

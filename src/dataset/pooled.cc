@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <set>
 
+#include "base/files.h"
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "dataset/signs.h"
@@ -126,12 +126,10 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
   if (files.empty()) throw InputError("files", "are none: a data set needs one at least");
   Metadata constants;
   std::vector<Metadata> stated;
-  std::set<std::filesystem::path> seen;
+  std::vector<std::string> paths;
+  for (const RunFile& file : files) paths.push_back(file.path);
+  if (const auto again = named_twice(paths)) throw InputError(*again, "is named twice: its points would count twice");
   for (const RunFile& file : files) {
-    std::error_code none;
-    if (const auto path = std::filesystem::weakly_canonical(file.path, none);
-        std::filesystem::is_regular_file(path, none) && !seen.insert(path).second)
-      throw InputError(file.path, "is named twice: its points would count twice");
     stated.push_back(read_metadata(metadata_path(file.path), inputs));
     if (const std::string problem = add_constants(stated.back(), constants); !problem.empty())
       throw InputError(metadata_path(file.path), problem);

@@ -48,6 +48,10 @@ std::string name_of(const Recording& log) {
   return log.path + (log.line > 0 ? " from line " + std::to_string(log.line) : "");
 }
 
+std::string force_text(const ReducedLog& log, double value, int digits) {
+  return rounded(value / log.force_factor, digits) + " " + log.force_unit;
+}
+
 /// How a clock coarser than its rows was handled; `file` is empty if there is only one.
 std::string clock_text(const TimeBase& clock, const std::string& file) {
   const std::string whose = file.empty() ? "" : " of " + printable(file, std::string::npos);
@@ -223,9 +227,7 @@ std::string log_text(const ReducedLog& log, Wording words) {
   std::ostringstream out;
   const LoadingRuns& found = log.runs;
   const Frames& frames = found.frames;
-  const auto force = [&](double value, int digits) {
-    return rounded(value / log.force_factor, digits) + " " + log.force_unit;
-  };
+  const auto force = [&](double value, int digits) { return force_text(log, value, digits); };
   out << "[[Log]]\n    " << printable(name_of(log.forces), std::string::npos);
   if (log.areas_path != log.forces.path) out << " and " << printable(log.areas_path, std::string::npos);
   out << "\n    read as: " << log.forces.reading << '\n';
@@ -267,9 +269,7 @@ std::string loading_runs_text(const ReducedLog& log, bool several) {
   std::ostringstream out;
   const LoadingRuns& found = log.runs;
   const Frames& frames = found.frames;
-  const auto force = [&](double value, int digits) {
-    return rounded(value / log.force_factor, digits) + " " + log.force_unit;
-  };
+  const auto force = [&](double value, int digits) { return force_text(log, value, digits); };
   out << "[[Loading runs]]";
   if (several || log.areas_path != log.forces.path)
     out << "  times on the clock of " << printable(log.areas_path, std::string::npos);

@@ -254,5 +254,15 @@ TEST(OutputFile, IsNeverOneOfTheInputs) {
   }
 }
 
+TEST(NamedTwice, IsAFileUnderAnyOfItsNames) {
+  const TemporaryFolder folder;
+  const std::string one = folder.write("one", "1"), two = folder.write("two", "2"), link = folder.path("link");
+  std::filesystem::create_symlink(one, link);
+  EXPECT_EQ(named_twice({one, two}), std::nullopt);
+  EXPECT_EQ(named_twice({one, two, link}), link);
+  EXPECT_EQ(named_twice({one, folder.path("./one")}), folder.path("./one"));
+  EXPECT_EQ(named_twice({"missing", two, "missing"}), "missing");
+}
+
 }  // namespace files_test
 }  // namespace mixity

@@ -22,6 +22,17 @@ Dataset exact_runs(std::size_t points) {
   return data;
 }
 
+/// The same with proportional noise: of A 0.2 %, of T this share.
+Dataset noisy_runs(unsigned seed, double share) {
+  Dataset data = exact_runs(100);
+  SeededNoise noise(seed, 0.002), shear(seed + 1000, share);
+  for (Point& point : data.points) {
+    point.T *= 1 + shear();
+    point.A *= 1 + noise();
+  }
+  return data;
+}
+
 std::vector<std::size_t> all_of(const Dataset& data) {
   std::vector<std::size_t> list(data.points.size());
   std::iota(list.begin(), list.end(), std::size_t{0});
@@ -87,12 +98,7 @@ TEST(Course, OfWideNoiseOfTMakesNoAlarm) {
 /// The first fit takes both errors as one share of the readings, by which these residuals have a course.
 TEST(Course, OfTheFirstWeightsDoesNotKeepTheErrorsFromBeingFound) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
-    Dataset data = exact_runs(100);
-    SeededNoise noise(seed, 0.002), shear(seed + 1000, 0.1);
-    for (Point& point : data.points) {
-      point.T *= 1 + shear();
-      point.A *= 1 + noise();
-    }
+    const Dataset data = noisy_runs(seed, 0.1);
     const FitResult fit = fit_model(data, "c", {.intervals = false});
     EXPECT_EQ(fit.status, FitStatus::ok) << seed << ": " << fit.message.text();
     EXPECT_NEAR(*fit.parameters[0].value, 0.15, 4 * *fit.parameters[0].stderr_) << seed;
@@ -122,13 +128,7 @@ TEST(Course, OfReadingsInPairsIsTooSmallToMatter) {
 
 TEST(Course, OfAWrongModelIsAnAlarmAlsoUnderWideNoise) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    Dataset data = exact_runs(100);
-    SeededNoise noise(seed, 0.002), shear(seed + 1000, 0.03);
-    for (Point& point : data.points) {
-      point.T *= 1 + shear();
-      point.A *= 1 + noise();
-    }
-    EXPECT_EQ(fit_model(data, "a", {.intervals = false}).status, FitStatus::suspect) << seed;
+    EXPECT_EQ(fit_model(noisy_runs(seed, 0.03), "a", {.intervals = false}).status, FitStatus::suspect) << seed;
   }
 }
 

@@ -142,6 +142,7 @@ class LogReader : public UseOfRows {
 
   void find_columns(const Table& table, const Columns& columns) {
     using enum ColumnId;
+    recording_.headings = table.headings;
     recording_.taken = columns.taken;
     for (const auto& column : columns.by_id) {
       if (!column || is_clock(column->id)) continue;

@@ -21,6 +21,7 @@ struct Recording {
   std::string force_unit, area_unit;         // in the file; mm^2 for areas in pixels and areas from radii or axes
   double force_factor = 1, area_factor = 1;  // one unit in SI
   std::string reading;                       // the format of the file: "tabs, decimal commas"
+  std::vector<Heading> headings;             // of the table
   std::vector<std::string> taken;            // "P from 'Normalkraft (mN)'"
 
   bool holds_forces() const { return !T.empty(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/files.h"
 #include "base/input_error.h"
 #include "base/toml_file.h"
 #include "base/units.h"
@@ -17,15 +18,18 @@
 namespace mixity {
 namespace {
 
-/// Throws for a quantity of the mapping whose column is in neither file.
-void require_mapped(const std::vector<std::string>& paths, const Overrides& constants) {
+/// Throws for a quantity of the mapping whose column is in none of the files. `files`: those that were read; the
+/// headings of the others are read from disk, for the message alone.
+void require_mapped(const std::vector<std::string>& paths, const std::vector<std::vector<Recording>>& files,
+                    const Overrides& constants) {
   Metadata metadata;
   apply_overrides(constants, metadata);
   ColumnRules rules;
   rules.mapping = metadata.columns;
   std::string there;
-  for (const std::string& path : paths) {
-    const std::vector<Heading> headings = headings_of_log(path, metadata);
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const std::vector<Heading> headings =
+        k < files.size() ? files[k].front().headings : headings_of_log(paths[k], metadata);
     for (const ColumnId id : mapped_in(headings, rules)) metadata.columns.erase(std::string(to_string(id)));
     Table table;
     table.headings = headings;
@@ -79,19 +83,18 @@ std::vector<Recordings> logs_of(std::vector<Recordings> files) {
 
 std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const Overrides& constants,
                                   Metadata& metadata) {
+  if (const auto again = named_twice(paths)) throw InputError(*again, "is named twice: its runs would count twice");
   Inputs inputs;
   std::vector<Recordings> files;
   const bool mapped = paths.size() > 1 && std::any_of(constants.begin(), constants.end(),
                                                       [](const auto& one) { return one.first == "columns"; });
   for (const std::string& path : paths) {
-    if (std::count(paths.begin(), paths.end(), path) > 1)
-      throw InputError(path, "is named twice: its runs would count twice");
     Metadata own = read_metadata(metadata_path(path), inputs);
     apply_overrides(constants, own);
     try {
       files.push_back(read_recordings(path, own, inputs, mapped));
     } catch (const InputError&) {
-      if (mapped) require_mapped(paths, constants);
+      if (mapped) require_mapped(paths, files, constants);
       throw;
     }
     if (files.size() == 1)
@@ -99,7 +102,7 @@ std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const O
     else if (const std::string problem = add_constants(own, metadata); !problem.empty())
       throw InputError(metadata_path(path), problem);
   }
-  if (mapped) require_mapped(paths, constants);
+  if (mapped) require_mapped(paths, files, constants);
   return logs_of(std::move(files));
 }
 

@@ -1,8 +1,11 @@
 // Several logs as one set of runs: a file for each load, files in pairs, a clock that starts anew.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "base/files.h"
 #include "base/number_text.h"
@@ -177,6 +180,24 @@ TEST(SeveralLogs, DoNotBeginWhereAClockGoesBackForARow) {
                   " s, so that no log begins there; give each row its own time: "
                   "row number divided by the sampling rate");
   }
+}
+
+/// A mapping of columns of two files is tested with what was read: a pipe has nothing to read again.
+TEST(SeveralLogs, OfPipesAreReadOnce) {
+  const TemporaryFolder folder;
+  const auto rows = shipped_rows();
+  auto pictures = rows;
+  std::erase_if(pictures, [](const auto& row) { return row[3].empty(); });
+  const std::string forces = folder.path("f.csv"), areas = folder.path("a.csv");
+  ASSERT_EQ(::mkfifo(forces.c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo(areas.c_str(), 0600), 0);
+  std::thread writer([&] {
+    std::ofstream(forces) << "time [s],Kanal 1 [mN],Kanal 2 [mN]\n" + rows_text(rows, {0, 1, 2});
+    std::ofstream(areas) << "time [s],A [mm^2]\n" + rows_text(pictures, {0, 3});
+  });
+  const ReducedLogs logs = reduce_logs({forces, areas}, {{"columns", "P=Kanal 1,T=Kanal 2"}}, {.lag = 0.0});
+  writer.join();
+  EXPECT_EQ(logs.front().runs.runs.size(), 3u);
 }
 
 /// A time of the log itself, though another log has it, too.
